@@ -1,0 +1,63 @@
+#include "check.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static CheckTest *first;
+static int failures, checks;
+
+void check_register(CheckTest *test) {
+    CheckTest **end = &first;
+    while (*end)
+        end = &(*end)->next;
+    *end = test;
+}
+
+static void count(bool good) {
+    checks++;
+    failures += !good;
+}
+
+void check_true(bool good, const char *what, const char *file, int line) {
+    count(good);
+    if (!good)
+        printf("%s:%d: not true: %s\n", file, line, what);
+}
+
+void check_near(double got, double expected, double tolerance, const char *what, const char *file, int line) {
+    bool good = fabs(got - expected) <= tolerance || got == expected;
+    count(good);
+    if (!good)
+        printf("%s:%d: %s is %.12g, expected %.12g within %.3g\n", file, line, what, got, expected, tolerance);
+}
+
+void check_text(const char *got, const char *expected, const char *what, const char *file, int line) {
+    bool good = got && strcmp(got, expected) == 0;
+    count(good);
+    if (!good)
+        printf("%s:%d: %s is\n  \"%s\"\nexpected\n  \"%s\"\n", file, line, what, got ? got : "(none)", expected);
+}
+
+const char *check_source(void) {
+    const char *source = getenv("CLEARANCE_SOURCE");
+    return source ? source : ".";
+}
+
+int main(int argc, char **argv) {
+    int tests = 0, failed = 0;
+    for (CheckTest *test = first; test; test = test->next) {
+        if (argc > 1 && !strstr(test->name, argv[1]))
+            continue;
+        int before = failures;
+        test->run();
+        tests++;
+        failed += failures != before;
+        printf("%s %s\n", failures == before ? "ok  " : "FAIL", test->name);
+    }
+    printf("%d tests, %d checks, %d tests failed\n", tests, checks, failed);
+    if (!checks)
+        printf("no check was made\n");
+    return failed || !checks;
+}

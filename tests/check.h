@@ -1,0 +1,32 @@
+/* A test is a sentence: TEST(a_closed_gap_never_pulls) { ... }. Checks print both values; a test goes on after a failed
+ * check. tests/check.c runs all tests of the program it is linked into. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct CheckTest {
+    const char *name;
+    void (*run)(void);
+    struct CheckTest *next;
+} CheckTest;
+
+void check_register(CheckTest *test);
+void check_true(bool good, const char *what, const char *file, int line);
+void check_near(double got, double expected, double tolerance, const char *what, const char *file, int line);
+void check_text(const char *got, const char *expected, const char *what, const char *file, int line);
+
+/* The project's source directory, for houses/, assets/ and tests/data/. */
+const char *check_source(void);
+
+#define TEST(name_)                                                                                                    \
+    static void name_(void);                                                                                           \
+    static CheckTest name_##_test = {#name_, name_, NULL};                                                             \
+    __attribute__((constructor)) static void name_##_register(void) {                                                  \
+        check_register(&name_##_test);                                                                                 \
+    }                                                                                                                  \
+    static void name_(void)
+
+#define CHECK(condition_) check_true((condition_), #condition_, __FILE__, __LINE__)
+#define CHECK_NEAR(got_, expected_, tolerance_) check_near((got_), (expected_), (tolerance_), #got_, __FILE__, __LINE__)
+#define CHECK_TEXT(got_, expected_) check_text((got_), (expected_), #got_, __FILE__, __LINE__)
