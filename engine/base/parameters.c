@@ -1,0 +1,399 @@
+#include "base/parameters.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/text.h"
+
+enum { NAMES_MOST = 64 /* rows of the longest table, choices of the longest list */ };
+
+static void *field(const Parameter *row, void *object) {
+    return (char *)object + row->offset;
+}
+
+static const void *const_field(const Parameter *row, const void *object) {
+    return (const char *)object + row->offset;
+}
+
+/* The place of `word` in "one|two|three", or -1. */
+static int choice_place(const char *choices, const char *word) {
+    size_t length = strlen(word);
+    int place = 0;
+    for (const char *at = choices; *at; place++) {
+        size_t size = strcspn(at, "|");
+        if (size == length && memcmp(at, word, size) == 0)
+            return place;
+        at += size + (at[size] == '|');
+    }
+    return -1;
+}
+
+static json_t *choice_word(const char *choices, int place) {
+    for (; place > 0; place--)
+        choices += strcspn(choices, "|") + 1;
+    return json_stringn(choices, strcspn(choices, "|"));
+}
+
+void parameters_reset(const ParameterTable *table, void *object) {
+    for (size_t i = 0; i < table->count; i++) {
+        const Parameter *row = &table->rows[i];
+        void *place = field(row, object);
+        switch (row->kind) {
+        case PARAMETER_NUMBER:
+            *(double *)place = row->fallback;
+            break;
+        case PARAMETER_WHOLE:
+        case PARAMETER_CHOICE:
+            *(int *)place = (int)row->fallback;
+            break;
+        case PARAMETER_FLAG:
+            *(bool *)place = row->fallback != 0;
+            break;
+        case PARAMETER_TEXT:
+        case PARAMETER_ID:
+            *(const char **)place = "";
+            break;
+        case PARAMETER_IDS:
+            *(Ids *)place = (Ids){0};
+            break;
+        case PARAMETER_POINT:
+            *(Vec2 *)place = (Vec2){0, 0};
+            break;
+        case PARAMETER_POINTS:
+            *(Points *)place = (Points){0};
+            break;
+        }
+    }
+}
+
+static const char *space_unit(const Parameter *row) {
+    return row->unit[0] && strcmp(row->unit, "1") != 0 ? row->unit : "";
+}
+
+static bool read_number(const Parameter *row, const JsonNode *node, double *value, Fault *fault) {
+    const char *unit = space_unit(row);
+    if (!json_is_number(node->value)) {
+        json_fault(node, fault, "%s must be a number%s%s", row->name, *unit ? " in " : "", unit);
+        return false;
+    }
+    double read = json_number_value(node->value);
+    if (!(read >= row->low && read <= row->high)) {
+        if (row->high < HUGE_VAL)
+            json_fault(node, fault, "%s is %g, must be from %g to %g%s%s", row->name, read, row->low, row->high,
+                       *unit ? " " : "", unit);
+        else
+            json_fault(node, fault, "%s is %g, must be at least %g%s%s", row->name, read, row->low, *unit ? " " : "",
+                       unit);
+        return false;
+    }
+    *value = read;
+    return true;
+}
+
+static bool read_point(const JsonNode *node, const char *name, Vec2 *value, Fault *fault) {
+    const json_t *x = json_array_get(node->value, 0), *y = json_array_get(node->value, 1);
+    if (json_array_size(node->value) != 2 || !json_is_number(x) || !json_is_number(y)) {
+        json_fault(node, fault, "%s must be a point [x, y] in m", name);
+        return false;
+    }
+    Vec2 read = {json_number_value(x), json_number_value(y)};
+    if (!(fabs(read.x) <= PARAMETER_FARTHEST && fabs(read.y) <= PARAMETER_FARTHEST)) {
+        json_fault(node, fault, "%s is (%g, %g), coordinates must be from %g to %g m", name, read.x, read.y,
+                   -PARAMETER_FARTHEST, PARAMETER_FARTHEST);
+        return false;
+    }
+    *value = read;
+    return true;
+}
+
+static bool read_points(const Parameter *row, const JsonNode *node, Points *value, Arena *arena, Fault *fault) {
+    size_t count = json_array_size(node->value);
+    if (!json_is_array(node->value) || (double)count < row->low) {
+        json_fault(node, fault, "%s must be a list of at least %g points [x, y] in m", row->name, row->low);
+        return false;
+    }
+    Points read = {arena_allocate(arena, count * sizeof(Vec2)), count};
+    bool good = true;
+    for (size_t i = 0; i < count; i++) {
+        JsonNode element = json_element(node, i);
+        good &= read_point(&element, row->name, &read.at[i], fault);
+    }
+    if (good)
+        *value = read;
+    return good;
+}
+
+static bool read_text(const Parameter *row, const JsonNode *node, const char **value, Arena *arena, Fault *fault) {
+    const char *text = json_string_value(node->value);
+    if (!text) {
+        json_fault(node, fault, "%s must be a text", row->name);
+        return false;
+    }
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
+    if (row->kind != PARAMETER_TEXT && (!*text || text[strspn(text, letters)])) {
+        json_fault(node, fault, "%s \"%.60s\" must be one or more letters, digits, - or _", row->name, text);
+        return false;
+    }
+    *value = arena_text(arena, text);
+    return true;
+}
+
+static bool read_ids(const Parameter *row, const JsonNode *node, Ids *value, Arena *arena, Fault *fault) {
+    if (!json_is_array(node->value)) {
+        json_fault(node, fault, "%s must be a list of ids", row->name);
+        return false;
+    }
+    size_t count = json_array_size(node->value);
+    Ids read = {arena_allocate(arena, count * sizeof(char *)), count};
+    bool good = true;
+    for (size_t i = 0; i < count; i++) {
+        JsonNode element = json_element(node, i);
+        good &= read_text(row, &element, &read.at[i], arena, fault);
+    }
+    if (good)
+        *value = read;
+    return good;
+}
+
+static bool read_choice(const Parameter *row, const JsonNode *node, int *value, Fault *fault) {
+    const char *word = json_string_value(node->value);
+    int place = word ? choice_place(row->choices, word) : -1;
+    if (place < 0) {
+        if (word)
+            json_fault(node, fault, "%s is \"%.40s\", must be one of %s", row->name, word, row->choices);
+        else
+            json_fault(node, fault, "%s must be one of %s", row->name, row->choices);
+        return false;
+    }
+    *value = place;
+    return true;
+}
+
+bool parameters_read_value(const Parameter *row, void *object, const JsonNode *node, Arena *arena, Fault *fault) {
+    void *place = field(row, object);
+    switch (row->kind) {
+    case PARAMETER_NUMBER:
+        return read_number(row, node, place, fault);
+    case PARAMETER_WHOLE: {
+        double read;
+        if (!read_number(row, node, &read, fault))
+            return false;
+        if (read != floor(read)) {
+            json_fault(node, fault, "%s is %g, must be a whole number", row->name, read);
+            return false;
+        }
+        *(int *)place = (int)read;
+        return true;
+    }
+    case PARAMETER_FLAG:
+        if (!json_is_boolean(node->value)) {
+            json_fault(node, fault, "%s must be true or false", row->name);
+            return false;
+        }
+        *(bool *)place = json_is_true(node->value);
+        return true;
+    case PARAMETER_CHOICE:
+        return read_choice(row, node, place, fault);
+    case PARAMETER_TEXT:
+    case PARAMETER_ID:
+        return read_text(row, node, place, arena, fault);
+    case PARAMETER_IDS:
+        return read_ids(row, node, place, arena, fault);
+    case PARAMETER_POINT:
+        return read_point(node, row->name, place, fault);
+    case PARAMETER_POINTS:
+        return read_points(row, node, place, arena, fault);
+    }
+    return false;
+}
+
+bool parameters_read(const ParameterTable *table, void *object, const JsonNode *node, Arena *arena, Fault *fault) {
+    size_t before = fault->count;
+    parameters_reset(table, object);
+    if (!json_is_object(node->value)) {
+        json_fault(node, fault, "%s must be an object { ... }", table->what);
+        return false;
+    }
+    const char *names[NAMES_MOST + 1] = {0};
+    for (size_t i = 0; i < table->count; i++)
+        names[i] = table->rows[i].name;
+    json_check_keys(node, names, fault);
+    for (size_t i = 0; i < table->count; i++) {
+        const Parameter *row = &table->rows[i];
+        JsonNode member = json_member(node, row->name);
+        if (member.value)
+            parameters_read_value(row, object, &member, arena, fault);
+        else if (row->needed)
+            json_fault(node, fault, "%s has no \"%s\" (%s)", table->what, row->name, row->meaning);
+    }
+    return fault->count == before;
+}
+
+static json_t *write_point(Vec2 point) {
+    return json_pack("[o,o]", json_number(point.x), json_number(point.y));
+}
+
+json_t *parameters_write(const ParameterTable *table, const void *object) {
+    json_t *written = json_object();
+    for (size_t i = 0; i < table->count; i++) {
+        const Parameter *row = &table->rows[i];
+        const void *place = const_field(row, object);
+        json_t *value = NULL;
+        switch (row->kind) {
+        case PARAMETER_NUMBER: {
+            double number = *(const double *)place;
+            if (row->needed || number != row->fallback)
+                value = json_number(number);
+            break;
+        }
+        case PARAMETER_WHOLE:
+            if (row->needed || *(const int *)place != (int)row->fallback)
+                value = json_integer(*(const int *)place);
+            break;
+        case PARAMETER_FLAG:
+            if (row->needed || *(const bool *)place != (row->fallback != 0))
+                value = json_boolean(*(const bool *)place);
+            break;
+        case PARAMETER_CHOICE:
+            if (row->needed || *(const int *)place != (int)row->fallback)
+                value = choice_word(row->choices, *(const int *)place);
+            break;
+        case PARAMETER_TEXT:
+        case PARAMETER_ID:
+            if (row->needed || **(const char *const *)place)
+                value = json_string(*(const char *const *)place);
+            break;
+        case PARAMETER_IDS: {
+            const Ids *ids = place;
+            value = row->needed || ids->count ? json_array() : NULL;
+            for (size_t k = 0; k < ids->count; k++)
+                json_array_append_new(value, json_string(ids->at[k]));
+            break;
+        }
+        case PARAMETER_POINT:
+            value = write_point(*(const Vec2 *)place);
+            break;
+        case PARAMETER_POINTS: {
+            const Points *points = place;
+            value = row->needed || points->count ? json_array() : NULL;
+            for (size_t k = 0; k < points->count; k++)
+                json_array_append_new(value, write_point(points->at[k]));
+            break;
+        }
+        }
+        if (value)
+            json_object_set_new(written, row->name, value);
+    }
+    return written;
+}
+
+static const char *leaf(const char *name) {
+    const char *dot = strrchr(name, '.');
+    return dot ? dot + 1 : name;
+}
+
+const Parameter *parameters_find(const ParameterTable *table, const char *name) {
+    const Parameter *found = NULL;
+    size_t leaves = 0;
+    for (size_t i = 0; i < table->count; i++) {
+        if (strcmp(table->rows[i].name, name) == 0)
+            return &table->rows[i];
+        if (strcmp(leaf(table->rows[i].name), name) == 0) {
+            found = &table->rows[i];
+            leaves++;
+        }
+    }
+    return leaves == 1 ? found : NULL;
+}
+
+void parameters_fault_unknown(const ParameterTable *table, const char *name, const JsonNode *node, Fault *fault) {
+    const char *names[2 * NAMES_MOST];
+    size_t count = 0;
+    for (size_t i = 0; i < table->count; i++) {
+        names[count++] = table->rows[i].name;
+        names[count++] = leaf(table->rows[i].name);
+    }
+    const char *nearest = text_nearest(name, names, count);
+    if (nearest)
+        json_fault(node, fault, "%s has no parameter \"%.60s\", did you mean \"%s\"?", table->what, name, nearest);
+    else
+        json_fault(node, fault, "%s has no parameter \"%.60s\", the first of its %zu is \"%s\"", table->what, name,
+                   table->count, table->rows[0].name);
+}
+
+json_t *parameters_schema_value(const Parameter *row) {
+    static const char point[] = "{s:s, s:i, s:i, s:{s:s, s:f, s:f}}";
+    json_t *schema = json_object();
+    json_t *type = NULL;
+    switch (row->kind) {
+    case PARAMETER_NUMBER:
+    case PARAMETER_WHOLE:
+        type = json_string(row->kind == PARAMETER_NUMBER ? "number" : "integer");
+        json_object_set_new(schema, "minimum", json_number(row->low));
+        if (row->high < HUGE_VAL)
+            json_object_set_new(schema, "maximum", json_number(row->high));
+        if (!row->needed && fabs(row->fallback) < HUGE_VAL)
+            json_object_set_new(schema, "default", json_number(row->fallback));
+        break;
+    case PARAMETER_FLAG:
+        type = json_string("boolean");
+        json_object_set_new(schema, "default", json_boolean(row->fallback != 0));
+        break;
+    case PARAMETER_CHOICE: {
+        json_t *words = json_array();
+        for (const char *at = row->choices; *at; at += strcspn(at, "|"), at += *at == '|')
+            json_array_append_new(words, json_stringn(at, strcspn(at, "|")));
+        json_object_set_new(schema, "enum", words);
+        if (!row->needed)
+            json_object_set_new(schema, "default", choice_word(row->choices, (int)row->fallback));
+        break;
+    }
+    case PARAMETER_TEXT:
+        type = json_string("string");
+        break;
+    case PARAMETER_ID:
+        type = json_string("string");
+        json_object_set_new(schema, "pattern", json_string("^[A-Za-z0-9_-]+$"));
+        break;
+    case PARAMETER_IDS:
+        type = json_string("array");
+        json_object_set_new(schema, "items", json_pack("{s:s, s:s}", "type", "string", "pattern", "^[A-Za-z0-9_-]+$"));
+        break;
+    case PARAMETER_POINT:
+    case PARAMETER_POINTS: {
+        json_t *one = json_pack(point, "type", "array", "minItems", 2, "maxItems", 2, "items", "type", "number",
+                                "minimum", -PARAMETER_FARTHEST, "maximum", PARAMETER_FARTHEST);
+        if (row->kind == PARAMETER_POINT) {
+            json_object_update(schema, one);
+            json_decref(one);
+        } else {
+            type = json_string("array");
+            json_object_set_new(schema, "minItems", json_integer((json_int_t)row->low));
+            json_object_set_new(schema, "items", one);
+        }
+        break;
+    }
+    }
+    if (type)
+        json_object_set_new(schema, "type", type);
+    char description[400];
+    const char *unit = space_unit(row);
+    snprintf(description, sizeof description, "%s%s%s", row->meaning, *unit ? ", in " : "", unit);
+    json_object_set_new(schema, "description", json_string(description));
+    return schema;
+}
+
+json_t *parameters_schema(const ParameterTable *table) {
+    json_t *properties = json_object(), *needed = json_array();
+    for (size_t i = 0; i < table->count; i++) {
+        json_object_set_new(properties, table->rows[i].name, parameters_schema_value(&table->rows[i]));
+        if (table->rows[i].needed)
+            json_array_append_new(needed, json_string(table->rows[i].name));
+    }
+    json_t *schema =
+        json_pack("{s:s, s:b, s:o}", "type", "object", "additionalProperties", 0, "properties", properties);
+    if (json_array_size(needed))
+        json_object_set(schema, "required", needed);
+    json_decref(needed);
+    return schema;
+}

@@ -1,0 +1,98 @@
+#include "base/text.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/memory.h"
+
+enum { WORD_LONGEST = 63 /* characters compared; longer words are compared by their beginning */ };
+
+static size_t text_difference(const char *a, const char *b) {
+    size_t n = strnlen(a, WORD_LONGEST), m = strnlen(b, WORD_LONGEST);
+    size_t row[WORD_LONGEST + 1];
+    for (size_t j = 0; j <= m; j++)
+        row[j] = j;
+    for (size_t i = 1; i <= n; i++) {
+        size_t diagonal = row[0];
+        row[0] = i;
+        for (size_t j = 1; j <= m; j++) {
+            size_t replace = diagonal + (a[i - 1] != b[j - 1]);
+            size_t change = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
+            diagonal = row[j];
+            row[j] = replace < change ? replace : change;
+        }
+    }
+    return row[m];
+}
+
+const char *text_nearest(const char *word, const char *const *words, size_t count) {
+    size_t allowed = strlen(word) / 3 > 2 ? strlen(word) / 3 : 2;
+    const char *nearest = NULL;
+    for (size_t i = 0; i < count; i++) {
+        size_t difference = text_difference(word, words[i]);
+        if (difference <= allowed && difference < strlen(words[i])) {
+            allowed = difference ? difference - 1 : 0;
+            nearest = words[i];
+            if (!difference)
+                break;
+        }
+    }
+    return nearest;
+}
+
+char *text_read_file(const char *path, size_t largest, size_t *size) {
+    int file = open(path, O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+        return NULL;
+    struct stat status;
+    int error = fstat(file, &status) ? errno : S_ISDIR(status.st_mode) ? EISDIR : 0;
+    char *text = NULL;
+    size_t capacity = 0, used = 0;
+    while (!error) {
+        text = memory_reserve(text, &capacity, used + 65536, 1);
+        ssize_t got = read(file, text + used, capacity - used - 1);
+        if (got == 0)
+            break;
+        if (got < 0)
+            error = errno == EINTR ? 0 : errno;
+        else
+            used += (size_t)got;
+        if (used > largest)
+            error = EFBIG;
+    }
+    close(file);
+    if (error) {
+        memory_free(text);
+        errno = error;
+        return NULL;
+    }
+    text[used] = 0;
+    *size = used;
+    return text;
+}
+
+int text_write_file(const char *path, const char *text, size_t size) {
+    size_t room = strlen(path) + 32;
+    char *beside = memory_allocate(room, 1);
+    snprintf(beside, room, "%s.%ld.part", path, (long)getpid());
+    int error = 0;
+    FILE *file = fopen(beside, "wb");
+    if (!file) {
+        error = errno;
+    } else {
+        if (fwrite(text, 1, size, file) != size || fflush(file) || fsync(fileno(file)))
+            error = errno ? errno : EIO;
+        if (fclose(file) && !error)
+            error = errno;
+        if (!error && rename(beside, path))
+            error = errno;
+        if (error)
+            unlink(beside);
+    }
+    memory_free(beside);
+    return error;
+}
