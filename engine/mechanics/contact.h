@@ -1,0 +1,41 @@
+/* The contact law: a normal and a tangential spring and dashpot behind a gap, limited by Coulomb friction.
+ *
+ *        gap > 0: nothing                    normal:      f_n = max(0, -k_n gap - c_n gap')         while gap < 0
+ *    body )    ( body                        tangential:  f_t = -(k_t s + c_t u'),  |f_t| <= mu f_n
+ *         |<-->|
+ *          gap                               s the slip since touching, u' the sliding velocity
+ *
+ * Source: the distinct element method of Cundall and Strack (1979) as Miura, Takimoto and Kubodera use it. The contact
+ * is released at zero force, not at zero gap: with a dashpot the spring has then not yet recovered, and the law never
+ * pulls. Released at zero gap, a collision of damping ratio 0.35 has a restitution of 0.309 instead of 0.404.
+ *
+ * One law serves a body against a wall, a personal space against a wall (a larger outline and softer numbers), and a
+ * beam's tip in its clearance. Geometry makes the gap, the law makes the force, the owner puts it into its equations.
+ */
+#pragma once
+
+typedef struct ContactLaw {
+    double normal_stiffness;     /* k_n, N/m */
+    double normal_damping;       /* c_n, N s/m */
+    double tangential_stiffness; /* k_t, N/m */
+    double tangential_damping;   /* c_t, N s/m */
+    double friction;             /* mu, 1 */
+} ContactLaw;
+
+/* The normal force, N, at least 0, pushing the two apart; `gap` in m is negative when they overlap, `gap_rate` in m/s
+ * is negative when they approach. */
+static inline double contact_normal(const ContactLaw *law, double gap, double gap_rate) {
+    if (gap >= 0)
+        return 0;
+    double force = -law->normal_stiffness * gap - law->normal_damping * gap_rate;
+    return force > 0 ? force : 0;
+}
+
+/* The tangential force, N, along the direction in which `sliding` (m/s, of the body relative to the other) is
+ * positive; it opposes the sliding. `*slip` (m) is the spring's length and is carried on by one step of `dt` s; when
+ * the friction limit is met it is set back so that the law gives the limited force. */
+double contact_tangential(const ContactLaw *law, double normal_force, double sliding, double dt, double *slip);
+
+/* The longest stable step, s, of semi-implicit Euler for a mass `mass` (kg) held by `contacts` such springs and
+ * dashpots at once: (2 / omega) (sqrt(1 + zeta^2) - zeta). Infinite without stiffness and damping. */
+double contact_longest_step(const ContactLaw *law, double mass, double contacts);

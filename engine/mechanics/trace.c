@@ -1,0 +1,44 @@
+#include "mechanics/trace.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/text.h"
+
+enum { CELL_LONGEST = 32 /* characters of a number or a separator */ };
+
+void trace_init(Trace *trace, const TraceColumn *columns, size_t width) {
+    *trace = (Trace){.columns = columns, .width = width};
+}
+
+void trace_clear(Trace *trace) {
+    memory_free(trace->values);
+    *trace = (Trace){0};
+}
+
+void trace_add(Trace *trace, const double *values) {
+    trace->values =
+        memory_reserve(trace->values, &trace->capacity, (trace->rows + 1) * trace->width, sizeof *trace->values);
+    memcpy(trace->values + trace->rows * trace->width, values, trace->width * sizeof *values);
+    trace->rows++;
+}
+
+int trace_write_csv(const Trace *trace, const char *path) {
+    size_t room = 1;
+    for (size_t c = 0; c < trace->width; c++)
+        room += strlen(trace->columns[c].name) + strlen(trace->columns[c].unit) + CELL_LONGEST;
+    room += trace->rows * trace->width * CELL_LONGEST;
+    char *text = memory_allocate(room, 1), *at = text;
+    for (size_t c = 0; c < trace->width; c++)
+        at += sprintf(at, "%s%s [%s]", c ? "," : "", trace->columns[c].name, trace->columns[c].unit);
+    at += sprintf(at, "\r\n");
+    for (size_t r = 0; r < trace->rows; r++) {
+        for (size_t c = 0; c < trace->width; c++)
+            at += snprintf(at, CELL_LONGEST, "%s%.9g", c ? "," : "", trace_row(trace, r)[c]);
+        at += sprintf(at, "\r\n");
+    }
+    int error = text_write_file(path, text, (size_t)(at - text));
+    memory_free(text);
+    return error;
+}
