@@ -1,0 +1,246 @@
+#include "house/profile.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#define ROW(name_, field_, unit_, low_, high_, meaning_)                                                               \
+    {                                                                                                                  \
+        .name = name_, .kind = PARAMETER_NUMBER, .offset = offsetof(Profile, field_), .unit = unit_, .low = low_,      \
+        .high = high_, .needed = true, .meaning = meaning_                                                             \
+    }
+
+static const Parameter profile_rows[] = {
+    ROW("body.length", length, "m", 0.1, 3, "length of chair and driver"),
+    ROW("body.width", width, "m", 0.1, 3, "width"),
+    ROW("body.axle", axle, "m", 0, 3, "drive axle ahead of the rear edge"),
+    ROW("body.corner_radius", corner_radius, "m", 0.01, 1, "rounding of the corners"),
+    ROW("body.mass", mass, "kg", 1, 1000, "mass of chair and driver"),
+    ROW("body.mass_centre", mass_centre, "m", -1, 1, "mass centre ahead of the drive axle"),
+    ROW("body.radius_of_gyration", radius_of_gyration, "m", 0.05, 2, "radius of gyration in yaw"),
+    ROW("drive.free_speed", free_speed, "m/s", 0.05, 5, "free speed on the level, mean"),
+    ROW("drive.free_speed_deviation", free_speed_deviation, "m/s", 0, 2, "its standard deviation"),
+    ROW("drive.minimum_speed", minimum_speed, "m/s", 0.01, 2, "v_min, floor of the speed through corners"),
+    ROW("drive.steering_time", steering_time, "s", 0, 10, "b of the steering law v = (W - w) / b"),
+    ROW("drive.acceleration", acceleration, "m/s2", 0.01, 10, "a_0, initial acceleration"),
+    ROW("drive.deceleration", deceleration, "m/s2", 0.01, 10, "a_d, deceleration"),
+    ROW("drive.lateral_acceleration", lateral_acceleration, "m/s2", 0.01, 10, "comfortable in a corner"),
+    ROW("drive.turn_rate", turn_rate, "rad/s", 0.01, 10, "fastest turn"),
+    ROW("drive.push", push, "N", 1, 5000, "most that the driver pushes with"),
+    ROW("drive.turning_moment", turning_moment, "N m", 0.1, 1000, "most that the driver turns with"),
+    ROW("drive.speed_response", speed_response, "s", 0.01, 10, "time to take up a speed"),
+    ROW("drive.turn_response", turn_response, "s", 0.01, 10, "time to take up a turn"),
+    ROW("drive.lateral_gain", lateral_gain, "1/m2", 0, 1000, "steering per distance off the path"),
+    ROW("drive.heading_gain", heading_gain, "1/m", 0, 1000, "steering per heading off the path"),
+    ROW("drive.side_friction", side_friction, "1", 0, 10, "of the wheels sideways"),
+    ROW("drive.reversing_speed", reversing_speed, "m/s", 0.01, 5, "speed backwards"),
+    ROW("drive.reversing_time", reversing_time, "s", 0, 60, "time to change direction"),
+    ROW("space.reach", space_reach, "m", 0, 3, "personal space beyond the body"),
+    ROW("space.normal_stiffness", space.normal_stiffness, "N/m", 0, 1e7, "k_n' of the personal space"),
+    ROW("space.normal_damping", space.normal_damping, "N s/m", 0, 1e6, "c_n' of the personal space"),
+    ROW("space.tangential_stiffness", space.tangential_stiffness, "N/m", 0, 1e7, "k_t' of the personal space"),
+    ROW("space.tangential_damping", space.tangential_damping, "N s/m", 0, 1e6, "c_t' of the personal space"),
+    ROW("space.friction", space.friction, "1", 0, 10, "Coulomb limit of the personal space"),
+    ROW("contact.normal_stiffness", contact.normal_stiffness, "N/m", 1, 1e8, "k_n of the body"),
+    ROW("contact.normal_damping", contact.normal_damping, "N s/m", 0, 1e6, "c_n of the body"),
+    ROW("contact.tangential_stiffness", contact.tangential_stiffness, "N/m", 0, 1e8, "k_t of the body"),
+    ROW("contact.tangential_damping", contact.tangential_damping, "N s/m", 0, 1e6, "c_t of the body"),
+    ROW("contact.friction", contact.friction, "1", 0, 10, "Coulomb limit of the body"),
+};
+
+enum { ROWS = sizeof profile_rows / sizeof *profile_rows };
+_Static_assert((int)ROWS <= (int)PROFILE_NUMBERS, "a provenance for every row");
+
+static const ParameterTable table = {"profile", profile_rows, ROWS};
+
+static const Parameter driving_row = {.name = "driving",
+                                      .kind = PARAMETER_CHOICE,
+                                      .offset = offsetof(Profile, driving),
+                                      .unit = "",
+                                      .choices = DRIVING_WORDS,
+                                      .needed = true,
+                                      .meaning = "the way of driving"};
+
+static const char *const groups[] = {"body", "drive", "space", "contact"};
+enum { GROUPS = sizeof groups / sizeof *groups };
+
+const ParameterTable *profile_table(void) {
+    return &table;
+}
+
+/* The part after the group when the row belongs to `group`, or NULL. */
+static const char *name_in_group(const Parameter *row, const char *group) {
+    size_t length = strlen(group);
+    return strncmp(row->name, group, length) == 0 && row->name[length] == '.' ? row->name + length + 1 : NULL;
+}
+
+static void read_value(Profile *profile, size_t row, const JsonNode *group, const char *name, Fault *fault) {
+    static const char *const keys[] = {"value", "provenance", NULL};
+    JsonNode node = json_member(group, name);
+    if (!node.value) {
+        json_fault(group, fault, "%s has no \"%s\" (%s, %s)", group->key, name, profile_rows[row].meaning,
+                   profile_rows[row].unit);
+        return;
+    }
+    if (!json_is_object(node.value)) {
+        json_fault(&node, fault, "%s must be {\"value\": number, \"provenance\": text}", name);
+        return;
+    }
+    json_check_keys(&node, keys, fault);
+    JsonNode value = json_member(&node, "value"), provenance = json_member(&node, "provenance");
+    if (value.value)
+        parameters_read_value(&profile_rows[row], profile, &value, &profile->arena, fault);
+    else
+        json_fault(&node, fault, "%s has no \"value\"", name);
+    const char *text = json_string_value(provenance.value);
+    static const char *const known[] = {"paper", "reconstructed", "literature: ", "assumed"};
+    bool good = false;
+    for (size_t i = 0; text && i < sizeof known / sizeof *known; i++)
+        good |= strncmp(text, known[i], strlen(known[i])) == 0;
+    if (good)
+        profile->provenance[row] = arena_text(&profile->arena, text);
+    else
+        json_fault(provenance.value ? &provenance : &node, fault,
+                   "provenance of %s must begin with paper, reconstructed, literature: or assumed", name);
+}
+
+static void read_group(Profile *profile, const JsonNode *root, const char *group, Fault *fault) {
+    JsonNode node = json_member(root, group);
+    if (!json_is_object(node.value)) {
+        json_fault(node.value ? &node : root, fault, "%s must be an object { ... }", group);
+        return;
+    }
+    const char *names[ROWS + 1] = {0};
+    size_t count = 0;
+    for (size_t i = 0; i < ROWS; i++)
+        if (name_in_group(&profile_rows[i], group))
+            names[count++] = name_in_group(&profile_rows[i], group);
+    json_check_keys(&node, names, fault);
+    for (size_t i = 0; i < ROWS; i++)
+        if (name_in_group(&profile_rows[i], group))
+            read_value(profile, i, &node, name_in_group(&profile_rows[i], group), fault);
+}
+
+static void read_texts(Profile *profile, const JsonNode *root, Fault *fault) {
+    static const char *const keys[] = {"format", "version", "name",  "note",    "driving",
+                                       "body",   "drive",   "space", "contact", NULL};
+    JsonNode format = json_member(root, "format"), version = json_member(root, "version");
+    JsonNode name = json_member(root, "name"), note = json_member(root, "note"), driving = json_member(root, "driving");
+    json_check_keys(root, keys, fault);
+    const char *word = json_string_value(format.value);
+    if (!word || strcmp(word, "clearance-profile") != 0)
+        json_fault(format.value ? &format : root, fault, "format must be \"clearance-profile\"");
+    if (json_integer_value(version.value) != 1)
+        json_fault(version.value ? &version : root, fault, "version must be 1");
+    if (!json_is_string(name.value))
+        json_fault(name.value ? &name : root, fault, "a profile has a \"name\", a text");
+    else
+        profile->name = arena_text(&profile->arena, json_string_value(name.value));
+    profile->note = json_is_string(note.value) ? arena_text(&profile->arena, json_string_value(note.value)) : "";
+    if (driving.value)
+        parameters_read_value(&driving_row, profile, &driving, &profile->arena, fault);
+    else
+        json_fault(root, fault, "a profile has no \"driving\", one of " DRIVING_WORDS);
+}
+
+bool profile_read(Profile *profile, const char *path, Fault *fault) {
+    size_t before = fault->count;
+    JsonFile file = {0};
+    if (!json_read(&file, path, fault))
+        return false;
+    Profile read = {0};
+    JsonNode root = json_root(&file);
+    if (!json_is_object(root.value)) {
+        json_fault(&root, fault, "a profile must be an object { ... }");
+    } else {
+        read_texts(&read, &root, fault);
+        for (size_t g = 0; g < GROUPS; g++)
+            read_group(&read, &root, groups[g], fault);
+    }
+    json_free(&file);
+    if (fault->count != before) {
+        profile_free(&read);
+        return false;
+    }
+    profile_free(profile);
+    *profile = read;
+    return true;
+}
+
+bool profile_set(Profile *profile, const char *name, const char *value, const char *place, Fault *fault) {
+    size_t before = fault->count;
+    JsonFile file = {.root = json_loads(value, JSON_DECODE_ANY, NULL)};
+    JsonNode node = json_root(&file);
+    Fault found = {0};
+    char path[] = "", text[] = ""; /* the place is known already */
+    file.path = path;
+    file.text = text;
+    const Parameter *row = strcmp(name, "driving") == 0 ? &driving_row : parameters_find(&table, name);
+    if (!row)
+        parameters_fault_unknown(&table, name, &node, &found);
+    else if (parameters_read_value(row, profile, &node, &profile->arena, &found) && row != &driving_row)
+        profile->provenance[row - profile_rows] = "assumed: set for this run";
+    for (size_t i = 0; i < found.count; i++) {
+        const char *what = strstr(found.lines[i], ":1:1: ");
+        fault_add(fault, "%s%s", place, what ? what + strlen(":1:1: ") : found.lines[i]);
+    }
+    fault_clear(&found);
+    json_decref(file.root);
+    return fault->count == before;
+}
+
+bool profile_check(const Profile *profile, double dt, const char *place, Fault *fault) {
+    size_t before = fault->count;
+    const double most_contacts = 4; /* two walls on either side, body and ring of the heavier law counted in full */
+    if (profile->axle > profile->length)
+        fault_add(fault, "%s: axle is %g m ahead of the rear edge, at most the length, %g m", place, profile->axle,
+                  profile->length);
+    if (profile->corner_radius > fmin(profile->length, profile->width) / 2)
+        fault_add(fault, "%s: corner_radius is %g m, at most half the smaller side, %g m", place,
+                  profile->corner_radius, fmin(profile->length, profile->width) / 2);
+    /* At a corner of the body a force also turns it, which makes the mass there look smaller. */
+    double arm = vec2_length(vec2(profile->length / 2, profile->width / 2)) / profile->radius_of_gyration;
+    double mass = profile->driving == DRIVING_DRIVER ? profile->mass / (1 + arm * arm) : profile->mass;
+    double longest = fmin(contact_longest_step(&profile->contact, mass, most_contacts),
+                          contact_longest_step(&profile->space, mass, most_contacts));
+    if (dt > longest)
+        fault_add(fault, "%s: the step dt is %g s, but the contact law of %s needs at most %.3g s", place, dt,
+                  profile->name, longest);
+    return fault->count == before;
+}
+
+void profile_free(Profile *profile) {
+    arena_clear(&profile->arena);
+    *profile = (Profile){0};
+}
+
+json_t *profile_schema(void) {
+    json_t *properties = json_object();
+    json_object_set_new(properties, "format", json_pack("{s:s}", "const", "clearance-profile"));
+    json_object_set_new(properties, "version", json_pack("{s:i}", "const", 1));
+    json_object_set_new(properties, "name", json_pack("{s:s}", "type", "string"));
+    json_object_set_new(properties, "note", json_pack("{s:s}", "type", "string"));
+    json_object_set_new(properties, "driving", parameters_schema_value(&driving_row));
+    for (size_t g = 0; g < GROUPS; g++) {
+        json_t *members = json_object(), *needed = json_array();
+        for (size_t i = 0; i < ROWS; i++) {
+            const char *name = name_in_group(&profile_rows[i], groups[g]);
+            if (!name)
+                continue;
+            json_t *provenance =
+                json_pack("{s:s, s:s}", "type", "string", "pattern", "^(paper|reconstructed|literature: |assumed)");
+            json_object_set_new(members, name,
+                                json_pack("{s:s, s:b, s:{s:o, s:o}, s:[s,s]}", "type", "object", "additionalProperties",
+                                          0, "properties", "value", parameters_schema_value(&profile_rows[i]),
+                                          "provenance", provenance, "required", "value", "provenance"));
+            json_array_append_new(needed, json_string(name));
+        }
+        json_object_set_new(properties, groups[g],
+                            json_pack("{s:s, s:b, s:o, s:o}", "type", "object", "additionalProperties", 0, "properties",
+                                      members, "required", needed));
+    }
+    return json_pack("{s:s, s:s, s:s, s:b, s:o, s:[s,s,s,s,s,s,s,s]}", "$schema",
+                     "https://json-schema.org/draft/2020-12/schema", "title", "A profile of clearance", "type",
+                     "object", "additionalProperties", 0, "properties", properties, "required", "format", "version",
+                     "name", "driving", "body", "drive", "space", "contact");
+}

@@ -1,0 +1,78 @@
+/* Who moves: the body, the way of driving, the personal space and the contact law of one kind of person, each number
+ * with its provenance (`paper`, `reconstructed`, `literature: source`, `assumed`), read from assets/profiles.
+ *
+ * The body is a rounded rectangle, length by width, its corners rounded by `corner_radius`; the reference point is the
+ * middle of the drive axle, `axle` ahead of the rear edge, and the mass centre stands `mass_centre` ahead of the axle.
+ * The paper's body (driving `miura`) is a disc of radius width / 2 about its reference point. */
+#pragma once
+
+#include <stdbool.h>
+
+#include "base/fault.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "base/parameters.h"
+#include "mechanics/contact.h"
+
+typedef enum Driving {
+    DRIVING_DRIVER, /* a chair that turns and does not slip sideways, along a planned path: ours */
+    DRIVING_MIURA,  /* the paper's: a disc on straight legs and corners */
+} Driving;
+
+#define DRIVING_WORDS "driver|miura"
+
+enum { PROFILE_NUMBERS = 48 /* room for the rows of the table */ };
+
+typedef struct Profile {
+    const char *name;
+    const char *note;
+    int driving; /* Driving */
+
+    double length, width;      /* m */
+    double axle;               /* m, from the rear edge to the drive axle */
+    double corner_radius;      /* m */
+    double mass;               /* kg, chair and driver */
+    double mass_centre;        /* m, ahead of the axle */
+    double radius_of_gyration; /* m, about the mass centre */
+
+    double free_speed;           /* m/s */
+    double free_speed_deviation; /* m/s */
+    double minimum_speed;        /* m/s, v_min, held through corners */
+    double steering_time;        /* s, b of v = (W - w) / b */
+    double acceleration;         /* m/s2, a_0 */
+    double deceleration;         /* m/s2, a_d */
+    double lateral_acceleration; /* m/s2, comfortable in a corner */
+    double turn_rate;            /* rad/s, largest */
+    double push;                 /* N, most that the driver pushes with */
+    double turning_moment;       /* N m, most that the driver turns with */
+    double speed_response;       /* s */
+    double turn_response;        /* s */
+    double lateral_gain;         /* 1/m2 */
+    double heading_gain;         /* 1/m */
+    double side_friction;        /* 1, of the wheels, sideways */
+    double reversing_speed;      /* m/s */
+    double reversing_time;       /* s, to change direction */
+
+    double space_reach; /* m, of the personal space beyond the body */
+    ContactLaw space;
+    ContactLaw contact;
+
+    const char *provenance[PROFILE_NUMBERS]; /* of each row of profile_table, in its order */
+    Arena arena;
+} Profile;
+
+/* The rows, `body.width`, `drive.free_speed`, `space.reach`, `contact.normal_stiffness` and so on. */
+const ParameterTable *profile_table(void);
+
+/* Reads a profile file; on false faults say where and what, and the profile is as it was. */
+bool profile_read(Profile *profile, const char *path, Fault *fault);
+
+/* Changes one parameter, for instance "width" to the JSON value "0.70"; `place` says where that was asked for. */
+bool profile_set(Profile *profile, const char *name, const char *value, const char *place, Fault *fault);
+
+/* What the rows cannot say: that the parts of the body fit together and the step `dt` (s) is stable. */
+bool profile_check(const Profile *profile, double dt, const char *place, Fault *fault);
+
+void profile_free(Profile *profile);
+
+json_t *profile_schema(void);
