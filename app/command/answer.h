@@ -1,0 +1,25 @@
+/* The answers about a house, as JSON (the contract) and as text. */
+#pragma once
+
+#include <jansson.h>
+
+#include "house/house.h"
+#include "house/observation.h"
+
+/* {"kind":"house", ...}. New; json_decref it. */
+json_t *answer_house(const House *house, const Observation *observation);
+
+/* {"id", "time", ...} of one person, b - a: the rows of `compare`. New. */
+json_t *answer_difference(const char *id, const PersonObservation *a, const PersonObservation *b);
+
+/* {"x", "y", "what", "has", "needs"}; widths that make no sense there are left out. New. */
+json_t *answer_blockage(const Blockage *blockage);
+
+/* Prints one JSON object on standard output. */
+void answer_print(json_t *answer);
+
+/* Prints the same for people to read: answer, people, routes, dangerous points. */
+void answer_print_text(const House *house, const Observation *observation);
+
+/* "Out in 18.4 s" or what stands against it. */
+void answer_headline(const House *house, const Observation *observation, char *text, size_t size);

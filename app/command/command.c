@@ -1,0 +1,267 @@
+#include "command/command.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/memory.h"
+#include "base/parallel.h"
+#include "base/text.h"
+#include "house/profile.h"
+
+volatile sig_atomic_t command_interrupted;
+
+/* Verbs ----------------------------------------------------------------------------------------------------------- */
+
+enum { FOR_RUN = 1, FOR_CHECK = 2, FOR_COMPARE = 4, FOR_SCHEMA = 8, FOR_HOUSES = FOR_RUN | FOR_CHECK | FOR_COMPARE };
+
+typedef struct Verb {
+    const char *name;
+    int mark; /* FOR_... */
+    size_t files;
+    const char *usage;
+    const char *meaning;
+    const char *examples;
+    int (*act)(const Options *options);
+} Verb;
+
+static const Verb verbs[] = {
+    {"run", FOR_RUN, 1, "HOUSE", "simulate one evacuation to the end: the answer, and with --out pictures and data",
+     "  clearance run houses/ube-techno-house.json --out out\n"
+     "  clearance run houses/ube-techno-house.json --route C --driving miura --json\n"
+     "  clearance run houses/corner-0.90-0.90.json --set profile.manual-chair.width=0.70\n",
+     command_run},
+    {"check", FOR_CHECK, 1, "HOUSE", "find faults, then say for each person whether they can get out, and if not, why",
+     "  clearance check houses/flat-0.910-module.json\n"
+     "  clearance check houses/flat-0.910-module.json --set door.d1.width=0.90 --json\n",
+     command_check},
+    {"compare", FOR_COMPARE, 2, "HOUSE_A HOUSE_B", "run both and show what differs",
+     "  clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json\n", command_compare},
+    {"schema", FOR_SCHEMA, 1, "house|profile", "print the JSON Schema of a kind of file, for editors",
+     "  clearance schema house > house.schema.json\n", command_schema},
+};
+enum { VERBS = sizeof verbs / sizeof *verbs };
+
+/* Options --------------------------------------------------------------------------------------------------------- */
+
+typedef struct Option {
+    const char *name;
+    const char *argument; /* NULL: none */
+    int marks;            /* the verbs that take it */
+    const char *meaning;
+    bool (*take)(Options *options, const char *value); /* false: `argument` does not describe the value */
+} Option;
+
+static bool take_setting(Options *options, const char *value) {
+    options->settings[options->setting_count++] = value;
+    return true;
+}
+
+static bool take_whole(const char *value, long long low, long long high, long long *number) {
+    char *end;
+    errno = 0;
+    *number = strtoll(value, &end, 10);
+    return *value && !*end && !errno && *number >= low && *number <= high;
+}
+
+static bool take_seed(Options *options, const char *value) {
+    long long number;
+    if (!take_whole(value, 0, INT64_MAX, &number))
+        return false;
+    options->seed = (uint64_t)number;
+    return true;
+}
+
+static bool take_jobs(Options *options, const char *value) {
+    long long number;
+    if (!take_whole(value, 1, 1024, &number))
+        return false;
+    options->jobs = (int)number;
+    return true;
+}
+
+static bool take_out(Options *options, const char *value) {
+    options->out = value;
+    return *value;
+}
+
+static bool take_json(Options *options, const char *value) {
+    (void)value;
+    return options->json = true;
+}
+
+static bool take_quiet(Options *options, const char *value) {
+    (void)value;
+    return options->quiet = true;
+}
+
+static bool take_route(Options *options, const char *value) {
+    options->route = value;
+    return *value;
+}
+
+static bool take_driving(Options *options, const char *value) {
+    options->driving = strcmp(value, "driver") == 0 ? DRIVING_DRIVER : strcmp(value, "miura") == 0 ? DRIVING_MIURA : -1;
+    return options->driving >= 0;
+}
+
+/* --until is a parameter like any other. */
+static bool take_until(Options *options, const char *value) {
+    char *end;
+    double seconds = strtod(value, &end);
+    if (!*value || *end || !(seconds >= 0))
+        return false;
+    size_t size = strlen("run.until=") + strlen(value) + 1;
+    char *setting = memory_allocate(size, 1); /* lives as long as the program */
+    snprintf(setting, size, "run.until=%s", value);
+    return take_setting(options, setting);
+}
+
+static bool take_size(Options *options, const char *value) {
+    int used = 0;
+    bool good = sscanf(value, "%dx%d%n", &options->width, &options->height, &used) == 2 && !value[used];
+    return good && options->width >= 320 && options->height >= 200 && options->width <= 16384 &&
+           options->height <= 16384;
+}
+
+static bool take_theme(Options *options, const char *value) {
+    options->theme = strcmp(value, "board") == 0 ? THEME_BOARD : THEME_PAPER;
+    return strcmp(value, "board") == 0 || strcmp(value, "paper") == 0;
+}
+
+static const Option option_rows[] = {
+    {"--set", "NAME=VALUE", FOR_HOUSES, "change a parameter, for instance door.d1.width=0.8 (repeatable)",
+     take_setting},
+    {"--out", "DIR", FOR_RUN, "write summary.json, trace.csv, trajectory.sqlite, plan.png and plan.svg there",
+     take_out},
+    {"--json", NULL, FOR_HOUSES, "the answer as one JSON object and nothing else", take_json},
+    {"--route", "ID", FOR_RUN, "only this route's people", take_route},
+    {"--driving", "miura|driver", FOR_HOUSES, "drive everybody this way", take_driving},
+    {"--until", "SECONDS", FOR_RUN | FOR_COMPARE, "give up at this simulated time", take_until},
+    {"--seed", "N", FOR_HOUSES, "seed of all chance, from 0 (default 1)", take_seed},
+    {"--jobs", "N", FOR_HOUSES, "threads, from 1 (default: one a processor); the answer is the same", take_jobs},
+    {"--size", "WxH", FOR_RUN, "size of the picture in pixels, from 320x200 (default 1280x720)", take_size},
+    {"--theme", "paper|board", FOR_RUN, "light or dark picture", take_theme},
+    {"--quiet", NULL, FOR_HOUSES, "no progress", take_quiet},
+};
+enum { OPTIONS = sizeof option_rows / sizeof *option_rows };
+
+/* Help ------------------------------------------------------------------------------------------------------------ */
+
+static void print_help(void) {
+    printf("clearance " CLEARANCE_VERSION
+           ": does a wheelchair user get out, how long does it take, where is the danger?\n\n");
+    for (size_t v = 0; v < VERBS; v++)
+        printf("%s", verbs[v].examples);
+    printf("\n");
+    for (size_t v = 0; v < VERBS; v++)
+        printf("  clearance %-8s %-16s %s\n", verbs[v].name, verbs[v].usage, verbs[v].meaning);
+    printf("\n`clearance VERB --help` tells a verb's options. Exit codes: 0 everybody gets out, 1 the answer is no,\n"
+           "2 wrong use or bad input, 3 a fault of the program.\n");
+}
+
+static void print_verb_help(const Verb *verb) {
+    printf("%s\nclearance %s %s [options]: %s\n\n", verb->examples, verb->name, verb->usage, verb->meaning);
+    for (size_t o = 0; o < OPTIONS; o++) {
+        const Option *option = &option_rows[o];
+        if (option->marks & verb->mark)
+            printf("  %-10s %-13s %s\n", option->name, option->argument ? option->argument : "", option->meaning);
+    }
+}
+
+static int wrong_use(const char *what, const char *word, const char *const *known, size_t count) {
+    const char *nearest = known ? text_nearest(word, known, count) : NULL;
+    fprintf(stderr, "clearance: %s \"%s\"%s%s%s\n", what, word, nearest ? ", did you mean " : ", see clearance --help",
+            nearest ? nearest : "", nearest ? "?" : "");
+    return EXIT_WRONG_INPUT;
+}
+
+/* Reading argv ------------------------------------------------------------------------------------------------------
+ */
+
+static const Option *find_option(const Verb *verb, const char *name, size_t length) {
+    for (size_t o = 0; o < OPTIONS; o++)
+        if ((option_rows[o].marks & verb->mark) && strlen(option_rows[o].name) == length &&
+            memcmp(option_rows[o].name, name, length) == 0)
+            return &option_rows[o];
+    return NULL;
+}
+
+/* Takes the option at argv[*at], as --name value or --name=value. */
+static int take_option(const Verb *verb, Options *options, int argc, char **argv, int *at) {
+    const char *word = argv[*at], *equals = strchr(word, '=');
+    size_t length = equals ? (size_t)(equals - word) : strlen(word);
+    const Option *option = find_option(verb, word, length);
+    if (!option) {
+        const char *known[OPTIONS];
+        size_t count = 0;
+        for (size_t o = 0; o < OPTIONS; o++)
+            if (option_rows[o].marks & verb->mark)
+                known[count++] = option_rows[o].name;
+        return wrong_use("unknown option", word, known, count);
+    }
+    const char *value = equals ? equals + 1 : NULL;
+    if (option->argument && !value && *at + 1 < argc)
+        value = argv[++*at];
+    if ((option->argument && !value) || (!option->argument && value) || !option->take(options, value)) {
+        fprintf(stderr, "clearance: %s takes %s: %s\n", option->name, option->argument ? option->argument : "no value",
+                option->meaning);
+        return EXIT_WRONG_INPUT;
+    }
+    return 0;
+}
+
+static int run_verb(const Verb *verb, int argc, char **argv) {
+    Options options = {.seed = 1, .driving = -1, .jobs = parallel_processors(), .width = 1280, .height = 720};
+    options.settings = memory_allocate((size_t)argc, sizeof *options.settings);
+    int code = 0;
+    for (int i = 2; i < argc && !code; i++) {
+        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
+            print_verb_help(verb);
+            memory_free(options.settings);
+            return 0;
+        }
+        if (argv[i][0] == '-' && argv[i][1])
+            code = take_option(verb, &options, argc, argv, &i);
+        else if (options.file_count < verb->files)
+            options.files[options.file_count++] = argv[i];
+        else
+            code = wrong_use("one argument too many:", argv[i], NULL, 0);
+    }
+    if (!code && options.file_count < verb->files) {
+        fprintf(stderr, "clearance: usage: clearance %s %s [options]\n", verb->name, verb->usage);
+        code = EXIT_WRONG_INPUT;
+    }
+    if (!code)
+        code = verb->act(&options);
+    memory_free(options.settings);
+    return code;
+}
+
+static void interrupt(int signal_number) {
+    if (command_interrupted)
+        _exit(128 + signal_number);
+    command_interrupted = 1;
+}
+
+int command_main(int argc, char **argv) {
+    signal(SIGINT, interrupt);
+    signal(SIGTERM, interrupt);
+    if (argc < 2 || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
+        print_help();
+        return argc < 2 ? EXIT_WRONG_INPUT : 0;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        printf("clearance " CLEARANCE_VERSION "\n");
+        return 0;
+    }
+    const char *names[VERBS];
+    for (size_t v = 0; v < VERBS; v++) {
+        names[v] = verbs[v].name;
+        if (strcmp(argv[1], verbs[v].name) == 0)
+            return run_verb(&verbs[v], argc, argv);
+    }
+    return wrong_use("unknown verb", argv[1], names, VERBS);
+}

@@ -1,0 +1,45 @@
+/* The verbs of the command line: one file a verb, one row each in command.c. */
+#pragma once
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "draw/palette.h"
+
+/* Exit codes, part of the contract. */
+typedef enum ExitCode {
+    EXIT_ANSWERED = 0, /* everybody is out */
+    EXIT_ANSWER_NO = 1,
+    EXIT_WRONG_INPUT = 2,
+    EXIT_OUR_FAULT = 3,
+} ExitCode;
+
+/* What the command line said. Texts belong to argv. */
+typedef struct Options {
+    const char *files[2];
+    size_t file_count;
+    const char **settings; /* (setting_count) NAME=VALUE */
+    size_t setting_count;
+    const char *out;   /* directory, or NULL */
+    const char *route; /* id, or NULL */
+    uint64_t seed;
+    int driving; /* Driving, or -1 */
+    int jobs;
+    bool json, quiet;
+    int width, height; /* pixels */
+    Theme theme;
+} Options;
+
+/* Set by Ctrl-C; a second one ends at once. */
+extern volatile sig_atomic_t command_interrupted;
+
+/* Reads argv, runs the verb, returns the exit code. */
+int command_main(int argc, char **argv);
+
+/* The verbs. */
+int command_run(const Options *options);
+int command_check(const Options *options);
+int command_compare(const Options *options);
+int command_schema(const Options *options);

@@ -1,0 +1,67 @@
+#include "command/house_file.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "house/run.h"
+
+const char *house_file_profiles(void) {
+    static char path[4096];
+    const char *assets = getenv("CLEARANCE_ASSETS");
+    if (!assets)
+        assets = access(CLEARANCE_SOURCE_ASSETS, R_OK) == 0 ? CLEARANCE_SOURCE_ASSETS : CLEARANCE_INSTALLED_ASSETS;
+    snprintf(path, sizeof path, "%s/profiles", assets);
+    return path;
+}
+
+bool house_file_read(House *house, const Options *options, size_t index, Fault *fault) {
+    HouseOptions house_options = {.profiles = house_file_profiles(),
+                                  .settings = options->settings,
+                                  .setting_count = options->setting_count,
+                                  .seed = options->seed,
+                                  .driving = options->driving};
+    return house_read(house, options->files[index], &house_options, fault);
+}
+
+int house_file_report(Fault *fault) {
+    for (size_t i = 0; i < fault->count; i++)
+        fprintf(stderr, "%s\n", fault->lines[i]);
+    fault_clear(fault);
+    return EXIT_WRONG_INPUT;
+}
+
+/* Progress, once the work has taken more than a second. */
+typedef struct Progress {
+    struct timespec begin;
+    bool shown;
+} Progress;
+
+static double seconds_since(const struct timespec *begin) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)(now.tv_sec - begin->tv_sec) + 1e-9 * (double)(now.tv_nsec - begin->tv_nsec);
+}
+
+static void show_progress(void *context, double time) {
+    Progress *progress = context;
+    if (seconds_since(&progress->begin) < 1)
+        return;
+    fprintf(stderr, "\rsimulated %.0f s ", time);
+    progress->shown = true;
+}
+
+void house_file_run(Observation *observation, const House *house, const Options *options, size_t route) {
+    Progress progress = {.shown = false};
+    clock_gettime(CLOCK_MONOTONIC, &progress.begin);
+    bool show = !options->quiet && isatty(STDERR_FILENO);
+    RunOptions run = {.route = route,
+                      .jobs = options->jobs,
+                      .stop = &command_interrupted,
+                      .progress = show ? show_progress : NULL,
+                      .context = &progress};
+    run_house(observation, house, &run);
+    if (progress.shown)
+        fprintf(stderr, "\r                    \r");
+}

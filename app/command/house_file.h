@@ -1,0 +1,19 @@
+/* What all verbs about houses begin with. */
+#pragma once
+
+#include "command/command.h"
+#include "house/house.h"
+#include "house/observation.h"
+
+/* Where the shipped profiles are: $CLEARANCE_ASSETS/profiles, beside the source the program was built from, or
+ * installed. */
+const char *house_file_profiles(void);
+
+/* Reads file `index` of the command line. False: the faults. */
+bool house_file_read(House *house, const Options *options, size_t index, Fault *fault);
+
+/* Prints every line of the fault on standard error, releases it and returns EXIT_WRONG_INPUT. */
+int house_file_report(Fault *fault);
+
+/* Runs the house as the options say, with progress on standard error when that is a terminal. */
+void house_file_run(Observation *observation, const House *house, const Options *options, size_t route);

@@ -1,0 +1,90 @@
+#include <errno.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "base/text.h"
+#include "command/answer.h"
+#include "command/command.h"
+#include "command/house_file.h"
+#include "draw/paint_cairo.h"
+#include "exchange/jupedsim.h"
+#include "laboratory/house_scene.h"
+
+static int write_summary(const House *house, const Observation *observation, const char *path) {
+    json_t *answer = answer_house(house, observation);
+    char *text = json_dumps(answer, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
+    int error = text_write_file(path, text, strlen(text));
+    free(text);
+    json_decref(answer);
+    return error;
+}
+
+/* Writes everything a run leaves behind; the first file that cannot be written ends it. */
+static bool write_results(const House *house, const Observation *observation, const Options *options) {
+    static const char *const names[] = {"summary.json", "trace.csv", "trajectory.sqlite", "plan.png", "plan.svg"};
+    Scene scene = {0};
+    int error = mkdir(options->out, 0777) && errno != EEXIST ? errno : 0;
+    char path[4096];
+    snprintf(path, sizeof path, "%s", options->out);
+    house_scene(&scene, house, observation);
+    for (size_t f = 0; f < sizeof names / sizeof *names && !error; f++) {
+        snprintf(path, sizeof path, "%s/%s", options->out, names[f]);
+        switch (f) {
+        case 0:
+            error = write_summary(house, observation, path);
+            break;
+        case 1:
+            error = trace_write_csv(&observation->trace, path);
+            break;
+        case 2:
+            error = jupedsim_write(house, observation, path);
+            break;
+        case 3:
+            error = paint_png(&scene, path, options->width, options->height, options->theme);
+            break;
+        case 4:
+            error = paint_svg(&scene, path, options->width, options->height, options->theme);
+            break;
+        }
+    }
+    scene_clear(&scene);
+    if (error)
+        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+    return !error;
+}
+
+static size_t find_route(const House *house, const Options *options) {
+    return options->route ? plan_find_route(&house->plan, options->route) : SIZE_MAX;
+}
+
+int command_run(const Options *options) {
+    House house = {0};
+    Fault fault = {0};
+    if (!house_file_read(&house, options, 0, &fault))
+        return house_file_report(&fault);
+    size_t route = find_route(&house, options);
+    if (options->route && route == SIZE_MAX) {
+        fprintf(stderr, "clearance: %s has no route \"%s\"", options->files[0], options->route);
+        for (size_t r = 0; r < house.plan.route_count; r++)
+            fprintf(stderr, "%s%s", r ? ", " : ", its routes are ", house.plan.routes[r].id);
+        fprintf(stderr, "\n");
+        house_free(&house);
+        return EXIT_WRONG_INPUT;
+    }
+    Observation observation;
+    house_file_run(&observation, &house, options, route);
+    bool written = !options->out || write_results(&house, &observation, options);
+    if (options->json)
+        answer_print(answer_house(&house, &observation));
+    else
+        answer_print_text(&house, &observation);
+    if (options->out && written && !options->json)
+        printf("\npictures and data are in %s\n", options->out);
+    int code = !written ? EXIT_WRONG_INPUT : observation.completed ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    observation_free(&observation);
+    house_free(&house);
+    return code;
+}

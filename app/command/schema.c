@@ -1,0 +1,20 @@
+#include <stdio.h>
+#include <string.h>
+
+#include "command/answer.h"
+#include "command/command.h"
+#include "house/plan.h"
+#include "house/profile.h"
+
+int command_schema(const Options *options) {
+    const char *kind = options->files[0];
+    if (strcmp(kind, "house") == 0) {
+        answer_print(plan_schema());
+    } else if (strcmp(kind, "profile") == 0) {
+        answer_print(profile_schema());
+    } else {
+        fprintf(stderr, "clearance: there is a schema of house and of profile, not of \"%s\"\n", kind);
+        return EXIT_WRONG_INPUT;
+    }
+    return EXIT_ANSWERED;
+}

@@ -1,0 +1,328 @@
+#include "house/drive.h"
+
+#include <stdint.h>
+
+#include "house/track.h"
+
+/* All of these are assumed; what a person may want to change is in the profile. */
+
+/* m: a piece of the way counts as done this near to its end. */
+static const double ARRIVED = 0.01;
+/* rad: and a turn on the spot. */
+static const double TURNED = 0.02;
+/* m/s: slowest speed aimed at while there is way left, so that nobody creeps for ever. */
+static const double SLOWEST = 0.05;
+/* 1: the share of the deceleration that is planned with. */
+static const double PLANNED = 0.8;
+/* m: kept to a shut door that opens away, and to people. */
+static const double STAND_OFF = 0.10;
+static const double PEOPLE_STAND_OFF = 0.20;
+/* m: how far ahead people are seen, what is left between two who pass, and how close to a wall one swerves. */
+static const double SIGHT = 5.0, PASSING_SPACE = 0.15, WALL_SPACE = 0.05;
+/* m/s: how fast somebody swerves. */
+static const double SWERVE = 0.35;
+/* A round body's lateral control, which the paper does not have. */
+static const double ROUND_RETURN_TIME = 1.0;  /* s, back to the middle of the way */
+static const double ROUND_RETURN_SPEED = 0.2; /* m/s, at most */
+static const double ROUND_LATERAL = 1.0;      /* m/s2, at most */
+/* m and rad: smaller progress than this does not count as getting on. */
+static const double PROGRESS = 0.05;
+/* m: the paper's F4 has R in its denominator; it is not taken smaller. */
+static const double SMALLEST_RADIUS = 0.1;
+
+static double clamp(double value, double low, double high) {
+    return value < low ? low : value > high ? high : value;
+}
+
+/* Where a person stands in relation to the track. */
+typedef struct Place {
+    const TrackPoint *here, *next; /* next == here at the end */
+    Vec2 along;                    /* unit, the way's direction of travel */
+    double heading;                /* rad, of the track */
+    double speed;                  /* m/s, the track's limit */
+    double end;                    /* m, to where the direction of travel changes; infinite when it does not */
+} Place;
+
+static int piece_direction(const Track *track, size_t index) {
+    return track->points[index + 1 < track->count ? index + 1 : index].direction;
+}
+
+static bool changes_after(const Track *track, size_t index) {
+    return index + 2 < track->count && track->points[index + 2].direction != track->points[index + 1].direction;
+}
+
+/* Passes to the next point; a change between forwards and backwards takes its time. */
+static void pass_point(const Track *track, const Profile *profile, Drive *drive) {
+    int before = piece_direction(track, drive->index);
+    drive->index++;
+    int after = piece_direction(track, drive->index);
+    if (before != after) {
+        drive->pause = before * after < 0 ? profile->reversing_time : 0;
+        drive->best_turn = HUGE_VAL;
+        drive->stalled = 0;
+    }
+}
+
+/* Moves along the track as far as the reference point has come, and measures the offset. */
+static Place find_place(const Track *track, const Profile *profile, Vec2 at, Drive *drive) {
+    Place place = {.end = HUGE_VAL};
+    for (;;) {
+        place.here = &track->points[drive->index];
+        place.next = drive->index + 1 < track->count ? place.here + 1 : place.here;
+        Vec2 way = vec2_sub(place.next->at, place.here->at);
+        double length = vec2_length(way);
+        bool last = place.next == place.here;
+        int direction = piece_direction(track, drive->index);
+        place.along = length > 0 ? vec2_scale(way, 1 / length)
+                                 : vec2_scale(vec2_heading(place.here->heading), direction < 0 ? -1 : 1);
+        double done = vec2_dot(vec2_sub(at, place.here->at), place.along);
+        bool cusp = changes_after(track, drive->index);
+        if (!last && direction != 0 && done >= length - (cusp ? ARRIVED : 0)) {
+            pass_point(track, profile, drive);
+            continue;
+        }
+        double part = length > 0 ? clamp(done / length, 0, 1) : 0;
+        double turn = vec2_wrap_angle(place.next->heading - place.here->heading);
+        place.heading = place.here->heading + part * turn;
+        place.speed = place.here->speed + part * (place.next->speed - place.here->speed);
+        drive->s = place.here->s + fmax(done, 0);
+        drive->offset = vec2_cross(place.along, vec2_sub(at, place.here->at));
+        return place;
+    }
+}
+
+static void watch_progress(Drive *drive, double dt) {
+    drive->stalled += dt;
+    if (drive->s > drive->best_s + PROGRESS) {
+        drive->best_s = drive->s;
+        drive->stalled = 0;
+    }
+}
+
+/* Doors ------------------------------------------------------------------------------------------------------------ */
+
+/* The next point after which a door is crossed, from the one the person is at. */
+static const TrackPoint *next_door(const Track *track, size_t index) {
+    for (size_t k = index; k < track->count; k++)
+        if (track->points[k].door >= 0)
+            return &track->points[k];
+    return NULL;
+}
+
+/* How far the reference point stays from a shut door's line: its own front, and the leaf's swing when it opens this
+ * way. */
+static double stand_off(const World *world, size_t i, int door_index) {
+    const Plan *plan = &world->house->plan;
+    const Profile *profile = world->house->people[i].profile;
+    const Door *door = &plan->doors[door_index];
+    Vec2 from, to;
+    plan_door_ends(plan, door, &from, &to);
+    double half = plan->walls[door->wall_index].thickness / 2;
+    double front = profile->driving == DRIVING_DRIVER ? profile->length - profile->axle : profile->width / 2;
+    bool on_left = vec2_cross(vec2_sub(to, from), vec2_sub(world->centre[i], from)) > 0;
+    bool swings_here = door->kind == DOOR_HINGED && on_left == (door->swing == SWING_LEFT);
+    return front + half + STAND_OFF + (swings_here ? door->width : 0);
+}
+
+/* m, to where the person waits for the next shut door; infinite when there is none. */
+static double way_to_door(const World *world, size_t i, int *door) {
+    const Track *track = &world->journeys[i].track;
+    const TrackPoint *point = world->door_changes >= 0 ? next_door(track, world->drive[i].index) : NULL;
+    while (point && world->door_open[point->door])
+        point = next_door(track, (size_t)(point - track->points) + 1);
+    if (!point)
+        return HUGE_VAL;
+    *door = point->door;
+    return point->s - stand_off(world, i, point->door) - world->drive[i].s;
+}
+
+int drive_door_at_hand(const World *world, size_t i) {
+    int door = -1;
+    bool at_rest = vec2_length(world->velocity[i]) < 2 * SLOWEST;
+    return way_to_door(world, i, &door) < 2 * ARRIVED && at_rest ? door : -1;
+}
+
+/* People ------------------------------------------------------------------------------------------------------------
+ */
+
+/* How far a body reaches from its centre along a direction. */
+static double extent(const World *world, size_t i, Vec2 direction) {
+    Vec2 own = vec2_unturn(direction, world->axis[i]);
+    const Body *body = &world->body[i];
+    double reach = -HUGE_VAL;
+    for (int c = 0; c < body->core_count; c++)
+        reach = fmax(reach, vec2_dot(own, body->core[c]));
+    return reach + body->radius;
+}
+
+/* Swerves to the left before somebody who comes the other way, as far as there is room, and brakes behind or before
+ * somebody who is in the way. */
+static void mind_person(const World *world, size_t i, size_t j, double offset, double *aside, double *speed) {
+    const Track *track = &world->journeys[i].track;
+    const Profile *profile = world->house->people[i].profile;
+    const Drive *drive = &world->drive[i];
+    const TrackPoint *here = &track->points[drive->index], *nearest = here;
+    double least = HUGE_VAL;
+    for (size_t k = drive->index; k < track->count && track->points[k].s < here->s + SIGHT; k += 2) {
+        double distance = vec2_distance(track->points[k].at, world->centre[j]);
+        if (distance < least) {
+            least = distance;
+            nearest = &track->points[k];
+        }
+    }
+    Vec2 way = vec2_scale(vec2_heading(nearest->heading), nearest->direction < 0 ? -1 : 1);
+    double ahead = nearest->s - drive->s - (profile->length - profile->axle) - extent(world, j, vec2_scale(way, -1));
+    double lateral = vec2_cross(way, vec2_sub(world->centre[j], nearest->at));
+    double beside = profile->width / 2 + extent(world, j, vec2_scale(vec2_left(way), lateral > 0 ? -1 : 1));
+    double coming = vec2_dot(world->velocity[j], way);
+    if (nearest == here || fabs(lateral) > SIGHT / 2)
+        return;
+    if (coming < SLOWEST) {
+        double room = fmin(here->room_left, nearest->room_left) - profile->width / 2 - WALL_SPACE;
+        *aside = fmax(*aside, fmin(lateral + beside + PASSING_SPACE, fmax(room, 0)));
+    }
+    if (fabs(lateral - offset) < beside + WALL_SPACE)
+        *speed = fmin(*speed,
+                      sqrt(2 * PLANNED * profile->deceleration * fmax(0, ahead - PEOPLE_STAND_OFF)) + fmax(coming, 0));
+}
+
+static void mind_people(const World *world, size_t i, Drive *drive, Vec2 travel, double *speed) {
+    double aside = 0;
+    for (size_t j = 0; j < world->count; j++) {
+        if (j == i || world->phase[j] == PHASE_ABSENT || world->phase[j] == PHASE_OUT)
+            continue;
+        Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
+        if (vec2_dot(to, to) < SIGHT * SIGHT && vec2_dot(to, travel) > 0)
+            mind_person(world, i, j, drive->offset, &aside, speed);
+    }
+    double change = SWERVE * world->clock.dt;
+    drive->aside += clamp(aside - drive->aside, -change, change);
+}
+
+/* Forces --------------------------------------------------------------------------------------------------------------
+ */
+
+/* F3: towards the target speed along a direction, as fast as a_0 and a_d and as hard as the push allow; `resistance` is
+ * what else acts along it. */
+static double driving_force(const Profile *profile, double target, double speed, double resistance) {
+    double wanted = profile->mass * (target - speed) / profile->speed_response;
+    bool faster = fabs(target) > fabs(speed) && target * speed >= 0;
+    double limit = profile->mass * (faster ? profile->acceleration : profile->deceleration);
+    wanted = clamp(wanted, -limit - resistance, limit - resistance);
+    return clamp(wanted, -profile->push, profile->push);
+}
+
+static double turning_moment(const Profile *profile, double target, double turn) {
+    double square = profile->radius_of_gyration * profile->radius_of_gyration +
+                    profile->mass_centre * profile->mass_centre; /* about the axle */
+    double wanted = profile->mass * square * (target - turn) / profile->turn_response;
+    return clamp(wanted, -profile->turning_moment, profile->turning_moment);
+}
+
+/* A turn on the spot: heading by heading of the track, at rest at the last. */
+static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const Place *place) {
+    const Track *track = &world->journeys[i].track;
+    const Profile *profile = world->house->people[i].profile;
+    Vec2 axis = world->axis[i];
+    size_t end = drive->index + 1;
+    double left = vec2_wrap_angle(track->points[end].heading - world->heading[i]);
+    double planned = vec2_wrap_angle(track->points[end].heading - place->here->heading);
+    while (end + 1 < track->count && track->points[end + 1].direction == 0) {
+        double step = vec2_wrap_angle(track->points[end + 1].heading - track->points[end].heading);
+        left += step;
+        planned += step;
+        end++;
+    }
+    bool last = end == drive->index + 1;
+    if (last ? fabs(left) < TURNED
+             : (left - planned) * planned < 0 &&
+                   fabs(left) < fabs(planned) - fabs(vec2_wrap_angle(place->next->heading - place->here->heading)))
+        pass_point(track, profile, drive);
+    if (fabs(left) < drive->best_turn - PROGRESS) {
+        drive->best_turn = fabs(left);
+        drive->stalled = 0;
+    }
+    double inertia = profile->mass * profile->radius_of_gyration * profile->radius_of_gyration;
+    double brake = PLANNED / 2 * profile->turning_moment / inertia; /* rad/s2 */
+    double rate = fmin(profile->turn_rate, sqrt(2 * brake * fabs(left)));
+    double back = vec2_dot(vec2_sub(place->here->at, world_reference(world, i)), axis);
+    double speed = clamp(back / profile->speed_response / 4, -2 * SLOWEST, 2 * SLOWEST);
+    double resistance = vec2_dot(world->force[i], axis);
+    double push = driving_force(profile, speed, vec2_dot(world->velocity[i], axis), resistance);
+    return (Effort){vec2_scale(axis, push), turning_moment(profile, copysign(rate, left), world->turn[i])};
+}
+
+static Effort drive_driver(const World *world, size_t i, Drive *drive, const Place *place) {
+    const Profile *profile = world->house->people[i].profile;
+    Vec2 axis = world->axis[i];
+    int direction = piece_direction(&world->journeys[i].track, drive->index);
+    if (direction == 0)
+        return turn_on_the_spot(world, i, drive, place);
+    double target = fmax(place->speed, SLOWEST);
+    int door = -1;
+    double to_door = way_to_door(world, i, &door);
+    if (door >= 0)
+        target = fmin(target, sqrt(2 * PLANNED * profile->deceleration * fmax(to_door, 0)));
+    mind_people(world, i, drive, vec2_scale(axis, direction), &target);
+    if (drive->pause > 0) {
+        drive->pause -= world->clock.dt;
+        target = 0;
+    }
+    /* Offsets and turns in the body's own sense: its left, its heading, also when it goes backwards. */
+    double speed = vec2_dot(world->velocity[i], axis);
+    double offset = direction * (drive->offset - drive->aside);
+    double slant = vec2_wrap_angle(world->heading[i] - place->heading);
+    double pace = fmax(fabs(speed), SLOWEST) * (target > 0);
+    double bend = place->next->curvature * pace;
+    double turn = bend - profile->lateral_gain * direction * pace * offset - profile->heading_gain * pace * sin(slant);
+    turn = clamp(turn, -profile->turn_rate, profile->turn_rate);
+    double resistance = vec2_dot(world->force[i], axis);
+    return (Effort){vec2_scale(axis, driving_force(profile, direction * target, speed, resistance)),
+                    turning_moment(profile, turn, world->turn[i])};
+}
+
+/* The paper's: along the leg, or along the tangent about the corner with F4 towards it. */
+static Effort drive_miura(const World *world, size_t i, Drive *drive, const Place *place) {
+    const Track *track = &world->journeys[i].track;
+    const Profile *profile = world->house->people[i].profile;
+    Vec2 way = place->along, velocity = world->velocity[i], centripetal = {0, 0};
+    if (place->here->corner >= 0 && place->next->corner >= 0) {
+        const TrackCorner *corner = &track->corners[place->here->corner];
+        Vec2 from = vec2_sub(world->centre[i], corner->centre);
+        double radius = fmax(vec2_length(from), SMALLEST_RADIUS);
+        way = vec2_scale(vec2_left(vec2_unit(from)), corner->turn > 0 ? 1 : -1);
+        double speed = vec2_dot(velocity, way);
+        centripetal = vec2_scale(vec2_unit(from), -profile->mass * speed * speed / radius);
+    }
+    int door = -1;
+    double to_door = way_to_door(world, i, &door), target = fmax(place->speed, SLOWEST);
+    if (door >= 0)
+        target = fmin(target, sqrt(2 * PLANNED * profile->deceleration * fmax(to_door, 0)));
+    double push = driving_force(profile, target, vec2_dot(velocity, way), vec2_dot(world->force[i], way));
+    Vec2 across = vec2_left(way);
+    double back = clamp(-drive->offset / ROUND_RETURN_TIME, -ROUND_RETURN_SPEED, ROUND_RETURN_SPEED);
+    double sideways =
+        clamp((back - vec2_dot(velocity, across)) / profile->speed_response, -ROUND_LATERAL, ROUND_LATERAL);
+    Vec2 force = vec2_along(vec2_scale(way, push), profile->mass * sideways, across);
+    return (Effort){vec2_add(force, centripetal), 0};
+}
+
+Effort drive_person(const World *world, size_t i, Drive *drive) {
+    const Profile *profile = world->house->people[i].profile;
+    Place place = find_place(&world->journeys[i].track, profile, world_reference(world, i), drive);
+    watch_progress(drive, world->clock.dt);
+    return profile->driving == DRIVING_MIURA ? drive_miura(world, i, drive, &place)
+                                             : drive_driver(world, i, drive, &place);
+}
+
+void drive_hold_sideways(const Profile *profile, double dt, Vec2 axis, Vec2 *velocity, double *turn) {
+    const double gravity = 9.81; /* m/s2 */
+    Vec2 across = vec2_left(axis);
+    double c = profile->mass_centre;
+    double inertia = profile->mass * profile->radius_of_gyration * profile->radius_of_gyration;
+    double slip = vec2_dot(*velocity, across) - c * *turn;
+    double most = profile->side_friction * profile->mass * gravity * dt;
+    double impulse = clamp(-slip / (1 / profile->mass + c * c / inertia), -most, most);
+    *velocity = vec2_along(*velocity, impulse / profile->mass, across);
+    *turn -= c * impulse / inertia;
+}

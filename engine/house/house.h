@@ -1,0 +1,47 @@
+/* Everything about a house that is given: the plan, who lives in it, and what follows from the two once and for all. A
+ * world moves in it and never changes it. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "house/freespace.h"
+#include "house/outline.h"
+#include "house/plan.h"
+#include "house/profile.h"
+
+/* One person of the plan, or of a crowd. */
+typedef struct Inhabitant {
+    const char *id;
+    const Profile *profile;
+    const PlanRoute *route; /* NULL: none, the quickest exit */
+    Vec2 at;                /* m, the reference point */
+    double heading;         /* rad */
+    double delay;           /* s */
+    double speed;           /* m/s, free speed */
+} Inhabitant;
+
+typedef struct House {
+    Plan plan;
+    Profile *profiles; /* (profile_count), the ones that are named */
+    size_t profile_count;
+    Inhabitant *people; /* (person_count) by id, so that the order in the file does not matter */
+    size_t person_count;
+    uint64_t seed;
+    Outline outline;
+    FreeSpace space;
+    Arena arena;
+} House;
+
+typedef struct HouseOptions {
+    const char *profiles;        /* directory of the shipped profiles; NAME.json beside the house file comes first */
+    const char *const *settings; /* (setting_count) NAME=VALUE */
+    size_t setting_count;
+    uint64_t seed; /* for crowds: who stands where and how fast they are */
+    int driving;   /* Driving for everybody, or -1: each profile's own */
+} HouseOptions;
+
+/* Reads a house file and the profiles it names. False: faults say where and what, and the house is as it was. */
+bool house_read(House *house, const char *path, const HouseOptions *options, Fault *fault);
+void house_free(House *house);

@@ -1,0 +1,15 @@
+#include "house/observation.h"
+
+#include "base/memory.h"
+
+const char *reason_text(Reason reason) {
+    static const char *const texts[] = {"", "cannot pass", "no exit", "blocked", "time limit", "diverged"};
+    return texts[reason];
+}
+
+void observation_free(Observation *observation) {
+    memory_free(observation->people);
+    memory_free(observation->hazards);
+    trace_clear(&observation->trace);
+    *observation = (Observation){0};
+}

@@ -1,0 +1,186 @@
+#include "house/observer.h"
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include "base/memory.h"
+#include "house/passage.h"
+
+/* s: the body has to be free for so long before touching counts as a new contact. */
+static const double NEW_CONTACT = 0.1;
+/* m: of the personal space; less is not felt as compressed. */
+static const double FELT = 1e-3;
+
+static const TraceColumn columns[TRACE_COLUMNS] = {
+    {"time", "s"},       {"person", "1"},     {"x", "m"},         {"y", "m"},
+    {"heading", "rad"},  {"speed", "m/s"},    {"clearance", "m"}, {"ring", "m"},
+    {"body_force", "N"}, {"ring_force", "N"}, {"offset", "m"},    {"offset_rate", "m/s"},
+};
+
+static bool is_watched(const World *world, size_t i) {
+    return world->phase[i] != PHASE_ABSENT;
+}
+
+static void add_row(Observer *observer, size_t i, double offset_rate) {
+    const World *world = observer->world;
+    const Sense *sense = &world->sense[i];
+    Vec2 at = world_reference(world, i);
+    trace_add(&observer->trace, (double[TRACE_COLUMNS]){
+                                    [TRACE_TIME] = clock_time(&world->clock),
+                                    [TRACE_PERSON] = (double)i,
+                                    [TRACE_X] = at.x,
+                                    [TRACE_Y] = at.y,
+                                    [TRACE_HEADING] = world->heading[i],
+                                    [TRACE_SPEED] = vec2_dot(world->velocity[i], world->axis[i]),
+                                    [TRACE_CLEARANCE] = sense->clearance,
+                                    [TRACE_RING] = sense->ring,
+                                    [TRACE_BODY_FORCE] = sense->body_force,
+                                    [TRACE_RING_FORCE] = sense->ring_force,
+                                    [TRACE_OFFSET] = world->drive[i].offset,
+                                    [TRACE_OFFSET_RATE] = offset_rate,
+                                });
+}
+
+void observer_init(Observer *observer, const World *world, PersonObservation *people) {
+    double steps = world->house->plan.run.sample / world->clock.dt;
+    *observer = (Observer){.world = world,
+                           .people = people,
+                           .watched = memory_allocate(world->count, sizeof *observer->watched),
+                           .sample_steps = steps > 1 ? (size_t)(steps + 0.5) : 1};
+    trace_init(&observer->trace, columns, TRACE_COLUMNS);
+    for (size_t i = 0; i < world->count; i++) {
+        if (!is_watched(world, i))
+            continue;
+        const Route *route = &world->journeys[i].route;
+        observer->watched[i] = (Watched){.at = world_reference(world, i), .untouched = HUGE_VAL};
+        people[i] = (PersonObservation){.took_part = true,
+                                        .exit = route->answer == ROUTE_NO_EXIT ? SIZE_MAX : route->exit,
+                                        .reversals = route->reversals,
+                                        .narrowest = world->body[i].reach,
+                                        .narrowest_at = observer->watched[i].at,
+                                        .narrowest_heading = world->heading[i]};
+        add_row(observer, i, 0);
+    }
+}
+
+void observer_clear(Observer *observer) {
+    memory_free(observer->watched);
+    memory_free(observer->stretches);
+    trace_clear(&observer->trace);
+    *observer = (Observer){0};
+}
+
+/* The stretch of the way that the person is on. */
+static Stretch *stretch_of(Observer *observer, size_t i) {
+    Watched *watched = &observer->watched[i];
+    if (!watched->stretch || observer->people[i].path_length >= watched->ended) {
+        observer->stretches = memory_reserve(observer->stretches, &observer->stretch_capacity,
+                                             observer->stretch_count + 1, sizeof *observer->stretches);
+        observer->stretches[observer->stretch_count] =
+            (Stretch){.at = observer->world->centre[i], .clearance = HUGE_VAL};
+        watched->stretch = ++observer->stretch_count;
+        watched->ended += HAZARD_STRETCH;
+    }
+    return &observer->stretches[watched->stretch - 1];
+}
+
+static void watch_clearance(PersonObservation *person, Stretch *stretch, const World *world, size_t i, Vec2 at) {
+    const Sense *sense = &world->sense[i];
+    if (sense->clearance < stretch->clearance) {
+        stretch->clearance = sense->clearance;
+        if (sense->clearance < world->body[i].reach)
+            stretch->at = sense->nearest_at;
+    }
+    if (sense->clearance < person->narrowest) {
+        person->narrowest = sense->clearance;
+        person->narrowest_at = at;
+        person->narrowest_heading = world->heading[i];
+        person->narrowest_to = sense->nearest_at;
+    }
+}
+
+static void watch_contact(PersonObservation *person, Stretch *stretch, Watched *watched, const Sense *sense,
+                          double dt) {
+    if (sense->body_force > 0) {
+        person->contacts += watched->untouched >= NEW_CONTACT;
+        watched->untouched = 0;
+        person->impulse += sense->body_force * dt;
+        stretch->peak_force = fmax(stretch->peak_force, sense->body_force);
+        if (sense->body_force > person->peak_force) {
+            person->peak_force = sense->body_force;
+            person->peak_at = sense->contact_at;
+        }
+    } else {
+        watched->untouched += dt;
+    }
+}
+
+static void watch_person(Observer *observer, size_t i) {
+    const World *world = observer->world;
+    PersonObservation *person = &observer->people[i];
+    Watched *watched = &observer->watched[i];
+    const Sense *sense = &world->sense[i];
+    double dt = world->clock.dt, free_speed = world->house->people[i].speed;
+    Vec2 at = world_reference(world, i);
+    double moved = vec2_distance(watched->at, at);
+    Stretch *stretch = stretch_of(observer, i);
+    person->path_length += moved;
+    watch_clearance(person, stretch, world, i, at);
+    watch_contact(person, stretch, watched, sense, dt);
+    person->ring_time += sense->ring > FELT ? dt : 0;
+    person->ring_peak = fmax(person->ring_peak, sense->ring);
+    if (world->phase[i] != PHASE_WAITING) {
+        double lost = dt - moved / free_speed;
+        person->lost_time += lost;
+        stretch->lost_time += lost;
+    }
+    if (world->clock.step % observer->sample_steps == 0 || world->phase[i] == PHASE_OUT)
+        add_row(observer, i, (world->drive[i].offset - watched->offset) / dt);
+    watched->at = at;
+    watched->offset = world->drive[i].offset;
+    watched->done = world->phase[i] == PHASE_OUT || world->phase[i] == PHASE_STUCK;
+}
+
+void observer_watch(Observer *observer) {
+    const World *world = observer->world;
+    for (size_t i = 0; i < world->count; i++)
+        if (is_watched(world, i) && !observer->watched[i].done)
+            watch_person(observer, i);
+}
+
+/* Where a person who no longer gets on is held: by whom or what, and how wide it is there. */
+static void fill_blockage(const World *world, size_t i, Blockage *blockage) {
+    const House *house = world->house;
+    const Sense *sense = &world->sense[i];
+    double width = house->people[i].profile->width;
+    *blockage = (Blockage){.at = sense->clearance < world->body[i].reach ? sense->nearest_at : world->centre[i]};
+    blockage->has = passage_width(passage_at(&house->outline, world->centre[i], world->axis[i]));
+    blockage->needs = width;
+    if (sense->other >= 0) {
+        snprintf(blockage->what, sizeof blockage->what, "person %s", house->people[sense->other].id);
+        blockage->needs += house->people[sense->other].profile->width;
+    } else {
+        outline_place_name(&house->outline, &house->plan, blockage->at, blockage->what, sizeof blockage->what);
+    }
+}
+
+void observer_end(Observer *observer, Reason reason) {
+    const World *world = observer->world;
+    for (size_t i = 0; i < world->count; i++) {
+        if (!is_watched(world, i))
+            continue;
+        PersonObservation *person = &observer->people[i];
+        const Route *route = &world->journeys[i].route;
+        person->completed = world->phase[i] == PHASE_OUT;
+        if (person->completed)
+            person->exit = world->exit[i];
+        else
+            person->reason = world->phase[i] == PHASE_STUCK ? (Reason)world->reason[i] : reason;
+        bool ended = world->phase[i] == PHASE_OUT || world->phase[i] == PHASE_STUCK;
+        person->time = ended ? world->ended[i] : clock_time(&world->clock);
+        if (person->reason == REASON_CANNOT_PASS)
+            person->blockage = route->blockage;
+        else if (person->reason == REASON_BLOCKED)
+            fill_blockage(world, i, &person->blockage);
+    }
+}

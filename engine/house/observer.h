@@ -1,0 +1,36 @@
+/* Watches a world, step by step, and keeps what an observation needs. */
+#pragma once
+
+#include "house/hazard.h"
+#include "house/observation.h"
+#include "house/world.h"
+
+/* What is remembered of a person between steps. */
+typedef struct Watched {
+    Vec2 at;          /* m, the reference point one step ago */
+    double offset;    /* m, from the track, one step ago */
+    double untouched; /* s, since the body last touched something */
+    double ended;     /* m, path length at which the present stretch ends */
+    size_t stretch;   /* the present one, plus 1; 0: none yet */
+    bool done;
+} Watched;
+
+typedef struct Observer {
+    const World *world;
+    PersonObservation *people; /* (count) not owned: those who take part are written */
+    Watched *watched;          /* (count) */
+    size_t sample_steps;       /* between two rows of the trace */
+    Trace trace;
+    Stretch *stretches; /* (stretch_count) */
+    size_t stretch_count, stretch_capacity;
+} Observer;
+
+/* The world has not moved yet. observer_clear releases the observer, not the people. */
+void observer_init(Observer *observer, const World *world, PersonObservation *people);
+void observer_clear(Observer *observer);
+
+/* After every world_step. */
+void observer_watch(Observer *observer);
+
+/* After the last step: those still on the way end with `reason`. */
+void observer_end(Observer *observer, Reason reason);

@@ -1,0 +1,134 @@
+#include "house/run.h"
+
+#include <stdint.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/parallel.h"
+#include "house/observer.h"
+#include "house/world.h"
+
+/* simulated s between two looks at `stop` and reports of progress */
+static const double LOOK_UP = 0.5;
+
+/* People who have the house to themselves, and what was seen of them. */
+typedef struct Group {
+    const House *house;
+    const RunOptions *options;
+    bool *part;                /* (person_count) */
+    PersonObservation *people; /* of all groups: each writes its own */
+    Observer observer;
+    uint64_t digest, steps;
+} Group;
+
+static Reason run_world(World *world, Observer *observer, const RunOptions *options) {
+    double until = world->house->plan.run.until, next_look = 0;
+    while (world_goes_on(world)) {
+        double time = clock_time(&world->clock);
+        if (time >= until)
+            return REASON_TIME_LIMIT;
+        if (time >= next_look) {
+            next_look += LOOK_UP;
+            if (options->stop && *options->stop)
+                return REASON_TIME_LIMIT;
+            if (options->progress)
+                options->progress(options->context, time);
+        }
+        WorldStatus status = world_step(world, NULL);
+        observer_watch(observer);
+        if (status == WORLD_DIVERGED)
+            return REASON_DIVERGED;
+    }
+    return REASON_NONE;
+}
+
+static void run_group(void *context, size_t index) {
+    Group *group = (Group *)context + index;
+    const RunOptions *options = group->options;
+    Journey *journeys = journeys_plan(group->house, group->part, options->jobs);
+    World world = world_create(group->house, journeys, group->part);
+    observer_init(&group->observer, &world, group->people);
+    Reason reason = run_world(&world, &group->observer, options);
+    observer_end(&group->observer, reason);
+    group->digest = world.digest;
+    group->steps = world.clock.step;
+    group->observer.world = NULL;
+    world_destroy(&world);
+    journeys_free(journeys, group->house->person_count);
+}
+
+/* Who is together with whom: everybody, or route by route and then those without one. Returns the number of groups. */
+static size_t make_groups(Group *groups, const House *house, const RunOptions *options) {
+    size_t routes = house->plan.route_count, count = 0;
+    bool alone = house->plan.run.routes == ROUTES_ALONE;
+    for (size_t r = 0; r <= (alone ? routes : 0); r++) {
+        Group *group = &groups[count];
+        bool anybody = false;
+        group->part = memory_allocate(house->person_count, sizeof *group->part);
+        for (size_t i = 0; i < house->person_count; i++) {
+            size_t own = house->people[i].route ? (size_t)(house->people[i].route - house->plan.routes) : routes;
+            group->part[i] = (!alone || own == r) && (options->route == SIZE_MAX || own == options->route);
+            anybody |= group->part[i];
+        }
+        if (anybody)
+            count++;
+        else
+            memory_free(group->part);
+    }
+    return count;
+}
+
+/* Adds a group to the whole: rows, stretches, sums. */
+static void merge_group(Observation *observation, Group *group, Stretch **stretches, size_t *count, size_t *capacity) {
+    Observer *observer = &group->observer;
+    for (size_t r = 0; r < observer->trace.rows; r++)
+        trace_add(&observation->trace, trace_row(&observer->trace, r));
+    *stretches = memory_reserve(*stretches, capacity, *count + observer->stretch_count, sizeof **stretches);
+    if (observer->stretch_count)
+        memcpy(*stretches + *count, observer->stretches, observer->stretch_count * sizeof **stretches);
+    *count += observer->stretch_count;
+    observation->steps = group->steps > observation->steps ? group->steps : observation->steps;
+    observation->digest = (observation->digest ^ group->digest) * 0x100000001b3u;
+}
+
+static void conclude(Observation *observation) {
+    observation->completed = true;
+    for (size_t i = 0; i < observation->person_count; i++) {
+        const PersonObservation *person = &observation->people[i];
+        if (!person->took_part)
+            continue;
+        observation->completed &= person->completed;
+        observation->time = fmax(observation->time, person->time);
+    }
+}
+
+void run_house(Observation *observation, const House *house, const RunOptions *options) {
+    Group *groups = memory_allocate(house->plan.route_count + 1, sizeof *groups);
+    *observation = (Observation){
+        .people = memory_allocate(house->person_count, sizeof *observation->people),
+        .person_count = house->person_count,
+        .hazards = memory_allocate(HAZARDS_MOST, sizeof *observation->hazards),
+        .dt = house->plan.run.dt,
+    };
+    size_t group_count = make_groups(groups, house, options);
+    for (size_t g = 0; g < group_count; g++) {
+        groups[g].house = house;
+        groups[g].options = options;
+        groups[g].people = observation->people;
+    }
+    parallel_for(options->jobs, group_count, run_group, groups);
+    Stretch *stretches = NULL;
+    size_t stretch_count = 0, capacity = 0;
+    if (group_count)
+        trace_init(&observation->trace, groups[0].observer.trace.columns, TRACE_COLUMNS);
+    for (size_t g = 0; g < group_count; g++) {
+        merge_group(observation, &groups[g], &stretches, &stretch_count, &capacity);
+        observer_clear(&groups[g].observer);
+        memory_free(groups[g].part);
+    }
+    observation->hazard_count =
+        hazard_rank(observation->hazards, stretches, stretch_count, &house->outline, &house->plan);
+    conclude(observation);
+    memory_free(stretches);
+    memory_free(groups);
+}

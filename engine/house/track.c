@@ -1,0 +1,366 @@
+#include "house/track.h"
+
+#include <string.h>
+
+#include "house/passage.h"
+
+/* m/s, assumed: how slowly somebody edges through a gap hardly wider than the body. */
+static const double CREEP = 0.1;
+/* 1, assumed: the share of the deceleration that a driver plans with, the rest is in hand. */
+static const double PLANNED_DECELERATION = 0.8;
+/* m, assumed: a door's leaf or a corner slows a driver already this far before and after it. */
+static const double FORESIGHT = 0.2;
+/* points over which the curvature of a path is averaged to either side: about 0.1 m */
+enum { CURVATURE_SPAN = 2 };
+
+static TrackPoint *add_point(Track *track, size_t *capacity, TrackPoint point) {
+    track->points = memory_reserve(track->points, capacity, track->count + 1, sizeof *track->points);
+    if (track->count) {
+        const TrackPoint *before = &track->points[track->count - 1];
+        point.s = before->s + vec2_distance(before->at, point.at);
+    }
+    track->points[track->count] = point;
+    return &track->points[track->count++];
+}
+
+/* The speed that the passage, and nothing else, allows. */
+static double passage_speed(const Inhabitant *person, double width) {
+    const Profile *profile = person->profile;
+    double law = profile->steering_time > 0 ? (width - profile->width) / profile->steering_time : HUGE_VAL;
+    return fmin(person->speed, fmax(law, fmin(CREEP, person->speed)));
+}
+
+/* Each width becomes the least within FORESIGHT. */
+static void look_ahead(Track *track) {
+    double *width = memory_allocate(track->count, sizeof *width);
+    for (size_t i = 0, first = 0; i < track->count; i++) {
+        while (track->points[first].s < track->points[i].s - FORESIGHT)
+            first++;
+        width[i] = HUGE_VAL;
+        for (size_t k = first; k < track->count && track->points[k].s <= track->points[i].s + FORESIGHT; k++)
+            width[i] = fmin(width[i], track->points[k].width);
+    }
+    for (size_t i = 0; i < track->count; i++)
+        track->points[i].width = width[i];
+    memory_free(width);
+}
+
+/* From the end to the start: v^2 - v_c^2 = 2 a_d L. A change of direction ends at rest. */
+static void decelerate(Track *track, double deceleration) {
+    for (size_t i = track->count; i-- > 1;) {
+        TrackPoint *here = &track->points[i - 1];
+        const TrackPoint *next = &track->points[i];
+        bool rest = i + 1 < track->count && track->points[i + 1].direction != next->direction;
+        double end = rest || next->direction == 0 ? 0 : next->speed;
+        double reach = sqrt(end * end + 2 * deceleration * (next->s - here->s));
+        if (here->direction != 0 || next->direction != 0)
+            here->speed = fmin(here->speed, fmax(reach, next->direction == 0 ? 0 : 1e-3));
+    }
+}
+
+/* The first door that is crossed between two points: its index, or -1. */
+static int door_between(const Plan *plan, Vec2 from, Vec2 to) {
+    for (size_t d = 0; d < plan->door_count; d++) {
+        if (!outline_door_moves(&plan->doors[d]))
+            continue;
+        Vec2 a, b;
+        plan_door_ends(plan, &plan->doors[d], &a, &b);
+        Vec2 door = vec2_sub(b, a), way = vec2_sub(to, from);
+        double sides = vec2_cross(door, vec2_sub(from, a)) * vec2_cross(door, vec2_sub(to, a));
+        double ends = vec2_cross(way, vec2_sub(a, from)) * vec2_cross(way, vec2_sub(b, from));
+        if (sides <= 0 && ends <= 0 && vec2_dot(way, way) > 0)
+            return (int)d;
+    }
+    return -1;
+}
+
+static void mark_doors(Track *track, const Plan *plan) {
+    for (size_t i = 0; i < track->count; i++)
+        track->points[i].door =
+            i + 1 < track->count ? door_between(plan, track->points[i].at, track->points[i + 1].at) : -1;
+}
+
+/* Width and room at every point, looking across the body's middle. */
+static void measure(Track *track, const House *house, double middle) {
+    for (size_t i = 0; i < track->count; i++) {
+        TrackPoint *point = &track->points[i];
+        Vec2 along = vec2_heading(point->heading);
+        Passage passage = passage_at(&house->outline, vec2_along(point->at, middle, along), along);
+        point->room_left = passage.left;
+        point->room_right = passage.right;
+        point->width = passage_width(passage);
+    }
+}
+
+/* The driver -------------------------------------------------------------------------------------------------- */
+
+static void bend(Track *track) {
+    for (size_t i = 0; i < track->count; i++) {
+        const TrackPoint *here = &track->points[i];
+        if (here->direction == 0)
+            continue;
+        size_t a = i, b = i;
+        for (int k = 0; k < CURVATURE_SPAN; k++) {
+            if (a > 0 && track->points[a - 1].direction == here->direction)
+                a--;
+            if (b + 1 < track->count && track->points[b + 1].direction == here->direction)
+                b++;
+        }
+        double length = track->points[b].s - track->points[a].s;
+        double turn = vec2_wrap_angle(track->points[b].heading - track->points[a].heading);
+        track->points[i].curvature = length > 0 ? turn / length : 0;
+    }
+}
+
+static double driver_speed(const Inhabitant *person, const TrackPoint *point) {
+    const Profile *profile = person->profile;
+    double bend = fabs(point->curvature);
+    double speed = passage_speed(person, point->width);
+    if (point->direction < 0)
+        speed = fmin(speed, profile->reversing_speed);
+    if (bend > 0)
+        speed = fmin(speed, fmin(sqrt(profile->lateral_acceleration / bend), profile->turn_rate / bend));
+    return speed;
+}
+
+void track_build_driver(Track *track, const House *house, const Inhabitant *person, const Route *route) {
+    const Profile *profile = person->profile;
+    size_t capacity = 0;
+    for (size_t i = 0; i < route->count; i++)
+        add_point(track, &capacity,
+                  (TrackPoint){.at = route->poses[i].at,
+                               .heading = route->poses[i].heading,
+                               .direction =
+                                   i == 0 && route->count > 1 ? route->poses[1].direction : route->poses[i].direction,
+                               .corner = -1,
+                               .door = -1});
+    measure(track, house, profile->length / 2 - profile->axle);
+    look_ahead(track);
+    bend(track);
+    for (size_t i = 0; i < track->count; i++)
+        track->points[i].speed = driver_speed(person, &track->points[i]);
+    decelerate(track, PLANNED_DECELERATION * profile->deceleration);
+    mark_doors(track, &house->plan);
+    track->length = track->count ? track->points[track->count - 1].s : 0;
+}
+
+/* The paper's round body --------------------------------------------------------------------------------------- */
+
+/* m: distance between points. */
+static const double SPACING = 0.05;
+/* rad: turns of the shortest path smaller than this are not corners of a passage. */
+static const double SMALLEST_CORNER = 0.15;
+/* m: bends of the shortest path nearer to one another than this belong to one corner. */
+static const double SAME_CORNER = 0.25;
+/* m: what a corner's arc is narrowed to, beyond the body, when the middle of the passage is not free. */
+static const double LEAST_SPARE = 0.02;
+
+/* A place that the way goes about: the start and the end have no radius and no side. */
+typedef struct Turning {
+    Vec2 centre;
+    double side;    /* +1: the centre is on the left of the way, -1: on the right */
+    double in, out; /* m, radii */
+    double widths[2];
+    Vec2 leg; /* unit direction of the leg that follows */
+} Turning;
+
+/* The obstacle's convex corner about which the shortest path turns at `at`. */
+static Vec2 turning_centre(const House *house, Vec2 at, Vec2 inwards, double radius) {
+    enum { MOST = 256 };
+    int items[MOST];
+    size_t found = broadphase_query(house->outline.broadphase, box_around(at, 2 * radius), items, MOST);
+    Vec2 best = vec2_along(at, radius, inwards);
+    double nearest = radius + SAME_CORNER;
+    for (size_t i = 0; i < found && i < MOST; i++) {
+        size_t item = (size_t)items[i];
+        if (item < house->outline.face_count)
+            continue;
+        const Corner *corner = &house->outline.corners[item - house->outline.face_count];
+        Vec2 to = vec2_sub(corner->at, at);
+        if (outline_planned(corner->presence) && vec2_dot(to, inwards) > 0 && vec2_length(to) < nearest) {
+            nearest = vec2_length(to);
+            best = corner->at;
+        }
+    }
+    return best;
+}
+
+/* Corners of the shortest path: runs of bends to the same side. */
+static size_t find_turnings(const House *house, const Inhabitant *person, const Route *route, Turning *turnings) {
+    size_t count = 0;
+    turnings[count++] = (Turning){.centre = route->poses[0].at};
+    for (size_t i = 1; i + 1 < route->count;) {
+        double turn = vec2_wrap_angle(route->poses[i + 1].heading - route->poses[i].heading);
+        if (fabs(turn) < 1e-6) {
+            i++;
+            continue;
+        }
+        size_t end = i + 1;
+        double total = turn, straight = 0;
+        for (size_t k = i + 1; k + 1 < route->count && straight < SAME_CORNER; k++) {
+            double more = vec2_wrap_angle(route->poses[k + 1].heading - route->poses[k].heading);
+            straight += vec2_distance(route->poses[k].at, route->poses[k + 1].at);
+            if (more * turn < 0)
+                break;
+            if (fabs(more) > 1e-6) {
+                total += more;
+                straight = 0;
+                end = k + 1;
+            }
+        }
+        if (fabs(total) >= SMALLEST_CORNER) {
+            const Pose *middle = &route->poses[(i + end) / 2];
+            double side = total > 0 ? 1 : -1;
+            Vec2 inwards = vec2_scale(vec2_left(vec2_heading(middle->heading)), side);
+            turnings[count++] = (Turning){
+                .centre = turning_centre(house, middle->at, inwards, person->profile->width / 2), .side = side};
+        }
+        i = end;
+    }
+    turnings[count++] = (Turning){.centre = route->poses[route->count - 1].at};
+    return count;
+}
+
+/* The common tangent of two turnings, along which the centres have the signed distances side * radius. */
+static Vec2 tangent(const Turning *from, const Turning *to) {
+    Vec2 between = vec2_sub(to->centre, from->centre);
+    double sine = (to->side * to->in - from->side * from->out) / fmax(vec2_length(between), 1e-9);
+    double angle = atan2(between.y, between.x) - asin(fmax(-1, fmin(1, sine)));
+    return vec2_heading(angle);
+}
+
+static Vec2 leg_begin(const Turning *turning, Vec2 leg) {
+    return vec2_along(turning->centre, -turning->side * turning->out, vec2_left(leg));
+}
+
+static Vec2 leg_end(const Turning *turning, Vec2 leg) {
+    return vec2_along(turning->centre, -turning->side * turning->in, vec2_left(leg));
+}
+
+/* W1 and W2 of every corner, and from them the radii, share by share towards the middle of the passage: the legs turn
+ * with the radii, so the two are settled together. */
+static void settle(const House *house, const Inhabitant *person, Turning *turnings, size_t count, const double *share) {
+    double least = person->profile->width / 2 + LEAST_SPARE;
+    for (int round = 0; round < 4; round++) {
+        for (size_t i = 0; i + 1 < count; i++)
+            turnings[i].leg = tangent(&turnings[i], &turnings[i + 1]);
+        for (size_t i = 1; i + 1 < count; i++) {
+            Turning *turning = &turnings[i];
+            for (int after = 0; after < 2; after++) {
+                Vec2 across = vec2_scale(vec2_left(turnings[after ? i : i - 1].leg), -turning->side);
+                double width = passage_across(&house->outline, turning->centre, across);
+                double radius = least + share[i] * fmax(width / 2 - least, 0);
+                turning->widths[after] = width;
+                *(after ? &turning->out : &turning->in) = radius;
+            }
+        }
+    }
+}
+
+/* How far the least free place of a leg is from any obstacle. */
+static double leg_freedom(const House *house, const Turning *from, const Turning *to) {
+    Vec2 begin = leg_begin(from, from->leg), end = leg_end(to, from->leg);
+    double length = vec2_distance(begin, end), least = HUGE_VAL;
+    for (double s = 0; s <= length; s += SPACING)
+        least = fmin(least, freespace_distance(&house->space, vec2_along(begin, s, from->leg)));
+    return least;
+}
+
+static void lay_out(const House *house, const Inhabitant *person, Turning *turnings, size_t count) {
+    enum { NARROWINGS = 12 };
+    double *share = memory_allocate(count, sizeof *share);
+    for (size_t i = 0; i < count; i++)
+        share[i] = 1;
+    for (int round = 0; round < NARROWINGS; round++) {
+        bool free = true;
+        settle(house, person, turnings, count, share);
+        for (size_t i = 0; i + 1 < count; i++) {
+            bool overlap =
+                vec2_dot(vec2_sub(leg_end(&turnings[i + 1], turnings[i].leg), leg_begin(&turnings[i], turnings[i].leg)),
+                         turnings[i].leg) < 0;
+            if (overlap || leg_freedom(house, &turnings[i], &turnings[i + 1]) < person->profile->width / 2) {
+                share[i] *= 0.75;
+                share[i + 1] *= 0.75;
+                free = false;
+            }
+        }
+        if (free)
+            break;
+    }
+    memory_free(share);
+}
+
+static void add_straight(Track *track, size_t *capacity, Vec2 from, Vec2 to) {
+    Vec2 along = vec2_sub(to, from);
+    double length = vec2_length(along), heading = atan2(along.y, along.x);
+    size_t pieces = (size_t)(length / SPACING) + 1;
+    for (size_t i = 0; i <= pieces; i++)
+        add_point(track, capacity,
+                  (TrackPoint){.at = vec2_along(from, (double)i / (double)pieces, along),
+                               .heading = heading,
+                               .direction = 1,
+                               .corner = -1});
+}
+
+static void add_corner(Track *track, size_t *capacity, const Turning *turning, Vec2 before, Vec2 after) {
+    double turn = atan2(vec2_cross(before, after), vec2_dot(before, after));
+    double heading = atan2(before.y, before.x);
+    TrackCorner *corner = &track->corners[track->corner_count];
+    *corner = (TrackCorner){.centre = turning->centre,
+                            .before = turning->widths[0],
+                            .after = turning->widths[1],
+                            .turn = turn,
+                            .radius_in = turning->in,
+                            .radius_out = turning->out};
+    if (turn * turning->side > 0) {
+        double length = fabs(turn) * (turning->in + turning->out) / 2;
+        size_t pieces = (size_t)(length / SPACING) + 2;
+        for (size_t i = 0; i <= pieces; i++) {
+            double part = (double)i / (double)pieces, angle = heading + part * turn;
+            double radius = turning->in + part * (turning->out - turning->in);
+            Vec2 out = vec2_scale(vec2_left(vec2_heading(angle)), -turning->side);
+            TrackPoint *point = add_point(track, capacity,
+                                          (TrackPoint){.at = vec2_along(turning->centre, radius, out),
+                                                       .heading = angle,
+                                                       .curvature = turn / length,
+                                                       .direction = 1,
+                                                       .corner = (int)track->corner_count});
+            if (i == 0)
+                corner->from = point->s;
+            corner->to = point->s;
+        }
+    }
+    track->corner_count++;
+}
+
+void track_build_miura(Track *track, const House *house, const Inhabitant *person, const Route *route) {
+    size_t capacity = 0;
+    Turning *turnings = memory_allocate(route->count + 1, sizeof *turnings);
+    size_t count = find_turnings(house, person, route, turnings);
+    lay_out(house, person, turnings, count);
+    track->corners = memory_allocate(count, sizeof *track->corners);
+    for (size_t i = 0; i + 1 < count; i++) {
+        add_straight(track, &capacity, leg_begin(&turnings[i], turnings[i].leg),
+                     leg_end(&turnings[i + 1], turnings[i].leg));
+        if (i + 2 < count)
+            add_corner(track, &capacity, &turnings[i + 1], turnings[i].leg, turnings[i + 1].leg);
+    }
+    memory_free(turnings);
+    measure(track, house, 0);
+    look_ahead(track);
+    for (size_t i = 0; i < track->count; i++) {
+        TrackPoint *point = &track->points[i];
+        point->speed = passage_speed(person, point->width);
+        if (point->corner >= 0) /* the floor of the paper; never faster than the legs */
+            point->speed = fmin(person->profile->minimum_speed, point->speed);
+    }
+    decelerate(track, person->profile->deceleration);
+    mark_doors(track, &house->plan);
+    track->length = track->points[track->count - 1].s;
+}
+
+void track_free(Track *track) {
+    memory_free(track->points);
+    memory_free(track->corners);
+    *track = (Track){0};
+}

@@ -1,0 +1,56 @@
+/* A route as somebody follows it: points along the way with the speed that the passage allows.
+ *
+ * Speed law, in place of the paper's lost regressions: the steering law of human movement (Accot and Zhai 1997),
+ *     v_max(W) = min(v_free, (W - w) / b)
+ * with W the width of the passage, measured by rays to both sides, w the body's width and b in s. Then
+ *     corners     at v_min (miura), or as fast as the lateral acceleration and the turn rate allow (driver);
+ *     before      the deceleration length L from v^2 - v_c^2 = 2 a_d L;
+ *     after       the initial acceleration a_0.
+ *
+ * For the driver the points are those of the planned path. For the paper's round body they are straight legs and
+ * corners: a corner is an arc about the obstacle's convex corner, from the middle of the passage before it (radius W1 /
+ * 2) to the middle of the one after it (W2 / 2), and the legs are the common tangents. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "house/house.h"
+#include "house/route.h"
+
+typedef struct TrackPoint {
+    Vec2 at;           /* m, where the reference point is to be */
+    double heading;    /* rad, of the body (driver) or of the way (miura) */
+    double s;          /* m, along the way */
+    double curvature;  /* rad/m, turn of the heading per m of the way */
+    double speed;      /* m/s, most */
+    double width;      /* m, of the passage here */
+    double room_left;  /* m, from the way to the nearest obstacle on the left, */
+    double room_right; /* and on the right */
+    int direction;     /* +1 forwards, -1 backwards, 0 a turn on the spot */
+    int corner;        /* index of the corner that the point belongs to, or -1 */
+    int door;          /* the door that opens and shuts and whose line is crossed after this point, or -1 */
+} TrackPoint;
+
+/* A corner of the paper's: turned about `centre`. */
+typedef struct TrackCorner {
+    Vec2 centre;                  /* m, the obstacle's corner */
+    double before, after;         /* m, W1 and W2 */
+    double from, to;              /* m, s at its beginning and end */
+    double turn;                  /* rad, counter-clockwise positive */
+    double radius_in, radius_out; /* m, at its beginning and end */
+} TrackCorner;
+
+typedef struct Track {
+    TrackPoint *points; /* (count) */
+    size_t count;
+    TrackCorner *corners; /* (corner_count) */
+    size_t corner_count;
+    double length; /* m */
+} Track;
+
+/* Both fill a zeroed track; track_free releases it. The route has been found. */
+void track_build_driver(Track *track, const House *house, const Inhabitant *person, const Route *route);
+void track_build_miura(Track *track, const House *house, const Inhabitant *person, const Route *route);
+
+void track_free(Track *track);

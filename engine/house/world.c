@@ -1,0 +1,471 @@
+#include "house/world.h"
+
+#include <stdint.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/parallel.h"
+#include "house/drive.h"
+#include "house/observation.h"
+
+/* Journeys ------------------------------------------------------------------------------------------------------ */
+
+typedef struct Planning {
+    const House *house;
+    const bool *part;
+    Journey *journeys;
+} Planning;
+
+static void plan_journey(void *context, size_t i) {
+    Planning *planning = context;
+    const House *house = planning->house;
+    const Inhabitant *person = &house->people[i];
+    Journey *journey = &planning->journeys[i];
+    if (planning->part && !planning->part[i])
+        return;
+    RouteQuery query = {.plan = &house->plan,
+                        .space = &house->space,
+                        .profile = person->profile,
+                        .at = person->at,
+                        .heading = person->heading,
+                        .via = person->route ? person->route->via.at : NULL,
+                        .via_count = person->route ? person->route->via.count : 0,
+                        .exit = person->route ? person->route->exit_index : SIZE_MAX,
+                        .time = person->delay,
+                        .most_reversals = house->plan.run.reversals};
+    bool miura = person->profile->driving == DRIVING_MIURA;
+    journey->route = miura ? route_round(&query) : route_drive(&query);
+    if (journey->route.answer != ROUTE_FOUND)
+        return;
+    if (miura)
+        track_build_miura(&journey->track, house, person, &journey->route);
+    else
+        track_build_driver(&journey->track, house, person, &journey->route);
+}
+
+Journey *journeys_plan(const House *house, const bool *part, int jobs) {
+    Journey *journeys = memory_allocate(house->person_count, sizeof *journeys);
+    Planning planning = {house, part, journeys};
+    parallel_for(jobs, house->person_count, plan_journey, &planning);
+    return journeys;
+}
+
+void journeys_free(Journey *journeys, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        route_free(&journeys[i].route);
+        track_free(&journeys[i].track);
+    }
+    memory_free(journeys);
+}
+
+/* Creation -------------------------------------------------------------------------------------------------------- */
+
+/* Lays `count` elements of `size` bytes into the block at `*used` and returns where. */
+static void *lay(char *block, size_t *used, size_t count, size_t size) {
+    size_t place = (*used + 63) / 64 * 64; /* a cache line each */
+    *used = place + count * size;
+    return block ? block + place : NULL;
+}
+
+/* Points the arrays into the block; returns its size. */
+static size_t lay_out(World *world, char *block) {
+    size_t used = 0, n = world->count, pairs = n * (n ? n - 1 : 0) / 2;
+    world->centre = lay(block, &used, n, sizeof *world->centre);
+    world->axis = lay(block, &used, n, sizeof *world->axis);
+    world->heading = lay(block, &used, n, sizeof *world->heading);
+    world->velocity = lay(block, &used, n, sizeof *world->velocity);
+    world->turn = lay(block, &used, n, sizeof *world->turn);
+    world->force = lay(block, &used, n, sizeof *world->force);
+    world->moment = lay(block, &used, n, sizeof *world->moment);
+    world->phase = lay(block, &used, n, sizeof *world->phase);
+    world->reason = lay(block, &used, n, sizeof *world->reason);
+    world->exit = lay(block, &used, n, sizeof *world->exit);
+    world->ended = lay(block, &used, n, sizeof *world->ended);
+    world->sense = lay(block, &used, n, sizeof *world->sense);
+    world->drive = lay(block, &used, n, sizeof *world->drive);
+    world->body = lay(block, &used, n, sizeof *world->body);
+    world->near = lay(block, &used, n, sizeof *world->near);
+    world->slips = lay(block, &used, n * GAPS_MOST, sizeof *world->slips);
+    world->slip_count = lay(block, &used, n, sizeof *world->slip_count);
+    world->pair_slips = lay(block, &used, pairs * PAIR_GAPS, sizeof *world->pair_slips);
+    world->door_open = lay(block, &used, world->house->plan.door_count, sizeof *world->door_open);
+    return used;
+}
+
+static void place_person(World *world, size_t i, bool takes_part) {
+    const Inhabitant *person = &world->house->people[i];
+    const Profile *profile = person->profile;
+    double ahead = profile->driving == DRIVING_DRIVER ? profile->mass_centre : 0;
+    world->body[i] = body_of(profile);
+    world->heading[i] = person->heading;
+    world->axis[i] = vec2_heading(person->heading);
+    world->centre[i] = vec2_along(person->at, ahead, world->axis[i]);
+    world->exit[i] = SIZE_MAX;
+    world->near[i].doors = -1;
+    world->phase[i] = takes_part ? PHASE_WAITING : PHASE_ABSENT;
+    world->drive[i].best_turn = HUGE_VAL;
+}
+
+World world_create(const House *house, const Journey *journeys, const bool *part) {
+    World world = {.house = house,
+                   .journeys = journeys,
+                   .clock = {0, house->plan.run.dt},
+                   .count = house->person_count,
+                   .digest = 0xcbf29ce484222325u};
+    world.block_size = lay_out(&world, NULL);
+    world.block = memory_allocate(world.block_size, 1);
+    lay_out(&world, world.block);
+    for (size_t d = 0; d < house->plan.door_count; d++)
+        world.door_open[d] = !outline_door_moves(&house->plan.doors[d]);
+    for (size_t i = 0; i < world.count; i++)
+        place_person(&world, i, !part || part[i]);
+    return world;
+}
+
+void world_destroy(World *world) {
+    memory_free(world->block);
+    *world = (World){0};
+}
+
+World world_copy(const World *world) {
+    World copy = *world;
+    copy.block = memory_allocate(world->block_size, 1);
+    memcpy(copy.block, world->block, world->block_size);
+    lay_out(&copy, copy.block);
+    return copy;
+}
+
+/* Forces ---------------------------------------------------------------------------------------------------------- */
+
+static bool is_there(const World *world, size_t i) {
+    return world->phase[i] != PHASE_ABSENT && world->phase[i] != PHASE_OUT;
+}
+
+/* One law over one gap, of which the body has the share. */
+static Vec2 law_force(const ContactLaw *law, const Gap *gap, double compression_gap, double gap_rate, double sliding,
+                      double dt, double *slip, double *normal_force) {
+    double normal = contact_normal(law, compression_gap, gap_rate) * gap->share;
+    *normal_force = normal;
+    if (normal <= 0) {
+        *slip = 0;
+        return vec2(0, 0);
+    }
+    ContactLaw shared = *law;
+    shared.tangential_stiffness *= gap->share;
+    shared.tangential_damping *= gap->share;
+    double along = contact_tangential(&shared, normal, sliding, dt, slip);
+    return vec2_along(vec2_scale(gap->normal, normal), along, vec2_left(gap->normal));
+}
+
+static const Slip *find_slip(const Slip *slips, int count, int key) {
+    for (int k = 0; k < count; k++)
+        if (slips[k].key == key)
+            return &slips[k];
+    return NULL;
+}
+
+static void feel(Sense *sense, const Body *body, const Gap *gap, double body_force, double ring_force, Vec2 at,
+                 int other) {
+    if (gap->gap < sense->clearance) {
+        sense->clearance = gap->gap;
+        sense->nearest_at = at;
+        sense->other = other;
+    }
+    sense->ring = fmax(sense->ring, fmin(body->reach, body->reach - gap->gap));
+    if (body_force > 0 && body_force >= sense->body_force)
+        sense->contact_at = at;
+    sense->body_force += body_force;
+    sense->ring_force += ring_force;
+}
+
+/* F2: body and personal space against walls, furniture and leaves. */
+static void force_of_obstacles(World *world, size_t i) {
+    const House *house = world->house;
+    const Profile *profile = house->people[i].profile;
+    Body *body = &world->body[i];
+    Near *near = &world->near[i];
+    Vec2 centre = world->centre[i];
+    if (near->doors != world->door_changes || vec2_distance(near->centre, centre) > NEAR_SKIN) {
+        near_gather(near, &house->outline, &house->plan, world->door_open, centre, body->outer);
+        near->doors = world->door_changes;
+    }
+    Gap gaps[GAPS_MOST];
+    Slip kept[GAPS_MOST], *slips = world->slips + i * GAPS_MOST;
+    size_t count = gap_to_obstacles(gaps, body, centre, world->axis[i], near);
+    Vec2 force = {0, 0};
+    double moment = 0;
+    for (size_t g = 0; g < count; g++) {
+        const Gap *gap = &gaps[g];
+        const Slip *before = find_slip(slips, world->slip_count[i], gap->key);
+        kept[g] = before ? *before : (Slip){.key = gap->key};
+        Vec2 moving = vec2_along(world->velocity[i], world->turn[i], vec2_left(gap->arm));
+        double rate = vec2_dot(moving, gap->normal), sliding = vec2_dot(moving, vec2_left(gap->normal));
+        double hard = 0, soft = 0;
+        Vec2 ring = law_force(&profile->space, gap, gap->gap - body->reach, rate, sliding, world->clock.dt,
+                              &kept[g].ring, &soft);
+        Vec2 both = vec2_add(
+            ring, law_force(&profile->contact, gap, gap->gap, rate, sliding, world->clock.dt, &kept[g].body, &hard));
+        force = vec2_add(force, both);
+        moment += vec2_cross(gap->arm, both);
+        feel(&world->sense[i], body, gap, hard, soft, vec2_add(centre, gap->arm), -1);
+    }
+    memcpy(slips, kept, count * sizeof *kept);
+    world->slip_count[i] = (int)count;
+    world->force[i] = vec2_add(world->force[i], force);
+    world->moment[i] += moment;
+}
+
+static ContactLaw mean_law(const ContactLaw *a, const ContactLaw *b) {
+    return (ContactLaw){(a->normal_stiffness + b->normal_stiffness) / 2, (a->normal_damping + b->normal_damping) / 2,
+                        (a->tangential_stiffness + b->tangential_stiffness) / 2,
+                        (a->tangential_damping + b->tangential_damping) / 2, (a->friction + b->friction) / 2};
+}
+
+/* F1: two people. The larger personal space counts, the law is the mean of both, the forces are equal and opposite. */
+static void force_of_pair(World *world, size_t i, size_t j, Slip *slips) {
+    const Profile *a = world->house->people[i].profile, *b = world->house->people[j].profile;
+    const Body *body_a = &world->body[i], *body_b = &world->body[j];
+    double reach = fmax(body_a->reach, body_b->reach);
+    if (vec2_distance(world->centre[i], world->centre[j]) > body_a->outer + body_b->outer) {
+        for (int k = 0; k < PAIR_GAPS; k++)
+            slips[k].body = slips[k].ring = 0;
+        return;
+    }
+    ContactLaw contact = mean_law(&a->contact, &b->contact), space = mean_law(&a->space, &b->space);
+    Gap gaps[GAPS_MOST];
+    size_t count =
+        gap_to_body(gaps, body_a, world->centre[i], world->axis[i], body_b, world->centre[j], world->axis[j], reach);
+    Slip kept[PAIR_GAPS] = {{0}};
+    for (size_t g = 0; g < count; g++) {
+        const Gap *gap = &gaps[g];
+        Vec2 arm_b = vec2_sub(vec2_add(world->centre[i], gap->arm), world->centre[j]);
+        Vec2 moving = vec2_sub(vec2_along(world->velocity[i], world->turn[i], vec2_left(gap->arm)),
+                               vec2_along(world->velocity[j], world->turn[j], vec2_left(arm_b)));
+        double rate = vec2_dot(moving, gap->normal), sliding = vec2_dot(moving, vec2_left(gap->normal));
+        double hard = 0, soft = 0;
+        Slip *slip = &kept[gap->key % PAIR_GAPS];
+        *slip = slips[gap->key % PAIR_GAPS];
+        Vec2 ring = law_force(&space, gap, gap->gap - reach, rate, sliding, world->clock.dt, &slip->ring, &soft);
+        Vec2 both =
+            vec2_add(ring, law_force(&contact, gap, gap->gap, rate, sliding, world->clock.dt, &slip->body, &hard));
+        world->force[i] = vec2_add(world->force[i], both);
+        world->force[j] = vec2_sub(world->force[j], both);
+        world->moment[i] += vec2_cross(gap->arm, both);
+        world->moment[j] -= vec2_cross(arm_b, both);
+        Vec2 at = vec2_add(world->centre[i], gap->arm);
+        feel(&world->sense[i], body_a, gap, hard, soft, at, (int)j);
+        feel(&world->sense[j], body_b, gap, hard, soft, at, (int)i);
+    }
+    memcpy(slips, kept, sizeof kept);
+}
+
+static void gather_forces(World *world) {
+    for (size_t i = 0; i < world->count; i++) {
+        world->force[i] = vec2(0, 0);
+        world->moment[i] = 0;
+        world->sense[i] = (Sense){.clearance = world->body[i].reach, .other = -1};
+        if (is_there(world, i))
+            force_of_obstacles(world, i);
+    }
+    Slip *slips = world->pair_slips;
+    for (size_t i = 0; i < world->count; i++)
+        for (size_t j = i + 1; j < world->count; j++, slips += PAIR_GAPS)
+            if (is_there(world, i) && is_there(world, j))
+                force_of_pair(world, i, j, slips);
+}
+
+/* Doors ------------------------------------------------------------------------------------------------------------ */
+
+/* Would the leaf, swung open, stand in somebody? Then it waits. */
+static bool leaf_is_free(const World *world, size_t door) {
+    const Outline *outline = &world->house->outline;
+    for (size_t f = 0; f < outline->face_count; f++) {
+        const Face *face = &outline->faces[f];
+        if (face->door != (int)door || face->presence != PRESENT_OPEN)
+            continue;
+        for (size_t i = 0; i < world->count; i++) {
+            double body = world->body[i].outer - world->body[i].reach;
+            Vec2 nearest = vec2_nearest_on_segment(world->centre[i], face->a, face->b);
+            if (is_there(world, i) && vec2_distance(world->centre[i], nearest) < body) {
+                Vec2 local = vec2_unturn(vec2_sub(nearest, world->centre[i]), world->axis[i]);
+                const Body *b = &world->body[i];
+                if (local.x > b->core_low.x - b->radius && local.x < b->core_high.x + b->radius &&
+                    local.y > b->core_low.y - b->radius && local.y < b->core_high.y + b->radius)
+                    return false;
+            }
+        }
+    }
+    return true;
+}
+
+static void open_doors(World *world) {
+    for (size_t i = 0; i < world->count; i++) {
+        int door = world->phase[i] == PHASE_MOVING ? drive_door_at_hand(world, i) : -1;
+        Drive *drive = &world->drive[i];
+        if (door < 0) {
+            drive->handle = 0;
+            continue;
+        }
+        drive->handle += world->clock.dt;
+        if (drive->handle < world->house->plan.doors[door].opening_time)
+            drive->stalled = 0; /* opening a door is getting on, waiting for its leaf's place is not */
+        if (drive->handle >= world->house->plan.doors[door].opening_time && leaf_is_free(world, (size_t)door)) {
+            world->door_open[door] = true;
+            world->door_changes++;
+        }
+    }
+}
+
+/* Motion ----------------------------------------------------------------------------------------------------------- */
+
+/* Stands still, or the brakes are on: as hard as the driver can push. */
+static Effort brake_person(const World *world, size_t i) {
+    const Profile *profile = world->house->people[i].profile;
+    Vec2 force = vec2_scale(world->velocity[i], -profile->mass / profile->speed_response);
+    double size = vec2_length(force), square = profile->radius_of_gyration * profile->radius_of_gyration;
+    if (size > profile->push)
+        force = vec2_scale(force, profile->push / size);
+    return (Effort){force, -profile->mass * square * world->turn[i] / profile->turn_response};
+}
+
+/* F3 and F4: everybody decides from the same frozen state. */
+static void exert_efforts(World *world) {
+    for (size_t i = 0; i < world->count; i++) {
+        if (!is_there(world, i))
+            continue;
+        Effort effort =
+            world->phase[i] == PHASE_MOVING ? drive_person(world, i, &world->drive[i]) : brake_person(world, i);
+        world->force[i] = vec2_add(world->force[i], effort.force);
+        world->moment[i] += effort.moment;
+    }
+}
+
+static void move_person(World *world, size_t i) {
+    const Profile *profile = world->house->people[i].profile;
+    bool turns = profile->driving == DRIVING_DRIVER;
+    double dt = world->clock.dt, inertia = profile->mass * profile->radius_of_gyration * profile->radius_of_gyration;
+    Vec2 velocity = vec2_along(world->velocity[i], dt / profile->mass, world->force[i]);
+    double turn = turns ? world->turn[i] + dt / inertia * world->moment[i] : 0;
+    if (turns)
+        drive_hold_sideways(profile, dt, world->axis[i], &velocity, &turn);
+    world->velocity[i] = velocity;
+    world->turn[i] = turn;
+    world->centre[i] = vec2_along(world->centre[i], dt, velocity);
+    if (turns) {
+        world->heading[i] = vec2_wrap_angle(world->heading[i] + dt * turn);
+        world->axis[i] = vec2_heading(world->heading[i]);
+    } else if (vec2_dot(velocity, velocity) > 1e-4) { /* a disc looks where it goes, once it goes */
+        world->axis[i] = vec2_unit(velocity);
+        world->heading[i] = atan2(velocity.y, velocity.x);
+    }
+}
+
+/* Has the reference point crossed the exit's line between two places? */
+static bool crosses(const Exit *exit, Vec2 before, Vec2 after) {
+    Vec2 line = vec2_sub(exit->to, exit->from), way = vec2_sub(after, before);
+    double a = vec2_cross(line, vec2_sub(before, exit->from)), b = vec2_cross(line, vec2_sub(after, exit->from));
+    if ((a < 0) == (b < 0))
+        return false;
+    double turn = vec2_cross(way, line);
+    double along = vec2_cross(way, vec2_sub(exit->from, before));
+    return turn != 0 && -along / turn >= 0 && -along / turn <= 1;
+}
+
+static void leave(World *world, size_t i, Vec2 before) {
+    const Plan *plan = &world->house->plan;
+    Vec2 after = world_reference(world, i);
+    double time = (double)(world->clock.step + 1) * world->clock.dt;
+    for (size_t e = 0; e < plan->exit_count; e++) {
+        const Exit *exit = &plan->exits[e];
+        if (time >= exit->opens && time <= exit->closes && crosses(exit, before, after)) {
+            world->phase[i] = PHASE_OUT;
+            world->exit[i] = e;
+            world->ended[i] = time;
+            return;
+        }
+    }
+}
+
+static void give_up(World *world, size_t i, Reason reason) {
+    world->phase[i] = PHASE_STUCK;
+    world->reason[i] = reason;
+    world->ended[i] = clock_time(&world->clock);
+}
+
+/* Starts those whose delay is over; those for whom there is no way, or who no longer get on, stay where they are. */
+static void change_phases(World *world) {
+    double time = clock_time(&world->clock);
+    for (size_t i = 0; i < world->count; i++) {
+        const Route *route = &world->journeys[i].route;
+        if (world->phase[i] == PHASE_WAITING && time >= world->house->people[i].delay) {
+            world->phase[i] = PHASE_MOVING;
+            if (route->answer != ROUTE_FOUND)
+                give_up(world, i, route->answer == ROUTE_NO_EXIT ? REASON_NO_EXIT : REASON_CANNOT_PASS);
+        } else if (world->phase[i] == PHASE_MOVING && world->drive[i].stalled > world->house->plan.run.patience) {
+            bool closed = time > world->house->plan.exits[route->exit].closes;
+            give_up(world, i, closed ? REASON_NO_EXIT : REASON_BLOCKED);
+        }
+    }
+}
+
+/* Digest and divergence ----------------------------------------------------------------------------------------------
+ */
+
+static uint64_t mix(uint64_t digest, double value) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    digest = (digest ^ bits) * 0x9e3779b97f4a7c15u;
+    return digest ^ (digest >> 29);
+}
+
+/* Every person's digest is made by itself and the sum taken, so that the order of people does not matter. */
+static void digest_states(World *world) {
+    uint64_t sum = 0;
+    for (size_t i = 0; i < world->count; i++) {
+        if (!is_there(world, i))
+            continue;
+        uint64_t digest = mix(mix(0, world->centre[i].x), world->centre[i].y);
+        digest = mix(mix(digest, world->velocity[i].x), world->velocity[i].y);
+        sum += mix(mix(digest, world->heading[i]), world->turn[i]);
+    }
+    world->digest = (world->digest ^ sum) * 0x100000001b3u;
+}
+
+static bool is_sound(const World *world, size_t i) {
+    Box box = box_expand(world->house->outline.box, 10); /* m: nobody is pushed farther out of the house */
+    Vec2 at = world->centre[i];
+    return at.x >= box.low.x && at.x <= box.high.x && at.y >= box.low.y && at.y <= box.high.y &&
+           isfinite(world->heading[i]) && isfinite(world->turn[i]);
+}
+
+bool world_goes_on(const World *world) {
+    for (size_t i = 0; i < world->count; i++)
+        if (world->phase[i] == PHASE_WAITING || world->phase[i] == PHASE_MOVING)
+            return true;
+    return false;
+}
+
+WorldStatus world_step(World *world, size_t *who) {
+    WorldStatus status = WORLD_OK;
+    change_phases(world);
+    open_doors(world);
+    gather_forces(world);
+    exert_efforts(world);
+    for (size_t i = 0; i < world->count; i++) {
+        if (!is_there(world, i))
+            continue;
+        Vec2 before = world_reference(world, i);
+        move_person(world, i);
+        if (world->phase[i] == PHASE_MOVING)
+            leave(world, i, before);
+        if (!is_sound(world, i)) {
+            give_up(world, i, REASON_DIVERGED);
+            status = WORLD_DIVERGED;
+            if (who)
+                *who = i;
+        }
+    }
+    world->clock.step++;
+    digest_states(world);
+    return status;
+}

@@ -1,0 +1,131 @@
+/* The moving house: people as distinct elements with a personal space, advanced by one fixed step at a time.
+ *
+ * Source: Miura, Takimoto and Kubodera, "Development of a simulation method for evacuation by wheelchair using Distinct
+ * Element Method". Equation of motion of each element
+ *
+ *     m u'' + c u' + k u = F1 + F2 + F3 + F4
+ *
+ *     F1  contact with other elements      F3  driving force towards the target speed
+ *     F2  contact with obstacles           F4  m v_t^2 / R, centripetal force in a corner (driving `miura`)
+ *
+ * where the springs and dashpots of the left side are those of the contacts, of the body and of the personal space.
+ * For the driver the turning of the body is integrated as well, and the wheels hold it sideways.
+ *
+ * A step reads everybody, then moves everybody: semi-implicit Euler from forces of the frozen state. A world points
+ * only at things that do not change while it moves and owns one block of memory, so that it can be copied whole. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "house/gap.h"
+#include "house/house.h"
+#include "house/route.h"
+#include "house/track.h"
+#include "mechanics/clock.h"
+
+typedef enum Phase {
+    PHASE_ABSENT,  /* takes no part in this run */
+    PHASE_WAITING, /* before the delay is over */
+    PHASE_MOVING,
+    PHASE_STUCK, /* stands there for good: no way, blocked */
+    PHASE_OUT,   /* has crossed an exit and is gone */
+} Phase;
+
+typedef enum WorldStatus { WORLD_OK, WORLD_DIVERGED } WorldStatus;
+
+/* What is planned for one person before the world moves. */
+typedef struct Journey {
+    Route route;
+    Track track; /* empty when there is no way */
+} Journey;
+
+/* Plans everybody's journey, on up to `jobs` threads; person i takes part when `part` is NULL or part[i]. The array has
+ * house->person_count elements; journeys_free releases it. */
+Journey *journeys_plan(const House *house, const bool *part, int jobs);
+void journeys_free(Journey *journeys, size_t count);
+
+/* A tangential spring's memory, as long as the pair touches. */
+typedef struct Slip {
+    int key;
+    double body, ring; /* m */
+} Slip;
+
+/* What a person feels in this step. */
+typedef struct Sense {
+    double clearance;  /* m, to the nearest of everything, up to the personal space's reach */
+    double ring;       /* m, greatest compression of the personal space */
+    double body_force; /* N, sum of the normal forces on the body */
+    double ring_force; /* N, of the personal space */
+    Vec2 nearest_at;   /* m, where it is nearest */
+    Vec2 contact_at;   /* m, where the body touches hardest */
+    int other;         /* the person who is nearest, or -1: an obstacle or nothing */
+} Sense;
+
+/* How a person gets on along the track. */
+typedef struct Drive {
+    size_t index;     /* the last track point passed */
+    double s;         /* m, along the track */
+    double offset;    /* m, to the left of the track */
+    double aside;     /* m, the offset wanted, to let somebody pass */
+    double pause;     /* s, left of a change of direction */
+    double best_s;    /* m, farthest so far */
+    double best_turn; /* rad, least left of a turn on the spot */
+    double stalled;   /* s, without getting on */
+    double handle;    /* s, spent at a shut door's handle */
+} Drive;
+
+typedef struct World {
+    const House *house;
+    const Journey *journeys;
+    Clock clock;
+    size_t count; /* of people */
+    uint64_t digest;
+    int door_changes;
+    /* one per person (count), of the mass centre unless said otherwise */
+    Vec2 *centre;    /* m */
+    Vec2 *axis;      /* unit, along the heading */
+    double *heading; /* rad */
+    Vec2 *velocity;  /* m/s */
+    double *turn;    /* rad/s */
+    Vec2 *force;     /* N, of contacts, this step */
+    double *moment;  /* N m */
+    int *phase;      /* Phase */
+    int *reason;     /* Reason, of the stuck */
+    size_t *exit;    /* crossed; SIZE_MAX: none */
+    double *ended;   /* s, when out or stuck */
+    Sense *sense;
+    Drive *drive;
+    Body *body;
+    Near *near;
+    Slip *slips; /* (count x GAPS_MOST) */
+    int *slip_count;
+    Slip *pair_slips; /* (count x (count - 1) / 2 x PAIR_GAPS) */
+    bool *door_open;  /* (doors) */
+    void *block;      /* all of the above */
+    size_t block_size;
+} World;
+
+enum { PAIR_GAPS = 8 /* gaps between two bodies: four corners each */ };
+
+/* The world before its first step. The house and the journeys must outlive it. world_destroy releases it. */
+World world_create(const House *house, const Journey *journeys, const bool *part);
+void world_destroy(World *world);
+
+/* A copy with memory of its own, same state to the bit. */
+World world_copy(const World *world);
+
+/* One step of house->plan.run.dt. On WORLD_DIVERGED a number was no longer finite or somebody was thrown out of the
+ * house; `*who` (may be NULL) is the person, whose phase is then PHASE_STUCK. */
+WorldStatus world_step(World *world, size_t *who);
+
+/* Is anybody still on the way? */
+bool world_goes_on(const World *world);
+
+/* The reference point of a person, m. */
+static inline Vec2 world_reference(const World *world, size_t i) {
+    const Profile *profile = world->house->people[i].profile;
+    double back = profile->driving == DRIVING_DRIVER ? profile->mass_centre : 0;
+    return vec2_along(world->centre[i], -back, world->axis[i]);
+}
