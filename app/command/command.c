@@ -15,12 +15,13 @@ volatile sig_atomic_t command_interrupted;
 
 /* Verbs ----------------------------------------------------------------------------------------------------------- */
 
-enum { FOR_RUN = 1, FOR_CHECK = 2, FOR_COMPARE = 4, FOR_SCHEMA = 8, FOR_HOUSES = FOR_RUN | FOR_CHECK | FOR_COMPARE };
+enum { FOR_RUN = 1, FOR_CHECK = 2, FOR_COMPARE = 4, FOR_LOCI = 8, FOR_SCHEMA = 16 };
+enum { FOR_HOUSES = FOR_RUN | FOR_CHECK | FOR_COMPARE | FOR_LOCI };
 
 typedef struct Verb {
     const char *name;
     int mark; /* FOR_... */
-    size_t files;
+    size_t least_files, most_files;
     const char *usage;
     const char *meaning;
     const char *examples;
@@ -28,18 +29,22 @@ typedef struct Verb {
 } Verb;
 
 static const Verb verbs[] = {
-    {"run", FOR_RUN, 1, "HOUSE", "simulate one evacuation to the end: the answer, and with --out pictures and data",
+    {"run", FOR_RUN, 1, 1, "HOUSE", "simulate one evacuation to the end: the answer, and with --out pictures and data",
      "  clearance run houses/ube-techno-house.json --out out\n"
      "  clearance run houses/ube-techno-house.json --route C --driving miura --json\n"
      "  clearance run houses/corner-0.90-0.90.json --set profile.manual-chair.width=0.70\n",
      command_run},
-    {"check", FOR_CHECK, 1, "HOUSE", "find faults, then say for each person whether they can get out, and if not, why",
+    {"check", FOR_CHECK, 1, 1, "HOUSE",
+     "find faults, then say for each person whether they can get out, and if not, why",
      "  clearance check houses/flat-0.910-module.json\n"
      "  clearance check houses/flat-0.910-module.json --set door.d1.width=0.90 --json\n",
      command_check},
-    {"compare", FOR_COMPARE, 2, "HOUSE_A HOUSE_B", "run both and show what differs",
+    {"compare", FOR_COMPARE, 2, 2, "HOUSE_A HOUSE_B", "run both and show what differs",
      "  clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json\n", command_compare},
-    {"schema", FOR_SCHEMA, 1, "house|profile", "print the JSON Schema of a kind of file, for editors",
+    {"loci", FOR_LOCI, 1, SIZE_MAX, "HOUSE ...",
+     "drive each house both ways, miura and driver: times, and how far apart the loci are",
+     "  clearance loci houses/corner-*.json\n", command_loci},
+    {"schema", FOR_SCHEMA, 1, 1, "house|profile", "print the JSON Schema of a kind of file, for editors",
      "  clearance schema house > house.schema.json\n", command_schema},
 };
 enum { VERBS = sizeof verbs / sizeof *verbs };
@@ -216,27 +221,30 @@ static int take_option(const Verb *verb, Options *options, int argc, char **argv
 static int run_verb(const Verb *verb, int argc, char **argv) {
     Options options = {.seed = 1, .driving = -1, .jobs = parallel_processors(), .width = 1280, .height = 720};
     options.settings = memory_allocate((size_t)argc, sizeof *options.settings);
+    options.files = memory_allocate((size_t)argc, sizeof *options.files);
     int code = 0;
     for (int i = 2; i < argc && !code; i++) {
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
             print_verb_help(verb);
             memory_free(options.settings);
+            memory_free(options.files);
             return 0;
         }
         if (argv[i][0] == '-' && argv[i][1])
             code = take_option(verb, &options, argc, argv, &i);
-        else if (options.file_count < verb->files)
+        else if (options.file_count < verb->most_files)
             options.files[options.file_count++] = argv[i];
         else
             code = wrong_use("one argument too many:", argv[i], NULL, 0);
     }
-    if (!code && options.file_count < verb->files) {
+    if (!code && options.file_count < verb->least_files) {
         fprintf(stderr, "clearance: usage: clearance %s %s [options]\n", verb->name, verb->usage);
         code = EXIT_WRONG_INPUT;
     }
     if (!code)
         code = verb->act(&options);
     memory_free(options.settings);
+    memory_free(options.files);
     return code;
 }
 

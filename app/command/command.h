@@ -18,7 +18,7 @@ typedef enum ExitCode {
 
 /* What the command line said. Texts belong to argv. */
 typedef struct Options {
-    const char *files[2];
+    const char **files; /* (file_count) */
     size_t file_count;
     const char **settings; /* (setting_count) NAME=VALUE */
     size_t setting_count;
@@ -42,4 +42,5 @@ int command_main(int argc, char **argv);
 int command_run(const Options *options);
 int command_check(const Options *options);
 int command_compare(const Options *options);
+int command_loci(const Options *options);
 int command_schema(const Options *options);

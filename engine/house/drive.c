@@ -18,7 +18,9 @@ static const double PLANNED = 0.8;
 static const double STAND_OFF = 0.10;
 static const double PEOPLE_STAND_OFF = 0.20;
 /* m: how far ahead people are seen, what is left between two who pass, and how close to a wall one swerves. */
-static const double SIGHT = 5.0, PASSING_SPACE = 0.15, WALL_SPACE = 0.05;
+static const double SIGHT = 6.0, PASSING_SPACE = 0.15, PASSING_LEAST = 0.02, WALL_SPACE = 0.05;
+/* m/s: how slowly one edges past somebody. */
+static const double SLOW_PASSING = 0.15;
 /* m/s: how fast somebody swerves. */
 static const double SWERVE = 0.35;
 /* A round body's lateral control, which the paper does not have. */
@@ -155,33 +157,46 @@ static double extent(const World *world, size_t i, Vec2 direction) {
     return reach + body->radius;
 }
 
-/* Swerves to the left before somebody who comes the other way, as far as there is room, and brakes behind or before
- * somebody who is in the way. */
-static void mind_person(const World *world, size_t i, size_t j, double offset, double *aside, double *speed) {
-    const Track *track = &world->journeys[i].track;
-    const Profile *profile = world->house->people[i].profile;
-    const Drive *drive = &world->drive[i];
-    const TrackPoint *here = &track->points[drive->index], *nearest = here;
-    double least = HUGE_VAL;
-    for (size_t k = drive->index; k < track->count && track->points[k].s < here->s + SIGHT; k += 2) {
-        double distance = vec2_distance(track->points[k].at, world->centre[j]);
+/* The point of the track ahead that is nearest to somebody. */
+static const TrackPoint *nearest_point(const Track *track, size_t index, Vec2 at) {
+    const TrackPoint *nearest = &track->points[index];
+    double least = HUGE_VAL, end = nearest->s + SIGHT;
+    for (size_t k = index; k < track->count && track->points[k].s < end; k += 2) {
+        double distance = vec2_distance(track->points[k].at, at);
         if (distance < least) {
             least = distance;
             nearest = &track->points[k];
         }
     }
-    Vec2 way = vec2_scale(vec2_heading(nearest->heading), nearest->direction < 0 ? -1 : 1);
-    double ahead = nearest->s - drive->s - (profile->length - profile->axle) - extent(world, j, vec2_scale(way, -1));
-    double lateral = vec2_cross(way, vec2_sub(world->centre[j], nearest->at));
-    double beside = profile->width / 2 + extent(world, j, vec2_scale(vec2_left(way), lateral > 0 ? -1 : 1));
+    return nearest;
+}
+
+/* Swerves to the left before somebody who comes the other way, as far as there is room; brakes before somebody who is
+ * in the way, and passes close by as slowly as the speed law asks for. */
+static void mind_person(const World *world, size_t i, size_t j, double *aside, double *speed) {
+    const Track *track = &world->journeys[i].track;
+    const Profile *profile = world->house->people[i].profile;
+    const Drive *drive = &world->drive[i];
+    const TrackPoint *here = &track->points[drive->index],
+                     *there = nearest_point(track, drive->index, world->centre[j]);
+    Vec2 way = vec2_scale(vec2_heading(there->heading), there->direction < 0 ? -1 : 1);
+    Vec2 left = vec2_left(way), to = vec2_sub(world->centre[j], world->centre[i]);
+    double ahead =
+        fmin(there->s - drive->s, vec2_dot(to, way)) - extent(world, i, way) - extent(world, j, vec2_scale(way, -1));
+    double lateral = vec2_dot(left, vec2_sub(world->centre[j], there->at)), apart = lateral - drive->offset;
+    Vec2 side = apart > 0 ? left : vec2_scale(left, -1);
+    double beside = extent(world, i, side) + extent(world, j, vec2_scale(side, -1));
     double coming = vec2_dot(world->velocity[j], way);
-    if (nearest == here || fabs(lateral) > SIGHT / 2)
+    if (fabs(lateral) > SIGHT / 2)
         return;
     if (coming < SLOWEST) {
-        double room = fmin(here->room_left, nearest->room_left) - profile->width / 2 - WALL_SPACE;
+        double room = fmin(here->room_left, there->room_left) - profile->width / 2 - WALL_SPACE;
         *aside = fmax(*aside, fmin(lateral + beside + PASSING_SPACE, fmax(room, 0)));
     }
-    if (fabs(lateral - offset) < beside + WALL_SPACE)
+    double gap = fabs(apart) - beside;
+    if (gap > PASSING_LEAST || ahead < -PEOPLE_STAND_OFF)
+        *speed = fmin(*speed, fmax(2 * gap / fmax(profile->steering_time, 1e-3), SLOW_PASSING));
+    else
         *speed = fmin(*speed,
                       sqrt(2 * PLANNED * profile->deceleration * fmax(0, ahead - PEOPLE_STAND_OFF)) + fmax(coming, 0));
 }
@@ -192,8 +207,9 @@ static void mind_people(const World *world, size_t i, Drive *drive, Vec2 travel,
         if (j == i || world->phase[j] == PHASE_ABSENT || world->phase[j] == PHASE_OUT)
             continue;
         Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
-        if (vec2_dot(to, to) < SIGHT * SIGHT && vec2_dot(to, travel) > 0)
-            mind_person(world, i, j, drive->offset, &aside, speed);
+        double passed = -extent(world, i, vec2_scale(travel, -1)) - extent(world, j, travel);
+        if (vec2_dot(to, to) < SIGHT * SIGHT && vec2_dot(to, travel) > passed)
+            mind_person(world, i, j, &aside, speed);
     }
     double change = SWERVE * world->clock.dt;
     drive->aside += clamp(aside - drive->aside, -change, change);
@@ -212,10 +228,11 @@ static double driving_force(const Profile *profile, double target, double speed,
     return clamp(wanted, -profile->push, profile->push);
 }
 
-static double turning_moment(const Profile *profile, double target, double turn) {
+/* Towards the turn rate `target`, rad/s, which itself changes at `rate`, rad/s2. */
+static double turning_moment(const Profile *profile, double target, double rate, double turn) {
     double square = profile->radius_of_gyration * profile->radius_of_gyration +
                     profile->mass_centre * profile->mass_centre; /* about the axle */
-    double wanted = profile->mass * square * (target - turn) / profile->turn_response;
+    double wanted = profile->mass * square * ((target - turn) / profile->turn_response + rate);
     return clamp(wanted, -profile->turning_moment, profile->turning_moment);
 }
 
@@ -249,7 +266,7 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
     double speed = clamp(back / profile->speed_response / 4, -2 * SLOWEST, 2 * SLOWEST);
     double resistance = vec2_dot(world->force[i], axis);
     double push = driving_force(profile, speed, vec2_dot(world->velocity[i], axis), resistance);
-    return (Effort){vec2_scale(axis, push), turning_moment(profile, copysign(rate, left), world->turn[i])};
+    return (Effort){vec2_scale(axis, push), turning_moment(profile, copysign(rate, left), 0, world->turn[i])};
 }
 
 static Effort drive_driver(const World *world, size_t i, Drive *drive, const Place *place) {
@@ -278,7 +295,7 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     turn = clamp(turn, -profile->turn_rate, profile->turn_rate);
     double resistance = vec2_dot(world->force[i], axis);
     return (Effort){vec2_scale(axis, driving_force(profile, direction * target, speed, resistance)),
-                    turning_moment(profile, turn, world->turn[i])};
+                    turning_moment(profile, turn, pace * pace * place->next->bending, world->turn[i])};
 }
 
 /* The paper's: along the leg, or along the tangent about the corner with F4 towards it. */

@@ -8,6 +8,8 @@
 static const double CREEP = 0.1;
 /* 1, assumed: the share of the deceleration that a driver plans with, the rest is in hand. */
 static const double PLANNED_DECELERATION = 0.8;
+/* 1, assumed: the share of the turning moment that a driver plans with. */
+static const double PLANNED_MOMENT = 0.5;
 /* m, assumed: a door's leaf or a corner slows a driver already this far before and after it. */
 static const double FORESIGHT = 0.2;
 /* points over which the curvature of a path is averaged to either side: about 0.1 m */
@@ -94,33 +96,54 @@ static void measure(Track *track, const House *house, double middle) {
 
 /* The driver -------------------------------------------------------------------------------------------------- */
 
+/* The points to either side of i that belong to the same piece, CURVATURE_SPAN of them at most; their distance, m. */
+static double span(const Track *track, size_t i, size_t *a, size_t *b) {
+    const TrackPoint *points = track->points;
+    *a = *b = i;
+    for (int k = 0; k < CURVATURE_SPAN; k++) {
+        if (*a > 0 && points[*a].direction == points[i].direction && points[*a - 1].direction == points[i].direction)
+            --*a;
+        if (*b + 1 < track->count && points[*b + 1].direction == points[i].direction)
+            ++*b;
+    }
+    return points[*b].s - points[*a].s;
+}
+
 static void bend(Track *track) {
+    size_t a, b;
     for (size_t i = 0; i < track->count; i++) {
-        const TrackPoint *here = &track->points[i];
-        if (here->direction == 0)
-            continue;
-        size_t a = i, b = i;
-        for (int k = 0; k < CURVATURE_SPAN; k++) {
-            if (a > 0 && track->points[a - 1].direction == here->direction)
-                a--;
-            if (b + 1 < track->count && track->points[b + 1].direction == here->direction)
-                b++;
-        }
-        double length = track->points[b].s - track->points[a].s;
+        double length = span(track, i, &a, &b);
         double turn = vec2_wrap_angle(track->points[b].heading - track->points[a].heading);
-        track->points[i].curvature = length > 0 ? turn / length : 0;
+        bool rolls = track->points[i].direction != 0 && length > 0;
+        track->points[i].curvature = rolls ? turn / length : 0;
+    }
+    for (size_t i = 0; i < track->count; i++) {
+        double length = span(track, i, &a, &b);
+        double change = track->points[b].curvature - track->points[a].curvature;
+        track->points[i].bending = track->points[i].direction != 0 && length > 0 ? change / length : 0;
     }
 }
 
-static double driver_speed(const Inhabitant *person, const TrackPoint *point) {
+/* In the middle of a straight passage the clearance on either side is (W - w) / 2; where the body turns, or the way
+ * leads close by something, the same law holds with twice the clearance, with the floor of the paper for corners. */
+static double clearance_speed(const Profile *profile, double clearance) {
+    double law = profile->steering_time > 0 ? 2 * clearance / profile->steering_time : HUGE_VAL;
+    return fmax(law, profile->minimum_speed);
+}
+
+static double driver_speed(const Inhabitant *person, const TrackPoint *point, double clearance) {
     const Profile *profile = person->profile;
-    double bend = fabs(point->curvature);
-    double speed = passage_speed(person, point->width);
+    double bend = fabs(point->curvature), bending = fabs(point->bending);
+    double square = profile->radius_of_gyration * profile->radius_of_gyration +
+                    profile->mass_centre * profile->mass_centre; /* m2, of the inertia about the axle */
+    double speed = fmin(passage_speed(person, point->width), clearance_speed(profile, clearance));
     if (point->direction < 0)
         speed = fmin(speed, profile->reversing_speed);
     if (bend > 0)
         speed = fmin(speed, fmin(sqrt(profile->lateral_acceleration / bend), profile->turn_rate / bend));
-    return speed;
+    if (bending > 0)
+        speed = fmin(speed, sqrt(PLANNED_MOMENT * profile->turning_moment / (profile->mass * square * bending)));
+    return fmax(speed, fmin(CREEP, person->speed));
 }
 
 void track_build_driver(Track *track, const House *house, const Inhabitant *person, const Route *route) {
@@ -138,7 +161,7 @@ void track_build_driver(Track *track, const House *house, const Inhabitant *pers
     look_ahead(track);
     bend(track);
     for (size_t i = 0; i < track->count; i++)
-        track->points[i].speed = driver_speed(person, &track->points[i]);
+        track->points[i].speed = driver_speed(person, &track->points[i], route->poses[i].clearance);
     decelerate(track, PLANNED_DECELERATION * profile->deceleration);
     mark_doors(track, &house->plan);
     track->length = track->count ? track->points[track->count - 1].s : 0;

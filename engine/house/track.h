@@ -3,7 +3,8 @@
  * Speed law, in place of the paper's lost regressions: the steering law of human movement (Accot and Zhai 1997),
  *     v_max(W) = min(v_free, (W - w) / b)
  * with W the width of the passage, measured by rays to both sides, w the body's width and b in s. Then
- *     corners     at v_min (miura), or as fast as the lateral acceleration and the turn rate allow (driver);
+ *     corners     at v_min (miura), or as fast as the lateral acceleration, the turn rate and the driver's moment M
+ *                 allow (driver): v^2 k <= a_lat, v k <= turn rate, I v^2 dk/ds <= M / 2 with k the curvature;
  *     before      the deceleration length L from v^2 - v_c^2 = 2 a_d L;
  *     after       the initial acceleration a_0.
  *
@@ -23,6 +24,7 @@ typedef struct TrackPoint {
     double heading;    /* rad, of the body (driver) or of the way (miura) */
     double s;          /* m, along the way */
     double curvature;  /* rad/m, turn of the heading per m of the way */
+    double bending;    /* rad/m2, change of the curvature per m of the way */
     double speed;      /* m/s, most */
     double width;      /* m, of the passage here */
     double room_left;  /* m, from the way to the nearest obstacle on the left, */

@@ -1,5 +1,6 @@
 #include "house/world.h"
 
+#include <assert.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -438,6 +439,39 @@ static bool is_sound(const World *world, size_t i) {
            isfinite(world->heading[i]) && isfinite(world->turn[i]);
 }
 
+/* Clips the segment to the core's strip in one direction; false when nothing is left. */
+static bool clip(double from, double to, double low, double high, double *begin, double *end) {
+    if (from == to)
+        return from > low && from < high;
+    double a = (low - from) / (to - from), b = (high - from) / (to - from);
+    *begin = fmax(*begin, fmin(a, b));
+    *end = fmin(*end, fmax(a, b));
+    return *begin < *end;
+}
+
+bool world_is_clear(const World *world, size_t i) {
+    enum { MOST = 1024 };
+    const Outline *outline = &world->house->outline;
+    const Body *body = &world->body[i];
+    int items[MOST];
+    size_t found =
+        broadphase_query(outline->broadphase, box_around(world->centre[i], body->outer - body->reach), items, MOST);
+    for (size_t k = 0; k < found && k < MOST; k++) {
+        if ((size_t)items[k] >= outline->face_count)
+            continue;
+        const Face *face = &outline->faces[items[k]];
+        if (face->presence != PRESENT_ALWAYS && world->door_open[face->door] != (face->presence == PRESENT_OPEN))
+            continue;
+        Vec2 a = vec2_unturn(vec2_sub(face->a, world->centre[i]), world->axis[i]);
+        Vec2 b = vec2_unturn(vec2_sub(face->b, world->centre[i]), world->axis[i]);
+        double begin = 0, end = 1;
+        if (clip(a.x, b.x, body->core_low.x, body->core_high.x, &begin, &end) &&
+            clip(a.y, b.y, body->core_low.y, body->core_high.y, &begin, &end))
+            return false;
+    }
+    return true;
+}
+
 bool world_goes_on(const World *world) {
     for (size_t i = 0; i < world->count; i++)
         if (world->phase[i] == PHASE_WAITING || world->phase[i] == PHASE_MOVING)
@@ -464,6 +498,7 @@ WorldStatus world_step(World *world, size_t *who) {
             if (who)
                 *who = i;
         }
+        assert(status == WORLD_DIVERGED || world_is_clear(world, i));
     }
     world->clock.step++;
     digest_states(world);

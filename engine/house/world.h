@@ -123,6 +123,11 @@ WorldStatus world_step(World *world, size_t *who);
 /* Is anybody still on the way? */
 bool world_goes_on(const World *world);
 
+/* Does no face that is there reach into the core of the person's body? Then it overlaps everything by less than its
+ * rounding, which is all that the contact law allows. Looks at the faces themselves, not at the neighbours kept for
+ * contacts; debug builds assert it for everybody after every step. */
+bool world_is_clear(const World *world, size_t i);
+
 /* The reference point of a person, m. */
 static inline Vec2 world_reference(const World *world, size_t i) {
     const Profile *profile = world->house->people[i].profile;

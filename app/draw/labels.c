@@ -1,0 +1,190 @@
+#include "draw/labels.h"
+
+#include "draw/mask.h"
+#include "draw/text.h"
+
+#define TAG_PADDING 5.0   /* design points, left and right of the words */
+#define DISC_LEAST 14.0   /* design points, radius */
+#define GAP 9.0           /* design points, between a point and a label beside it: half a line's width and air */
+#define AIR 3.0           /* design points, kept around a label, also within what it names */
+#define RING_STEP 12.0    /* design points, from one ring of candidate places to the next */
+#define LABEL_WEIGHT 10.0 /* two labels on each other are worse than anything but leaving the page */
+#define DISTANCE_COST 4.0 /* design points squared a design point: going 20 away is as bad as hiding 80 of a locus */
+#define TURNED_COST 200.0 /* words that lie are read with the head aside */
+#define SMALLER_COST 40.0
+#define CROSSING_COST 6.0  /* a design point of wall between a label and its point */
+#define OPTIONAL_MOST 0.35 /* mean weight under an optional label; more, and it is left out */
+
+enum {
+    RINGS = 9,       /* of candidate places: out to some 100 design points */
+    DIRECTIONS = 16, /* on each */
+    RASTER = 12,     /* candidate places each way inside an outline */
+};
+
+void labels_shape(Caption *caption, LabelShape shape, Role fill) {
+    caption->shape = shape;
+    caption->fill = fill;
+    if (shape == LABEL_TAG)
+        caption->extent.x += 2 * TAG_PADDING;
+    if (shape == LABEL_DISC)
+        caption->extent.x = caption->extent.y = 2 * fmax(DISC_LEAST, caption->extent.x / 2 + TAG_PADDING);
+}
+
+static Box caption_box(const Caption *caption) {
+    Vec2 half = vec2_scale(caption->turned ? vec2(caption->extent.y, caption->extent.x) : caption->extent, 0.5);
+    return (Box){vec2_sub(caption->centre, half), vec2_add(caption->centre, half)};
+}
+
+static Vec2 *to_page(const Layout *layout, const Vec2 *points, size_t count) {
+    Vec2 *page = memory_allocate(count, sizeof *page);
+    for (size_t i = 0; i < count; i++)
+        page[i] = layout_point(layout, points[i]);
+    return page;
+}
+
+static void mark_primitive(Mask *mask, const Layout *layout, const Primitive *primitive) {
+    Vec2 *points = to_page(layout, primitive->points, primitive->count);
+    double weight = primitive->keep_clear, reach = primitive->radius * layout->metre;
+    switch (primitive->kind) {
+    case PRIMITIVE_POLYGON:
+        mask_mark_rings(mask, points, primitive->starts, primitive->ring_count, weight);
+        break;
+    case PRIMITIVE_LINE:
+    case PRIMITIVE_DIMENSION:
+        for (size_t i = 0; i + 1 < primitive->count; i++)
+            mask_mark_line(mask, points[i], points[i + 1], primitive->width, weight);
+        break;
+    case PRIMITIVE_CIRCLE:
+        mask_mark_box(mask, box_around(points[0], reach), weight);
+        break;
+    case PRIMITIVE_TICK:
+    case PRIMITIVE_LABEL:
+        break;
+    }
+    memory_free(points);
+}
+
+/* Even-odd. */
+static bool outline_holds(const Vec2 *outline, size_t count, Vec2 p) {
+    bool inside = false;
+    for (size_t i = 0, j = count - 1; i < count; j = i++) {
+        Vec2 a = outline[i], b = outline[j];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
+    }
+    return inside;
+}
+
+static bool outline_holds_box(const Vec2 *outline, size_t count, Box box) {
+    Vec2 probes[] = {box.low, box.high, {box.low.x, box.high.y}, {box.high.x, box.low.y}};
+    for (size_t i = 0; i < sizeof probes / sizeof *probes; i++)
+        if (!outline_holds(outline, count, probes[i]))
+            return false;
+    return true;
+}
+
+/* The best place so far. */
+typedef struct Choice {
+    Caption caption;
+    double cost;
+} Choice;
+
+static void consider(Choice *best, const Mask *mask, Caption caption, double extra) {
+    double cost = mask_cost(mask, box_expand(caption_box(&caption), AIR)) + extra;
+    if (cost < best->cost)
+        *best = (Choice){caption, cost};
+}
+
+/* Places inside the outline, lying or standing; nearest to `at` first among equals. */
+static void consider_inside(Choice *best, const Mask *mask, Caption caption, const Vec2 *outline, size_t count, Vec2 at,
+                            double extra) {
+    Box box = box_empty();
+    for (size_t i = 0; i < count; i++)
+        box = box_include(box, outline[i]);
+    for (int turned = 0; turned <= 1; turned++)
+        for (int i = -1; i < RASTER * RASTER; i++) {
+            Vec2 part = vec2((i % RASTER + 0.5) / RASTER, (double)(i / RASTER) / RASTER + 0.5 / RASTER);
+            caption.turned = turned;
+            caption.centre = i < 0 ? at
+                                   : vec2(box.low.x + part.x * (box.high.x - box.low.x),
+                                          box.low.y + part.y * (box.high.y - box.low.y));
+            if (outline_holds_box(outline, count, box_expand(caption_box(&caption), AIR)))
+                consider(best, mask, caption,
+                         extra + turned * TURNED_COST + DISTANCE_COST * vec2_distance(caption.centre, at));
+        }
+}
+
+/* Places on the point itself and on rings around it. */
+static void consider_around(Choice *best, const Mask *mask, Caption caption, Vec2 at, bool on_it) {
+    caption.centre = at;
+    if (on_it)
+        consider(best, mask, caption, 0);
+    for (int ring = 0; ring < RINGS; ring++)
+        for (int i = 0; i < DIRECTIONS; i++) {
+            Vec2 way = vec2_heading(2 * M_PI * i / DIRECTIONS);
+            double reach = GAP + ring * RING_STEP;
+            Vec2 step = {way.x * (reach + caption.extent.x / 2), way.y * (reach + caption.extent.y / 2)};
+            caption.centre = vec2_add(at, step);
+            double crossing = CROSSING_COST * mask_line_cost(mask, at, caption.centre);
+            consider(best, mask, caption, DISTANCE_COST * reach + crossing);
+        }
+}
+
+static Caption label_caption(const Primitive *label, Vec2 at, double size) {
+    Caption caption = {.text = label->text,
+                       .centre = at,
+                       .extent = text_extent(label->text, size, label->bold),
+                       .size = size,
+                       .bold = label->bold,
+                       .halo = label->shape == LABEL_BARE,
+                       .role = label->edge,
+                       .fill = label->fill,
+                       .pointed = at};
+    labels_shape(&caption, label->shape, label->fill);
+    return caption;
+}
+
+/* Inside its outline if it has one, as large as may be, otherwise around its point. */
+static Choice choose_place(const Mask *mask, const Layout *layout, const Primitive *label) {
+    Choice best = {.cost = HUGE_VAL};
+    Vec2 *points = to_page(layout, label->points, label->count);
+    Caption large = label_caption(label, points[0], label->size);
+    Caption small = label_caption(label, points[0], LAYOUT_SMALLEST_LETTERS);
+    if (label->count > 1) {
+        consider_inside(&best, mask, large, points + 1, label->count - 1, points[0], 0);
+        consider_inside(&best, mask, small, points + 1, label->count - 1, points[0], SMALLER_COST);
+    }
+    if (best.cost == HUGE_VAL && (label->count == 1 || !label->optional)) {
+        large.leader = label->leader;
+        large.fill = label->shape == LABEL_BARE ? ROLE_PAPER : large.fill;
+        consider_around(&best, mask, large, points[0], label->shape == LABEL_DISC);
+    }
+    memory_free(points);
+    return best;
+}
+
+static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
+    Choice best = choose_place(mask, layout, label);
+    Box box = caption_box(&best.caption);
+    double most = OPTIONAL_MOST * (box.high.x - box.low.x) * (box.high.y - box.low.y);
+    if (best.cost == HUGE_VAL || (label->optional && mask_cost(mask, box) > most))
+        return;
+    best.caption.leader &= vec2_distance(best.caption.centre, best.caption.pointed) > 1;
+    if (best.caption.leader)
+        mask_mark_line(mask, best.caption.centre, best.caption.pointed, 2, 1);
+    mask_mark_box(mask, box, LABEL_WEIGHT);
+    Caption *caption = layout_add_caption(layout, best.caption.text, best.caption.size, best.caption.bold, (Vec2){0});
+    *caption = best.caption;
+}
+
+void labels_place(Layout *layout, const Scene *scene) {
+    Mask mask;
+    mask_init(&mask, layout->plan);
+    for (size_t i = 0; i < scene->count; i++)
+        if (scene->primitives[i].keep_clear > 0)
+            mark_primitive(&mask, layout, &scene->primitives[i]);
+    for (size_t i = 0; i < scene->count; i++)
+        if (scene->primitives[i].kind == PRIMITIVE_LABEL)
+            place_label(&mask, layout, &scene->primitives[i]);
+    mask_clear(&mask);
+}

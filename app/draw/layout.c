@@ -1,0 +1,285 @@
+#include "draw/layout.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "draw/labels.h"
+#include "draw/text.h"
+
+/* Design points. The sizes of letters are those that are read from six picture heights away: the answer at eight. */
+#define MARGIN 16.0
+#define TITLE_LETTERS 40.0
+#define DETAIL_LETTERS 22.0
+#define NAME_LETTERS 17.0
+#define CLOCK_LETTERS 26.0
+#define BAND_HEIGHT 64.0
+#define DETAIL_HEIGHT 32.0 /* of its line when it stands below the answer */
+#define NOTE_HEIGHT 32.0
+#define FOOT_HEIGHT 44.0
+#define LIST_WIDTH 356.0
+#define HEADING_LETTERS 19.0
+#define HEADING_HEIGHT 40.0
+#define ROW_LETTERS 17.0
+#define ROW_HEIGHT 30.0
+#define CELL_GAP 14.0
+#define DISC_WIDTH 40.0 /* kept for a disc before a row's words */
+#define LINE_WIDTH 54.0 /* and for a piece of line */
+#define DISC_LETTERS 16.0
+#define BAR_SHORTEST 64.0 /* of the scale bar: room for "10 m" */
+#define GRID_CLOSEST 14.0 /* closer lines are a grey */
+
+/* A list below the plan is only worth its unusual place when the plan becomes larger by this factor. */
+#define BELOW_GAIN 1.15
+
+static const double steps[] = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000};
+
+/* The first of 1, 2, 5, 10 ... that makes `unit` at least `least`. */
+static double round_step(double unit, double least) {
+    size_t i = 0;
+    while (i + 1 < sizeof steps / sizeof *steps && steps[i] * unit < least)
+        i++;
+    return steps[i];
+}
+
+static double box_width(Box box) {
+    return box.high.x - box.low.x;
+}
+
+static double box_height(Box box) {
+    return box.high.y - box.low.y;
+}
+
+Caption *layout_add_caption(Layout *layout, const char *text, double size, bool bold, Vec2 centre) {
+    layout->captions = memory_reserve(layout->captions, &layout->caption_capacity, layout->caption_count + 1,
+                                      sizeof *layout->captions);
+    Caption *caption = &layout->captions[layout->caption_count++];
+    *caption = (Caption){.text = text,
+                         .centre = centre,
+                         .extent = text_extent(text, size, bold),
+                         .size = size,
+                         .bold = bold,
+                         .role = ROLE_TEXT};
+    return caption;
+}
+
+static void add_sample(Layout *layout, Sample sample) {
+    layout->samples =
+        memory_reserve(layout->samples, &layout->sample_capacity, layout->sample_count + 1, sizeof *layout->samples);
+    layout->samples[layout->sample_count++] = sample;
+}
+
+/* The words, or as much of their beginning as `width` holds, and an ellipsis. */
+static const char *shortened(Layout *layout, const char *text, double size, bool bold, double width) {
+    static const char ellipsis[] = "\u2026";
+    if (text_extent(text, size, bold).x <= width)
+        return text;
+    size_t length = strlen(text);
+    char *shorter = arena_allocate(&layout->arena, length + sizeof ellipsis);
+    do {
+        do
+            length -= length > 0;
+        while (length && ((unsigned char)text[length] & 0xC0) == 0x80); /* within a character of UTF-8 */
+        snprintf(shorter, length + sizeof ellipsis, "%.*s%s", (int)length, text, ellipsis);
+    } while (length && text_extent(shorter, size, bold).x > width);
+    return shorter;
+}
+
+/* Words from `left` on, as far as `right`; where they end. */
+static double add_words(Layout *layout, Role role, const char *text, double size, bool bold, double left, double right,
+                        double y) {
+    const char *words = shortened(layout, text, size, bold, right - left);
+    Caption *caption = layout_add_caption(layout, words, size, bold, vec2(left, y));
+    caption->centre.x += caption->extent.x / 2;
+    caption->role = role;
+    return left + caption->extent.x;
+}
+
+/* The answer and, beside it or else below, its detail. */
+static void place_band(Layout *layout, const Scene *scene) {
+    double right = layout->page.x - MARGIN, room = right - MARGIN;
+    double width = text_extent(scene->title, TITLE_LETTERS, true).x;
+    double size = width > room ? fmax(TITLE_LETTERS * room / width, DETAIL_LETTERS) : TITLE_LETTERS;
+    double end = add_words(layout, scene->title_role, scene->title, size, true, MARGIN, right, BAND_HEIGHT / 2);
+    double detail = text_extent(scene->detail, DETAIL_LETTERS, false).x;
+    bool beside = end + 2 * CELL_GAP + detail <= right;
+    layout->band = (Box){{0, 0}, {layout->page.x, BAND_HEIGHT + (beside ? 0 : DETAIL_HEIGHT)}};
+    add_words(layout, ROLE_TEXT, scene->detail, DETAIL_LETTERS, false, beside ? end + 2 * CELL_GAP : MARGIN, right,
+              beside ? BAND_HEIGHT / 2 + 4 : BAND_HEIGHT + DETAIL_HEIGHT / 2 - 8);
+}
+
+/* The row behind the section that begins at `row`. */
+static size_t section_end(const Scene *scene, size_t row) {
+    do
+        row++;
+    while (row < scene->row_count && scene->rows[row].kind != ROW_HEADING);
+    return row;
+}
+
+static double row_height(const SceneRow *row) {
+    return row->kind == ROW_HEADING ? HEADING_HEIGHT : ROW_HEIGHT;
+}
+
+static double rows_height(const Scene *scene, size_t first, size_t end) {
+    double height = 0;
+    for (size_t i = first; i < end; i++)
+        height += row_height(&scene->rows[i]);
+    return height;
+}
+
+/* Draws what a row begins with; where its words begin. */
+static double place_mark(Layout *layout, const SceneRow *row, double left, double y) {
+    if (row->kind != ROW_DISC && row->kind != ROW_LINE)
+        return left;
+    double end = left + (row->kind == ROW_DISC ? DISC_WIDTH : LINE_WIDTH), right = end - CELL_GAP;
+    if (row->kind == ROW_LINE)
+        add_sample(
+            layout,
+            (Sample){.from = {left, y}, .to = {right, y}, .role = row->role, .style = row->style, .width = row->width});
+    if (row->mark) {
+        Caption *mark = layout_add_caption(layout, row->mark, DISC_LETTERS, true, vec2((left + right) / 2, y));
+        labels_shape(mark, row->kind == ROW_DISC ? LABEL_DISC : LABEL_TAG, row->role);
+    }
+    return end;
+}
+
+/* A row's cells: those behind the first end at the right of their columns, `widths` wide. */
+static void place_row(Layout *layout, const SceneRow *row, Box column, const double *widths, double y) {
+    double left = place_mark(layout, row, column.low.x, y), right = column.high.x;
+    for (size_t c = ROW_CELLS; c-- > 1;) {
+        if (row->cells[c]) {
+            double width = text_extent(row->cells[c], ROW_LETTERS, false).x;
+            add_words(layout, ROLE_TEXT, row->cells[c], ROW_LETTERS, false, right - width, right, y);
+        }
+        right -= widths[c] > 0 ? widths[c] + CELL_GAP : 0;
+    }
+    add_words(layout, ROLE_TEXT, row->cells[0], ROW_LETTERS, false, left, right, y);
+}
+
+/* One section's rows in a column of the page; `pitch` presses them together. */
+static void place_section(Layout *layout, const Scene *scene, size_t first, size_t end, Box column, double pitch) {
+    double widths[ROW_CELLS] = {0};
+    for (size_t i = first; i < end; i++)
+        for (size_t c = 1; c < ROW_CELLS && scene->rows[i].cells[c]; c++)
+            widths[c] = fmax(widths[c], text_extent(scene->rows[i].cells[c], ROW_LETTERS, false).x);
+    double y = column.low.y;
+    for (size_t i = first; i < end; i++) {
+        const SceneRow *row = &scene->rows[i];
+        double middle = y + row_height(row) * pitch / 2;
+        if (row->kind == ROW_HEADING)
+            add_words(layout, ROLE_TEXT, row->cells[0], HEADING_LETTERS, true, column.low.x, column.high.x, middle);
+        else
+            place_row(layout, row, column, widths, middle);
+        y += row_height(row) * pitch;
+    }
+}
+
+/* The sections below each other, pressed together when there are too many rows. */
+static void place_list_beside(Layout *layout, const Scene *scene) {
+    double height = rows_height(scene, 0, scene->row_count);
+    double pitch = fmin(1, (box_height(layout->list) - MARGIN) / height);
+    Box column = box_expand(layout->list, -MARGIN);
+    column.low.y = layout->list.low.y + MARGIN / 2;
+    for (size_t first = 0, end; first < scene->row_count; first = end) {
+        end = section_end(scene, first);
+        place_section(layout, scene, first, end, column, pitch);
+        column.low.y += rows_height(scene, first, end) * pitch;
+    }
+}
+
+static size_t section_count(const Scene *scene) {
+    size_t count = 0;
+    for (size_t first = 0; first < scene->row_count; first = section_end(scene, first))
+        count++;
+    return count;
+}
+
+static void place_list_below(Layout *layout, const Scene *scene) {
+    double width = box_width(layout->list) / (double)section_count(scene);
+    Box column = {{MARGIN, layout->list.low.y + MARGIN / 2}, {width - MARGIN, layout->list.high.y}};
+    for (size_t first = 0, end; first < scene->row_count; first = end) {
+        end = section_end(scene, first);
+        place_section(layout, scene, first, end, column, 1);
+        column.low.x += width;
+        column.high.x += width;
+    }
+}
+
+static double list_height_below(const Scene *scene) {
+    double highest = 0;
+    for (size_t first = 0, end; first < scene->row_count; first = end) {
+        end = section_end(scene, first);
+        highest = fmax(highest, rows_height(scene, first, end));
+    }
+    return highest + MARGIN;
+}
+
+static double metre_that_fits(const Scene *scene, Box plan) {
+    return fmin(box_width(plan) / box_width(scene->box), box_height(plan) / box_height(scene->box));
+}
+
+/* Where the plan may lie when the name stands above and the clock and the scale below it. */
+static Box plan_within(Box frame) {
+    return (Box){{frame.low.x + MARGIN, frame.low.y + NOTE_HEIGHT},
+                 {frame.high.x - MARGIN, frame.high.y - FOOT_HEIGHT}};
+}
+
+/* Divides the page below the band between the plan and the list; true when the list is below. */
+static bool divide_page(Layout *layout, const Scene *scene) {
+    Box frame = {{0, layout->band.high.y}, layout->page};
+    layout->plan = plan_within(frame);
+    layout->list = (Box){layout->page, layout->page};
+    if (!scene->row_count)
+        return false;
+    Box left = frame, upper = frame;
+    left.high.x -= LIST_WIDTH;
+    upper.high.y -= list_height_below(scene);
+    Box beside = plan_within(left), above = plan_within(upper);
+    bool below = metre_that_fits(scene, above) > BELOW_GAIN * metre_that_fits(scene, beside);
+    layout->plan = below ? above : beside;
+    layout->list = (Box){below ? vec2(0, upper.high.y) : vec2(left.high.x, frame.low.y), layout->page};
+    return below;
+}
+
+static void place_plan(Layout *layout, const Scene *scene) {
+    layout->metre = metre_that_fits(scene, layout->plan);
+    Vec2 middle = vec2_scale(vec2_add(scene->box.low, scene->box.high), 0.5);
+    Vec2 centre = vec2_scale(vec2_add(layout->plan.low, layout->plan.high), 0.5);
+    layout->origin = vec2(centre.x - layout->metre * middle.x, centre.y + layout->metre * middle.y);
+    layout->grid = scene->grid > 0 ? scene->grid * round_step(scene->grid * layout->metre, GRID_CLOSEST) : 0;
+}
+
+/* The name and the note above the plan, the clock and the scale below. */
+static void place_margins(Layout *layout, const Scene *scene) {
+    double left = MARGIN, right = layout->plan.high.x, y = layout->plan.low.y - NOTE_HEIGHT / 2;
+    double end = add_words(layout, ROLE_DIM_TEXT, scene->name, NAME_LETTERS, true, left, right, y);
+    if (*scene->note)
+        add_words(layout, ROLE_DIM_TEXT, scene->note, NAME_LETTERS, false, end + CELL_GAP, right, y);
+    double foot = layout->plan.high.y + FOOT_HEIGHT / 2;
+    add_words(layout, ROLE_TEXT, scene->clock, CLOCK_LETTERS, true, left, right, foot);
+    double length = round_step(layout->metre, BAR_SHORTEST), bar_left = right - length * layout->metre;
+    layout->bar = (Sample){.from = {bar_left, foot + 10}, .to = {right, foot + 10}, .role = ROLE_TEXT, .width = 5};
+    char text[32];
+    snprintf(text, sizeof text, "%g m", length);
+    const char *kept = arena_text(&layout->arena, text);
+    layout_add_caption(layout, kept, NAME_LETTERS, true, vec2((bar_left + right) / 2, foot - 6));
+}
+
+void layout_make(Layout *layout, const Scene *scene, Vec2 page) {
+    *layout = (Layout){.page = page};
+    place_band(layout, scene);
+    bool below = divide_page(layout, scene);
+    place_plan(layout, scene);
+    place_margins(layout, scene);
+    if (below)
+        place_list_below(layout, scene);
+    else if (scene->row_count)
+        place_list_beside(layout, scene);
+    labels_place(layout, scene);
+}
+
+void layout_clear(Layout *layout) {
+    memory_free(layout->captions);
+    memory_free(layout->samples);
+    arena_clear(&layout->arena);
+    *layout = (Layout){0};
+}

@@ -1,0 +1,30 @@
+/* A coarse picture of how much each place of a box is needed: what labels avoid to cover. */
+#pragma once
+
+#include <stddef.h>
+
+#include "base/vec2.h"
+
+typedef struct Mask {
+    Box box;
+    int nx, ny;
+    float *weights; /* (ny x nx), 1 */
+} Mask;
+
+void mask_init(Mask *mask, Box box);
+void mask_clear(Mask *mask);
+
+/* Each raises the weights of the cells it covers to at least `weight`. */
+void mask_mark_box(Mask *mask, Box box, double weight);
+void mask_mark_line(Mask *mask, Vec2 from, Vec2 to, double width, double weight);
+
+/* The inside, even-odd, of rings (starts: ring_count + 1). */
+void mask_mark_rings(Mask *mask, const Vec2 *points, const size_t *starts, size_t ring_count, double weight);
+
+/* The sum of weight times area over a box; what lies outside the mask counts MASK_OUTSIDE. */
+double mask_cost(const Mask *mask, Box box);
+
+/* The sum of weight times length along a line. */
+double mask_line_cost(const Mask *mask, Vec2 from, Vec2 to);
+
+#define MASK_OUTSIDE 50.0

@@ -1,0 +1,363 @@
+#include "draw/paint_cairo.h"
+
+#include <cairo-svg.h>
+#include <errno.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "draw/layout.h"
+#include "draw/text.h"
+
+/* Design points. */
+#define DESIGN_WIDTH 1280.0
+#define DESIGN_HEIGHT 720.0
+#define HATCH_GAP 9.0
+#define HATCH_WIDTH 1.3
+#define HEAD_LENGTH 11.0 /* of a dimension's arrow heads */
+#define HEAD_WIDTH 8.0
+#define HEAD_SHAFT 20.0 /* of the arrows that come from outside */
+#define TAG_ROUNDING 3.0
+#define DISC_RIM 2.0
+#define LEADER_WIDTH 1.5
+#define LEADER_DOT 3.0
+#define HALO_WIDTH 4.0
+#define HALO_OPACITY 0.85
+#define RULE_WIDTH 1.0
+
+typedef struct Painter {
+    cairo_t *cairo;
+    const Layout *layout;
+    Theme theme;
+} Painter;
+
+static void use_colour(const Painter *painter, Colour colour, double opacity) {
+    if (opacity < 1)
+        cairo_set_source_rgba(painter->cairo, colour.red, colour.green, colour.blue, opacity);
+    else
+        cairo_set_source_rgb(painter->cairo, colour.red, colour.green, colour.blue);
+}
+
+static void use_role(const Painter *painter, Role role, double opacity) {
+    use_colour(painter, palette_colour(painter->theme, role), opacity);
+}
+
+/* Lengths of ink and gap, design points, for a line 4 wide; they grow with wider lines. */
+static void use_line(const Painter *painter, LineStyle style, double width) {
+    static const double patterns[LINE_STYLES][4] = {
+        [LINE_DASHED] = {14, 7, 14, 7}, [LINE_DOTTED] = {0.1, 9, 0.1, 9}, [LINE_DASH_DOT] = {16, 8, 0.1, 8}};
+    double scale = fmax(0.5, width / 4), dashes[4];
+    for (int i = 0; i < 4; i++)
+        dashes[i] = patterns[style][i] * scale;
+    cairo_set_dash(painter->cairo, dashes, style == LINE_SOLID ? 0 : 4, 0);
+    cairo_set_line_cap(painter->cairo,
+                       style == LINE_SOLID || style == LINE_DASHED ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(painter->cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_width(painter->cairo, width);
+}
+
+static void path_point(const Painter *painter, Vec2 metres) {
+    Vec2 at = layout_point(painter->layout, metres);
+    cairo_line_to(painter->cairo, at.x, at.y);
+}
+
+static void path_box(const Painter *painter, Box box) {
+    cairo_rectangle(painter->cairo, box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y);
+}
+
+static void path_segment(const Painter *painter, Vec2 from, Vec2 to) {
+    cairo_move_to(painter->cairo, from.x, from.y);
+    cairo_line_to(painter->cairo, to.x, to.y);
+}
+
+static void path_disc(const Painter *painter, Vec2 centre, double radius) {
+    cairo_new_sub_path(painter->cairo);
+    cairo_arc(painter->cairo, centre.x, centre.y, radius, 0, 2 * M_PI);
+}
+
+/* Lines at 45 degrees over the current path. */
+static void hatch(const Painter *painter, Role role) {
+    double left, top, right, bottom;
+    cairo_path_extents(painter->cairo, &left, &top, &right, &bottom);
+    cairo_save(painter->cairo);
+    cairo_clip_preserve(painter->cairo);
+    cairo_path_t *outline = cairo_copy_path(painter->cairo);
+    cairo_new_path(painter->cairo);
+    for (double x = left - (bottom - top); x < right; x += HATCH_GAP)
+        path_segment(painter, vec2(x, bottom), vec2(x + bottom - top, top));
+    use_line(painter, LINE_SOLID, HATCH_WIDTH);
+    use_role(painter, role, 1);
+    cairo_stroke(painter->cairo);
+    cairo_restore(painter->cairo);
+    cairo_append_path(painter->cairo, outline);
+    cairo_path_destroy(outline);
+}
+
+/* Fills and strokes the current path as the primitive says, and forgets it. */
+static void finish_path(const Painter *painter, const Primitive *primitive) {
+    if (primitive->fill_opacity > 0) {
+        use_role(painter, primitive->fill, primitive->fill_opacity);
+        cairo_fill_preserve(painter->cairo);
+    }
+    if (primitive->hatched)
+        hatch(painter, primitive->edge);
+    if (primitive->width > 0) {
+        use_line(painter, primitive->style, primitive->width);
+        use_role(painter, primitive->edge, primitive->edge_opacity);
+        cairo_stroke_preserve(painter->cairo);
+    }
+    cairo_new_path(painter->cairo);
+}
+
+static void paint_polygon(const Painter *painter, const Primitive *polygon) {
+    cairo_set_fill_rule(painter->cairo, polygon->united ? CAIRO_FILL_RULE_WINDING : CAIRO_FILL_RULE_EVEN_ODD);
+    for (size_t r = 0; r < polygon->ring_count; r++) {
+        cairo_new_sub_path(painter->cairo);
+        for (size_t i = polygon->starts[r]; i < polygon->starts[r + 1]; i++)
+            path_point(painter, polygon->points[i]);
+        cairo_close_path(painter->cairo);
+    }
+    finish_path(painter, polygon);
+}
+
+static void paint_line(const Painter *painter, const Primitive *line) {
+    for (size_t i = 0; i < line->count; i++)
+        path_point(painter, line->points[i]);
+    finish_path(painter, line);
+}
+
+static void paint_circle(const Painter *painter, const Primitive *circle) {
+    path_disc(painter, layout_point(painter->layout, circle->points[0]), circle->radius * painter->layout->metre);
+    finish_path(painter, circle);
+}
+
+static void paint_tick(const Painter *painter, const Primitive *tick) {
+    Vec2 at = layout_point(painter->layout, tick->points[0]), to = layout_point(painter->layout, tick->points[1]);
+    Vec2 half = vec2_scale(vec2_left(vec2_unit(vec2_sub(to, at))), tick->size / 2);
+    path_segment(painter, vec2_sub(at, half), vec2_add(at, half));
+    finish_path(painter, tick);
+}
+
+static void paint_head(const Painter *painter, const Primitive *dimension, Vec2 tip, Vec2 way) {
+    Vec2 foot = vec2_along(tip, -HEAD_LENGTH, way), side = vec2_scale(vec2_left(way), HEAD_WIDTH / 2);
+    cairo_move_to(painter->cairo, tip.x, tip.y);
+    cairo_line_to(painter->cairo, foot.x + side.x, foot.y + side.y);
+    cairo_line_to(painter->cairo, foot.x - side.x, foot.y - side.y);
+    cairo_close_path(painter->cairo);
+    use_role(painter, dimension->edge, 1);
+    cairo_fill(painter->cairo);
+}
+
+static void paint_dimension(const Painter *painter, const Primitive *dimension) {
+    Vec2 a = layout_point(painter->layout, dimension->points[0]),
+         b = layout_point(painter->layout, dimension->points[1]);
+    Vec2 way = vec2_unit(vec2_sub(b, a));
+    bool outside = vec2_distance(a, b) < 3 * HEAD_LENGTH;
+    double shaft = outside ? HEAD_SHAFT : 0;
+    path_segment(painter, vec2_along(a, -shaft, way), vec2_along(b, shaft, way));
+    finish_path(painter, dimension);
+    paint_head(painter, dimension, a, vec2_scale(way, outside ? 1 : -1));
+    paint_head(painter, dimension, b, vec2_scale(way, outside ? -1 : 1));
+}
+
+static void paint_primitive(const Painter *painter, const Primitive *primitive) {
+    static void (*const paint[])(const Painter *, const Primitive *) = {[PRIMITIVE_POLYGON] = paint_polygon,
+                                                                        [PRIMITIVE_LINE] = paint_line,
+                                                                        [PRIMITIVE_CIRCLE] = paint_circle,
+                                                                        [PRIMITIVE_TICK] = paint_tick,
+                                                                        [PRIMITIVE_DIMENSION] = paint_dimension};
+    if (primitive->kind != PRIMITIVE_LABEL)
+        paint[primitive->kind](painter, primitive);
+}
+
+static void paint_tag(const Painter *painter, const Caption *caption) {
+    Vec2 low = vec2_scale(caption->extent, -0.5);
+    path_box(painter, (Box){low, vec2_scale(low, -1)});
+    use_role(painter, caption->fill, 1);
+    cairo_fill_preserve(painter->cairo);
+    use_line(painter, LINE_SOLID, TAG_ROUNDING); /* round joins round the corners */
+    cairo_stroke(painter->cairo);
+}
+
+static void paint_disc(const Painter *painter, const Caption *caption) {
+    path_disc(painter, vec2(0, 0), caption->extent.x / 2 - DISC_RIM / 2);
+    use_role(painter, caption->fill, 1);
+    cairo_fill_preserve(painter->cairo);
+    use_line(painter, LINE_SOLID, DISC_RIM);
+    use_role(painter, ROLE_WALL, 1);
+    cairo_stroke(painter->cairo);
+}
+
+static void paint_halo(const Painter *painter, const Caption *caption) {
+    text_path(painter->cairo, caption->text, caption->size, caption->bold, vec2(0, 0));
+    use_line(painter, LINE_SOLID, HALO_WIDTH);
+    use_role(painter, caption->fill, HALO_OPACITY);
+    cairo_stroke(painter->cairo);
+}
+
+/* Where the way from the place that a caption points at meets the caption's box. */
+static Vec2 caption_edge(const Caption *caption) {
+    Vec2 way = vec2_sub(caption->pointed, caption->centre), half = vec2_scale(caption->extent, 0.5);
+    return vec2_along(caption->centre, 1 / fmax(1, fmax(fabs(way.x) / half.x, fabs(way.y) / half.y)), way);
+}
+
+static void paint_leader(const Painter *painter, const Caption *caption) {
+    path_segment(painter, caption->pointed, caption_edge(caption));
+    use_line(painter, LINE_SOLID, LEADER_WIDTH + HALO_WIDTH);
+    use_role(painter, ROLE_PAPER, HALO_OPACITY);
+    cairo_stroke_preserve(painter->cairo);
+    use_line(painter, LINE_SOLID, LEADER_WIDTH);
+    use_role(painter, ROLE_WALL, 1);
+    cairo_stroke(painter->cairo);
+    path_disc(painter, caption->pointed, LEADER_DOT);
+    cairo_fill(painter->cairo);
+}
+
+static void paint_caption(const Painter *painter, const Caption *caption) {
+    cairo_save(painter->cairo);
+    cairo_translate(painter->cairo, caption->centre.x, caption->centre.y);
+    if (caption->turned)
+        cairo_rotate(painter->cairo, -M_PI / 2);
+    if (caption->shape == LABEL_TAG)
+        paint_tag(painter, caption);
+    if (caption->shape == LABEL_DISC)
+        paint_disc(painter, caption);
+    if (caption->halo)
+        paint_halo(painter, caption);
+    Colour ink = caption->shape == LABEL_BARE ? palette_colour(painter->theme, caption->role)
+                                              : palette_ink(painter->theme, caption->fill);
+    use_colour(painter, ink, 1);
+    text_show(painter->cairo, caption->text, caption->size, caption->bold, vec2(0, 0));
+    cairo_restore(painter->cairo);
+}
+
+static void paint_sample(const Painter *painter, const Sample *sample) {
+    path_segment(painter, sample->from, sample->to);
+    use_line(painter, sample->style, sample->width);
+    use_role(painter, sample->role, 1);
+    cairo_stroke(painter->cairo);
+}
+
+/* Paper, and the list's panel with a rule around it. */
+static void paint_ground(const Painter *painter) {
+    const Layout *layout = painter->layout;
+    use_role(painter, ROLE_PAPER, 1);
+    path_box(painter, (Box){{0, 0}, layout->page});
+    cairo_fill(painter->cairo);
+    use_role(painter, ROLE_PANEL, 1);
+    path_box(painter, layout->list);
+    cairo_fill(painter->cairo);
+    use_line(painter, LINE_SOLID, RULE_WIDTH);
+    use_role(painter, ROLE_GRID, 1);
+    path_box(painter, layout->list);
+    path_segment(painter, vec2(0, layout->band.high.y), vec2(layout->page.x, layout->band.high.y));
+    cairo_stroke(painter->cairo);
+}
+
+/* Over all of the plan's place, on whole multiples of the grid. */
+static void paint_grid(const Painter *painter) {
+    const Layout *layout = painter->layout;
+    double step = layout->grid * layout->metre;
+    if (step <= 0)
+        return;
+    Box plan = layout->plan;
+    for (double x = layout->origin.x + ceil((plan.low.x - layout->origin.x) / step) * step; x <= plan.high.x; x += step)
+        path_segment(painter, vec2(x, plan.low.y), vec2(x, plan.high.y));
+    for (double y = layout->origin.y + ceil((plan.low.y - layout->origin.y) / step) * step; y <= plan.high.y; y += step)
+        path_segment(painter, vec2(plan.low.x, y), vec2(plan.high.x, y));
+    use_line(painter, LINE_SOLID, RULE_WIDTH);
+    use_role(painter, ROLE_GRID, 1);
+    cairo_stroke(painter->cairo);
+}
+
+static void paint_scene(const Painter *painter, const Scene *scene) {
+    const Layout *layout = painter->layout;
+    paint_ground(painter);
+    paint_grid(painter);
+    for (size_t i = 0; i < scene->count; i++)
+        paint_primitive(painter, &scene->primitives[i]);
+    for (size_t i = 0; i < layout->caption_count; i++)
+        if (layout->captions[i].leader)
+            paint_leader(painter, &layout->captions[i]);
+    for (size_t i = 0; i < layout->sample_count; i++)
+        paint_sample(painter, &layout->samples[i]);
+    paint_sample(painter, &layout->bar);
+    for (size_t i = 0; i < layout->caption_count; i++)
+        paint_caption(painter, &layout->captions[i]);
+}
+
+/* Lays the scene out for a page of width x height pixels and paints it on the surface. */
+static int paint_surface(const Scene *scene, cairo_surface_t *surface, int width, int height, Theme theme) {
+    double unit = fmin(width / DESIGN_WIDTH, height / DESIGN_HEIGHT);
+    Layout layout;
+    layout_make(&layout, scene, vec2(width / unit, height / unit));
+    cairo_t *cairo = cairo_create(surface);
+    cairo_scale(cairo, unit, unit);
+    paint_scene(&(Painter){cairo, &layout, theme}, scene);
+    cairo_status_t status = cairo_status(cairo);
+    cairo_destroy(cairo);
+    layout_clear(&layout);
+    return status == CAIRO_STATUS_SUCCESS ? 0 : status == CAIRO_STATUS_NO_MEMORY ? ENOMEM : EINVAL;
+}
+
+/* What cairo has written so far. */
+typedef struct Bytes {
+    char *text;
+    size_t size, capacity;
+} Bytes;
+
+static cairo_status_t keep_bytes(void *context, const unsigned char *data, unsigned length) {
+    Bytes *bytes = context;
+    bytes->text = memory_reserve(bytes->text, &bytes->capacity, bytes->size + length + 1, 1);
+    memcpy(bytes->text + bytes->size, data, length);
+    bytes->size += length;
+    return CAIRO_STATUS_SUCCESS;
+}
+
+static bool size_is_sound(int width, int height) {
+    return width > 0 && height > 0 && width <= PAINT_LARGEST && height <= PAINT_LARGEST;
+}
+
+int paint_png(const Scene *scene, const char *path, int width, int height, Theme theme) {
+    if (!size_is_sound(width, height))
+        return EINVAL;
+    Bytes bytes = {0};
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
+    int error = paint_surface(scene, surface, width, height, theme);
+    if (!error && cairo_surface_write_to_png_stream(surface, keep_bytes, &bytes) != CAIRO_STATUS_SUCCESS)
+        error = EIO;
+    cairo_surface_destroy(surface);
+    if (!error)
+        error = text_write_file(path, bytes.text, bytes.size);
+    memory_free(bytes.text);
+    return error;
+}
+
+/* cairo names a page by how many surfaces the process has made: without that number the same scene is the same file. */
+static void remove_surface_number(Bytes *bytes) {
+    static const char name[] = "<g id=\"surface";
+    char *found = bytes->size ? strstr(bytes->text, name) : NULL;
+    if (!found)
+        return;
+    char *number = found + sizeof name - 1;
+    size_t digits = strspn(number, "0123456789");
+    memmove(number, number + digits, bytes->size - (size_t)(number - bytes->text) - digits + 1);
+    bytes->size -= digits;
+}
+
+int paint_svg(const Scene *scene, const char *path, int width, int height, Theme theme) {
+    if (!size_is_sound(width, height))
+        return EINVAL;
+    Bytes bytes = {0};
+    cairo_surface_t *surface = cairo_svg_surface_create_for_stream(keep_bytes, &bytes, width, height);
+    cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PX);
+    int error = paint_surface(scene, surface, width, height, theme);
+    cairo_surface_finish(surface);
+    if (!error && cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS)
+        error = EIO;
+    cairo_surface_destroy(surface);
+    remove_surface_number(&bytes);
+    if (!error)
+        error = text_write_file(path, bytes.text, bytes.size);
+    memory_free(bytes.text);
+    return error;
+}

@@ -1,0 +1,22 @@
+/* Which colour a role has, in two themes. Okabe and Ito's colours on the dark board, darker kin of them on paper, so
+ * that every line has a contrast of 3 to its ground and every text of 4.5, also without red, green or any hue at all;
+ * no role is told by its colour alone. */
+#pragma once
+
+#include "draw/scene.h"
+
+typedef enum Theme { THEME_PAPER, THEME_BOARD, THEME_COUNT } Theme;
+
+#define THEME_WORDS "paper|board"
+
+typedef struct Colour {
+    double red, green, blue; /* 0 to 1, sRGB */
+} Colour;
+
+Colour palette_colour(Theme theme, Role role);
+
+/* Black or white, whichever is better read on the role. */
+Colour palette_ink(Theme theme, Role role);
+
+/* The contrast of two colours, 1 to 21, as WCAG 2 defines it. */
+double palette_contrast(Colour a, Colour b);

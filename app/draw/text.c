@@ -1,0 +1,61 @@
+#include "draw/text.h"
+
+#include <pango/pangocairo.h>
+
+#define TEXT_FAMILY "DejaVu Sans"
+
+static PangoLayout *text_layout(const char *words, double size, bool bold) {
+    PangoContext *context = pango_font_map_create_context(pango_cairo_font_map_get_default());
+    cairo_font_options_t *options = cairo_font_options_create();
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+    pango_context_set_round_glyph_positions(context, FALSE);
+    pango_cairo_context_set_font_options(context, options);
+    cairo_font_options_destroy(options);
+    PangoFontDescription *font = pango_font_description_new();
+    pango_font_description_set_family_static(font, TEXT_FAMILY);
+    pango_font_description_set_absolute_size(font, size * PANGO_SCALE);
+    pango_font_description_set_weight(font, bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
+    PangoLayout *layout = pango_layout_new(context);
+    g_object_unref(context);
+    pango_layout_set_font_description(layout, font);
+    pango_font_description_free(font);
+    pango_layout_set_single_paragraph_mode(layout, TRUE);
+    pango_layout_set_text(layout, words, -1);
+    return layout;
+}
+
+static Vec2 layout_extent(PangoLayout *layout) {
+    PangoRectangle logical;
+    pango_layout_get_extents(layout, NULL, &logical);
+    return vec2((double)logical.width / PANGO_SCALE, (double)logical.height / PANGO_SCALE);
+}
+
+Vec2 text_extent(const char *words, double size, bool bold) {
+    PangoLayout *layout = text_layout(words, size, bold);
+    Vec2 extent = layout_extent(layout);
+    g_object_unref(layout);
+    return extent;
+}
+
+/* A layout of the words, the cairo context's current point where it begins. */
+static PangoLayout *text_begin(cairo_t *cairo, const char *words, double size, bool bold, Vec2 centre) {
+    PangoLayout *layout = text_layout(words, size, bold);
+    Vec2 extent = layout_extent(layout);
+    cairo_move_to(cairo, centre.x - extent.x / 2, centre.y - extent.y / 2);
+    return layout;
+}
+
+void text_show(cairo_t *cairo, const char *words, double size, bool bold, Vec2 centre) {
+    PangoLayout *layout = text_begin(cairo, words, size, bold, centre);
+    pango_cairo_show_layout(cairo, layout);
+    cairo_new_path(cairo);
+    g_object_unref(layout);
+}
+
+void text_path(cairo_t *cairo, const char *words, double size, bool bold, Vec2 centre) {
+    PangoLayout *layout = text_begin(cairo, words, size, bold, centre);
+    pango_cairo_layout_path(cairo, layout);
+    g_object_unref(layout);
+}

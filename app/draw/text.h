@@ -1,0 +1,18 @@
+/* Letters: how large words are, and how they are drawn. DejaVu Sans without hinting, so that a picture twice as large
+ * is the same picture. */
+#pragma once
+
+#include <stdbool.h>
+
+#include "base/vec2.h"
+
+/* Width and height of one line of words with letters of `size`, in the unit of `size`. */
+Vec2 text_extent(const char *words, double size, bool bold);
+
+struct _cairo; /* cairo's own name of cairo_t */
+
+/* Draws the words in the current colour, their middle at `centre`. */
+void text_show(struct _cairo *cairo, const char *words, double size, bool bold, Vec2 centre);
+
+/* Adds the letters' outlines to the current path. */
+void text_path(struct _cairo *cairo, const char *words, double size, bool bold, Vec2 centre);

@@ -1,0 +1,220 @@
+#include "laboratory/house_scene.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "laboratory/blockage_scene.h"
+#include "laboratory/people_scene.h"
+#include "laboratory/plan_scene.h"
+
+#define GRID 1.0        /* m */
+#define PLAN_MARGIN 0.4 /* m, round walls and ways: room for the exits' bands */
+
+enum { PEOPLE_ROWS = 8 /* listed one by one; the others in one row */ };
+
+/* The word that a note holds when its plan was not measured: then it must be read wherever the plan is seen. */
+static const char ASSUMED[] = "assumed";
+
+static bool holds_word(const char *text, const char *word) {
+    size_t length = strlen(word);
+    for (; *text; text++)
+        if (strncasecmp(text, word, length) == 0)
+            return true;
+    return false;
+}
+
+/* How many took part, how many of them are out, and the first who is not. */
+typedef struct Census {
+    size_t people, out;
+    size_t first, stuck; /* SIZE_MAX: nobody */
+    int contacts;
+    double peak_force; /* N */
+} Census;
+
+static Census take_census(const Observation *observation) {
+    Census census = {.first = SIZE_MAX, .stuck = SIZE_MAX};
+    for (size_t i = 0; i < observation->person_count; i++) {
+        const PersonObservation *person = &observation->people[i];
+        if (!person->took_part)
+            continue;
+        census.people++;
+        census.out += person->completed;
+        census.contacts += person->contacts;
+        census.peak_force = fmax(census.peak_force, person->peak_force);
+        if (census.first == SIZE_MAX)
+            census.first = i;
+        if (!person->completed && census.stuck == SIZE_MAX)
+            census.stuck = i;
+    }
+    return census;
+}
+
+/* "cannot pass door d2", and so on: why somebody is not out. */
+static const char *failure(Scene *scene, const PersonObservation *person) {
+    const char *what = person->blockage.what;
+    switch (person->reason) {
+    case REASON_CANNOT_PASS:
+        return scene_text(scene, "cannot pass %s", *what ? what : "here");
+    case REASON_BLOCKED:
+        return *what ? scene_text(scene, "blocked by %s", what) : "blocked";
+    case REASON_NO_EXIT:
+        return "no exit to go to";
+    case REASON_TIME_LIMIT:
+    case REASON_NONE:
+        return scene_text(scene, "not out after %.0f s", person->time);
+    case REASON_DIVERGED:
+        return scene_text(scene, "the numbers broke down at %.2f s", person->time);
+    }
+    return "";
+}
+
+static const char *capitalized(Scene *scene, const char *text) {
+    return scene_text(scene, "%c%s", toupper((unsigned char)*text), text + (*text != 0));
+}
+
+/* "narrowest 0.06 m at door d2" and the contacts. */
+static const char *findings(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+    size_t narrowest = people_scene_narrowest(house, observation);
+    const char *contacts = "no contact";
+    if (census->contacts)
+        contacts = scene_text(scene, "%d contact%s, up to %.0f N", census->contacts, census->contacts == 1 ? "" : "s",
+                              census->peak_force);
+    if (narrowest == SIZE_MAX)
+        return scene_text(scene, "personal space stays free, %s", contacts);
+    const PersonObservation *person = &observation->people[narrowest];
+    char place[96];
+    outline_place_name(&house->outline, &house->plan, person->narrowest_to, place, sizeof place);
+    const char *clearance = people_scene_clearance(scene, person->narrowest);
+    if (person->narrowest < PEOPLE_SCENE_TOUCH)
+        return scene_text(scene, "%s %s, %s", clearance, place, contacts);
+    return scene_text(scene, "narrowest %s at %s, %s", clearance, place, contacts);
+}
+
+static void say_yes(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+    scene->title_role = ROLE_TEXT;
+    scene->title = census->people > 1 ? scene_text(scene, "All %zu out in %.1f s", census->people, observation->time)
+                                      : scene_text(scene, "Out in %.1f s", observation->time);
+    scene->detail = findings(scene, house, observation, census);
+}
+
+/* The first who is not out says why. */
+static void say_no(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+    const PersonObservation *person = &observation->people[census->stuck];
+    const char *why = failure(scene, person), *how_much = blockage_scene_widths(scene, &person->blockage);
+    scene->title_role = ROLE_ERROR;
+    if (census->people == 1) {
+        scene->title = capitalized(scene, why);
+        scene->detail = how_much;
+        return;
+    }
+    scene->title = scene_text(scene, "%zu of %zu out", census->out, census->people);
+    scene->detail =
+        scene_text(scene, "%s: %s%s%s", house->people[census->stuck].id, why, *how_much ? ", " : "", how_much);
+}
+
+static void say_answer(Scene *scene, const House *house, const Observation *observation) {
+    Census census = take_census(observation);
+    scene->name = arena_text(&scene->arena, *house->plan.name ? house->plan.name : "house");
+    scene->note = holds_word(house->plan.note, ASSUMED) ? arena_text(&scene->arena, house->plan.note) : "";
+    scene->clock = observation->time > 0 ? scene_text(scene, "0 to %.1f s", observation->time) : "";
+    if (!census.people) {
+        scene->title_role = ROLE_TEXT;
+        scene->title = "Nobody is here";
+        scene->detail = "";
+    } else if (census.stuck == SIZE_MAX) {
+        say_yes(scene, house, observation, &census);
+    } else {
+        say_no(scene, house, observation, &census);
+    }
+}
+
+static void list_hazards(Scene *scene, const Observation *observation) {
+    if (!observation->hazard_count)
+        return;
+    scene_add_row(scene, ROW_HEADING, "Dangerous points");
+    for (size_t i = 0; i < observation->hazard_count && i < PEOPLE_SCENE_HAZARDS; i++) {
+        const Hazard *hazard = &observation->hazards[i];
+        const char *clearance = people_scene_clearance(scene, hazard->clearance);
+        const char *cost = hazard->peak_force > 0 ? scene_text(scene, "%.0f N", hazard->peak_force)
+                                                  : scene_text(scene, "\u2212%.1f s", hazard->lost_time);
+        const char *mark = scene_text(scene, "%zu", i + 1);
+        SceneRow *row = scene_add_row(scene, ROW_DISC, hazard->what);
+        row->role = people_scene_danger(hazard);
+        row->mark = mark;
+        row->cells[1] = clearance;
+        row->cells[2] = cost;
+    }
+}
+
+static void list_person(Scene *scene, const House *house, const Observation *observation, size_t i) {
+    const Inhabitant *person = &house->people[i];
+    const PersonObservation *observed = &observation->people[i];
+    const char *who = scene_text(scene, "%s %s", person->id, person->profile->name);
+    const char *result =
+        observed->completed ? scene_text(scene, "%.1f s", observed->time) : reason_text(observed->reason);
+    LocusLook look = people_scene_look(house, i);
+    SceneRow *row = scene_add_row(scene, ROW_LINE, who);
+    row->role = look.role;
+    row->style = look.style;
+    row->width = look.width;
+    row->mark = person->route ? arena_text(&scene->arena, person->route->id) : NULL;
+    row->cells[1] = result;
+}
+
+static void list_people(Scene *scene, const House *house, const Observation *observation) {
+    Census census = take_census(observation);
+    scene_add_row(scene, ROW_HEADING, "People");
+    size_t listed = 0;
+    for (size_t i = 0; i < house->person_count && listed < PEOPLE_ROWS; i++)
+        if (observation->people[i].took_part) {
+            list_person(scene, house, observation, i);
+            listed++;
+        }
+    if (listed == census.people)
+        return;
+    const char *result = scene_text(scene, "%zu of %zu out", census.out, census.people);
+    scene_add_row(scene, ROW_PLAIN, scene_text(scene, "and %zu more", census.people - listed))->cells[1] = result;
+}
+
+static void add_key(Scene *scene, const char *meaning, LocusLook look) {
+    SceneRow *row = scene_add_row(scene, ROW_LINE, meaning);
+    row->role = look.role;
+    row->style = look.style;
+    row->width = look.width;
+}
+
+static void list_key(Scene *scene, const House *house, const Observation *observation) {
+    if (house->person_count > PEOPLE_SCENE_SEVERAL || observation->time <= 0)
+        return;
+    scene_add_row(scene, ROW_HEADING, "Key");
+    add_key(scene, "personal space", PEOPLE_SCENE_SPACE);
+    add_key(scene, "personal space, pressed", PEOPLE_SCENE_PRESSED);
+}
+
+/* The plan, and the bodies wherever they have been: out of the door, too. */
+static Box whole_box(const House *house, const Observation *observation) {
+    Box box = house->outline.box;
+    for (size_t i = 0; i < observation->trace.rows; i++) {
+        const double *row = trace_row(&observation->trace, i);
+        const Profile *profile = house->people[(size_t)row[TRACE_PERSON]].profile;
+        Vec2 at = vec2(row[TRACE_X], row[TRACE_Y]);
+        box = box_include(box, at);
+        box = box_include(box, vec2_along(at, profile->length - profile->axle, vec2_heading(row[TRACE_HEADING])));
+    }
+    return box_expand(box, PLAN_MARGIN);
+}
+
+void house_scene(Scene *scene, const House *house, const Observation *observation) {
+    *scene = (Scene){.grid = GRID};
+    scene->box = whole_box(house, observation);
+    say_answer(scene, house, observation);
+    plan_scene_solids(scene, house);
+    people_scene_ways(scene, house, observation);
+    plan_scene_tags(scene, house);
+    people_scene_labels(scene, house, observation);
+    plan_scene_names(scene, house);
+    list_hazards(scene, observation);
+    list_people(scene, house, observation);
+    list_key(scene, house, observation);
+}

@@ -1,0 +1,8 @@
+/* The still picture of a house after a run: the answer in words, the plan, the ways, and the list beside them. */
+#pragma once
+
+#include "draw/scene.h"
+#include "house/observation.h"
+
+/* Fills an empty scene; scene_clear releases it. House and observation belong together and may go before the scene. */
+void house_scene(Scene *scene, const House *house, const Observation *observation);

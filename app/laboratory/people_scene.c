@@ -1,0 +1,346 @@
+#include "laboratory/people_scene.h"
+
+#include <string.h>
+
+#include "laboratory/blockage_scene.h"
+#include "laboratory/silhouette.h"
+
+/* Design points. */
+#define LOCUS_WIDTH 4.0
+#define CROWD_WIDTH 1.5
+#define TICK_WIDTH 2.0
+#define TICK_SMALL 11.0
+#define TICK_LARGE 19.0
+#define GHOST_EDGE 1.5
+#define START_EDGE 2.0
+#define DIMENSION_WIDTH 3.0
+#define LETTERS 17.0
+#define TICK_LETTERS 15.0
+#define DISC_LETTERS 17.0
+
+#define SWEPT_OPACITY 0.10
+#define GHOST_OPACITY 0.10
+#define GHOST_EDGE_OPACITY 0.55
+#define RING_OPACITY 0.75
+#define CROWD_OPACITY 0.35
+
+/* How much labels avoid them. */
+#define KEEP_LOCUS 1.5
+#define KEEP_START 4.0
+#define KEEP_GHOST 0.15
+#define KEEP_RING 0.3
+#define KEEP_NARROWEST 6.0
+
+#define TICK_SECONDS 1.0    /* from tick to tick */
+#define NUMBER_SECONDS 5    /* ticks from number to number */
+#define GHOST_SECONDS 2.0   /* from body to body */
+#define GHOSTS_MOST 12      /* bodies on one way */
+#define GHOST_APART 0.75    /* of the body's length: nearer bodies are a blot */
+#define TICK_APART 0.05     /* m: ticks of somebody who stands still are one */
+#define SWEPT_STEP 0.05     /* m, from hull to hull; the rounding of the corners hides the rest */
+#define SWEPT_TURN 0.05     /* rad */
+#define COMPRESSED 0.02     /* m: a personal space pressed less than this is at rest */
+#define WALKER_LONGEST 0.85 /* m: no wheelchair is shorter, nobody on foot is longer */
+
+/* Scores, see hazard.h: 1 is no clearance left, or the threshold of force or lost time. */
+#define DANGER_MIDDLE 1.0
+#define DANGER_HIGH 3.0
+
+const LocusLook PEOPLE_SCENE_SPACE = {ROLE_RING, LINE_DASHED, 2};
+const LocusLook PEOPLE_SCENE_PRESSED = {ROLE_RING, LINE_SOLID, 3.5};
+
+static bool is_crowd(const House *house) {
+    return house->person_count > PEOPLE_SCENE_INDIVIDUALS;
+}
+
+LocusLook people_scene_look(const House *house, size_t person) {
+    static const LocusLook looks[] = {{ROLE_LOCUS, LINE_SOLID, LOCUS_WIDTH},
+                                      {ROLE_LOCUS_SECOND, LINE_DASHED, LOCUS_WIDTH},
+                                      {ROLE_LOCUS_THIRD, LINE_DASH_DOT, LOCUS_WIDTH},
+                                      {ROLE_LOCUS_FOURTH, LINE_DOTTED, LOCUS_WIDTH}};
+    if (is_crowd(house))
+        return (LocusLook){ROLE_WALKER, LINE_SOLID, CROWD_WIDTH};
+    const PlanRoute *route = house->people[person].route;
+    size_t index = route ? (size_t)(route - house->plan.routes) : person;
+    return looks[index % (sizeof looks / sizeof *looks)];
+}
+
+const char *people_scene_clearance(Scene *scene, double clearance) {
+    return clearance < PEOPLE_SCENE_TOUCH ? "touches" : scene_text(scene, "%.2f m", clearance);
+}
+
+Role people_scene_danger(const Hazard *hazard) {
+    return hazard->score >= DANGER_HIGH     ? ROLE_DANGER_HIGH
+           : hazard->score >= DANGER_MIDDLE ? ROLE_DANGER_MIDDLE
+                                            : ROLE_DANGER_LOW;
+}
+
+size_t people_scene_narrowest(const House *house, const Observation *observation) {
+    size_t narrowest = SIZE_MAX;
+    double least = HUGE_VAL;
+    for (size_t i = 0; i < observation->person_count; i++) {
+        const PersonObservation *person = &observation->people[i];
+        bool known = person->took_part && person->time > 0;
+        if (known && person->narrowest < fmin(least, house->people[i].profile->space_reach)) {
+            least = person->narrowest;
+            narrowest = i;
+        }
+    }
+    return narrowest;
+}
+
+static bool is_walker(const Profile *profile) {
+    return profile->length < WALKER_LONGEST;
+}
+
+/* The union of the bodies along the way, as hulls of neighbours that overlap. */
+static void add_swept(Scene *scene, const Profile *profile, const Trail *trail, Role role) {
+    Vec2 *points = memory_allocate(trail->count * 2 * SILHOUETTE_POINTS, sizeof *points);
+    size_t *starts = memory_allocate(trail->count + 1, sizeof *starts), rings = 0;
+    Pose last = trail_pose(trail, trail_begin(trail));
+    Vec2 outlines[2][SILHOUETTE_POINTS];
+    silhouette_outline(profile, last.at, last.heading, 0, outlines[0]);
+    for (size_t i = 1; i < trail->count; i++) {
+        const double *row = trail->rows[i];
+        Pose pose = {.at = {row[TRACE_X], row[TRACE_Y]}, .heading = row[TRACE_HEADING]};
+        if (vec2_distance(pose.at, last.at) < SWEPT_STEP && fabs(pose.heading - last.heading) < SWEPT_TURN &&
+            i + 1 < trail->count)
+            continue;
+        silhouette_outline(profile, pose.at, pose.heading, 0, outlines[1]);
+        starts[rings + 1] = starts[rings] + silhouette_hull(outlines[0], outlines[1], points + starts[rings]);
+        rings++;
+        memcpy(outlines[0], outlines[1], sizeof outlines[0]);
+        last = pose;
+    }
+    Primitive *swept = scene_add_rings(scene, role, points, starts, rings);
+    swept->fill_opacity = SWEPT_OPACITY;
+    swept->united = true;
+    memory_free(points);
+    memory_free(starts);
+}
+
+static void add_body(Scene *scene, const Profile *profile, Pose pose, Role role) {
+    Vec2 outline[SILHOUETTE_POINTS];
+    silhouette_outline(profile, pose.at, pose.heading, 0, outline);
+    Primitive *body = scene_add_polygon(scene, role, outline, SILHOUETTE_POINTS);
+    body->fill_opacity = GHOST_OPACITY;
+    body->edge_opacity = GHOST_EDGE_OPACITY;
+    body->width = GHOST_EDGE;
+    body->keep_clear = KEEP_GHOST;
+}
+
+static void add_ring(Scene *scene, const Profile *profile, Pose pose, Role role, bool compressed) {
+    Vec2 outline[SILHOUETTE_POINTS];
+    silhouette_outline(profile, pose.at, pose.heading, profile->space_reach, outline);
+    Primitive *ring = scene_add_polygon(scene, role, outline, SILHOUETTE_POINTS);
+    ring->fill_opacity = 0;
+    ring->edge_opacity = RING_OPACITY;
+    ring->width = (compressed ? PEOPLE_SCENE_PRESSED : PEOPLE_SCENE_SPACE).width;
+    ring->style = (compressed ? PEOPLE_SCENE_PRESSED : PEOPLE_SCENE_SPACE).style;
+    ring->keep_clear = KEEP_RING;
+}
+
+/* The time from one body shown to the next: a multiple of 2 s that leaves the way to be seen. */
+static double body_interval(const Trail *trail, bool several) {
+    double least = several ? 2 * GHOST_SECONDS : GHOST_SECONDS;
+    double duration = trail_end(trail) - trail_begin(trail);
+    return fmax(least, ceil(duration / (GHOSTS_MOST * GHOST_SECONDS)) * GHOST_SECONDS);
+}
+
+/* Bodies at regular times where there is room between them, every second one with its personal space; where several
+ * ways overlap, fewer bodies and no personal space. */
+static void add_bodies(Scene *scene, const Profile *profile, const Trail *trail, Role role, bool several) {
+    double interval = body_interval(trail, several);
+    Pose last = trail_pose(trail, trail_begin(trail));
+    int shown = 0;
+    for (double time = trail_begin(trail) + interval; time < trail_end(trail); time += interval) {
+        Pose pose = trail_pose(trail, time);
+        if (vec2_distance(pose.at, last.at) < GHOST_APART * profile->length)
+            continue;
+        add_body(scene, profile, pose, role);
+        if (++shown % 2 == 0 && !several)
+            add_ring(scene, profile, pose, role, trail_compression(trail, time, time) > COMPRESSED);
+        last = pose;
+    }
+}
+
+static void add_locus(Scene *scene, const Trail *trail, LocusLook look, bool crowd) {
+    Vec2 *points = memory_allocate(trail->count, sizeof *points);
+    for (size_t i = 0; i < trail->count; i++)
+        points[i] = vec2(trail->rows[i][TRACE_X], trail->rows[i][TRACE_Y]);
+    Primitive *locus = scene_add_line(scene, look.role, look.width, points, trail->count);
+    locus->style = look.style;
+    locus->edge_opacity = crowd ? CROWD_OPACITY : 1;
+    locus->keep_clear = crowd ? KEEP_RING : KEEP_LOCUS;
+    memory_free(points);
+}
+
+/* The whole seconds at which somebody has moved on. */
+typedef struct Tick {
+    const Trail *trail;
+    Pose pose;
+    double time; /* s */
+    bool numbered;
+} Tick;
+
+static Tick first_tick(const Trail *trail) {
+    double begin = trail_begin(trail);
+    return (Tick){.trail = trail, .pose = trail_pose(trail, begin), .time = floor(begin / TICK_SECONDS) * TICK_SECONDS};
+}
+
+static bool next_tick(Tick *tick) {
+    Vec2 last = tick->pose.at;
+    do {
+        tick->time += TICK_SECONDS;
+        tick->pose = trail_pose(tick->trail, tick->time);
+    } while (tick->time < trail_end(tick->trail) && vec2_distance(tick->pose.at, last) < TICK_APART);
+    tick->numbered = fmod(round(tick->time / TICK_SECONDS), NUMBER_SECONDS) < 0.5;
+    return tick->time < trail_end(tick->trail);
+}
+
+static void add_ticks(Scene *scene, const Trail *trail, Role role) {
+    Tick tick = first_tick(trail);
+    while (next_tick(&tick)) {
+        Vec2 towards = vec2_add(tick.pose.at, vec2_heading(tick.pose.heading));
+        scene_add_tick(scene, role, TICK_WIDTH, tick.numbered ? TICK_LARGE : TICK_SMALL, tick.pose.at, towards);
+    }
+}
+
+/* An arrow in the front half of a body, leaving the rear for the name. */
+static void add_arrow(Scene *scene, const Profile *profile, const Inhabitant *person) {
+    Vec2 axis = vec2_heading(person->heading), middle = silhouette_middle(profile, person->at, person->heading);
+    double half = 0.32 * profile->width, front = 0.40 * profile->length, back = 0.06 * profile->length;
+    Vec2 arrow[] = {vec2_along(middle, front, axis), vec2_along(vec2_along(middle, back, axis), half, vec2_left(axis)),
+                    vec2_along(vec2_along(middle, back, axis), -half, vec2_left(axis))};
+    scene_add_polygon(scene, ROLE_PAPER, arrow, 3);
+}
+
+static void add_start(Scene *scene, const Inhabitant *person) {
+    const Profile *profile = person->profile;
+    Vec2 outline[SILHOUETTE_POINTS];
+    bool walker = is_walker(profile);
+    silhouette_outline(profile, person->at, person->heading, 0, outline);
+    Primitive *body = scene_add_polygon(scene, walker ? ROLE_WALKER : ROLE_CHAIR, outline, SILHOUETTE_POINTS);
+    body->edge = ROLE_WALL;
+    body->width = walker ? GHOST_EDGE : START_EDGE;
+    body->keep_clear = KEEP_START;
+    if (!walker)
+        add_arrow(scene, profile, person);
+}
+
+static void add_narrowest(Scene *scene, const House *house, const Observation *observation) {
+    size_t person = people_scene_narrowest(house, observation);
+    if (person == SIZE_MAX)
+        return;
+    const PersonObservation *observed = &observation->people[person];
+    const Profile *profile = house->people[person].profile;
+    Pose pose = {.at = observed->narrowest_at, .heading = observed->narrowest_heading};
+    Vec2 outline[SILHOUETTE_POINTS];
+    silhouette_outline(profile, pose.at, pose.heading, 0, outline);
+    add_body(scene, profile, pose, ROLE_TEXT);
+    scene_add_dimension(scene, ROLE_TEXT, DIMENSION_WIDTH, silhouette_nearest(outline, observed->narrowest_to),
+                        observed->narrowest_to)
+        ->keep_clear = KEEP_NARROWEST;
+}
+
+static void add_way(Scene *scene, const House *house, const Trail *trail, size_t person) {
+    const Profile *profile = house->people[person].profile;
+    LocusLook look = people_scene_look(house, person);
+    bool crowd = is_crowd(house);
+    if (!crowd) {
+        add_swept(scene, profile, trail, look.role);
+        add_bodies(scene, profile, trail, look.role, house->person_count > PEOPLE_SCENE_SEVERAL);
+    }
+    add_locus(scene, trail, look, crowd);
+    if (!crowd)
+        add_ticks(scene, trail, look.role);
+}
+
+void people_scene_ways(Scene *scene, const House *house, const Observation *observation) {
+    Trail *trails = trails_of(observation);
+    for (size_t i = 0; i < observation->person_count; i++)
+        if (trails[i].count > 1)
+            add_way(scene, house, &trails[i], i);
+    for (size_t i = 0; i < house->person_count; i++)
+        if (observation->people[i].took_part)
+            add_start(scene, &house->people[i]);
+    for (size_t i = 0; i < house->person_count; i++)
+        if (blockage_scene_has(&observation->people[i]))
+            blockage_scene_add(scene, house, observation, i, &trails[i]);
+    add_narrowest(scene, house, observation);
+    trails_free(trails);
+}
+
+static void add_hazard_discs(Scene *scene, const Observation *observation) {
+    for (size_t i = 0; i < observation->hazard_count && i < PEOPLE_SCENE_HAZARDS; i++) {
+        const Hazard *hazard = &observation->hazards[i];
+        Primitive *disc = scene_add_label(scene, ROLE_TEXT, DISC_LETTERS, hazard->at, scene_text(scene, "%zu", i + 1));
+        disc->fill = people_scene_danger(hazard);
+        disc->shape = LABEL_DISC;
+        disc->bold = disc->leader = true;
+    }
+}
+
+static Primitive *add_tag(Scene *scene, Role fill, Vec2 at, const char *text) {
+    Primitive *tag = scene_add_label(scene, ROLE_TEXT, LETTERS, at, text);
+    tag->fill = fill;
+    tag->shape = LABEL_TAG;
+    tag->bold = true;
+    return tag;
+}
+
+static void add_narrowest_label(Scene *scene, const House *house, const Observation *observation) {
+    size_t person = people_scene_narrowest(house, observation);
+    if (person == SIZE_MAX)
+        return;
+    const PersonObservation *observed = &observation->people[person];
+    const char *text = people_scene_clearance(scene, observed->narrowest);
+    add_tag(scene, ROLE_WALL, observed->narrowest_to, text)->leader = true;
+}
+
+static void add_person_labels(Scene *scene, const House *house, size_t i) {
+    const Inhabitant *person = &house->people[i];
+    const Profile *profile = person->profile;
+    Vec2 middle = silhouette_middle(profile, person->at, person->heading);
+    Vec2 rear = vec2_along(middle, -profile->length / 4, vec2_heading(person->heading));
+    Vec2 outline[SILHOUETTE_POINTS];
+    silhouette_outline(profile, person->at, person->heading, 0, outline);
+    Primitive *name = add_tag(scene, is_walker(profile) ? ROLE_WALKER : ROLE_CHAIR, rear, person->id);
+    scene_bind_label(scene, name, outline, SILHOUETTE_POINTS);
+}
+
+static void add_route_letter(Scene *scene, const House *house, const Trail *trail, size_t i) {
+    double behind = 0.75 * house->people[i].profile->length;
+    Vec2 start = trail_pose(trail, trail_begin(trail)).at;
+    double time = trail_begin(trail);
+    while (time < trail_end(trail) && vec2_distance(trail_pose(trail, time).at, start) < behind)
+        time += TICK_SECONDS / 4;
+    add_tag(scene, people_scene_look(house, i).role, trail_pose(trail, time).at, house->people[i].route->id);
+}
+
+static void add_tick_numbers(Scene *scene, const Trail *trail, Role role) {
+    Tick tick = first_tick(trail);
+    while (next_tick(&tick))
+        if (tick.numbered)
+            scene_add_label(scene, role, TICK_LETTERS, tick.pose.at, scene_text(scene, "%.0f s", tick.time))->optional =
+                true;
+}
+
+void people_scene_labels(Scene *scene, const House *house, const Observation *observation) {
+    Trail *trails = trails_of(observation);
+    for (size_t i = 0; i < house->person_count; i++)
+        if (blockage_scene_has(&observation->people[i]))
+            blockage_scene_label(scene, &observation->people[i].blockage);
+    add_narrowest_label(scene, house, observation);
+    for (size_t i = 0; i < house->person_count && !is_crowd(house); i++)
+        if (observation->people[i].took_part)
+            add_person_labels(scene, house, i);
+    add_hazard_discs(scene, observation);
+    for (size_t i = 0; i < house->person_count && !is_crowd(house); i++)
+        if (trails[i].count > 1 && house->people[i].route)
+            add_route_letter(scene, house, &trails[i], i);
+    for (size_t i = 0; i < house->person_count && house->person_count <= PEOPLE_SCENE_SEVERAL; i++)
+        if (trails[i].count > 1)
+            add_tick_numbers(scene, &trails[i], people_scene_look(house, i).role);
+    trails_free(trails);
+}

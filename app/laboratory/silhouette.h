@@ -1,0 +1,23 @@
+/* The outline of a body: a rounded rectangle, or a disc for the paper's way of driving. */
+#pragma once
+
+#include <stddef.h>
+
+#include "house/profile.h"
+
+enum { SILHOUETTE_POINTS = 28 /* seven a corner: 1 mm from the circle for a body of 0.7 m */ };
+
+/* The body with its reference point at `at`, or its personal space when `grown` m beyond the body; counter-clockwise.
+ */
+void silhouette_outline(const Profile *profile, Vec2 at, double heading, double grown, Vec2 outline[SILHOUETTE_POINTS]);
+
+/* The middle of a body whose reference point is `at`. */
+Vec2 silhouette_middle(const Profile *profile, Vec2 at, double heading);
+
+/* The convex hull of two outlines, counter-clockwise: what a body sweeps from one pose to the next. Returns its number
+ * of points, at most 2 SILHOUETTE_POINTS. */
+size_t silhouette_hull(const Vec2 first[SILHOUETTE_POINTS], const Vec2 second[SILHOUETTE_POINTS],
+                       Vec2 hull[2 * SILHOUETTE_POINTS]);
+
+/* The point of an outline that is nearest to `to`. */
+Vec2 silhouette_nearest(const Vec2 outline[SILHOUETTE_POINTS], Vec2 to);

@@ -1,0 +1,69 @@
+#include "laboratory/trail.h"
+
+static size_t row_person(const double *row) {
+    return (size_t)row[TRACE_PERSON];
+}
+
+/* The rows of all trails stand in one block, the first trail's. */
+Trail *trails_of(const Observation *observation) {
+    const Trace *trace = &observation->trace;
+    Trail *trails = memory_allocate(observation->person_count, sizeof *trails);
+    const double **rows = memory_allocate(trace->rows, sizeof *rows);
+    for (size_t i = 0; i < trace->rows; i++)
+        trails[row_person(trace_row(trace, i))].count++;
+    trails[0].rows = rows;
+    size_t start = 0;
+    for (size_t p = 0; p < observation->person_count; p++) {
+        trails[p].rows = rows + start;
+        start += trails[p].count;
+        trails[p].count = 0;
+    }
+    for (size_t i = 0; i < trace->rows; i++) {
+        Trail *trail = &trails[row_person(trace_row(trace, i))];
+        trail->rows[trail->count++] = trace_row(trace, i);
+    }
+    return trails;
+}
+
+void trails_free(Trail *trails) {
+    memory_free(trails[0].rows);
+    memory_free(trails);
+}
+
+double trail_begin(const Trail *trail) {
+    return trail->rows[0][TRACE_TIME];
+}
+
+double trail_end(const Trail *trail) {
+    return trail->rows[trail->count - 1][TRACE_TIME];
+}
+
+/* The last row at or before a time, or the first. */
+static size_t trail_row(const Trail *trail, double time) {
+    size_t low = 0, high = trail->count;
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (trail->rows[middle][TRACE_TIME] <= time)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+Pose trail_pose(const Trail *trail, double time) {
+    size_t i = trail_row(trail, time);
+    const double *before = trail->rows[i], *after = trail->rows[i + 1 < trail->count ? i + 1 : i];
+    double span = after[TRACE_TIME] - before[TRACE_TIME];
+    double part = span > 0 ? fmin(1, fmax(0, (time - before[TRACE_TIME]) / span)) : 0;
+    Vec2 from = vec2(before[TRACE_X], before[TRACE_Y]), to = vec2(after[TRACE_X], after[TRACE_Y]);
+    double turn = vec2_wrap_angle(after[TRACE_HEADING] - before[TRACE_HEADING]);
+    return (Pose){.at = vec2_along(from, part, vec2_sub(to, from)), .heading = before[TRACE_HEADING] + part * turn};
+}
+
+double trail_compression(const Trail *trail, double from, double to) {
+    double most = 0;
+    for (size_t i = trail_row(trail, from); i < trail->count && trail->rows[i][TRACE_TIME] <= to; i++)
+        most = fmax(most, trail->rows[i][TRACE_RING]);
+    return most;
+}

@@ -1,0 +1,22 @@
+/* One person's rows of a trace. */
+#pragma once
+
+#include "house/observation.h"
+
+typedef struct Trail {
+    const double **rows; /* (count), in the order of time; see TRACE_COLUMNS */
+    size_t count;
+} Trail;
+
+/* The trace sorted by person: an array of person_count trails; trails_free releases it. */
+Trail *trails_of(const Observation *observation);
+void trails_free(Trail *trails);
+
+/* Where and how the person stands at a time; between rows in proportion. The trail has a row. */
+Pose trail_pose(const Trail *trail, double time);
+
+/* The greatest compression of the personal space from one time to another, m. */
+double trail_compression(const Trail *trail, double from, double to);
+
+double trail_begin(const Trail *trail);
+double trail_end(const Trail *trail);

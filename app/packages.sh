@@ -1,0 +1,26 @@
+# Sourced by app/start.sh and tests/run.sh: installs the Debian packages that are missing, and says so.
+
+build_packages="meson ninja-build pkg-config gcc g++ libc6-dev libcairo2-dev libpango1.0-dev libbox2d-dev \
+libjansson-dev libsqlite3-dev libgeos-dev fonts-dejavu-core"
+
+# install_packages NAME ...
+install_packages() {
+    missing=
+    for package in "$@"; do
+        dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing="$missing $package"
+    done
+    [ -z "$missing" ] && return 0
+    echo "installing:$missing"
+    as_root=
+    [ "$(id -u)" -eq 0 ] || as_root=sudo
+    export DEBIAN_FRONTEND=noninteractive
+    # shellcheck disable=SC2086 # the lists are words
+    if ! $as_root apt-get install -y -q --no-install-recommends $missing >"${TMPDIR:-/tmp}/clearance-packages.log" 2>&1; then
+        # a fresh system has no package lists yet
+        if ! { $as_root apt-get update -q && $as_root apt-get install -y -q --no-install-recommends $missing; } \
+            >"${TMPDIR:-/tmp}/clearance-packages.log" 2>&1; then
+            cat "${TMPDIR:-/tmp}/clearance-packages.log" >&2
+            return 1
+        fi
+    fi
+}

@@ -1,0 +1,22 @@
+#!/bin/sh
+# Installs what is missing, builds, and simulates the default house: an answer, and pictures and data in out/.
+set -eu
+cd "$(dirname "$0")/.."
+. app/packages.sh
+
+install_packages $build_packages
+
+if [ ! -f build/build.ninja ]; then
+    echo "configuring in build/"
+    meson setup build --buildtype=release >/dev/null
+fi
+echo "building"
+ninja -C build --quiet app/clearance
+
+house=houses/ube-techno-house.json
+echo "running $house"
+echo
+# 1 is an answer too: somebody does not get out
+build/app/clearance run "$house" --out out || [ $? -eq 1 ]
+echo
+echo "look at out/plan.png; other houses: build/app/clearance run houses/NAME.json --out out"

@@ -1,0 +1,76 @@
+#include "case.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "check.h"
+#include "house/run.h"
+
+static House read_case(const char *path, int driving, const char *const *settings) {
+    char profiles[4096];
+    size_t count = 0;
+    House house = {.seed = 0};
+    Fault fault = {0};
+    while (settings && settings[count])
+        count++;
+    snprintf(profiles, sizeof profiles, "%s/assets/profiles", check_source());
+    HouseOptions options = {
+        .profiles = profiles, .settings = settings, .setting_count = count, .seed = 1, .driving = driving};
+    bool good = house_read(&house, path, &options, &fault);
+    for (size_t i = 0; i < fault.count; i++)
+        printf("%s\n", fault.lines[i]);
+    fault_clear(&fault);
+    check_true(good, "the house is read", __FILE__, __LINE__);
+    if (!good)
+        exit(1);
+    return house;
+}
+
+House case_house(const char *name, int driving, const char *const *settings) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/houses/%s.json", check_source(), name);
+    return read_case(path, driving, settings);
+}
+
+House case_made(json_t *plan, int driving, const char *const *settings) {
+    char path[] = "/tmp/clearance-case-XXXXXX";
+    int file = mkstemp(path);
+    check_true(file >= 0 && json_dumpfd(plan, file, JSON_REAL_PRECISION(17)) == 0, "the house is written", __FILE__,
+               __LINE__);
+    close(file);
+    json_decref(plan);
+    House house = read_case(path, driving, settings);
+    unlink(path);
+    return house;
+}
+
+json_t *case_plan(const char *name) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/houses/%s.json", check_source(), name);
+    return json_load_file(path, 0, NULL);
+}
+
+Observation case_run(const House *house, int jobs) {
+    Observation observation;
+    run_house(&observation, house, &(RunOptions){.route = SIZE_MAX, .jobs = jobs});
+    return observation;
+}
+
+json_t *case_corridor(double width) {
+    const double half = 0.1, y = width / 2 + half;
+    return json_pack("{s:s, s:i, s:s, s:[{s:s, s:[[f,f],[f,f]], s:f}, {s:s, s:[[f,f],[f,f]], s:f}], s:[{s:s, s:[f,f], "
+                     "s:[f,f]}], s:[]}",
+                     "format", "clearance-house", "version", 1, "name", "corridor", "walls", "id", "south", "points",
+                     0.0, -y, 20.0, -y, "thickness", 2 * half, "id", "north", "points", 0.0, y, 20.0, y, "thickness",
+                     2 * half, "exits", "id", "e1", "from", 18.0, -width / 2, "to", 18.0, width / 2, "people");
+}
+
+void case_add_person(json_t *plan, const char *profile, double x, double y, double heading) {
+    char id[16];
+    json_t *people = json_object_get(plan, "people");
+    snprintf(id, sizeof id, "p%zu", json_array_size(people) + 1);
+    json_array_append_new(
+        people, json_pack("{s:s, s:s, s:[f,f], s:f}", "id", id, "profile", profile, "at", x, y, "heading", heading));
+}

@@ -1,0 +1,71 @@
+#!/bin/sh
+# Holds what the architecture says of who may know whom, and that names and format are kept. Prints every breach.
+set -u
+cd "$(dirname "$0")/.."
+breaches=$(mktemp)
+trap 'rm -f "$breaches"' EXIT
+
+# forbid WHY FILES... -- PATTERN: no line of the files may match
+forbid() {
+    why=$1
+    pattern=$2
+    shift 2
+    grep -nE "$pattern" "$@" /dev/null | sed "s/^/$why: /" >>"$breaches"
+}
+
+sources() {
+    find "$@" \( -name '*.c' -o -name '*.h' -o -name '*.cpp' \)
+}
+
+# shellcheck disable=SC2046 # file names have no spaces
+{
+    forbid 'engine knows the app' '#include "(command|laboratory|draw|window)/' $(sources engine)
+    forbid 'engine draws or has a window' '#include *<(SDL|cairo|pango|GL|EGL|glib)' $(sources engine)
+    forbid 'engine prints or exits' '(^|[^a-z_])(printf|puts|putchar|exit|abort) *\(' $(sources engine)
+    forbid 'base knows what is above it' '#include "(mechanics|house|beam|crank|study|exchange)/' $(sources engine/base)
+    forbid 'mechanics knows what is above it' '#include "(house|beam|crank|study|exchange)/' $(sources engine/mechanics)
+    forbid 'house knows a neighbour' '#include "(beam|crank|study|exchange)/' $(sources engine/house)
+    forbid 'draw knows a laboratory or a command' '#include "(command|laboratory|house)/' $(sources app/draw)
+    forbid 'a laboratory knows a command' '#include "command/' $(sources app/laboratory)
+    forbid 'Box2D outside its adaptor' 'box2d/' $(sources engine app | grep -v house/broadphase.cpp)
+    forbid 'memory outside memory.c' '(^|[^a-z_])(malloc|calloc|realloc) *\(' $(sources engine app | grep -v base/memory.c)
+}
+
+# An exported function's name begins with its module's, the file's name.
+for object in $(find "${1:-build-test}" -path '*clearance_*.a.p/*.c.o'); do
+    module=$(basename "$object" .c.o)
+    case $object in
+    *clearance_app*) module=$(echo "$module" | sed 's/^\(draw\|laboratory\|command\)_//') ;;
+    *) module=$(echo "$module" | sed 's/^\(base\|mechanics\|house\|exchange\)_//') ;;
+    esac
+    nm --defined-only -g "$object" | awk '$2 == "T" { print $3 }' | while read -r name; do
+        case $name in
+        "$module"_* | "${module%s}"_*) ;;
+        *)
+            # a module may declare its functions in the header of a larger one: plan_check.c has plan_check_...;
+            # a verb's file has command_VERB; memory.c has the arena, house_file.c the house's verbs' beginning
+            case $module/$name in
+            memory/arena_* | gap/near_gather | gap/body_of | observation/reason_text | world/journeys_*) ;;
+            check/command_check | compare/command_compare | loci/command_loci | run/command_run | schema/command_schema) ;;
+            *) echo "exported name: $name in $module.c does not begin with $module" >>"$breaches" ;;
+            esac
+            ;;
+        esac
+    done
+done
+
+# Each header compiles alone.
+for header in $(find engine app -name '*.h'); do
+    echo "#include \"${header#*/}\"" | cc -std=gnu11 -D_GNU_SOURCE -fsyntax-only -Iengine -Iapp \
+        $(pkg-config --cflags pangocairo jansson) -xc - 2>/dev/null || echo "header does not compile alone: $header" >>"$breaches"
+done
+
+if command -v clang-format >/dev/null; then
+    # shellcheck disable=SC2046
+    clang-format --dry-run $(sources engine app tests | grep -v '\.cpp$') 2>&1 | grep 'warning:' | sed 's/^/format: /' >>"$breaches"
+fi
+
+sort -u "$breaches"
+count=$(sort -u "$breaches" | wc -l)
+echo "layers: $count breaches"
+[ "$count" -eq 0 ]

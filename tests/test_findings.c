@@ -1,0 +1,211 @@
+/* What the paper found, and what must not depend on where a house stands or how it is turned. */
+
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "case.h"
+#include "check.h"
+#include "house/run.h"
+#include "house/world.h"
+
+/* A turned, shifted or mirrored copy of a plan ----------------------------------------------------------------------
+ */
+
+typedef struct Placement {
+    double angle; /* degree */
+    Vec2 shift;   /* m */
+    bool mirror;  /* y becomes -y first */
+} Placement;
+
+static Vec2 place(const Placement *placement, double x, double y) {
+    return vec2_add(placement->shift,
+                    vec2_turn(vec2(x, placement->mirror ? -y : y), vec2_heading(radians(placement->angle))));
+}
+
+static void place_point(json_t *point, const Placement *placement) {
+    Vec2 placed =
+        place(placement, json_number_value(json_array_get(point, 0)), json_number_value(json_array_get(point, 1)));
+    json_array_set_new(point, 0, json_real(placed.x));
+    json_array_set_new(point, 1, json_real(placed.y));
+}
+
+static void place_angle(json_t *object, const char *key, const Placement *placement) {
+    double angle = json_number_value(json_object_get(object, key));
+    json_object_set_new(object, key, json_real(fmod(placement->angle + (placement->mirror ? -angle : angle), 360)));
+}
+
+static void swap_words(json_t *object, const char *key, const char *a, const char *b) {
+    const char *word = json_string_value(json_object_get(object, key));
+    if (word && (strcmp(word, a) == 0 || strcmp(word, b) == 0))
+        json_object_set_new(object, key, json_string(strcmp(word, a) == 0 ? b : a));
+}
+
+static json_t *placed_plan(const char *name, const Placement *placement) {
+    static const char *const lists[] = {"points", "outline", "area", "via"};
+    static const char *const points[] = {"from", "to", "at", "centre"};
+    json_t *plan = case_plan(name), *list;
+    const char *key;
+    json_object_foreach(plan, key, list) {
+        size_t i;
+        json_t *element;
+        json_array_foreach(list, i, element) {
+            for (size_t p = 0; p < 4; p++) {
+                size_t k;
+                json_t *point;
+                json_array_foreach(json_object_get(element, lists[p]), k, point) place_point(point, placement);
+                if (json_is_array(json_object_get(element, points[p])))
+                    place_point(json_object_get(element, points[p]), placement);
+            }
+            if (strcmp(key, "furniture") == 0)
+                place_angle(element, "angle", placement);
+            if (strcmp(key, "people") == 0)
+                place_angle(element, "heading", placement);
+            if (placement->mirror) { /* a mirrored piece turned about its own x: its front is where its back was */
+                swap_words(element, "swing", "left", "right");
+                swap_words(element, "topples", "front", "back");
+            }
+        }
+    }
+    return plan;
+}
+
+TEST(turning_and_shifting_a_house_changes_times_by_less_than_a_per_cent) {
+    static const char *const houses[] = {"corner-0.90-0.90", "corner-1.20-1.20", "corner-1.80-1.80",
+                                         "straight-corridor"};
+    static const Placement placements[] = {{90, {0, 0}, false}, {31, {100.3, -57.7}, false}, {-117, {3.3, 4.4}, false}};
+    for (size_t h = 0; h < sizeof houses / sizeof *houses; h++) {
+        for (int driving = 0; driving < 2; driving++) {
+            House house = case_house(houses[h], driving, NULL);
+            Observation as_is = case_run(&house, 1);
+            for (size_t p = 0; p < sizeof placements / sizeof *placements; p++) {
+                House turned = case_made(placed_plan(houses[h], &placements[p]), driving, NULL);
+                Observation observation = case_run(&turned, 1);
+                CHECK(observation.completed == as_is.completed);
+                CHECK_NEAR(observation.time, as_is.time, 0.01 * as_is.time);
+                observation_free(&observation);
+                house_free(&turned);
+            }
+            observation_free(&as_is);
+            house_free(&house);
+        }
+    }
+}
+
+TEST(a_mirrored_house_has_the_mirrored_locus) {
+    static const char *const houses[] = {"corner-1.00-1.00", "corner-1.80-1.80"};
+    const Placement mirror = {0, {0, 0}, true};
+    for (size_t h = 0; h < sizeof houses / sizeof *houses; h++) {
+        for (int driving = 0; driving < 2; driving++) {
+            House house = case_house(houses[h], driving, NULL);
+            House mirrored = case_made(placed_plan(houses[h], &mirror), driving, NULL);
+            Observation a = case_run(&house, 1), b = case_run(&mirrored, 1);
+            double apart = 0;
+            for (size_t r = 0; r < a.trace.rows && r < b.trace.rows; r++) {
+                const double *p = trace_row(&a.trace, r), *q = trace_row(&b.trace, r);
+                apart = fmax(apart, vec2_distance(vec2(p[TRACE_X], -p[TRACE_Y]), vec2(q[TRACE_X], q[TRACE_Y])));
+            }
+            CHECK_NEAR(b.time, a.time, 0.01 * a.time);
+            CHECK_NEAR(apart, 0, 0.05);
+            observation_free(&a);
+            observation_free(&b);
+            house_free(&house);
+            house_free(&mirrored);
+        }
+    }
+}
+
+/* The paper's findings ------------------------------------------------------------------------------------------------
+ */
+
+static double greatest_distance(const House *houses, const Observation *observations) {
+    double greatest = 0;
+    const Trace *miura = &observations[DRIVING_MIURA].trace, *driver = &observations[DRIVING_DRIVER].trace;
+    const Profile *profile = houses[DRIVING_DRIVER].people[0].profile;
+    for (size_t r = 0; r < driver->rows; r++) {
+        const double *row = trace_row(driver, r);
+        Vec2 middle = vec2_along(vec2(row[TRACE_X], row[TRACE_Y]), profile->length / 2 - profile->axle,
+                                 vec2_heading(row[TRACE_HEADING]));
+        double least = HUGE_VAL;
+        for (size_t k = 0; k + 1 < miura->rows; k++) {
+            const double *a = trace_row(miura, k), *b = trace_row(miura, k + 1);
+            Vec2 nearest = vec2_nearest_on_segment(middle, vec2(a[TRACE_X], a[TRACE_Y]), vec2(b[TRACE_X], b[TRACE_Y]));
+            least = fmin(least, vec2_distance(middle, nearest));
+        }
+        const double *last = trace_row(miura, miura->rows - 1);
+        if (vec2_distance(middle, vec2(last[TRACE_X], last[TRACE_Y])) > 0.6) /* past the end there is no locus */
+            greatest = fmax(greatest, least);
+    }
+    return greatest;
+}
+
+TEST(the_loci_of_both_ways_of_driving_part_as_the_corner_widens) {
+    static const char *const names[] = {"corner-1.00-1.00", "corner-1.20-1.20", "corner-1.50-1.50", "corner-1.80-1.80"};
+    double before = 0;
+    for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
+        House houses[2];
+        Observation observations[2];
+        for (int driving = 0; driving < 2; driving++) {
+            houses[driving] = case_house(names[n], driving, NULL);
+            observations[driving] = case_run(&houses[driving], 1);
+            CHECK(observations[driving].completed);
+        }
+        double apart = greatest_distance(houses, observations);
+        printf("  %s: %.3f m apart\n", names[n], apart);
+        CHECK(apart > before);
+        before = apart;
+        for (int driving = 0; driving < 2; driving++) {
+            observation_free(&observations[driving]);
+            house_free(&houses[driving]);
+        }
+    }
+}
+
+/* v^2 - v_min^2 = 2 a_d L before the corner, v_min through it, a_0 after it. */
+TEST(the_paper_s_chair_slows_before_the_corner_holds_v_min_and_speeds_up) {
+    House house = case_house("corner-1.50-1.50", DRIVING_MIURA, NULL);
+    const Profile *profile = house.people[0].profile;
+    Journey *journeys = journeys_plan(&house, NULL, 1);
+    const Track *track = &journeys[0].track;
+    CHECK(track->corner_count == 1);
+    const TrackCorner *corner = &track->corners[0];
+    CHECK_NEAR(corner->before, 1.5, 0.01);
+    CHECK_NEAR(corner->after, 1.5, 0.01);
+    World world = world_create(&house, journeys, NULL);
+    double length = (profile->free_speed * profile->free_speed - profile->minimum_speed * profile->minimum_speed) /
+                    (2 * profile->deceleration);
+    double slack = 0.1; /* m: the answer of the drive, 0.1 s at these speeds */
+    while (world_goes_on(&world)) {
+        double s = world.drive[0].s, v = vec2_length(world.velocity[0]);
+        if (s > 2.2 && s < corner->from - length - slack)
+            CHECK_NEAR(v, profile->free_speed, 0.02);
+        if (s > corner->from + slack && s < corner->to - slack)
+            CHECK_NEAR(v, profile->minimum_speed, 0.05);
+        if (s > corner->to + 1 && s < track->length - 0.2)
+            CHECK(v > 0.6);
+        world_step(&world, NULL);
+    }
+    CHECK(world.phase[0] == PHASE_OUT);
+    world_destroy(&world);
+    journeys_free(journeys, house.person_count);
+    house_free(&house);
+}
+
+/* Every shipped house is run to its end; the world asserts at every step that nobody enters a wall. */
+TEST(every_shipped_house_runs_to_an_answer) {
+    static const char *const names[] = {"straight-corridor",  "ube-techno-house",         "flat-0.910-module",
+                                        "flat-0.910-widened", "bedroom-after-earthquake", "two-chairs-corridor",
+                                        "closed-door",        "corner-0.78-0.78",         "corner-0.80-1.20",
+                                        "corner-1.20-0.80"};
+    for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
+        for (int driving = 0; driving < 2; driving++) {
+            House house = case_house(names[n], driving, NULL);
+            Observation observation = case_run(&house, 2);
+            for (size_t i = 0; i < observation.person_count; i++)
+                CHECK(observation.people[i].reason != REASON_DIVERGED &&
+                      observation.people[i].reason != REASON_TIME_LIMIT);
+            observation_free(&observation);
+            house_free(&house);
+        }
+    }
+}

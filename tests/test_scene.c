@@ -1,0 +1,337 @@
+#include "check.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "draw/layout.h"
+#include "draw/mask.h"
+#include "draw/paint_cairo.h"
+#include "draw/text.h"
+#include "laboratory/house_scene.h"
+#include "laboratory/silhouette.h"
+
+static const Vec2 PAGE = {1280, 720};
+
+/* Six metres by four, with words wherever a scene may have them. */
+static Scene plain_scene(void) {
+    Scene scene = {.box = {{0, 0}, {6, 4}},
+                   .grid = 1,
+                   .title = "Out in 18.4 s",
+                   .title_role = ROLE_TEXT,
+                   .detail = "narrowest 0.06 m at door d2, no contact",
+                   .name = "a house",
+                   .note = "assumed plan: not measured",
+                   .clock = "0 to 18.4 s"};
+    scene_add_row(&scene, ROW_HEADING, "Dangerous points");
+    SceneRow *row = scene_add_row(&scene, ROW_DISC, "door d2");
+    row->role = ROLE_DANGER_HIGH;
+    row->mark = "1";
+    row->cells[1] = "0.06 m";
+    row->cells[2] = "410 N";
+    return scene;
+}
+
+static Box caption_box(const Caption *caption) {
+    Vec2 half = vec2_scale(caption->turned ? vec2(caption->extent.y, caption->extent.x) : caption->extent, 0.5);
+    return (Box){vec2_sub(caption->centre, half), vec2_add(caption->centre, half)};
+}
+
+static bool boxes_overlap(Box a, Box b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+static const Caption *find_caption(const Layout *layout, const char *text) {
+    for (size_t i = 0; i < layout->caption_count; i++)
+        if (strcmp(layout->captions[i].text, text) == 0)
+            return &layout->captions[i];
+    return NULL;
+}
+
+static void check_words(const Layout *layout) {
+    for (size_t i = 0; i < layout->caption_count; i++) {
+        Box box = caption_box(&layout->captions[i]);
+        CHECK(box.low.x >= 0 && box.low.y >= 0 && box.high.x <= layout->page.x && box.high.y <= layout->page.y);
+        CHECK(layout->captions[i].size >= LAYOUT_SMALLEST_LETTERS);
+        for (size_t j = i + 1; j < layout->caption_count; j++)
+            CHECK(!boxes_overlap(box, caption_box(&layout->captions[j])));
+    }
+}
+
+TEST(a_scene_keeps_copies_of_points_and_texts) {
+    Scene scene = {0};
+    Vec2 points[] = {{0, 0}, {1, 0}, {1, 1}};
+    char text[] = "bed";
+    scene_add_polygon(&scene, ROLE_FURNITURE, points, 3);
+    scene_add_label(&scene, ROLE_TEXT, 17, points[0], text);
+    points[2] = vec2(9, 9);
+    text[0] = 'X';
+    CHECK_NEAR(scene.primitives[0].points[2].x, 1, 0);
+    CHECK_TEXT(scene.primitives[1].text, "bed");
+    CHECK(scene.primitives[0].starts[1] == 3);
+    scene_clear(&scene);
+    CHECK(scene.count == 0 && !scene.primitives);
+}
+
+TEST(every_role_can_be_read_in_both_themes) {
+    static const Role texts[] = {ROLE_TEXT, ROLE_DIM_TEXT, ROLE_ROOM, ROLE_DOOR, ROLE_ERROR, ROLE_LOCUS};
+    static const Role lines[] = {ROLE_WALL,        ROLE_FURNITURE_LINE, ROLE_CHAIR,  ROLE_RING,  ROLE_LOCUS_SECOND,
+                                 ROLE_LOCUS_THIRD, ROLE_LOCUS_FOURTH,   ROLE_WALKER, ROLE_GHOST, ROLE_EXIT};
+    static const Role tags[] = {ROLE_EXIT_TAG, ROLE_DANGER_LOW, ROLE_DANGER_MIDDLE, ROLE_DANGER_HIGH,
+                                ROLE_CHAIR,    ROLE_ERROR,      ROLE_LOCUS_FOURTH};
+    for (Theme theme = 0; theme < THEME_COUNT; theme++) {
+        Colour paper = palette_colour(theme, ROLE_PAPER);
+        for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+            CHECK(palette_contrast(palette_colour(theme, texts[i]), paper) >= 4.5);
+        for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
+            CHECK(palette_contrast(palette_colour(theme, lines[i]), paper) >= 3);
+        for (size_t i = 0; i < sizeof tags / sizeof *tags; i++)
+            CHECK(palette_contrast(palette_ink(theme, tags[i]), palette_colour(theme, tags[i])) >= 4.5);
+    }
+}
+
+TEST(dangers_grow_darker_in_grey_on_paper) {
+    Colour white = {1, 1, 1};
+    double low = palette_contrast(palette_colour(THEME_PAPER, ROLE_DANGER_LOW), white);
+    double middle = palette_contrast(palette_colour(THEME_PAPER, ROLE_DANGER_MIDDLE), white);
+    double high = palette_contrast(palette_colour(THEME_PAPER, ROLE_DANGER_HIGH), white);
+    CHECK(low < middle && middle < high);
+}
+
+TEST(letters_grow_in_proportion_to_their_size) {
+    Vec2 once = text_extent("Out in 18.4 s", 20, true), twice = text_extent("Out in 18.4 s", 40, true);
+    CHECK_NEAR(twice.x / once.x, 2, 0.01);
+    CHECK_NEAR(twice.y / once.y, 2, 0.01);
+}
+
+TEST(a_mask_sums_weight_times_area_and_takes_the_largest_weight) {
+    Mask mask;
+    mask_init(&mask, (Box){{0, 0}, {80, 40}});
+    mask_mark_box(&mask, (Box){{8, 8}, {23.9, 23.9}}, 2);
+    mask_mark_box(&mask, (Box){{8, 8}, {23.9, 23.9}}, 1);
+    CHECK_NEAR(mask_cost(&mask, (Box){{0, 0}, {80, 40}}), 2 * 16 * 16, 1e-6);
+    CHECK_NEAR(mask_cost(&mask, (Box){{10, 10}, {13, 14}}), 2 * 3 * 4, 1e-6);
+    CHECK_NEAR(mask_cost(&mask, (Box){{-10, 0}, {0, 10}}), MASK_OUTSIDE * 100, 1e-6);
+    CHECK_NEAR(mask_line_cost(&mask, vec2(0, 30), vec2(80, 30)), 0, 1e-6);
+    mask_clear(&mask);
+}
+
+TEST(a_mask_leaves_the_hole_of_a_ring_free) {
+    Mask mask;
+    mask_init(&mask, (Box){{0, 0}, {100, 100}});
+    Vec2 points[] = {{0, 0}, {100, 0}, {100, 100}, {0, 100}, {20, 20}, {80, 20}, {80, 80}, {20, 80}};
+    mask_mark_rings(&mask, points, (size_t[]){0, 4, 8}, 2, 1);
+    CHECK_NEAR(mask_cost(&mask, (Box){{30, 30}, {70, 70}}), 0, 1e-6);
+    CHECK_NEAR(mask_cost(&mask, (Box){{0, 0}, {10, 100}}), 1000, 1e-6);
+    mask_clear(&mask);
+}
+
+TEST(no_words_overlap_or_leave_the_page) {
+    static const Vec2 pages[] = {{1280, 720}, {1280, 800}, {1706, 720}, {1280, 2275}};
+    for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {
+        Scene scene = plain_scene();
+        Layout layout;
+        layout_make(&layout, &scene, pages[i]);
+        check_words(&layout);
+        layout_clear(&layout);
+        scene_clear(&scene);
+    }
+}
+
+TEST(long_words_are_shortened_and_a_long_detail_goes_below_the_answer) {
+    Scene scene = plain_scene();
+    char note[400];
+    memset(note, 'n', sizeof note);
+    note[sizeof note - 1] = 0;
+    scene.note = note;
+    scene.detail =
+        "p4: cannot pass door d2, needs 0.79 m, has 0.75 m, after three contacts with the wardrobe and the wall";
+    Layout layout;
+    layout_make(&layout, &scene, PAGE);
+    check_words(&layout);
+    CHECK(!find_caption(&layout, note));
+    const Caption *title = find_caption(&layout, scene.title), *detail = find_caption(&layout, scene.detail);
+    CHECK(title && detail && detail->centre.y > title->centre.y + title->extent.y / 2);
+    layout_clear(&layout);
+    scene_clear(&scene);
+}
+
+TEST(the_whole_plan_is_seen_undistorted) {
+    Scene scene = plain_scene();
+    Layout layout;
+    layout_make(&layout, &scene, PAGE);
+    Vec2 low = layout_point(&layout, scene.box.low), high = layout_point(&layout, scene.box.high);
+    CHECK(low.x >= layout.plan.low.x - 1e-9 && high.x <= layout.plan.high.x + 1e-9);
+    CHECK(high.y >= layout.plan.low.y - 1e-9 && low.y <= layout.plan.high.y + 1e-9);
+    CHECK_NEAR((high.x - low.x) / (low.y - high.y), 6.0 / 4, 1e-9);
+    layout_clear(&layout);
+    scene_clear(&scene);
+}
+
+TEST(a_long_corridor_has_its_list_below) {
+    Scene scene = plain_scene();
+    scene.box = (Box){{0, 0}, {40, 2}};
+    Layout layout;
+    layout_make(&layout, &scene, PAGE);
+    check_words(&layout);
+    CHECK_NEAR(layout.list.low.x, 0, 0);
+    CHECK_NEAR(layout.list.high.x, PAGE.x, 0);
+    layout_clear(&layout);
+    scene_clear(&scene);
+}
+
+TEST(labels_keep_off_lines_and_off_each_other) {
+    Scene scene = plain_scene();
+    Vec2 line[] = {{0, 2}, {6, 2}};
+    scene_add_line(&scene, ROLE_LOCUS, 4, line, 2)->keep_clear = 2;
+    for (int i = 0; i < 5; i++)
+        scene_add_label(&scene, ROLE_TEXT, 17, vec2(3, 2), scene_text(&scene, "label %d", i));
+    Layout layout;
+    layout_make(&layout, &scene, PAGE);
+    check_words(&layout);
+    double y = layout_point(&layout, line[0]).y;
+    for (int i = 0; i < 5; i++) {
+        const Caption *caption = find_caption(&layout, scene_text(&scene, "label %d", i));
+        CHECK(caption != NULL);
+        CHECK(caption && fabs(caption->centre.y - y) > caption->extent.y / 2 + 2);
+    }
+    layout_clear(&layout);
+    scene_clear(&scene);
+}
+
+TEST(a_name_stays_inside_what_it_names_and_turns_when_it_must) {
+    Scene scene = plain_scene();
+    Vec2 wide[] = {{0.5, 0.5}, {2.5, 0.5}, {2.5, 1.5}, {0.5, 1.5}}, tall[] = {{4, 1}, {4.3, 1}, {4.3, 3}, {4, 3}};
+    scene_bind_label(&scene, scene_add_label(&scene, ROLE_TEXT, 17, vec2(1.5, 1), "bed"), wide, 4);
+    scene_bind_label(&scene, scene_add_label(&scene, ROLE_TEXT, 17, vec2(4.15, 2), "wardrobe"), tall, 4);
+    Layout layout;
+    layout_make(&layout, &scene, PAGE);
+    const Caption *bed = find_caption(&layout, "bed"), *wardrobe = find_caption(&layout, "wardrobe");
+    CHECK(bed && !bed->turned);
+    CHECK(wardrobe && wardrobe->turned);
+    Box box = wardrobe ? caption_box(wardrobe) : (Box){0};
+    CHECK(box.low.x >= layout_point(&layout, tall[0]).x && box.high.x <= layout_point(&layout, tall[1]).x);
+    layout_clear(&layout);
+    scene_clear(&scene);
+}
+
+/* Writes a picture under /tmp and returns its bytes. */
+static char *painted(const Scene *scene, int (*paint)(const Scene *, const char *, int, int, Theme), size_t *size) {
+    char path[] = "/tmp/clearance-scene-XXXXXX";
+    int file = mkstemp(path);
+    CHECK(file >= 0);
+    close(file);
+    CHECK(paint(scene, path, 640, 360, THEME_PAPER) == 0);
+    char *bytes = text_read_file(path, 1 << 24, size);
+    unlink(path);
+    return bytes;
+}
+
+TEST(the_same_scene_gives_the_same_bytes) {
+    int (*const painters[])(const Scene *, const char *, int, int, Theme) = {paint_png, paint_svg};
+    static const char *const beginnings[] = {"\x89PNG", "<?xml"};
+    for (int i = 0; i < 2; i++) {
+        Scene scene = plain_scene();
+        scene_add_label(&scene, ROLE_TEXT, 17, vec2(1, 1), "bed");
+        size_t first_size = 0, second_size = 1;
+        char *first = painted(&scene, painters[i], &first_size), *second = painted(&scene, painters[i], &second_size);
+        CHECK(first && second && first_size == second_size && memcmp(first, second, first_size) == 0);
+        CHECK(first && memcmp(first, beginnings[i], strlen(beginnings[i])) == 0);
+        memory_free(first);
+        memory_free(second);
+        scene_clear(&scene);
+    }
+}
+
+TEST(a_picture_that_cannot_be_says_why) {
+    Scene scene = plain_scene();
+    CHECK(paint_png(&scene, "/tmp/clearance-never.png", 0, 720, THEME_PAPER) == EINVAL);
+    CHECK(paint_svg(&scene, "/tmp/clearance-never.svg", 1280, PAINT_LARGEST + 1, THEME_PAPER) == EINVAL);
+    CHECK(paint_png(&scene, "/tmp/no-such-directory/a.png", 64, 36, THEME_PAPER) == ENOENT);
+    CHECK(access("/tmp/clearance-never.png", F_OK) != 0);
+    scene_clear(&scene);
+}
+
+static const Profile chair = {
+    .name = "manual-chair", .length = 1.1, .width = 0.63, .axle = 0.35, .corner_radius = 0.06, .space_reach = 0.3};
+
+TEST(a_silhouette_is_as_long_and_wide_as_the_body) {
+    Vec2 outline[SILHOUETTE_POINTS];
+    Box box = box_empty();
+    silhouette_outline(&chair, vec2(2, 1), 0, 0, outline);
+    for (int i = 0; i < SILHOUETTE_POINTS; i++)
+        box = box_include(box, outline[i]);
+    CHECK_NEAR(box.low.x, 2 - chair.axle, 1e-12);
+    CHECK_NEAR(box.high.x, 2 - chair.axle + chair.length, 1e-12);
+    CHECK_NEAR(box.high.y - box.low.y, chair.width, 1e-12);
+    CHECK_NEAR(vec2_distance(silhouette_nearest(outline, vec2(2, 3)), vec2(2, 3)), 2 - chair.width / 2, 1e-12);
+}
+
+TEST(what_a_straight_way_sweeps_is_a_longer_body) {
+    Vec2 first[SILHOUETTE_POINTS], second[SILHOUETTE_POINTS], hull[2 * SILHOUETTE_POINTS];
+    silhouette_outline(&chair, vec2(0, 0), 0, 0, first);
+    silhouette_outline(&chair, vec2(0.5, 0), 0, 0, second);
+    size_t count = silhouette_hull(first, second, hull);
+    double area[2] = {0};
+    for (size_t i = 0; i < count; i++)
+        area[1] += vec2_cross(hull[i], hull[(i + 1) % count]) / 2;
+    for (int i = 0; i < SILHOUETTE_POINTS; i++)
+        area[0] += vec2_cross(first[i], first[(i + 1) % SILHOUETTE_POINTS]) / 2;
+    CHECK_NEAR(area[1] - area[0], 0.5 * chair.width, 1e-12);
+}
+
+/* One person in an empty house, after a run that has gone as `person` says. */
+static Scene scene_after(PersonObservation person, const char *note) {
+    static TraceColumn columns[TRACE_COLUMNS];
+    Inhabitant inhabitant = {.id = "p1", .profile = &chair, .at = {1, 1}};
+    House house = {.plan = {.name = "a house", .note = note}, .people = &inhabitant, .person_count = 1};
+    house.outline.box = (Box){{0, 0}, {6, 4}};
+    Observation observation = {
+        .people = &person, .person_count = 1, .completed = person.completed, .time = person.time};
+    trace_init(&observation.trace, columns, TRACE_COLUMNS);
+    for (int i = 0; i <= 10 * person.time; i++)
+        trace_add(&observation.trace,
+                  (double[TRACE_COLUMNS]){[TRACE_TIME] = 0.1 * i, [TRACE_X] = 1 + 0.05 * i, [TRACE_Y] = 1});
+    Scene scene;
+    house_scene(&scene, &house, &observation);
+    trace_clear(&observation.trace);
+    return scene;
+}
+
+TEST(somebody_who_is_out_is_the_answer) {
+    Scene scene = scene_after((PersonObservation){.took_part = true, .completed = true, .time = 8.04, .narrowest = 0.3},
+                              "drawn from a measured plan");
+    CHECK_TEXT(scene.title, "Out in 8.0 s");
+    CHECK(scene.title_role == ROLE_TEXT);
+    CHECK_TEXT(scene.detail, "personal space stays free, no contact");
+    CHECK_TEXT(scene.note, "");
+    scene_clear(&scene);
+}
+
+TEST(somebody_who_cannot_pass_is_told_where_and_by_how_much) {
+    PersonObservation person = {.took_part = true,
+                                .reason = REASON_CANNOT_PASS,
+                                .blockage = {.at = {3, 2}, .what = "door d2", .has = 0.75, .needs = 0.79}};
+    Scene scene = scene_after(person, "Assumed plan: not measured");
+    CHECK_TEXT(scene.title, "Cannot pass door d2");
+    CHECK_TEXT(scene.detail, "needs 0.79 m, has 0.75 m");
+    CHECK(scene.title_role == ROLE_ERROR);
+    CHECK_TEXT(scene.note, "Assumed plan: not measured");
+    scene_clear(&scene);
+}
+
+TEST(a_locus_has_a_tick_each_second_and_a_number_each_fifth) {
+    Scene scene =
+        scene_after((PersonObservation){.took_part = true, .completed = true, .time = 8, .narrowest = 0.3}, "");
+    int ticks = 0, numbers = 0;
+    for (size_t i = 0; i < scene.count; i++) {
+        ticks += scene.primitives[i].kind == PRIMITIVE_TICK;
+        numbers += strcmp(scene.primitives[i].text, "5 s") == 0;
+    }
+    CHECK_NEAR(ticks, 7, 0);
+    CHECK_NEAR(numbers, 1, 0);
+    scene_clear(&scene);
+}
