@@ -8,42 +8,40 @@
 #include "check.h"
 #include "house/run.h"
 
-static House read_case(const char *path, int driving, const char *const *settings) {
+static void read_case(House *house, const char *path, int driving, const char *const *settings) {
     char profiles[4096];
     size_t count = 0;
-    House house = {.seed = 0};
+    *house = (House){.seed = 0};
     Fault fault = {0};
     while (settings && settings[count])
         count++;
     snprintf(profiles, sizeof profiles, "%s/assets/profiles", check_source());
     HouseOptions options = {
         .profiles = profiles, .settings = settings, .setting_count = count, .seed = 1, .driving = driving};
-    bool good = house_read(&house, path, &options, &fault);
+    bool good = house_read(house, path, &options, &fault);
     for (size_t i = 0; i < fault.count; i++)
         printf("%s\n", fault.lines[i]);
     fault_clear(&fault);
     check_true(good, "the house is read", __FILE__, __LINE__);
     if (!good)
         exit(1);
-    return house;
 }
 
-House case_house(const char *name, int driving, const char *const *settings) {
+void case_house(House *house, const char *name, int driving, const char *const *settings) {
     char path[4096];
     snprintf(path, sizeof path, "%s/houses/%s.json", check_source(), name);
-    return read_case(path, driving, settings);
+    read_case(house, path, driving, settings);
 }
 
-House case_made(json_t *plan, int driving, const char *const *settings) {
+void case_made(House *house, json_t *plan, int driving, const char *const *settings) {
     char path[] = "/tmp/clearance-case-XXXXXX";
     int file = mkstemp(path);
     check_true(file >= 0 && json_dumpfd(plan, file, JSON_REAL_PRECISION(17)) == 0, "the house is written", __FILE__,
                __LINE__);
     close(file);
     json_decref(plan);
-    House house = read_case(path, driving, settings);
+    read_case(house, path, driving, settings);
     unlink(path);
-    return house;
 }
 
 json_t *case_plan(const char *name) {

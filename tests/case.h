@@ -8,10 +8,10 @@
 
 /* Reads houses/NAME.json with the shipped profiles; `driving` as in HouseOptions; settings end with NULL. A fault fails
  * the test. house_free releases it. */
-House case_house(const char *name, int driving, const char *const *settings);
+void case_house(House *house, const char *name, int driving, const char *const *settings);
 
 /* The same of a house made in memory; the JSON is released. */
-House case_made(json_t *plan, int driving, const char *const *settings);
+void case_made(House *house, json_t *plan, int driving, const char *const *settings);
 
 /* The JSON of a shipped house; json_decref it. */
 json_t *case_plan(const char *name);

@@ -8,6 +8,14 @@
 static CheckTest *first;
 static int failures, checks;
 
+/* A test that fails everywhere is not printed to the end. */
+enum { PRINTED_MOST = 10 };
+static int printed;
+
+static bool prints(bool good) {
+    return !good && ++printed <= PRINTED_MOST;
+}
+
 void check_register(CheckTest *test) {
     CheckTest **end = &first;
     while (*end)
@@ -22,21 +30,21 @@ static void count(bool good) {
 
 void check_true(bool good, const char *what, const char *file, int line) {
     count(good);
-    if (!good)
+    if (prints(good))
         printf("%s:%d: not true: %s\n", file, line, what);
 }
 
 void check_near(double got, double expected, double tolerance, const char *what, const char *file, int line) {
     bool good = fabs(got - expected) <= tolerance || got == expected;
     count(good);
-    if (!good)
+    if (prints(good))
         printf("%s:%d: %s is %.12g, expected %.12g within %.3g\n", file, line, what, got, expected, tolerance);
 }
 
 void check_text(const char *got, const char *expected, const char *what, const char *file, int line) {
     bool good = got && strcmp(got, expected) == 0;
     count(good);
-    if (!good)
+    if (prints(good))
         printf("%s:%d: %s is\n  \"%s\"\nexpected\n  \"%s\"\n", file, line, what, got ? got : "(none)", expected);
 }
 
@@ -51,6 +59,7 @@ int main(int argc, char **argv) {
         if (argc > 1 && !strstr(test->name, argv[1]))
             continue;
         int before = failures;
+        printed = 0;
         test->run();
         tests++;
         failed += failures != before;

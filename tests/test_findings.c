@@ -76,10 +76,12 @@ TEST(turning_and_shifting_a_house_changes_times_by_less_than_a_per_cent) {
     static const Placement placements[] = {{90, {0, 0}, false}, {31, {100.3, -57.7}, false}, {-117, {3.3, 4.4}, false}};
     for (size_t h = 0; h < sizeof houses / sizeof *houses; h++) {
         for (int driving = 0; driving < 2; driving++) {
-            House house = case_house(houses[h], driving, NULL);
+            House house;
+            case_house(&house, houses[h], driving, NULL);
             Observation as_is = case_run(&house, 1);
             for (size_t p = 0; p < sizeof placements / sizeof *placements; p++) {
-                House turned = case_made(placed_plan(houses[h], &placements[p]), driving, NULL);
+                House turned;
+                case_made(&turned, placed_plan(houses[h], &placements[p]), driving, NULL);
                 Observation observation = case_run(&turned, 1);
                 CHECK(observation.completed == as_is.completed);
                 CHECK_NEAR(observation.time, as_is.time, 0.01 * as_is.time);
@@ -97,8 +99,10 @@ TEST(a_mirrored_house_has_the_mirrored_locus) {
     const Placement mirror = {0, {0, 0}, true};
     for (size_t h = 0; h < sizeof houses / sizeof *houses; h++) {
         for (int driving = 0; driving < 2; driving++) {
-            House house = case_house(houses[h], driving, NULL);
-            House mirrored = case_made(placed_plan(houses[h], &mirror), driving, NULL);
+            House house;
+            case_house(&house, houses[h], driving, NULL);
+            House mirrored;
+            case_made(&mirrored, placed_plan(houses[h], &mirror), driving, NULL);
             Observation a = case_run(&house, 1), b = case_run(&mirrored, 1);
             double apart = 0;
             for (size_t r = 0; r < a.trace.rows && r < b.trace.rows; r++) {
@@ -146,7 +150,7 @@ TEST(the_loci_of_both_ways_of_driving_part_as_the_corner_widens) {
         House houses[2];
         Observation observations[2];
         for (int driving = 0; driving < 2; driving++) {
-            houses[driving] = case_house(names[n], driving, NULL);
+            case_house(&houses[driving], names[n], driving, NULL);
             observations[driving] = case_run(&houses[driving], 1);
             CHECK(observations[driving].completed);
         }
@@ -163,7 +167,8 @@ TEST(the_loci_of_both_ways_of_driving_part_as_the_corner_widens) {
 
 /* v^2 - v_min^2 = 2 a_d L before the corner, v_min through it, a_0 after it. */
 TEST(the_paper_s_chair_slows_before_the_corner_holds_v_min_and_speeds_up) {
-    House house = case_house("corner-1.50-1.50", DRIVING_MIURA, NULL);
+    House house;
+    case_house(&house, "corner-1.50-1.50", DRIVING_MIURA, NULL);
     const Profile *profile = house.people[0].profile;
     Journey *journeys = journeys_plan(&house, NULL, 1);
     const Track *track = &journeys[0].track;
@@ -199,7 +204,8 @@ TEST(every_shipped_house_runs_to_an_answer) {
                                         "corner-1.20-0.80"};
     for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
         for (int driving = 0; driving < 2; driving++) {
-            House house = case_house(names[n], driving, NULL);
+            House house;
+            case_house(&house, names[n], driving, NULL);
             Observation observation = case_run(&house, 2);
             for (size_t i = 0; i < observation.person_count; i++)
                 CHECK(observation.people[i].reason != REASON_DIVERGED &&

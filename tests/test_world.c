@@ -21,13 +21,11 @@ typedef struct Still {
     World world;
 } Still;
 
-static Still still(json_t *plan, int driving, const char *const *settings) {
-    Still still;
-    still.house = case_made(plan, driving, settings);
-    still.journeys = memory_allocate(still.house.person_count, sizeof *still.journeys);
-    for (size_t i = 0; i < still.house.person_count; i++)
-        still.journeys[i].route.answer = ROUTE_NO_EXIT;
-    return still;
+static void still_make(Still *still, json_t *plan, int driving, const char *const *settings) {
+    case_made(&still->house, plan, driving, settings);
+    still->journeys = memory_allocate(still->house.person_count, sizeof *still->journeys);
+    for (size_t i = 0; i < still->house.person_count; i++)
+        still->journeys[i].route.answer = ROUTE_NO_EXIT;
 }
 
 static void still_free(Still *still) {
@@ -40,7 +38,8 @@ static void still_free(Still *still) {
 TEST(a_disc_in_a_corridor_swings_as_its_two_ring_springs_say) {
     json_t *plan = case_corridor(0.8);
     case_add_person(plan, "miura-chair", 5, 0.03, 0);
-    Still s = still(plan, -1, (const char *[]){FREE("miura-chair"), NULL});
+    Still s;
+    still_make(&s, plan, -1, (const char *[]){FREE("miura-chair"), NULL});
     s.world = world_create(&s.house, s.journeys, NULL);
     const Profile *profile = s.house.people[0].profile;
     double k = 2 * profile->space.normal_stiffness, c = 2 * profile->space.normal_damping, m = profile->mass;
@@ -67,7 +66,8 @@ TEST(a_disc_in_a_corridor_swings_as_its_two_ring_springs_say) {
 TEST(the_ring_brings_a_chair_to_the_middle_of_a_corridor) {
     json_t *plan = case_corridor(0.8);
     case_add_person(plan, "miura-chair", 5, 0.06, 0);
-    Still s = still(plan, -1, (const char *[]){FREE("miura-chair"), NULL});
+    Still s;
+    still_make(&s, plan, -1, (const char *[]){FREE("miura-chair"), NULL});
     s.world = world_create(&s.house, s.journeys, NULL);
     for (int step = 0; step < 30000; step++)
         world_step(&s.world, NULL);
@@ -81,11 +81,12 @@ TEST(momentum_between_chairs_is_conserved_to_rounding) {
         case_add_person(plan, "manual-chair", 5, 0, 0);
         case_add_person(plan, "manual-chair", 7, 0.2, 150);
         case_add_person(plan, "manual-chair", 6, -1.7, 80);
-        Still s = still(plan, driving, (const char *[]){FREE("manual-chair"), NULL});
+        Still s;
+        still_make(&s, plan, driving, (const char *[]){FREE("manual-chair"), NULL});
         s.world = world_create(&s.house, s.journeys, NULL);
         World *world = &s.world;
-        world->velocity[0] = vec2(1, 0.1);
-        world->velocity[1] = vec2(-0.8, 0);
+        world->velocity[0] = vec2(1.5, 0.1);
+        world->velocity[1] = vec2(-1.2, -0.1);
         world->velocity[2] = vec2(0.1, 0.7);
         double mass = s.house.people[0].profile->mass, touched = 0;
         double gyration = s.house.people[0].profile->radius_of_gyration;
@@ -114,8 +115,9 @@ TEST(momentum_between_chairs_is_conserved_to_rounding) {
 TEST(a_chair_that_rolls_has_no_side_slip) {
     json_t *plan = case_corridor(10);
     case_add_person(plan, "manual-chair", 5, 0, 30);
-    Still s =
-        still(plan, -1, (const char *[]){"profile.manual-chair.push=0", "profile.manual-chair.turning_moment=0", NULL});
+    Still s;
+    still_make(&s, plan, -1,
+               (const char *[]){"profile.manual-chair.push=0", "profile.manual-chair.turning_moment=0", NULL});
     s.world = world_create(&s.house, s.journeys, NULL);
     s.world.velocity[0] = vec2(0.5, 0);
     s.world.turn[0] = 0.5;
@@ -136,7 +138,10 @@ TEST(a_chair_pushed_against_a_wall_rests_where_its_spring_says) {
     json_array_append_new(json_object_get(plan, "walls"), json_pack("{s:s, s:[[f,f],[f,f]], s:f}", "id", "end",
                                                                     "points", 10.0, -1.5, 10.0, 1.5, "thickness", 0.2));
     case_add_person(plan, "manual-chair", 8, 0, 0);
-    Still s = still(plan, -1, (const char *[]){FREE("manual-chair"), "profile.manual-chair.space.reach=0", NULL});
+    Still s;
+    still_make(&s, plan, -1,
+               (const char *[]){FREE("manual-chair"), "profile.manual-chair.space.reach=0",
+                                "profile.manual-chair.space.normal_stiffness=0", NULL});
     s.world = world_create(&s.house, s.journeys, NULL);
     const double push = 100;
     const Profile *profile = s.house.people[0].profile;
@@ -144,8 +149,10 @@ TEST(a_chair_pushed_against_a_wall_rests_where_its_spring_says) {
         s.world.velocity[0].x += push / profile->mass * s.world.clock.dt;
         world_step(&s.world, NULL);
     }
-    CHECK_NEAR(s.world.sense[0].body_force, push, 1e-6);
-    CHECK_NEAR(s.world.sense[0].clearance, -push / profile->contact.normal_stiffness, 1e-6);
+    /* At rest; the dashpot takes what one step's push and the brakes give. */
+    double force = s.world.sense[0].body_force, slack = 2 * push / 80 * 1e-3 * profile->contact.normal_damping;
+    CHECK_NEAR(force, push, 0.05);
+    CHECK_NEAR(-s.world.sense[0].clearance * profile->contact.normal_stiffness, push, slack);
     still_free(&s);
 }
 
@@ -154,16 +161,17 @@ TEST(a_free_run_accelerates_by_a_0_and_keeps_the_free_speed) {
     for (int driving = 0; driving < 2; driving++) {
         json_t *plan = case_corridor(4);
         case_add_person(plan, "manual-chair", 1, 0, 0);
-        House house = case_made(plan, driving, NULL);
+        House house;
+        case_made(&house, plan, driving, NULL);
         const Profile *profile = house.people[0].profile;
         Journey *journeys = journeys_plan(&house, NULL, 1);
         World world = world_create(&house, journeys, NULL);
         while (clock_time(&world.clock) < 1)
             world_step(&world, NULL);
-        CHECK_NEAR(world.velocity[0].x, profile->acceleration * clock_time(&world.clock), 2e-3);
+        CHECK_NEAR(vec2_length(world.velocity[0]), profile->acceleration * clock_time(&world.clock), 2e-3);
         while (clock_time(&world.clock) < 4)
             world_step(&world, NULL);
-        CHECK_NEAR(world.velocity[0].x, profile->free_speed, 1e-3);
+        CHECK_NEAR(vec2_length(world.velocity[0]), profile->free_speed, 1e-3);
         world_destroy(&world);
         journeys_free(journeys, house.person_count);
         house_free(&house);
@@ -171,7 +179,8 @@ TEST(a_free_run_accelerates_by_a_0_and_keeps_the_free_speed) {
 }
 
 TEST(a_copy_of_a_world_goes_on_to_the_same_bits) {
-    House house = case_house("two-chairs-corridor", -1, NULL);
+    House house;
+    case_house(&house, "two-chairs-corridor", -1, NULL);
     Journey *journeys = journeys_plan(&house, NULL, 1);
     World world = world_create(&house, journeys, NULL);
     for (int step = 0; step < 3000; step++)
@@ -190,7 +199,8 @@ TEST(a_copy_of_a_world_goes_on_to_the_same_bits) {
 }
 
 TEST(two_jobs_give_the_bits_of_one) {
-    House house = case_house("ube-techno-house", -1, NULL);
+    House house;
+    case_house(&house, "ube-techno-house", -1, NULL);
     Observation one = case_run(&house, 1), two = case_run(&house, 2);
     CHECK(one.digest == two.digest);
     CHECK(one.trace.rows == two.trace.rows);
@@ -208,7 +218,8 @@ TEST(the_order_of_people_in_the_file_does_not_matter) {
             json_array_append(people, json_array_get(people, 0));
             json_array_remove(people, 0);
         }
-        House house = case_made(plan, -1, NULL);
+        House house;
+        case_made(&house, plan, -1, NULL);
         Observation observation = case_run(&house, 1);
         digest[order] = observation.digest;
         CHECK(observation.completed);

@@ -29,6 +29,9 @@ static const double ROUND_RETURN_SPEED = 0.2; /* m/s, at most */
 static const double ROUND_LATERAL = 1.0;      /* m/s2, at most */
 /* m and rad: smaller progress than this does not count as getting on. */
 static const double PROGRESS = 0.05;
+/* s, m and times: when somebody who touches something no longer gets on, how far they back off, how often. */
+static const double RETRY_AFTER = 2, RETREAT = 0.25;
+enum { RETRIES_MOST = 3 };
 /* m: the paper's F4 has R in its denominator; it is not taken smaller. */
 static const double SMALLEST_RADIUS = 0.1;
 
@@ -42,7 +45,6 @@ typedef struct Place {
     Vec2 along;                    /* unit, the way's direction of travel */
     double heading;                /* rad, of the track */
     double speed;                  /* m/s, the track's limit */
-    double end;                    /* m, to where the direction of travel changes; infinite when it does not */
 } Place;
 
 static int piece_direction(const Track *track, size_t index) {
@@ -67,7 +69,7 @@ static void pass_point(const Track *track, const Profile *profile, Drive *drive)
 
 /* Moves along the track as far as the reference point has come, and measures the offset. */
 static Place find_place(const Track *track, const Profile *profile, Vec2 at, Drive *drive) {
-    Place place = {.end = HUGE_VAL};
+    Place place;
     for (;;) {
         place.here = &track->points[drive->index];
         place.next = drive->index + 1 < track->count ? place.here + 1 : place.here;
@@ -98,6 +100,33 @@ static void watch_progress(Drive *drive, double dt) {
     if (drive->s > drive->best_s + PROGRESS) {
         drive->best_s = drive->s;
         drive->stalled = 0;
+        drive->retries = 0;
+    }
+}
+
+/* Somebody who has run against something backs off a little and tries again. Says whether this is such a step; the
+ * retreat does not go beyond the piece of the way that is being driven. */
+static bool retreats(const Track *track, Drive *drive, bool touches) {
+    double due = RETRY_AFTER * (drive->retries + 1);
+    if (drive->retreat_to < 0 && touches && drive->stalled > due && drive->retries < RETRIES_MOST) {
+        drive->retreat_to = fmax(drive->s - RETREAT, 0);
+        drive->retries++;
+    }
+    bool ended = drive->s <= drive->retreat_to || drive->stalled > due + RETRY_AFTER ||
+                 (drive->index > 0 && track->points[drive->index].direction != piece_direction(track, drive->index));
+    if (drive->retreat_to >= 0 && ended)
+        drive->retreat_to = -1;
+    return drive->retreat_to >= 0;
+}
+
+/* The retreating reference point passes the track's points backwards. */
+static void step_back(const Track *track, Vec2 at, Drive *drive) {
+    while (drive->index > 0 && track->points[drive->index].direction == piece_direction(track, drive->index)) {
+        const TrackPoint *here = &track->points[drive->index];
+        Vec2 way = vec2_sub(here[1].at, here->at);
+        if (drive->index + 1 >= track->count || vec2_dot(vec2_sub(at, here->at), way) >= 0)
+            return;
+        drive->index--;
     }
 }
 
@@ -228,11 +257,12 @@ static double driving_force(const Profile *profile, double target, double speed,
     return clamp(wanted, -profile->push, profile->push);
 }
 
-/* Towards the turn rate `target`, rad/s, which itself changes at `rate`, rad/s2. */
-static double turning_moment(const Profile *profile, double target, double rate, double turn) {
+/* Towards the turn rate `target`, rad/s, which itself changes at `rate`, rad/s2, against the moment `load` of what
+ * touches the body or its personal space: a driver feels it and holds against it, as hard as the arms allow. */
+static double turning_moment(const Profile *profile, double target, double rate, double turn, double load) {
     double square = profile->radius_of_gyration * profile->radius_of_gyration +
                     profile->mass_centre * profile->mass_centre; /* about the axle */
-    double wanted = profile->mass * square * ((target - turn) / profile->turn_response + rate);
+    double wanted = profile->mass * square * ((target - turn) / profile->turn_response + rate) - load;
     return clamp(wanted, -profile->turning_moment, profile->turning_moment);
 }
 
@@ -266,7 +296,8 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
     double speed = clamp(back / profile->speed_response / 4, -2 * SLOWEST, 2 * SLOWEST);
     double resistance = vec2_dot(world->force[i], axis);
     double push = driving_force(profile, speed, vec2_dot(world->velocity[i], axis), resistance);
-    return (Effort){vec2_scale(axis, push), turning_moment(profile, copysign(rate, left), 0, world->turn[i])};
+    return (Effort){vec2_scale(axis, push),
+                    turning_moment(profile, copysign(rate, left), 0, world->turn[i], world->moment[i])};
 }
 
 static Effort drive_driver(const World *world, size_t i, Drive *drive, const Place *place) {
@@ -285,17 +316,24 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
         drive->pause -= world->clock.dt;
         target = 0;
     }
+    int sense = 1; /* along the way, or back */
+    if (retreats(&world->journeys[i].track, drive, world->sense[i].body_force > 0)) {
+        target = profile->reversing_speed;
+        sense = -1;
+    }
     /* Offsets and turns in the body's own sense: its left, its heading, also when it goes backwards. */
     double speed = vec2_dot(world->velocity[i], axis);
     double offset = direction * (drive->offset - drive->aside);
     double slant = vec2_wrap_angle(world->heading[i] - place->heading);
     double pace = fmax(fabs(speed), SLOWEST) * (target > 0);
-    double bend = place->next->curvature * pace;
-    double turn = bend - profile->lateral_gain * direction * pace * offset - profile->heading_gain * pace * sin(slant);
+    double bend = sense * place->next->curvature * pace;
+    double turn =
+        bend - profile->lateral_gain * sense * direction * pace * offset - profile->heading_gain * pace * sin(slant);
     turn = clamp(turn, -profile->turn_rate, profile->turn_rate);
     double resistance = vec2_dot(world->force[i], axis);
-    return (Effort){vec2_scale(axis, driving_force(profile, direction * target, speed, resistance)),
-                    turning_moment(profile, turn, pace * pace * place->next->bending, world->turn[i])};
+    return (Effort){
+        vec2_scale(axis, driving_force(profile, sense * direction * target, speed, resistance)),
+        turning_moment(profile, turn, pace * pace * place->next->bending, world->turn[i], world->moment[i])};
 }
 
 /* The paper's: along the leg, or along the tangent about the corner with F4 towards it. */
@@ -326,6 +364,8 @@ static Effort drive_miura(const World *world, size_t i, Drive *drive, const Plac
 
 Effort drive_person(const World *world, size_t i, Drive *drive) {
     const Profile *profile = world->house->people[i].profile;
+    if (drive->retreat_to >= 0)
+        step_back(&world->journeys[i].track, world_reference(world, i), drive);
     Place place = find_place(&world->journeys[i].track, profile, world_reference(world, i), drive);
     watch_progress(drive, world->clock.dt);
     return profile->driving == DRIVING_MIURA ? drive_miura(world, i, drive, &place)

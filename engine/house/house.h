@@ -1,5 +1,6 @@
 /* Everything about a house that is given: the plan, who lives in it, and what follows from the two once and for all. A
- * world moves in it and never changes it. */
+ * world moves in it and never changes it. A house that has been read stays where it is: its parts point at one another.
+ */
 #pragma once
 
 #include <stdbool.h>

@@ -171,10 +171,14 @@ void track_build_driver(Track *track, const House *house, const Inhabitant *pers
 
 /* m: distance between points. */
 static const double SPACING = 0.05;
+/* m: the last leg ends so far beyond the exit's line. */
+static const double BEYOND_EXIT = 0.1;
 /* rad: turns of the shortest path smaller than this are not corners of a passage. */
 static const double SMALLEST_CORNER = 0.15;
 /* m: bends of the shortest path nearer to one another than this belong to one corner. */
 static const double SAME_CORNER = 0.25;
+/* m: and those about centres nearer to one another than this. */
+static const double SAME_CENTRE = 0.05;
 /* m: what a corner's arc is narrowed to, beyond the body, when the middle of the passage is not free. */
 static const double LEAST_SPARE = 0.02;
 
@@ -208,6 +212,22 @@ static Vec2 turning_centre(const House *house, Vec2 at, Vec2 inwards, double rad
     return best;
 }
 
+/* Where the last leg leads: a step beyond the middle of the exit, or the end of the shortest path when that is not
+ * free. */
+static Vec2 way_out(const House *house, const Inhabitant *person, const Route *route) {
+    const Exit *exit = &house->plan.exits[route->exit];
+    const Pose *end = &route->poses[route->count - 1];
+    Vec2 middle = vec2_scale(vec2_add(exit->from, exit->to), 0.5);
+    Vec2 across = vec2_left(vec2_unit(vec2_sub(exit->to, exit->from)));
+    if (vec2_dot(across, vec2_heading(end->heading)) < 0)
+        across = vec2_scale(across, -1);
+    Vec2 beyond = vec2_along(middle, BEYOND_EXIT, across);
+    double radius = person->profile->width / 2;
+    bool free =
+        freespace_distance(&house->space, middle) >= radius && freespace_distance(&house->space, beyond) >= radius;
+    return free ? beyond : end->at;
+}
+
 /* Corners of the shortest path: runs of bends to the same side. */
 static size_t find_turnings(const House *house, const Inhabitant *person, const Route *route, Turning *turnings) {
     size_t count = 0;
@@ -235,12 +255,14 @@ static size_t find_turnings(const House *house, const Inhabitant *person, const 
             const Pose *middle = &route->poses[(i + end) / 2];
             double side = total > 0 ? 1 : -1;
             Vec2 inwards = vec2_scale(vec2_left(vec2_heading(middle->heading)), side);
-            turnings[count++] = (Turning){
-                .centre = turning_centre(house, middle->at, inwards, person->profile->width / 2), .side = side};
+            Vec2 centre = turning_centre(house, middle->at, inwards, person->profile->width / 2);
+            const Turning *last = &turnings[count - 1];
+            if (last->side != side || vec2_distance(last->centre, centre) > SAME_CENTRE)
+                turnings[count++] = (Turning){.centre = centre, .side = side};
         }
         i = end;
     }
-    turnings[count++] = (Turning){.centre = route->poses[route->count - 1].at};
+    turnings[count++] = (Turning){.centre = way_out(house, person, route)};
     return count;
 }
 

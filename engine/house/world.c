@@ -105,6 +105,7 @@ static void place_person(World *world, size_t i, bool takes_part) {
     world->near[i].doors = -1;
     world->phase[i] = takes_part ? PHASE_WAITING : PHASE_ABSENT;
     world->drive[i].best_turn = HUGE_VAL;
+    world->drive[i].retreat_to = -1;
 }
 
 World world_create(const House *house, const Journey *journeys, const bool *part) {
@@ -326,7 +327,8 @@ static Effort brake_person(const World *world, size_t i) {
     double size = vec2_length(force), square = profile->radius_of_gyration * profile->radius_of_gyration;
     if (size > profile->push)
         force = vec2_scale(force, profile->push / size);
-    return (Effort){force, -profile->mass * square * world->turn[i] / profile->turn_response};
+    double moment = profile->mass * square * world->turn[i] / profile->turn_response;
+    return (Effort){force, -fmax(-profile->turning_moment, fmin(profile->turning_moment, moment))};
 }
 
 /* F3 and F4: everybody decides from the same frozen state. */

@@ -65,15 +65,17 @@ typedef struct Sense {
 
 /* How a person gets on along the track. */
 typedef struct Drive {
-    size_t index;     /* the last track point passed */
-    double s;         /* m, along the track */
-    double offset;    /* m, to the left of the track */
-    double aside;     /* m, the offset wanted, to let somebody pass */
-    double pause;     /* s, left of a change of direction */
-    double best_s;    /* m, farthest so far */
-    double best_turn; /* rad, least left of a turn on the spot */
-    double stalled;   /* s, without getting on */
-    double handle;    /* s, spent at a shut door's handle */
+    size_t index;      /* the last track point passed */
+    double s;          /* m, along the track */
+    double offset;     /* m, to the left of the track */
+    double aside;      /* m, the offset wanted, to let somebody pass */
+    double pause;      /* s, left of a change of direction */
+    double best_s;     /* m, farthest so far */
+    double best_turn;  /* rad, least left of a turn on the spot */
+    double stalled;    /* s, without getting on */
+    double handle;     /* s, spent at a shut door's handle */
+    double retreat_to; /* m, along the track: back to there, to try again; negative: not retreating */
+    int retries;       /* since the last progress */
 } Drive;
 
 typedef struct World {

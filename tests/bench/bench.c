@@ -1,0 +1,35 @@
+#include "bench.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <time.h>
+
+double bench_now(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+double bench_reference(void) {
+    enum { CELLS = 4096, ROUNDS = 2000 };
+    static volatile double sink;
+    double cells[CELLS], begin = bench_now();
+    for (int i = 0; i < CELLS; i++)
+        cells[i] = i;
+    for (int round = 0; round < ROUNDS; round++)
+        for (int i = 1; i < CELLS; i++)
+            cells[i] = sqrt(cells[i - 1] * cells[i - 1] + cells[i]) * 0.5;
+    sink = cells[CELLS - 1];
+    (void)sink;
+    return bench_now() - begin;
+}
+
+static int compare_values(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return x < y ? -1 : x > y;
+}
+
+double bench_median(double *values, int count) {
+    qsort(values, (size_t)count, sizeof *values, compare_values);
+    return values[count / 2];
+}
