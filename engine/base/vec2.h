@@ -85,8 +85,19 @@ static inline Vec2 vec2_nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) {
     return vec2_along(a, t < 0 ? 0 : t > 1 ? 1 : t, ab);
 }
 
+/* fmin and fmax without their care for NaN, which costs a call. */
+static inline double real_min(double a, double b) {
+    return a < b ? a : b;
+}
+
+static inline double real_max(double a, double b) {
+    return a > b ? a : b;
+}
+
 /* An angle brought into (-pi, pi]. */
 static inline double vec2_wrap_angle(double angle) {
+    if (angle > -M_PI && angle <= M_PI)
+        return angle;
     double wrapped = remainder(angle, 2 * M_PI);
     return wrapped <= -M_PI ? wrapped + 2 * M_PI : wrapped;
 }

@@ -89,7 +89,7 @@ static Place find_place(const Track *track, const Profile *profile, Vec2 at, Dri
         double turn = vec2_wrap_angle(place.next->heading - place.here->heading);
         place.heading = place.here->heading + part * turn;
         place.speed = place.here->speed + part * (place.next->speed - place.here->speed);
-        drive->s = place.here->s + fmax(done, 0);
+        drive->s = place.here->s + real_max(done, 0);
         drive->offset = vec2_cross(place.along, vec2_sub(at, place.here->at));
         return place;
     }
@@ -109,7 +109,7 @@ static void watch_progress(Drive *drive, double dt) {
 static bool retreats(const Track *track, Drive *drive, bool touches) {
     double due = RETRY_AFTER * (drive->retries + 1);
     if (drive->retreat_to < 0 && touches && drive->stalled > due && drive->retries < RETRIES_MOST) {
-        drive->retreat_to = fmax(drive->s - RETREAT, 0);
+        drive->retreat_to = real_max(drive->s - RETREAT, 0);
         drive->retries++;
     }
     bool ended = drive->s <= drive->retreat_to || drive->stalled > due + RETRY_AFTER ||
@@ -132,14 +132,6 @@ static void step_back(const Track *track, Vec2 at, Drive *drive) {
 
 /* Doors ------------------------------------------------------------------------------------------------------------ */
 
-/* The next point after which a door is crossed, from the one the person is at. */
-static const TrackPoint *next_door(const Track *track, size_t index) {
-    for (size_t k = index; k < track->count; k++)
-        if (track->points[k].door >= 0)
-            return &track->points[k];
-    return NULL;
-}
-
 /* How far the reference point stays from a shut door's line: its own front, and the leaf's swing when it opens this
  * way. */
 static double stand_off(const World *world, size_t i, int door_index) {
@@ -158,11 +150,12 @@ static double stand_off(const World *world, size_t i, int door_index) {
 /* m, to where the person waits for the next shut door; infinite when there is none. */
 static double way_to_door(const World *world, size_t i, int *door) {
     const Track *track = &world->journeys[i].track;
-    const TrackPoint *point = world->door_changes >= 0 ? next_door(track, world->drive[i].index) : NULL;
-    while (point && world->door_open[point->door])
-        point = next_door(track, (size_t)(point - track->points) + 1);
-    if (!point)
+    int next = track->points[world->drive[i].index].next_door;
+    while (next >= 0 && world->door_open[track->points[next].door])
+        next = (size_t)next + 1 < track->count ? track->points[next + 1].next_door : -1;
+    if (next < 0)
         return HUGE_VAL;
+    const TrackPoint *point = &track->points[next];
     *door = point->door;
     return point->s - stand_off(world, i, point->door) - world->drive[i].s;
 }
@@ -182,7 +175,7 @@ static double extent(const World *world, size_t i, Vec2 direction) {
     const Body *body = &world->body[i];
     double reach = -HUGE_VAL;
     for (int c = 0; c < body->core_count; c++)
-        reach = fmax(reach, vec2_dot(own, body->core[c]));
+        reach = real_max(reach, vec2_dot(own, body->core[c]));
     return reach + body->radius;
 }
 
@@ -210,8 +203,8 @@ static void mind_person(const World *world, size_t i, size_t j, double *aside, d
                      *there = nearest_point(track, drive->index, world->centre[j]);
     Vec2 way = vec2_scale(vec2_heading(there->heading), there->direction < 0 ? -1 : 1);
     Vec2 left = vec2_left(way), to = vec2_sub(world->centre[j], world->centre[i]);
-    double ahead =
-        fmin(there->s - drive->s, vec2_dot(to, way)) - extent(world, i, way) - extent(world, j, vec2_scale(way, -1));
+    double ahead = real_min(there->s - drive->s, vec2_dot(to, way)) - extent(world, i, way) -
+                   extent(world, j, vec2_scale(way, -1));
     double lateral = vec2_dot(left, vec2_sub(world->centre[j], there->at)), apart = lateral - drive->offset;
     Vec2 side = apart > 0 ? left : vec2_scale(left, -1);
     double beside = extent(world, i, side) + extent(world, j, vec2_scale(side, -1));
@@ -219,15 +212,15 @@ static void mind_person(const World *world, size_t i, size_t j, double *aside, d
     if (fabs(lateral) > SIGHT / 2)
         return;
     if (coming < SLOWEST) {
-        double room = fmin(here->room_left, there->room_left) - profile->width / 2 - WALL_SPACE;
-        *aside = fmax(*aside, fmin(lateral + beside + PASSING_SPACE, fmax(room, 0)));
+        double room = real_min(here->room_left, there->room_left) - profile->width / 2 - WALL_SPACE;
+        *aside = real_max(*aside, real_min(lateral + beside + PASSING_SPACE, real_max(room, 0)));
     }
     double gap = fabs(apart) - beside;
     if (gap > PASSING_LEAST || ahead < -PEOPLE_STAND_OFF)
-        *speed = fmin(*speed, fmax(2 * gap / fmax(profile->steering_time, 1e-3), SLOW_PASSING));
+        *speed = real_min(*speed, real_max(2 * gap / real_max(profile->steering_time, 1e-3), SLOW_PASSING));
     else
-        *speed = fmin(*speed,
-                      sqrt(2 * PLANNED * profile->deceleration * fmax(0, ahead - PEOPLE_STAND_OFF)) + fmax(coming, 0));
+        *speed = real_min(*speed, sqrt(2 * PLANNED * profile->deceleration * real_max(0, ahead - PEOPLE_STAND_OFF)) +
+                                      real_max(coming, 0));
 }
 
 static void mind_people(const World *world, size_t i, Drive *drive, Vec2 travel, double *speed) {
@@ -291,7 +284,7 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
     }
     double inertia = profile->mass * profile->radius_of_gyration * profile->radius_of_gyration;
     double brake = PLANNED / 2 * profile->turning_moment / inertia; /* rad/s2 */
-    double rate = fmin(profile->turn_rate, sqrt(2 * brake * fabs(left)));
+    double rate = real_min(profile->turn_rate, sqrt(2 * brake * fabs(left)));
     double back = vec2_dot(vec2_sub(place->here->at, world_reference(world, i)), axis);
     double speed = clamp(back / profile->speed_response / 4, -2 * SLOWEST, 2 * SLOWEST);
     double resistance = vec2_dot(world->force[i], axis);
@@ -306,11 +299,11 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     int direction = piece_direction(&world->journeys[i].track, drive->index);
     if (direction == 0)
         return turn_on_the_spot(world, i, drive, place);
-    double target = fmax(place->speed, SLOWEST);
+    double target = real_max(place->speed, SLOWEST);
     int door = -1;
     double to_door = way_to_door(world, i, &door);
     if (door >= 0)
-        target = fmin(target, sqrt(2 * PLANNED * profile->deceleration * fmax(to_door, 0)));
+        target = real_min(target, sqrt(2 * PLANNED * profile->deceleration * real_max(to_door, 0)));
     mind_people(world, i, drive, vec2_scale(axis, direction), &target);
     if (drive->pause > 0) {
         drive->pause -= world->clock.dt;
@@ -325,7 +318,7 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     double speed = vec2_dot(world->velocity[i], axis);
     double offset = direction * (drive->offset - drive->aside);
     double slant = vec2_wrap_angle(world->heading[i] - place->heading);
-    double pace = fmax(fabs(speed), SLOWEST) * (target > 0);
+    double pace = real_max(fabs(speed), SLOWEST) * (target > 0);
     double bend = sense * place->next->curvature * pace;
     double turn =
         bend - profile->lateral_gain * sense * direction * pace * offset - profile->heading_gain * pace * sin(slant);
@@ -344,15 +337,15 @@ static Effort drive_miura(const World *world, size_t i, Drive *drive, const Plac
     if (place->here->corner >= 0 && place->next->corner >= 0) {
         const TrackCorner *corner = &track->corners[place->here->corner];
         Vec2 from = vec2_sub(world->centre[i], corner->centre);
-        double radius = fmax(vec2_length(from), SMALLEST_RADIUS);
+        double radius = real_max(vec2_length(from), SMALLEST_RADIUS);
         way = vec2_scale(vec2_left(vec2_unit(from)), corner->turn > 0 ? 1 : -1);
         double speed = vec2_dot(velocity, way);
         centripetal = vec2_scale(vec2_unit(from), -profile->mass * speed * speed / radius);
     }
     int door = -1;
-    double to_door = way_to_door(world, i, &door), target = fmax(place->speed, SLOWEST);
+    double to_door = way_to_door(world, i, &door), target = real_max(place->speed, SLOWEST);
     if (door >= 0)
-        target = fmin(target, sqrt(2 * PLANNED * profile->deceleration * fmax(to_door, 0)));
+        target = real_min(target, sqrt(2 * PLANNED * profile->deceleration * real_max(to_door, 0)));
     double push = driving_force(profile, target, vec2_dot(velocity, way), vec2_dot(world->force[i], way));
     Vec2 across = vec2_left(way);
     double back = clamp(-drive->offset / ROUND_RETURN_TIME, -ROUND_RETURN_SPEED, ROUND_RETURN_SPEED);

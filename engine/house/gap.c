@@ -20,8 +20,12 @@ Body body_of(const Profile *profile) {
     body.core[1] = vec2(body.core_high.x, body.core_low.y);
     body.core[2] = body.core_high;
     body.core[3] = vec2(body.core_low.x, body.core_high.y);
-    for (int i = 0; i < 4; i++)
-        body.outer = fmax(body.outer, vec2_length(body.core[i]) + body.radius + body.reach);
+    body.middle = vec2_scale(vec2_add(body.core_low, body.core_high), 0.5);
+    body.half = vec2_scale(vec2_sub(body.core_high, body.core_low), 0.5);
+    for (int i = 0; i < 4; i++) {
+        body.swing = fmax(body.swing, vec2_length(body.core[i]));
+        body.outer = fmax(body.outer, vec2_length(vec2_sub(body.core[i], body.middle)) + body.radius + body.reach);
+    }
     return body;
 }
 
@@ -93,11 +97,28 @@ static bool gather(void *context, int item) {
     return true;
 }
 
-void near_gather(Near *near, const Outline *outline, const Plan *plan, const bool *door_open, Vec2 centre,
-                 double outer) {
-    Gathering gathering = {.outline = outline, .door_open = door_open, .centre = centre, .reach = outer + NEAR_SKIN};
-    broadphase_visit(outline->broadphase, box_around(centre, gathering.reach), gather, &gathering);
-    near->centre = centre;
+/* A body as it stands. */
+typedef struct Stance {
+    const Body *body;
+    Vec2 centre, axis;
+    Vec2 middle;  /* m, of the core */
+    Vec2 core[4]; /* m, the core's corners from the centre */
+} Stance;
+
+static Stance stance_of(const Body *body, Vec2 centre, Vec2 axis) {
+    Stance stance = {.body = body, .centre = centre, .axis = axis};
+    stance.middle = vec2_add(centre, vec2_turn(body->middle, axis));
+    for (int i = 0; i < body->core_count; i++)
+        stance.core[i] = vec2_turn(body->core[i], axis);
+    return stance;
+}
+
+static void gather_all(Near *near, double outer, Vec2 middle, const Outline *outline, const Plan *plan,
+                       const bool *door_open) {
+    Gathering gathering = {
+        .outline = outline, .door_open = door_open, .centre = middle, .reach = outer + NEAR_SKIN + NEAR_SLACK};
+    broadphase_visit(outline->broadphase, box_around(middle, gathering.reach), gather, &gathering);
+    near->centre = middle;
     near->faces = near->corners = 0;
     for (int i = 0; i < gathering.count; i++) {
         size_t item = (size_t)gathering.candidate[i].item;
@@ -116,6 +137,52 @@ void near_gather(Near *near, const Outline *outline, const Plan *plan, const boo
                 (NearCorner){.at = corner->at, .in = corner->in, .out = corner->out, .id = (int)item};
         }
     }
+}
+
+/* May a corner of the core be within `reach` of the face? */
+static bool face_is_close(const Stance *stance, const NearFace *face, double reach) {
+    const Body *body = stance->body;
+    Vec2 tangent = vec2_left(face->normal);
+    double across = fabs(vec2_dot(face->normal, stance->axis)), beside = fabs(vec2_dot(tangent, stance->axis));
+    double deep = across * body->half.x + beside * body->half.y, wide = beside * body->half.x + across * body->half.y;
+    double from_middle = vec2_dot(face->normal, stance->middle) - face->offset;
+    double along_middle = vec2_dot(tangent, stance->middle), slack = reach - body->reach;
+    return from_middle - deep - body->radius < reach && from_middle + deep > -face->depth - slack &&
+           along_middle + wide + slack > face->begin && along_middle - wide - slack < face->end;
+}
+
+/* May the core be within `reach` of the obstacle's corner? */
+static bool corner_is_close(const Stance *stance, const NearCorner *corner, double reach) {
+    const Body *body = stance->body;
+    Vec2 local = vec2_unturn(vec2_sub(corner->at, stance->middle), stance->axis);
+    double outer = body->radius + reach;
+    return fabs(local.x) < body->half.x + outer && fabs(local.y) < body->half.y + outer;
+}
+
+static void choose_close(Near *near, const Stance *stance) {
+    double reach = stance->body->reach + NEAR_SLACK;
+    near->slack_centre = stance->centre;
+    near->slack_axis = stance->axis;
+    near->close_faces = near->close_corners = 0;
+    for (int i = 0; i < near->faces; i++)
+        if (face_is_close(stance, &near->face[i], reach))
+            near->close_face[near->close_faces++] = (short)i;
+    for (int i = 0; i < near->corners; i++)
+        if (corner_is_close(stance, &near->corner[i], reach))
+            near->close_corner[near->close_corners++] = (short)i;
+}
+
+void near_update(Near *near, const Body *body, Vec2 centre, Vec2 axis, const Outline *outline, const Plan *plan,
+                 const bool *door_open, int door_changes) {
+    bool same_doors = near->doors == door_changes + 1;
+    double moved = vec2_distance(centre, near->slack_centre) + vec2_distance(axis, near->slack_axis) * body->swing;
+    if (same_doors && moved < NEAR_SLACK)
+        return;
+    Stance stance = stance_of(body, centre, axis);
+    if (!same_doors || vec2_distance(near->centre, stance.middle) > NEAR_SKIN)
+        gather_all(near, body->outer, stance.middle, outline, plan, door_open);
+    near->doors = door_changes + 1;
+    choose_close(near, &stance);
 }
 
 /* Gaps ------------------------------------------------------------------------------------------------------------- */
@@ -150,7 +217,7 @@ static void fill_shares(Gap *gaps, size_t count, double reach) {
  * decides and the distance is negative. */
 static double core_distance(const Body *body, Vec2 local, Vec2 *nearest, Vec2 *normal) {
     Vec2 low = body->core_low, high = body->core_high;
-    *nearest = vec2(fmax(low.x, fmin(high.x, local.x)), fmax(low.y, fmin(high.y, local.y)));
+    *nearest = vec2(real_max(low.x, real_min(high.x, local.x)), real_max(low.y, real_min(high.y, local.y)));
     Vec2 off = vec2_sub(*nearest, local);
     double distance = vec2_length(off);
     if (distance > 0) {
@@ -168,77 +235,62 @@ static double core_distance(const Body *body, Vec2 local, Vec2 *nearest, Vec2 *n
     return -depth[least];
 }
 
-static size_t gaps_to_face(Gap *gaps, size_t count, const Body *body, Vec2 centre, const Vec2 *core,
-                           const NearFace *face) {
-    double from_centre = vec2_dot(face->normal, centre) - face->offset;
-    double along_centre = face->normal.x * centre.y - face->normal.y * centre.x;
-    if (from_centre > body->outer || from_centre < -body->outer || along_centre < face->begin - body->outer ||
-        along_centre > face->end + body->outer)
-        return count;
+static size_t gaps_to_face(Gap *gaps, size_t count, const Stance *stance, const NearFace *face) {
+    const Body *body = stance->body;
+    Vec2 tangent = vec2_left(face->normal);
     for (int c = 0; c < body->core_count; c++) {
-        double distance = from_centre + vec2_dot(face->normal, core[c]);
-        double along = along_centre + face->normal.x * core[c].y - face->normal.y * core[c].x;
+        Vec2 corner = vec2_add(stance->centre, stance->core[c]);
+        double distance = vec2_dot(face->normal, corner) - face->offset, along = vec2_dot(tangent, corner);
         double gap = distance - body->radius;
         if (gap < body->reach && distance > -face->depth && along >= face->begin && along <= face->end)
             count = add_gap(gaps, count,
                             (Gap){.gap = gap,
                                   .normal = face->normal,
-                                  .arm = vec2_along(core[c], -distance, face->normal),
+                                  .arm = vec2_along(stance->core[c], -distance, face->normal),
                                   .key = face->id * PARTS + c});
     }
     return count;
 }
 
-static size_t gap_to_corner(Gap *gaps, size_t count, const Body *body, Vec2 centre, Vec2 axis,
-                            const NearCorner *corner) {
-    Vec2 arm = vec2_sub(corner->at, centre);
-    if (vec2_dot(arm, arm) > body->outer * body->outer)
-        return count;
-    Vec2 nearest, normal;
-    double distance = core_distance(body, vec2_unturn(arm, axis), &nearest, &normal);
-    double gap = distance - body->radius;
+static size_t gap_to_corner(Gap *gaps, size_t count, const Stance *stance, const NearCorner *corner) {
+    const Body *body = stance->body;
+    Vec2 arm = vec2_sub(corner->at, stance->centre), local = vec2_unturn(arm, stance->axis), nearest, normal;
+    double gap = core_distance(body, local, &nearest, &normal) - body->radius;
     if (gap >= body->reach)
         return count;
-    Vec2 outwards = vec2_turn(normal, axis);
+    Vec2 outwards = vec2_turn(normal, stance->axis);
     if (vec2_dot(outwards, corner->in) < 0 || vec2_dot(outwards, corner->out) > 0)
         return count; /* a face is nearer */
     return add_gap(gaps, count,
                    (Gap){.gap = gap, .normal = outwards, .arm = arm, .key = corner->id * PARTS + PART_SIDE});
 }
 
-static void turn_core(Vec2 turned[4], const Body *body, Vec2 axis) {
-    for (int i = 0; i < body->core_count; i++)
-        turned[i] = vec2_turn(body->core[i], axis);
-}
-
 size_t gap_to_obstacles(Gap gaps[GAPS_MOST], const Body *body, Vec2 centre, Vec2 axis, const Near *near) {
-    Vec2 core[4];
+    Stance stance = stance_of(body, centre, axis);
     size_t count = 0;
-    turn_core(core, body, axis);
-    for (int i = 0; i < near->faces; i++)
-        count = gaps_to_face(gaps, count, body, centre, core, &near->face[i]);
-    for (int i = 0; i < near->corners; i++)
-        count = gap_to_corner(gaps, count, body, centre, axis, &near->corner[i]);
+    for (int i = 0; i < near->close_faces; i++)
+        count = gaps_to_face(gaps, count, &stance, &near->face[near->close_face[i]]);
+    for (int i = 0; i < near->close_corners; i++)
+        count = gap_to_corner(gaps, count, &stance, &near->corner[near->close_corner[i]]);
     fill_shares(gaps, count, body->reach);
     return count;
 }
 
 /* The gaps of a's core corners to b's core; normals point to a. */
-static size_t gaps_of_corners(Gap *gaps, size_t count, const Body *a, Vec2 centre_a, const Vec2 *core_a, const Body *b,
-                              Vec2 centre_b, Vec2 axis_b, double reach, bool swapped) {
-    for (int c = 0; c < a->core_count; c++) {
-        Vec2 corner = vec2_add(centre_a, core_a[c]), nearest, normal;
-        double distance = core_distance(b, vec2_unturn(vec2_sub(corner, centre_b), axis_b), &nearest, &normal);
-        double gap = distance - a->radius - b->radius;
+static size_t gaps_of_corners(Gap *gaps, size_t count, const Stance *a, const Stance *b, double reach, bool swapped) {
+    double radii = a->body->radius + b->body->radius;
+    for (int c = 0; c < a->body->core_count; c++) {
+        Vec2 corner = vec2_add(a->centre, a->core[c]), nearest, normal;
+        Vec2 local = vec2_unturn(vec2_sub(corner, b->centre), b->axis);
+        double gap = core_distance(b->body, local, &nearest, &normal) - radii;
         if (gap >= reach)
             continue;
-        Vec2 from_b = vec2_scale(vec2_turn(normal, axis_b), -1);
-        Vec2 meeting = vec2_along(corner, -(a->radius + gap / 2), from_b);
-        Vec2 owner = swapped ? centre_b : centre_a;
+        Vec2 from_b = vec2_scale(vec2_turn(normal, b->axis), -1);
+        Vec2 meeting = vec2_along(corner, -(a->body->radius + gap / 2), from_b);
         count = add_gap(gaps, count,
                         (Gap){.gap = gap,
                               .normal = swapped ? vec2_scale(from_b, -1) : from_b,
-                              .arm = vec2_sub(meeting, owner),
+                              .arm = vec2_sub(meeting, swapped ? b->centre : a->centre),
                               .key = c + (swapped ? PART_SIDE : 0)});
     }
     return count;
@@ -246,12 +298,10 @@ static size_t gaps_of_corners(Gap *gaps, size_t count, const Body *a, Vec2 centr
 
 size_t gap_to_body(Gap gaps[GAPS_MOST], const Body *a, Vec2 centre_a, Vec2 axis_a, const Body *b, Vec2 centre_b,
                    Vec2 axis_b, double reach) {
-    Vec2 core_a[4], core_b[4];
-    turn_core(core_a, a, axis_a);
-    turn_core(core_b, b, axis_b);
-    size_t count = gaps_of_corners(gaps, 0, a, centre_a, core_a, b, centre_b, axis_b, reach, false);
+    Stance stance_a = stance_of(a, centre_a, axis_a), stance_b = stance_of(b, centre_b, axis_b);
+    size_t count = gaps_of_corners(gaps, 0, &stance_a, &stance_b, reach, false);
     if (b->core_count > 1 || a->core_count > 1)
-        count = gaps_of_corners(gaps, count, b, centre_b, core_b, a, centre_a, axis_a, reach, true);
+        count = gaps_of_corners(gaps, count, &stance_b, &stance_a, reach, true);
     fill_shares(gaps, count, reach);
     return count;
 }

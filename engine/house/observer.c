@@ -105,7 +105,7 @@ static void watch_contact(PersonObservation *person, Stretch *stretch, Watched *
         person->contacts += watched->untouched >= NEW_CONTACT;
         watched->untouched = 0;
         person->impulse += sense->body_force * dt;
-        stretch->peak_force = fmax(stretch->peak_force, sense->body_force);
+        stretch->peak_force = real_max(stretch->peak_force, sense->body_force);
         if (sense->body_force > person->peak_force) {
             person->peak_force = sense->body_force;
             person->peak_at = sense->contact_at;
@@ -128,7 +128,7 @@ static void watch_person(Observer *observer, size_t i) {
     watch_clearance(person, stretch, world, i, at);
     watch_contact(person, stretch, watched, sense, dt);
     person->ring_time += sense->ring > FELT ? dt : 0;
-    person->ring_peak = fmax(person->ring_peak, sense->ring);
+    person->ring_peak = real_max(person->ring_peak, sense->ring);
     if (world->phase[i] != PHASE_WAITING) {
         double lost = dt - moved / free_speed;
         person->lost_time += lost;

@@ -77,9 +77,13 @@ static int door_between(const Plan *plan, Vec2 from, Vec2 to) {
 }
 
 static void mark_doors(Track *track, const Plan *plan) {
-    for (size_t i = 0; i < track->count; i++)
-        track->points[i].door =
-            i + 1 < track->count ? door_between(plan, track->points[i].at, track->points[i + 1].at) : -1;
+    int next_door = -1;
+    for (size_t i = track->count; i-- > 0;) {
+        TrackPoint *point = &track->points[i];
+        point->door = i + 1 < track->count ? door_between(plan, point->at, point[1].at) : -1;
+        next_door = point->door >= 0 ? (int)i : next_door;
+        point->next_door = next_door;
+    }
 }
 
 /* Width and room at every point, looking across the body's middle. */

@@ -32,6 +32,7 @@ typedef struct TrackPoint {
     int direction;     /* +1 forwards, -1 backwards, 0 a turn on the spot */
     int corner;        /* index of the corner that the point belongs to, or -1 */
     int door;          /* the door that opens and shuts and whose line is crossed after this point, or -1 */
+    int next_door;     /* index of the first point from here on that has a door, or -1 */
 } TrackPoint;
 
 /* A corner of the paper's: turned about `centre`. */

@@ -102,7 +102,6 @@ static void place_person(World *world, size_t i, bool takes_part) {
     world->axis[i] = vec2_heading(person->heading);
     world->centre[i] = vec2_along(person->at, ahead, world->axis[i]);
     world->exit[i] = SIZE_MAX;
-    world->near[i].doors = -1;
     world->phase[i] = takes_part ? PHASE_WAITING : PHASE_ABSENT;
     world->drive[i].best_turn = HUGE_VAL;
     world->drive[i].retreat_to = -1;
@@ -173,7 +172,7 @@ static void feel(Sense *sense, const Body *body, const Gap *gap, double body_for
         sense->nearest_at = at;
         sense->other = other;
     }
-    sense->ring = fmax(sense->ring, fmin(body->reach, body->reach - gap->gap));
+    sense->ring = real_max(sense->ring, real_min(body->reach, body->reach - gap->gap));
     if (body_force > 0 && body_force >= sense->body_force)
         sense->contact_at = at;
     sense->body_force += body_force;
@@ -185,15 +184,12 @@ static void force_of_obstacles(World *world, size_t i) {
     const House *house = world->house;
     const Profile *profile = house->people[i].profile;
     Body *body = &world->body[i];
-    Near *near = &world->near[i];
     Vec2 centre = world->centre[i];
-    if (near->doors != world->door_changes || vec2_distance(near->centre, centre) > NEAR_SKIN) {
-        near_gather(near, &house->outline, &house->plan, world->door_open, centre, body->outer);
-        near->doors = world->door_changes;
-    }
+    near_update(&world->near[i], body, centre, world->axis[i], &house->outline, &house->plan, world->door_open,
+                world->door_changes);
     Gap gaps[GAPS_MOST];
     Slip kept[GAPS_MOST], *slips = world->slips + i * GAPS_MOST;
-    size_t count = gap_to_obstacles(gaps, body, centre, world->axis[i], near);
+    size_t count = gap_to_obstacles(gaps, body, centre, world->axis[i], &world->near[i]);
     Vec2 force = {0, 0};
     double moment = 0;
     for (size_t g = 0; g < count; g++) {
@@ -227,8 +223,9 @@ static ContactLaw mean_law(const ContactLaw *a, const ContactLaw *b) {
 static void force_of_pair(World *world, size_t i, size_t j, Slip *slips) {
     const Profile *a = world->house->people[i].profile, *b = world->house->people[j].profile;
     const Body *body_a = &world->body[i], *body_b = &world->body[j];
-    double reach = fmax(body_a->reach, body_b->reach);
-    if (vec2_distance(world->centre[i], world->centre[j]) > body_a->outer + body_b->outer) {
+    double reach = real_max(body_a->reach, body_b->reach);
+    if (vec2_distance(world->centre[i], world->centre[j]) >
+        body_a->swing + body_a->radius + body_b->swing + body_b->radius + reach) {
         for (int k = 0; k < PAIR_GAPS; k++)
             slips[k].body = slips[k].ring = 0;
         return;
@@ -263,11 +260,12 @@ static void force_of_pair(World *world, size_t i, size_t j, Slip *slips) {
 
 static void gather_forces(World *world) {
     for (size_t i = 0; i < world->count; i++) {
+        if (!is_there(world, i))
+            continue;
         world->force[i] = vec2(0, 0);
         world->moment[i] = 0;
         world->sense[i] = (Sense){.clearance = world->body[i].reach, .other = -1};
-        if (is_there(world, i))
-            force_of_obstacles(world, i);
+        force_of_obstacles(world, i);
     }
     Slip *slips = world->pair_slips;
     for (size_t i = 0; i < world->count; i++)
@@ -286,7 +284,7 @@ static bool leaf_is_free(const World *world, size_t door) {
         if (face->door != (int)door || face->presence != PRESENT_OPEN)
             continue;
         for (size_t i = 0; i < world->count; i++) {
-            double body = world->body[i].outer - world->body[i].reach;
+            double body = world->body[i].swing + world->body[i].radius;
             Vec2 nearest = vec2_nearest_on_segment(world->centre[i], face->a, face->b);
             if (is_there(world, i) && vec2_distance(world->centre[i], nearest) < body) {
                 Vec2 local = vec2_unturn(vec2_sub(nearest, world->centre[i]), world->axis[i]);
@@ -328,7 +326,7 @@ static Effort brake_person(const World *world, size_t i) {
     if (size > profile->push)
         force = vec2_scale(force, profile->push / size);
     double moment = profile->mass * square * world->turn[i] / profile->turn_response;
-    return (Effort){force, -fmax(-profile->turning_moment, fmin(profile->turning_moment, moment))};
+    return (Effort){force, -real_max(-profile->turning_moment, real_min(profile->turning_moment, moment))};
 }
 
 /* F3 and F4: everybody decides from the same frozen state. */
@@ -446,8 +444,8 @@ static bool clip(double from, double to, double low, double high, double *begin,
     if (from == to)
         return from > low && from < high;
     double a = (low - from) / (to - from), b = (high - from) / (to - from);
-    *begin = fmax(*begin, fmin(a, b));
-    *end = fmin(*end, fmax(a, b));
+    *begin = real_max(*begin, real_min(a, b));
+    *end = real_min(*end, real_max(a, b));
     return *begin < *end;
 }
 
@@ -457,7 +455,7 @@ bool world_is_clear(const World *world, size_t i) {
     const Body *body = &world->body[i];
     int items[MOST];
     size_t found =
-        broadphase_query(outline->broadphase, box_around(world->centre[i], body->outer - body->reach), items, MOST);
+        broadphase_query(outline->broadphase, box_around(world->centre[i], body->swing + body->radius), items, MOST);
     for (size_t k = 0; k < found && k < MOST; k++) {
         if ((size_t)items[k] >= outline->face_count)
             continue;
