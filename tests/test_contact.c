@@ -20,7 +20,8 @@ TEST(a_closed_gap_never_pulls) {
             CHECK(contact_normal(&law, gap, rate) >= 0);
 }
 
-/* One collision, released at zero force: e = exp(-z t_c), t_c = (pi - atan2(2 z w, w^2 - z^2)) / w, w = sqrt(1 - z^2). */
+/* One collision, released at zero force: e = exp(-z t_c), t_c = (pi - atan2(2 z w, w^2 - z^2)) / w, w = sqrt(1 - z^2).
+ */
 TEST(restitution_is_the_closed_form_of_release_at_zero_force) {
     const double ratios[] = {0.01, 0.05, 0.1, 0.2, 0.5};
     const double expected[] = {0.969265, 0.858758, 0.744079, 0.571740, 0.298436};

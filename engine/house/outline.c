@@ -14,6 +14,8 @@ static const double UNION_GRID = 1e-6;
 static const double OWNER_TOLERANCE = 1e-5;
 /* 1: the sine of the turn below which two edges count as one straight face. */
 static const double STRAIGHT = 1e-5;
+/* 1: the sine of the angle below which a ray runs along a face rather than into it. */
+static const double GRAZING = 1e-5;
 /* 1: mitred joints of walls reach at most this many half thicknesses. */
 static const double MITRE_LIMIT = 5;
 
@@ -501,7 +503,7 @@ static double ray_hit(void *context, int item, Vec2 from, Vec2 to, double best) 
     const Face *face = &ray->outline->faces[item];
     Vec2 along = vec2_sub(to, from), side = vec2_sub(face->b, face->a), offset = vec2_sub(face->a, from);
     double turn = vec2_cross(along, side);
-    if (turn == 0)
+    if (fabs(turn) < GRAZING * vec2_length(along) * vec2_length(side)) /* along the face: its neighbours end the ray */
         return best;
     double t = vec2_cross(offset, side) / turn, s = vec2_cross(offset, along) / turn;
     if (t < 0 || t >= best || s < 0 || s > 1)

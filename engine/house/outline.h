@@ -47,7 +47,7 @@ typedef struct Outline {
     Vec2 *ring_points;   /* (ring_point_count) the solids' closed rings, one after another, for filling */
     size_t *ring_starts; /* (ring_count + 1) */
     size_t face_count, corner_count, ring_count, ring_point_count;
-    Box box; /* of everything in the plan, solids, people and exits */
+    Box box;                /* of everything in the plan, solids, people and exits */
     Broadphase *broadphase; /* items: face i as i, corner j as face_count + j */
 } Outline;
 

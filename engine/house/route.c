@@ -1,0 +1,319 @@
+#include "house/route.h"
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include "base/memory.h"
+#include "house/blockage.h"
+#include "house/fit.h"
+#include "house/search.h"
+#include "house/smooth.h"
+#include "house/taut.h"
+
+/* Quick when the way is easy, but not to be believed when it finds none; then finer, each with room for about as many
+ * nodes as take a second. */
+static const SearchGrain grains[] = {
+    {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 60000},
+    {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 150000},
+    {.cell = 0.025, .turn = M_PI / 72, .step = 0.06, .weight = 2.0, .most_nodes = 150000},
+    {.cell = 0.0125, .turn = M_PI / 144, .step = 0.03, .weight = 2.0, .most_nodes = 300000},
+};
+enum { GRAINS = sizeof grains / sizeof *grains };
+
+/* A chair that crosses the exit's line goes on straight for so much, m, as far as it is free: out is out. */
+#define BEYOND_EXIT 0.3
+#define BEYOND_CLEARANCE 0.1 /* m, that is kept from what stands before the door */
+
+#define SCRAPE 0.02 /* m: with less clearance than this a quick way is not good enough yet */
+enum { ROOMIER_NODES = 50000 };
+
+/* The lattice of fit_margin ends at 3.1 mm and is low by half of that. */
+#define FIT_BIAS 0.0015 /* m */
+
+/* Bodies that are smaller by so much on every side, m, tell where the true one sticks. */
+static const double shrinkings[] = {0.005, 0.01, 0.02, 0.035, 0.05, 0.08, 0.12};
+
+#define FINER 4.0 /* 1, of the grid on which a disc's way is looked for again */
+
+typedef struct Legs {
+    Goal *goals; /* (count) */
+    size_t count;
+} Legs;
+
+static Legs legs_make(const RouteQuery *query) {
+    Legs legs = {memory_allocate(query->via_count + 1, sizeof(Goal)), query->via_count + 1};
+    for (size_t i = 0; i < query->via_count; i++)
+        legs.goals[i] = (Goal){.at = query->via[i], .radius = query->profile->length / 2, .exit = SIZE_MAX};
+    legs.goals[query->via_count] = (Goal){.exit = query->exit, .time = query->time};
+    return legs;
+}
+
+/* Is there an exit to go to? Otherwise the answer names the one that is closed. */
+static bool exit_usable(const RouteQuery *query, const Goal *goal, Route *route) {
+    for (size_t e = 0; e < query->plan->exit_count; e++)
+        if (field_exit_usable(goal, query->plan, e))
+            return true;
+    route->answer = ROUTE_NO_EXIT;
+    route->blockage = (Blockage){.at = query->at};
+    size_t exit = query->exit < query->plan->exit_count ? query->exit : 0;
+    if (query->plan->exit_count > 0) {
+        const Exit *closed = &query->plan->exits[exit];
+        route->blockage.at = vec2_scale(vec2_add(closed->from, closed->to), 0.5);
+        snprintf(route->blockage.what, sizeof route->blockage.what, "exit %s", closed->id);
+    } else {
+        snprintf(route->blockage.what, sizeof route->blockage.what, "no exit");
+    }
+    return false;
+}
+
+/* Searches all legs one after another; `pins` are the poses at which they end. */
+static SearchAnswer search_legs(const RouteQuery *query, const Legs *legs, const Rectangle *body,
+                                const SearchGrain *grain, SearchTrack *track, size_t *pins) {
+    /* A disc about the axle that never leaves the body. */
+    double radius = fmin(body->half_width, body->half_length - fabs(body->ahead));
+    Ground ground;
+    field_ground_init(&ground, query->plan, query->space, query->profile, radius);
+    search_track_clear(track);
+    search_track_add(track, (Pose){query->at, query->heading, 0, 0});
+    SearchAnswer answer = SEARCH_FOUND;
+    for (size_t leg = 0; leg < legs->count && answer == SEARCH_FOUND; leg++) {
+        Field field;
+        field_init(&field, &ground, &legs->goals[leg]);
+        answer = search_leg(track, &field, &legs->goals[leg], body, grain, query->most_reversals);
+        pins[leg] = track->count - 1;
+        field_clear(&field);
+    }
+    field_ground_clear(&ground);
+    return answer;
+}
+
+/* Ends the track BEYOND_EXIT behind the line, whatever the length of the motion that crossed it. `*crossing` is the
+ * pose that comes next after the line. */
+static void go_beyond_exit(SearchTrack *track, const RouteQuery *query, const Rectangle *body, size_t *crossing) {
+    const int steps = 6;
+    const Exit *exit = &query->plan->exits[track->exit];
+    Goal goal = {.exit = track->exit, .time = -HUGE_VAL};
+    size_t crossed, index = track->count - 1;
+    while (index > 1 &&
+           !field_goal_reached(&goal, query->plan, track->poses[index - 1].at, track->poses[index].at, &crossed))
+        index--;
+    *crossing = index;
+    track->count = index + 1;
+    Pose pose = track->poses[index];
+    double passed = fabs(vec2_cross(vec2_unit(vec2_sub(exit->to, exit->from)), vec2_sub(pose.at, exit->from)));
+    double step = (BEYOND_EXIT - passed) / steps;
+    double clearance = search_clearance(query->space, body, pose.at, pose.heading, 2 * BEYOND_CLEARANCE, NULL);
+    for (int i = 0; i < steps && step > 0; i++) {
+        pose.at = vec2_along(pose.at, pose.direction * step, vec2_heading(pose.heading));
+        double ahead = search_clearance(query->space, body, pose.at, pose.heading, 2 * BEYOND_CLEARANCE, NULL);
+        if (ahead < fmin(clearance, BEYOND_CLEARANCE) || clearance + ahead < step)
+            return;
+        clearance = ahead;
+        search_track_add(track, pose);
+    }
+}
+
+/* Does a smoothed track still cross the exit that it was searched for? */
+static bool crosses_exit(const SearchTrack *track, const Plan *plan) {
+    Goal goal = {.exit = track->exit, .time = -HUGE_VAL};
+    size_t exit;
+    for (size_t i = 1; i < track->count; i++)
+        if (field_goal_reached(&goal, plan, track->poses[i - 1].at, track->poses[i].at, &exit))
+            return true;
+    return false;
+}
+
+static void give_poses(Route *route, const SearchTrack *track) {
+    route->answer = ROUTE_FOUND;
+    route->fits = route->drivable = true;
+    route->reversals = track->reversals;
+    route->exit = track->exit;
+    route->poses = track->poses;
+    route->count = track->count;
+    route->narrowest = ROUTE_CLEARANCE_REACH;
+    route->narrowest_at = track->poses[0].at;
+    for (size_t i = 0; i < track->count; i++) {
+        if (i > 0)
+            route->length += vec2_distance(track->poses[i - 1].at, track->poses[i].at);
+        if (track->poses[i].clearance < route->narrowest) {
+            route->narrowest = track->poses[i].clearance;
+            route->narrowest_at = track->poses[i].at;
+        }
+    }
+}
+
+/* Smooths a searched track and makes it the answer. */
+static void answer_drive(Route *route, const RouteQuery *query, const Rectangle *body, SearchTrack *track, size_t *pins,
+                         size_t leg_count) {
+    go_beyond_exit(track, query, body, &pins[leg_count - 1]);
+    SearchTrack searched = {.reversals = track->reversals, .direction = track->direction, .exit = track->exit};
+    for (size_t i = 0; i < track->count; i++)
+        search_track_add(&searched, track->poses[i]);
+    smooth_track(track, query->space, body, pins, leg_count - 1);
+    if (!crosses_exit(track, query->plan)) {
+        /* Held at the pose just across the line, it cannot miss it. */
+        search_track_clear(track);
+        *track = searched;
+        searched = (SearchTrack){0};
+        smooth_track(track, query->space, body, pins, leg_count);
+    }
+    search_track_clear(&searched);
+    give_poses(route, track);
+}
+
+static Rectangle shrunk(const Rectangle *body, double by) {
+    Rectangle smaller = *body;
+    smaller.half_length = fmax(body->half_length - by, 0.01);
+    smaller.half_width = fmax(body->half_width - by, 0.01);
+    smaller.ahead = fmin(body->ahead, smaller.half_length);
+    return smaller;
+}
+
+/* It fits, but cannot be driven: where a somewhat smaller body gets through, the true one sticks. */
+static void explain_not_drivable(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
+                                 const FitPlace *tightest) {
+    size_t *pins = memory_allocate(legs->count, sizeof *pins);
+    SearchTrack track = {0};
+    bool found = false;
+    for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings && !found; i++) {
+        Rectangle smaller = shrunk(body, shrinkings[i]);
+        found = search_legs(query, legs, &smaller, &grains[0], &track, pins) == SEARCH_FOUND;
+    }
+    if (found)
+        blockage_of_track(&route->blockage, query, body, &track);
+    else
+        blockage_of_fit(&route->blockage, query, body, tightest);
+    search_track_clear(&track);
+    memory_free(pins);
+}
+
+/* A quick way that scrapes past something: is there a roomier one at the next grain, with a few nodes more? */
+static void try_roomier(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
+    if (route->narrowest >= fmin(SCRAPE, route->poses[0].clearance))
+        return;
+    size_t *pins = memory_allocate(legs->count, sizeof *pins);
+    SearchGrain grain = grains[1];
+    grain.most_nodes = ROOMIER_NODES;
+    SearchTrack track = {0};
+    if (search_legs(query, legs, body, &grain, &track, pins) == SEARCH_FOUND) {
+        Route other = {.exit = query->exit};
+        answer_drive(&other, query, body, &track, pins, legs->count);
+        bool better = other.narrowest > route->narrowest && other.reversals <= route->reversals;
+        Route worse = better ? *route : other;
+        if (better)
+            *route = other;
+        route_free(&worse);
+    } else {
+        search_track_clear(&track);
+    }
+    memory_free(pins);
+}
+
+static void search_drive(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
+    size_t *pins = memory_allocate(legs->count, sizeof *pins);
+    SearchTrack track = {0};
+    FitPlace tightest;
+    SearchAnswer answer = search_legs(query, legs, body, &grains[0], &track, pins);
+    bool quick = answer == SEARCH_FOUND;
+    if (!quick) {
+        route->fits = fit_margin(query, body, legs->goals, legs->count, &tightest) + FIT_BIAS >= 0;
+        for (int grain = 1; grain < GRAINS && route->fits && answer != SEARCH_FOUND; grain++) {
+            /* The finest can only end where the last one came to an end. */
+            if (grain == GRAINS - 1 && answer == SEARCH_GAVE_UP)
+                break;
+            answer = search_legs(query, legs, body, &grains[grain], &track, pins);
+        }
+    }
+    if (answer == SEARCH_FOUND) {
+        answer_drive(route, query, body, &track, pins, legs->count);
+        if (quick)
+            try_roomier(route, query, legs, body);
+    } else {
+        search_track_clear(&track);
+        if (route->fits)
+            explain_not_drivable(route, query, legs, body, &tightest);
+        else
+            blockage_of_fit(&route->blockage, query, body, &tightest);
+    }
+    memory_free(pins);
+}
+
+Route route_drive(const RouteQuery *query) {
+    Route route = {.answer = ROUTE_CANNOT_PASS, .exit = query->exit};
+    Rectangle body = search_body(query->profile);
+    Legs legs = legs_make(query);
+    if (exit_usable(query, &legs.goals[legs.count - 1], &route)) {
+        if (search_clearance(query->space, &body, query->at, query->heading, 0.1, NULL) < 0)
+            blockage_of_start(&route.blockage, query, &body);
+        else
+            search_drive(&route, query, &legs, &body);
+    }
+    memory_free(legs.goals);
+    return route;
+}
+
+/* All legs of a disc on one grid. */
+static bool taut_legs(SearchTrack *track, const RouteQuery *query, const FreeSpace *space, const Legs *legs,
+                      double radius) {
+    double clearance = freespace_exact(space, query->at, radius + ROUTE_CLEARANCE_REACH, NULL) - radius;
+    search_track_clear(track);
+    search_track_add(track, (Pose){query->at, query->heading, clearance, 0});
+    for (size_t leg = 0; leg < legs->count; leg++)
+        if (!taut_leg(track, query->plan, space, query->profile, radius, &legs->goals[leg]))
+            return false;
+    return true;
+}
+
+static void search_round(Route *route, const RouteQuery *query, const Legs *legs, double radius) {
+    SearchTrack track = {0};
+    bool found = taut_legs(&track, query, query->space, legs, radius);
+    if (!found) { /* gaps hardly wider than the disc slip between the points of a coarse grid */
+        FreeSpace fine;
+        freespace_build(&fine, query->space->outline, query->space->cell / FINER);
+        found = taut_legs(&track, query, &fine, legs, radius);
+        freespace_free(&fine);
+    }
+    if (found) {
+        if (track.count > 1)
+            track.poses[0].heading = track.poses[1].heading;
+        give_poses(route, &track);
+        return;
+    }
+    search_track_clear(&track);
+    FitPlace tightest;
+    Rectangle square = {radius, radius, 0}; /* in a gap between walls or jambs it is as wide as the disc */
+    fit_margin(query, &square, legs->goals, legs->count, &tightest);
+    blockage_of_fit(&route->blockage, query, &square, &tightest);
+}
+
+Route route_round(const RouteQuery *query) {
+    Route route = {.answer = ROUTE_CANNOT_PASS, .exit = query->exit};
+    double radius = query->profile->width / 2;
+    Rectangle disc = {radius, radius, 0};
+    Legs legs = legs_make(query);
+    if (exit_usable(query, &legs.goals[legs.count - 1], &route)) {
+        if (freespace_distance(query->space, query->at) < 0 ||
+            freespace_exact(query->space, query->at, radius, NULL) < radius)
+            blockage_of_start(&route.blockage, query, &disc);
+        else
+            search_round(&route, query, &legs, radius);
+    }
+    memory_free(legs.goals);
+    return route;
+}
+
+void route_free(Route *route) {
+    memory_free(route->poses);
+    *route = (Route){0};
+}
+
+double route_fits_margin(const RouteQuery *query, Blockage *blockage) {
+    Rectangle body = search_body(query->profile);
+    Legs legs = legs_make(query);
+    FitPlace tightest;
+    double margin = fit_margin(query, &body, legs.goals, legs.count, &tightest);
+    if (blockage)
+        blockage_of_fit(blockage, query, &body, &tightest);
+    memory_free(legs.goals);
+    return fmin(margin + FIT_BIAS, FIT_MOST);
+}

@@ -1,0 +1,9 @@
+/* Makes a searched track easy to drive: see smooth.c. */
+#pragma once
+
+#include "house/search.h"
+
+/* Replaces the poses of `track` by smooth ones about 5 cm apart, with their clearances filled in; the poses at the
+ * indices `pins` (pin_count, rising) stay as they are, as do changes of direction and turns on the spot. */
+void smooth_track(SearchTrack *track, const FreeSpace *space, const Rectangle *body, const size_t *pins,
+                  size_t pin_count);
