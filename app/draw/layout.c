@@ -24,6 +24,7 @@
 #define CELL_GAP 14.0
 #define DISC_WIDTH 40.0 /* kept for a disc before a row's words */
 #define LINE_WIDTH 54.0 /* and for a piece of line */
+#define LINE_SHOWN 14.0 /* of the line, and of the tag's own edge, on either side of the tag's words */
 #define DISC_LETTERS 16.0
 #define BAR_SHORTEST 64.0 /* of the scale bar: room for "10 m" */
 #define GRID_CLOSEST 14.0 /* closer lines are a grey */
@@ -126,11 +127,21 @@ static double rows_height(const Scene *scene, size_t first, size_t end) {
     return height;
 }
 
-/* Draws what a row begins with; where its words begin. */
-static double place_mark(Layout *layout, const SceneRow *row, double left, double y) {
+/* How much a row keeps for what it begins with: a disc, or a piece of line that shows on both sides of its tag. */
+static double mark_width(const SceneRow *row) {
+    if (row->kind == ROW_DISC)
+        return DISC_WIDTH;
+    if (row->kind != ROW_LINE)
+        return 0;
+    double tag = row->mark ? text_extent(row->mark, DISC_LETTERS, true).x + 2 * LINE_SHOWN : 0;
+    return fmax(LINE_WIDTH, tag + CELL_GAP);
+}
+
+/* Draws what a row begins with, `width` wide; where its words begin. */
+static double place_mark(Layout *layout, const SceneRow *row, double left, double width, double y) {
     if (row->kind != ROW_DISC && row->kind != ROW_LINE)
         return left;
-    double end = left + (row->kind == ROW_DISC ? DISC_WIDTH : LINE_WIDTH), right = end - CELL_GAP;
+    double end = left + width, right = end - CELL_GAP;
     if (row->kind == ROW_LINE)
         add_sample(
             layout,
@@ -142,9 +153,9 @@ static double place_mark(Layout *layout, const SceneRow *row, double left, doubl
     return end;
 }
 
-/* A row's cells: those behind the first end at the right of their columns, `widths` wide. */
+/* A row's mark, as wide as widths[0] says, and its cells: those behind the first end at the right of their columns. */
 static void place_row(Layout *layout, const SceneRow *row, Box column, const double *widths, double y) {
-    double left = place_mark(layout, row, column.low.x, y), right = column.high.x;
+    double left = place_mark(layout, row, column.low.x, widths[0], y), right = column.high.x;
     for (size_t c = ROW_CELLS; c-- > 1;) {
         if (row->cells[c]) {
             double width = text_extent(row->cells[c], ROW_LETTERS, false).x;
@@ -158,9 +169,11 @@ static void place_row(Layout *layout, const SceneRow *row, Box column, const dou
 /* One section's rows in a column of the page; `pitch` presses them together. */
 static void place_section(Layout *layout, const Scene *scene, size_t first, size_t end, Box column, double pitch) {
     double widths[ROW_CELLS] = {0};
-    for (size_t i = first; i < end; i++)
+    for (size_t i = first; i < end; i++) {
+        widths[0] = fmax(widths[0], mark_width(&scene->rows[i]));
         for (size_t c = 1; c < ROW_CELLS && scene->rows[i].cells[c]; c++)
             widths[c] = fmax(widths[c], text_extent(scene->rows[i].cells[c], ROW_LETTERS, false).x);
+    }
     double y = column.low.y;
     for (size_t i = first; i < end; i++) {
         const SceneRow *row = &scene->rows[i];

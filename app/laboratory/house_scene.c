@@ -86,7 +86,7 @@ static const char *findings(Scene *scene, const House *house, const Observation 
     char place[96];
     outline_place_name(&house->outline, &house->plan, person->narrowest_to, place, sizeof place);
     const char *clearance = people_scene_clearance(scene, person->narrowest);
-    if (person->narrowest < PEOPLE_SCENE_TOUCH)
+    if (person->narrowest <= 0)
         return scene_text(scene, "%s %s, %s", clearance, place, contacts);
     return scene_text(scene, "narrowest %s at %s, %s", clearance, place, contacts);
 }

@@ -66,7 +66,10 @@ LocusLook people_scene_look(const House *house, size_t person) {
 }
 
 const char *people_scene_clearance(Scene *scene, double clearance) {
-    return clearance < PEOPLE_SCENE_TOUCH ? "touches" : scene_text(scene, "%.2f m", clearance);
+    const double fine = 0.01; /* m: below it a third digit is worth reading */
+    if (clearance <= 0)
+        return "touches";
+    return scene_text(scene, clearance < fine ? "%.3f m" : "%.2f m", clearance);
 }
 
 Role people_scene_danger(const Hazard *hazard) {

@@ -23,10 +23,7 @@ extern const LocusLook PEOPLE_SCENE_SPACE, PEOPLE_SCENE_PRESSED;
 
 LocusLook people_scene_look(const House *house, size_t person);
 
-/* A clearance that is read as 0.00 m is a touch. */
-#define PEOPLE_SCENE_TOUCH 0.005
-
-/* "0.06 m", or "touches". */
+/* "0.06 m", "0.004 m" below a centimetre, or "touches" from nought down. */
 const char *people_scene_clearance(Scene *scene, double clearance);
 
 Role people_scene_danger(const Hazard *hazard);

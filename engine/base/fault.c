@@ -17,8 +17,8 @@ void fault_add(Fault *fault, const char *format, ...) {
     char *line = memory_allocate(size, 1);
     vsnprintf(line, size, format, again);
     va_end(again);
-    for (char *c = line; *c; c++) /* a name in a file may hold anything; a fault stays one line */
-        if (*c == '\n' || *c == '\r' || *c == '\t')
+    for (char *c = line; *c; c++) /* a name in a file may hold anything; a fault stays one line of plain text */
+        if ((unsigned char)*c < ' ' || *c == 127)
             *c = ' ';
     fault->lines = memory_reserve(fault->lines, &fault->capacity, fault->count + 1, sizeof *fault->lines);
     fault->lines[fault->count++] = line;

@@ -3,11 +3,44 @@
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "base/memory.h"
 #include "base/text.h"
+
+/* What jansson found wrong with the text. It points at the end of a token; a reader looks for its beginning. */
+static void fault_syntax(const char *path, const char *text, const json_error_t *error, Fault *fault) {
+    if (!text[strspn(text, " \t\r\n")]) {
+        fault_add(fault, "%s:1:1: empty, must hold one object { ... }", path);
+        return;
+    }
+    int line = error->line > 0 ? error->line : 1, column = error->column > 0 ? error->column : 1;
+    const char *near = strstr(error->text, " near '"), *what = error->text;
+    const char *end = near ? strrchr(near, '\'') : NULL;
+    for (const char *c = near ? near + strlen(" near '") + 1 : NULL; c && c < end && column > 1; c++)
+        column -= ((unsigned char)*c & 0xc0) != 0x80;
+    near = near ? near : "";
+    switch (json_error_code(error)) {
+    case json_error_duplicate_key:
+        fault_add(fault, "%s:%d:%d: key given twice%s, must be there once", path, line, column, near);
+        break;
+    case json_error_numeric_overflow:
+        fault_add(fault, "%s:%d:%d: number too large%s", path, line, column, near);
+        break;
+    case json_error_stack_overflow:
+        fault_add(fault, "%s:%d:%d: nested too deeply%s", path, line, column, near);
+        break;
+    case json_error_null_character:
+        fault_add(fault, "%s:%d:%d: a text must not hold \\u0000%s", path, line, column, near);
+        break;
+    case json_error_invalid_utf8:
+        fault_add(fault, "%s:%d:%d: not UTF-8: %s", path, line, column, what);
+        break;
+    default:
+        fault_add(fault, "%s:%d:%d: not JSON: %s", path, line, column, what);
+    }
+}
 
 bool json_read(JsonFile *file, const char *path, Fault *fault) {
     size_t size = 0;
@@ -16,11 +49,15 @@ bool json_read(JsonFile *file, const char *path, Fault *fault) {
         fault_add(fault, "%s:1:1: cannot be read: %s", path, strerror(errno));
         return false;
     }
+    static const char mark[] = "\xef\xbb\xbf"; /* some editors begin UTF-8 with it */
+    if (strncmp(text, mark, strlen(mark)) == 0) {
+        size -= strlen(mark);
+        memmove(text, text + strlen(mark), size + 1);
+    }
     json_error_t error;
     json_t *root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
     if (!root) {
-        int line = error.line > 0 ? error.line : 1, column = error.column > 0 ? error.column : 1;
-        fault_add(fault, "%s:%d:%d: not JSON: %s", path, line, column, error.text);
+        fault_syntax(path, text, &error, fault);
         memory_free(text);
         return false;
     }
@@ -129,6 +166,10 @@ static const char *find_value(const JsonNode *node) {
 }
 
 static void fault_at(const JsonFile *file, const char *at, Fault *fault, const char *what) {
+    if (!file->text) {
+        fault_add(fault, "%s%s", file->path, what);
+        return;
+    }
     int line = 1, column = 1;
     for (const char *c = file->text; c < at; c++) {
         if (*c == '\n') {
@@ -149,7 +190,7 @@ void json_fault(const JsonNode *node, Fault *fault, const char *format, ...) {
     va_start(arguments, format);
     vsnprintf(what, sizeof what, format, arguments);
     va_end(arguments);
-    fault_at(node->file, find_value(node), fault, what);
+    fault_at(node->file, node->file->text ? find_value(node) : NULL, fault, what);
 }
 
 void json_check_keys(const JsonNode *object, const char *const *known, Fault *fault) {
@@ -173,25 +214,94 @@ void json_check_keys(const JsonNode *object, const char *const *known, Fault *fa
                 used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", known[i]);
             snprintf(what, sizeof what, "unknown key \"%.60s\", known are %s", key, list);
         }
-        fault_at(object->file, find_key(find_value(object), key), fault, what);
+        fault_at(object->file, object->file->text ? find_key(find_value(object), key) : NULL, fault, what);
     }
 }
 
-char *json_line(const json_t *value) {
-    char *line = NULL;
-    for (size_t digits = 15; digits <= 17; digits++) {
-        json_t *again;
-        memory_free(line);
-        line = json_dumps(value, JSON_ENCODE_ANY | JSON_REAL_PRECISION(digits));
-        if (!line)
-            line = memory_allocate(1, 1);
-        again = json_loads(line, JSON_DECODE_ANY, NULL);
-        bool same = json_equal(again, value);
+bool json_check_header(const JsonNode *root, const char *what, const char *format, Fault *fault) {
+    size_t before = fault->count;
+    JsonNode said = json_member(root, "format"), version = json_member(root, "version");
+    const char *word = json_string_value(said.value);
+    if (!said.value)
+        json_fault(root, fault, "a %s has no \"format\", must be \"%s\"", what, format);
+    else if (!word)
+        json_fault(&said, fault, "format must be \"%s\"", format);
+    else if (strcmp(word, format) != 0)
+        json_fault(&said, fault, "format is \"%.40s\", must be \"%s\"", word, format);
+    if (!version.value)
+        json_fault(root, fault, "a %s has no \"version\", must be 1", what);
+    else if (json_number_value(version.value) != 1)
+        json_fault(&version, fault, "version must be 1");
+    return fault->count == before || !said.value || !version.value;
+}
+
+const char *json_read_text(const JsonNode *object, const char *key, Arena *arena, Fault *fault) {
+    JsonNode node = json_member(object, key);
+    if (json_is_string(node.value))
+        return arena_text(arena, json_string_value(node.value));
+    if (node.value)
+        json_fault(&node, fault, "%s must be a text", key);
+    return "";
+}
+
+/* Text that grows. */
+typedef struct Line {
+    char *text;
+    size_t used, capacity;
+} Line;
+
+static void line_add(Line *line, const char *text) {
+    size_t length = strlen(text);
+    line->text = memory_reserve(line->text, &line->capacity, line->used + length + 1, 1);
+    memcpy(line->text + line->used, text, length + 1);
+    line->used += length;
+}
+
+static void line_add_scalar(Line *line, const json_t *value) {
+    const size_t most = 17; /* decimal digits that always give the same bits again */
+    for (size_t digits = 15; digits <= most; digits++) {
+        char *text = json_dumps(value, JSON_ENCODE_ANY | JSON_REAL_PRECISION(digits));
+        json_t *again = text ? json_loads(text, JSON_DECODE_ANY, NULL) : NULL;
+        bool good = text && (digits == most || json_equal(again, value));
         json_decref(again);
-        if (same)
-            break;
+        if (good)
+            line_add(line, text);
+        memory_free(text);
+        if (good)
+            return;
     }
-    return line;
+}
+
+static void line_add_value(Line *line, const json_t *value) {
+    bool array = json_is_array(value);
+    if (!array && !json_is_object(value)) {
+        line_add_scalar(line, value);
+        return;
+    }
+    line_add(line, array ? "[" : "{");
+    for (size_t i = 0; array && i < json_array_size(value); i++) {
+        line_add(line, i ? ", " : "");
+        line_add_value(line, json_array_get(value, i));
+    }
+    const char *between = "", *key;
+    json_t *member;
+    json_object_foreach((json_t *)(uintptr_t)value, key, member) {
+        json_t *name = json_string(key);
+        line_add(line, between);
+        line_add_scalar(line, name);
+        line_add(line, ": ");
+        line_add_value(line, member);
+        json_decref(name);
+        between = ", ";
+    }
+    line_add(line, array ? "]" : "}");
+}
+
+char *json_line(const json_t *value) {
+    Line line = {0};
+    line_add(&line, "");
+    line_add_value(&line, value);
+    return line.text;
 }
 
 json_t *json_number(double value) {

@@ -8,11 +8,12 @@
 #include <stdbool.h>
 
 #include "base/fault.h"
+#include "base/memory.h"
 
 /* A file's text and values. Owned by the caller of json_read; json_free releases it. */
 typedef struct JsonFile {
     char *path; /* as given */
-    char *text; /* UTF-8, ended by 0 */
+    char *text; /* UTF-8, ended by 0; NULL: the value is of no file, and a fault begins with `path` alone */
     json_t *root;
 } JsonFile;
 
@@ -44,6 +45,13 @@ void json_fault(const JsonNode *node, Fault *fault, const char *format, ...) __a
 /* Adds a fault, pointing at the key, for every key of the object that `known` (ended by NULL) does not list, and
  * names the nearest one that it does. */
 void json_check_keys(const JsonNode *object, const char *const *known, Fault *fault);
+
+/* Checks that a file says what it is: `format` and version 1; `what` names it in faults, "house". False: it says that
+ * it is something else, so that no more can be said about it. */
+bool json_check_header(const JsonNode *root, const char *what, const char *format, Fault *fault);
+
+/* The text of the member `key`, kept by `arena`; "" when it is absent or, with a fault, no text. */
+const char *json_read_text(const JsonNode *object, const char *key, Arena *arena, Fault *fault);
 
 /* The value on one line, every number with the fewest digits that give the same bits again; memory_free it. */
 char *json_line(const json_t *value);

@@ -28,6 +28,18 @@ static int choice_place(const char *choices, const char *word) {
     return -1;
 }
 
+/* "one, two or three" of "one|two|three". */
+static void choice_list(const char *choices, char *list, size_t size) {
+    size_t used = 0;
+    for (const char *at = choices; *at && used < size;) {
+        size_t length = strcspn(at, "|");
+        const char *next = at + length + (at[length] == '|');
+        const char *before = at == choices ? "" : *next ? ", " : " or ";
+        used += (size_t)snprintf(list + used, size - used, "%s%.*s", before, (int)length, at);
+        at = next;
+    }
+}
+
 static json_t *choice_word(const char *choices, int place) {
     for (; place > 0; place--)
         choices += strcspn(choices, "|") + 1;
@@ -61,6 +73,9 @@ void parameters_reset(const ParameterTable *table, void *object) {
             break;
         case PARAMETER_POINTS:
             *(Points *)place = (Points){0};
+            break;
+        case PARAMETER_TABLE:
+            parameters_reset(row->table, place);
             break;
         }
     }
@@ -108,7 +123,8 @@ static bool read_point(const JsonNode *node, const char *name, Vec2 *value, Faul
 
 static bool read_points(const Parameter *row, const JsonNode *node, Points *value, Arena *arena, Fault *fault) {
     size_t count = json_array_size(node->value);
-    if (!json_is_array(node->value) || (double)count < row->low) {
+    bool flat = count && !json_is_array(json_array_get(node->value, 0));
+    if (!json_is_array(node->value) || flat || (double)count < row->low) {
         json_fault(node, fault, "%s must be a list of at least %g points [x, y] in m", row->name, row->low);
         return false;
     }
@@ -116,7 +132,9 @@ static bool read_points(const Parameter *row, const JsonNode *node, Points *valu
     bool good = true;
     for (size_t i = 0; i < count; i++) {
         JsonNode element = json_element(node, i);
-        good &= read_point(&element, row->name, &read.at[i], fault);
+        char name[80];
+        snprintf(name, sizeof name, "%.40s %zu", row->name, i + 1);
+        good &= read_point(&element, name, &read.at[i], fault);
     }
     if (good)
         *value = read;
@@ -126,12 +144,12 @@ static bool read_points(const Parameter *row, const JsonNode *node, Points *valu
 static bool read_text(const Parameter *row, const JsonNode *node, const char **value, Arena *arena, Fault *fault) {
     const char *text = json_string_value(node->value);
     if (!text) {
-        json_fault(node, fault, "%s must be a text", row->name);
+        json_fault(node, fault, "%s%s must be a text", row->kind == PARAMETER_IDS ? "each of " : "", row->name);
         return false;
     }
     static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
     if (row->kind != PARAMETER_TEXT && (!*text || text[strspn(text, letters)])) {
-        json_fault(node, fault, "%s \"%.60s\" must be one or more letters, digits, - or _", row->name, text);
+        json_fault(node, fault, "%s is \"%.60s\", must be one or more letters, digits, - or _", row->name, text);
         return false;
     }
     *value = arena_text(arena, text);
@@ -159,10 +177,12 @@ static bool read_choice(const Parameter *row, const JsonNode *node, int *value, 
     const char *word = json_string_value(node->value);
     int place = word ? choice_place(row->choices, word) : -1;
     if (place < 0) {
+        char list[200];
+        choice_list(row->choices, list, sizeof list);
         if (word)
-            json_fault(node, fault, "%s is \"%.40s\", must be one of %s", row->name, word, row->choices);
+            json_fault(node, fault, "%s is \"%.40s\", must be %s", row->name, word, list);
         else
-            json_fault(node, fault, "%s must be one of %s", row->name, row->choices);
+            json_fault(node, fault, "%s must be %s", row->name, list);
         return false;
     }
     *value = place;
@@ -203,86 +223,111 @@ bool parameters_read_value(const Parameter *row, void *object, const JsonNode *n
         return read_point(node, row->name, place, fault);
     case PARAMETER_POINTS:
         return read_points(row, node, place, arena, fault);
+    case PARAMETER_TABLE:
+        return parameters_read(row->table, place, node, arena, fault);
     }
     return false;
 }
 
 bool parameters_read(const ParameterTable *table, void *object, const JsonNode *node, Arena *arena, Fault *fault) {
-    size_t before = fault->count;
     parameters_reset(table, object);
     if (!json_is_object(node->value)) {
         json_fault(node, fault, "%s must be an object { ... }", table->what);
         return false;
     }
+    size_t before = fault->count;
     const char *names[NAMES_MOST + 1] = {0};
     for (size_t i = 0; i < table->count; i++)
         names[i] = table->rows[i].name;
     json_check_keys(node, names, fault);
+    bool good = fault->count == before;
     for (size_t i = 0; i < table->count; i++) {
         const Parameter *row = &table->rows[i];
         JsonNode member = json_member(node, row->name);
-        if (member.value)
-            parameters_read_value(row, object, &member, arena, fault);
-        else if (row->needed)
+        if (member.value) {
+            good &= parameters_read_value(row, object, &member, arena, fault);
+        } else if (row->needed) {
             json_fault(node, fault, "%s has no \"%s\" (%s)", table->what, row->name, row->meaning);
+            good = false;
+        }
     }
-    return fault->count == before;
+    return good;
 }
 
 static json_t *write_point(Vec2 point) {
     return json_pack("[o,o]", json_number(point.x), json_number(point.y));
 }
 
+static bool at_fallback(const Parameter *row, const void *object) {
+    const void *place = const_field(row, object);
+    switch (row->kind) {
+    case PARAMETER_NUMBER:
+        return *(const double *)place == row->fallback;
+    case PARAMETER_WHOLE:
+    case PARAMETER_CHOICE:
+        return *(const int *)place == (int)row->fallback;
+    case PARAMETER_FLAG:
+        return *(const bool *)place == (row->fallback != 0);
+    case PARAMETER_TEXT:
+    case PARAMETER_ID:
+        return !**(const char *const *)place;
+    case PARAMETER_IDS:
+        return !((const Ids *)place)->count;
+    case PARAMETER_POINT:
+        return false;
+    case PARAMETER_POINTS:
+        return !((const Points *)place)->count;
+    case PARAMETER_TABLE:
+        for (size_t i = 0; i < row->table->count; i++)
+            if (!at_fallback(&row->table->rows[i], place))
+                return false;
+        return true;
+    }
+    return false;
+}
+
+static json_t *write_value(const Parameter *row, const void *object) {
+    const void *place = const_field(row, object);
+    switch (row->kind) {
+    case PARAMETER_NUMBER:
+        return json_number(*(const double *)place);
+    case PARAMETER_WHOLE:
+        return json_integer(*(const int *)place);
+    case PARAMETER_FLAG:
+        return json_boolean(*(const bool *)place);
+    case PARAMETER_CHOICE:
+        return choice_word(row->choices, *(const int *)place);
+    case PARAMETER_TEXT:
+    case PARAMETER_ID:
+        return json_string(*(const char *const *)place);
+    case PARAMETER_IDS: {
+        const Ids *ids = place;
+        json_t *written = json_array();
+        for (size_t i = 0; i < ids->count; i++)
+            json_array_append_new(written, json_string(ids->at[i]));
+        return written;
+    }
+    case PARAMETER_POINT:
+        return write_point(*(const Vec2 *)place);
+    case PARAMETER_POINTS: {
+        const Points *points = place;
+        json_t *written = json_array();
+        for (size_t i = 0; i < points->count; i++)
+            json_array_append_new(written, write_point(points->at[i]));
+        return written;
+    }
+    case PARAMETER_TABLE:
+        return parameters_write(row->table, place);
+    }
+    return NULL;
+}
+
 json_t *parameters_write(const ParameterTable *table, const void *object) {
     json_t *written = json_object();
     for (size_t i = 0; i < table->count; i++) {
         const Parameter *row = &table->rows[i];
-        const void *place = const_field(row, object);
-        json_t *value = NULL;
-        switch (row->kind) {
-        case PARAMETER_NUMBER: {
-            double number = *(const double *)place;
-            if (row->needed || number != row->fallback)
-                value = json_number(number);
-            break;
-        }
-        case PARAMETER_WHOLE:
-            if (row->needed || *(const int *)place != (int)row->fallback)
-                value = json_integer(*(const int *)place);
-            break;
-        case PARAMETER_FLAG:
-            if (row->needed || *(const bool *)place != (row->fallback != 0))
-                value = json_boolean(*(const bool *)place);
-            break;
-        case PARAMETER_CHOICE:
-            if (row->needed || *(const int *)place != (int)row->fallback)
-                value = choice_word(row->choices, *(const int *)place);
-            break;
-        case PARAMETER_TEXT:
-        case PARAMETER_ID:
-            if (row->needed || **(const char *const *)place)
-                value = json_string(*(const char *const *)place);
-            break;
-        case PARAMETER_IDS: {
-            const Ids *ids = place;
-            value = row->needed || ids->count ? json_array() : NULL;
-            for (size_t k = 0; k < ids->count; k++)
-                json_array_append_new(value, json_string(ids->at[k]));
-            break;
-        }
-        case PARAMETER_POINT:
-            value = write_point(*(const Vec2 *)place);
-            break;
-        case PARAMETER_POINTS: {
-            const Points *points = place;
-            value = row->needed || points->count ? json_array() : NULL;
-            for (size_t k = 0; k < points->count; k++)
-                json_array_append_new(value, write_point(points->at[k]));
-            break;
-        }
-        }
-        if (value)
-            json_object_set_new(written, row->name, value);
+        if (row->needed || !at_fallback(row, object))
+            json_object_set_new(written, row->name, write_value(row, object));
     }
     return written;
 }
@@ -306,6 +351,15 @@ const Parameter *parameters_find(const ParameterTable *table, const char *name) 
     return leaves == 1 ? found : NULL;
 }
 
+/* "space.friction or contact.friction" of the rows whose last part is `name`; false: there is none. */
+static bool list_namesakes(const ParameterTable *table, const char *name, char *list, size_t size) {
+    size_t used = 0;
+    for (size_t i = 0; i < table->count && used < size; i++)
+        if (strcmp(leaf(table->rows[i].name), name) == 0)
+            used += (size_t)snprintf(list + used, size - used, "%s%s", used ? " or " : "", table->rows[i].name);
+    return used;
+}
+
 void parameters_fault_unknown(const ParameterTable *table, const char *name, const JsonNode *node, Fault *fault) {
     const char *names[2 * NAMES_MOST];
     size_t count = 0;
@@ -314,7 +368,10 @@ void parameters_fault_unknown(const ParameterTable *table, const char *name, con
         names[count++] = leaf(table->rows[i].name);
     }
     const char *nearest = text_nearest(name, names, count);
-    if (nearest)
+    char namesakes[200];
+    if (list_namesakes(table, name, namesakes, sizeof namesakes))
+        json_fault(node, fault, "%s parameter \"%.60s\" must be %s", table->what, name, namesakes);
+    else if (nearest)
         json_fault(node, fault, "%s has no parameter \"%.60s\", did you mean \"%s\"?", table->what, name, nearest);
     else
         json_fault(node, fault, "%s has no parameter \"%.60s\", the first of its %zu is \"%s\"", table->what, name,
@@ -322,6 +379,8 @@ void parameters_fault_unknown(const ParameterTable *table, const char *name, con
 }
 
 json_t *parameters_schema_value(const Parameter *row) {
+    if (row->kind == PARAMETER_TABLE)
+        return parameters_schema(row->table);
     static const char point[] = "{s:s, s:i, s:i, s:{s:s, s:f, s:f}}";
     json_t *schema = json_object();
     json_t *type = NULL;
@@ -373,6 +432,8 @@ json_t *parameters_schema_value(const Parameter *row) {
         }
         break;
     }
+    case PARAMETER_TABLE:
+        break;
     }
     if (type)
         json_object_set_new(schema, "type", type);

@@ -21,6 +21,7 @@ typedef enum ParameterKind {
     PARAMETER_IDS,    /* Ids */
     PARAMETER_POINT,  /* Vec2, m */
     PARAMETER_POINTS, /* Points, m, at least `low` of them */
+    PARAMETER_TABLE,  /* a struct with a table of its own; left out of a file where it is at its fallbacks */
 } ParameterKind;
 
 typedef struct Points {
@@ -38,10 +39,11 @@ typedef struct Parameter {
     ParameterKind kind;
     size_t offset; /* of the field in the struct that the table describes */
     const char *unit;
-    double low, high;       /* both allowed */
-    double fallback;        /* when absent; a choice's place in `choices`; a flag's 0 or 1 */
-    bool needed;            /* absent is a fault */
-    const char *choices;    /* "open|closed|locked" */
+    double low, high;    /* both allowed */
+    double fallback;     /* when absent; a choice's place in `choices`; a flag's 0 or 1 */
+    bool needed;         /* absent is a fault */
+    const char *choices; /* "open|closed|locked" */
+    const struct ParameterTable *table;
     const char *meaning;    /* a sentence's beginning, for help, schema and tooltips */
     const char *provenance; /* where the fallback comes from, when it is a number that somebody chose */
 } Parameter;
@@ -62,7 +64,8 @@ void parameters_reset(const ParameterTable *table, void *object);
  * types, values out of range and missing ones each add a fault. */
 bool parameters_read(const ParameterTable *table, void *object, const JsonNode *node, Arena *arena, Fault *fault);
 
-/* Reads one value; false with a fault, and the field as it was, if it does not fit the row. */
+/* Reads one value; false with a fault, and the field (unless it has a table of its own) as it was, if it does not fit
+ * the row. */
 bool parameters_read_value(const Parameter *row, void *object, const JsonNode *node, Arena *arena, Fault *fault);
 
 /* A new JSON object of the fields that differ from their fallbacks, in the table's order. */

@@ -265,7 +265,8 @@ static void add_ring(Builder *builder, const Vec2 *ring, size_t count) {
         const Face *face = &builder->outline->faces[first + i];
         const Face *before = &builder->outline->faces[first + (i + count - 1) % count];
         Vec2 in = vec2_unit(vec2_sub(before->b, before->a)), out = vec2_unit(vec2_sub(face->b, face->a));
-        if (vec2_cross(in, out) > STRAIGHT || vec2_dot(in, out) < -0.5) /* the latter: the end of a thin wall */
+        bool end = fabs(vec2_cross(in, out)) <= STRAIGHT && vec2_dot(in, out) < 0; /* of a thin wall */
+        if (vec2_cross(in, out) > STRAIGHT || end)
             add_corner(
                 builder,
                 (Corner){.at = face->a, .in = in, .out = out, .owner = face->owner, .index = face->index, .door = -1});
@@ -530,10 +531,12 @@ void outline_name(const Plan *plan, int owner, int index, char *name, size_t siz
         break;
     case OWNER_FURNITURE: {
         const Furniture *piece = &plan->furniture[index];
-        if (*piece->name)
-            snprintf(name, size, "%s (%s)", piece->name, piece->id);
-        else
+        if (!*piece->name)
             snprintf(name, size, "furniture %s", piece->id);
+        else if (strcmp(piece->name, piece->id) == 0)
+            snprintf(name, size, "%s", piece->name);
+        else
+            snprintf(name, size, "%s (%s)", piece->name, piece->id);
         break;
     }
     }

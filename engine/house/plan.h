@@ -119,7 +119,7 @@ typedef struct RunSettings {
 typedef struct Override {
     const char *name;  /* "profile.manual-chair.width" */
     const char *value; /* as JSON */
-    const char *place; /* "file:line:column", where it was said */
+    const char *place; /* "file:line:column: ", where it was said, or "--set NAME: " */
 } Override;
 
 /* Zero is an empty plan. plan_free releases what a reader filled. */

@@ -107,7 +107,10 @@ static void read_value(Profile *profile, size_t row, const JsonNode *group, cons
 static void read_group(Profile *profile, const JsonNode *root, const char *group, Fault *fault) {
     JsonNode node = json_member(root, group);
     if (!json_is_object(node.value)) {
-        json_fault(node.value ? &node : root, fault, "%s must be an object { ... }", group);
+        if (node.value)
+            json_fault(&node, fault, "%s must be an object { ... }", group);
+        else
+            json_fault(root, fault, "a profile has no \"%s\", must be an object { ... }", group);
         return;
     }
     const char *names[ROWS + 1] = {0};
@@ -124,23 +127,16 @@ static void read_group(Profile *profile, const JsonNode *root, const char *group
 static void read_texts(Profile *profile, const JsonNode *root, Fault *fault) {
     static const char *const keys[] = {"format", "version", "name",  "note",    "driving",
                                        "body",   "drive",   "space", "contact", NULL};
-    JsonNode format = json_member(root, "format"), version = json_member(root, "version");
-    JsonNode name = json_member(root, "name"), note = json_member(root, "note"), driving = json_member(root, "driving");
     json_check_keys(root, keys, fault);
-    const char *word = json_string_value(format.value);
-    if (!word || strcmp(word, "clearance-profile") != 0)
-        json_fault(format.value ? &format : root, fault, "format must be \"clearance-profile\"");
-    if (json_integer_value(version.value) != 1)
-        json_fault(version.value ? &version : root, fault, "version must be 1");
-    if (!json_is_string(name.value))
-        json_fault(name.value ? &name : root, fault, "a profile has a \"name\", a text");
-    else
-        profile->name = arena_text(&profile->arena, json_string_value(name.value));
-    profile->note = json_is_string(note.value) ? arena_text(&profile->arena, json_string_value(note.value)) : "";
+    profile->name = json_read_text(root, "name", &profile->arena, fault);
+    profile->note = json_read_text(root, "note", &profile->arena, fault);
+    JsonNode driving = json_member(root, "driving");
+    if (!json_object_get(root->value, "name"))
+        json_fault(root, fault, "a profile has no \"name\" (a text)");
     if (driving.value)
         parameters_read_value(&driving_row, profile, &driving, &profile->arena, fault);
     else
-        json_fault(root, fault, "a profile has no \"driving\", one of " DRIVING_WORDS);
+        json_fault(root, fault, "a profile has no \"driving\" (%s)", driving_row.meaning);
 }
 
 bool profile_read(Profile *profile, const char *path, Fault *fault) {
@@ -152,7 +148,7 @@ bool profile_read(Profile *profile, const char *path, Fault *fault) {
     JsonNode root = json_root(&file);
     if (!json_is_object(root.value)) {
         json_fault(&root, fault, "a profile must be an object { ... }");
-    } else {
+    } else if (json_check_header(&root, "profile", "clearance-profile", fault)) {
         read_texts(&read, &root, fault);
         for (size_t g = 0; g < GROUPS; g++)
             read_group(&read, &root, groups[g], fault);
@@ -169,23 +165,17 @@ bool profile_read(Profile *profile, const char *path, Fault *fault) {
 
 bool profile_set(Profile *profile, const char *name, const char *value, const char *place, Fault *fault) {
     size_t before = fault->count;
-    JsonFile file = {.root = json_loads(value, JSON_DECODE_ANY, NULL)};
+    char *prefix = memory_allocate(strlen(place) + 1, 1);
+    strcpy(prefix, place);
+    JsonFile file = {.path = prefix, .root = json_loads(value, JSON_DECODE_ANY, NULL)};
     JsonNode node = json_root(&file);
-    Fault found = {0};
-    char path[] = "", text[] = ""; /* the place is known already */
-    file.path = path;
-    file.text = text;
     const Parameter *row = strcmp(name, "driving") == 0 ? &driving_row : parameters_find(&table, name);
     if (!row)
-        parameters_fault_unknown(&table, name, &node, &found);
-    else if (parameters_read_value(row, profile, &node, &profile->arena, &found) && row != &driving_row)
+        parameters_fault_unknown(&table, name, &node, fault);
+    else if (parameters_read_value(row, profile, &node, &profile->arena, fault) && row != &driving_row)
         profile->provenance[row - profile_rows] = "assumed: set for this run";
-    for (size_t i = 0; i < found.count; i++) {
-        const char *what = strstr(found.lines[i], ":1:1: ");
-        fault_add(fault, "%s%s", place, what ? what + strlen(":1:1: ") : found.lines[i]);
-    }
-    fault_clear(&found);
     json_decref(file.root);
+    memory_free(prefix);
     return fault->count == before;
 }
 

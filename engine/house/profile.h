@@ -67,7 +67,8 @@ const ParameterTable *profile_table(void);
 /* Reads a profile file; on false faults say where and what, and the profile is as it was. */
 bool profile_read(Profile *profile, const char *path, Fault *fault);
 
-/* Changes one parameter, for instance "width" to the JSON value "0.70"; `place` says where that was asked for. */
+/* Changes one parameter, for instance "width" to the JSON value "0.70"; `place` begins the faults: "file:line:column:
+ * ". */
 bool profile_set(Profile *profile, const char *name, const char *value, const char *place, Fault *fault);
 
 /* What the rows cannot say: that the parts of the body fit together and the step `dt` (s) is stable. */

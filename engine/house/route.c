@@ -24,6 +24,13 @@ enum { GRAINS = sizeof grains / sizeof *grains };
 #define BEYOND_EXIT 0.3
 #define BEYOND_CLEARANCE 0.1 /* m, that is kept from what stands before the door */
 
+/* The straightened end of a way: how long, m, the first that can be; its step, m; what it keeps from everything, m; how
+ * bent it may be, 1/m. */
+static const double end_lengths[] = {1, 2, 3};
+#define END_STEP 0.05
+#define END_CLEARANCE 0.08
+#define END_CURVATURE 1.5
+
 #define SCRAPE 0.02 /* m: with less clearance than this a quick way is not good enough yet */
 enum { ROOMIER_NODES = 50000 };
 
@@ -31,7 +38,7 @@ enum { ROOMIER_NODES = 50000 };
 #define FIT_BIAS 0.0015 /* m */
 
 /* Bodies that are smaller by so much on every side, m, tell where the true one sticks. */
-static const double shrinkings[] = {0.005, 0.01, 0.02, 0.035, 0.05, 0.08, 0.12};
+static const double shrinkings[] = {0.0075, 0.015, 0.025, 0.035, 0.05, 0.08, 0.12};
 
 #define FINER 4.0 /* 1, of the grid on which a disc's way is looked for again */
 
@@ -85,6 +92,67 @@ static SearchAnswer search_legs(const RouteQuery *query, const Legs *legs, const
     }
     field_ground_clear(&ground);
     return answer;
+}
+
+/* Where somebody would cross the exit who comes straight from `from`: at a right angle, a hair behind the line, as far
+ * from its ends as they have been keeping, at most in the middle. */
+static Pose straight_out(const Exit *exit, const Rectangle *body, const Pose *from) {
+    const double hair = 0.02; /* m */
+    Vec2 along = vec2_unit(vec2_sub(exit->to, exit->from)), out = vec2_left(along);
+    double length = vec2_distance(exit->from, exit->to);
+    double margin = fmin(body->half_width + END_CLEARANCE, length / 2);
+    double at = vec2_dot(vec2_sub(from->at, exit->from), along);
+    at = fmax(margin, fmin(length - margin, at));
+    if (vec2_dot(out, vec2_heading(from->heading)) < 0)
+        out = vec2_scale(out, -1);
+    return (Pose){vec2_along(vec2_along(exit->from, at, along), hair, out), atan2(out.y, out.x), 0, 1};
+}
+
+/* The way from one pose to another on a cubic, forwards; false when it is too bent or not free. */
+static bool connect(SearchTrack *track, const RouteQuery *query, const Rectangle *body, const Pose *from,
+                    const Pose *to) {
+    int pieces = (int)ceil(vec2_distance(from->at, to->at) / END_STEP);
+    Pose before = *from;
+    for (int i = 1; i <= pieces; i++) {
+        Vec2 at = smooth_between(from, to, 1, (double)i / pieces);
+        Vec2 ahead = smooth_between(from, to, 1, (double)(i + 1) / pieces);
+        Vec2 way = vec2_sub(i < pieces ? ahead : at, before.at);
+        Pose pose = {at, i < pieces ? atan2(way.y, way.x) : to->heading, 0, 1};
+        double turn = fabs(vec2_wrap_angle(pose.heading - before.heading));
+        double clearance = search_clearance(query->space, body, at, pose.heading, END_CLEARANCE, NULL);
+        if (turn > END_CURVATURE * vec2_length(way) || clearance < END_CLEARANCE)
+            return false;
+        pose.heading = before.heading + vec2_wrap_angle(pose.heading - before.heading);
+        search_track_add(track, pose);
+        before = pose;
+    }
+    return true;
+}
+
+/* The search crosses the exit as it happens to; where there is room, the last metres lead straight out instead. Poses
+ * up to `first` stay. */
+static void straighten_end(SearchTrack *track, const RouteQuery *query, const Rectangle *body, size_t first) {
+    double left = 0;
+    size_t index = track->count - 1;
+    for (size_t t = 0; t < sizeof end_lengths / sizeof *end_lengths; t++) {
+        while (index > first && left < end_lengths[t] && track->poses[index].direction == 1) {
+            left += vec2_distance(track->poses[index].at, track->poses[index - 1].at);
+            index--;
+        }
+        if (left < end_lengths[t])
+            return;
+        SearchTrack tail = {0};
+        Pose out = straight_out(&query->plan->exits[track->exit], body, &track->poses[index]);
+        bool good = connect(&tail, query, body, &track->poses[index], &out);
+        if (good) {
+            track->count = index + 1;
+            for (size_t i = 0; i < tail.count; i++)
+                search_track_add(track, tail.poses[i]);
+        }
+        search_track_clear(&tail);
+        if (good)
+            return;
+    }
 }
 
 /* Ends the track BEYOND_EXIT behind the line, whatever the length of the motion that crossed it. `*crossing` is the
@@ -145,6 +213,7 @@ static void give_poses(Route *route, const SearchTrack *track) {
 /* Smooths a searched track and makes it the answer. */
 static void answer_drive(Route *route, const RouteQuery *query, const Rectangle *body, SearchTrack *track, size_t *pins,
                          size_t leg_count) {
+    straighten_end(track, query, body, leg_count > 1 ? pins[leg_count - 2] : 0);
     go_beyond_exit(track, query, body, &pins[leg_count - 1]);
     SearchTrack searched = {.reversals = track->reversals, .direction = track->direction, .exit = track->exit};
     for (size_t i = 0; i < track->count; i++)
@@ -177,7 +246,7 @@ static void explain_not_drivable(Route *route, const RouteQuery *query, const Le
     bool found = false;
     for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings && !found; i++) {
         Rectangle smaller = shrunk(body, shrinkings[i]);
-        found = search_legs(query, legs, &smaller, &grains[0], &track, pins) == SEARCH_FOUND;
+        found = search_legs(query, legs, &smaller, &grains[2], &track, pins) == SEARCH_FOUND;
     }
     if (found)
         blockage_of_track(&route->blockage, query, body, &track);

@@ -13,11 +13,11 @@
  *     c_i                                           clearance of the exact rectangle at p_i, m.
  *
  * The heading at p_i is that of p_(i+1) - p_(i-1), so that the axle never slips sideways; at the two ends it is given,
- * which puts the point beyond the end at p_(-1) = p_1 - 2 step t_0. Without the last term E is a parabola in any one
- * displacement, so that three values give its lowest place; with it, that place and two others are tried. What moves is
- * a bump over 2 m - 1 points, m from large to 1 (as in a multigrid method). A bump is accepted only when its
- * least clearance does not fall, or stays above FLOOR. At last the motion between each two poses is swept; a piece that
- * fails stays as searched. */
+ * which puts the point beyond the end at p_(-1) = p_1 - 2 step t_0, but for the end of the whole track, where the
+ * heading is free. Without the last term E is a parabola in any one displacement, so that three values give its lowest
+ * place; with it, that place and two others are tried. What moves is a bump over 2 m - 1 points, m from large to 1 (as
+ * in a multigrid method). A bump is accepted only when its least clearance does not fall, or stays above FLOOR. At last
+ * the motion between each two poses is swept; a piece that fails stays as searched. */
 
 #define LENGTH 1.0    /* 1 */
 #define BENDING 0.25  /* m2 */
@@ -44,11 +44,15 @@ typedef struct Band {
     double step;      /* m */
     Vec2 first, last; /* unit tangents at the ends */
     int direction;    /* +1, -1 */
+    bool free_end;    /* the heading at the last end is free: the band runs out straight */
 } Band;
 
 static Vec2 point_at(const Band *band, int i) {
     if (i < 0)
         return vec2_along(band->points[1], -2 * band->step, band->first);
+    if (i > band->count && band->free_end)
+        return vec2_along(band->points[band->count], 1,
+                          vec2_sub(band->points[band->count], band->points[band->count - 1]));
     if (i > band->count)
         return vec2_along(band->points[band->count - 1], 2 * band->step, band->last);
     return band->points[i];
@@ -57,6 +61,8 @@ static Vec2 point_at(const Band *band, int i) {
 static Vec2 tangent_at(const Band *band, int i) {
     if (i == 0)
         return band->first;
+    if (i == band->count && band->free_end)
+        return vec2_unit(vec2_sub(band->points[i], band->points[i - 1]));
     if (i == band->count)
         return band->last;
     return vec2_unit(vec2_sub(band->points[i + 1], band->points[i - 1]));
@@ -193,8 +199,7 @@ static void band_release(Band *band) {
     memory_free(band->tried_clearance);
 }
 
-/* A place between two poses of the same direction, `part` of the way, on the cubic with their headings as tangents. */
-static Vec2 between(const Pose *a, const Pose *b, int direction, double part) {
+Vec2 smooth_between(const Pose *a, const Pose *b, int direction, double part) {
     double length = vec2_distance(a->at, b->at) * direction, s = part, r = 1 - part;
     Vec2 out = vec2_scale(vec2_heading(a->heading), length), in = vec2_scale(vec2_heading(b->heading), length);
     Vec2 at = vec2_add(vec2_scale(a->at, r * r * (1 + 2 * s)), vec2_scale(b->at, s * s * (1 + 2 * r)));
@@ -216,8 +221,8 @@ static Band band_make(const Pose *poses, size_t low, size_t high, double spacing
     for (size_t i = low; i < high; i++) {
         double piece = vec2_distance(poses[i].at, poses[i + 1].at);
         for (; point < count && point * band.step <= passed + piece; point++)
-            band.points[point] =
-                between(&poses[i], &poses[i + 1], band.direction, piece > 0 ? (point * band.step - passed) / piece : 0);
+            band.points[point] = smooth_between(&poses[i], &poses[i + 1], band.direction,
+                                                piece > 0 ? (point * band.step - passed) / piece : 0);
         passed += piece;
     }
     for (; point < count; point++)
@@ -246,7 +251,7 @@ static bool swept(const Band *band, const Pose *a, const Pose *b) {
         return true;
     if (a->clearance < SEARCH_CLEARANCE / 2 || b->clearance < SEARCH_CLEARANCE / 2)
         return false;
-    Pose middle = {between(a, b, band->direction, 0.5), (a->heading + b->heading) / 2, 0, band->direction};
+    Pose middle = {smooth_between(a, b, band->direction, 0.5), (a->heading + b->heading) / 2, 0, band->direction};
     middle.clearance =
         search_clearance(band->space, band->body, middle.at, middle.heading, ROUTE_CLEARANCE_REACH, NULL);
     return swept(band, a, &middle) && swept(band, &middle, b);
@@ -266,10 +271,11 @@ static bool sweep_poses(const Band *band, Pose *poses, size_t count) {
 /* Smooths `count` poses with points `spacing` apart. The new poses (memory_free them) or, when they are not free and
  * `sweep` asks for that, NULL. */
 static Pose *relaxed(const Pose *poses, size_t count, const FreeSpace *space, const Rectangle *body, double spacing,
-                     int sweeps, bool sweep, size_t *result_count) {
+                     int sweeps, bool sweep, bool free_end, size_t *result_count) {
     Band band = band_make(poses, 0, count - 1, spacing);
     band.space = space;
     band.body = body;
+    band.free_end = free_end;
     relax_band(&band, sweeps, sweep ? WIDEST_BUMP / 2 : WIDEST_BUMP);
     Pose *result = memory_allocate((size_t)band.count + 1, sizeof *result);
     *result_count = band_write(&band, &poses[0], result);
@@ -283,15 +289,16 @@ static Pose *relaxed(const Pose *poses, size_t count, const FreeSpace *space, co
 
 /* Smooths the piece of poses low to high into `result`; false when nothing that came out is free. */
 static bool smooth_piece(const Pose *poses, size_t low, size_t high, const FreeSpace *space, const Rectangle *body,
-                         SearchTrack *result) {
+                         bool free_end, SearchTrack *result) {
     size_t coarse_count, count;
-    Pose *coarse = relaxed(poses + low, high - low + 1, space, body, COARSE, COARSE_SWEEPS, false, &coarse_count);
-    Pose *smooth = relaxed(coarse, coarse_count, space, body, SPACING, FINE_SWEEPS, true, &count);
+    Pose *coarse =
+        relaxed(poses + low, high - low + 1, space, body, COARSE, COARSE_SWEEPS, false, free_end, &coarse_count);
+    Pose *smooth = relaxed(coarse, coarse_count, space, body, SPACING, FINE_SWEEPS, true, free_end, &count);
     /* Coarse points may have cut something between them: then from what was searched, which is free. */
     if (!smooth)
-        smooth = relaxed(poses + low, high - low + 1, space, body, SPACING, FINE_SWEEPS, true, &count);
+        smooth = relaxed(poses + low, high - low + 1, space, body, SPACING, FINE_SWEEPS, true, free_end, &count);
     if (!smooth)
-        smooth = relaxed(poses + low, high - low + 1, space, body, SPACING / 2, FINE_SWEEPS, true, &count);
+        smooth = relaxed(poses + low, high - low + 1, space, body, SPACING / 2, FINE_SWEEPS, true, free_end, &count);
     for (size_t i = 1; smooth && i < count; i++)
         search_track_add(result, smooth[i]);
     memory_free(coarse);
@@ -315,7 +322,8 @@ void smooth_track(SearchTrack *track, const FreeSpace *space, const Rectangle *b
             length += vec2_distance(poses[high].at, poses[high + 1].at);
             high++;
         }
-        if (poses[high].direction == 0 || length < SHORTEST || !smooth_piece(poses, low, high, space, body, &result))
+        if (poses[high].direction == 0 || length < SHORTEST ||
+            !smooth_piece(poses, low, high, space, body, high + 1 == track->count, &result))
             for (size_t i = low + 1; i <= high; i++)
                 search_track_add(&result, poses[i]);
         low = high;

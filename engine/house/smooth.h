@@ -7,3 +7,7 @@
  * indices `pins` (pin_count, rising) stay as they are, as do changes of direction and turns on the spot. */
 void smooth_track(SearchTrack *track, const FreeSpace *space, const Rectangle *body, const size_t *pins,
                   size_t pin_count);
+
+/* A place between two poses of the same direction of travel, `part` (0 to 1) of the way, on the cubic with their
+ * headings as tangents. */
+Vec2 smooth_between(const Pose *a, const Pose *b, int direction, double part);

@@ -1,0 +1,75 @@
+#include "draft.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "check.h"
+
+void draft_write(char path[DRAFT_PATH], const char *text) {
+    strcpy(path, "/tmp/clearance-draft-XXXXXX");
+    int file = mkstemp(path);
+    FILE *out = file >= 0 ? fdopen(file, "w") : NULL;
+    CHECK(out);
+    for (; out && *text; text++)
+        fputc(*text == '\'' ? '"' : *text, out);
+    if (out)
+        fclose(out);
+}
+
+void draft_plan(Plan *plan, const char *members) {
+    size_t size = strlen(members) + 64;
+    char *text = memory_allocate(size, 1), path[DRAFT_PATH];
+    snprintf(text, size, "{'format': 'clearance-house', 'version': 1, %s}", members);
+    draft_write(path, text);
+    Fault fault = {0};
+    *plan = (Plan){0};
+    CHECK(plan_read(plan, path, NULL, 0, &fault));
+    for (size_t i = 0; i < fault.count; i++)
+        printf("%s\n", fault.lines[i]);
+    fault_clear(&fault);
+    unlink(path);
+    memory_free(text);
+}
+
+static int is_json(const struct dirent *entry) {
+    const char *end = strrchr(entry->d_name, '.');
+    return end && strcmp(end, ".json") == 0;
+}
+
+char **draft_list(const char *directory, size_t *count) {
+    struct dirent **entries = NULL;
+    int found = scandir(draft_source(directory), &entries, is_json, alphasort);
+    *count = found > 0 ? (size_t)found : 0;
+    CHECK(*count > 0);
+    char **paths = memory_allocate(*count, sizeof *paths);
+    for (size_t i = 0; i < *count; i++) {
+        size_t size = strlen(directory) + strlen(entries[i]->d_name) + 2;
+        paths[i] = memory_allocate(size, 1);
+        snprintf(paths[i], size, "%s/%s", directory, entries[i]->d_name);
+        free(entries[i]);
+    }
+    free(entries);
+    return paths;
+}
+
+void draft_free_list(char **paths, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        memory_free(paths[i]);
+    memory_free(paths);
+}
+
+const char *draft_source(const char *path) {
+    static char whole[4096];
+    snprintf(whole, sizeof whole, "%s/%s", check_source(), path);
+    return whole;
+}
+
+char *draft_read(const char *path) {
+    size_t size;
+    char *text = text_read_file(path, 1 << 24, &size);
+    return text ? text : memory_allocate(1, 1);
+}

@@ -1,0 +1,24 @@
+/* Files for tests: drafts written as text into a temporary file, and lists of the files of a directory. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "house/plan.h"
+
+/* Writes `text`, its ' turned into ", into a new temporary file; `path` takes its name. */
+enum { DRAFT_PATH = 64 };
+void draft_write(char path[DRAFT_PATH], const char *text);
+
+/* Reads a house of `members` besides format and version, in the same way. Faults are printed and fail the test. */
+void draft_plan(Plan *plan, const char *members);
+
+/* The paths of the .json files of a directory below the project's, sorted; draft_free_list releases them. */
+char **draft_list(const char *directory, size_t *count);
+void draft_free_list(char **paths, size_t count);
+
+/* The project's `path` as one that can be opened; overwritten by the next call. */
+const char *draft_source(const char *path);
+
+/* The whole file, "" if there is none; memory_free it. */
+char *draft_read(const char *path);
