@@ -154,6 +154,13 @@ static void place_people(House *house, const char *path, Fault *fault) {
     qsort(house->people, house->person_count, sizeof *house->people, compare_inhabitants);
 }
 
+static void check_profile(const House *house, const char *path, size_t i, Fault *fault) {
+    const Profile *profile = &house->profiles[i];
+    char place[512];
+    snprintf(place, sizeof place, "%.400s:1:1: profile %.60s", path, profile->name);
+    profile_check(profile, house->plan.run.dt, place, fault);
+}
+
 static bool read_parts(House *house, const char *path, const HouseOptions *options, Fault *fault) {
     size_t before = fault->count;
     if (!plan_read(&house->plan, path, options->settings, options->setting_count, fault))
@@ -163,7 +170,7 @@ static bool read_parts(House *house, const char *path, const HouseOptions *optio
         for (size_t i = 0; i < house->plan.override_count; i++)
             apply_override(house, &house->plan.overrides[i], fault);
     for (size_t i = 0; i < house->profile_count && fault->count == before; i++)
-        profile_check(&house->profiles[i], house->plan.run.dt, house->profiles[i].name, fault);
+        check_profile(house, path, i, fault);
     if (fault->count != before || !outline_build(&house->outline, &house->plan, fault))
         return false;
     freespace_build(&house->space, &house->outline, house->plan.run.cell);

@@ -24,9 +24,9 @@ enum { GRAINS = sizeof grains / sizeof *grains };
 #define BEYOND_EXIT 0.3
 #define BEYOND_CLEARANCE 0.1 /* m, that is kept from what stands before the door */
 
-/* The straightened end of a way: how long, m, the first that can be; its step, m; what it keeps from everything, m; how
- * bent it may be, 1/m. */
-static const double end_lengths[] = {1, 2, 3};
+/* The straightened end of a way: how long, m, the longest that can be; its step, m; what it keeps from everything, m;
+ * how bent it may be, 1/m. */
+static const double end_lengths[] = {4, 3, 2, 1};
 #define END_STEP 0.05
 #define END_CLEARANCE 0.08
 #define END_CURVATURE 1.5
@@ -132,15 +132,15 @@ static bool connect(SearchTrack *track, const RouteQuery *query, const Rectangle
 /* The search crosses the exit as it happens to; where there is room, the last metres lead straight out instead. Poses
  * up to `first` stay. */
 static void straighten_end(SearchTrack *track, const RouteQuery *query, const Rectangle *body, size_t first) {
-    double left = 0;
-    size_t index = track->count - 1;
     for (size_t t = 0; t < sizeof end_lengths / sizeof *end_lengths; t++) {
+        double left = 0;
+        size_t index = track->count - 1;
         while (index > first && left < end_lengths[t] && track->poses[index].direction == 1) {
             left += vec2_distance(track->poses[index].at, track->poses[index - 1].at);
             index--;
         }
         if (left < end_lengths[t])
-            return;
+            continue;
         SearchTrack tail = {0};
         Pose out = straight_out(&query->plan->exits[track->exit], body, &track->poses[index]);
         bool good = connect(&tail, query, body, &track->poses[index], &out);
