@@ -3,10 +3,10 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "base/memory.h"
 #include "command/answer.h"
 #include "command/command.h"
 #include "command/house_file.h"
-#include "base/memory.h"
 
 /* One house, driven both ways; of its first person. */
 typedef struct Comparison {
@@ -100,25 +100,51 @@ static bool compare_house(Comparison *comparison, const Options *options, size_t
     return good;
 }
 
-static void print_result(const PersonObservation *person) {
+/* The time, or why there is none. */
+static void print_time(const PersonObservation *person) {
     if (person->completed)
-        printf(" %8.2f %10.3f %6.0f |", person->time, person->narrowest, person->peak_force);
+        printf(" %11.2f |", person->time);
     else
-        printf(" %26s |", reason_text(person->reason));
+        printf(" %11s |", reason_text(person->reason));
+}
+
+static void print_number(double value, bool there) {
+    if (there)
+        printf(" %9.3f |", value);
+    else
+        printf(" %9s |", "-");
 }
 
 static void print_comparison(const Comparison *comparison) {
-    printf("| %-24s |", comparison->name);
-    print_result(&comparison->miura);
-    print_result(&comparison->driver);
-    if (comparison->miura.completed)
-        printf(" %9.2f |", comparison->floor);
-    else
-        printf(" %9s |", "-");
-    if (comparison->miura.completed && comparison->driver.completed)
-        printf(" %5.3f %5.3f |\n", comparison->largest, comparison->mean);
-    else
-        printf(" %11s |\n", "-");
+    const PersonObservation *miura = &comparison->miura, *driver = &comparison->driver;
+    bool both = miura->completed && driver->completed;
+    printf("| %-40s |", comparison->name);
+    print_time(miura);
+    print_time(driver);
+    print_number(miura->narrowest, miura->completed);
+    print_number(driver->narrowest, driver->completed);
+    print_number(comparison->floor, miura->completed && comparison->floor > 0 && comparison->floor < HUGE_VAL);
+    print_number(comparison->largest, both);
+    print_number(comparison->mean, both);
+    printf("\n");
+}
+
+/* A table as Markdown has them. */
+static void print_head(void) {
+    static const char *const columns[] = {"narrowest", "narrowest", "floor", "apart", "apart"};
+    static const char *const units[] = {"miura, m", "driver, m", "m/s", "most, m", "mean, m"};
+    enum { COLUMNS = sizeof columns / sizeof *columns };
+    static const char dashes[] = "------------------------------------------";
+    printf("| %-40s | %-11s | %-11s |", "", "miura", "driver");
+    for (size_t c = 0; c < COLUMNS; c++)
+        printf(" %-9s |", columns[c]);
+    printf("\n|%.42s|%.13s|%.13s|", dashes, dashes, dashes);
+    for (size_t c = 0; c < COLUMNS; c++)
+        printf("%.11s|", dashes);
+    printf("\n| %-40s | %-11s | %-11s |", "house", "time, s", "time, s");
+    for (size_t c = 0; c < COLUMNS; c++)
+        printf(" %-9s |", units[c]);
+    printf("\n");
 }
 
 static json_t *answer_comparison(const Comparison *comparison) {
@@ -140,12 +166,7 @@ int command_loci(const Options *options) {
     bool all = true;
     json_t *rows = json_array();
     if (!options->json)
-        printf(
-            "| %-24s | %-26s | %-26s | %-9s | %-11s |\n| %-24s | %-26s | %-26s | %-9s | %-11s |\n"
-            "|--------------------------|----------------------------|----------------------------|-----------|------"
-            "-------|\n",
-            "", "miura", "driver", "miura's", "loci apart,", "house", "time s, narrowest m, N",
-            "time s, narrowest m, N", "floor m/s", "most, mean m");
+        print_head();
     for (size_t f = 0; f < options->file_count && !fault.count; f++) {
         Comparison comparison = {.largest = 0};
         if (!compare_house(&comparison, options, f, &fault))
