@@ -240,13 +240,14 @@ static void mind_people(const World *world, size_t i, Drive *drive, Vec2 travel,
 /* Forces --------------------------------------------------------------------------------------------------------------
  */
 
-/* F3: towards the target speed along a direction, as fast as a_0 and a_d and as hard as the push allow; `resistance` is
- * what else acts along it. */
-static double driving_force(const Profile *profile, double target, double speed, double resistance) {
-    double wanted = profile->mass * (target - speed) / profile->speed_response;
+/* F3: towards the target speed along a direction, as fast as a_0 and a_d and as hard as the push allow; `others` is
+ * what else acts along it. The paper's element knows only its speed and gives way to what pushes it; a driver feels it
+ * (`holding` is 1) and pushes against it. */
+static double driving_force(const Profile *profile, double target, double speed, double others, double holding) {
+    double wanted = profile->mass * (target - speed) / profile->speed_response - holding * others;
     bool faster = fabs(target) > fabs(speed) && target * speed >= 0;
     double limit = profile->mass * (faster ? profile->acceleration : profile->deceleration);
-    wanted = clamp(wanted, -limit - resistance, limit - resistance);
+    wanted = clamp(wanted, -limit - others, limit - others);
     return clamp(wanted, -profile->push, profile->push);
 }
 
@@ -287,8 +288,8 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
     double rate = real_min(profile->turn_rate, sqrt(2 * brake * fabs(left)));
     double back = vec2_dot(vec2_sub(place->here->at, world_reference(world, i)), axis);
     double speed = clamp(back / profile->speed_response / 4, -2 * SLOWEST, 2 * SLOWEST);
-    double resistance = vec2_dot(world->force[i], axis);
-    double push = driving_force(profile, speed, vec2_dot(world->velocity[i], axis), resistance);
+    double others = vec2_dot(world->force[i], axis);
+    double push = driving_force(profile, speed, vec2_dot(world->velocity[i], axis), others, 1);
     return (Effort){vec2_scale(axis, push),
                     turning_moment(profile, copysign(rate, left), 0, world->turn[i], world->moment[i])};
 }
@@ -323,9 +324,9 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     double turn =
         bend - profile->lateral_gain * sense * direction * pace * offset - profile->heading_gain * pace * sin(slant);
     turn = clamp(turn, -profile->turn_rate, profile->turn_rate);
-    double resistance = vec2_dot(world->force[i], axis);
+    double others = vec2_dot(world->force[i], axis);
     return (Effort){
-        vec2_scale(axis, driving_force(profile, sense * direction * target, speed, resistance)),
+        vec2_scale(axis, driving_force(profile, sense * direction * target, speed, others, 1)),
         turning_moment(profile, turn, pace * pace * place->next->bending, world->turn[i], world->moment[i])};
 }
 
@@ -346,7 +347,7 @@ static Effort drive_miura(const World *world, size_t i, Drive *drive, const Plac
     double to_door = way_to_door(world, i, &door), target = real_max(place->speed, SLOWEST);
     if (door >= 0)
         target = real_min(target, sqrt(2 * PLANNED * profile->deceleration * real_max(to_door, 0)));
-    double push = driving_force(profile, target, vec2_dot(velocity, way), vec2_dot(world->force[i], way));
+    double push = driving_force(profile, target, vec2_dot(velocity, way), vec2_dot(world->force[i], way), 0);
     Vec2 across = vec2_left(way);
     double back = clamp(-drive->offset / ROUND_RETURN_TIME, -ROUND_RETURN_SPEED, ROUND_RETURN_SPEED);
     double sideways =
