@@ -302,8 +302,10 @@ static Scene scene_after(PersonObservation person, const char *note) {
 }
 
 TEST(somebody_who_is_out_is_the_answer) {
-    Scene scene = scene_after((PersonObservation){.took_part = true, .completed = true, .time = 8.04, .narrowest = 0.3},
-                              "drawn from a measured plan");
+    Scene scene = scene_after(
+        (PersonObservation){
+            .took_part = true, .completed = true, .time = 8.04, .narrowest = 0.3, .narrowest_other = -1},
+        "drawn from a measured plan");
     CHECK_TEXT(scene.title, "Out in 8.0 s");
     CHECK(scene.title_role == ROLE_TEXT);
     CHECK_TEXT(scene.detail, "personal space stays free, no contact");
@@ -324,8 +326,9 @@ TEST(somebody_who_cannot_pass_is_told_where_and_by_how_much) {
 }
 
 TEST(a_locus_has_a_tick_each_second_and_a_number_each_fifth) {
-    Scene scene =
-        scene_after((PersonObservation){.took_part = true, .completed = true, .time = 8, .narrowest = 0.3}, "");
+    Scene scene = scene_after(
+        (PersonObservation){.took_part = true, .completed = true, .time = 8, .narrowest = 0.3, .narrowest_other = -1},
+        "");
     int ticks = 0, numbers = 0;
     for (size_t i = 0; i < scene.count; i++) {
         ticks += scene.primitives[i].kind == PRIMITIVE_TICK;

@@ -84,7 +84,10 @@ static const char *findings(Scene *scene, const House *house, const Observation 
         return scene_text(scene, "personal space stays free, %s", contacts);
     const PersonObservation *person = &observation->people[narrowest];
     char place[96];
-    outline_place_name(&house->outline, &house->plan, person->narrowest_to, place, sizeof place);
+    if (person->narrowest_other >= 0)
+        snprintf(place, sizeof place, "person %s", house->people[person->narrowest_other].id);
+    else
+        outline_place_name(&house->outline, &house->plan, person->narrowest_to, place, sizeof place);
     const char *clearance = people_scene_clearance(scene, person->narrowest);
     if (person->narrowest <= 0)
         return scene_text(scene, "%s %s, %s", clearance, place, contacts);

@@ -18,11 +18,13 @@ static const double PLANNED = 0.8;
 static const double STAND_OFF = 0.10;
 static const double PEOPLE_STAND_OFF = 0.20;
 /* m: how far ahead people are seen, what is left between two who pass, and how close to a wall one swerves. */
-static const double SIGHT = 6.0, PASSING_SPACE = 0.15, PASSING_LEAST = 0.02, WALL_SPACE = 0.05;
+static const double SIGHT = 6.0, PASSING_SPACE = 0.25, PASSING_LEAST = 0.02, WALL_SPACE = 0.10;
+/* 1: the cosine of the angle to the way up to which somebody goes along it. */
+static const double STRAIGHT = 0.7;
 /* m/s: how slowly one edges past somebody. */
 static const double SLOW_PASSING = 0.15;
 /* m/s: how fast somebody swerves. */
-static const double SWERVE = 0.35;
+static const double SWERVE = 0.20;
 /* A round body's lateral control, which the paper does not have. */
 static const double ROUND_RETURN_TIME = 1.0;  /* s, back to the middle of the way */
 static const double ROUND_RETURN_SPEED = 0.2; /* m/s, at most */
@@ -212,8 +214,12 @@ static void mind_person(const World *world, size_t i, size_t j, double *aside, d
     if (fabs(lateral) > SIGHT / 2)
         return;
     if (coming < SLOWEST) {
+        /* Once they are abreast both will be straight again, however they slant while they swerve. */
+        bool straight = fabs(vec2_dot(world->axis[j], way)) > STRAIGHT;
+        double others = straight ? world->house->people[j].profile->width / 2 : extent(world, j, vec2_scale(left, -1));
+        double abreast = lateral + profile->width / 2 + others + PASSING_SPACE;
         double room = real_min(here->room_left, there->room_left) - profile->width / 2 - WALL_SPACE;
-        *aside = real_max(*aside, real_min(lateral + beside + PASSING_SPACE, real_max(room, 0)));
+        *aside = real_max(*aside, real_min(abreast, real_max(room, 0)));
     }
     double gap = fabs(apart) - beside;
     if (gap > PASSING_LEAST || ahead < -PEOPLE_STAND_OFF)
@@ -233,8 +239,9 @@ static void mind_people(const World *world, size_t i, Drive *drive, Vec2 travel,
         if (vec2_dot(to, to) < SIGHT * SIGHT && vec2_dot(to, travel) > passed)
             mind_person(world, i, j, &aside, speed);
     }
-    double change = SWERVE * world->clock.dt;
-    drive->aside += clamp(aside - drive->aside, -change, change);
+    double change = SWERVE * world->clock.dt, before = drive->aside;
+    drive->aside += clamp(aside - before, -change, change);
+    drive->swerve = (drive->aside - before) / world->clock.dt;
 }
 
 /* Forces --------------------------------------------------------------------------------------------------------------
@@ -318,8 +325,9 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     /* Offsets and turns in the body's own sense: its left, its heading, also when it goes backwards. */
     double speed = vec2_dot(world->velocity[i], axis);
     double offset = direction * (drive->offset - drive->aside);
-    double slant = vec2_wrap_angle(world->heading[i] - place->heading);
     double pace = real_max(fabs(speed), SLOWEST) * (target > 0);
+    double swerve = pace > SWERVE ? drive->swerve / pace : 0; /* the slant that the swerve itself needs */
+    double slant = vec2_wrap_angle(world->heading[i] - place->heading) - swerve;
     double bend = sense * place->next->curvature * pace;
     double turn =
         bend - profile->lateral_gain * sense * direction * pace * offset - profile->heading_gain * pace * sin(slant);

@@ -1,5 +1,7 @@
 #include "house/hazard.h"
 
+#include <stdio.h>
+
 #include "base/memory.h"
 
 static double score_of(const RunSettings *run, double clearance, double peak_force, double lost_time) {
@@ -17,7 +19,7 @@ static Hazard gather(const Stretch *stretches, size_t count, const bool *taken, 
             continue;
         hazard.clearance = fmin(hazard.clearance, stretches[k].clearance);
         hazard.peak_force = fmax(hazard.peak_force, stretches[k].peak_force);
-        hazard.lost_time += stretches[k].lost_time;
+        hazard.lost_time += fmax(stretches[k].lost_time, 0);
     }
     hazard.score = score_of(run, hazard.clearance, hazard.peak_force, hazard.lost_time);
     return hazard;
@@ -28,8 +30,8 @@ static bool is_dangerous(const Hazard *hazard, const RunSettings *run) {
            hazard->lost_time > run->loss_warning;
 }
 
-size_t hazard_rank(Hazard hazards[HAZARDS_MOST], const Stretch *stretches, size_t count, const Outline *outline,
-                   const Plan *plan) {
+size_t hazard_rank(Hazard hazards[HAZARDS_MOST], const Stretch *stretches, size_t count, const House *house) {
+    const RunSettings *run = &house->plan.run;
     bool *taken = memory_allocate(count, sizeof *taken);
     size_t found = 0;
     while (found < HAZARDS_MOST) {
@@ -38,8 +40,8 @@ size_t hazard_rank(Hazard hazards[HAZARDS_MOST], const Stretch *stretches, size_
         for (size_t i = 0; i < count; i++) {
             if (taken[i])
                 continue;
-            Hazard hazard = gather(stretches, count, taken, i, &plan->run);
-            if (is_dangerous(&hazard, &plan->run) && hazard.score > worst.score) {
+            Hazard hazard = gather(stretches, count, taken, i, run);
+            if (is_dangerous(&hazard, run) && hazard.score > worst.score) {
                 worst = hazard;
                 best = i;
             }
@@ -48,7 +50,11 @@ size_t hazard_rank(Hazard hazards[HAZARDS_MOST], const Stretch *stretches, size_
             break;
         for (size_t k = 0; k < count; k++)
             taken[k] |= vec2_distance(stretches[k].at, stretches[best].at) <= HAZARD_RADIUS;
-        outline_place_name(outline, plan, worst.at, worst.what, sizeof worst.what);
+        int other = stretches[best].other;
+        if (other >= 0)
+            snprintf(worst.what, sizeof worst.what, "person %s", house->people[other].id);
+        else
+            outline_place_name(&house->outline, &house->plan, worst.at, worst.what, sizeof worst.what);
         hazards[found++] = worst;
     }
     memory_free(taken);

@@ -11,8 +11,7 @@
 #include <stddef.h>
 
 #include "base/vec2.h"
-#include "house/outline.h"
-#include "house/plan.h"
+#include "house/house.h"
 
 /* m: length of a stretch, and how far apart stretches of one hazard may be. */
 #define HAZARD_STRETCH 0.25
@@ -23,6 +22,7 @@ enum { HAZARDS_MOST = 9 /* ranked; the rest would not be read */ };
 /* What one person met on one stretch. */
 typedef struct Stretch {
     Vec2 at;           /* m, where the body was nearest to something */
+    int other;         /* the person it was nearest to, or -1: an obstacle */
     double clearance;  /* m */
     double peak_force; /* N */
     double lost_time;  /* s */
@@ -30,7 +30,7 @@ typedef struct Stretch {
 
 typedef struct Hazard {
     Vec2 at;           /* m */
-    char what[96];     /* "door d2", "wardrobe (f3)", "wall w1" */
+    char what[96];     /* "door d2", "wardrobe (f3)", "wall w1", "person p2" */
     double score;      /* 1 */
     double clearance;  /* m, least */
     double peak_force; /* N, largest contact */
@@ -38,5 +38,4 @@ typedef struct Hazard {
 } Hazard;
 
 /* Ranks the hazards among `count` stretches, worst first; returns how many, at most HAZARDS_MOST. */
-size_t hazard_rank(Hazard hazards[HAZARDS_MOST], const Stretch *stretches, size_t count, const Outline *outline,
-                   const Plan *plan);
+size_t hazard_rank(Hazard hazards[HAZARDS_MOST], const Stretch *stretches, size_t count, const House *house);

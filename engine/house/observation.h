@@ -35,6 +35,7 @@ typedef struct PersonObservation {
     Vec2 narrowest_at;  /* m, the reference point then */
     double narrowest_heading; /* rad */
     Vec2 narrowest_to;        /* m, what it was near to */
+    int narrowest_other;      /* the person it was near to, or -1: an obstacle */
     int contacts;             /* times that the body began to touch something */
     double peak_force;        /* N, of a body contact */
     Vec2 peak_at;             /* m */

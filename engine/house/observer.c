@@ -57,6 +57,7 @@ void observer_init(Observer *observer, const World *world, PersonObservation *pe
                                         .exit = route->answer == ROUTE_NO_EXIT ? SIZE_MAX : route->exit,
                                         .reversals = route->reversals,
                                         .narrowest = world->body[i].reach,
+                                        .narrowest_other = -1,
                                         .narrowest_at = observer->watched[i].at,
                                         .narrowest_heading = world->heading[i]};
         add_row(observer, i, 0);
@@ -77,7 +78,7 @@ static Stretch *stretch_of(Observer *observer, size_t i) {
         observer->stretches = memory_reserve(observer->stretches, &observer->stretch_capacity,
                                              observer->stretch_count + 1, sizeof *observer->stretches);
         observer->stretches[observer->stretch_count] =
-            (Stretch){.at = observer->world->centre[i], .clearance = HUGE_VAL};
+            (Stretch){.at = observer->world->centre[i], .other = -1, .clearance = HUGE_VAL};
         watched->stretch = ++observer->stretch_count;
         watched->ended += HAZARD_STRETCH;
     }
@@ -90,12 +91,14 @@ static void watch_clearance(PersonObservation *person, Stretch *stretch, const W
         stretch->clearance = sense->clearance;
         if (sense->clearance < world->body[i].reach)
             stretch->at = sense->nearest_at;
+        stretch->other = sense->other;
     }
     if (sense->clearance < person->narrowest) {
         person->narrowest = sense->clearance;
         person->narrowest_at = at;
         person->narrowest_heading = world->heading[i];
         person->narrowest_to = sense->nearest_at;
+        person->narrowest_other = sense->other;
     }
 }
 

@@ -126,8 +126,7 @@ void run_house(Observation *observation, const House *house, const RunOptions *o
         observer_clear(&groups[g].observer);
         memory_free(groups[g].part);
     }
-    observation->hazard_count =
-        hazard_rank(observation->hazards, stretches, stretch_count, &house->outline, &house->plan);
+    observation->hazard_count = hazard_rank(observation->hazards, stretches, stretch_count, house);
     conclude(observation);
     memory_free(stretches);
     memory_free(groups);

@@ -69,6 +69,7 @@ typedef struct Drive {
     double s;          /* m, along the track */
     double offset;     /* m, to the left of the track */
     double aside;      /* m, the offset wanted, to let somebody pass */
+    double swerve;     /* m/s, at which that changes */
     double pause;      /* s, left of a change of direction */
     double best_s;     /* m, farthest so far */
     double best_turn;  /* rad, least left of a turn on the spot */
