@@ -94,11 +94,18 @@ static const char *findings(Scene *scene, const House *house, const Observation 
     return scene_text(scene, "narrowest %s at %s, %s", clearance, place, contacts);
 }
 
+/* Routes that are driven alone have no time in common: what they have is that they lead out. */
 static void say_yes(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     scene->title_role = ROLE_TEXT;
-    scene->title = census->people > 1 ? scene_text(scene, "All %zu out in %.1f s", census->people, observation->time)
-                                      : scene_text(scene, "Out in %.1f s", observation->time);
     scene->detail = findings(scene, house, observation, census);
+    if (census->people == 1) {
+        scene->title = scene_text(scene, "Out in %.1f s", observation->time);
+    } else if (house->plan.run.routes == ROUTES_ALONE) {
+        scene->title = scene_text(scene, "All %zu get out", census->people);
+        scene->detail = scene_text(scene, "each alone, at most %.1f s, %s", observation->time, scene->detail);
+    } else {
+        scene->title = scene_text(scene, "All %zu out in %.1f s", census->people, observation->time);
+    }
 }
 
 /* The first who is not out says why. */
