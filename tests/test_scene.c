@@ -231,7 +231,7 @@ static char *painted(const Scene *scene, int (*paint)(const Scene *, const char 
 }
 
 TEST(the_same_scene_gives_the_same_bytes) {
-    int (*const painters[])(const Scene *, const char *, int, int, Theme) = {paint_png, paint_svg};
+    int (*const painters[])(const Scene *, const char *, int, int, Theme) = {paint_cairo_png, paint_cairo_svg};
     static const char *const beginnings[] = {"\x89PNG", "<?xml"};
     for (int i = 0; i < 2; i++) {
         Scene scene = plain_scene();
@@ -248,9 +248,9 @@ TEST(the_same_scene_gives_the_same_bytes) {
 
 TEST(a_picture_that_cannot_be_says_why) {
     Scene scene = plain_scene();
-    CHECK(paint_png(&scene, "/tmp/clearance-never.png", 0, 720, THEME_PAPER) == EINVAL);
-    CHECK(paint_svg(&scene, "/tmp/clearance-never.svg", 1280, PAINT_LARGEST + 1, THEME_PAPER) == EINVAL);
-    CHECK(paint_png(&scene, "/tmp/no-such-directory/a.png", 64, 36, THEME_PAPER) == ENOENT);
+    CHECK(paint_cairo_png(&scene, "/tmp/clearance-never.png", 0, 720, THEME_PAPER) == EINVAL);
+    CHECK(paint_cairo_svg(&scene, "/tmp/clearance-never.svg", 1280, PAINT_LARGEST + 1, THEME_PAPER) == EINVAL);
+    CHECK(paint_cairo_png(&scene, "/tmp/no-such-directory/a.png", 64, 36, THEME_PAPER) == ENOENT);
     CHECK(access("/tmp/clearance-never.png", F_OK) != 0);
     scene_clear(&scene);
 }
@@ -296,7 +296,7 @@ static Scene scene_after(PersonObservation person, const char *note) {
         trace_add(&observation.trace,
                   (double[TRACE_COLUMNS]){[TRACE_TIME] = 0.1 * i, [TRACE_X] = 1 + 0.05 * i, [TRACE_Y] = 1});
     Scene scene;
-    house_scene(&scene, &house, &observation);
+    house_scene_make(&scene, &house, &observation);
     trace_clear(&observation.trace);
     return scene;
 }

@@ -30,7 +30,7 @@ static void still_make(Still *still, json_t *plan, int driving, const char *cons
 
 static void still_free(Still *still) {
     world_destroy(&still->world);
-    journeys_free(still->journeys, still->house.person_count);
+    journey_free_all(still->journeys, still->house.person_count);
     house_free(&still->house);
 }
 
@@ -164,7 +164,7 @@ TEST(a_free_run_accelerates_by_a_0_and_keeps_the_free_speed) {
         House house;
         case_made(&house, plan, driving, NULL);
         const Profile *profile = house.people[0].profile;
-        Journey *journeys = journeys_plan(&house, NULL, 1);
+        Journey *journeys = journey_plan_all(&house, NULL, 1);
         World world = world_create(&house, journeys, NULL);
         while (clock_time(&world.clock) < 1)
             world_step(&world, NULL);
@@ -173,7 +173,7 @@ TEST(a_free_run_accelerates_by_a_0_and_keeps_the_free_speed) {
             world_step(&world, NULL);
         CHECK_NEAR(vec2_length(world.velocity[0]), profile->free_speed, 1e-3);
         world_destroy(&world);
-        journeys_free(journeys, house.person_count);
+        journey_free_all(journeys, house.person_count);
         house_free(&house);
     }
 }
@@ -181,7 +181,7 @@ TEST(a_free_run_accelerates_by_a_0_and_keeps_the_free_speed) {
 TEST(a_copy_of_a_world_goes_on_to_the_same_bits) {
     House house;
     case_house(&house, "two-chairs-corridor", -1, NULL);
-    Journey *journeys = journeys_plan(&house, NULL, 1);
+    Journey *journeys = journey_plan_all(&house, NULL, 1);
     World world = world_create(&house, journeys, NULL);
     for (int step = 0; step < 3000; step++)
         world_step(&world, NULL);
@@ -194,7 +194,7 @@ TEST(a_copy_of_a_world_goes_on_to_the_same_bits) {
     CHECK(memcmp(copy.centre, world.centre, 2 * sizeof *world.centre) == 0);
     world_destroy(&copy);
     world_destroy(&world);
-    journeys_free(journeys, house.person_count);
+    journey_free_all(journeys, house.person_count);
     house_free(&house);
 }
 

@@ -35,7 +35,7 @@ static json_t *answer_person(const House *house, size_t i, const PersonObservati
                   inhabitant->route ? json_string(inhabitant->route->id) : json_null(), "exit",
                   exit_id(house, person->exit), "completed", person->completed, "time", rounded(person->time));
     if (!person->completed) {
-        set(answer, "reason", json_string(reason_text(person->reason)));
+        set(answer, "reason", json_string(observation_reason(person->reason)));
         if (person->reason == REASON_CANNOT_PASS || person->reason == REASON_BLOCKED)
             set(answer, "blocked_at", answer_blockage(&person->blockage));
     }
@@ -154,7 +154,7 @@ void answer_headline(const House *house, const Observation *observation, char *t
     else if (person->reason == REASON_BLOCKED)
         snprintf(text, size, "%s is blocked at %s after %.1f s", id, blockage->what, person->time);
     else
-        snprintf(text, size, "%s is not out: %s at %.1f s", id, reason_text(person->reason), person->time);
+        snprintf(text, size, "%s is not out: %s at %.1f s", id, observation_reason(person->reason), person->time);
 }
 
 static void print_people(const House *house, const Observation *observation) {
@@ -169,7 +169,7 @@ static void print_people(const House *house, const Observation *observation) {
                inhabitant->profile->name, inhabitant->route ? inhabitant->route->id : "-",
                person->exit < house->plan.exit_count ? house->plan.exits[person->exit].id : "-", person->time,
                person->narrowest, person->contacts, person->peak_force, person->ring_time, person->lost_time,
-               person->completed ? "" : reason_text(person->reason));
+               person->completed ? "" : observation_reason(person->reason));
     }
 }
 

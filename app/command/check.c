@@ -60,7 +60,7 @@ int command_check(const Options *options) {
             answer_print(json_pack("{s:s, s:o, s:[]}", "kind", "check", "faults", fault_lines(&fault), "people"));
         return house_file_report(&fault);
     }
-    Journey *journeys = journeys_plan(&house, NULL, options->jobs);
+    Journey *journeys = journey_plan_all(&house, NULL, options->jobs);
     json_t *people = json_array();
     bool all = true;
     for (size_t i = 0; i < house.person_count; i++) {
@@ -76,7 +76,7 @@ int command_check(const Options *options) {
     else if (!house.person_count)
         printf("no faults; nobody lives here\n");
     json_decref(answer);
-    journeys_free(journeys, house.person_count);
+    journey_free_all(journeys, house.person_count);
     house_free(&house);
     return all ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }

@@ -16,7 +16,7 @@ static const PersonObservation *find_person(const House *house, const Observatio
 
 static void print_row(const char *name, const char *id, const PersonObservation *person) {
     printf("%-12s %-8s %9.2f %11.3f %9d %8.0f %8.1f  %s\n", id, name, person->time, person->narrowest, person->contacts,
-           person->peak_force, person->lost_time, person->completed ? "out" : reason_text(person->reason));
+           person->peak_force, person->lost_time, person->completed ? "out" : observation_reason(person->reason));
 }
 
 static void print_comparison(const House houses[2], const Observation observations[2]) {

@@ -105,7 +105,7 @@ static void print_time(const PersonObservation *person) {
     if (person->completed)
         printf(" %11.2f |", person->time);
     else
-        printf(" %11s |", reason_text(person->reason));
+        printf(" %11s |", observation_reason(person->reason));
 }
 
 static void print_number(double value, bool there) {

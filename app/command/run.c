@@ -29,7 +29,7 @@ static bool write_results(const House *house, const Observation *observation, co
     int error = mkdir(options->out, 0777) && errno != EEXIST ? errno : 0;
     char path[4096];
     snprintf(path, sizeof path, "%s", options->out);
-    house_scene(&scene, house, observation);
+    house_scene_make(&scene, house, observation);
     for (size_t f = 0; f < sizeof names / sizeof *names && !error; f++) {
         snprintf(path, sizeof path, "%s/%s", options->out, names[f]);
         switch (f) {
@@ -43,10 +43,10 @@ static bool write_results(const House *house, const Observation *observation, co
             error = jupedsim_write(house, observation, path);
             break;
         case 3:
-            error = paint_png(&scene, path, options->width, options->height, options->theme);
+            error = paint_cairo_png(&scene, path, options->width, options->height, options->theme);
             break;
         case 4:
-            error = paint_svg(&scene, path, options->width, options->height, options->theme);
+            error = paint_cairo_svg(&scene, path, options->width, options->height, options->theme);
             break;
         }
     }

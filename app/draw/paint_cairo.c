@@ -317,7 +317,7 @@ static bool size_is_sound(int width, int height) {
     return width > 0 && height > 0 && width <= PAINT_LARGEST && height <= PAINT_LARGEST;
 }
 
-int paint_png(const Scene *scene, const char *path, int width, int height, Theme theme) {
+int paint_cairo_png(const Scene *scene, const char *path, int width, int height, Theme theme) {
     if (!size_is_sound(width, height))
         return EINVAL;
     Bytes bytes = {0};
@@ -344,7 +344,7 @@ static void remove_surface_number(Bytes *bytes) {
     bytes->size -= digits;
 }
 
-int paint_svg(const Scene *scene, const char *path, int width, int height, Theme theme) {
+int paint_cairo_svg(const Scene *scene, const char *path, int width, int height, Theme theme) {
     if (!size_is_sound(width, height))
         return EINVAL;
     Bytes bytes = {0};

@@ -9,5 +9,5 @@ enum { PAINT_LARGEST = 16384 /* pixels a side: cairo's coordinates end at twice 
 
 /* `width` and `height` in pixels; widths of lines and letters grow with the smaller of width / 1280 and height / 720.
  */
-int paint_png(const Scene *scene, const char *path, int width, int height, Theme theme);
-int paint_svg(const Scene *scene, const char *path, int width, int height, Theme theme);
+int paint_cairo_png(const Scene *scene, const char *path, int width, int height, Theme theme);
+int paint_cairo_svg(const Scene *scene, const char *path, int width, int height, Theme theme);

@@ -162,7 +162,7 @@ static void list_person(Scene *scene, const House *house, const Observation *obs
     const PersonObservation *observed = &observation->people[i];
     const char *who = scene_text(scene, "%s %s", person->id, person->profile->name);
     const char *result =
-        observed->completed ? scene_text(scene, "%.1f s", observed->time) : reason_text(observed->reason);
+        observed->completed ? scene_text(scene, "%.1f s", observed->time) : observation_reason(observed->reason);
     LocusLook look = people_scene_look(house, i);
     SceneRow *row = scene_add_row(scene, ROW_LINE, who);
     row->role = look.role;
@@ -215,7 +215,7 @@ static Box whole_box(const House *house, const Observation *observation) {
     return box_expand(box, PLAN_MARGIN);
 }
 
-void house_scene(Scene *scene, const House *house, const Observation *observation) {
+void house_scene_make(Scene *scene, const House *house, const Observation *observation) {
     *scene = (Scene){.grid = GRID};
     scene->box = whole_box(house, observation);
     say_answer(scene, house, observation);

@@ -5,4 +5,4 @@
 #include "house/observation.h"
 
 /* Fills an empty scene; scene_clear releases it. House and observation belong together and may go before the scene. */
-void house_scene(Scene *scene, const House *house, const Observation *observation);
+void house_scene_make(Scene *scene, const House *house, const Observation *observation);

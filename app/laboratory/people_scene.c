@@ -260,7 +260,7 @@ static void add_way(Scene *scene, const House *house, const Trail *trail, size_t
 }
 
 void people_scene_ways(Scene *scene, const House *house, const Observation *observation) {
-    Trail *trails = trails_of(observation);
+    Trail *trails = trail_list(observation);
     for (size_t i = 0; i < observation->person_count; i++)
         if (trails[i].count > 1)
             add_way(scene, house, &trails[i], i);
@@ -271,7 +271,7 @@ void people_scene_ways(Scene *scene, const House *house, const Observation *obse
         if (blockage_scene_has(&observation->people[i]))
             blockage_scene_add(scene, house, observation, i, &trails[i]);
     add_narrowest(scene, house, observation);
-    trails_free(trails);
+    trail_free_list(trails);
 }
 
 static void add_hazard_discs(Scene *scene, const Observation *observation) {
@@ -330,7 +330,7 @@ static void add_tick_numbers(Scene *scene, const Trail *trail, Role role) {
 }
 
 void people_scene_labels(Scene *scene, const House *house, const Observation *observation) {
-    Trail *trails = trails_of(observation);
+    Trail *trails = trail_list(observation);
     for (size_t i = 0; i < house->person_count; i++)
         if (blockage_scene_has(&observation->people[i]))
             blockage_scene_label(scene, &observation->people[i].blockage);
@@ -345,5 +345,5 @@ void people_scene_labels(Scene *scene, const House *house, const Observation *ob
     for (size_t i = 0; i < house->person_count && house->person_count <= PEOPLE_SCENE_SEVERAL; i++)
         if (trails[i].count > 1)
             add_tick_numbers(scene, &trails[i], people_scene_look(house, i).role);
-    trails_free(trails);
+    trail_free_list(trails);
 }

@@ -5,7 +5,7 @@ static size_t row_person(const double *row) {
 }
 
 /* The rows of all trails stand in one block, the first trail's. */
-Trail *trails_of(const Observation *observation) {
+Trail *trail_list(const Observation *observation) {
     const Trace *trace = &observation->trace;
     Trail *trails = memory_allocate(observation->person_count, sizeof *trails);
     const double **rows = memory_allocate(trace->rows, sizeof *rows);
@@ -25,7 +25,7 @@ Trail *trails_of(const Observation *observation) {
     return trails;
 }
 
-void trails_free(Trail *trails) {
+void trail_free_list(Trail *trails) {
     memory_free(trails[0].rows);
     memory_free(trails);
 }

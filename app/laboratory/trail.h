@@ -8,9 +8,9 @@ typedef struct Trail {
     size_t count;
 } Trail;
 
-/* The trace sorted by person: an array of person_count trails; trails_free releases it. */
-Trail *trails_of(const Observation *observation);
-void trails_free(Trail *trails);
+/* The trace sorted by person: an array of person_count trails; trail_free_list releases it. */
+Trail *trail_list(const Observation *observation);
+void trail_free_list(Trail *trails);
 
 /* Where and how the person stands at a time; between rows in proportion. The trail has a row. */
 Pose trail_pose(const Trail *trail, double time);

@@ -2,7 +2,7 @@
 
 #include "base/memory.h"
 
-const char *reason_text(Reason reason) {
+const char *observation_reason(Reason reason) {
     static const char *const texts[] = {"", "cannot pass", "no exit", "blocked", "time limit", "diverged"};
     return texts[reason];
 }

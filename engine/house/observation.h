@@ -20,7 +20,7 @@ typedef enum Reason {
 } Reason;
 
 /* "cannot pass", "no exit", "blocked", "time limit", "diverged"; "" for none. */
-const char *reason_text(Reason reason);
+const char *observation_reason(Reason reason);
 
 typedef struct PersonObservation {
     bool took_part;     /* in this run: a run of one route leaves the others out */

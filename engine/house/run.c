@@ -45,7 +45,7 @@ static Reason run_world(World *world, Observer *observer, const RunOptions *opti
 static void run_group(void *context, size_t index) {
     Group *group = (Group *)context + index;
     const RunOptions *options = group->options;
-    Journey *journeys = journeys_plan(group->house, group->part, options->jobs);
+    Journey *journeys = journey_plan_all(group->house, group->part, options->jobs);
     World world = world_create(group->house, journeys, group->part);
     observer_init(&group->observer, &world, group->people);
     Reason reason = run_world(&world, &group->observer, options);
@@ -54,7 +54,7 @@ static void run_group(void *context, size_t index) {
     group->steps = world.clock.step;
     group->observer.world = NULL;
     world_destroy(&world);
-    journeys_free(journeys, group->house->person_count);
+    journey_free_all(journeys, group->house->person_count);
 }
 
 /* Who is together with whom: everybody, or route by route and then those without one. Returns the number of groups. */

@@ -21,8 +21,7 @@
 
 #include "house/gap.h"
 #include "house/house.h"
-#include "house/route.h"
-#include "house/track.h"
+#include "house/journey.h"
 #include "mechanics/clock.h"
 
 typedef enum Phase {
@@ -34,17 +33,6 @@ typedef enum Phase {
 } Phase;
 
 typedef enum WorldStatus { WORLD_OK, WORLD_DIVERGED } WorldStatus;
-
-/* What is planned for one person before the world moves. */
-typedef struct Journey {
-    Route route;
-    Track track; /* empty when there is no way */
-} Journey;
-
-/* Plans everybody's journey, on up to `jobs` threads; person i takes part when `part` is NULL or part[i]. The array has
- * house->person_count elements; journeys_free releases it. */
-Journey *journeys_plan(const House *house, const bool *part, int jobs);
-void journeys_free(Journey *journeys, size_t count);
 
 /* A tangential spring's memory, as long as the pair touches. */
 typedef struct Slip {

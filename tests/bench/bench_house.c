@@ -41,7 +41,7 @@ static double one_turn(const char *source, const char *route, double seconds[PAR
     seconds[0] = bench_now() - begin;
     const bool *part = only(&house, route);
     begin = bench_now();
-    Journey *journeys = journeys_plan(&house, part, 1);
+    Journey *journeys = journey_plan_all(&house, part, 1);
     seconds[1] = bench_now() - begin;
     size_t who = 0;
     while (!part[who])
@@ -71,7 +71,7 @@ static double one_turn(const char *source, const char *route, double seconds[PAR
     memory_free(people);
     world_destroy(&twin);
     world_destroy(&world);
-    journeys_free(journeys, house.person_count);
+    journey_free_all(journeys, house.person_count);
     house_free(&house);
     return simulated;
 }

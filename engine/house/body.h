@@ -1,0 +1,37 @@
+/* The body of a person, as contact sees it.
+ *
+ * A body is a rounded rectangle: all points within `radius` of a core rectangle. A round body has a core of no size.
+ *
+ *       .-----------------.
+ *      ( o---------------o )      o  the core's corners, in contact with faces
+ *      | |     core    +x| |      sides of the core in contact with corners of obstacles
+ *      ( o---------------o )      the frame's origin is the mass centre, x along the heading
+ *       '-----------------'
+ */
+#pragma once
+
+#include "base/vec2.h"
+#include "house/profile.h"
+
+typedef struct Body {
+    Vec2 core_low, core_high; /* m, in the body's frame */
+    Vec2 core[4];             /* m, its corners, counter-clockwise from the right rear; all alike for a disc */
+    Vec2 middle, half;        /* m, of the core: its middle and its half sides */
+    int core_count;           /* 4, or 1 for a disc */
+    double radius;            /* m, of the rounding */
+    double reach;             /* m, of the personal space beyond the body */
+    double outer;             /* m, radius about the core's middle that holds the body and its personal space */
+    double swing;             /* m, radius about the mass centre that holds the core: what turning moves */
+} Body;
+
+Body body_of(const Profile *profile);
+
+/* A body as it stands. */
+typedef struct Stance {
+    const Body *body;
+    Vec2 centre, axis; /* m; unit */
+    Vec2 middle;       /* m, of the core */
+    Vec2 core[4];      /* m, the core's corners from the centre */
+} Stance;
+
+Stance body_stance(const Body *body, Vec2 centre, Vec2 axis);
