@@ -140,7 +140,8 @@ static size_t first_left_behind(const Observation *observation) {
 void answer_headline(const House *house, const Observation *observation, char *text, size_t size) {
     size_t i = first_left_behind(observation);
     if (i == observation->person_count) {
-        snprintf(text, size, "Out in %.1f s", observation->time);
+        bool alone = house->plan.run.routes == ROUTES_ALONE && house->plan.route_count > 1;
+        snprintf(text, size, alone ? "Out, each route alone, in at most %.1f s" : "Out in %.1f s", observation->time);
         return;
     }
     const PersonObservation *person = &observation->people[i];

@@ -21,11 +21,3 @@ Body body_of(const Profile *profile) {
     }
     return body;
 }
-
-Stance body_stance(const Body *body, Vec2 centre, Vec2 axis) {
-    Stance stance = {.body = body, .centre = centre, .axis = axis};
-    stance.middle = vec2_add(centre, vec2_turn(body->middle, axis));
-    for (int i = 0; i < body->core_count; i++)
-        stance.core[i] = vec2_turn(body->core[i], axis);
-    return stance;
-}

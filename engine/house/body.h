@@ -34,4 +34,10 @@ typedef struct Stance {
     Vec2 core[4];      /* m, the core's corners from the centre */
 } Stance;
 
-Stance body_stance(const Body *body, Vec2 centre, Vec2 axis);
+static inline Stance body_stance(const Body *body, Vec2 centre, Vec2 axis) {
+    Stance stance = {.body = body, .centre = centre, .axis = axis};
+    stance.middle = vec2_add(centre, vec2_turn(body->middle, axis));
+    for (int i = 0; i < body->core_count; i++)
+        stance.core[i] = vec2_turn(body->core[i], axis);
+    return stance;
+}
