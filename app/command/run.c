@@ -76,6 +76,9 @@ int command_run(const Options *options) {
     }
     Observation observation;
     house_file_run(&observation, &house, options, route);
+    if (command_interrupted)
+        fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; what came before is kept\n",
+                observation.time);
     bool written = !options->out || write_results(&house, &observation, options);
     if (options->json)
         answer_print(answer_house(&house, &observation));

@@ -162,6 +162,20 @@ static double way_to_door(const World *world, size_t i, int *door) {
     return point->s - stand_off(world, i, point->door) - world->drive[i].s;
 }
 
+/* The speed at which somebody still stops before a shut door, and before an exit that is not open. */
+static double speed_to_barriers(const World *world, size_t i, Drive *drive) {
+    const Journey *journey = &world->journeys[i];
+    const Exit *exit = &world->house->plan.exits[journey->route.exit];
+    double time = clock_time(&world->clock), braking = 2 * PLANNED * world->house->people[i].profile->deceleration;
+    int door = -1;
+    double way = way_to_door(world, i, &door);
+    if (time < exit->opens || time > exit->closes)
+        way = real_min(way, journey->track.exit_s - STAND_OFF - drive->s);
+    if (time < exit->opens)
+        drive->stalled = 0; /* it will open */
+    return sqrt(braking * real_max(way, 0));
+}
+
 int drive_door_at_hand(const World *world, size_t i) {
     int door = -1;
     bool at_rest = vec2_length(world->velocity[i]) < 2 * SLOWEST;
@@ -307,11 +321,7 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     int direction = piece_direction(&world->journeys[i].track, drive->index);
     if (direction == 0)
         return turn_on_the_spot(world, i, drive, place);
-    double target = real_max(place->speed, SLOWEST);
-    int door = -1;
-    double to_door = way_to_door(world, i, &door);
-    if (door >= 0)
-        target = real_min(target, sqrt(2 * PLANNED * profile->deceleration * real_max(to_door, 0)));
+    double target = real_min(real_max(place->speed, SLOWEST), speed_to_barriers(world, i, drive));
     mind_people(world, i, drive, vec2_scale(axis, direction), &target);
     if (drive->pause > 0) {
         drive->pause -= world->clock.dt;
@@ -351,10 +361,7 @@ static Effort drive_miura(const World *world, size_t i, Drive *drive, const Plac
         double speed = vec2_dot(velocity, way);
         centripetal = vec2_scale(vec2_unit(from), -profile->mass * speed * speed / radius);
     }
-    int door = -1;
-    double to_door = way_to_door(world, i, &door), target = real_max(place->speed, SLOWEST);
-    if (door >= 0)
-        target = real_min(target, sqrt(2 * PLANNED * profile->deceleration * real_max(to_door, 0)));
+    double target = real_min(real_max(place->speed, SLOWEST), speed_to_barriers(world, i, drive));
     double push = driving_force(profile, target, vec2_dot(velocity, way), vec2_dot(world->force[i], way), 0);
     Vec2 across = vec2_left(way);
     double back = clamp(-drive->offset / ROUND_RETURN_TIME, -ROUND_RETURN_SPEED, ROUND_RETURN_SPEED);

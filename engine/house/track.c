@@ -60,20 +60,31 @@ static void decelerate(Track *track, double deceleration) {
     }
 }
 
-/* The first door that is crossed between two points: its index, or -1. */
+/* Does the way from one point to the next meet the line from a to b? */
+static bool crosses(Vec2 from, Vec2 to, Vec2 a, Vec2 b) {
+    Vec2 line = vec2_sub(b, a), way = vec2_sub(to, from);
+    double sides = vec2_cross(line, vec2_sub(from, a)) * vec2_cross(line, vec2_sub(to, a));
+    double ends = vec2_cross(way, vec2_sub(a, from)) * vec2_cross(way, vec2_sub(b, from));
+    return sides <= 0 && ends <= 0 && vec2_dot(way, way) > 0;
+}
+
+/* The first door that opens and shuts and is crossed between two points: its index, or -1. */
 static int door_between(const Plan *plan, Vec2 from, Vec2 to) {
     for (size_t d = 0; d < plan->door_count; d++) {
-        if (!outline_door_moves(&plan->doors[d]))
-            continue;
         Vec2 a, b;
         plan_door_ends(plan, &plan->doors[d], &a, &b);
-        Vec2 door = vec2_sub(b, a), way = vec2_sub(to, from);
-        double sides = vec2_cross(door, vec2_sub(from, a)) * vec2_cross(door, vec2_sub(to, a));
-        double ends = vec2_cross(way, vec2_sub(a, from)) * vec2_cross(way, vec2_sub(b, from));
-        if (sides <= 0 && ends <= 0 && vec2_dot(way, way) > 0)
+        if (outline_door_moves(&plan->doors[d]) && crosses(from, to, a, b))
             return (int)d;
     }
     return -1;
+}
+
+/* Measures the whole, and where it crosses the exit: the last time, should it do so more than once. */
+static void mark_exit(Track *track, const Exit *exit) {
+    track->length = track->exit_s = track->points[track->count - 1].s;
+    for (size_t i = 0; i + 1 < track->count; i++)
+        if (crosses(track->points[i].at, track->points[i + 1].at, exit->from, exit->to))
+            track->exit_s = track->points[i].s;
 }
 
 static void mark_doors(Track *track, const Plan *plan) {
@@ -168,7 +179,7 @@ void track_build_driver(Track *track, const House *house, const Inhabitant *pers
         track->points[i].speed = driver_speed(person, &track->points[i], route->poses[i].clearance);
     decelerate(track, PLANNED_DECELERATION * profile->deceleration);
     mark_doors(track, &house->plan);
-    track->length = track->count ? track->points[track->count - 1].s : 0;
+    mark_exit(track, &house->plan.exits[route->exit]);
 }
 
 /* The paper's round body --------------------------------------------------------------------------------------- */
@@ -405,7 +416,7 @@ void track_build_miura(Track *track, const House *house, const Inhabitant *perso
     }
     decelerate(track, person->profile->deceleration);
     mark_doors(track, &house->plan);
-    track->length = track->points[track->count - 1].s;
+    mark_exit(track, &house->plan.exits[route->exit]);
 }
 
 void track_free(Track *track) {

@@ -50,6 +50,7 @@ typedef struct Track {
     TrackCorner *corners; /* (corner_count) */
     size_t corner_count;
     double length; /* m */
+    double exit_s; /* m, s where the way crosses the exit's line */
 } Track;
 
 /* Both fill a zeroed track; track_free releases it. The route has been found. */
