@@ -1,7 +1,10 @@
 #include "house/body.h"
 
 Body body_of(const Profile *profile) {
-    Body body = {.core_count = 1, .radius = profile->width / 2, .reach = profile->space_reach};
+    Body body = {.core_count = 1,
+                 .radius = profile->width / 2,
+                 .reach = profile->space_reach,
+                 .sight = fmax(profile->space_reach, BODY_SIGHT)};
     if (profile->driving == DRIVING_DRIVER) {
         double rear = -profile->axle - profile->mass_centre;
         body.core_count = 4;
@@ -17,7 +20,7 @@ Body body_of(const Profile *profile) {
     body.half = vec2_scale(vec2_sub(body.core_high, body.core_low), 0.5);
     for (int i = 0; i < 4; i++) {
         body.swing = fmax(body.swing, vec2_length(body.core[i]));
-        body.outer = fmax(body.outer, vec2_length(vec2_sub(body.core[i], body.middle)) + body.radius + body.reach);
+        body.outer = fmax(body.outer, vec2_length(vec2_sub(body.core[i], body.middle)) + body.radius + body.sight);
     }
     return body;
 }

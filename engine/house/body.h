@@ -13,6 +13,9 @@
 #include "base/vec2.h"
 #include "house/profile.h"
 
+/* m: gaps are measured up to here even without a personal space, to know how near a body comes. */
+#define BODY_SIGHT 0.30
+
 typedef struct Body {
     Vec2 core_low, core_high; /* m, in the body's frame */
     Vec2 core[4];             /* m, its corners, counter-clockwise from the right rear; all alike for a disc */
@@ -20,7 +23,8 @@ typedef struct Body {
     int core_count;           /* 4, or 1 for a disc */
     double radius;            /* m, of the rounding */
     double reach;             /* m, of the personal space beyond the body */
-    double outer;             /* m, radius about the core's middle that holds the body and its personal space */
+    double sight;             /* m, up to which gaps are looked for: the reach, and at least BODY_SIGHT */
+    double outer;             /* m, radius about the core's middle that holds the body and as far as it looks */
     double swing;             /* m, radius about the mass centre that holds the core: what turning moves */
 } Body;
 
@@ -40,4 +44,11 @@ static inline Stance body_stance(const Body *body, Vec2 centre, Vec2 axis) {
     for (int i = 0; i < body->core_count; i++)
         stance.core[i] = vec2_turn(body->core[i], axis);
     return stance;
+}
+
+/* How far a body with heading `axis` reaches from its mass centre along a direction (unit), m. */
+static inline double body_extent(const Body *body, Vec2 axis, Vec2 direction) {
+    Vec2 own = vec2_unturn(direction, axis);
+    double middle = vec2_dot(own, body->middle);
+    return middle + fabs(own.x) * body->half.x + fabs(own.y) * body->half.y + body->radius;
 }

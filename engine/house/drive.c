@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "house/track.h"
+#include "house/yield.h"
 
 /* All of these are assumed; what a person may want to change is in the profile. */
 
@@ -14,17 +15,15 @@ static const double TURNED = 0.02;
 static const double SLOWEST = 0.05;
 /* 1: the share of the deceleration that is planned with. */
 static const double PLANNED = 0.8;
-/* m: kept to a shut door that opens away, and to people. */
+/* m: kept to a shut door that opens away, and to an exit's line. */
 static const double STAND_OFF = 0.10;
-static const double PEOPLE_STAND_OFF = 0.20;
-/* m: how far ahead people are seen, what is left between two who pass, and how close to a wall one swerves. */
-static const double SIGHT = 6.0, PASSING_SPACE = 0.25, PASSING_LEAST = 0.02, WALL_SPACE = 0.10;
-/* 1: the cosine of the angle to the way up to which somebody goes along it. */
-static const double STRAIGHT = 0.7;
-/* m/s: how slowly one edges past somebody. */
-static const double SLOW_PASSING = 0.15;
-/* m/s: how fast somebody swerves. */
-static const double SWERVE = 0.20;
+/* 1: the cosine of the most slanted approach to a door. */
+static const double SLANTED_MOST = 0.4;
+/* rad: most that somebody heads back towards the way. */
+static const double STEEPEST_RETURN = 0.6;
+/* 1: a driver who means to pass overcomes what the personal space does, as far as it exceeds this share of what the
+ * driver can exert. */
+static const double HEEDED = 0.5;
 /* A round body's lateral control, which the paper does not have. */
 static const double ROUND_RETURN_TIME = 1.0;  /* s, back to the middle of the way */
 static const double ROUND_RETURN_SPEED = 0.2; /* m/s, at most */
@@ -134,19 +133,22 @@ static void step_back(const Track *track, Vec2 at, Drive *drive) {
 
 /* Doors ------------------------------------------------------------------------------------------------------------ */
 
-/* How far the reference point stays from a shut door's line: its own front, and the leaf's swing when it opens this
- * way. */
-static double stand_off(const World *world, size_t i, int door_index) {
+/* m, along the way: how far the reference point stays from a shut door's line, so that the body, however it slants,
+ * keeps off the leaf and out of its swing when it opens this way. */
+static double stand_off(const World *world, size_t i, const TrackPoint *crossing) {
     const Plan *plan = &world->house->plan;
     const Profile *profile = world->house->people[i].profile;
-    const Door *door = &plan->doors[door_index];
+    const Door *door = &plan->doors[crossing->door];
     Vec2 from, to;
     plan_door_ends(plan, door, &from, &to);
-    double half = plan->walls[door->wall_index].thickness / 2;
-    double front = profile->driving == DRIVING_DRIVER ? profile->length - profile->axle : profile->width / 2;
+    Vec2 across = vec2_left(vec2_unit(vec2_sub(to, from))), way = vec2_heading(crossing->heading);
     bool on_left = vec2_cross(vec2_sub(to, from), vec2_sub(world->centre[i], from)) > 0;
+    Vec2 towards = on_left ? vec2_scale(across, -1) : across;
     bool swings_here = door->kind == DOOR_HINGED && on_left == (door->swing == SWING_LEFT);
-    return front + half + STAND_OFF + (swings_here ? door->width : 0);
+    double ahead = profile->driving == DRIVING_DRIVER ? profile->mass_centre * vec2_dot(world->axis[i], towards) : 0;
+    double square = ahead + body_extent(&world->body[i], world->axis[i], towards) + STAND_OFF +
+                    plan->walls[door->wall_index].thickness / 2 + (swings_here ? door->width : 0);
+    return square / real_max(fabs(vec2_dot(way, across)), SLANTED_MOST);
 }
 
 /* m, to where the person waits for the next shut door; infinite when there is none. */
@@ -159,7 +161,7 @@ static double way_to_door(const World *world, size_t i, int *door) {
         return HUGE_VAL;
     const TrackPoint *point = &track->points[next];
     *door = point->door;
-    return point->s - stand_off(world, i, point->door) - world->drive[i].s;
+    return point->s - stand_off(world, i, point) - world->drive[i].s;
 }
 
 /* The speed at which somebody still stops before a shut door, and before an exit that is not open. */
@@ -176,86 +178,17 @@ static double speed_to_barriers(const World *world, size_t i, Drive *drive) {
     return sqrt(braking * real_max(way, 0));
 }
 
+/* The track's speed, as far as what bars the way allows it; at the end of the track there is nothing more to want. */
+static double wanted_speed(const World *world, size_t i, Drive *drive, const Place *place) {
+    if (place->next == place->here)
+        return 0;
+    return real_min(real_max(place->speed, SLOWEST), speed_to_barriers(world, i, drive));
+}
+
 int drive_door_at_hand(const World *world, size_t i) {
     int door = -1;
     bool at_rest = vec2_length(world->velocity[i]) < 2 * SLOWEST;
     return way_to_door(world, i, &door) < 2 * ARRIVED && at_rest ? door : -1;
-}
-
-/* People ------------------------------------------------------------------------------------------------------------
- */
-
-/* How far a body reaches from its centre along a direction. */
-static double extent(const World *world, size_t i, Vec2 direction) {
-    Vec2 own = vec2_unturn(direction, world->axis[i]);
-    const Body *body = &world->body[i];
-    double reach = -HUGE_VAL;
-    for (int c = 0; c < body->core_count; c++)
-        reach = real_max(reach, vec2_dot(own, body->core[c]));
-    return reach + body->radius;
-}
-
-/* The point of the track ahead that is nearest to somebody. */
-static const TrackPoint *nearest_point(const Track *track, size_t index, Vec2 at) {
-    const TrackPoint *nearest = &track->points[index];
-    double least = HUGE_VAL, end = nearest->s + SIGHT;
-    for (size_t k = index; k < track->count && track->points[k].s < end; k += 2) {
-        double distance = vec2_distance(track->points[k].at, at);
-        if (distance < least) {
-            least = distance;
-            nearest = &track->points[k];
-        }
-    }
-    return nearest;
-}
-
-/* Swerves to the left before somebody who comes the other way, as far as there is room; brakes before somebody who is
- * in the way, and passes close by as slowly as the speed law asks for. */
-static void mind_person(const World *world, size_t i, size_t j, double *aside, double *speed) {
-    const Track *track = &world->journeys[i].track;
-    const Profile *profile = world->house->people[i].profile;
-    const Drive *drive = &world->drive[i];
-    const TrackPoint *here = &track->points[drive->index],
-                     *there = nearest_point(track, drive->index, world->centre[j]);
-    Vec2 way = vec2_scale(vec2_heading(there->heading), there->direction < 0 ? -1 : 1);
-    Vec2 left = vec2_left(way), to = vec2_sub(world->centre[j], world->centre[i]);
-    double ahead = real_min(there->s - drive->s, vec2_dot(to, way)) - extent(world, i, way) -
-                   extent(world, j, vec2_scale(way, -1));
-    double lateral = vec2_dot(left, vec2_sub(world->centre[j], there->at)), apart = lateral - drive->offset;
-    Vec2 side = apart > 0 ? left : vec2_scale(left, -1);
-    double beside = extent(world, i, side) + extent(world, j, vec2_scale(side, -1));
-    double coming = vec2_dot(world->velocity[j], way);
-    if (fabs(lateral) > SIGHT / 2)
-        return;
-    if (coming < SLOWEST) {
-        /* Once they are abreast both will be straight again, however they slant while they swerve. */
-        bool straight = fabs(vec2_dot(world->axis[j], way)) > STRAIGHT;
-        double others = straight ? world->house->people[j].profile->width / 2 : extent(world, j, vec2_scale(left, -1));
-        double abreast = lateral + profile->width / 2 + others + PASSING_SPACE;
-        double room = real_min(here->room_left, there->room_left) - profile->width / 2 - WALL_SPACE;
-        *aside = real_max(*aside, real_min(abreast, real_max(room, 0)));
-    }
-    double gap = fabs(apart) - beside;
-    if (gap > PASSING_LEAST || ahead < -PEOPLE_STAND_OFF)
-        *speed = real_min(*speed, real_max(2 * gap / real_max(profile->steering_time, 1e-3), SLOW_PASSING));
-    else
-        *speed = real_min(*speed, sqrt(2 * PLANNED * profile->deceleration * real_max(0, ahead - PEOPLE_STAND_OFF)) +
-                                      real_max(coming, 0));
-}
-
-static void mind_people(const World *world, size_t i, Drive *drive, Vec2 travel, double *speed) {
-    double aside = 0;
-    for (size_t j = 0; j < world->count; j++) {
-        if (j == i || world->phase[j] == PHASE_ABSENT || world->phase[j] == PHASE_OUT)
-            continue;
-        Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
-        double passed = -extent(world, i, vec2_scale(travel, -1)) - extent(world, j, travel);
-        if (vec2_dot(to, to) < SIGHT * SIGHT && vec2_dot(to, travel) > passed)
-            mind_person(world, i, j, &aside, speed);
-    }
-    double change = SWERVE * world->clock.dt, before = drive->aside;
-    drive->aside += clamp(aside - before, -change, change);
-    drive->swerve = (drive->aside - before) / world->clock.dt;
 }
 
 /* Forces --------------------------------------------------------------------------------------------------------------
@@ -279,6 +212,27 @@ static double turning_moment(const Profile *profile, double target, double rate,
                     profile->mass_centre * profile->mass_centre; /* about the axle */
     double wanted = profile->mass * square * ((target - turn) / profile->turn_response + rate) - load;
     return clamp(wanted, -profile->turning_moment, profile->turning_moment);
+}
+
+/* What the personal space does beyond what the driver heeds is overcome: it is the driver's own wish. */
+static Effort overcome(const World *world, size_t i) {
+    const Profile *profile = world->house->people[i].profile;
+    Vec2 axis = world->axis[i];
+    double along = vec2_dot(world->ring[i], axis), moment = world->ring_moment[i];
+    double push = HEEDED * profile->push, turning = HEEDED * profile->turning_moment;
+    return (Effort){vec2_scale(axis, clamp(along, -push, push) - along), clamp(moment, -turning, turning) - moment};
+}
+
+/* A driver's effort towards a speed along the axis, m/s, and a turn, rad/s, that itself changes at `change`, rad/s2. */
+static Effort exert(const World *world, size_t i, double speed, double turn, double change) {
+    const Profile *profile = world->house->people[i].profile;
+    Vec2 axis = world->axis[i];
+    Effort effort = overcome(world, i);
+    double others = vec2_dot(vec2_add(world->force[i], effort.force), axis), load = world->moment[i] + effort.moment;
+    double push = driving_force(profile, speed, vec2_dot(world->velocity[i], axis), others, 1);
+    effort.force = vec2_along(effort.force, push, axis);
+    effort.moment += turning_moment(profile, turn, change, world->turn[i], load);
+    return effort;
 }
 
 /* A turn on the spot: heading by heading of the track, at rest at the last. */
@@ -309,10 +263,7 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
     double rate = real_min(profile->turn_rate, sqrt(2 * brake * fabs(left)));
     double back = vec2_dot(vec2_sub(place->here->at, world_reference(world, i)), axis);
     double speed = clamp(back / profile->speed_response / 4, -2 * SLOWEST, 2 * SLOWEST);
-    double others = vec2_dot(world->force[i], axis);
-    double push = driving_force(profile, speed, vec2_dot(world->velocity[i], axis), others, 1);
-    return (Effort){vec2_scale(axis, push),
-                    turning_moment(profile, copysign(rate, left), 0, world->turn[i], world->moment[i])};
+    return exert(world, i, speed, copysign(rate, left), 0);
 }
 
 static Effort drive_driver(const World *world, size_t i, Drive *drive, const Place *place) {
@@ -321,14 +272,14 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     int direction = piece_direction(&world->journeys[i].track, drive->index);
     if (direction == 0)
         return turn_on_the_spot(world, i, drive, place);
-    double target = real_min(real_max(place->speed, SLOWEST), speed_to_barriers(world, i, drive));
-    mind_people(world, i, drive, vec2_scale(axis, direction), &target);
+    double target = wanted_speed(world, i, drive, place);
+    target = yield_speed(world, i, drive, vec2_scale(axis, direction), target);
     if (drive->pause > 0) {
         drive->pause -= world->clock.dt;
         target = 0;
     }
     int sense = 1; /* along the way, or back */
-    if (retreats(&world->journeys[i].track, drive, world->sense[i].body_force > 0)) {
+    if (retreats(&world->journeys[i].track, drive, world->sense[i].body_force > 0 || world->sense[i].ring > 0)) {
         target = profile->reversing_speed;
         sense = -1;
     }
@@ -336,16 +287,15 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     double speed = vec2_dot(world->velocity[i], axis);
     double offset = direction * (drive->offset - drive->aside);
     double pace = real_max(fabs(speed), SLOWEST) * (target > 0);
-    double swerve = pace > SWERVE ? drive->swerve / pace : 0; /* the slant that the swerve itself needs */
+    double swerve = drive->swerve; /* 1: the slant that the swerve itself needs */
     double slant = vec2_wrap_angle(world->heading[i] - place->heading) - swerve;
     double bend = sense * place->next->curvature * pace;
-    double turn =
-        bend - profile->lateral_gain * sense * direction * pace * offset - profile->heading_gain * pace * sin(slant);
+    /* Back to the way at a slant in proportion to the offset, bounded: however far off, nobody turns round. */
+    double back = profile->heading_gain > 0 ? profile->lateral_gain / profile->heading_gain * offset : 0;
+    back = sense * direction * clamp(back, -STEEPEST_RETURN, STEEPEST_RETURN);
+    double turn = bend - profile->heading_gain * pace * sin(slant + back);
     turn = clamp(turn, -profile->turn_rate, profile->turn_rate);
-    double others = vec2_dot(world->force[i], axis);
-    return (Effort){
-        vec2_scale(axis, driving_force(profile, sense * direction * target, speed, others, 1)),
-        turning_moment(profile, turn, pace * pace * place->next->bending, world->turn[i], world->moment[i])};
+    return exert(world, i, sense * direction * target, turn, pace * pace * place->next->bending);
 }
 
 /* The paper's: along the leg, or along the tangent about the corner with F4 towards it. */
@@ -361,7 +311,7 @@ static Effort drive_miura(const World *world, size_t i, Drive *drive, const Plac
         double speed = vec2_dot(velocity, way);
         centripetal = vec2_scale(vec2_unit(from), -profile->mass * speed * speed / radius);
     }
-    double target = real_min(real_max(place->speed, SLOWEST), speed_to_barriers(world, i, drive));
+    double target = wanted_speed(world, i, drive, place);
     double push = driving_force(profile, target, vec2_dot(velocity, way), vec2_dot(world->force[i], way), 0);
     Vec2 across = vec2_left(way);
     double back = clamp(-drive->offset / ROUND_RETURN_TIME, -ROUND_RETURN_SPEED, ROUND_RETURN_SPEED);

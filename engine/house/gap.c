@@ -53,20 +53,44 @@ static double core_distance(const Body *body, Vec2 local, Vec2 *nearest, Vec2 *n
     return -depth[least];
 }
 
-static size_t gaps_to_face(Gap *gaps, size_t count, const Stance *stance, const NearFace *face) {
+static bool is_held(const int *held, size_t held_count, int key) {
+    for (size_t k = 0; k < held_count; k++)
+        if (held[k] == key)
+            return true;
+    return false;
+}
+
+static size_t gaps_to_face(Gap *gaps, size_t count, const Stance *stance, const NearFace *face, const int *held,
+                           size_t held_count) {
     const Body *body = stance->body;
     Vec2 tangent = vec2_left(face->normal);
     for (int c = 0; c < body->core_count; c++) {
         Vec2 corner = vec2_add(stance->centre, stance->core[c]);
         double distance = vec2_dot(face->normal, corner) - face->offset, along = vec2_dot(tangent, corner);
-        double gap = distance - body->radius;
-        if (gap < body->reach && distance > -face->depth && along >= face->begin && along <= face->end)
-            count = add_gap(gaps, count,
-                            (Gap){.gap = gap,
-                                  .normal = face->normal,
-                                  .arm = vec2_along(stance->core[c], -distance, face->normal),
-                                  .key = face->id * PARTS + c});
+        int key = face->id * PARTS + c;
+        bool deep = distance <= -face->depth;
+        if (distance - body->radius >= body->sight || along < face->begin || along > face->end ||
+            (deep && !is_held(held, held_count, key)))
+            continue;
+        count = add_gap(gaps, count,
+                        (Gap){.gap = distance - body->radius,
+                              .normal = face->normal,
+                              .arm = vec2_along(stance->core[c], -distance, face->normal),
+                              .key = key,
+                              .deep = deep});
     }
+    return count;
+}
+
+/* A corner that has sunk deep behind a face is past the middle of the solid: what the solid's other side does to it
+ * would push it through. */
+static size_t drop_far_sides(Gap *gaps, size_t count) {
+    for (size_t d = 0; d < count; d++)
+        for (size_t g = 0; gaps[d].deep && g < count; g++)
+            if (gaps[g].key % PARTS == gaps[d].key % PARTS && vec2_dot(gaps[g].normal, gaps[d].normal) < 0) {
+                gaps[g] = gaps[--count];
+                d = g = 0;
+            }
     return count;
 }
 
@@ -74,7 +98,7 @@ static size_t gap_to_corner(Gap *gaps, size_t count, const Stance *stance, const
     const Body *body = stance->body;
     Vec2 arm = vec2_sub(corner->at, stance->centre), local = vec2_unturn(arm, stance->axis), nearest, normal;
     double gap = core_distance(body, local, &nearest, &normal) - body->radius;
-    if (gap >= body->reach)
+    if (gap >= body->sight)
         return count;
     Vec2 outwards = vec2_turn(normal, stance->axis);
     if (vec2_dot(outwards, corner->in) < 0 || vec2_dot(outwards, corner->out) > 0)
@@ -83,14 +107,17 @@ static size_t gap_to_corner(Gap *gaps, size_t count, const Stance *stance, const
                    (Gap){.gap = gap, .normal = outwards, .arm = arm, .key = corner->id * PARTS + PART_SIDE});
 }
 
-size_t gap_to_obstacles(Gap gaps[GAPS_MOST], const Body *body, Vec2 centre, Vec2 axis, const Near *near) {
+size_t gap_to_obstacles(Gap gaps[GAPS_MOST], const Body *body, Vec2 centre, Vec2 axis, const Near *near,
+                        const int *held, size_t held_count) {
     Stance stance = body_stance(body, centre, axis);
     size_t count = 0;
     for (int i = 0; i < near->close_faces; i++)
-        count = gaps_to_face(gaps, count, &stance, &near->face[near->close_face[i]]);
+        count = gaps_to_face(gaps, count, &stance, &near->face[near->close_face[i]], held, held_count);
     for (int i = 0; i < near->close_corners; i++)
         count = gap_to_corner(gaps, count, &stance, &near->corner[near->close_corner[i]]);
-    fill_shares(gaps, count, body->reach);
+    if (held_count)
+        count = drop_far_sides(gaps, count);
+    fill_shares(gaps, count, body->sight);
     return count;
 }
 

@@ -24,6 +24,7 @@ typedef struct Gap {
     Vec2 arm;     /* m */
     double share; /* 1, of the contact with this surface */
     int key;      /* feature * GAP_PARTS + part of the body: the same from step to step */
+    bool deep;    /* a corner of the core has sunk behind the face */
 } Gap;
 
 enum {
@@ -31,9 +32,12 @@ enum {
     GAPS_MOST = 24, /* at once, of one body: beyond the nearest ones no room is left to touch more */
 };
 
-/* The gaps smaller than `body->reach` between a body at `centre` with heading `axis` (unit) and its neighbours; at most
- * GAPS_MOST, shares filled in. */
-size_t gap_to_obstacles(Gap gaps[GAPS_MOST], const Body *body, Vec2 centre, Vec2 axis, const Near *near);
+/* The gaps smaller than `body->sight` between a body at `centre` with heading `axis` (unit) and its neighbours; at most
+ * GAPS_MOST, shares filled in. A corner of the core may sink behind a face by half of the solid; `held` (held_count
+ * keys) are the contacts of the step before, which are not let go however deep they are, so that nobody is driven
+ * through a wall. */
+size_t gap_to_obstacles(Gap gaps[GAPS_MOST], const Body *body, Vec2 centre, Vec2 axis, const Near *near,
+                        const int *held, size_t held_count);
 
 /* The gaps smaller than `reach` between body a and body b; normals point to a, arms are a's. */
 size_t gap_to_body(Gap gaps[GAPS_MOST], const Body *a, Vec2 centre_a, Vec2 axis_a, const Body *b, Vec2 centre_b,

@@ -6,6 +6,10 @@
 #include <unistd.h>
 
 #include "base/random.h"
+#include "house/gap.h"
+
+/* m: on a coarser grid a chair does not find through a door. */
+static const double COARSEST_CELL = 0.2;
 
 enum { PLACING_TRIES = 10000 /* random places tried for one member of a crowd */ };
 
@@ -126,6 +130,24 @@ static void place_crowd(House *house, size_t c, const char *path, Fault *fault) 
     }
 }
 
+/* People who stand inside one another would be shot apart. */
+static void check_overlaps(const House *house, const char *path, Fault *fault) {
+    for (size_t i = 0; i < house->plan.person_count; i++) {
+        for (size_t j = 0; j < i; j++) {
+            const Inhabitant *a = &house->people[i], *b = &house->people[j];
+            if (vec2_distance(a->at, b->at) > body_reach(a->profile) + body_reach(b->profile))
+                continue;
+            Body bodies[2] = {body_of(a->profile), body_of(b->profile)};
+            Vec2 axes[2] = {vec2_heading(a->heading), vec2_heading(b->heading)};
+            Gap gaps[GAPS_MOST];
+            size_t count =
+                gap_to_body(gaps, &bodies[0], house_centre(a), axes[0], &bodies[1], house_centre(b), axes[1], 0);
+            if (count)
+                fault_add(fault, "%s:1:1: person %s stands inside person %s, must stand apart", path, a->id, b->id);
+        }
+    }
+}
+
 static int compare_inhabitants(const void *a, const void *b) {
     const Inhabitant *p = a, *q = b;
     return strcmp(p->id, q->id);
@@ -149,6 +171,7 @@ static void place_people(House *house, const char *path, Fault *fault) {
                          .delay = person->delay,
                          .speed = person->speed > 0 ? person->speed : profile->free_speed};
     }
+    check_overlaps(house, path, fault);
     for (size_t c = 0; c < plan->crowd_count && !fault->count; c++)
         place_crowd(house, c, path, fault);
     qsort(house->people, house->person_count, sizeof *house->people, compare_inhabitants);
@@ -174,7 +197,11 @@ static bool read_parts(House *house, const char *path, const HouseOptions *optio
     if (fault->count != before || !outline_build(&house->outline, &house->plan, fault))
         return false;
     freespace_build(&house->space, &house->outline, house->plan.run.cell);
-    place_people(house, path, fault);
+    if (house->space.cell > COARSEST_CELL)
+        fault_add(fault, "%s:1:1: the house is too large for the route search, %.0f m by %.0f m: it must be smaller",
+                  path, house->space.cell * house->space.nx, house->space.cell * house->space.ny);
+    if (fault->count == before)
+        place_people(house, path, fault);
     return fault->count == before;
 }
 

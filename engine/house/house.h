@@ -23,6 +23,12 @@ typedef struct Inhabitant {
     double speed;           /* m/s, free speed */
 } Inhabitant;
 
+/* The mass centre of somebody who stands at the start, m. */
+static inline Vec2 house_centre(const Inhabitant *person) {
+    double ahead = person->profile->driving == DRIVING_DRIVER ? person->profile->mass_centre : 0;
+    return vec2_along(person->at, ahead, vec2_heading(person->heading));
+}
+
 typedef struct House {
     Plan plan;
     Profile *profiles; /* (profile_count), the ones that are named */

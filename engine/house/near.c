@@ -102,7 +102,7 @@ static bool face_is_close(const Stance *stance, const NearFace *face, double rea
     double across = fabs(vec2_dot(face->normal, stance->axis)), beside = fabs(vec2_dot(tangent, stance->axis));
     double deep = across * body->half.x + beside * body->half.y, wide = beside * body->half.x + across * body->half.y;
     double from_middle = vec2_dot(face->normal, stance->middle) - face->offset;
-    double along_middle = vec2_dot(tangent, stance->middle), slack = reach - body->reach;
+    double along_middle = vec2_dot(tangent, stance->middle), slack = reach - body->sight;
     return from_middle - deep - body->radius < reach && from_middle + deep > -face->depth - slack &&
            along_middle + wide + slack > face->begin && along_middle - wide - slack < face->end;
 }
@@ -116,7 +116,7 @@ static bool corner_is_close(const Stance *stance, const NearCorner *corner, doub
 }
 
 static void choose_close(Near *near, const Stance *stance) {
-    double reach = stance->body->reach + NEAR_SLACK;
+    double reach = stance->body->sight + NEAR_SLACK;
     near->slack_centre = stance->centre;
     near->slack_axis = stance->axis;
     near->close_faces = near->close_corners = 0;

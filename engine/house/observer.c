@@ -21,6 +21,11 @@ static bool is_watched(const World *world, size_t i) {
     return world->phase[i] != PHASE_ABSENT;
 }
 
+/* Out, or standing somewhere for good. */
+static bool ended(const World *world, size_t i) {
+    return world->phase[i] == PHASE_OUT || world->phase[i] == PHASE_STUCK;
+}
+
 static void add_row(Observer *observer, size_t i, double offset_rate) {
     const World *world = observer->world;
     const Sense *sense = &world->sense[i];
@@ -56,7 +61,7 @@ void observer_init(Observer *observer, const World *world, PersonObservation *pe
         people[i] = (PersonObservation){.took_part = true,
                                         .exit = route->answer == ROUTE_NO_EXIT ? SIZE_MAX : route->exit,
                                         .reversals = route->reversals,
-                                        .narrowest = world->body[i].reach,
+                                        .narrowest = world->body[i].sight,
                                         .narrowest_other = -1,
                                         .narrowest_at = observer->watched[i].at,
                                         .narrowest_heading = world->heading[i]};
@@ -89,7 +94,7 @@ static void watch_clearance(PersonObservation *person, Stretch *stretch, const W
     const Sense *sense = &world->sense[i];
     if (sense->clearance < stretch->clearance) {
         stretch->clearance = sense->clearance;
-        if (sense->clearance < world->body[i].reach)
+        if (sense->clearance < world->body[i].sight)
             stretch->at = sense->nearest_at;
         stretch->other = sense->other;
     }
@@ -141,13 +146,13 @@ static void watch_person(Observer *observer, size_t i) {
         add_row(observer, i, (world->drive[i].offset - watched->offset) / dt);
     watched->at = at;
     watched->offset = world->drive[i].offset;
-    watched->done = world->phase[i] == PHASE_OUT || world->phase[i] == PHASE_STUCK;
+    watched->done = ended(world, i);
 }
 
 void observer_watch(Observer *observer) {
     const World *world = observer->world;
     for (size_t i = 0; i < world->count; i++)
-        if (is_watched(world, i) && !observer->watched[i].done)
+        if (is_watched(world, i) && !(observer->watched[i].done && ended(world, i)))
             watch_person(observer, i);
 }
 
@@ -156,7 +161,7 @@ static void fill_blockage(const World *world, size_t i, Blockage *blockage) {
     const House *house = world->house;
     const Sense *sense = &world->sense[i];
     double width = house->people[i].profile->width;
-    *blockage = (Blockage){.at = sense->clearance < world->body[i].reach ? sense->nearest_at : world->centre[i]};
+    *blockage = (Blockage){.at = sense->clearance < world->body[i].sight ? sense->nearest_at : world->centre[i]};
     blockage->has = passage_width(passage_at(&house->outline, world->centre[i], world->axis[i]));
     blockage->needs = width;
     if (sense->other >= 0) {
@@ -179,8 +184,7 @@ void observer_end(Observer *observer, Reason reason) {
             person->exit = world->exit[i];
         else
             person->reason = world->phase[i] == PHASE_STUCK ? (Reason)world->reason[i] : reason;
-        bool ended = world->phase[i] == PHASE_OUT || world->phase[i] == PHASE_STUCK;
-        person->time = ended ? world->ended[i] : clock_time(&world->clock);
+        person->time = ended(world, i) ? world->ended[i] : clock_time(&world->clock);
         if (person->reason == REASON_CANNOT_PASS)
             person->blockage = route->blockage;
         else if (person->reason == REASON_BLOCKED)

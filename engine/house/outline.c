@@ -16,6 +16,8 @@ static const double OWNER_TOLERANCE = 1e-5;
 static const double STRAIGHT = 1e-5;
 /* 1: the sine of the angle below which a ray runs along a face rather than into it. */
 static const double GRAZING = 1e-5;
+/* 1: the sine of the angle up to which two walls go straight on. */
+static const double COLLINEAR = 0.05;
 /* 1: mitred joints of walls reach at most this many half thicknesses. */
 static const double MITRE_LIMIT = 5;
 
@@ -92,13 +94,18 @@ static bool is_closed(const Wall *wall) {
     return wall->points.count > 3 && vec2_distance(wall->points.at[0], wall->points.at[wall->points.count - 1]) < 1e-9;
 }
 
-/* Does another wall end where this one does? Then both reach on by half their thickness and close the corner. */
-static bool meets_an_end(const Plan *plan, size_t wall, Vec2 end) {
+/* Does another wall end where this one does, and at an angle to `along`, its direction there? Then both reach on by
+ * half their thickness and close the corner; walls that go straight on need not, and a door may begin there. */
+static bool meets_an_end(const Plan *plan, size_t wall, Vec2 end, Vec2 along) {
     for (size_t w = 0; w < plan->wall_count; w++) {
         const Points *points = &plan->walls[w].points;
-        if (w != wall && !is_closed(&plan->walls[w]) &&
-            (vec2_distance(points->at[0], end) < 1e-6 || vec2_distance(points->at[points->count - 1], end) < 1e-6))
-            return true;
+        if (w == wall || is_closed(&plan->walls[w]))
+            continue;
+        for (int last = 0; last < 2; last++) {
+            Vec2 at = points->at[last ? points->count - 1 : 0], inner = points->at[last ? points->count - 2 : 1];
+            if (vec2_distance(at, end) < 1e-6 && fabs(vec2_cross(along, vec2_unit(vec2_sub(inner, at)))) > COLLINEAR)
+                return true;
+        }
     }
     return false;
 }
@@ -131,9 +138,9 @@ static void add_wall(Builder *builder, size_t w) {
     if (!is_closed(wall)) {
         Vec2 first = vec2_unit(vec2_sub(points[0], points[1]));
         Vec2 last = vec2_unit(vec2_sub(points[count - 1], points[count - 2]));
-        if (meets_an_end(builder->plan, w, points[0]))
+        if (meets_an_end(builder->plan, w, points[0], first))
             points[0] = vec2_along(points[0], half, first);
-        if (meets_an_end(builder->plan, w, points[count - 1]))
+        if (meets_an_end(builder->plan, w, points[count - 1], last))
             points[count - 1] = vec2_along(points[count - 1], half, last);
     }
     for (size_t s = 0; s + 1 < count; s++) {

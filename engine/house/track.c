@@ -326,9 +326,22 @@ static double leg_freedom(const House *house, const Turning *from, const Turning
     return least;
 }
 
+/* The same of the arc about a turning. */
+static double arc_freedom(const House *house, const Turning *turning, Vec2 before, Vec2 after) {
+    double turn = atan2(vec2_cross(before, after), vec2_dot(before, after)), least = HUGE_VAL;
+    double heading = atan2(before.y, before.x);
+    const int pieces = 12; /* 8 degrees each in a right-angle corner */
+    for (int i = 0; i <= pieces && turn * turning->side > 0; i++) {
+        double part = (double)i / pieces, radius = turning->in + part * (turning->out - turning->in);
+        Vec2 out = vec2_scale(vec2_left(vec2_heading(heading + part * turn)), -turning->side);
+        least = fmin(least, freespace_distance(&house->space, vec2_along(turning->centre, radius, out)));
+    }
+    return least;
+}
+
 static void lay_out(const House *house, const Inhabitant *person, Turning *turnings, size_t count) {
     enum { NARROWINGS = 12 };
-    double *share = memory_allocate(count, sizeof *share);
+    double *share = memory_allocate(count, sizeof *share), radius = person->profile->width / 2;
     for (size_t i = 0; i < count; i++)
         share[i] = 1;
     for (int round = 0; round < NARROWINGS; round++) {
@@ -338,9 +351,13 @@ static void lay_out(const House *house, const Inhabitant *person, Turning *turni
             bool overlap =
                 vec2_dot(vec2_sub(leg_end(&turnings[i + 1], turnings[i].leg), leg_begin(&turnings[i], turnings[i].leg)),
                          turnings[i].leg) < 0;
-            if (overlap || leg_freedom(house, &turnings[i], &turnings[i + 1]) < person->profile->width / 2) {
+            if (overlap || leg_freedom(house, &turnings[i], &turnings[i + 1]) < radius) {
                 share[i] *= 0.75;
                 share[i + 1] *= 0.75;
+                free = false;
+            }
+            if (i > 0 && arc_freedom(house, &turnings[i], turnings[i - 1].leg, turnings[i].leg) < radius) {
+                share[i] *= 0.75;
                 free = false;
             }
         }

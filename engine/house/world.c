@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "house/drive.h"
 #include "house/observation.h"
+#include "house/yield.h"
 
 /* Creation -------------------------------------------------------------------------------------------------------- */
 
@@ -26,6 +27,8 @@ static size_t lay_out(World *world, char *block) {
     world->velocity = lay(block, &used, n, sizeof *world->velocity);
     world->turn = lay(block, &used, n, sizeof *world->turn);
     world->force = lay(block, &used, n, sizeof *world->force);
+    world->ring = lay(block, &used, n, sizeof *world->ring);
+    world->ring_moment = lay(block, &used, n, sizeof *world->ring_moment);
     world->moment = lay(block, &used, n, sizeof *world->moment);
     world->phase = lay(block, &used, n, sizeof *world->phase);
     world->reason = lay(block, &used, n, sizeof *world->reason);
@@ -38,6 +41,7 @@ static size_t lay_out(World *world, char *block) {
     world->slips = lay(block, &used, n * GAPS_MOST, sizeof *world->slips);
     world->slip_count = lay(block, &used, n, sizeof *world->slip_count);
     world->pair_slips = lay(block, &used, pairs * PAIR_GAPS, sizeof *world->pair_slips);
+    world->was_clear = lay(block, &used, n, sizeof *world->was_clear);
     world->door_open = lay(block, &used, world->house->plan.door_count, sizeof *world->door_open);
     return used;
 }
@@ -67,8 +71,10 @@ World world_create(const House *house, const Journey *journeys, const bool *part
     lay_out(&world, world.block);
     for (size_t d = 0; d < house->plan.door_count; d++)
         world.door_open[d] = !outline_door_moves(&house->plan.doors[d]);
-    for (size_t i = 0; i < world.count; i++)
+    for (size_t i = 0; i < world.count; i++) {
         place_person(&world, i, !part || part[i]);
+        world.was_clear[i] = world_is_clear(&world, i);
+    }
     return world;
 }
 
@@ -138,9 +144,14 @@ static void force_of_obstacles(World *world, size_t i) {
                 world->door_changes);
     Gap gaps[GAPS_MOST];
     Slip kept[GAPS_MOST], *slips = world->slips + i * GAPS_MOST;
-    size_t count = gap_to_obstacles(gaps, body, centre, world->axis[i], &world->near[i]);
-    Vec2 force = {0, 0};
-    double moment = 0;
+    int held[GAPS_MOST];
+    size_t held_count = 0;
+    for (int k = 0; k < world->slip_count[i]; k++)
+        if (slips[k].touches)
+            held[held_count++] = slips[k].key;
+    size_t count = gap_to_obstacles(gaps, body, centre, world->axis[i], &world->near[i], held, held_count);
+    Vec2 force = {0, 0}, rings = {0, 0};
+    double moment = 0, ring_moment = 0;
     for (size_t g = 0; g < count; g++) {
         const Gap *gap = &gaps[g];
         const Slip *before = find_slip(slips, world->slip_count[i], gap->key);
@@ -152,14 +163,19 @@ static void force_of_obstacles(World *world, size_t i) {
                               &kept[g].ring, &soft);
         Vec2 both = vec2_add(
             ring, law_force(&profile->contact, gap, gap->gap, rate, sliding, world->clock.dt, &kept[g].body, &hard));
+        kept[g].touches = gap->gap < 0;
         force = vec2_add(force, both);
         moment += vec2_cross(gap->arm, both);
+        rings = vec2_add(rings, ring);
+        ring_moment += vec2_cross(gap->arm, ring);
         feel(&world->sense[i], body, gap, hard, soft, vec2_add(centre, gap->arm), -1);
     }
     memcpy(slips, kept, count * sizeof *kept);
     world->slip_count[i] = (int)count;
     world->force[i] = vec2_add(world->force[i], force);
     world->moment[i] += moment;
+    world->ring[i] = rings;
+    world->ring_moment[i] = ring_moment;
 }
 
 static ContactLaw mean_law(const ContactLaw *a, const ContactLaw *b) {
@@ -172,9 +188,10 @@ static ContactLaw mean_law(const ContactLaw *a, const ContactLaw *b) {
 static void force_of_pair(World *world, size_t i, size_t j, Slip *slips) {
     const Profile *a = world->house->people[i].profile, *b = world->house->people[j].profile;
     const Body *body_a = &world->body[i], *body_b = &world->body[j];
-    double reach = real_max(body_a->reach, body_b->reach);
-    if (vec2_distance(world->centre[i], world->centre[j]) >
-        body_a->swing + body_a->radius + body_b->swing + body_b->radius + reach) {
+    double reach = real_max(body_a->reach, body_b->reach), sight = real_max(body_a->sight, body_b->sight);
+    double apart = vec2_distance(world->centre[i], world->centre[j]);
+    bool far = apart > body_a->swing + body_a->radius + body_b->swing + body_b->radius + sight;
+    if (far || !yield_sees(world, i, j)) {
         for (int k = 0; k < PAIR_GAPS; k++)
             slips[k].body = slips[k].ring = 0;
         return;
@@ -182,7 +199,7 @@ static void force_of_pair(World *world, size_t i, size_t j, Slip *slips) {
     ContactLaw contact = mean_law(&a->contact, &b->contact), space = mean_law(&a->space, &b->space);
     Gap gaps[GAPS_MOST];
     size_t count =
-        gap_to_body(gaps, body_a, world->centre[i], world->axis[i], body_b, world->centre[j], world->axis[j], reach);
+        gap_to_body(gaps, body_a, world->centre[i], world->axis[i], body_b, world->centre[j], world->axis[j], sight);
     Slip kept[PAIR_GAPS] = {{0}};
     for (size_t g = 0; g < count; g++) {
         const Gap *gap = &gaps[g];
@@ -213,8 +230,9 @@ static void gather_forces(World *world) {
             continue;
         world->force[i] = vec2(0, 0);
         world->moment[i] = 0;
-        world->sense[i] = (Sense){.clearance = world->body[i].reach, .other = -1};
-        force_of_obstacles(world, i);
+        world->sense[i] = (Sense){.clearance = world->body[i].sight, .other = -1};
+        if (world->was_clear[i])
+            force_of_obstacles(world, i);
     }
     Slip *slips = world->pair_slips;
     for (size_t i = 0; i < world->count; i++)
@@ -331,6 +349,7 @@ static void leave(World *world, size_t i, Vec2 before) {
             world->phase[i] = PHASE_OUT;
             world->exit[i] = e;
             world->ended[i] = time;
+            world->departures++;
             return;
         }
     }
@@ -340,9 +359,11 @@ static void give_up(World *world, size_t i, Reason reason) {
     world->phase[i] = PHASE_STUCK;
     world->reason[i] = reason;
     world->ended[i] = clock_time(&world->clock);
+    world->drive[i].departures = world->departures;
 }
 
-/* Starts those whose delay is over; those for whom there is no way, or who no longer get on, stay where they are. */
+/* Starts those whose delay is over; those for whom there is no way, or who no longer get on, stay where they are, the
+ * latter until somebody else has left. */
 static void change_phases(World *world) {
     double time = clock_time(&world->clock);
     for (size_t i = 0; i < world->count; i++) {
@@ -354,6 +375,11 @@ static void change_phases(World *world) {
         } else if (world->phase[i] == PHASE_MOVING && world->drive[i].stalled > world->house->plan.run.patience) {
             bool closed = time > world->house->plan.exits[route->exit].closes;
             give_up(world, i, closed ? REASON_NO_EXIT : REASON_BLOCKED);
+        } else if (world->phase[i] == PHASE_STUCK && world->reason[i] == REASON_BLOCKED &&
+                   world->drive[i].departures != world->departures) {
+            world->phase[i] = PHASE_MOVING; /* somebody has left: perhaps there is room now */
+            world->reason[i] = REASON_NONE;
+            world->drive[i].stalled = 0;
         }
     }
 }
@@ -437,6 +463,8 @@ WorldStatus world_step(World *world, size_t *who) {
     for (size_t i = 0; i < world->count; i++) {
         if (!is_there(world, i))
             continue;
+        if (!world->was_clear[i])
+            continue;
         Vec2 before = world_reference(world, i);
         move_person(world, i);
         if (world->phase[i] == PHASE_MOVING)
@@ -447,7 +475,9 @@ WorldStatus world_step(World *world, size_t *who) {
             if (who)
                 *who = i;
         }
-        assert(status == WORLD_DIVERGED || world_is_clear(world, i));
+        /* What is deeper than the body's rounding is being pushed out by the contact law. */
+        assert(status == WORLD_DIVERGED || !world->was_clear[i] || world->sense[i].body_force > 0 ||
+               world_is_clear(world, i));
     }
     world->clock.step++;
     digest_states(world);

@@ -38,6 +38,7 @@ typedef enum WorldStatus { WORLD_OK, WORLD_DIVERGED } WorldStatus;
 typedef struct Slip {
     int key;
     double body, ring; /* m */
+    bool touches;      /* the body itself */
 } Slip;
 
 /* What a person feels in this step. */
@@ -65,6 +66,7 @@ typedef struct Drive {
     double handle;     /* s, spent at a shut door's handle */
     double retreat_to; /* m, along the track: back to there, to try again; negative: not retreating */
     int retries;       /* since the last progress */
+    int departures;    /* of others that had been seen when the person gave up */
 } Drive;
 
 typedef struct World {
@@ -74,18 +76,21 @@ typedef struct World {
     size_t count; /* of people */
     uint64_t digest;
     int door_changes;
+    int departures; /* people who have left */
     /* one per person (count), of the mass centre unless said otherwise */
-    Vec2 *centre;    /* m */
-    Vec2 *axis;      /* unit, along the heading */
-    double *heading; /* rad */
-    Vec2 *velocity;  /* m/s */
-    double *turn;    /* rad/s */
-    Vec2 *force;     /* N, of contacts, this step */
-    double *moment;  /* N m */
-    int *phase;      /* Phase */
-    int *reason;     /* Reason, of the stuck */
-    size_t *exit;    /* crossed; SIZE_MAX: none */
-    double *ended;   /* s, when out or stuck */
+    Vec2 *centre;        /* m */
+    Vec2 *axis;          /* unit, along the heading */
+    double *heading;     /* rad */
+    Vec2 *velocity;      /* m/s */
+    double *turn;        /* rad/s */
+    Vec2 *force;         /* N, of contacts, this step */
+    Vec2 *ring;          /* N, of it what obstacles do through the personal space */
+    double *ring_moment; /* N m */
+    double *moment;      /* N m */
+    int *phase;          /* Phase */
+    int *reason;         /* Reason, of the stuck */
+    size_t *exit;        /* crossed; SIZE_MAX: none */
+    double *ended;       /* s, when out or stuck */
     Sense *sense;
     Drive *drive;
     Body *body;
@@ -94,6 +99,7 @@ typedef struct World {
     int *slip_count;
     Slip *pair_slips; /* (count x (count - 1) / 2 x PAIR_GAPS) */
     bool *door_open;  /* (doors) */
+    bool *was_clear;  /* of everything at the start; whoever was not stays there */
     void *block;      /* all of the above */
     size_t block_size;
 } World;
@@ -115,8 +121,8 @@ WorldStatus world_step(World *world, size_t *who);
 bool world_goes_on(const World *world);
 
 /* Does no face that is there reach into the core of the person's body? Then it overlaps everything by less than its
- * rounding, which is all that the contact law allows. Looks at the faces themselves, not at the neighbours kept for
- * contacts; debug builds assert it for everybody after every step. */
+ * rounding. Looks at the faces themselves, not at the neighbours kept for contacts; debug builds assert after every
+ * step that it holds for everybody but those whom the contact law is pushing out. */
 bool world_is_clear(const World *world, size_t i);
 
 /* The reference point of a person, m. */

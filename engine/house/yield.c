@@ -1,0 +1,134 @@
+#include "house/yield.h"
+
+/* All of these are assumed. */
+
+/* m: how far ahead people are seen. */
+static const double SIGHT = 6.0;
+/* m: what is left between two who pass, and to a wall; less than the last is not passing but touching. */
+static const double PASSING_SPACE = 0.25, WALL_SPACE = 0.10, PASSING_LEAST = 0.02;
+/* m: kept behind and before people. */
+static const double STAND_OFF = 0.20;
+/* m: somebody who stands so little to one side counts as straight ahead and is passed on the left, as in Japan. */
+static const double STRAIGHT_AHEAD = 0.15;
+/* 1: the slope of a swerve to the way. */
+static const double SWERVE = 0.30;
+/* 1: the cosine of the angle to the way up to which somebody goes along it. */
+static const double STRAIGHT = 0.7;
+/* m/s: how slowly one edges past, and below what somebody stands. */
+static const double SLOW_PASSING = 0.15, STANDING = 0.05;
+/* 1: the share of the deceleration that is planned with. */
+static const double PLANNED = 0.8;
+/* s: two who wait for one another look at it so long; then the first by id goes on. */
+static const double DEADLOCK = 2;
+
+static double clamp(double value, double low, double high) {
+    return value < low ? low : value > high ? high : value;
+}
+
+bool yield_sees(const World *world, size_t i, size_t j) {
+    Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
+    double distance = vec2_length(to);
+    return distance <= 0 || outline_ray(&world->house->outline, world->centre[i], vec2_scale(to, 1 / distance),
+                                        distance, NULL) >= distance;
+}
+
+/* How far a body reaches from its centre along a direction. */
+static double extent(const World *world, size_t i, Vec2 direction) {
+    return body_extent(&world->body[i], world->axis[i], direction);
+}
+
+/* The point of the track ahead that is nearest to somebody. */
+static const TrackPoint *nearest_point(const Track *track, size_t index, Vec2 at) {
+    const TrackPoint *nearest = &track->points[index];
+    double least = HUGE_VAL, end = nearest->s + SIGHT;
+    for (size_t k = index; k < track->count && track->points[k].s < end; k += 2) {
+        double distance = vec2_distance(track->points[k].at, at);
+        if (distance < least) {
+            least = distance;
+            nearest = &track->points[k];
+        }
+    }
+    return nearest;
+}
+
+/* Somebody as seen from the way of person i, at the place where the way comes nearest. */
+typedef struct Sight {
+    const TrackPoint *here, *there;
+    Vec2 way, left; /* unit, of the way there */
+    double ahead;   /* m, between the two bodies along the way */
+    double lateral; /* m, from the way to the other, positive on the left */
+    double coming;  /* m/s, of the other along the way */
+    double gap;     /* m, between the two bodies across the way */
+    double abreast; /* m, between the two middles when both go straight and pass with room to spare */
+} Sight;
+
+static Sight look_at(const World *world, size_t i, size_t j) {
+    const Track *track = &world->journeys[i].track;
+    const Drive *drive = &world->drive[i];
+    const Profile *own = world->house->people[i].profile, *other = world->house->people[j].profile;
+    Sight sight = {.here = &track->points[drive->index], .there = nearest_point(track, drive->index, world->centre[j])};
+    sight.way = vec2_scale(vec2_heading(sight.there->heading), sight.there->direction < 0 ? -1 : 1);
+    sight.left = vec2_left(sight.way);
+    Vec2 to = vec2_sub(world->centre[j], world->centre[i]), back = vec2_scale(sight.way, -1);
+    sight.ahead = real_min(sight.there->s - drive->s, vec2_dot(to, sight.way)) - extent(world, i, sight.way) -
+                  extent(world, j, back);
+    sight.lateral = vec2_dot(sight.left, vec2_sub(world->centre[j], sight.there->at));
+    sight.coming = vec2_dot(world->velocity[j], sight.way);
+    double apart = sight.lateral - drive->offset;
+    Vec2 side = apart > 0 ? sight.left : vec2_scale(sight.left, -1);
+    sight.gap = fabs(apart) - extent(world, i, side) - extent(world, j, vec2_scale(side, -1));
+    bool straight = fabs(vec2_dot(world->axis[j], sight.way)) > STRAIGHT;
+    sight.abreast = own->width / 2 + PASSING_SPACE + (straight ? other->width / 2 : extent(world, j, side));
+    return sight;
+}
+
+/* The offset from the way at which the other is passed: none when the way itself leaves room. The other one, who sees
+ * the same from the other end, chooses the same side. */
+static double pass_offset(const World *world, size_t i, const Sight *sight) {
+    double half = world->house->people[i].profile->width / 2 + WALL_SPACE;
+    double left_room = real_max(real_min(sight->here->room_left, sight->there->room_left) - half, 0);
+    double right_room = real_max(real_min(sight->here->room_right, sight->there->room_right) - half, 0);
+    if (fabs(sight->lateral) >= sight->abreast)
+        return 0;
+    double left = sight->lateral + sight->abreast, right = sight->abreast - sight->lateral;
+    bool leftwards = sight->lateral < STRAIGHT_AHEAD;
+    if (leftwards ? left > left_room && right <= right_room : right > right_room && left <= left_room)
+        leftwards = !leftwards;
+    return leftwards ? real_min(left, left_room) : -real_min(right, right_room);
+}
+
+static double speed_past(const World *world, size_t i, size_t j, const Sight *sight, double speed) {
+    const Profile *profile = world->house->people[i].profile;
+    double law = profile->steering_time > 0 ? 2 * sight->gap / profile->steering_time : HUGE_VAL;
+    if (sight->gap > PASSING_LEAST || sight->ahead < -STAND_OFF)
+        return real_min(speed, real_max(law, SLOW_PASSING));
+    double braking = sqrt(2 * PLANNED * profile->deceleration * real_max(0, sight->ahead - STAND_OFF));
+    bool both_wait = vec2_length(world->velocity[j]) < STANDING && world->drive[i].stalled > DEADLOCK &&
+                     world->phase[j] == PHASE_MOVING && i < j && sight->ahead > PASSING_LEAST;
+    if (both_wait)
+        braking = SLOW_PASSING;
+    return real_min(speed, braking + real_max(sight->coming, 0));
+}
+
+double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, double speed) {
+    double aside = 0;
+    for (size_t j = 0; j < world->count; j++) {
+        if (j == i || world->phase[j] == PHASE_ABSENT || world->phase[j] == PHASE_OUT)
+            continue;
+        Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
+        double passed = -extent(world, i, vec2_scale(travel, -1)) - extent(world, j, travel);
+        if (vec2_dot(to, to) > SIGHT * SIGHT || vec2_dot(to, travel) < passed || !yield_sees(world, i, j))
+            continue;
+        Sight sight = look_at(world, i, j);
+        if (fabs(sight.lateral) > SIGHT / 2)
+            continue;
+        double offset = sight.coming < STANDING ? pass_offset(world, i, &sight) : 0;
+        aside = fabs(offset) > fabs(aside) ? offset : aside;
+        speed = speed_past(world, i, j, &sight, speed);
+    }
+    /* A swerve takes way, not time: somebody who stands does not get any farther to one side. */
+    double moved = vec2_length(world->velocity[i]) * world->clock.dt, change = SWERVE * moved, before = drive->aside;
+    drive->aside += clamp(aside - before, -change, change);
+    drive->swerve = moved > 0 ? (drive->aside - before) / moved : 0;
+    return speed;
+}
