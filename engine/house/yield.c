@@ -11,7 +11,7 @@ static const double STAND_OFF = 0.20;
 /* m: somebody who stands so little to one side counts as straight ahead and is passed on the left, as in Japan. */
 static const double STRAIGHT_AHEAD = 0.15;
 /* 1: the slope of a swerve to the way. */
-static const double SWERVE = 0.30;
+static const double SWERVE = 0.22;
 /* 1: the cosine of the angle to the way up to which somebody goes along it. */
 static const double STRAIGHT = 0.7;
 /* m/s: how slowly one edges past, and below what somebody stands. */
