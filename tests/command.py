@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""The command line as scripts rely on it: exit codes, JSON and nothing else on standard output, files, messages.
+
+command.py CLEARANCE
+"""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+
+source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", "."))
+program = pathlib.Path(sys.argv[1]).resolve()
+failures = 0
+
+
+def house(name):
+    return str(source / "houses" / f"{name}.json")
+
+
+def run(*arguments, cwd=None):
+    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=120, cwd=cwd)
+
+
+def check(good, what, detail=""):
+    global failures
+    if not good:
+        failures += 1
+        print(f"FAIL {what} {detail}")
+
+
+def expect(code, *arguments, says=""):
+    done = run(*arguments)
+    check(done.returncode == code, f"{arguments}: exit code {done.returncode}, expected {code}", done.stderr)
+    check(says in done.stderr, f"{arguments}: standard error lacks {says!r}", done.stderr)
+    return done
+
+
+def check_answers():
+    answer = json.loads(expect(0, "run", house("straight-corridor"), "--json").stdout)
+    for key in ("kind", "house", "seed", "dt", "steps", "completed", "time", "people", "hazards", "digest"):
+        check(key in answer, f"run --json lacks {key}")
+    for key in ("id", "profile", "route", "exit", "completed", "time", "path_length", "narrowest", "contacts", "peak_force",
+                "ring_time", "lost_time"):
+        check(key in answer["people"][0], f"a person of run --json lacks {key}")
+    check(answer["people"][0]["path_length"] / 0.69 <= answer["time"], "nobody is faster than the free speed")
+    answer = json.loads(expect(1, "run", house("flat-0.910-module"), "--json").stdout)
+    person = answer["people"][0]
+    check(person["reason"] == "cannot pass" and person["blocked_at"]["needs"] > person["blocked_at"]["has"], "blocked_at")
+    answer = json.loads(expect(1, "check", house("corner-0.85-0.85"), "--json").stdout)
+    check(answer["people"][0]["fits"] and not answer["people"][0]["drivable"], "0.85 m fits and is not drivable")
+    answer = json.loads(expect(1, "compare", house("flat-0.910-module"), house("flat-0.910-widened"), "--json").stdout)
+    check(answer["kind"] == "compare" and len(answer["differences"]) == 1, "compare --json")
+    answer = json.loads(expect(0, "loci", house("corner-1.20-1.20"), "--json").stdout)
+    check(answer["houses"][0]["locus_largest"] > 0, "loci --json")
+    answer = json.loads(expect(2, "check", str(source / "tests/data/bad/houses/many-faults.json"), "--json").stdout)
+    check(len(answer["faults"]) > 1, "check --json lists several faults")
+
+
+def check_options():
+    one = json.loads(run("run", house("ube-techno-house"), "--json", "--jobs", "1").stdout)
+    two = json.loads(run("run", house("ube-techno-house"), "--json", "--jobs=2").stdout)
+    check(one == two, "--jobs changes nothing")
+    route = json.loads(expect(0, "run", house("ube-techno-house"), "--json", "--route", "C").stdout)
+    check([p["route"] for p in route["people"]] == ["C"], "--route C")
+    miura = json.loads(expect(0, "run", house("straight-corridor"), "--json", "--driving", "miura").stdout)
+    check(miura["people"][0]["driving"] == "miura", "--driving miura")
+    late = json.loads(expect(1, "run", house("straight-corridor"), "--json", "--until", "2").stdout)
+    check(late["people"][0]["reason"] == "time limit", "--until 2")
+    wide = expect(1, "run", house("corner-1.20-1.20"), "--set", "profile.manual-chair.width=1.3")
+    check("cannot pass" in wide.stdout, "--set profile.manual-chair.width=1.3")
+
+
+def check_wrong_use():
+    expect(2, "rnu", says="did you mean run?")
+    expect(2, "run", says="usage: clearance run")
+    expect(2, "run", house("straight-corridor"), "--ruote", "A", says="did you mean --route?")
+    expect(2, "run", house("straight-corridor"), "--jobs", "many", says="--jobs takes N")
+    expect(2, "run", house("straight-corridor"), "--set", "door.d1.width=1", says='there is no door "d1"')
+    expect(2, "run", house("straight-corridor"), "--set", "person.p1.heding=1", says="did you mean")
+    expect(2, "run", house("ube-techno-house"), "--route", "E", says="its routes are A, B, C, D")
+    expect(2, "run", "nowhere.json", says="nowhere.json:1:1: cannot be read")
+    expect(2, "run", house("straight-corridor"), "--size", "1x1", says="--size takes WxH")
+    expect(2, "run", house("straight-corridor"), "--out", "/proc/nowhere", says="cannot be written")
+    expect(2, "schema", "beam", says="not of")
+    for arguments in (["--help"], ["--version"], ["run", "--help"], ["check", "--help"], ["schema", "house"]):
+        check(run(*arguments).stdout, f"{arguments} says nothing")
+        expect(0, *arguments)
+
+
+def check_files():
+    with tempfile.TemporaryDirectory(prefix="clearance out ä ") as out:
+        expect(0, "run", house("two-chairs-corridor"), "--out", out, "--size", "800x450", "--theme", "board")
+        names = {"summary.json", "trace.csv", "trajectory.sqlite", "plan.png", "plan.svg"}
+        check(set(os.listdir(out)) == names, f"--out holds {os.listdir(out)}")
+        summary = json.loads(pathlib.Path(out, "summary.json").read_text())
+        answer = json.loads(run("run", house("two-chairs-corridor"), "--json").stdout)
+        check(summary == answer, "summary.json is the answer")
+        header = pathlib.Path(out, "trace.csv").read_text().splitlines()[0]
+        check(header.startswith("time [s],person [1],x [m],y [m],heading [rad]"), f"trace.csv begins {header}")
+        png = pathlib.Path(out, "plan.png").read_bytes()
+        check(png[16:24] == (800).to_bytes(4, "big") + (450).to_bytes(4, "big"), "plan.png is 800x450")
+
+
+def check_interrupt():
+    """Two people who hold each other up are simulated for an hour; Ctrl-C ends that, and what there is is kept."""
+    with tempfile.TemporaryDirectory() as out:
+        process = subprocess.Popen(
+            [program, "run", house("straight-corridor"), "--set", "exit.e1.opens=90000", "--until", "90000", "--out", out],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        try:
+            process.wait(timeout=1.5)
+        except subprocess.TimeoutExpired:
+            process.send_signal(signal.SIGINT)
+        _, error = process.communicate(timeout=60)
+        check(process.returncode == 1, f"interrupted: exit code {process.returncode}")
+        check("interrupted" in error, "interrupted: says so", error)
+        check(os.path.exists(os.path.join(out, "summary.json")), "interrupted: what there is is kept")
+
+
+for part in (check_answers, check_options, check_wrong_use, check_files, check_interrupt):
+    part()
+print(f"{failures} failures")
+sys.exit(failures != 0)

@@ -1,0 +1,186 @@
+/* Whole runs: delays, doors, exits, people who stand in the way, and what is observed of them. */
+
+#include "house/run.h"
+
+#include <stdint.h>
+#include <string.h>
+
+#include "case.h"
+#include "check.h"
+#include "house/world.h"
+
+static Observation run_corridor(double width, const char *const *settings, House *house) {
+    json_t *plan = case_corridor(width);
+    case_add_person(plan, "manual-chair", 1, 0, 0);
+    case_made(house, plan, -1, settings);
+    return case_run(house, 1);
+}
+
+TEST(a_delay_is_waited_for) {
+    House house;
+    Observation now = run_corridor(2, NULL, &house);
+    house_free(&house);
+    Observation later = run_corridor(2, (const char *[]){"person.p1.delay=7.5", NULL}, &house);
+    CHECK(now.completed && later.completed);
+    CHECK_NEAR(later.time - now.time, 7.5, 2e-3);
+    CHECK_NEAR(later.people[0].lost_time, now.people[0].lost_time, 2e-3);
+    observation_free(&now);
+    observation_free(&later);
+    house_free(&house);
+}
+
+TEST(a_closed_door_costs_its_time_once) {
+    static const char *const times[] = {"door.d1.opening_time=2", "door.d1.opening_time=6"};
+    double seconds[2];
+    for (int i = 0; i < 2; i++) {
+        House house;
+        case_house(&house, "closed-door", -1, (const char *[]){times[i], NULL});
+        Observation observation = case_run(&house, 1);
+        CHECK(observation.completed);
+        seconds[i] = observation.time;
+        observation_free(&observation);
+        house_free(&house);
+    }
+    CHECK_NEAR(seconds[1] - seconds[0], 4, 0.05);
+}
+
+TEST(an_exit_is_waited_for_until_it_opens) {
+    House house;
+    Observation observation = run_corridor(2, (const char *[]){"exit.e1.opens=60", NULL}, &house);
+    CHECK(observation.completed);
+    CHECK(observation.time > 60 && observation.time < 62);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+TEST(whoever_comes_after_the_exit_has_closed_is_told_so) {
+    House house;
+    Observation observation = run_corridor(2, (const char *[]){"exit.e1.closes=5", NULL}, &house);
+    CHECK(!observation.completed && observation.people[0].reason == REASON_NO_EXIT);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+TEST(a_time_limit_ends_the_run) {
+    House house;
+    Observation observation = run_corridor(2, (const char *[]){"run.until=3", NULL}, &house);
+    CHECK(observation.people[0].reason == REASON_TIME_LIMIT);
+    CHECK_NEAR(observation.people[0].time, 3, 2e-3);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+TEST(two_who_meet_swerve_and_pass) {
+    House house;
+    case_house(&house, "two-chairs-corridor", -1, NULL);
+    Observation observation = case_run(&house, 1);
+    CHECK(observation.completed);
+    CHECK(observation.people[0].contacts == 0 && observation.people[1].contacts == 0);
+    CHECK(observation.people[0].exit != observation.people[1].exit);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+/* Somebody parked behind a wall is neither seen nor felt: the run is the same to the bit. */
+TEST(nobody_is_minded_through_a_wall) {
+    double times[2], narrowest[2];
+    for (int parked = 0; parked < 2; parked++) {
+        House house;
+        json_t *plan = case_corridor(1.0);
+        case_add_person(plan, "manual-chair", 1, 0, 0);
+        if (parked)
+            case_add_person(plan, "manual-chair", 9, -1.1, 0);
+        case_made(&house, plan, -1, (const char *[]){parked ? "person.p2.delay=1000" : "run.until=600", NULL});
+        bool part[2] = {true, true};
+        Journey *journeys = journey_plan_all(&house, part, 1);
+        World world = world_create(&house, journeys, part);
+        narrowest[parked] = 1;
+        while (world.phase[0] == PHASE_WAITING || world.phase[0] == PHASE_MOVING) {
+            world_step(&world, NULL);
+            narrowest[parked] = fmin(narrowest[parked], world.sense[0].clearance);
+        }
+        CHECK(world.phase[0] == PHASE_OUT);
+        times[parked] = world.ended[0];
+        world_destroy(&world);
+        journey_free_all(journeys, house.person_count);
+        house_free(&house);
+    }
+    CHECK(times[0] == times[1]);
+    CHECK(narrowest[0] == narrowest[1]);
+}
+
+/* Far beyond what a chair can do: into a thin wall at 5 m/s, pushed with 2 kN. */
+TEST(nobody_is_driven_through_a_wall) {
+    static const double thicknesses[] = {0, 0.04, 0.12};
+    for (int t = 0; t < 3; t++) {
+        House house;
+        json_t *plan = case_corridor(3);
+        json_array_append_new(json_object_get(plan, "walls"),
+                              json_pack("{s:s, s:[[f,f],[f,f]], s:f}", "id", "end", "points", 10.0, -1.5, 10.0, 1.5,
+                                        "thickness", thicknesses[t]));
+        case_add_person(plan, "manual-chair", 8, 0, 0);
+        case_made(&house, plan, -1,
+                  (const char *[]){"profile.manual-chair.push=0", "profile.manual-chair.side_friction=0", NULL});
+        Journey *journeys = memory_allocate(1, sizeof *journeys);
+        journeys[0].route.answer = ROUTE_NO_EXIT;
+        World world = world_create(&house, journeys, NULL);
+        world.velocity[0] = vec2(5, 0);
+        for (int step = 0; step < 5000; step++) {
+            world.velocity[0].x += 2000 / house.people[0].profile->mass * world.clock.dt;
+            world_step(&world, NULL);
+        }
+        CHECK(world.centre[0].x < 10);
+        world_destroy(&world);
+        memory_free(journeys);
+        house_free(&house);
+    }
+}
+
+TEST(numbers_that_diverge_stop_the_run_and_name_the_person) {
+    House house;
+    json_t *plan = case_corridor(2);
+    case_add_person(plan, "manual-chair", 1, 0, 0);
+    case_made(&house, plan, -1, NULL);
+    Journey *journeys = journey_plan_all(&house, NULL, 1);
+    World world = world_create(&house, journeys, NULL);
+    world_step(&world, NULL);
+    world.velocity[0] = vec2(1e12, 0);
+    size_t who = SIZE_MAX;
+    CHECK(world_step(&world, &who) == WORLD_DIVERGED);
+    CHECK(who == 0 && world.phase[0] == PHASE_STUCK && world.reason[0] == REASON_DIVERGED);
+    world_destroy(&world);
+    journey_free_all(journeys, house.person_count);
+    house_free(&house);
+}
+
+TEST(a_hazard_is_where_the_passage_is_narrow) {
+    House house;
+    case_house(&house, "bedroom-after-earthquake", -1, NULL);
+    Observation observation = case_run(&house, 1);
+    CHECK(observation.completed && observation.hazard_count > 0);
+    CHECK_TEXT(observation.hazards[0].what, "bookshelf");
+    for (size_t h = 1; h < observation.hazard_count; h++)
+        CHECK(observation.hazards[h].score <= observation.hazards[h - 1].score);
+    double least = 1;
+    for (size_t h = 0; h < observation.hazard_count; h++)
+        least = fmin(least, observation.hazards[h].clearance);
+    CHECK_NEAR(least, observation.people[0].narrowest, 1e-12);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+TEST(routes_alone_do_not_meet) {
+    House house;
+    case_house(&house, "ube-techno-house", -1, NULL);
+    Observation all = case_run(&house, 1);
+    for (size_t r = 0; r < house.plan.route_count; r++) {
+        Observation one;
+        run_house(&one, &house, &(RunOptions){.route = r, .jobs = 1});
+        for (size_t i = 0; i < house.person_count; i++)
+            if (one.people[i].took_part)
+                CHECK(one.people[i].time == all.people[i].time && one.people[i].narrowest == all.people[i].narrowest);
+        observation_free(&one);
+    }
+    observation_free(&all);
+    house_free(&house);
+}
