@@ -20,7 +20,7 @@ static void *lay(char *block, size_t *used, size_t count, size_t size) {
 
 /* Points the arrays into the block; returns its size. */
 static size_t lay_out(World *world, char *block) {
-    size_t used = 0, n = world->count, pairs = n * (n ? n - 1 : 0) / 2;
+    size_t used = 0, n = world->count;
     world->centre = lay(block, &used, n, sizeof *world->centre);
     world->axis = lay(block, &used, n, sizeof *world->axis);
     world->heading = lay(block, &used, n, sizeof *world->heading);
@@ -40,7 +40,8 @@ static size_t lay_out(World *world, char *block) {
     world->near = lay(block, &used, n, sizeof *world->near);
     world->slips = lay(block, &used, n * GAPS_MOST, sizeof *world->slips);
     world->slip_count = lay(block, &used, n, sizeof *world->slip_count);
-    world->pair_slips = lay(block, &used, pairs * PAIR_GAPS, sizeof *world->pair_slips);
+    world->pair_slips = lay(block, &used, n * PAIR_SLIPS, sizeof *world->pair_slips);
+    world->pair_slip_count = lay(block, &used, n, sizeof *world->pair_slip_count);
     world->was_clear = lay(block, &used, n, sizeof *world->was_clear);
     world->door_open = lay(block, &used, world->house->plan.door_count, sizeof *world->door_open);
     return used;
@@ -185,22 +186,18 @@ static ContactLaw mean_law(const ContactLaw *a, const ContactLaw *b) {
 }
 
 /* F1: two people. The larger personal space counts, the law is the mean of both, the forces are equal and opposite. */
-static void force_of_pair(World *world, size_t i, size_t j, Slip *slips) {
+static void force_of_pair(World *world, size_t i, size_t j, Slip kept[PAIR_SLIPS], int *kept_count) {
     const Profile *a = world->house->people[i].profile, *b = world->house->people[j].profile;
     const Body *body_a = &world->body[i], *body_b = &world->body[j];
     double reach = real_max(body_a->reach, body_b->reach), sight = real_max(body_a->sight, body_b->sight);
     double apart = vec2_distance(world->centre[i], world->centre[j]);
     bool far = apart > body_a->swing + body_a->radius + body_b->swing + body_b->radius + sight;
-    if (far || !yield_sees(world, i, j)) {
-        for (int k = 0; k < PAIR_GAPS; k++)
-            slips[k].body = slips[k].ring = 0;
+    if (far || !yield_sees(world, i, j))
         return;
-    }
     ContactLaw contact = mean_law(&a->contact, &b->contact), space = mean_law(&a->space, &b->space);
     Gap gaps[GAPS_MOST];
     size_t count =
         gap_to_body(gaps, body_a, world->centre[i], world->axis[i], body_b, world->centre[j], world->axis[j], sight);
-    Slip kept[PAIR_GAPS] = {{0}};
     for (size_t g = 0; g < count; g++) {
         const Gap *gap = &gaps[g];
         Vec2 arm_b = vec2_sub(vec2_add(world->centre[i], gap->arm), world->centre[j]);
@@ -208,11 +205,14 @@ static void force_of_pair(World *world, size_t i, size_t j, Slip *slips) {
                                vec2_along(world->velocity[j], world->turn[j], vec2_left(arm_b)));
         double rate = vec2_dot(moving, gap->normal), sliding = vec2_dot(moving, vec2_left(gap->normal));
         double hard = 0, soft = 0;
-        Slip *slip = &kept[gap->key % PAIR_GAPS];
-        *slip = slips[gap->key % PAIR_GAPS];
-        Vec2 ring = law_force(&space, gap, gap->gap - reach, rate, sliding, world->clock.dt, &slip->ring, &soft);
+        int key = (int)j * GAP_PARTS + gap->key;
+        const Slip *before = find_slip(world->pair_slips + i * PAIR_SLIPS, world->pair_slip_count[i], key);
+        Slip slip = before ? *before : (Slip){.key = key};
+        Vec2 ring = law_force(&space, gap, gap->gap - reach, rate, sliding, world->clock.dt, &slip.ring, &soft);
         Vec2 both =
-            vec2_add(ring, law_force(&contact, gap, gap->gap, rate, sliding, world->clock.dt, &slip->body, &hard));
+            vec2_add(ring, law_force(&contact, gap, gap->gap, rate, sliding, world->clock.dt, &slip.body, &hard));
+        if (*kept_count < PAIR_SLIPS)
+            kept[(*kept_count)++] = slip;
         world->force[i] = vec2_add(world->force[i], both);
         world->force[j] = vec2_sub(world->force[j], both);
         world->moment[i] += vec2_cross(gap->arm, both);
@@ -221,7 +221,6 @@ static void force_of_pair(World *world, size_t i, size_t j, Slip *slips) {
         feel(&world->sense[i], body_a, gap, hard, soft, at, (int)j);
         feel(&world->sense[j], body_b, gap, hard, soft, at, (int)i);
     }
-    memcpy(slips, kept, sizeof kept);
 }
 
 static void gather_forces(World *world) {
@@ -234,11 +233,15 @@ static void gather_forces(World *world) {
         if (world->was_clear[i])
             force_of_obstacles(world, i);
     }
-    Slip *slips = world->pair_slips;
-    for (size_t i = 0; i < world->count; i++)
-        for (size_t j = i + 1; j < world->count; j++, slips += PAIR_GAPS)
-            if (is_there(world, i) && is_there(world, j))
-                force_of_pair(world, i, j, slips);
+    for (size_t i = 0; i < world->count; i++) {
+        Slip kept[PAIR_SLIPS];
+        int kept_count = 0;
+        for (size_t j = i + 1; j < world->count && is_there(world, i); j++)
+            if (is_there(world, j))
+                force_of_pair(world, i, j, kept, &kept_count);
+        memcpy(world->pair_slips + i * PAIR_SLIPS, kept, (size_t)kept_count * sizeof *kept);
+        world->pair_slip_count[i] = kept_count;
+    }
 }
 
 /* Doors ------------------------------------------------------------------------------------------------------------ */

@@ -97,14 +97,15 @@ typedef struct World {
     Near *near;
     Slip *slips; /* (count x GAPS_MOST) */
     int *slip_count;
-    Slip *pair_slips; /* (count x (count - 1) / 2 x PAIR_GAPS) */
-    bool *door_open;  /* (doors) */
-    bool *was_clear;  /* of everything at the start; whoever was not stays there */
-    void *block;      /* all of the above */
+    Slip *pair_slips;     /* (count x PAIR_SLIPS) with people of a higher index, keys other * GAP_PARTS + part */
+    int *pair_slip_count; /* (count) */
+    bool *door_open;      /* (doors) */
+    bool *was_clear;      /* of everything at the start; whoever was not stays there */
+    void *block;          /* all of the above */
     size_t block_size;
 } World;
 
-enum { PAIR_GAPS = 8 /* gaps between two bodies: four corners each */ };
+enum { PAIR_SLIPS = 48 /* touching parts of people around one: six others with all their corners */ };
 
 /* The world before its first step. The house and the journeys must outlive it. world_destroy releases it. */
 World world_create(const House *house, const Journey *journeys, const bool *part);
