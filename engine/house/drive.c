@@ -15,10 +15,8 @@ static const double TURNED = 0.02;
 static const double SLOWEST = 0.05;
 /* 1: the share of the deceleration that is planned with. */
 static const double PLANNED = 0.8;
-/* m: kept to a shut door that opens away, and to an exit's line. */
+/* m: kept to the line of an exit that is not open. */
 static const double STAND_OFF = 0.10;
-/* 1: the cosine of the most slanted approach to a door. */
-static const double SLANTED_MOST = 0.4;
 /* rad: most that somebody heads back towards the way. */
 static const double STEEPEST_RETURN = 0.6;
 /* 1: a driver who means to pass overcomes what the personal space does, as far as it exceeds this share of what the
@@ -133,24 +131,6 @@ static void step_back(const Track *track, Vec2 at, Drive *drive) {
 
 /* Doors ------------------------------------------------------------------------------------------------------------ */
 
-/* m, along the way: how far the reference point stays from a shut door's line, so that the body, however it slants,
- * keeps off the leaf and out of its swing when it opens this way. */
-static double stand_off(const World *world, size_t i, const TrackPoint *crossing) {
-    const Plan *plan = &world->house->plan;
-    const Profile *profile = world->house->people[i].profile;
-    const Door *door = &plan->doors[crossing->door];
-    Vec2 from, to;
-    plan_door_ends(plan, door, &from, &to);
-    Vec2 across = vec2_left(vec2_unit(vec2_sub(to, from))), way = vec2_heading(crossing->heading);
-    bool on_left = vec2_cross(vec2_sub(to, from), vec2_sub(world->centre[i], from)) > 0;
-    Vec2 towards = on_left ? vec2_scale(across, -1) : across;
-    bool swings_here = door->kind == DOOR_HINGED && on_left == (door->swing == SWING_LEFT);
-    double ahead = profile->driving == DRIVING_DRIVER ? profile->mass_centre * vec2_dot(world->axis[i], towards) : 0;
-    double square = ahead + body_extent(&world->body[i], world->axis[i], towards) + STAND_OFF +
-                    plan->walls[door->wall_index].thickness / 2 + (swings_here ? door->width : 0);
-    return square / real_max(fabs(vec2_dot(way, across)), SLANTED_MOST);
-}
-
 /* m, to where the person waits for the next shut door; infinite when there is none. */
 static double way_to_door(const World *world, size_t i, int *door) {
     const Track *track = &world->journeys[i].track;
@@ -161,7 +141,7 @@ static double way_to_door(const World *world, size_t i, int *door) {
         return HUGE_VAL;
     const TrackPoint *point = &track->points[next];
     *door = point->door;
-    return point->s - stand_off(world, i, point) - world->drive[i].s;
+    return point->s - world->drive[i].s;
 }
 
 /* The speed at which somebody still stops before a shut door, and before an exit that is not open. */
@@ -260,7 +240,9 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
     }
     double inertia = profile->mass * profile->radius_of_gyration * profile->radius_of_gyration;
     double brake = PLANNED / 2 * profile->turning_moment / inertia; /* rad/s2 */
-    double rate = real_min(profile->turn_rate, sqrt(2 * brake * fabs(left)));
+    int door = -1;
+    bool barred = way_to_door(world, i, &door) < 2 * ARRIVED; /* until it is open */
+    double rate = barred ? 0 : real_min(profile->turn_rate, sqrt(2 * brake * fabs(left)));
     double back = vec2_dot(vec2_sub(place->here->at, world_reference(world, i)), axis);
     double speed = clamp(back / profile->speed_response / 4, -2 * SLOWEST, 2 * SLOWEST);
     return exert(world, i, speed, copysign(rate, left), 0);

@@ -12,6 +12,10 @@ static const double PLANNED_DECELERATION = 0.8;
 static const double PLANNED_MOMENT = 0.5;
 /* m, assumed: a door's leaf or a corner slows a driver already this far before and after it. */
 static const double FORESIGHT = 0.2;
+/* m, assumed: kept to a shut door's leaf, and to where it swings. */
+static const double DOOR_SPACE = 0.10;
+/* places looked at along a leaf, of a metre: 8 cm apart */
+enum { DOOR_SAMPLES = 13 };
 /* points over which the curvature of a path is averaged to either side: about 0.1 m */
 enum { CURVATURE_SPAN = 2 };
 
@@ -68,17 +72,6 @@ static bool crosses(Vec2 from, Vec2 to, Vec2 a, Vec2 b) {
     return sides <= 0 && ends <= 0 && vec2_dot(way, way) > 0;
 }
 
-/* The first door that opens and shuts and is crossed between two points: its index, or -1. */
-static int door_between(const Plan *plan, Vec2 from, Vec2 to) {
-    for (size_t d = 0; d < plan->door_count; d++) {
-        Vec2 a, b;
-        plan_door_ends(plan, &plan->doors[d], &a, &b);
-        if (outline_door_moves(&plan->doors[d]) && crosses(from, to, a, b))
-            return (int)d;
-    }
-    return -1;
-}
-
 /* Measures the whole, and where it crosses the exit: the last time, should it do so more than once. */
 static void mark_exit(Track *track, const Exit *exit) {
     track->length = track->exit_s = track->points[track->count - 1].s;
@@ -87,13 +80,74 @@ static void mark_exit(Track *track, const Exit *exit) {
             track->exit_s = track->points[i].s;
 }
 
-static void mark_doors(Track *track, const Plan *plan) {
+/* What a shut door needs to be free: its leaf and, on the side to which it opens, what the leaf sweeps. */
+typedef struct DoorWay {
+    Vec2 leaf[DOOR_SAMPLES];
+    Vec2 swing[DOOR_SAMPLES * DOOR_SAMPLES];
+    size_t swing_count;
+    bool swings_left;
+    Vec2 from, to;
+} DoorWay;
+
+static DoorWay door_way(const Plan *plan, const Door *door) {
+    DoorWay way = {.swings_left = door->swing == SWING_LEFT};
+    plan_door_ends(plan, door, &way.from, &way.to);
+    Vec2 along = vec2_sub(way.to, way.from);
+    for (int k = 0; k < DOOR_SAMPLES; k++)
+        way.leaf[k] = vec2_along(way.from, (double)k / (DOOR_SAMPLES - 1), along);
+    if (door->kind != DOOR_HINGED)
+        return way;
+    bool at_start = door->hinge == HINGE_START;
+    Vec2 hinge = at_start ? way.from : way.to, leaf = at_start ? along : vec2_scale(along, -1);
+    double turn = at_start == way.swings_left ? M_PI / 2 : -M_PI / 2;
+    for (int k = 0; k < DOOR_SAMPLES; k++)
+        for (int r = 1; r <= DOOR_SAMPLES; r++)
+            way.swing[way.swing_count++] = vec2_along(hinge, (double)r / DOOR_SAMPLES,
+                                                      vec2_turn(leaf, vec2_heading(turn * k / (DOOR_SAMPLES - 1))));
+    return way;
+}
+
+/* How far a body at a track point is from a place; at most 0 inside. */
+static double body_distance(const Profile *profile, const TrackPoint *point, Vec2 place) {
+    if (profile->driving == DRIVING_MIURA)
+        return vec2_distance(place, point->at) - profile->width / 2;
+    Vec2 local = vec2_unturn(vec2_sub(place, point->at), vec2_heading(point->heading));
+    double ahead = fabs(local.x - (profile->length / 2 - profile->axle)) - profile->length / 2;
+    double beside = fabs(local.y) - profile->width / 2;
+    return ahead > 0 && beside > 0 ? vec2_length(vec2(ahead, beside)) : fmax(ahead, beside);
+}
+
+static bool is_in_the_way(const DoorWay *way, const Profile *profile, const TrackPoint *point) {
+    bool on_left = vec2_cross(vec2_sub(way->to, way->from), vec2_sub(point->at, way->from)) > 0;
+    for (int k = 0; k < DOOR_SAMPLES; k++)
+        if (body_distance(profile, point, way->leaf[k]) < DOOR_SPACE)
+            return true;
+    for (size_t k = 0; k < way->swing_count && on_left == way->swings_left; k++)
+        if (body_distance(profile, point, way->swing[k]) < DOOR_SPACE)
+            return true;
+    return false;
+}
+
+/* Each door that opens and shuts is marked where the body first gets in its way, and again when it comes back. */
+static void mark_doors(Track *track, const Plan *plan, const Profile *profile) {
+    for (size_t i = 0; i < track->count; i++)
+        track->points[i].door = -1;
+    for (size_t d = 0; d < plan->door_count; d++) {
+        if (!outline_door_moves(&plan->doors[d]))
+            continue;
+        DoorWay way = door_way(plan, &plan->doors[d]);
+        bool before = false;
+        for (size_t i = 0; i < track->count; i++) {
+            bool now = is_in_the_way(&way, profile, &track->points[i]);
+            if (now && !before && track->points[i].door < 0)
+                track->points[i].door = (int)d;
+            before = now;
+        }
+    }
     int next_door = -1;
     for (size_t i = track->count; i-- > 0;) {
-        TrackPoint *point = &track->points[i];
-        point->door = i + 1 < track->count ? door_between(plan, point->at, point[1].at) : -1;
-        next_door = point->door >= 0 ? (int)i : next_door;
-        point->next_door = next_door;
+        next_door = track->points[i].door >= 0 ? (int)i : next_door;
+        track->points[i].next_door = next_door;
     }
 }
 
@@ -178,7 +232,7 @@ void track_build_driver(Track *track, const House *house, const Inhabitant *pers
     for (size_t i = 0; i < track->count; i++)
         track->points[i].speed = driver_speed(person, &track->points[i], route->poses[i].clearance);
     decelerate(track, PLANNED_DECELERATION * profile->deceleration);
-    mark_doors(track, &house->plan);
+    mark_doors(track, &house->plan, person->profile);
     mark_exit(track, &house->plan.exits[route->exit]);
 }
 
@@ -432,7 +486,7 @@ void track_build_miura(Track *track, const House *house, const Inhabitant *perso
             point->speed = fmin(person->profile->minimum_speed, point->speed);
     }
     decelerate(track, person->profile->deceleration);
-    mark_doors(track, &house->plan);
+    mark_doors(track, &house->plan, person->profile);
     mark_exit(track, &house->plan.exits[route->exit]);
 }
 

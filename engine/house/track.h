@@ -31,7 +31,7 @@ typedef struct TrackPoint {
     double room_right; /* and on the right */
     int direction;     /* +1 forwards, -1 backwards, 0 a turn on the spot */
     int corner;        /* index of the corner that the point belongs to, or -1 */
-    int door;          /* the door that opens and shuts and whose line is crossed after this point, or -1 */
+    int door;          /* the door that opens and shuts in whose way the body is from here on, or -1 */
     int next_door;     /* index of the first point from here on that has a door, or -1 */
 } TrackPoint;
 
