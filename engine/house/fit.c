@@ -181,6 +181,13 @@ static bool is_blocked(const Lattice *lattice, Vec2 centre) {
 }
 
 /* Enters a lattice point for the first time: along a widest path that is also the best time. */
+/* Beyond the grid of distances everything is free and nothing leads anywhere. */
+static bool is_on_the_grid(const FreeSpace *space, Vec2 at) {
+    Vec2 from = vec2_sub(at, space->origin);
+    return from.x >= 0 && from.y >= 0 && from.x <= space->cell * (space->nx - 1) &&
+           from.y <= space->cell * (space->ny - 1);
+}
+
 static void enter(Lattice *lattice, int x, int y, int turn, int parent, double step) {
     if (lattice->tube && !table_holds(lattice->tube, key_of(x >> 1, y >> 1, turn >> 1)))
         return;
@@ -189,7 +196,7 @@ static void enter(Lattice *lattice, int x, int y, int turn, int parent, double s
     if (!fresh)
         return;
     Vec2 centre = centre_of(lattice, x, y);
-    if (lattice->blocked_count && is_blocked(lattice, centre))
+    if (!is_on_the_grid(lattice->query->space, centre) || (lattice->blocked_count && is_blocked(lattice, centre)))
         return;
     size_t index = lattice->state_count;
     slot->state = (int)index;
