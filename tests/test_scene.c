@@ -319,7 +319,7 @@ TEST(somebody_who_cannot_pass_is_told_where_and_by_how_much) {
                                 .blockage = {.at = {3, 2}, .what = "door d2", .has = 0.75, .needs = 0.79}};
     Scene scene = scene_after(person, "Assumed plan: not measured");
     CHECK_TEXT(scene.title, "Cannot pass door d2");
-    CHECK_TEXT(scene.detail, "needs 0.79 m, has 0.75 m");
+    CHECK_TEXT(scene.detail, "needs at least 0.79 m, has 0.75 m");
     CHECK(scene.title_role == ROLE_ERROR);
     CHECK_TEXT(scene.note, "Assumed plan: not measured");
     scene_clear(&scene);

@@ -40,6 +40,7 @@ static json_t *answer_person(const House *house, size_t i, const PersonObservati
             set(answer, "blocked_at", answer_blockage(&person->blockage));
     }
     set(answer, "driving", json_string(inhabitant->profile->driving == DRIVING_MIURA ? "miura" : "driver"));
+    set(answer, "trace_person", json_integer((json_int_t)i));
     set(answer, "reversals", json_integer(person->reversals));
     set(answer, "path_length", rounded(person->path_length));
     set(answer, "narrowest",
@@ -147,11 +148,10 @@ void answer_headline(const House *house, const Observation *observation, char *t
     const PersonObservation *person = &observation->people[i];
     const Blockage *blockage = &person->blockage;
     const char *id = house->people[i].id;
-    if (person->reason == REASON_CANNOT_PASS && blockage->has > 0)
-        snprintf(text, size, "%s cannot pass %s: needs %.2f m, has %.2f m", id, blockage->what, blockage->needs,
-                 blockage->has);
-    else if (person->reason == REASON_CANNOT_PASS)
-        snprintf(text, size, "%s cannot pass %s", id, blockage->what);
+    char widths[64];
+    route_widths(blockage, widths, sizeof widths);
+    if (person->reason == REASON_CANNOT_PASS)
+        snprintf(text, size, "%s cannot pass %s%s%s", id, blockage->what, *widths ? ": " : "", widths);
     else if (person->reason == REASON_BLOCKED)
         snprintf(text, size, "%s is blocked at %s after %.1f s", id, blockage->what, person->time);
     else
@@ -159,18 +159,18 @@ void answer_headline(const House *house, const Observation *observation, char *t
 }
 
 static void print_people(const House *house, const Observation *observation) {
-    printf("%-12s %-16s %-6s %-8s %9s %11s %9s %8s %8s %8s\n", "person", "profile", "route", "exit", "time s",
-           "narrowest m", "contacts", "peak N", "ring s", "lost s");
+    printf("%-12s %-16s %-6s %-8s %9s %9s %11s %9s %8s %8s %8s  %s\n", "person", "profile", "route", "exit", "time s",
+           "reversals", "narrowest m", "contacts", "peak N", "ring s", "lost s", "answer");
     for (size_t i = 0; i < house->person_count; i++) {
         const PersonObservation *person = &observation->people[i];
         const Inhabitant *inhabitant = &house->people[i];
         if (!person->took_part)
             continue;
-        printf("%-12s %-16s %-6s %-8s %9.2f %11.3f %9d %8.0f %8.1f %8.1f  %s\n", inhabitant->id,
+        printf("%-12s %-16s %-6s %-8s %9.2f %9d %11.3f %9d %8.0f %8.1f %8.1f  %s\n", inhabitant->id,
                inhabitant->profile->name, inhabitant->route ? inhabitant->route->id : "-",
                person->exit < house->plan.exit_count ? house->plan.exits[person->exit].id : "-", person->time,
-               person->narrowest, person->contacts, person->peak_force, person->ring_time, person->lost_time,
-               person->completed ? "" : observation_reason(person->reason));
+               person->reversals, person->narrowest, person->contacts, person->peak_force, person->ring_time,
+               person->lost_time, person->completed ? "out" : observation_reason(person->reason));
     }
 }
 

@@ -30,6 +30,8 @@ static void print_person(const House *house, size_t i, const Route *route) {
     const Inhabitant *person = &house->people[i];
     const Blockage *blockage = &route->blockage;
     const char *exit = exit_name(house, route->exit);
+    char widths[64];
+    route_widths(blockage, widths, sizeof widths);
     printf("%s (%s%s%s): ", person->id, person->profile->name, person->route ? ", route " : "",
            person->route ? person->route->id : "");
     if (route->answer == ROUTE_FOUND)
@@ -37,12 +39,12 @@ static void print_person(const House *house, size_t i, const Route *route) {
                route->length, route->reversals, route->narrowest, route->narrowest_at.x, route->narrowest_at.y);
     else if (route->answer == ROUTE_NO_EXIT)
         printf("no exit\n");
-    else if (blockage->has > 0)
-        printf("cannot pass %s at (%.2f, %.2f): needs %.2f m, has %.2f m%s\n", blockage->what, blockage->at.x,
-               blockage->at.y, blockage->needs, blockage->has,
-               route->fits ? "; it fits, but cannot be driven" : "; it does not fit");
     else
-        printf("cannot pass %s at (%.2f, %.2f)\n", blockage->what, blockage->at.x, blockage->at.y);
+        printf("cannot pass %s at (%.2f, %.2f)%s%s%s\n", blockage->what, blockage->at.x, blockage->at.y,
+               *widths ? ": " : "", widths,
+               !*widths      ? ""
+               : route->fits ? "; it fits, but cannot be driven"
+                             : "; it does not fit");
 }
 
 static json_t *fault_lines(const Fault *fault) {

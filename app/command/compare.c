@@ -30,10 +30,14 @@ static void print_comparison(const House houses[2], const Observation observatio
     for (size_t i = 0; i < houses[0].person_count; i++) {
         const char *id = houses[0].people[i].id;
         const PersonObservation *a = &observations[0].people[i], *b = find_person(&houses[1], &observations[1], id);
-        if (!b)
+        if (!b) {
+            printf("%-12s is not in b\n", id);
             continue;
+        }
         print_row("a", id, a);
         print_row("b", "", b);
+        if (!a->completed || !b->completed) /* times and clearances of different ways have no difference */
+            continue;
         printf("%-12s %-8s %+9.2f %+11.3f %+9d %+8.0f %+8.1f\n", "", "b - a", b->time - a->time,
                b->narrowest - a->narrowest, b->contacts - a->contacts, b->peak_force - a->peak_force,
                b->lost_time - a->lost_time);

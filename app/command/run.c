@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/text.h"
 #include "command/answer.h"
@@ -22,13 +23,33 @@ static int write_summary(const House *house, const Observation *observation, con
     return error;
 }
 
+/* Makes the directory and those above it, before the work is done; says so when that cannot be. */
+static bool make_directory(const char *path) {
+    char part[4096];
+    snprintf(part, sizeof part, "%s", path);
+    int error = 0;
+    for (char *slash = part + 1; !error && *slash; slash++) {
+        if (*slash != '/')
+            continue;
+        *slash = 0;
+        error = mkdir(part, 0777) && errno != EEXIST ? errno : 0;
+        *slash = '/';
+    }
+    if (!error)
+        error = mkdir(part, 0777) && errno != EEXIST ? errno : 0;
+    if (!error && access(part, W_OK | X_OK))
+        error = errno;
+    if (error)
+        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+    return !error;
+}
+
 /* Writes everything a run leaves behind; the first file that cannot be written ends it. */
 static bool write_results(const House *house, const Observation *observation, const Options *options) {
     static const char *const names[] = {"summary.json", "trace.csv", "trajectory.sqlite", "plan.png", "plan.svg"};
     Scene scene = {0};
-    int error = mkdir(options->out, 0777) && errno != EEXIST ? errno : 0;
+    int error = 0;
     char path[4096];
-    snprintf(path, sizeof path, "%s", options->out);
     house_scene_make(&scene, house, observation);
     for (size_t f = 0; f < sizeof names / sizeof *names && !error; f++) {
         snprintf(path, sizeof path, "%s/%s", options->out, names[f]);
@@ -63,6 +84,8 @@ static size_t find_route(const House *house, const Options *options) {
 int command_run(const Options *options) {
     House house = {0};
     Fault fault = {0};
+    if (options->out && !make_directory(options->out))
+        return EXIT_WRONG_INPUT;
     if (!house_file_read(&house, options, 0, &fault))
         return house_file_report(&fault);
     size_t route = find_route(&house, options);

@@ -24,9 +24,9 @@ bool blockage_scene_has(const PersonObservation *observed) {
 }
 
 const char *blockage_scene_widths(Scene *scene, const Blockage *blockage) {
-    if (blockage->needs <= blockage->has)
-        return "";
-    return scene_text(scene, "needs %.2f m, has %.2f m", blockage->needs, blockage->has);
+    char widths[64];
+    route_widths(blockage, widths, sizeof widths);
+    return scene_text(scene, "%s", widths);
 }
 
 /* The door that a name like "door d2" means, or NULL. */

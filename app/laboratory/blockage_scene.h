@@ -12,5 +12,5 @@ void blockage_scene_add(Scene *scene, const House *house, const Observation *obs
                         const Trail *trail);
 void blockage_scene_label(Scene *scene, const Blockage *blockage);
 
-/* "needs 0.79 m, has 0.75 m"; "" when it is not the width that stops somebody. */
+/* "needs at least 0.80 m, has 0.75 m"; "" when it is not the width that stops somebody. */
 const char *blockage_scene_widths(Scene *scene, const Blockage *blockage);

@@ -63,6 +63,8 @@ static const char *failure(Scene *scene, const PersonObservation *person) {
     case REASON_TIME_LIMIT:
     case REASON_NONE:
         return scene_text(scene, "not out after %.0f s", person->time);
+    case REASON_INTERRUPTED:
+        return scene_text(scene, "interrupted at %.1f s", person->time);
     case REASON_DIVERGED:
         return scene_text(scene, "the numbers broke down at %.2f s", person->time);
     }
@@ -147,7 +149,7 @@ static void list_hazards(Scene *scene, const Observation *observation) {
         const Hazard *hazard = &observation->hazards[i];
         const char *clearance = people_scene_clearance(scene, hazard->clearance);
         const char *cost = hazard->peak_force > 0 ? scene_text(scene, "%.0f N", hazard->peak_force)
-                                                  : scene_text(scene, "\u2212%.1f s", hazard->lost_time);
+                                                  : scene_text(scene, "%.1f s lost", hazard->lost_time);
         const char *mark = scene_text(scene, "%zu", i + 1);
         SceneRow *row = scene_add_row(scene, ROW_DISC, hazard->what);
         row->role = people_scene_danger(hazard);

@@ -373,9 +373,12 @@ void parameters_fault_unknown(const ParameterTable *table, const char *name, con
         json_fault(node, fault, "%s parameter \"%.60s\" must be %s", table->what, name, namesakes);
     else if (nearest)
         json_fault(node, fault, "%s has no parameter \"%.60s\", did you mean \"%s\"?", table->what, name, nearest);
-    else
-        json_fault(node, fault, "%s has no parameter \"%.60s\", the first of its %zu is \"%s\"", table->what, name,
-                   table->count, table->rows[0].name);
+    else {
+        char known[300] = "";
+        for (size_t i = 0, used = 0; i < table->count && used + strlen(table->rows[i].name) + 3 < sizeof known; i++)
+            used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "", table->rows[i].name);
+        json_fault(node, fault, "%s has no parameter \"%.60s\", it has %s", table->what, name, known);
+    }
 }
 
 json_t *parameters_schema_value(const Parameter *row) {

@@ -65,7 +65,7 @@ static Chord chord_at(const RouteQuery *query, const Rectangle *body, const FitP
 
 void blockage_of_start(Blockage *blockage, const RouteQuery *query, const Rectangle *body) {
     int face;
-    char name[sizeof blockage->what - sizeof "start: "];
+    char name[sizeof blockage->what - sizeof "start, inside "];
     search_clearance(query->space, body, query->at, query->heading, FREESPACE_FARTHEST, &face);
     if (face >= 0) {
         const Face *touched = &query->space->outline->faces[face];
@@ -74,7 +74,7 @@ void blockage_of_start(Blockage *blockage, const RouteQuery *query, const Rectan
         outline_place_name(query->space->outline, query->plan, query->at, name, sizeof name);
     }
     *blockage = (Blockage){.at = query->at};
-    snprintf(blockage->what, sizeof blockage->what, "start: %s", name);
+    snprintf(blockage->what, sizeof blockage->what, "start, inside %s", name);
 }
 
 /* A grid of steps for the way through the fewest solids. */

@@ -3,7 +3,8 @@
 #include "base/memory.h"
 
 const char *observation_reason(Reason reason) {
-    static const char *const texts[] = {"", "cannot pass", "no exit", "blocked", "time limit", "diverged"};
+    static const char *const texts[] = {"",           "cannot pass", "no exit",    "blocked",
+                                        "time limit", "diverged",    "interrupted"};
     return texts[reason];
 }
 

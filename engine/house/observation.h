@@ -17,9 +17,10 @@ typedef enum Reason {
     REASON_BLOCKED,
     REASON_TIME_LIMIT,
     REASON_DIVERGED,
+    REASON_INTERRUPTED,
 } Reason;
 
-/* "cannot pass", "no exit", "blocked", "time limit", "diverged"; "" for none. */
+/* "cannot pass", "no exit", "blocked", "time limit", "diverged", "interrupted"; "" for none. */
 const char *observation_reason(Reason reason);
 
 typedef struct PersonObservation {

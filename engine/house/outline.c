@@ -534,7 +534,8 @@ void outline_name(const Plan *plan, int owner, int index, char *name, size_t siz
         snprintf(name, size, "wall %s", plan->walls[index].id);
         break;
     case OWNER_DOOR:
-        snprintf(name, size, "door %s", plan->doors[index].id);
+        snprintf(name, size, "%sdoor %s", plan->doors[index].state == DOOR_LOCKED ? "locked " : "",
+                 plan->doors[index].id);
         break;
     case OWNER_FURNITURE: {
         const Furniture *piece = &plan->furniture[index];

@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "house/blockage.h"
@@ -30,6 +31,8 @@ static const double end_lengths[] = {4, 3, 2, 1};
 #define END_STEP 0.05
 #define END_CLEARANCE 0.08
 #define END_CURVATURE 1.5
+
+#define SAME_PLACE 0.5 /* m: between two findings about one thing */
 
 #define SCRAPE 0.02 /* m: with less clearance than this a quick way is not good enough yet */
 enum { ROOMIER_NODES = 50000 };
@@ -278,6 +281,19 @@ static void try_roomier(Route *route, const RouteQuery *query, const Legs *legs,
     memory_free(pins);
 }
 
+/* What would fit is not yet what can be driven: where a smaller body that can be driven through sticks at the same
+ * thing, it says how much wider that has to be. */
+static void ask_for_driving(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
+                            const FitPlace *tightest) {
+    Blockage fit = route->blockage;
+    explain_not_drivable(route, query, legs, body, tightest);
+    double more = route->blockage.needs - route->blockage.has;
+    bool same = strcmp(route->blockage.what, fit.what) == 0 && vec2_distance(route->blockage.at, fit.at) < SAME_PLACE;
+    if (same && fit.has > 0 && more > fit.needs - fit.has)
+        fit.needs = fit.has + more;
+    route->blockage = fit;
+}
+
 static void search_drive(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
     size_t *pins = memory_allocate(legs->count, sizeof *pins);
     SearchTrack track = {0};
@@ -301,8 +317,10 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
         search_track_clear(&track);
         if (route->fits)
             explain_not_drivable(route, query, legs, body, &tightest);
-        else
+        else {
             blockage_of_fit(&route->blockage, query, body, &tightest);
+            ask_for_driving(route, query, legs, body, &tightest);
+        }
     }
     memory_free(pins);
 }
@@ -369,6 +387,16 @@ Route route_round(const RouteQuery *query) {
     }
     memory_free(legs.goals);
     return route;
+}
+
+void route_widths(const Blockage *blockage, char *text, size_t size) {
+    const double centimetres = 100, slack = 1e-6; /* 1/m; cm, so that a whole centimetre stays one */
+    double needs = ceil(blockage->needs * centimetres - slack) / centimetres;
+    double has = floor(blockage->has * centimetres + slack) / centimetres;
+    if (blockage->has > 0 && blockage->needs > blockage->has)
+        snprintf(text, size, "needs at least %.2f m, has %.2f m", needs, has);
+    else
+        snprintf(text, size, "%s", "");
 }
 
 void route_free(Route *route) {

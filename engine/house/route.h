@@ -72,6 +72,10 @@ typedef struct RouteQuery {
     int most_reversals;
 } RouteQuery;
 
+/* "needs at least 0.80 m, has 0.75 m", what is needed rounded up and what is there down to a centimetre; "" where it is
+ * not the width that stops somebody. At least: behind the tightest place there may be another. */
+void route_widths(const Blockage *blockage, char *text, size_t size);
+
 /* The driver's route. route_free releases it. */
 Route route_drive(const RouteQuery *query);
 

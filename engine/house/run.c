@@ -30,7 +30,7 @@ static Reason run_world(World *world, Observer *observer, const RunOptions *opti
         if (time >= next_look) {
             next_look += LOOK_UP;
             if (options->stop && *options->stop)
-                return REASON_TIME_LIMIT;
+                return REASON_INTERRUPTED;
             if (options->progress)
                 options->progress(options->context, time);
         }

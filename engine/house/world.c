@@ -9,7 +9,7 @@
 #include "house/observation.h"
 #include "house/yield.h"
 
-/* Creation -------------------------------------------------------------------------------------------------------- */
+/* Layout -------------------------------------------------------------------------------------------------------- */
 
 /* Lays `count` elements of `size` bytes into the block at `*used` and returns where. */
 static void *lay(char *block, size_t *used, size_t count, size_t size) {
@@ -59,37 +59,6 @@ static void place_person(World *world, size_t i, bool takes_part) {
     world->phase[i] = takes_part ? PHASE_WAITING : PHASE_ABSENT;
     world->drive[i].best_turn = HUGE_VAL;
     world->drive[i].retreat_to = -1;
-}
-
-World world_create(const House *house, const Journey *journeys, const bool *part) {
-    World world = {.house = house,
-                   .journeys = journeys,
-                   .clock = {0, house->plan.run.dt},
-                   .count = house->person_count,
-                   .digest = 0xcbf29ce484222325u};
-    world.block_size = lay_out(&world, NULL);
-    world.block = memory_allocate(world.block_size, 1);
-    lay_out(&world, world.block);
-    for (size_t d = 0; d < house->plan.door_count; d++)
-        world.door_open[d] = !outline_door_moves(&house->plan.doors[d]);
-    for (size_t i = 0; i < world.count; i++) {
-        place_person(&world, i, !part || part[i]);
-        world.was_clear[i] = world_is_clear(&world, i);
-    }
-    return world;
-}
-
-void world_destroy(World *world) {
-    memory_free(world->block);
-    *world = (World){0};
-}
-
-World world_copy(const World *world) {
-    World copy = *world;
-    copy.block = memory_allocate(world->block_size, 1);
-    memcpy(copy.block, world->block, world->block_size);
-    lay_out(&copy, copy.block);
-    return copy;
 }
 
 /* Forces ---------------------------------------------------------------------------------------------------------- */
@@ -385,6 +354,40 @@ static void change_phases(World *world) {
             world->drive[i].stalled = 0;
         }
     }
+}
+
+/* Beginning and end ------------------------------------------------------------------------------------------------ */
+
+World world_create(const House *house, const Journey *journeys, const bool *part) {
+    World world = {.house = house,
+                   .journeys = journeys,
+                   .clock = {0, house->plan.run.dt},
+                   .count = house->person_count,
+                   .digest = 0xcbf29ce484222325u};
+    world.block_size = lay_out(&world, NULL);
+    world.block = memory_allocate(world.block_size, 1);
+    lay_out(&world, world.block);
+    for (size_t d = 0; d < house->plan.door_count; d++)
+        world.door_open[d] = !outline_door_moves(&house->plan.doors[d]);
+    for (size_t i = 0; i < world.count; i++) {
+        place_person(&world, i, !part || part[i]);
+        world.was_clear[i] = world_is_clear(&world, i);
+    }
+    gather_forces(&world); /* what everybody feels before the first step */
+    return world;
+}
+
+void world_destroy(World *world) {
+    memory_free(world->block);
+    *world = (World){0};
+}
+
+World world_copy(const World *world) {
+    World copy = *world;
+    copy.block = memory_allocate(world->block_size, 1);
+    memcpy(copy.block, world->block, world->block_size);
+    lay_out(&copy, copy.block);
+    return copy;
 }
 
 /* Digest and divergence ----------------------------------------------------------------------------------------------
