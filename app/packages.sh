@@ -12,15 +12,27 @@ install_packages() {
     [ -z "$missing" ] && return 0
     echo "installing:$missing"
     as_root=
-    [ "$(id -u)" -eq 0 ] || as_root=sudo
+    if [ "$(id -u)" -ne 0 ]; then
+        command -v sudo >/dev/null || { echo "as root: apt-get install$missing" >&2; return 1; }
+        as_root=sudo
+    fi
+    log=$(mktemp)
     export DEBIAN_FRONTEND=noninteractive
     # shellcheck disable=SC2086 # the lists are words
-    if ! $as_root apt-get install -y -q --no-install-recommends $missing >"${TMPDIR:-/tmp}/clearance-packages.log" 2>&1; then
+    if ! $as_root apt-get install -y -q --no-install-recommends $missing >"$log" 2>&1; then
         # a fresh system has no package lists yet
         if ! { $as_root apt-get update -q && $as_root apt-get install -y -q --no-install-recommends $missing; } \
-            >"${TMPDIR:-/tmp}/clearance-packages.log" 2>&1; then
-            cat "${TMPDIR:-/tmp}/clearance-packages.log" >&2
+            >"$log" 2>&1; then
+            cat "$log" >&2
             return 1
         fi
     fi
+    rm -f "$log"
+}
+
+# configure COMMAND ...: quiet unless it fails
+configure() {
+    log=$(mktemp)
+    "$@" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
+    rm -f "$log"
 }

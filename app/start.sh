@@ -8,7 +8,7 @@ install_packages $build_packages
 
 if [ ! -f build/build.ninja ]; then
     echo "configuring in build/"
-    meson setup build --buildtype=release -Db_lto=true >/dev/null
+    configure meson setup build --buildtype=release -Db_lto=true
 fi
 echo "building"
 ninja -C build --quiet app/clearance

@@ -1,9 +1,12 @@
 #!/bin/sh
-# Prints the digest of a run of every house: the same bits are asked of every build and any number of jobs.
+# Prints the digest of a run of every house: the same bits are asked of every build and any number of jobs. Fails when a
+# house gives none.
 # digests.sh CLEARANCE [OPTION ...]
 set -u
 program=$1
 shift
 for house in "$(dirname "$0")"/../houses/*.json; do
-    echo "$(basename "$house" .json) $("$program" run "$house" --json "$@" | sed -n 's/.*"digest": "\([0-9a-f]*\)".*/\1/p')"
+    digest=$("$program" run "$house" --json "$@" | sed -n 's/.*"digest": "\([0-9a-f]*\)".*/\1/p')
+    [ -n "$digest" ] || exit 1
+    echo "$(basename "$house" .json) $digest"
 done

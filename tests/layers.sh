@@ -5,7 +5,7 @@ cd "$(dirname "$0")/.."
 breaches=$(mktemp)
 trap 'rm -f "$breaches"' EXIT
 
-# forbid WHY FILES... -- PATTERN: no line of the files may match
+# forbid WHY PATTERN FILES...: no line of the files may match
 forbid() {
     why=$1
     pattern=$2

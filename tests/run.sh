@@ -8,7 +8,7 @@ install_packages $build_packages python3 python3-jsonschema clang-format
 
 if [ ! -f build-test/build.ninja ]; then
     echo "configuring in build-test/"
-    meson setup build-test --buildtype=debugoptimized >/dev/null
+    configure meson setup build-test --buildtype=debugoptimized
 fi
 echo "building"
 ninja -C build-test --quiet

@@ -176,7 +176,7 @@ TEST(the_paper_s_chair_slows_before_the_corner_holds_v_min_and_speeds_up) {
     House house;
     case_house(&house, "corner-1.50-1.50", DRIVING_MIURA, NULL);
     const Profile *profile = house.people[0].profile;
-    Journey *journeys = journey_plan_all(&house, NULL, 1);
+    Journey *journeys = journey_plan_all(&house, NULL, 1, NULL);
     const Track *track = &journeys[0].track;
     CHECK(track->corner_count == 1);
     const TrackCorner *corner = &track->corners[0];

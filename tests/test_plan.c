@@ -415,3 +415,14 @@ TEST(people_and_routes_are_found_by_their_ids) {
     CHECK(plan_route_of(&plan, "p2") == NULL);
     plan_free(&plan);
 }
+
+TEST(a_fault_list_that_is_full_does_not_make_a_bad_file_good) {
+    Fault fault = {0};
+    for (int i = 0; i < FAULT_MOST; i++)
+        fault_add(&fault, "an earlier file's fault %d", i);
+    Plan plan = {0};
+    CHECK(!plan_read(&plan, draft_source("tests/data/bad/houses/many-faults.json"), NULL, 0, &fault));
+    CHECK(fault.count == FAULT_MOST && fault.total > FAULT_MOST);
+    CHECK(plan.walls == NULL);
+    fault_clear(&fault);
+}

@@ -92,7 +92,7 @@ TEST(nobody_is_minded_through_a_wall) {
             case_add_person(plan, "manual-chair", 9, -1.1, 0);
         case_made(&house, plan, -1, (const char *[]){parked ? "person.p2.delay=1000" : "run.until=600", NULL});
         bool part[2] = {true, true};
-        Journey *journeys = journey_plan_all(&house, part, 1);
+        Journey *journeys = journey_plan_all(&house, part, 1, NULL);
         World world = world_create(&house, journeys, part);
         narrowest[parked] = 1;
         while (world.phase[0] == PHASE_WAITING || world.phase[0] == PHASE_MOVING) {
@@ -141,7 +141,7 @@ TEST(numbers_that_diverge_stop_the_run_and_name_the_person) {
     json_t *plan = case_corridor(2);
     case_add_person(plan, "manual-chair", 1, 0, 0);
     case_made(&house, plan, -1, NULL);
-    Journey *journeys = journey_plan_all(&house, NULL, 1);
+    Journey *journeys = journey_plan_all(&house, NULL, 1, NULL);
     World world = world_create(&house, journeys, NULL);
     world_step(&world, NULL);
     world.velocity[0] = vec2(1e12, 0);

@@ -164,7 +164,7 @@ TEST(a_free_run_accelerates_by_a_0_and_keeps_the_free_speed) {
         House house;
         case_made(&house, plan, driving, NULL);
         const Profile *profile = house.people[0].profile;
-        Journey *journeys = journey_plan_all(&house, NULL, 1);
+        Journey *journeys = journey_plan_all(&house, NULL, 1, NULL);
         World world = world_create(&house, journeys, NULL);
         while (clock_time(&world.clock) < 1)
             world_step(&world, NULL);
@@ -181,7 +181,7 @@ TEST(a_free_run_accelerates_by_a_0_and_keeps_the_free_speed) {
 TEST(a_copy_of_a_world_goes_on_to_the_same_bits) {
     House house;
     case_house(&house, "two-chairs-corridor", -1, NULL);
-    Journey *journeys = journey_plan_all(&house, NULL, 1);
+    Journey *journeys = journey_plan_all(&house, NULL, 1, NULL);
     World world = world_create(&house, journeys, NULL);
     for (int step = 0; step < 3000; step++)
         world_step(&world, NULL);

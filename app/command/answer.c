@@ -7,7 +7,7 @@
 
 /* Six digits behind the point are a micrometre and a microsecond: more would be noise. */
 static json_t *rounded(double value) {
-    return json_real(round(value * 1e6) / 1e6);
+    return isfinite(value) ? json_real(round(value * 1e6) / 1e6) : json_null();
 }
 
 static void set(json_t *object, const char *key, json_t *value) {
@@ -115,9 +115,11 @@ json_t *answer_house(const House *house, const Observation *observation) {
 }
 
 json_t *answer_difference(const char *id, const PersonObservation *a, const PersonObservation *b) {
-    return json_pack("{s:s, s:o, s:o, s:i, s:o, s:o}", "id", id, "time", rounded(b->time - a->time), "narrowest",
-                     rounded(b->narrowest - a->narrowest), "contacts", b->contacts - a->contacts, "peak_force",
-                     rounded(b->peak_force - a->peak_force), "lost_time", rounded(b->lost_time - a->lost_time));
+    bool both = a->completed && b->completed; /* times and clearances of different ways have no difference */
+    return json_pack("{s:s, s:o, s:o, s:i, s:o, s:o}", "id", id, "time", rounded(both ? b->time - a->time : NAN),
+                     "narrowest", rounded(both ? b->narrowest - a->narrowest : NAN), "contacts",
+                     b->contacts - a->contacts, "peak_force", rounded(b->peak_force - a->peak_force), "lost_time",
+                     rounded(both ? b->lost_time - a->lost_time : NAN));
 }
 
 void answer_print(json_t *answer) {
@@ -139,7 +141,13 @@ static size_t first_left_behind(const Observation *observation) {
 }
 
 void answer_headline(const House *house, const Observation *observation, char *text, size_t size) {
-    size_t i = first_left_behind(observation);
+    size_t i = first_left_behind(observation), taking_part = 0;
+    for (size_t k = 0; k < observation->person_count; k++)
+        taking_part += observation->people[k].took_part;
+    if (!taking_part) {
+        snprintf(text, size, "Nobody takes part");
+        return;
+    }
     if (i == observation->person_count) {
         bool alone = house->plan.run.routes == ROUTES_ALONE && house->plan.route_count > 1;
         snprintf(text, size, alone ? "Out, each route alone, in at most %.1f s" : "Out in %.1f s", observation->time);

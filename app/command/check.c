@@ -62,7 +62,7 @@ int command_check(const Options *options) {
             answer_print(json_pack("{s:s, s:o, s:[]}", "kind", "check", "faults", fault_lines(&fault), "people"));
         return house_file_report(&fault);
     }
-    Journey *journeys = journey_plan_all(&house, NULL, options->jobs);
+    Journey *journeys = journey_plan_all(&house, NULL, options->jobs, &command_interrupted);
     json_t *people = json_array();
     bool all = true;
     for (size_t i = 0; i < house.person_count; i++) {

@@ -148,7 +148,7 @@ static const Option option_rows[] = {
     {"--seed", "N", FOR_HOUSES, "seed of all chance, from 0 (default 1)", take_seed},
     {"--jobs", "N", FOR_HOUSES, "threads, from 1 (default: one a processor); the answer is the same", take_jobs},
     {"--size", "WxH", FOR_RUN, "size of the picture in pixels, from 320x200 (default 1280x720)", take_size},
-    {"--theme", "paper|board", FOR_RUN, "light or dark picture", take_theme},
+    {"--theme", THEME_WORDS, FOR_RUN, "light or dark picture", take_theme},
     {"--quiet", NULL, FOR_HOUSES, "no progress", take_quiet},
 };
 enum { OPTIONS = sizeof option_rows / sizeof *option_rows };
@@ -254,7 +254,7 @@ static void interrupt(int signal_number) {
     command_interrupted = 1;
 }
 
-int command_main(int argc, char **argv) {
+static int dispatch(int argc, char **argv) {
     signal(SIGINT, interrupt);
     signal(SIGTERM, interrupt);
     if (argc < 2 || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
@@ -272,4 +272,13 @@ int command_main(int argc, char **argv) {
             return run_verb(&verbs[v], argc, argv);
     }
     return wrong_use("unknown verb", argv[1], names, VERBS);
+}
+
+int command_main(int argc, char **argv) {
+    int code = dispatch(argc, argv);
+    if (fflush(stdout) || ferror(stdout)) {
+        fprintf(stderr, "clearance: the answer cannot be written: %s\n", strerror(errno));
+        return EXIT_OUR_FAULT;
+    }
+    return code;
 }

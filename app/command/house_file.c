@@ -28,6 +28,8 @@ bool house_file_read(House *house, const Options *options, size_t index, Fault *
 int house_file_report(Fault *fault) {
     for (size_t i = 0; i < fault->count; i++)
         fprintf(stderr, "%s\n", fault->lines[i]);
+    if (fault->total > fault->count)
+        fprintf(stderr, "and %zu more\n", fault->total - fault->count);
     fault_clear(fault);
     return EXIT_WRONG_INPUT;
 }

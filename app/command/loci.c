@@ -60,7 +60,10 @@ static double slowest(const Observation *observation) {
     double floor = HUGE_VAL, before = 0;
     bool started = false;
     for (size_t r = 0; r < observation->trace.rows; r++) {
-        double speed = trace_row(&observation->trace, r)[TRACE_SPEED];
+        const double *row = trace_row(&observation->trace, r);
+        double speed = row[TRACE_SPEED];
+        if (row[TRACE_PERSON] != 0)
+            continue;
         started |= speed < before;
         floor = started ? fmin(floor, speed) : floor;
         before = speed;
@@ -77,7 +80,11 @@ static bool compare_house(Comparison *comparison, const Options *options, size_t
         House house = {0};
         Options chosen = *options;
         chosen.driving = driving;
-        good = house_file_read(&house, &chosen, file, fault) && house.person_count > 0;
+        good = house_file_read(&house, &chosen, file, fault);
+        if (good && !house.person_count) {
+            fault_add(fault, "%s:1:1: nobody lives here, a locus needs a person", options->files[file]);
+            good = false;
+        }
         if (good) {
             house_file_run(&observations[driving], &house, options, SIZE_MAX);
             counts[driving] = locus(&house, &observations[driving], &points[driving]);

@@ -44,7 +44,7 @@ static Vec2 *to_page(const Layout *layout, const Vec2 *points, size_t count) {
 
 static void mark_primitive(Mask *mask, const Layout *layout, const Primitive *primitive) {
     Vec2 *points = to_page(layout, primitive->points, primitive->count);
-    double weight = primitive->keep_clear, reach = primitive->radius * layout->metre;
+    double weight = primitive->keep_clear;
     switch (primitive->kind) {
     case PRIMITIVE_POLYGON:
         mask_mark_rings(mask, points, primitive->starts, primitive->ring_count, weight);
@@ -53,9 +53,6 @@ static void mark_primitive(Mask *mask, const Layout *layout, const Primitive *pr
     case PRIMITIVE_DIMENSION:
         for (size_t i = 0; i + 1 < primitive->count; i++)
             mask_mark_line(mask, points[i], points[i + 1], primitive->width, weight);
-        break;
-    case PRIMITIVE_CIRCLE:
-        mask_mark_box(mask, box_around(points[0], reach), weight);
         break;
     case PRIMITIVE_TICK:
     case PRIMITIVE_LABEL:

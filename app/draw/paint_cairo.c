@@ -125,11 +125,6 @@ static void paint_line(const Painter *painter, const Primitive *line) {
     finish_path(painter, line);
 }
 
-static void paint_circle(const Painter *painter, const Primitive *circle) {
-    path_disc(painter, layout_point(painter->layout, circle->points[0]), circle->radius * painter->layout->metre);
-    finish_path(painter, circle);
-}
-
 static void paint_tick(const Painter *painter, const Primitive *tick) {
     Vec2 at = layout_point(painter->layout, tick->points[0]), to = layout_point(painter->layout, tick->points[1]);
     Vec2 half = vec2_scale(vec2_left(vec2_unit(vec2_sub(to, at))), tick->size / 2);
@@ -162,7 +157,6 @@ static void paint_dimension(const Painter *painter, const Primitive *dimension) 
 static void paint_primitive(const Painter *painter, const Primitive *primitive) {
     static void (*const paint[])(const Painter *, const Primitive *) = {[PRIMITIVE_POLYGON] = paint_polygon,
                                                                         [PRIMITIVE_LINE] = paint_line,
-                                                                        [PRIMITIVE_CIRCLE] = paint_circle,
                                                                         [PRIMITIVE_TICK] = paint_tick,
                                                                         [PRIMITIVE_DIMENSION] = paint_dimension};
     if (primitive->kind != PRIMITIVE_LABEL)

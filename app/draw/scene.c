@@ -52,14 +52,6 @@ Primitive *scene_add_line(Scene *scene, Role edge, double width, const Vec2 *poi
     return scene_add_stroke(scene, PRIMITIVE_LINE, edge, width, points, count);
 }
 
-Primitive *scene_add_circle(Scene *scene, Role fill, Vec2 centre, double radius) {
-    Primitive *circle = scene_add(scene, PRIMITIVE_CIRCLE, &centre, 1);
-    circle->fill = circle->edge = fill;
-    circle->fill_opacity = 1;
-    circle->radius = radius;
-    return circle;
-}
-
 Primitive *scene_add_tick(Scene *scene, Role edge, double width, double size, Vec2 at, Vec2 towards) {
     Primitive *tick = scene_add_stroke(scene, PRIMITIVE_TICK, edge, width, (Vec2[]){at, towards}, 2);
     tick->size = size;

@@ -44,7 +44,6 @@ typedef enum LineStyle { LINE_SOLID, LINE_DASHED, LINE_DOTTED, LINE_DASH_DOT, LI
 typedef enum PrimitiveKind {
     PRIMITIVE_POLYGON,   /* closed rings */
     PRIMITIVE_LINE,      /* from point to point */
-    PRIMITIVE_CIRCLE,    /* about points[0] */
     PRIMITIVE_TICK,      /* a short line through points[0], across the direction to points[1] */
     PRIMITIVE_DIMENSION, /* arrow heads at points[0] and points[1]; from outside where there is no room between */
     PRIMITIVE_LABEL,     /* words near points[0]: the painter looks for a place where they hide nothing */
@@ -67,7 +66,6 @@ typedef struct Primitive {
     size_t count;
     const size_t *starts; /* (ring_count + 1) of a polygon's rings in `points` */
     size_t ring_count;
-    double radius;     /* m, circles */
     double size;       /* design points: a label's letters, a tick's length */
     double keep_clear; /* 1, how much labels avoid to cover it; 0: they may */
     LabelShape shape;
@@ -120,7 +118,6 @@ void scene_clear(Scene *scene);
 Primitive *scene_add_polygon(Scene *scene, Role fill, const Vec2 *points, size_t count);
 Primitive *scene_add_rings(Scene *scene, Role fill, const Vec2 *points, const size_t *starts, size_t ring_count);
 Primitive *scene_add_line(Scene *scene, Role edge, double width, const Vec2 *points, size_t count);
-Primitive *scene_add_circle(Scene *scene, Role fill, Vec2 centre, double radius);
 Primitive *scene_add_tick(Scene *scene, Role edge, double width, double size, Vec2 at, Vec2 towards);
 Primitive *scene_add_dimension(Scene *scene, Role edge, double width, Vec2 from, Vec2 to);
 Primitive *scene_add_label(Scene *scene, Role role, double size, Vec2 at, const char *text);

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 
 void fault_add(Fault *fault, const char *format, ...) {
+    fault->total++;
     if (fault->count >= FAULT_MOST)
         return;
     va_list arguments, again;

@@ -9,6 +9,7 @@
 /* Zero is "no fault". Owned by the caller; fault_clear releases the lines. */
 typedef struct Fault {
     size_t count, capacity;
+    size_t total; /* found, also beyond FAULT_MOST: a reader has failed when this has grown */
     char **lines; /* (count) */
 } Fault;
 

@@ -183,8 +183,10 @@ static void fault_at(const JsonFile *file, const char *at, Fault *fault, const c
 }
 
 void json_fault(const JsonNode *node, Fault *fault, const char *format, ...) {
-    if (fault->count >= FAULT_MOST)
+    if (fault->count >= FAULT_MOST) {
+        fault_add(fault, "%s", ""); /* counted; where it stands need not be looked for */
         return;
+    }
     char what[512];
     va_list arguments;
     va_start(arguments, format);
@@ -203,7 +205,7 @@ void json_check_keys(const JsonNode *object, const char *const *known, Fault *fa
         bool found = false;
         for (size_t i = 0; i < count && !found; i++)
             found = strcmp(key, known[i]) == 0;
-        if (found || fault->count >= FAULT_MOST)
+        if (found)
             continue;
         const char *nearest = text_nearest(key, known, count);
         char what[256], list[160] = "";
@@ -219,7 +221,7 @@ void json_check_keys(const JsonNode *object, const char *const *known, Fault *fa
 }
 
 bool json_check_header(const JsonNode *root, const char *what, const char *format, Fault *fault) {
-    size_t before = fault->count;
+    size_t before = fault->total;
     JsonNode said = json_member(root, "format"), version = json_member(root, "version");
     const char *word = json_string_value(said.value);
     if (!said.value)
@@ -232,7 +234,7 @@ bool json_check_header(const JsonNode *root, const char *what, const char *forma
         json_fault(root, fault, "a %s has no \"version\", must be 1", what);
     else if (json_number_value(version.value) != 1)
         json_fault(&version, fault, "version must be 1");
-    return fault->count == before || !said.value || !version.value;
+    return fault->total == before || !said.value || !version.value;
 }
 
 const char *json_read_text(const JsonNode *object, const char *key, Arena *arena, Fault *fault) {

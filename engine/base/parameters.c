@@ -235,12 +235,12 @@ bool parameters_read(const ParameterTable *table, void *object, const JsonNode *
         json_fault(node, fault, "%s must be an object { ... }", table->what);
         return false;
     }
-    size_t before = fault->count;
+    size_t before = fault->total;
     const char *names[NAMES_MOST + 1] = {0};
     for (size_t i = 0; i < table->count; i++)
         names[i] = table->rows[i].name;
     json_check_keys(node, names, fault);
-    bool good = fault->count == before;
+    bool good = fault->total == before;
     for (size_t i = 0; i < table->count; i++) {
         const Parameter *row = &table->rows[i];
         JsonNode member = json_member(node, row->name);

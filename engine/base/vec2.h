@@ -94,6 +94,10 @@ static inline double real_max(double a, double b) {
     return a > b ? a : b;
 }
 
+static inline double real_clamp(double value, double low, double high) {
+    return value < low ? low : value > high ? high : value;
+}
+
 /* An angle brought into (-pi, pi]. */
 static inline double vec2_wrap_angle(double angle) {
     if (angle > -M_PI && angle <= M_PI)

@@ -95,8 +95,8 @@ static char *walkable_wkt(const House *house) {
 /* Rows ----------------------------------------------------------------------------------------------------------------
  */
 
-static int64_t frame_of(const House *house, const double *row) {
-    return (int64_t)(row[TRACE_TIME] / house->plan.run.sample + 0.5);
+static int64_t frame_of(const Observation *observation, const double *row) {
+    return (int64_t)(row[TRACE_TIME] / observation->sample + 0.5);
 }
 
 static bool step_and_reset(sqlite3_stmt *statement) {
@@ -105,7 +105,9 @@ static bool step_and_reset(sqlite3_stmt *statement) {
 }
 
 /* A person's last row, at the exit, may fall into the frame of the row before it: one row a frame and person. */
-static bool write_trajectories(sqlite3 *database, const House *house, const Trace *trace, int64_t *last_frame) {
+static bool write_trajectories(sqlite3 *database, const House *house, const Observation *observation,
+                               int64_t *last_frame) {
+    const Trace *trace = &observation->trace;
     sqlite3_stmt *insert = NULL;
     if (sqlite3_prepare_v2(database, "INSERT INTO trajectory_data VALUES (?, ?, ?, ?, ?, ?)", -1, &insert, NULL))
         return false;
@@ -115,7 +117,7 @@ static bool write_trajectories(sqlite3 *database, const House *house, const Trac
         written[i] = -1;
     for (size_t r = 0; r < trace->rows && good; r++) {
         const double *row = trace_row(trace, r);
-        int64_t frame = frame_of(house, row), id = (int64_t)row[TRACE_PERSON];
+        int64_t frame = frame_of(observation, row), id = (int64_t)row[TRACE_PERSON];
         if (frame <= written[id])
             continue;
         written[id] = frame;
@@ -132,7 +134,7 @@ static bool write_trajectories(sqlite3 *database, const House *house, const Trac
     return sqlite3_finalize(insert) == SQLITE_OK && good;
 }
 
-static bool write_metadata(sqlite3 *database, const House *house) {
+static bool write_metadata(sqlite3 *database, const House *house, const Observation *observation) {
     sqlite3_stmt *insert = NULL;
     if (sqlite3_prepare_v2(database, "INSERT INTO metadata VALUES (?, ?)", -1, &insert, NULL))
         return false;
@@ -140,7 +142,7 @@ static bool write_metadata(sqlite3 *database, const House *house) {
     const struct {
         const char *key;
         double value;
-    } rows[] = {{"version", 2},      {"fps", 1 / house->plan.run.sample},
+    } rows[] = {{"version", 2},      {"fps", 1 / observation->sample},
                 {"xmin", box.low.x}, {"xmax", box.high.x},
                 {"ymin", box.low.y}, {"ymax", box.high.y}};
     bool good = true;
@@ -184,12 +186,12 @@ int jupedsim_write(const House *house, const Observation *observation, const cha
     sqlite3 *database = NULL;
     int64_t last_frame = 0;
     int error = 0;
-    bool good = sqlite3_open(beside, &database) == SQLITE_OK &&
-                sqlite3_exec(database, "PRAGMA journal_mode = OFF; BEGIN", NULL, NULL, NULL) == SQLITE_OK &&
-                sqlite3_exec(database, tables, NULL, NULL, NULL) == SQLITE_OK && write_metadata(database, house) &&
-                write_trajectories(database, house, &observation->trace, &last_frame) &&
-                write_geometry(database, house, last_frame) &&
-                sqlite3_exec(database, "COMMIT", NULL, NULL, NULL) == SQLITE_OK;
+    bool good =
+        sqlite3_open(beside, &database) == SQLITE_OK &&
+        sqlite3_exec(database, "PRAGMA journal_mode = OFF; BEGIN", NULL, NULL, NULL) == SQLITE_OK &&
+        sqlite3_exec(database, tables, NULL, NULL, NULL) == SQLITE_OK && write_metadata(database, house, observation) &&
+        write_trajectories(database, house, observation, &last_frame) && write_geometry(database, house, last_frame) &&
+        sqlite3_exec(database, "COMMIT", NULL, NULL, NULL) == SQLITE_OK;
     if (!good)
         error = database && sqlite3_system_errno(database) ? sqlite3_system_errno(database) : EIO;
     if (sqlite3_close(database) != SQLITE_OK && !error)

@@ -10,7 +10,7 @@ struct Broadphase {
 
 namespace {
 
-b2AABB fattened(Box box) {
+b2AABB single_precision(Box box) {
     b2AABB aabb;
     aabb.lowerBound.Set(static_cast<float>(box.low.x), static_cast<float>(box.low.y));
     aabb.upperBound.Set(static_cast<float>(box.high.x), static_cast<float>(box.high.y));
@@ -65,7 +65,7 @@ void broadphase_destroy(Broadphase *broadphase) {
 }
 
 int broadphase_insert(Broadphase *broadphase, Box box, int item) {
-    return broadphase->tree.CreateProxy(fattened(box), reinterpret_cast<void *>(static_cast<intptr_t>(item)));
+    return broadphase->tree.CreateProxy(single_precision(box), reinterpret_cast<void *>(static_cast<intptr_t>(item)));
 }
 
 void broadphase_remove(Broadphase *broadphase, int handle) {
@@ -74,12 +74,12 @@ void broadphase_remove(Broadphase *broadphase, int handle) {
 
 void broadphase_visit(const Broadphase *broadphase, Box box, bool (*visit)(void *context, int item), void *context) {
     Visitor visitor{broadphase->tree, visit, context};
-    broadphase->tree.Query(&visitor, fattened(box));
+    broadphase->tree.Query(&visitor, single_precision(box));
 }
 
 size_t broadphase_query(const Broadphase *broadphase, Box box, int *items, size_t capacity) {
     Collector collector{broadphase->tree, items, capacity, 0};
-    broadphase->tree.Query(&collector, fattened(box));
+    broadphase->tree.Query(&collector, single_precision(box));
     std::sort(items, items + std::min(collector.count, capacity));
     return collector.count;
 }

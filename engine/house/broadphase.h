@@ -1,8 +1,8 @@
 /* Which things may be near: boxes with a number each, in Box2D's dynamic tree (b2DynamicTree, 2.4.1).
  *
- * The tree holds single-precision boxes, fattened by 0.1 m; exact geometry in double precision is the caller's. Answers
- * come in rising order of their numbers, so that sums made from them do not depend on the tree. A tree may be queried
- * by several threads at once while nobody changes it. */
+ * The tree holds single-precision boxes, fattened by 0.1 m; exact geometry in double precision is the caller's. The
+ * answers of a query come in rising order of their numbers, so that sums made from them do not depend on the tree. A
+ * tree may be queried by several threads at once while nobody changes it. */
 #pragma once
 
 #include <stdbool.h>

@@ -34,10 +34,6 @@ enum { RETRIES_MOST = 3 };
 /* m: the paper's F4 has R in its denominator; it is not taken smaller. */
 static const double SMALLEST_RADIUS = 0.1;
 
-static double clamp(double value, double low, double high) {
-    return value < low ? low : value > high ? high : value;
-}
-
 /* Where a person stands in relation to the track. */
 typedef struct Place {
     const TrackPoint *here, *next; /* next == here at the end */
@@ -84,7 +80,7 @@ static Place find_place(const Track *track, const Profile *profile, Vec2 at, Dri
             pass_point(track, profile, drive);
             continue;
         }
-        double part = length > 0 ? clamp(done / length, 0, 1) : 0;
+        double part = length > 0 ? real_clamp(done / length, 0, 1) : 0;
         double turn = vec2_wrap_angle(place.next->heading - place.here->heading);
         place.heading = place.here->heading + part * turn;
         place.speed = place.here->speed + part * (place.next->speed - place.here->speed);
@@ -181,8 +177,8 @@ static double driving_force(const Profile *profile, double target, double speed,
     double wanted = profile->mass * (target - speed) / profile->speed_response - holding * others;
     bool faster = fabs(target) > fabs(speed) && target * speed >= 0;
     double limit = profile->mass * (faster ? profile->acceleration : profile->deceleration);
-    wanted = clamp(wanted, -limit - others, limit - others);
-    return clamp(wanted, -profile->push, profile->push);
+    wanted = real_clamp(wanted, -limit - others, limit - others);
+    return real_clamp(wanted, -profile->push, profile->push);
 }
 
 /* Towards the turn rate `target`, rad/s, which itself changes at `rate`, rad/s2, against the moment `load` of what
@@ -191,7 +187,7 @@ static double turning_moment(const Profile *profile, double target, double rate,
     double square = profile->radius_of_gyration * profile->radius_of_gyration +
                     profile->mass_centre * profile->mass_centre; /* about the axle */
     double wanted = profile->mass * square * ((target - turn) / profile->turn_response + rate) - load;
-    return clamp(wanted, -profile->turning_moment, profile->turning_moment);
+    return real_clamp(wanted, -profile->turning_moment, profile->turning_moment);
 }
 
 /* What the personal space does beyond what the driver heeds is overcome: it is the driver's own wish. */
@@ -200,7 +196,8 @@ static Effort overcome(const World *world, size_t i) {
     Vec2 axis = world->axis[i];
     double along = vec2_dot(world->ring[i], axis), moment = world->ring_moment[i];
     double push = HEEDED * profile->push, turning = HEEDED * profile->turning_moment;
-    return (Effort){vec2_scale(axis, clamp(along, -push, push) - along), clamp(moment, -turning, turning) - moment};
+    return (Effort){vec2_scale(axis, real_clamp(along, -push, push) - along),
+                    real_clamp(moment, -turning, turning) - moment};
 }
 
 /* A driver's effort towards a speed along the axis, m/s, and a turn, rad/s, that itself changes at `change`, rad/s2. */
@@ -244,7 +241,7 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
     bool barred = way_to_door(world, i, &door) < 2 * ARRIVED; /* until it is open */
     double rate = barred ? 0 : real_min(profile->turn_rate, sqrt(2 * brake * fabs(left)));
     double back = vec2_dot(vec2_sub(place->here->at, world_reference(world, i)), axis);
-    double speed = clamp(back / profile->speed_response / 4, -2 * SLOWEST, 2 * SLOWEST);
+    double speed = real_clamp(back / profile->speed_response / 4, -2 * SLOWEST, 2 * SLOWEST);
     return exert(world, i, speed, copysign(rate, left), 0);
 }
 
@@ -274,9 +271,9 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     double bend = sense * place->next->curvature * pace;
     /* Back to the way at a slant in proportion to the offset, bounded: however far off, nobody turns round. */
     double back = profile->heading_gain > 0 ? profile->lateral_gain / profile->heading_gain * offset : 0;
-    back = sense * direction * clamp(back, -STEEPEST_RETURN, STEEPEST_RETURN);
+    back = sense * direction * real_clamp(back, -STEEPEST_RETURN, STEEPEST_RETURN);
     double turn = bend - profile->heading_gain * pace * sin(slant + back);
-    turn = clamp(turn, -profile->turn_rate, profile->turn_rate);
+    turn = real_clamp(turn, -profile->turn_rate, profile->turn_rate);
     return exert(world, i, sense * direction * target, turn, pace * pace * place->next->bending);
 }
 
@@ -296,9 +293,9 @@ static Effort drive_miura(const World *world, size_t i, Drive *drive, const Plac
     double target = wanted_speed(world, i, drive, place);
     double push = driving_force(profile, target, vec2_dot(velocity, way), vec2_dot(world->force[i], way), 0);
     Vec2 across = vec2_left(way);
-    double back = clamp(-drive->offset / ROUND_RETURN_TIME, -ROUND_RETURN_SPEED, ROUND_RETURN_SPEED);
+    double back = real_clamp(-drive->offset / ROUND_RETURN_TIME, -ROUND_RETURN_SPEED, ROUND_RETURN_SPEED);
     double sideways =
-        clamp((back - vec2_dot(velocity, across)) / profile->speed_response, -ROUND_LATERAL, ROUND_LATERAL);
+        real_clamp((back - vec2_dot(velocity, across)) / profile->speed_response, -ROUND_LATERAL, ROUND_LATERAL);
     Vec2 force = vec2_along(vec2_scale(way, push), profile->mass * sideways, across);
     return (Effort){vec2_add(force, centripetal), 0};
 }
@@ -320,7 +317,7 @@ void drive_hold_sideways(const Profile *profile, double dt, Vec2 axis, Vec2 *vel
     double inertia = profile->mass * profile->radius_of_gyration * profile->radius_of_gyration;
     double slip = vec2_dot(*velocity, across) - c * *turn;
     double most = profile->side_friction * profile->mass * gravity * dt;
-    double impulse = clamp(-slip / (1 / profile->mass + c * c / inertia), -most, most);
+    double impulse = real_clamp(-slip / (1 / profile->mass + c * c / inertia), -most, most);
     *velocity = vec2_along(*velocity, impulse / profile->mass, across);
     *turn -= c * impulse / inertia;
 }

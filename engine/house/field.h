@@ -5,6 +5,7 @@
  * to the nearest obstacle. A closed door costs its opening time. */
 #pragma once
 
+#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -33,6 +34,7 @@ typedef struct Ground {
     unsigned char *doors; /* (ny x nx) 1: near a closed door; NULL: there is none */
     DoorLine *lines;      /* (line_count) */
     size_t line_count;
+    const volatile sig_atomic_t *stop; /* set: searches on it give up; NULL: never */
 } Ground;
 
 typedef struct Field {

@@ -231,7 +231,8 @@ static bool arrived(const Lattice *lattice, const State *state) {
 static int widest_way(Lattice *lattice, int x, int y, int turn) {
     double swing = 2 * M_PI / lattice->turns * lattice->body->half_length, cell = lattice->cell;
     enter(lattice, x, y, turn, -1, 0);
-    while (lattice->heap_count > 0 && lattice->state_count < MOST_STATES) {
+    const volatile sig_atomic_t *stop = lattice->query->stop;
+    while (lattice->heap_count > 0 && lattice->state_count < MOST_STATES && !(stop && *stop)) {
         int index = heap_take(lattice);
         State state = lattice->states[index];
         if (arrived(lattice, &state))

@@ -99,10 +99,18 @@ static bool place_is_free(const House *house, const Inhabitant *placed) {
     return true;
 }
 
+/* A crowd's own stream of chance, whatever its place in the file (FNV-1a). */
+static uint64_t stream_of(const char *id) {
+    uint64_t hash = 0xcbf29ce484222325u;
+    for (; *id; id++)
+        hash = (hash ^ (unsigned char)*id) * 0x100000001b3u;
+    return hash;
+}
+
 /* Stands the members of a crowd in its area, no body on another, their speeds drawn from the profile. */
 static void place_crowd(House *house, size_t c, const char *path, Fault *fault) {
     const Crowd *crowd = &house->plan.crowds[c];
-    Random random = random_seed(house->seed, c + 1);
+    Random random = random_seed(house->seed, stream_of(crowd->id));
     Box box = box_empty();
     for (size_t i = 0; i < crowd->area.count; i++)
         box = box_include(box, crowd->area.at[i]);
@@ -155,7 +163,7 @@ static int compare_inhabitants(const void *a, const void *b) {
 
 static void place_people(House *house, const char *path, Fault *fault) {
     const Plan *plan = &house->plan;
-    size_t count = plan->person_count;
+    size_t count = plan->person_count, before = fault->total;
     for (size_t c = 0; c < plan->crowd_count; c++)
         count += (size_t)plan->crowds[c].count;
     house->people = memory_allocate(count, sizeof *house->people);
@@ -172,9 +180,13 @@ static void place_people(House *house, const char *path, Fault *fault) {
                          .speed = person->speed > 0 ? person->speed : profile->free_speed};
     }
     check_overlaps(house, path, fault);
-    for (size_t c = 0; c < plan->crowd_count && !fault->count; c++)
+    for (size_t c = 0; c < plan->crowd_count && fault->total == before; c++)
         place_crowd(house, c, path, fault);
     qsort(house->people, house->person_count, sizeof *house->people, compare_inhabitants);
+    for (size_t i = 1; i < house->person_count; i++)
+        if (strcmp(house->people[i].id, house->people[i - 1].id) == 0)
+            fault_add(fault, "%s:1:1: person %s has the name of a member of a crowd, must have another", path,
+                      house->people[i].id);
 }
 
 static void check_profile(const House *house, const char *path, size_t i, Fault *fault) {
@@ -185,24 +197,24 @@ static void check_profile(const House *house, const char *path, size_t i, Fault 
 }
 
 static bool read_parts(House *house, const char *path, const HouseOptions *options, Fault *fault) {
-    size_t before = fault->count;
+    size_t before = fault->total;
     if (!plan_read(&house->plan, path, options->settings, options->setting_count, fault))
         return false;
     read_profiles(house, path, options, fault);
-    if (fault->count == before)
+    if (fault->total == before)
         for (size_t i = 0; i < house->plan.override_count; i++)
             apply_override(house, &house->plan.overrides[i], fault);
-    for (size_t i = 0; i < house->profile_count && fault->count == before; i++)
+    for (size_t i = 0; i < house->profile_count && fault->total == before; i++)
         check_profile(house, path, i, fault);
-    if (fault->count != before || !outline_build(&house->outline, &house->plan, fault))
+    if (fault->total != before || !outline_build(&house->outline, &house->plan, fault))
         return false;
     freespace_build(&house->space, &house->outline, house->plan.run.cell);
     if (house->space.cell > COARSEST_CELL)
         fault_add(fault, "%s:1:1: the house is too large for the route search, %.0f m by %.0f m: it must be smaller",
                   path, house->space.cell * house->space.nx, house->space.cell * house->space.ny);
-    if (fault->count == before)
+    if (fault->total == before)
         place_people(house, path, fault);
-    return fault->count == before;
+    return fault->total == before;
 }
 
 bool house_read(House *house, const char *path, const HouseOptions *options, Fault *fault) {

@@ -8,6 +8,7 @@
 typedef struct Planning {
     const House *house;
     const bool *part;
+    const volatile sig_atomic_t *stop;
     Journey *journeys;
 } Planning;
 
@@ -27,7 +28,8 @@ static void plan_journey(void *context, size_t i) {
                         .via_count = person->route ? person->route->via.count : 0,
                         .exit = person->route ? person->route->exit_index : SIZE_MAX,
                         .time = person->delay,
-                        .most_reversals = house->plan.run.reversals};
+                        .most_reversals = house->plan.run.reversals,
+                        .stop = planning->stop};
     bool miura = person->profile->driving == DRIVING_MIURA;
     journey->route = miura ? route_round(&query) : route_drive(&query);
     if (journey->route.answer != ROUTE_FOUND)
@@ -38,9 +40,9 @@ static void plan_journey(void *context, size_t i) {
         track_build_driver(&journey->track, house, person, &journey->route);
 }
 
-Journey *journey_plan_all(const House *house, const bool *part, int jobs) {
+Journey *journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
     Journey *journeys = memory_allocate(house->person_count, sizeof *journeys);
-    Planning planning = {house, part, journeys};
+    Planning planning = {house, part, stop, journeys};
     parallel_for(jobs, house->person_count, plan_journey, &planning);
     return journeys;
 }

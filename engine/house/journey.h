@@ -14,7 +14,7 @@ typedef struct Journey {
     Track track; /* empty when there is no way */
 } Journey;
 
-/* Plans everybody's journey, on up to `jobs` threads; person i takes part when `part` is NULL or part[i]. The array has
- * house->person_count elements; journey_free_all releases it. */
-Journey *journey_plan_all(const House *house, const bool *part, int jobs);
+/* Plans everybody's journey, on up to `jobs` threads, until `stop` (may be NULL) is set; person i takes part when
+ * `part` is NULL or part[i]. The array has house->person_count elements; journey_free_all releases it. */
+Journey *journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
 void journey_free_all(Journey *journeys, size_t count);

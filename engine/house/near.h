@@ -15,7 +15,6 @@ typedef struct NearFace {
     double offset;     /* m: normal . p = offset on the face */
     double begin, end; /* m: tangent . p on the face, the tangent is the normal turned left */
     double depth;      /* m: how far behind the face its solid may be touched from */
-    double distance;   /* m, from where it was gathered; the list rises by it */
     int id;
 } NearFace;
 

@@ -73,6 +73,7 @@ typedef struct Observation {
     double time;    /* s, when the last one got out, or the run ended */
     uint64_t steps;
     double dt;       /* s */
+    double sample;   /* s, between two rows of the trace: run.sample in whole steps */
     uint64_t digest; /* of all states at all steps */
 } Observation;
 

@@ -46,12 +46,16 @@ static void add_row(Observer *observer, size_t i, double offset_rate) {
                                 });
 }
 
+size_t observer_sample_steps(const House *house) {
+    double steps = house->plan.run.sample / house->plan.run.dt;
+    return steps > 1 ? (size_t)(steps + 0.5) : 1;
+}
+
 void observer_init(Observer *observer, const World *world, PersonObservation *people) {
-    double steps = world->house->plan.run.sample / world->clock.dt;
     *observer = (Observer){.world = world,
                            .people = people,
                            .watched = memory_allocate(world->count, sizeof *observer->watched),
-                           .sample_steps = steps > 1 ? (size_t)(steps + 0.5) : 1};
+                           .sample_steps = observer_sample_steps(world->house)};
     trace_init(&observer->trace, columns, TRACE_COLUMNS);
     for (size_t i = 0; i < world->count; i++) {
         if (!is_watched(world, i))

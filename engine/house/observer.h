@@ -25,6 +25,9 @@ typedef struct Observer {
     size_t stretch_count, stretch_capacity;
 } Observer;
 
+/* How many steps there are between two rows of the trace. */
+size_t observer_sample_steps(const House *house);
+
 /* The world has not moved yet. observer_clear releases the observer, not the people. */
 void observer_init(Observer *observer, const World *world, PersonObservation *people);
 void observer_clear(Observer *observer);

@@ -32,6 +32,7 @@ typedef struct Builder {
     const Plan *plan;
     GEOSContextHandle_t geos;
     char message[160]; /* the last thing that GEOS complained about */
+    bool failed;
     GEOSGeometry **parts;
     size_t part_count, part_capacity;
     Solid *solids;
@@ -61,8 +62,10 @@ static GEOSGeometry *polygon_of(const Builder *builder, const Vec2 corners[4]) {
 }
 
 static void add_part(Builder *builder, GEOSGeometry *part) {
-    if (!part)
+    if (!part) {
+        builder->failed = true; /* a wall less would be a way out that is not there */
         return;
+    }
     builder->parts =
         memory_reserve(builder->parts, &builder->part_capacity, builder->part_count + 1, sizeof *builder->parts);
     builder->parts[builder->part_count++] = part;
@@ -452,8 +455,10 @@ static bool build(Builder *builder) {
         }
     }
     GEOSGeometry *solids = unite(builder);
-    if (!solids)
+    if (!solids || builder->failed) {
+        GEOSGeom_destroy_r(builder->geos, solids);
         return false;
+    }
     add_polygons(builder, solids);
     add_thin_walls(builder, solids);
     GEOSGeom_destroy_r(builder->geos, solids);

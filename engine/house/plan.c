@@ -147,7 +147,7 @@ static void read_house(Plan *plan, const JsonNode *root, const char *const *sett
 }
 
 bool plan_read(Plan *plan, const char *path, const char *const *settings, size_t setting_count, Fault *fault) {
-    size_t before = fault->count;
+    size_t before = fault->total;
     JsonFile file = {0};
     if (!json_read(&file, path, fault))
         return false;
@@ -158,7 +158,7 @@ bool plan_read(Plan *plan, const char *path, const char *const *settings, size_t
     else if (json_check_header(&root, "house", "clearance-house", fault))
         read_house(&read, &root, settings, setting_count, fault);
     json_free(&file);
-    if (fault->count != before) {
+    if (fault->total != before) {
         plan_free(&read);
         return false;
     }

@@ -240,14 +240,12 @@ static void check_each(const PlanCheck *check, int list, void (*check_element)(c
 }
 
 void plan_check_whole(const PlanCheck *check) {
-    if (check->fault->count >= FAULT_MOST)
-        return;
     check_unique_ids(check);
-    size_t before = check->fault->count;
+    size_t before = check->fault->total;
     check_each(check, LIST_WALLS, check_wall);
     check_each(check, LIST_DOORS, check_door);
     check_each(check, LIST_FURNITURE, check_piece);
-    bool solid = check->fault->count == before && all_sound(check, LIST_WALLS) && all_sound(check, LIST_DOORS) &&
+    bool solid = check->fault->total == before && all_sound(check, LIST_WALLS) && all_sound(check, LIST_DOORS) &&
                  all_sound(check, LIST_FURNITURE);
     check_each(check, LIST_EXITS, check_exit);
     if (solid)

@@ -140,7 +140,7 @@ static void read_texts(Profile *profile, const JsonNode *root, Fault *fault) {
 }
 
 bool profile_read(Profile *profile, const char *path, Fault *fault) {
-    size_t before = fault->count;
+    size_t before = fault->total;
     JsonFile file = {0};
     if (!json_read(&file, path, fault))
         return false;
@@ -154,7 +154,7 @@ bool profile_read(Profile *profile, const char *path, Fault *fault) {
             read_group(&read, &root, groups[g], fault);
     }
     json_free(&file);
-    if (fault->count != before) {
+    if (fault->total != before) {
         profile_free(&read);
         return false;
     }
@@ -164,7 +164,7 @@ bool profile_read(Profile *profile, const char *path, Fault *fault) {
 }
 
 bool profile_set(Profile *profile, const char *name, const char *value, const char *place, Fault *fault) {
-    size_t before = fault->count;
+    size_t before = fault->total;
     char *prefix = memory_allocate(strlen(place) + 1, 1);
     strcpy(prefix, place);
     JsonFile file = {.path = prefix, .root = json_loads(value, JSON_DECODE_ANY, NULL)};
@@ -176,11 +176,11 @@ bool profile_set(Profile *profile, const char *name, const char *value, const ch
         profile->provenance[row - profile_rows] = "assumed: set for this run";
     json_decref(file.root);
     memory_free(prefix);
-    return fault->count == before;
+    return fault->total == before;
 }
 
 bool profile_check(const Profile *profile, double dt, const char *place, Fault *fault) {
-    size_t before = fault->count;
+    size_t before = fault->total;
     const double most_contacts = 4; /* two walls on either side, body and ring of the heavier law counted in full */
     if (profile->axle > profile->length)
         fault_add(fault, "%s: axle is %g m ahead of the rear edge, at most the length, %g m", place, profile->axle,
@@ -196,7 +196,7 @@ bool profile_check(const Profile *profile, double dt, const char *place, Fault *
     if (dt > longest)
         fault_add(fault, "%s: the step dt is %g s, but the contact law of %s needs at most %.3g s", place, dt,
                   profile->name, longest);
-    return fault->count == before;
+    return fault->total == before;
 }
 
 void profile_free(Profile *profile) {

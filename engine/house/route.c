@@ -83,6 +83,7 @@ static SearchAnswer search_legs(const RouteQuery *query, const Legs *legs, const
     double radius = fmin(body->half_width, body->half_length - fabs(body->ahead));
     Ground ground;
     field_ground_init(&ground, query->plan, query->space, query->profile, radius);
+    ground.stop = query->stop;
     search_track_clear(track);
     search_track_add(track, (Pose){query->at, query->heading, 0, 0});
     SearchAnswer answer = SEARCH_FOUND;

@@ -12,6 +12,7 @@
  * Thrun, Montemerlo and Diebel 2010), then smoothed and swept again. */
 #pragma once
 
+#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -70,6 +71,7 @@ typedef struct RouteQuery {
     size_t exit; /* SIZE_MAX: the quickest of those usable */
     double time; /* s, when the person starts: exits closed for good by then are not usable */
     int most_reversals;
+    const volatile sig_atomic_t *stop; /* set: give up, whatever the answer; NULL: never */
 } RouteQuery;
 
 /* "needs at least 0.80 m, has 0.75 m", what is needed rounded up and what is there down to a centimetre; "" where it is

@@ -15,13 +15,14 @@ static const double LOOK_UP = 0.5;
 typedef struct Group {
     const House *house;
     const RunOptions *options;
+    int jobs;                  /* threads of its own */
     bool *part;                /* (person_count) */
     PersonObservation *people; /* of all groups: each writes its own */
     Observer observer;
     uint64_t digest, steps;
 } Group;
 
-static Reason run_world(World *world, Observer *observer, const RunOptions *options) {
+static Reason run_world(World *world, Observer *observer, const RunOptions *options, bool reports) {
     double until = world->house->plan.run.until, next_look = 0;
     while (world_goes_on(world)) {
         double time = clock_time(&world->clock);
@@ -31,13 +32,13 @@ static Reason run_world(World *world, Observer *observer, const RunOptions *opti
             next_look += LOOK_UP;
             if (options->stop && *options->stop)
                 return REASON_INTERRUPTED;
-            if (options->progress)
+            if (options->progress && reports)
                 options->progress(options->context, time);
         }
         WorldStatus status = world_step(world, NULL);
         observer_watch(observer);
         if (status == WORLD_DIVERGED)
-            return REASON_DIVERGED;
+            return REASON_INTERRUPTED; /* for the others; the one has a reason of its own */
     }
     return REASON_NONE;
 }
@@ -45,10 +46,10 @@ static Reason run_world(World *world, Observer *observer, const RunOptions *opti
 static void run_group(void *context, size_t index) {
     Group *group = (Group *)context + index;
     const RunOptions *options = group->options;
-    Journey *journeys = journey_plan_all(group->house, group->part, options->jobs);
+    Journey *journeys = journey_plan_all(group->house, group->part, group->jobs, options->stop);
     World world = world_create(group->house, journeys, group->part);
     observer_init(&group->observer, &world, group->people);
-    Reason reason = run_world(&world, &group->observer, options);
+    Reason reason = run_world(&world, &group->observer, options, index == 0);
     observer_end(&group->observer, reason);
     group->digest = world.digest;
     group->steps = world.clock.step;
@@ -109,11 +110,13 @@ void run_house(Observation *observation, const House *house, const RunOptions *o
         .person_count = house->person_count,
         .hazards = memory_allocate(HAZARDS_MOST, sizeof *observation->hazards),
         .dt = house->plan.run.dt,
+        .sample = (double)observer_sample_steps(house) * house->plan.run.dt,
     };
     size_t group_count = make_groups(groups, house, options);
     for (size_t g = 0; g < group_count; g++) {
         groups[g].house = house;
         groups[g].options = options;
+        groups[g].jobs = group_count > 1 ? 1 : options->jobs;
         groups[g].people = observation->people;
     }
     parallel_for(options->jobs, group_count, run_group, groups);

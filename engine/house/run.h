@@ -9,10 +9,11 @@
 #include "house/observation.h"
 
 typedef struct RunOptions {
-    size_t route;                                 /* only this route's people take part; SIZE_MAX: everybody */
-    int jobs;                                     /* threads */
-    const volatile sig_atomic_t *stop;            /* set: end as soon as possible; NULL: never */
-    void (*progress)(void *context, double time); /* now and then, with the simulated time, s; NULL: none */
+    size_t route;                      /* only this route's people take part; SIZE_MAX: everybody */
+    int jobs;                          /* threads */
+    const volatile sig_atomic_t *stop; /* set: end as soon as possible; NULL: never */
+    void (*progress)(void *context,
+                     double time); /* now and then, from one thread, with the simulated time, s; NULL: none */
     void *context;
 } RunOptions;
 

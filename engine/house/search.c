@@ -350,7 +350,10 @@ static void write_track(const Search *search, SearchTrack *track, int last) {
 }
 
 static SearchAnswer search_run(Search *search, SearchTrack *track) {
+    const volatile sig_atomic_t *stop = search->field->ground->stop;
     for (size_t expanded = 0; search->open_count > 0;) {
+        if (stop && *stop)
+            return SEARCH_GAVE_UP;
         int node = open_take(search).node;
         if (search->nodes[node].exit != -1) {
             write_track(search, track, node);

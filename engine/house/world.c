@@ -430,27 +430,37 @@ static bool clip(double from, double to, double low, double high, double *begin,
     return *begin < *end;
 }
 
-bool world_is_clear(const World *world, size_t i) {
-    enum { MOST = 1024 };
+typedef struct Looking {
+    const World *world;
+    size_t person;
+    bool clear;
+} Looking;
+
+static bool look_at_face(void *context, int item) {
+    Looking *looking = context;
+    const World *world = looking->world;
     const Outline *outline = &world->house->outline;
+    size_t i = looking->person;
+    if ((size_t)item >= outline->face_count)
+        return true;
+    const Face *face = &outline->faces[item];
+    if (face->presence != PRESENT_ALWAYS && world->door_open[face->door] != (face->presence == PRESENT_OPEN))
+        return true;
     const Body *body = &world->body[i];
-    int items[MOST];
-    size_t found =
-        broadphase_query(outline->broadphase, box_around(world->centre[i], body->swing + body->radius), items, MOST);
-    for (size_t k = 0; k < found && k < MOST; k++) {
-        if ((size_t)items[k] >= outline->face_count)
-            continue;
-        const Face *face = &outline->faces[items[k]];
-        if (face->presence != PRESENT_ALWAYS && world->door_open[face->door] != (face->presence == PRESENT_OPEN))
-            continue;
-        Vec2 a = vec2_unturn(vec2_sub(face->a, world->centre[i]), world->axis[i]);
-        Vec2 b = vec2_unturn(vec2_sub(face->b, world->centre[i]), world->axis[i]);
-        double begin = 0, end = 1;
-        if (clip(a.x, b.x, body->core_low.x, body->core_high.x, &begin, &end) &&
-            clip(a.y, b.y, body->core_low.y, body->core_high.y, &begin, &end))
-            return false;
-    }
-    return true;
+    Vec2 a = vec2_unturn(vec2_sub(face->a, world->centre[i]), world->axis[i]);
+    Vec2 b = vec2_unturn(vec2_sub(face->b, world->centre[i]), world->axis[i]);
+    double begin = 0, end = 1;
+    looking->clear = !(clip(a.x, b.x, body->core_low.x, body->core_high.x, &begin, &end) &&
+                       clip(a.y, b.y, body->core_low.y, body->core_high.y, &begin, &end));
+    return looking->clear;
+}
+
+bool world_is_clear(const World *world, size_t i) {
+    Looking looking = {world, i, true};
+    broadphase_visit(world->house->outline.broadphase,
+                     box_around(world->centre[i], world->body[i].swing + world->body[i].radius), look_at_face,
+                     &looking);
+    return looking.clear;
 }
 
 bool world_goes_on(const World *world) {

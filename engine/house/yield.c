@@ -21,10 +21,6 @@ static const double PLANNED = 0.8;
 /* s: two who wait for one another look at it so long; then the first by id goes on. */
 static const double DEADLOCK = 2;
 
-static double clamp(double value, double low, double high) {
-    return value < low ? low : value > high ? high : value;
-}
-
 bool yield_sees(const World *world, size_t i, size_t j) {
     Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
     double distance = vec2_length(to);
@@ -128,7 +124,7 @@ double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, doub
     }
     /* A swerve takes way, not time: somebody who stands does not get any farther to one side. */
     double moved = vec2_length(world->velocity[i]) * world->clock.dt, change = SWERVE * moved, before = drive->aside;
-    drive->aside += clamp(aside - before, -change, change);
+    drive->aside += real_clamp(aside - before, -change, change);
     drive->swerve = moved > 0 ? (drive->aside - before) / moved : 0;
     return speed;
 }

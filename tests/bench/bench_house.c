@@ -41,7 +41,7 @@ static double one_turn(const char *source, const char *route, double seconds[PAR
     seconds[0] = bench_now() - begin;
     const bool *part = only(&house, route);
     begin = bench_now();
-    Journey *journeys = journey_plan_all(&house, part, 1);
+    Journey *journeys = journey_plan_all(&house, part, 1, NULL);
     seconds[1] = bench_now() - begin;
     size_t who = 0;
     while (!part[who])
