@@ -30,6 +30,7 @@ static size_t lay_out(World *world, char *block) {
     world->ring = lay(block, &used, n, sizeof *world->ring);
     world->ring_moment = lay(block, &used, n, sizeof *world->ring_moment);
     world->moment = lay(block, &used, n, sizeof *world->moment);
+    world->present = lay(block, &used, n, sizeof *world->present);
     world->phase = lay(block, &used, n, sizeof *world->phase);
     world->reason = lay(block, &used, n, sizeof *world->reason);
     world->exit = lay(block, &used, n, sizeof *world->exit);
@@ -65,6 +66,13 @@ static void place_person(World *world, size_t i, bool takes_part) {
 
 static bool is_there(const World *world, size_t i) {
     return world->phase[i] != PHASE_ABSENT && world->phase[i] != PHASE_OUT;
+}
+
+static void list_present(World *world) {
+    world->present_count = 0;
+    for (size_t i = 0; i < world->count; i++)
+        if (is_there(world, i))
+            world->present[world->present_count++] = i;
 }
 
 /* One law over one gap, of which the body has the share. */
@@ -193,21 +201,20 @@ static void force_of_pair(World *world, size_t i, size_t j, Slip kept[PAIR_SLIPS
 }
 
 static void gather_forces(World *world) {
-    for (size_t i = 0; i < world->count; i++) {
-        if (!is_there(world, i))
-            continue;
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t i = world->present[p];
         world->force[i] = vec2(0, 0);
         world->moment[i] = 0;
         world->sense[i] = (Sense){.clearance = world->body[i].sight, .other = -1};
         if (world->was_clear[i])
             force_of_obstacles(world, i);
     }
-    for (size_t i = 0; i < world->count; i++) {
+    for (size_t p = 0; p + 1 < world->present_count; p++) {
         Slip kept[PAIR_SLIPS];
         int kept_count = 0;
-        for (size_t j = i + 1; j < world->count && is_there(world, i); j++)
-            if (is_there(world, j))
-                force_of_pair(world, i, j, kept, &kept_count);
+        size_t i = world->present[p];
+        for (size_t q = p + 1; q < world->present_count; q++)
+            force_of_pair(world, i, world->present[q], kept, &kept_count);
         memcpy(world->pair_slips + i * PAIR_SLIPS, kept, (size_t)kept_count * sizeof *kept);
         world->pair_slip_count[i] = kept_count;
     }
@@ -222,10 +229,11 @@ static bool leaf_is_free(const World *world, size_t door) {
         const Face *face = &outline->faces[f];
         if (face->door != (int)door || face->presence != PRESENT_OPEN)
             continue;
-        for (size_t i = 0; i < world->count; i++) {
+        for (size_t p = 0; p < world->present_count; p++) {
+            size_t i = world->present[p];
             double body = world->body[i].swing + world->body[i].radius;
             Vec2 nearest = vec2_nearest_on_segment(world->centre[i], face->a, face->b);
-            if (is_there(world, i) && vec2_distance(world->centre[i], nearest) < body) {
+            if (vec2_distance(world->centre[i], nearest) < body) {
                 Vec2 local = vec2_unturn(vec2_sub(nearest, world->centre[i]), world->axis[i]);
                 const Body *b = &world->body[i];
                 if (local.x > b->core_low.x - b->radius && local.x < b->core_high.x + b->radius &&
@@ -238,7 +246,8 @@ static bool leaf_is_free(const World *world, size_t door) {
 }
 
 static void open_doors(World *world) {
-    for (size_t i = 0; i < world->count; i++) {
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t i = world->present[p];
         int door = world->phase[i] == PHASE_MOVING ? drive_door_at_hand(world, i) : -1;
         Drive *drive = &world->drive[i];
         if (door < 0) {
@@ -270,9 +279,8 @@ static Effort brake_person(const World *world, size_t i) {
 
 /* F3 and F4: everybody decides from the same frozen state. */
 static void exert_efforts(World *world) {
-    for (size_t i = 0; i < world->count; i++) {
-        if (!is_there(world, i))
-            continue;
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t i = world->present[p];
         Effort effort =
             world->phase[i] == PHASE_MOVING ? drive_person(world, i, &world->drive[i]) : brake_person(world, i);
         world->force[i] = vec2_add(world->force[i], effort.force);
@@ -338,7 +346,8 @@ static void give_up(World *world, size_t i, Reason reason) {
  * latter until somebody else has left. */
 static void change_phases(World *world) {
     double time = clock_time(&world->clock);
-    for (size_t i = 0; i < world->count; i++) {
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t i = world->present[p];
         const Route *route = &world->journeys[i].route;
         if (world->phase[i] == PHASE_WAITING && time >= world->house->people[i].delay) {
             world->phase[i] = PHASE_MOVING;
@@ -373,6 +382,7 @@ World world_create(const House *house, const Journey *journeys, const bool *part
         place_person(&world, i, !part || part[i]);
         world.was_clear[i] = world_is_clear(&world, i);
     }
+    list_present(&world);
     gather_forces(&world); /* what everybody feels before the first step */
     return world;
 }
@@ -403,9 +413,8 @@ static uint64_t mix(uint64_t digest, double value) {
 /* Every person's digest is made by itself and the sum taken, so that the order of people does not matter. */
 static void digest_states(World *world) {
     uint64_t sum = 0;
-    for (size_t i = 0; i < world->count; i++) {
-        if (!is_there(world, i))
-            continue;
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t i = world->present[p];
         uint64_t digest = mix(mix(0, world->centre[i].x), world->centre[i].y);
         digest = mix(mix(digest, world->velocity[i].x), world->velocity[i].y);
         sum += mix(mix(digest, world->heading[i]), world->turn[i]);
@@ -464,21 +473,19 @@ bool world_is_clear(const World *world, size_t i) {
 }
 
 bool world_goes_on(const World *world) {
-    for (size_t i = 0; i < world->count; i++)
-        if (world->phase[i] == PHASE_WAITING || world->phase[i] == PHASE_MOVING)
+    for (size_t p = 0; p < world->present_count; p++) {
+        int phase = world->phase[world->present[p]];
+        if (phase == PHASE_WAITING || phase == PHASE_MOVING)
             return true;
+    }
     return false;
 }
 
-WorldStatus world_step(World *world, size_t *who) {
+/* Everybody who is left moves; whoever crosses an exit is gone. */
+static WorldStatus move_everybody(World *world, size_t *who) {
     WorldStatus status = WORLD_OK;
-    change_phases(world);
-    open_doors(world);
-    gather_forces(world);
-    exert_efforts(world);
-    for (size_t i = 0; i < world->count; i++) {
-        if (!is_there(world, i))
-            continue;
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t i = world->present[p];
         if (!world->was_clear[i])
             continue;
         Vec2 before = world_reference(world, i);
@@ -492,9 +499,20 @@ WorldStatus world_step(World *world, size_t *who) {
                 *who = i;
         }
         /* What is deeper than the body's rounding is being pushed out by the contact law. */
-        assert(status == WORLD_DIVERGED || !world->was_clear[i] || world->sense[i].body_force > 0 ||
-               world_is_clear(world, i));
+        assert(status == WORLD_DIVERGED || world->sense[i].body_force > 0 || world_is_clear(world, i));
     }
+    return status;
+}
+
+WorldStatus world_step(World *world, size_t *who) {
+    int departures = world->departures;
+    change_phases(world);
+    open_doors(world);
+    gather_forces(world);
+    exert_efforts(world);
+    WorldStatus status = move_everybody(world, who);
+    if (world->departures != departures)
+        list_present(world);
     world->clock.step++;
     digest_states(world);
     return status;

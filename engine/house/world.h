@@ -73,7 +73,8 @@ typedef struct World {
     const House *house;
     const Journey *journeys;
     Clock clock;
-    size_t count; /* of people */
+    size_t count;         /* of people */
+    size_t present_count; /* of those who take part and are not out */
     uint64_t digest;
     int door_changes;
     int departures; /* people who have left */
@@ -87,6 +88,7 @@ typedef struct World {
     Vec2 *ring;          /* N, of it what obstacles do through the personal space */
     double *ring_moment; /* N m */
     double *moment;      /* N m */
+    size_t *present;     /* (present_count) who they are, rising */
     int *phase;          /* Phase */
     int *reason;         /* Reason, of the stuck */
     size_t *exit;        /* crossed; SIZE_MAX: none */

@@ -108,8 +108,9 @@ static double speed_past(const World *world, size_t i, size_t j, const Sight *si
 
 double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, double speed) {
     double aside = 0;
-    for (size_t j = 0; j < world->count; j++) {
-        if (j == i || world->phase[j] == PHASE_ABSENT || world->phase[j] == PHASE_OUT)
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t j = world->present[p];
+        if (j == i)
             continue;
         Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
         double passed = -extent(world, i, vec2_scale(travel, -1)) - extent(world, j, travel);
