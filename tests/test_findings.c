@@ -71,8 +71,8 @@ static json_t *placed_plan(const char *name, const Placement *placement) {
 }
 
 TEST(turning_and_shifting_a_house_changes_times_by_less_than_a_per_cent) {
-    static const char *const houses[] = {"corner-1.00-1.00", "corner-1.20-1.20", "corner-1.80-1.80",
-                                         "straight-corridor"};
+    static const char *const houses[] = {"corner-1.00-1.00",  "corner-1.20-1.20", "corner-1.80-1.80",
+                                         "straight-corridor", "closed-door",      "ube-techno-house"};
     static const Placement placements[] = {{90, {0, 0}, false}, {31, {100.3, -57.7}, false}, {-117, {3.3, 4.4}, false}};
     for (size_t h = 0; h < sizeof houses / sizeof *houses; h++) {
         for (int driving = 0; driving < 2; driving++) {
