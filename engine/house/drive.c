@@ -15,6 +15,8 @@ static const double TURNED = 0.02;
 static const double SLOWEST = 0.05;
 /* 1: the share of the deceleration that is planned with. */
 static const double PLANNED = 0.8;
+/* m: how far before the place where a door has to be open somebody who stands gets hold of it. */
+static const double ARMS_REACH = 0.25;
 /* m: kept to the line of an exit that is not open. */
 static const double STAND_OFF = 0.10;
 /* rad: most that somebody heads back towards the way. */
@@ -164,7 +166,7 @@ static double wanted_speed(const World *world, size_t i, Drive *drive, const Pla
 int drive_door_at_hand(const World *world, size_t i) {
     int door = -1;
     bool at_rest = vec2_length(world->velocity[i]) < 2 * SLOWEST;
-    return way_to_door(world, i, &door) < 2 * ARRIVED && at_rest ? door : -1;
+    return way_to_door(world, i, &door) < ARMS_REACH && at_rest ? door : -1;
 }
 
 /* Forces --------------------------------------------------------------------------------------------------------------

@@ -343,6 +343,11 @@ static Vec2 tangent(const Turning *from, const Turning *to) {
     return vec2_heading(angle);
 }
 
+/* A turning inside the other's circle, or circles that meet, have none. */
+static bool has_tangent(const Turning *from, const Turning *to) {
+    return fabs(to->side * to->in - from->side * from->out) < vec2_distance(from->centre, to->centre);
+}
+
 static Vec2 leg_begin(const Turning *turning, Vec2 leg) {
     return vec2_along(turning->centre, -turning->side * turning->out, vec2_left(leg));
 }
@@ -405,7 +410,8 @@ static void lay_out(const House *house, const Inhabitant *person, Turning *turni
             bool overlap =
                 vec2_dot(vec2_sub(leg_end(&turnings[i + 1], turnings[i].leg), leg_begin(&turnings[i], turnings[i].leg)),
                          turnings[i].leg) < 0;
-            if (overlap || leg_freedom(house, &turnings[i], &turnings[i + 1]) < radius) {
+            if (overlap || !has_tangent(&turnings[i], &turnings[i + 1]) ||
+                leg_freedom(house, &turnings[i], &turnings[i + 1]) < radius) {
                 share[i] *= 0.75;
                 share[i + 1] *= 0.75;
                 free = false;
