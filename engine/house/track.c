@@ -246,8 +246,8 @@ static const double BEYOND_EXIT = 0.1;
 static const double SMALLEST_CORNER = 0.15;
 /* m: bends of the shortest path nearer to one another than this belong to one corner. */
 static const double SAME_CORNER = 0.25;
-/* m: and those about centres nearer to one another than this. */
-static const double SAME_CENTRE = 0.05;
+/* m: and those about centres nearer to one another than this: the two edges of a wall's end. */
+static const double SAME_CENTRE = 0.2;
 /* m: what a corner's arc is narrowed to, beyond the body, when the middle of the passage is not free. */
 static const double LEAST_SPARE = 0.02;
 
