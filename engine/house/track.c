@@ -260,21 +260,25 @@ typedef struct Turning {
     Vec2 leg; /* unit direction of the leg that follows */
 } Turning;
 
-/* The obstacle's convex corner about which the shortest path turns at `at`. */
+/* The obstacle's convex corner about which the shortest path turns at `at`: of those at hand the one that points most
+ * against `inwards`, the direction to the inside half-way through the turn; so of the two edges of a wall's end the one
+ * about which most of the turn is made. */
 static Vec2 turning_centre(const House *house, Vec2 at, Vec2 inwards, double radius) {
     enum { MOST = 256 };
     int items[MOST];
     size_t found = broadphase_query(house->outline.broadphase, box_around(at, 2 * radius), items, MOST);
     Vec2 best = vec2_along(at, radius, inwards);
-    double nearest = radius + SAME_CORNER;
+    double most = 0;
     for (size_t i = 0; i < found && i < MOST; i++) {
         size_t item = (size_t)items[i];
         if (item < house->outline.face_count)
             continue;
         const Corner *corner = &house->outline.corners[item - house->outline.face_count];
-        Vec2 to = vec2_sub(corner->at, at);
-        if (outline_planned(corner->presence) && vec2_dot(to, inwards) > 0 && vec2_length(to) < nearest) {
-            nearest = vec2_length(to);
+        Vec2 to = vec2_sub(corner->at, at), outwards = vec2_unit(vec2_sub(corner->in, corner->out));
+        double against = -vec2_dot(outwards, inwards);
+        bool at_hand = vec2_dot(to, inwards) > 0 && vec2_length(to) < radius + SAME_CORNER;
+        if (outline_planned(corner->presence) && at_hand && against > most) {
+            most = against;
             best = corner->at;
         }
     }
@@ -297,9 +301,20 @@ static Vec2 way_out(const House *house, const Inhabitant *person, const Route *r
     return free ? beyond : end->at;
 }
 
+/* The turning that the shortest path makes from pose `first` to pose `last`, by `total` rad. */
+static Turning turning_of(const House *house, const Inhabitant *person, const Route *route, size_t first, size_t last,
+                          double total) {
+    double side = total > 0 ? 1 : -1;
+    Vec2 inwards = vec2_scale(vec2_left(vec2_heading(route->poses[first].heading + total / 2)), side);
+    Vec2 middle = route->poses[(first + last) / 2].at;
+    return (Turning){.centre = turning_centre(house, middle, inwards, person->profile->width / 2), .side = side};
+}
+
 /* Corners of the shortest path: runs of bends to the same side. */
 static size_t find_turnings(const House *house, const Inhabitant *person, const Route *route, Turning *turnings) {
     size_t count = 0;
+    size_t begun = 0;  /* the pose at which the last turning begins */
+    double turned = 0; /* rad, in it */
     turnings[count++] = (Turning){.centre = route->poses[0].at};
     for (size_t i = 1; i + 1 < route->count;) {
         double turn = vec2_wrap_angle(route->poses[i + 1].heading - route->poses[i].heading);
@@ -321,13 +336,16 @@ static size_t find_turnings(const House *house, const Inhabitant *person, const 
             }
         }
         if (fabs(total) >= SMALLEST_CORNER) {
-            const Pose *middle = &route->poses[(i + end) / 2];
-            double side = total > 0 ? 1 : -1;
-            Vec2 inwards = vec2_scale(vec2_left(vec2_heading(middle->heading)), side);
-            Vec2 centre = turning_centre(house, middle->at, inwards, person->profile->width / 2);
-            const Turning *last = &turnings[count - 1];
-            if (last->side != side || vec2_distance(last->centre, centre) > SAME_CENTRE)
-                turnings[count++] = (Turning){.centre = centre, .side = side};
+            Turning turning = turning_of(house, person, route, i, end, total);
+            Turning *last = &turnings[count - 1];
+            if (last->side == turning.side && vec2_distance(last->centre, turning.centre) <= SAME_CENTRE) {
+                *last = turning_of(house, person, route, begun, end, turned + total);
+                turned += total;
+            } else {
+                turnings[count++] = turning;
+                begun = i;
+                turned = total;
+            }
         }
         i = end;
     }
