@@ -246,20 +246,7 @@ const char *json_read_text(const JsonNode *object, const char *key, Arena *arena
     return "";
 }
 
-/* Text that grows. */
-typedef struct Line {
-    char *text;
-    size_t used, capacity;
-} Line;
-
-static void line_add(Line *line, const char *text) {
-    size_t length = strlen(text);
-    line->text = memory_reserve(line->text, &line->capacity, line->used + length + 1, 1);
-    memcpy(line->text + line->used, text, length + 1);
-    line->used += length;
-}
-
-static void line_add_scalar(Line *line, const json_t *value) {
+static void line_add_scalar(Text *line, const json_t *value) {
     const size_t most = 17; /* decimal digits that always give the same bits again */
     for (size_t digits = 15; digits <= most; digits++) {
         char *text = json_dumps(value, JSON_ENCODE_ANY | JSON_REAL_PRECISION(digits));
@@ -267,41 +254,41 @@ static void line_add_scalar(Line *line, const json_t *value) {
         bool good = text && (digits == most || json_equal(again, value));
         json_decref(again);
         if (good)
-            line_add(line, text);
+            text_add(line, text);
         memory_free(text);
         if (good)
             return;
     }
 }
 
-static void line_add_value(Line *line, const json_t *value) {
+static void line_add_value(Text *line, const json_t *value) {
     bool array = json_is_array(value);
     if (!array && !json_is_object(value)) {
         line_add_scalar(line, value);
         return;
     }
-    line_add(line, array ? "[" : "{");
+    text_add(line, array ? "[" : "{");
     for (size_t i = 0; array && i < json_array_size(value); i++) {
-        line_add(line, i ? ", " : "");
+        text_add(line, i ? ", " : "");
         line_add_value(line, json_array_get(value, i));
     }
     const char *between = "", *key;
     json_t *member;
     json_object_foreach((json_t *)(uintptr_t)value, key, member) {
         json_t *name = json_string(key);
-        line_add(line, between);
+        text_add(line, between);
         line_add_scalar(line, name);
-        line_add(line, ": ");
+        text_add(line, ": ");
         line_add_value(line, member);
         json_decref(name);
         between = ", ";
     }
-    line_add(line, array ? "]" : "}");
+    text_add(line, array ? "]" : "}");
 }
 
 char *json_line(const json_t *value) {
-    Line line = {0};
-    line_add(&line, "");
+    Text line = {0};
+    text_add(&line, "");
     line_add_value(&line, value);
     return line.text;
 }

@@ -75,10 +75,22 @@ char *text_read_file(const char *path, size_t largest, size_t *size) {
     return text;
 }
 
-int text_write_file(const char *path, const char *text, size_t size) {
+void text_add(Text *text, const char *more) {
+    size_t length = strlen(more);
+    text->text = memory_reserve(text->text, &text->capacity, text->used + length + 1, 1);
+    memcpy(text->text + text->used, more, length + 1);
+    text->used += length;
+}
+
+char *text_beside(const char *path) {
     size_t room = strlen(path) + 32;
     char *beside = memory_allocate(room, 1);
     snprintf(beside, room, "%s.%ld.part", path, (long)getpid());
+    return beside;
+}
+
+int text_write_file(const char *path, const char *text, size_t size) {
+    char *beside = text_beside(path);
     int error = 0;
     FILE *file = fopen(beside, "wb");
     if (!file) {

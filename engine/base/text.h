@@ -10,5 +10,16 @@ const char *text_nearest(const char *word, const char *const *words, size_t coun
 /* The whole file, ended by 0, or NULL with errno set; memory_free it. `*size` counts its bytes without the 0. */
 char *text_read_file(const char *path, size_t largest, size_t *size);
 
+/* Text that grows. Zero is empty; memory_free(text->text) releases it. */
+typedef struct Text {
+    char *text; /* ended by 0; NULL when empty */
+    size_t used, capacity;
+} Text;
+
+void text_add(Text *text, const char *more);
+
+/* The name of a file beside `path`, of this process, to be renamed to it when it is whole; memory_free it. */
+char *text_beside(const char *path);
+
 /* Writes beside `path` and renames, so that a failed write leaves the old file. 0, or errno. */
 int text_write_file(const char *path, const char *text, size_t size);

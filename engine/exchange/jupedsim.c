@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 
 static const char tables[] =
     "CREATE TABLE trajectory_data (frame INTEGER NOT NULL, id INTEGER NOT NULL, pos_x REAL NOT NULL, pos_y REAL NOT "
@@ -179,9 +180,7 @@ static bool write_geometry(sqlite3 *database, const House *house, int64_t last_f
 }
 
 int jupedsim_write(const House *house, const Observation *observation, const char *path) {
-    size_t room = strlen(path) + 32;
-    char *beside = memory_allocate(room, 1);
-    snprintf(beside, room, "%s.%ld.part", path, (long)getpid());
+    char *beside = text_beside(path);
     unlink(beside);
     sqlite3 *database = NULL;
     int64_t last_frame = 0;

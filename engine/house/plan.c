@@ -174,49 +174,37 @@ void plan_free(Plan *plan) {
 
 /* Writing: one element a line --------------------------------------------------------------------------------- */
 
-typedef struct Lines {
-    char *text;
-    size_t used, capacity;
-} Lines;
-
-static void lines_add(Lines *lines, const char *text) {
-    size_t length = strlen(text);
-    lines->text = memory_reserve(lines->text, &lines->capacity, lines->used + length + 1, 1);
-    memcpy(lines->text + lines->used, text, length + 1);
-    lines->used += length;
-}
-
-static void lines_add_json(Lines *lines, json_t *value) {
+static void lines_add_json(Text *lines, json_t *value) {
     char *line = json_line(value);
-    lines_add(lines, line);
+    text_add(lines, line);
     memory_free(line);
     json_decref(value);
 }
 
-static void lines_add_list(Lines *lines, const Plan *plan, const PlanList *list) {
+static void lines_add_list(Text *lines, const Plan *plan, const PlanList *list) {
     size_t count = plan_tables_count(plan, list);
-    lines_add(lines, ",\n  \"");
-    lines_add(lines, list->key);
-    lines_add(lines, "\": [");
+    text_add(lines, ",\n  \"");
+    text_add(lines, list->key);
+    text_add(lines, "\": [");
     for (size_t i = 0; i < count; i++) {
-        lines_add(lines, i ? ",\n    " : "\n    ");
+        text_add(lines, i ? ",\n    " : "\n    ");
         lines_add_json(lines, parameters_write(&list->table, plan_tables_element(plan, list, i)));
     }
-    lines_add(lines, count ? "\n  ]" : "]");
+    text_add(lines, count ? "\n  ]" : "]");
 }
 
 int plan_write(const Plan *plan, const char *path) {
-    Lines lines = {0};
-    lines_add(&lines, "{\n  \"format\": \"clearance-house\", \"version\": 1,\n  \"name\": ");
+    Text lines = {0};
+    text_add(&lines, "{\n  \"format\": \"clearance-house\", \"version\": 1,\n  \"name\": ");
     lines_add_json(&lines, json_string(plan->name));
-    lines_add(&lines, ",\n  \"note\": ");
+    text_add(&lines, ",\n  \"note\": ");
     lines_add_json(&lines, json_string(plan->note));
     for (size_t l = 0; l < PLAN_LISTS; l++)
         if (l == 0 || plan_tables_count(plan, &plan_tables_lists[l]))
             lines_add_list(&lines, plan, &plan_tables_lists[l]);
     json_t *run = parameters_write(&plan_tables_run, &plan->run);
     if (json_object_size(run)) {
-        lines_add(&lines, ",\n  \"run\": ");
+        text_add(&lines, ",\n  \"run\": ");
         lines_add_json(&lines, json_incref(run));
     }
     json_decref(run);
@@ -225,10 +213,10 @@ int plan_write(const Plan *plan, const char *path) {
         for (size_t i = 0; i < plan->override_count; i++)
             json_object_set_new(overrides, plan->overrides[i].name,
                                 json_loads(plan->overrides[i].value, JSON_DECODE_ANY, NULL));
-        lines_add(&lines, ",\n  \"overrides\": ");
+        text_add(&lines, ",\n  \"overrides\": ");
         lines_add_json(&lines, overrides);
     }
-    lines_add(&lines, "\n}\n");
+    text_add(&lines, "\n}\n");
     int error = text_write_file(path, lines.text, lines.used);
     memory_free(lines.text);
     return error;
