@@ -13,8 +13,8 @@ static const double ARRIVED = 0.01;
 static const double TURNED = 0.02;
 /* m/s: slowest speed aimed at while there is way left, so that nobody creeps for ever. */
 static const double SLOWEST = 0.05;
-/* 1: the share of the deceleration that is planned with. */
-static const double PLANNED = 0.8;
+/* 1: the share of the turning moment that the end of a turn on the spot is planned with. */
+static const double SPOT_BRAKE = 0.4;
 /* m: how far before the place where a door has to be open somebody who stands gets hold of it. */
 static const double ARMS_REACH = 0.25;
 /* m: kept to the line of an exit that is not open. */
@@ -146,7 +146,8 @@ static double way_to_door(const World *world, size_t i, int *door) {
 static double speed_to_barriers(const World *world, size_t i, Drive *drive) {
     const Journey *journey = &world->journeys[i];
     const Exit *exit = &world->house->plan.exits[journey->route.exit];
-    double time = clock_time(&world->clock), braking = 2 * PLANNED * world->house->people[i].profile->deceleration;
+    double time = clock_time(&world->clock),
+           braking = 2 * TRACK_PLANNED * world->house->people[i].profile->deceleration;
     int door = -1;
     double way = way_to_door(world, i, &door);
     if (time < exit->opens || time > exit->closes)
@@ -238,7 +239,7 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
         drive->stalled = 0;
     }
     double inertia = profile->mass * profile->radius_of_gyration * profile->radius_of_gyration;
-    double brake = PLANNED / 2 * profile->turning_moment / inertia; /* rad/s2 */
+    double brake = SPOT_BRAKE * profile->turning_moment / inertia; /* rad/s2 */
     int door = -1;
     bool barred = way_to_door(world, i, &door) < 2 * ARRIVED; /* until it is open */
     double rate = barred ? 0 : real_min(profile->turn_rate, sqrt(2 * brake * fabs(left)));

@@ -6,8 +6,6 @@
 
 /* m/s, assumed: how slowly somebody edges through a gap hardly wider than the body. */
 static const double CREEP = 0.1;
-/* 1, assumed: the share of the deceleration that a driver plans with, the rest is in hand. */
-static const double PLANNED_DECELERATION = 0.8;
 /* 1, assumed: the share of the turning moment that a driver plans with. */
 static const double PLANNED_MOMENT = 0.5;
 /* m, assumed: a door's leaf or a corner slows a driver already this far before and after it. */
@@ -231,7 +229,7 @@ void track_build_driver(Track *track, const House *house, const Inhabitant *pers
     bend(track);
     for (size_t i = 0; i < track->count; i++)
         track->points[i].speed = driver_speed(person, &track->points[i], route->poses[i].clearance);
-    decelerate(track, PLANNED_DECELERATION * profile->deceleration);
+    decelerate(track, TRACK_PLANNED * profile->deceleration);
     mark_doors(track, &house->plan, person->profile);
     mark_exit(track, &house->plan.exits[route->exit]);
 }

@@ -19,6 +19,10 @@
 #include "house/house.h"
 #include "house/route.h"
 
+/* 1, assumed: the share of the deceleration that a driver plans with, before corners, doors, exits and people; the rest
+ * is in hand. */
+#define TRACK_PLANNED 0.8
+
 typedef struct TrackPoint {
     Vec2 at;           /* m, where the reference point is to be */
     double heading;    /* rad, of the body (driver) or of the way (miura) */

@@ -16,8 +16,6 @@ static const double SWERVE = 0.22;
 static const double STRAIGHT = 0.7;
 /* m/s: how slowly one edges past, and below what somebody stands. */
 static const double SLOW_PASSING = 0.15, STANDING = 0.05;
-/* 1: the share of the deceleration that is planned with. */
-static const double PLANNED = 0.8;
 /* s: two who wait for one another look at it so long; then the first by id goes on. */
 static const double DEADLOCK = 2;
 
@@ -98,7 +96,7 @@ static double speed_past(const World *world, size_t i, size_t j, const Sight *si
     double law = profile->steering_time > 0 ? 2 * sight->gap / profile->steering_time : HUGE_VAL;
     if (sight->gap > PASSING_LEAST || sight->ahead < -STAND_OFF)
         return real_min(speed, real_max(law, SLOW_PASSING));
-    double braking = sqrt(2 * PLANNED * profile->deceleration * real_max(0, sight->ahead - STAND_OFF));
+    double braking = sqrt(2 * TRACK_PLANNED * profile->deceleration * real_max(0, sight->ahead - STAND_OFF));
     bool both_wait = vec2_length(world->velocity[j]) < STANDING && world->drive[i].stalled > DEADLOCK &&
                      world->phase[j] == PHASE_MOVING && i < j && sight->ahead > PASSING_LEAST;
     if (both_wait)
