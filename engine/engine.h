@@ -18,6 +18,7 @@
 #include "house/outline.h"
 #include "house/freespace.h"
 #include "house/house.h"
+#include "house/populate.h"
 #include "house/passage.h"
 #include "house/route.h"
 #include "house/track.h"

@@ -278,10 +278,10 @@ size_t plan_find_route(const Plan *plan, const char *id) {
     return plan_tables_find(plan, &plan_tables_lists[LIST_ROUTES], id);
 }
 
-const PlanRoute *plan_route_of(const Plan *plan, const char *person) {
+const PlanRoute *plan_route_of(const Plan *plan, const char *id) {
     for (size_t r = 0; r < plan->route_count; r++)
         for (size_t i = 0; i < plan->routes[r].people.count; i++)
-            if (strcmp(plan->routes[r].people.at[i], person) == 0)
+            if (strcmp(plan->routes[r].people.at[i], id) == 0)
                 return &plan->routes[r];
     return NULL;
 }

@@ -224,8 +224,10 @@ static void check_route(const PlanCheck *check, size_t r) {
     for (size_t i = 0; i < route->people.count; i++) {
         const char *id = route->people.at[i];
         const PlanRoute *earlier = earlier_route(plan, r, i, id);
-        if (plan_find_person(plan, id) == SIZE_MAX)
-            add_fault(check, LIST_ROUTES, r, "people", "route %.40s: there is no person \"%.40s\"", route->id, id);
+        if (plan_find_person(plan, id) == SIZE_MAX &&
+            plan_tables_find(plan, &plan_tables_lists[LIST_CROWDS], id) == SIZE_MAX)
+            add_fault(check, LIST_ROUTES, r, "people", "route %.40s: there is no person or crowd \"%.40s\"", route->id,
+                      id);
         else if (earlier)
             add_fault(check, LIST_ROUTES, r, "people",
                       "route %.40s: person %.40s already takes route %.40s, must take one only", route->id, id,
