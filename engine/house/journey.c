@@ -10,6 +10,7 @@ typedef struct Planning {
     const bool *part;
     const volatile sig_atomic_t *stop;
     Journey *journeys;
+    Fields *fields; /* shared by all */
 } Planning;
 
 static void plan_journey(void *context, size_t i) {
@@ -29,7 +30,8 @@ static void plan_journey(void *context, size_t i) {
                         .exit = person->route ? person->route->exit_index : SIZE_MAX,
                         .time = person->delay,
                         .most_reversals = house->plan.run.reversals,
-                        .stop = planning->stop};
+                        .stop = planning->stop,
+                        .fields = planning->fields};
     bool miura = person->profile->driving == DRIVING_MIURA;
     journey->route = miura ? route_round(&query) : route_drive(&query);
     if (journey->route.answer != ROUTE_FOUND)
@@ -42,8 +44,9 @@ static void plan_journey(void *context, size_t i) {
 
 Journey *journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
     Journey *journeys = memory_allocate(house->person_count, sizeof *journeys);
-    Planning planning = {house, part, stop, journeys};
+    Planning planning = {house, part, stop, journeys, fields_create()};
     parallel_for(jobs, house->person_count, plan_journey, &planning);
+    fields_destroy(planning.fields);
     return journeys;
 }
 
