@@ -16,7 +16,8 @@ static const double SWERVE = 0.22;
 static const double STRAIGHT = 0.7;
 /* m/s: how slowly one edges past, and below what somebody stands. */
 static const double SLOW_PASSING = 0.15, STANDING = 0.05;
-/* s: two who wait for one another look at it so long; then the first by id goes on. */
+/* s: two who wait for one another look at it so long; then the first by id goes on, and a chair before somebody on foot,
+ * who can step aside. */
 static const double DEADLOCK = 2;
 
 bool yield_sees(const World *world, size_t i, size_t j) {
@@ -99,8 +100,9 @@ static double speed_past(const World *world, size_t i, size_t j, const Sight *si
     if (sight->gap > PASSING_LEAST || sight->ahead < -STAND_OFF)
         return real_min(speed, real_max(law, SLOW_PASSING));
     double braking = sqrt(2 * TRACK_PLANNED * profile->deceleration * real_max(0, sight->ahead - STAND_OFF));
+    bool chairs = world_rides(world, j);
     bool both_wait = vec2_length(world->velocity[j]) < STANDING && world->drive[i].stalled > DEADLOCK &&
-                     world->phase[j] == PHASE_MOVING && i < j && sight->ahead > PASSING_LEAST;
+                     world->phase[j] == PHASE_MOVING && (!chairs || (i < j && sight->ahead > PASSING_LEAST));
     if (both_wait)
         braking = SLOW_PASSING;
     return real_min(speed, braking + real_max(sight->coming, 0));
