@@ -84,9 +84,9 @@ bool walk_sees(const FreeSpace *space, Vec2 from, Vec2 to) {
     return true;
 }
 
-/* A disc at `from` me that moves so. */
-static void see_disc(View *view, Vec2 from, Vec2 velocity, double radius) {
-    double together = view->radius + radius + BERTH, far = view->sight + together;
+/* A disc at `from` me that moves so, and the berth that it is given. */
+static void see_disc(View *view, Vec2 from, Vec2 velocity, double radius, double berth) {
+    double together = view->radius + radius + berth, far = view->sight + together;
     if (vec2_dot(from, view->way) >= -together && vec2_dot(from, from) <= far * far && view->count < SEEN_MOST)
         view->seen[view->count++] = (Seen){vec2_along(from, FORESIGHT, velocity), from, together, -1, -1};
 }
@@ -103,7 +103,7 @@ static bool goes_first(const View *view, Seen *seen) {
     return seen->first;
 }
 
-/* A chair is as good as a row of discs. */
+/* A chair is as good as a row of discs; its personal space is respected. */
 static void see_chair(View *view, size_t j, Vec2 from) {
     const Body *body = &view->world->body[j];
     Vec2 axis = view->world->axis[j], velocity = view->world->velocity[j];
@@ -111,7 +111,7 @@ static void see_chair(View *view, size_t j, Vec2 from) {
     Vec2 middle = vec2_add(from, vec2_turn(body->middle, axis));
     for (int end = -1; end <= 1; end++)
         if (end == 0 || ends > 0)
-            see_disc(view, vec2_along(middle, end * ends, axis), velocity, radius);
+            see_disc(view, vec2_along(middle, end * ends, axis), velocity, radius, body->reach);
 }
 
 static void look_around(View *view, uint32_t slot) {
@@ -127,7 +127,7 @@ static void look_around(View *view, uint32_t slot) {
             if (s == slot || vec2_dot(from, from) > far * far || view->world->phase[j] == PHASE_OUT)
                 continue;
             if (kind->walks)
-                see_disc(view, from, walkers->velocity[s], kind->radius);
+                see_disc(view, from, walkers->velocity[s], kind->radius, BERTH);
             else
                 see_chair(view, j, from);
         }
