@@ -32,4 +32,7 @@
 #include "house/observer.h"
 #include "house/hazard.h"
 #include "house/run.h"
+#include "house/measure.h"
+#include "house/verification.h"
+#include "house/trial.h"
 #include "exchange/jupedsim.h"
