@@ -72,6 +72,16 @@ static void check_profile(const House *house, const char *path, size_t i, Fault 
     profile_check(profile, house->plan.run.dt, place, fault);
 }
 
+/* For the widest of those who walk. */
+static void build_vicinity(House *house) {
+    double reach = 0;
+    for (size_t i = 0; i < house->profile_count; i++)
+        if (house->profiles[i].driving == DRIVING_WALKER)
+            reach = fmax(reach, house->profiles[i].width / 2 + house->profiles[i].space_reach);
+    if (reach > 0)
+        vicinity_init(&house->vicinity, &house->outline, &house->plan, reach);
+}
+
 static bool read_parts(House *house, const char *path, const HouseOptions *options, Fault *fault) {
     size_t before = fault->total;
     if (!plan_read(&house->plan, path, options->settings, options->setting_count, fault))
@@ -88,6 +98,7 @@ static bool read_parts(House *house, const char *path, const HouseOptions *optio
     if (house->space.cell > COARSEST_CELL)
         fault_add(fault, "%s:1:1: the house is too large for the route search, %.0f m by %.0f m: it must be smaller",
                   path, house->space.cell * house->space.nx, house->space.cell * house->space.ny);
+    build_vicinity(house);
     if (fault->total == before)
         populate(house, path, fault);
     return fault->total == before;
@@ -107,6 +118,7 @@ bool house_read(House *house, const char *path, const HouseOptions *options, Fau
 
 void house_free(House *house) {
     freespace_free(&house->space);
+    vicinity_clear(&house->vicinity);
     outline_free(&house->outline);
     memory_free(house->people);
     for (size_t i = 0; i < house->profile_count; i++)
