@@ -13,9 +13,9 @@
  *                   '-'             each taken where it will be a moment later
  *
  * and when it is too short to walk freely, other headings to both sides are looked at (Moussaid, Helbing and Theraulaz
- * 2011): the one along which most way is made good is taken. Only those count who are nearer to the goal than oneself:
- * who is ahead goes first. Of two who meet in front of a door one therefore always goes, and no arch holds for good.
- * Shoving is left to the contact law. */
+ * 2011): the one along which most way is made good is taken. Straight on only those count who are nearer to the goal than
+ * oneself: who is ahead goes first. Of two who meet in front of a door one therefore always goes, and no arch holds for
+ * good. Shoving is left to the contact law. */
 #include "house/walk.h"
 
 #include "house/observation.h"
@@ -27,10 +27,12 @@
 static const double SIGHT = 2.0;
 /* s: others are reckoned with where they will be then. */
 static const double FORESIGHT = 0.3;
+/* m: left between oneself and whoever is ahead or passed. */
+static const double BERTH = 0.10;
 /* m: free floor wanted ahead of a heading to one side. */
 static const double STEP = 0.4;
 /* 1 and m/s: a heading to one side has to make good so much more way than the ones before. */
-static const double BETTER = 1.05, BETTER_BY = 0.02;
+static const double BETTER = 1.05, BETTER_BY = 0.10;
 /* s: less time gained does not count as getting on. */
 static const double PROGRESS = 0.05;
 /* m: from its line, to where somebody has hold of a shut door. */
@@ -55,7 +57,8 @@ enum { SEEN_MOST = 64 };
 /* A disc ahead. */
 typedef struct Seen {
     Vec2 at;         /* m, from oneself, a moment later */
-    double together; /* m, sum of the radii */
+    double together; /* m, sum of the radii and the berth */
+    bool first;      /* nearer to the goal */
 } Seen;
 
 typedef struct View {
@@ -81,16 +84,17 @@ bool walk_sees(const FreeSpace *space, Vec2 from, Vec2 to) {
     return true;
 }
 
-/* A disc at `from` me that moves so; it counts when it is nearer to the goal. */
+/* A disc at `from` me that moves so. */
 static void see_disc(View *view, Vec2 from, Vec2 velocity, double radius) {
-    double together = view->radius + radius;
-    if (vec2_dot(from, view->way) <= 0 || view->count == SEEN_MOST ||
+    double together = view->radius + radius + BERTH;
+    if (vec2_dot(from, view->way) < -together || view->count == SEEN_MOST ||
         vec2_dot(from, from) > (SIGHT + together) * (SIGHT + together))
         return;
     Vec2 there = vec2_add(view->at, from);
-    if (march_time(view->march, there) >= view->time || !walk_sees(&view->world->house->space, view->at, there))
+    if (!walk_sees(&view->world->house->space, view->at, there))
         return;
-    view->seen[view->count++] = (Seen){vec2_along(from, FORESIGHT, velocity), together};
+    bool first = march_time(view->march, there) < view->time;
+    view->seen[view->count++] = (Seen){vec2_along(from, FORESIGHT, velocity), together, first};
 }
 
 /* A chair is as good as a row of discs. */
@@ -123,11 +127,13 @@ static void look_around(View *view, uint32_t slot) {
     }
 }
 
-/* The free way along a heading, m. */
-static double free_way(const View *view, Vec2 heading) {
+/* The free way along a heading, m: straight on only those count who go first, to one side everybody. */
+static double free_way(const View *view, Vec2 heading, bool straight) {
     double least = SIGHT;
     for (int k = 0; k < view->count; k++) {
         const Seen *seen = &view->seen[k];
+        if (straight && !seen->first)
+            continue;
         double ahead = vec2_dot(seen->at, heading), beside = vec2_cross(heading, seen->at);
         double square = seen->together * seen->together - beside * beside;
         if (ahead > 0 && square > 0)
@@ -136,14 +142,14 @@ static double free_way(const View *view, Vec2 heading) {
     return real_max(least, 0);
 }
 
-static double speed_along(const View *view, Vec2 heading) {
-    return real_min(view->speed, free_way(view, heading) / view->gap);
+static double speed_along(const View *view, Vec2 heading, bool straight) {
+    return real_min(view->speed, free_way(view, heading, straight) / view->gap);
 }
 
 /* The velocity that makes most way good. */
 static Vec2 choose(const View *view) {
     Vec2 best = view->way;
-    double speed = speed_along(view, best), good = speed;
+    double speed = speed_along(view, best, true), good = speed;
     if (speed >= view->speed)
         return vec2_scale(best, speed);
     const FreeSpace *space = &view->world->house->space;
@@ -152,7 +158,7 @@ static Vec2 choose(const View *view) {
         if (view->speed * headings[h].x <= good * BETTER + BETTER_BY)
             break; /* even free this one and those after it are no better */
         Vec2 heading = vec2_turn(headings[h], view->way);
-        double along = speed_along(view, heading), made = along * headings[h].x;
+        double along = speed_along(view, heading, false), made = along * headings[h].x;
         if (made > good * BETTER + BETTER_BY &&
             freespace_distance(space, vec2_along(view->at, STEP, heading)) >= least) {
             best = heading;
