@@ -28,7 +28,7 @@ static const double SIGHT = 2.0;
 /* s: others are reckoned with where they will be then. */
 static const double FORESIGHT = 0.3;
 /* m: left between oneself and whoever is ahead or passed. */
-static const double BERTH = 0.10;
+static const double BERTH = 0.08;
 /* m: free floor wanted ahead of a heading to one side. */
 static const double STEP = 0.4;
 /* 1 and m/s: a heading to one side has to make good so much more way than the ones before. */
