@@ -10,6 +10,13 @@
 /* Terminal ----------------------------------------------------------------------------------------------------------
  */
 
+/* A column of `width` characters, of which UTF-8 may need more bytes than one each. */
+static void print_column(const char *words, int width) {
+    for (const char *at = words; *at; at++)
+        width -= ((unsigned char)*at & 0xc0) != 0x80;
+    printf("%s%*s  ", words, width > 0 ? width : 0, "");
+}
+
 static void print_case(const Verification *verification) {
     printf("%s: %s\n", verification->suite, verification->title);
     if (!verification->applies)
@@ -20,7 +27,11 @@ static void print_case(const Verification *verification) {
         cases_words_question(check, question);
         cases_words_limits(check, limits);
         cases_words_value(check, value);
-        printf("  %-64.64s  %-28s  %-20s  %s\n", question, limits, value, cases_words_verdict(check->verdict));
+        printf("  ");
+        print_column(question, 64);
+        print_column(limits, 28);
+        print_column(value, 20);
+        printf("%s\n", cases_words_verdict(check->verdict));
     }
 }
 
