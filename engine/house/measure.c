@@ -111,6 +111,12 @@ static void take_out(MeasureAnswer *answer, const House *house, const Observatio
         answer->value += asked(house, observation, question, i) && observation->people[i].completed;
 }
 
+static void take_wall_crossings(MeasureAnswer *answer, const House *house, const Observation *observation,
+                                const MeasureQuestion *question) {
+    (void)house, (void)question;
+    answer->value = observation->wall_crossings;
+}
+
 static void take_exit_count(MeasureAnswer *answer, const House *house, const Observation *observation,
                             const MeasureQuestion *question) {
     size_t exit = find_exit(house, question->exit);
@@ -472,6 +478,7 @@ static const Measure measures[] = {
     {"last_passing", "s", MEASURE_GATE, "when the last of them passes", take_last_passing},
     {"density", "1/m2", MEASURE_AREA | MEASURE_WINDOW, "mean number of them in the area, per square metre",
      take_density},
+    {"wall_crossings", "1", 0, "times that the middle of a body went into a wall, at any step", take_wall_crossings},
     {"area_speed", "m/s", MEASURE_AREA | MEASURE_WINDOW, "way covered per time spent in the area", take_area_speed},
 };
 enum { MEASURES = sizeof measures / sizeof *measures };
