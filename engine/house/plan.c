@@ -130,6 +130,7 @@ static void read_house(Plan *plan, const JsonNode *root, const char *const *sett
                        Fault *fault) {
     PlanCheck check = {.plan = plan, .root = root, .fault = fault};
     json_check_keys(root, plan_keys, fault);
+    plan->path = arena_text(&plan->arena, root->file->path);
     plan->name = json_read_text(root, "name", &plan->arena, fault);
     plan->note = json_read_text(root, "note", &plan->arena, fault);
     if (!json_object_get(root->value, "walls"))

@@ -124,6 +124,7 @@ typedef struct Override {
 
 /* Zero is an empty plan. plan_free releases what a reader filled. */
 typedef struct Plan {
+    const char *path; /* of its file, as given */
     const char *name;
     const char *note;
     Wall *walls; /* (wall_count), and so on */
