@@ -176,13 +176,13 @@ TEST(the_paper_s_chair_slows_before_the_corner_holds_v_min_and_speeds_up) {
     House house;
     case_house(&house, "corner-1.50-1.50", DRIVING_MIURA, NULL);
     const Profile *profile = house.people[0].profile;
-    Journey *journeys = journey_plan_all(&house, NULL, 1, NULL);
-    const Track *track = &journeys[0].track;
+    Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+    const Track *track = &journeys.of[0].track;
     CHECK(track->corner_count == 1);
     const TrackCorner *corner = &track->corners[0];
     CHECK_NEAR(corner->before, 1.5, 0.01);
     CHECK_NEAR(corner->after, 1.5, 0.01);
-    World world = world_create(&house, journeys, NULL);
+    World world = world_create(&house, journeys.of, NULL);
     double length = (profile->free_speed * profile->free_speed - profile->minimum_speed * profile->minimum_speed) /
                     (2 * profile->deceleration);
     double slack = 0.1; /* m: the answer of the drive, 0.1 s at these speeds */
@@ -198,7 +198,7 @@ TEST(the_paper_s_chair_slows_before_the_corner_holds_v_min_and_speeds_up) {
     }
     CHECK(world.phase[0] == PHASE_OUT);
     world_destroy(&world);
-    journey_free_all(journeys, house.person_count);
+    journey_free_all(&journeys);
     house_free(&house);
 }
 

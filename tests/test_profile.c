@@ -48,7 +48,8 @@ TEST(every_value_of_every_shipped_profile_says_where_it_comes_from) {
         Fault fault = {0};
         CHECK(profile_read(&profile, draft_source(paths[i]), &fault));
         for (size_t r = 0; r < profile_table()->count; r++)
-            CHECK(profile.provenance[r] && *profile.provenance[r]);
+            CHECK((profile.provenance[r] && *profile.provenance[r]) ==
+                  profile_row_matters(r, (Driving)profile.driving));
         for (size_t r = profile_table()->count; r < PROFILE_NUMBERS; r++)
             CHECK(!profile.provenance[r]);
         fault_clear(&fault);
@@ -107,7 +108,10 @@ TEST(a_wrong_change_of_a_parameter_leaves_it_and_names_the_place) {
         {"normal_stiffness", "1",
          "a.json:3:4: profile parameter \"normal_stiffness\" must be space.normal_stiffness or "
          "contact.normal_stiffness"},
-        {"driving", "\"walker\"", "a.json:3:4: driving is \"walker\", must be driver or miura"},
+        {"driving", "\"flyer\"", "a.json:3:4: driving is \"flyer\", must be driver, miura or walker"},
+        {"driving", "\"walker\"",
+         "a.json:3:4: who walks cannot be made to drive, nor the other way round: take another profile"},
+        {"time_gap", "1", "a.json:3:4: drive.time_gap has no meaning for manual-chair, who drives"},
     };
     Profile profile = shipped("manual-chair");
     double width = profile.width;

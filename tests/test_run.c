@@ -92,8 +92,8 @@ TEST(nobody_is_minded_through_a_wall) {
             case_add_person(plan, "manual-chair", 9, -1.1, 0);
         case_made(&house, plan, -1, (const char *[]){parked ? "person.p2.delay=1000" : "run.until=600", NULL});
         bool part[2] = {true, true};
-        Journey *journeys = journey_plan_all(&house, part, 1, NULL);
-        World world = world_create(&house, journeys, part);
+        Journeys journeys = journey_plan_all(&house, part, 1, NULL);
+        World world = world_create(&house, journeys.of, part);
         narrowest[parked] = 1;
         while (world.phase[0] == PHASE_WAITING || world.phase[0] == PHASE_MOVING) {
             world_step(&world, NULL);
@@ -102,7 +102,7 @@ TEST(nobody_is_minded_through_a_wall) {
         CHECK(world.phase[0] == PHASE_OUT);
         times[parked] = world.ended[0];
         world_destroy(&world);
-        journey_free_all(journeys, house.person_count);
+        journey_free_all(&journeys);
         house_free(&house);
     }
     CHECK(times[0] == times[1]);
@@ -121,9 +121,8 @@ TEST(nobody_is_driven_through_a_wall) {
         case_add_person(plan, "manual-chair", 8, 0, 0);
         case_made(&house, plan, -1,
                   (const char *[]){"profile.manual-chair.push=0", "profile.manual-chair.side_friction=0", NULL});
-        Journey *journeys = memory_allocate(1, sizeof *journeys);
-        journeys[0].route.answer = ROUTE_NO_EXIT;
-        World world = world_create(&house, journeys, NULL);
+        Journey journey = {.route = {.answer = ROUTE_NO_EXIT}};
+        World world = world_create(&house, &journey, NULL);
         world.velocity[0] = vec2(5, 0);
         for (int step = 0; step < 5000; step++) {
             world.velocity[0].x += 2000 / house.people[0].profile->mass * world.clock.dt;
@@ -131,7 +130,6 @@ TEST(nobody_is_driven_through_a_wall) {
         }
         CHECK(world.centre[0].x < 10);
         world_destroy(&world);
-        memory_free(journeys);
         house_free(&house);
     }
 }
@@ -141,15 +139,15 @@ TEST(numbers_that_diverge_stop_the_run_and_name_the_person) {
     json_t *plan = case_corridor(2);
     case_add_person(plan, "manual-chair", 1, 0, 0);
     case_made(&house, plan, -1, NULL);
-    Journey *journeys = journey_plan_all(&house, NULL, 1, NULL);
-    World world = world_create(&house, journeys, NULL);
+    Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+    World world = world_create(&house, journeys.of, NULL);
     world_step(&world, NULL);
     world.velocity[0] = vec2(1e12, 0);
     size_t who = SIZE_MAX;
     CHECK(world_step(&world, &who) == WORLD_DIVERGED);
     CHECK(who == 0 && world.phase[0] == PHASE_STUCK && world.reason[0] == REASON_DIVERGED);
     world_destroy(&world);
-    journey_free_all(journeys, house.person_count);
+    journey_free_all(&journeys);
     house_free(&house);
 }
 

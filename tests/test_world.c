@@ -17,20 +17,21 @@
 /* A world whose people have no route to follow: they only feel forces. */
 typedef struct Still {
     House house;
-    Journey *journeys;
+    Journeys journeys;
     World world;
 } Still;
 
 static void still_make(Still *still, json_t *plan, int driving, const char *const *settings) {
     case_made(&still->house, plan, driving, settings);
-    still->journeys = memory_allocate(still->house.person_count, sizeof *still->journeys);
+    still->journeys = (Journeys){memory_allocate(still->house.person_count, sizeof *still->journeys.of),
+                                 still->house.person_count, NULL, 0, 0};
     for (size_t i = 0; i < still->house.person_count; i++)
-        still->journeys[i].route.answer = ROUTE_NO_EXIT;
+        still->journeys.of[i].route.answer = ROUTE_NO_EXIT;
 }
 
 static void still_free(Still *still) {
     world_destroy(&still->world);
-    journey_free_all(still->journeys, still->house.person_count);
+    journey_free_all(&still->journeys);
     house_free(&still->house);
 }
 
@@ -40,7 +41,7 @@ TEST(a_disc_in_a_corridor_swings_as_its_two_ring_springs_say) {
     case_add_person(plan, "miura-chair", 5, 0.03, 0);
     Still s;
     still_make(&s, plan, -1, (const char *[]){FREE("miura-chair"), NULL});
-    s.world = world_create(&s.house, s.journeys, NULL);
+    s.world = world_create(&s.house, s.journeys.of, NULL);
     const Profile *profile = s.house.people[0].profile;
     double k = 2 * profile->space.normal_stiffness, c = 2 * profile->space.normal_damping, m = profile->mass;
     double zeta = c / (2 * sqrt(k * m)), frequency = sqrt(k / m) * sqrt(1 - zeta * zeta) / (2 * M_PI);
@@ -68,7 +69,7 @@ TEST(the_ring_brings_a_chair_to_the_middle_of_a_corridor) {
     case_add_person(plan, "miura-chair", 5, 0.06, 0);
     Still s;
     still_make(&s, plan, -1, (const char *[]){FREE("miura-chair"), NULL});
-    s.world = world_create(&s.house, s.journeys, NULL);
+    s.world = world_create(&s.house, s.journeys.of, NULL);
     for (int step = 0; step < 30000; step++)
         world_step(&s.world, NULL);
     CHECK_NEAR(s.world.centre[0].y, 0, 1e-4);
@@ -83,7 +84,7 @@ TEST(momentum_between_chairs_is_conserved_to_rounding) {
         case_add_person(plan, "manual-chair", 6, -1.7, 80);
         Still s;
         still_make(&s, plan, driving, (const char *[]){FREE("manual-chair"), NULL});
-        s.world = world_create(&s.house, s.journeys, NULL);
+        s.world = world_create(&s.house, s.journeys.of, NULL);
         World *world = &s.world;
         world->velocity[0] = vec2(1.5, 0.1);
         world->velocity[1] = vec2(-1.2, -0.1);
@@ -118,7 +119,7 @@ TEST(a_chair_that_rolls_has_no_side_slip) {
     Still s;
     still_make(&s, plan, -1,
                (const char *[]){"profile.manual-chair.push=0", "profile.manual-chair.turning_moment=0", NULL});
-    s.world = world_create(&s.house, s.journeys, NULL);
+    s.world = world_create(&s.house, s.journeys.of, NULL);
     s.world.velocity[0] = vec2(0.5, 0);
     s.world.turn[0] = 0.5;
     for (int step = 0; step < 2000; step++) {
@@ -142,7 +143,7 @@ TEST(a_chair_pushed_against_a_wall_rests_where_its_spring_says) {
     still_make(&s, plan, -1,
                (const char *[]){FREE("manual-chair"), "profile.manual-chair.space.reach=0",
                                 "profile.manual-chair.space.normal_stiffness=0", NULL});
-    s.world = world_create(&s.house, s.journeys, NULL);
+    s.world = world_create(&s.house, s.journeys.of, NULL);
     const double push = 100;
     const Profile *profile = s.house.people[0].profile;
     for (int step = 0; step < 30000; step++) {
@@ -164,8 +165,8 @@ TEST(a_free_run_accelerates_by_a_0_and_keeps_the_free_speed) {
         House house;
         case_made(&house, plan, driving, NULL);
         const Profile *profile = house.people[0].profile;
-        Journey *journeys = journey_plan_all(&house, NULL, 1, NULL);
-        World world = world_create(&house, journeys, NULL);
+        Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+        World world = world_create(&house, journeys.of, NULL);
         while (clock_time(&world.clock) < 1)
             world_step(&world, NULL);
         CHECK_NEAR(vec2_length(world.velocity[0]), profile->acceleration * clock_time(&world.clock), 2e-3);
@@ -173,7 +174,7 @@ TEST(a_free_run_accelerates_by_a_0_and_keeps_the_free_speed) {
             world_step(&world, NULL);
         CHECK_NEAR(vec2_length(world.velocity[0]), profile->free_speed, 1e-3);
         world_destroy(&world);
-        journey_free_all(journeys, house.person_count);
+        journey_free_all(&journeys);
         house_free(&house);
     }
 }
@@ -181,8 +182,8 @@ TEST(a_free_run_accelerates_by_a_0_and_keeps_the_free_speed) {
 TEST(a_copy_of_a_world_goes_on_to_the_same_bits) {
     House house;
     case_house(&house, "two-chairs-corridor", -1, NULL);
-    Journey *journeys = journey_plan_all(&house, NULL, 1, NULL);
-    World world = world_create(&house, journeys, NULL);
+    Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+    World world = world_create(&house, journeys.of, NULL);
     for (int step = 0; step < 3000; step++)
         world_step(&world, NULL);
     World copy = world_copy(&world);
@@ -194,7 +195,7 @@ TEST(a_copy_of_a_world_goes_on_to_the_same_bits) {
     CHECK(memcmp(copy.centre, world.centre, 2 * sizeof *world.centre) == 0);
     world_destroy(&copy);
     world_destroy(&world);
-    journey_free_all(journeys, house.person_count);
+    journey_free_all(&journeys);
     house_free(&house);
 }
 

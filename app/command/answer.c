@@ -39,7 +39,7 @@ static json_t *answer_person(const House *house, size_t i, const PersonObservati
         if (person->reason == REASON_CANNOT_PASS || person->reason == REASON_BLOCKED)
             set(answer, "blocked_at", answer_blockage(&person->blockage));
     }
-    set(answer, "driving", json_string(inhabitant->profile->driving == DRIVING_MIURA ? "miura" : "driver"));
+    set(answer, "driving", json_string(profile_driving_name(inhabitant->profile->driving)));
     set(answer, "trace_person", json_integer((json_int_t)i));
     set(answer, "reversals", json_integer(person->reversals));
     set(answer, "path_length", rounded(person->path_length));

@@ -62,11 +62,11 @@ int command_check(const Options *options) {
             answer_print(json_pack("{s:s, s:o, s:[]}", "kind", "check", "faults", fault_lines(&fault), "people"));
         return house_file_report(&fault);
     }
-    Journey *journeys = journey_plan_all(&house, NULL, options->jobs, &command_interrupted);
+    Journeys journeys = journey_plan_all(&house, NULL, options->jobs, &command_interrupted);
     json_t *people = json_array();
     bool all = true;
     for (size_t i = 0; i < house.person_count; i++) {
-        const Route *route = &journeys[i].route;
+        const Route *route = &journeys.of[i].route;
         all &= route->answer == ROUTE_FOUND;
         json_array_append_new(people, check_person(&house, i, route));
         if (!options->json)
@@ -78,7 +78,7 @@ int command_check(const Options *options) {
     else if (!house.person_count)
         printf("no faults; nobody lives here\n");
     json_decref(answer);
-    journey_free_all(journeys, house.person_count);
+    journey_free_all(&journeys);
     house_free(&house);
     return all ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }

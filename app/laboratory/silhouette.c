@@ -4,14 +4,14 @@
 #include <string.h>
 
 Vec2 silhouette_middle(const Profile *profile, Vec2 at, double heading) {
-    if (profile->driving == DRIVING_MIURA)
+    if (profile->driving != DRIVING_DRIVER)
         return at;
     return vec2_along(at, profile->length / 2 - profile->axle, vec2_heading(heading));
 }
 
 void silhouette_outline(const Profile *profile, Vec2 at, double heading, double grown,
                         Vec2 outline[SILHOUETTE_POINTS]) {
-    bool round = profile->driving == DRIVING_MIURA;
+    bool round = profile->driving != DRIVING_DRIVER;
     double length = round ? profile->width : profile->length;
     double radius = (round ? profile->width / 2 : profile->corner_radius) + grown;
     Vec2 axis = vec2_heading(heading), middle = silhouette_middle(profile, at, heading);

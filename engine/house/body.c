@@ -5,6 +5,8 @@ Body body_of(const Profile *profile) {
                  .radius = profile->width / 2,
                  .reach = profile->space_reach,
                  .sight = fmax(profile->space_reach, BODY_SIGHT)};
+    if (profile->driving == DRIVING_WALKER)
+        body.sight = body.reach;
     if (profile->driving == DRIVING_DRIVER) {
         double rear = -profile->axle - profile->mass_centre;
         body.core_count = 4;

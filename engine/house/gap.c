@@ -121,6 +121,44 @@ size_t gap_to_obstacles(Gap gaps[GAPS_MOST], const Body *body, Vec2 centre, Vec2
     return count;
 }
 
+size_t gap_of_disc(Gap gaps[GAPS_MOST], Vec2 centre, double radius, double sight, const NearFace *const *faces,
+                   size_t face_count, const NearCorner *const *corners, size_t corner_count, const int *held,
+                   size_t held_count) {
+    size_t count = 0;
+    for (size_t f = 0; f < face_count; f++) {
+        const NearFace *face = faces[f];
+        double distance = vec2_dot(face->normal, centre) - face->offset;
+        double along = vec2_dot(vec2_left(face->normal), centre);
+        bool deep = distance <= -face->depth;
+        int key = face->id * PARTS;
+        if (distance - radius < sight && along >= face->begin && along <= face->end &&
+            (!deep || is_held(held, held_count, key)))
+            count = add_gap(gaps, count,
+                            (Gap){.gap = distance - radius,
+                                  .normal = face->normal,
+                                  .arm = vec2_scale(face->normal, -distance),
+                                  .key = key,
+                                  .deep = deep});
+    }
+    for (size_t c = 0; c < corner_count; c++) {
+        Vec2 from = vec2_sub(centre, corners[c]->at);
+        double distance = vec2_length(from);
+        if (distance - radius >= sight || distance <= 0)
+            continue;
+        Vec2 outwards = vec2_scale(from, 1 / distance);
+        if (vec2_dot(outwards, corners[c]->in) >= 0 && vec2_dot(outwards, corners[c]->out) <= 0)
+            count = add_gap(gaps, count,
+                            (Gap){.gap = distance - radius,
+                                  .normal = outwards,
+                                  .arm = vec2_scale(from, -1),
+                                  .key = corners[c]->id * PARTS + PART_SIDE});
+    }
+    if (held_count)
+        count = drop_far_sides(gaps, count);
+    fill_shares(gaps, count, sight);
+    return count;
+}
+
 /* The gaps of a's core corners to b's core; normals point to a. */
 static size_t gaps_of_corners(Gap *gaps, size_t count, const Stance *a, const Stance *b, double reach, bool swapped) {
     double radii = a->body->radius + b->body->radius;
@@ -149,4 +187,18 @@ size_t gap_to_body(Gap gaps[GAPS_MOST], const Body *a, Vec2 centre_a, Vec2 axis_
         count = gaps_of_corners(gaps, count, &stance_b, &stance_a, reach, true);
     fill_shares(gaps, count, reach);
     return count;
+}
+
+Vec2 gap_force(const ContactLaw *law, const Gap *gap, double compression_gap, double rate, double sliding, double dt,
+               double *slip, double *normal) {
+    *normal = contact_normal(law, compression_gap, rate) * gap->share;
+    if (*normal <= 0) {
+        *slip = 0;
+        return vec2(0, 0);
+    }
+    ContactLaw shared = *law;
+    shared.tangential_stiffness *= gap->share;
+    shared.tangential_damping *= gap->share;
+    double along = contact_tangential(&shared, *normal, sliding, dt, slip);
+    return vec2_along(vec2_scale(gap->normal, *normal), along, vec2_left(gap->normal));
 }

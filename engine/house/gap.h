@@ -27,6 +27,13 @@ typedef struct Gap {
     bool deep;    /* a corner of the core has sunk behind the face */
 } Gap;
 
+/* The memory of the two tangential springs in a gap, as long as body and other are near. */
+typedef struct Slip {
+    int key;
+    double body, ring; /* m */
+    bool touches;      /* the body itself */
+} Slip;
+
 enum {
     GAP_PARTS = 8,
     GAPS_MOST = 24, /* at once, of one body: beyond the nearest ones no room is left to touch more */
@@ -39,6 +46,17 @@ enum {
 size_t gap_to_obstacles(Gap gaps[GAPS_MOST], const Body *body, Vec2 centre, Vec2 axis, const Near *near,
                         const int *held, size_t held_count);
 
+/* The same for a disc beside the faces and corners that are given. */
+size_t gap_of_disc(Gap gaps[GAPS_MOST], Vec2 centre, double radius, double sight, const NearFace *const *faces,
+                   size_t face_count, const NearCorner *const *corners, size_t corner_count, const int *held,
+                   size_t held_count);
+
 /* The gaps smaller than `reach` between body a and body b; normals point to a, arms are a's. */
 size_t gap_to_body(Gap gaps[GAPS_MOST], const Body *a, Vec2 centre_a, Vec2 axis_a, const Body *b, Vec2 centre_b,
                    Vec2 axis_b, double reach);
+
+/* What one law does in one gap, of which the body has the share, N: `compression_gap` (m) is where the law's own
+ * outline is, `rate` and `sliding` (m/s) how the body moves along the normal and to its left, `*slip` (m) the
+ * tangential spring. `*normal` (N) is the part along the gap's normal. */
+Vec2 gap_force(const ContactLaw *law, const Gap *gap, double compression_gap, double rate, double sliding, double dt,
+               double *slip, double *normal);

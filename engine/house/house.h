@@ -11,6 +11,7 @@
 #include "house/outline.h"
 #include "house/plan.h"
 #include "house/profile.h"
+#include "house/vicinity.h"
 
 /* One person of the plan, or of a crowd. */
 typedef struct Inhabitant {
@@ -38,6 +39,7 @@ typedef struct House {
     uint64_t seed;
     Outline outline;
     FreeSpace space;
+    Vicinity vicinity; /* empty when nobody walks */
     Arena arena;
 } House;
 

@@ -1,35 +1,136 @@
 #include "house/journey.h"
 
 #include <stdint.h>
+#include <stdio.h>
 
 #include "base/memory.h"
 #include "base/parallel.h"
 
+/* Itineraries -------------------------------------------------------------------------------------------------------
+ */
+
+/* The exit that a route leads to while it is usable: after that, any. */
+static size_t exit_of(const House *house, const PlanRoute *route, double time) {
+    size_t exit = route ? route->exit_index : SIZE_MAX;
+    return exit != SIZE_MAX && house->plan.exits[exit].closes <= time ? SIZE_MAX : exit;
+}
+
+/* The last time up to `time`, and at least 0, at which an exit has closed: until the next one nothing changes. */
+static double last_closing(const House *house, double time) {
+    double last = 0;
+    for (size_t e = 0; e < house->plan.exit_count; e++)
+        if (house->plan.exits[e].closes <= time)
+            last = fmax(last, house->plan.exits[e].closes);
+    return last;
+}
+
+static Itinerary *find_itinerary(const Journeys *journeys, const Profile *profile, const PlanRoute *route, double since,
+                                 size_t via) {
+    size_t legs = (route ? route->via.count : 0) - via + 1;
+    for (size_t k = 0; k < journeys->itinerary_count; k++) {
+        Itinerary *known = journeys->itineraries[k];
+        if (known->profile == profile && known->route == route && known->since == since && known->leg_count == legs)
+            return known;
+    }
+    return NULL;
+}
+
+static bool anything_usable(const House *house, const Goal *goal) {
+    for (size_t e = 0; e < house->plan.exit_count; e++)
+        if (field_exit_usable(goal, &house->plan, e))
+            return true;
+    return false;
+}
+
+/* One still without fields, from the route's point `via` on. */
+static void add_itinerary(Journeys *journeys, const House *house, const Profile *profile, const PlanRoute *route,
+                          double since, size_t via) {
+    Itinerary *itinerary = memory_allocate(1, sizeof *itinerary);
+    size_t points = route ? route->via.count : 0;
+    *itinerary = (Itinerary){.profile = profile, .route = route, .since = since, .leg_count = points - via + 1};
+    itinerary->fields = memory_allocate(itinerary->leg_count, sizeof *itinerary->fields);
+    itinerary->legs = memory_allocate(itinerary->leg_count, sizeof *itinerary->legs);
+    for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
+        Goal *goal = &itinerary->fields[leg].goal;
+        *goal = (Goal){.exit = exit_of(house, route, since), .time = since};
+        if (via + leg < points) {
+            goal->at = route->via.at[via + leg];
+            goal->radius = fmax(profile->length / 2, 0.5);
+        }
+        itinerary->legs[leg] = &itinerary->fields[leg];
+    }
+    itinerary->has_exit = anything_usable(house, &itinerary->fields[itinerary->leg_count - 1].goal);
+    journeys->itineraries = memory_reserve(journeys->itineraries, &journeys->itinerary_capacity,
+                                           journeys->itinerary_count + 1, sizeof(Itinerary *));
+    journeys->itineraries[journeys->itinerary_count++] = itinerary;
+}
+
+/* Planning ----------------------------------------------------------------------------------------------------------
+ */
+
 typedef struct Planning {
     const House *house;
-    const bool *part;
+    const Whereabouts *places; /* (count) */
+    double time;               /* s, now */
     const volatile sig_atomic_t *stop;
-    Journey *journeys;
+    Journeys *journeys;
+    size_t first_itinerary; /* without fields */
 } Planning;
 
-static void plan_journey(void *context, size_t i) {
+static double since_of(const Planning *planning, size_t person) {
+    return last_closing(planning->house, fmax(planning->house->people[person].delay, planning->time));
+}
+
+static void make_fields(void *context, size_t index) {
     Planning *planning = context;
     const House *house = planning->house;
-    const Inhabitant *person = &house->people[i];
-    Journey *journey = &planning->journeys[i];
-    if (planning->part && !planning->part[i])
-        return;
-    RouteQuery query = {.plan = &house->plan,
+    Itinerary *itinerary = planning->journeys->itineraries[planning->first_itinerary + index];
+    for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
+        Goal goal = itinerary->fields[leg].goal;
+        march_init(&itinerary->fields[leg], &house->plan, &house->space, itinerary->profile->width / 2,
+                   itinerary->profile->free_speed, &goal);
+    }
+}
+
+static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
+    const House *house = planning->house;
+    const Inhabitant *person = &house->people[place->person];
+    const PlanRoute *route = person->route;
+    double since = since_of(planning, place->person);
+    return (RouteQuery){.plan = &house->plan,
                         .space = &house->space,
                         .profile = person->profile,
-                        .at = person->at,
-                        .heading = person->heading,
-                        .via = person->route ? person->route->via.at : NULL,
-                        .via_count = person->route ? person->route->via.count : 0,
-                        .exit = person->route ? person->route->exit_index : SIZE_MAX,
-                        .time = person->delay,
+                        .at = place->at,
+                        .heading = place->heading,
+                        .via = route ? route->via.at + place->via : NULL,
+                        .via_count = route ? route->via.count - place->via : 0,
+                        .exit = exit_of(house, route, since),
+                        .time = since,
                         .most_reversals = house->plan.run.reversals,
                         .stop = planning->stop};
+}
+
+static void plan_walk(const Planning *planning, const Whereabouts *place, Journey *journey) {
+    const Inhabitant *person = &planning->house->people[place->person];
+    const Itinerary *itinerary = find_itinerary(planning->journeys, person->profile, person->route,
+                                                since_of(planning, place->person), place->via);
+    journey->legs = itinerary->legs;
+    journey->leg_count = itinerary->leg_count;
+    journey->route.exit = itinerary->fields[itinerary->leg_count - 1].goal.exit;
+    journey->route.answer = itinerary->has_exit ? ROUTE_FOUND : ROUTE_NO_EXIT;
+    bool reached = march_time(journey->legs[0], place->at) < HUGE_VAL;
+    for (size_t leg = 1; leg < journey->leg_count; leg++)
+        reached &= march_time(journey->legs[leg], journey->legs[leg - 1]->goal.at) < HUGE_VAL;
+    if (itinerary->has_exit && reached)
+        journey->route.fits = journey->route.drivable = true;
+    else if (itinerary->has_exit)
+        journey->route.answer = ROUTE_CANNOT_PASS;
+}
+
+static void plan_ride(const Planning *planning, const Whereabouts *place, Journey *journey) {
+    const House *house = planning->house;
+    const Inhabitant *person = &house->people[place->person];
+    RouteQuery query = ask(planning, place);
     bool miura = person->profile->driving == DRIVING_MIURA;
     journey->route = miura ? route_round(&query) : route_drive(&query);
     if (journey->route.answer != ROUTE_FOUND)
@@ -40,17 +141,106 @@ static void plan_journey(void *context, size_t i) {
         track_build_driver(&journey->track, house, person, &journey->route);
 }
 
-Journey *journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
-    Journey *journeys = memory_allocate(house->person_count, sizeof *journeys);
-    Planning planning = {house, part, stop, journeys};
-    parallel_for(jobs, house->person_count, plan_journey, &planning);
+static void plan_journey(void *context, size_t k) {
+    Planning *planning = context;
+    const Whereabouts *place = &planning->places[k];
+    Journey *journey = &planning->journeys->of[place->person];
+    route_free(&journey->route);
+    track_free(&journey->track);
+    *journey = (Journey){.via = place->via};
+    if (planning->house->people[place->person].profile->driving == DRIVING_WALKER)
+        plan_walk(planning, place, journey);
+    else
+        plan_ride(planning, place, journey);
+}
+
+/* Where those stick who cannot get out on foot. Whoever is in the same part of the house sticks at the same place, so
+ * that each place is looked for once. */
+static void explain_walkers(const Planning *planning, size_t count) {
+    const House *house = planning->house;
+    bool *explained = memory_allocate(count, sizeof *explained);
+    for (size_t k = 0; k < count; k++) {
+        const Whereabouts *place = &planning->places[k];
+        Journey *journey = &planning->journeys->of[place->person];
+        const Profile *profile = house->people[place->person].profile;
+        if (explained[k] || !journey->legs ||
+            (journey->route.answer != ROUTE_CANNOT_PASS && journey->route.answer != ROUTE_NO_EXIT))
+            continue;
+        RouteQuery query = ask(planning, place);
+        Route route = route_round(&query);
+        if (route.answer == ROUTE_FOUND) { /* only just, on the finer grid */
+            route.blockage.at = place->at;
+            snprintf(route.blockage.what, sizeof route.blockage.what, "start");
+        }
+        Goal here = {.at = place->at, .radius = profile->width};
+        March part;
+        march_init(&part, &house->plan, &house->space, profile->width / 2, profile->free_speed, &here);
+        for (size_t other = k; other < count; other++) {
+            Journey *like = &planning->journeys->of[planning->places[other].person];
+            if (other != k && (like->legs != journey->legs || like->route.answer != journey->route.answer ||
+                               !(march_time(&part, planning->places[other].at) < HUGE_VAL)))
+                continue;
+            explained[other] = true;
+            like->route.fits = route.fits;
+            like->route.blockage = route.blockage;
+        }
+        march_clear(&part);
+        route_free(&route);
+    }
+    memory_free(explained);
+}
+
+static void plan_all(Planning *planning, size_t count, int jobs) {
+    Journeys *journeys = planning->journeys;
+    const House *house = planning->house;
+    planning->first_itinerary = journeys->itinerary_count;
+    for (size_t k = 0; k < count; k++) {
+        const Whereabouts *place = &planning->places[k];
+        const Inhabitant *person = &house->people[place->person];
+        double since = since_of(planning, place->person);
+        if (person->profile->driving == DRIVING_WALKER &&
+            !find_itinerary(journeys, person->profile, person->route, since, place->via))
+            add_itinerary(journeys, house, person->profile, person->route, since, place->via);
+    }
+    parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
+    parallel_for(jobs, count, plan_journey, planning);
+    explain_walkers(planning, count);
+}
+
+Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+    Journeys journeys = {.of = memory_allocate(house->person_count, sizeof *journeys.of), .count = house->person_count};
+    Whereabouts *places = memory_allocate(house->person_count, sizeof *places);
+    size_t count = 0;
+    for (size_t i = 0; i < house->person_count; i++)
+        if (!part || part[i])
+            places[count++] =
+                (Whereabouts){.person = i, .at = house->people[i].at, .heading = house->people[i].heading};
+    Planning planning = {house, places, 0, stop, &journeys, 0};
+    plan_all(&planning, count, jobs);
+    memory_free(places);
     return journeys;
 }
 
-void journey_free_all(Journey *journeys, size_t count) {
-    for (size_t i = 0; i < count; i++) {
-        route_free(&journeys[i].route);
-        track_free(&journeys[i].track);
+void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,
+                        int jobs, const volatile sig_atomic_t *stop) {
+    Planning planning = {house, places, time, stop, journeys, 0};
+    plan_all(&planning, count, jobs);
+}
+
+void journey_free_all(Journeys *journeys) {
+    for (size_t i = 0; i < journeys->count; i++) {
+        route_free(&journeys->of[i].route);
+        track_free(&journeys->of[i].track);
     }
-    memory_free(journeys);
+    memory_free(journeys->of);
+    for (size_t k = 0; k < journeys->itinerary_count; k++) {
+        Itinerary *itinerary = journeys->itineraries[k];
+        for (size_t leg = 0; leg < itinerary->leg_count; leg++)
+            march_clear(&itinerary->fields[leg]);
+        memory_free(itinerary->fields);
+        memory_free(itinerary->legs);
+        memory_free(itinerary);
+    }
+    memory_free(journeys->itineraries);
+    *journeys = (Journeys){0};
 }

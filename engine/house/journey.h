@@ -1,20 +1,57 @@
-/* What everybody intends before the house begins to move: a route, and how to follow it. */
+/* What everybody intends before the house begins to move, and again when an exit has closed: a chair a route and how to
+ * follow it, somebody on foot the distance fields that lead from one point of the way to the next. */
 #pragma once
 
+#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "house/house.h"
+#include "house/march.h"
 #include "house/route.h"
 #include "house/track.h"
 
-/* What is planned for one person before the world moves. */
+/* What is planned for one person. */
 typedef struct Journey {
-    Route route;
-    Track track; /* empty when there is no way */
+    Route route;              /* of a walker only the answer, the exit (SIZE_MAX: any) and the blockage */
+    Track track;              /* of a chair; empty when there is no way */
+    const March *const *legs; /* (leg_count) of a walker, one after another; not owned */
+    size_t leg_count;
+    size_t via; /* of the route's points, the first one of this journey */
 } Journey;
 
+/* The fields that people of one profile with one route share, from some time on. */
+typedef struct Itinerary {
+    const Profile *profile;
+    const PlanRoute *route; /* NULL: none, the quickest exit */
+    double since;           /* s: exits closed by then do not count */
+    bool has_exit;          /* otherwise all exits are closed */
+    March *fields;          /* (leg_count) */
+    const March **legs;     /* (leg_count) into fields */
+    size_t leg_count;
+} Itinerary;
+
+typedef struct Journeys {
+    Journey *of; /* (count) by person */
+    size_t count;
+    Itinerary **itineraries; /* (itinerary_count) */
+    size_t itinerary_count, itinerary_capacity;
+} Journeys;
+
 /* Plans everybody's journey, on up to `jobs` threads, until `stop` (may be NULL) is set; person i takes part when
- * `part` is NULL or part[i]. The array has house->person_count elements; journey_free_all releases it. */
-Journey *journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
-void journey_free_all(Journey *journeys, size_t count);
+ * `part` is NULL or part[i]. journey_free_all releases it. */
+Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
+void journey_free_all(Journeys *journeys);
+
+/* Where somebody is who plans anew. */
+typedef struct Whereabouts {
+    size_t person;
+    Vec2 at;        /* m, the reference point */
+    double heading; /* rad */
+    size_t via;     /* of the route's points, the next one */
+} Whereabouts;
+
+/* Plans again from `time` on for `count` people who are on the way: to the exit of their route while that is usable,
+ * otherwise to the quickest. What they had before is released. */
+void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,
+                        int jobs, const volatile sig_atomic_t *stop);

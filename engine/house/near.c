@@ -16,6 +16,23 @@ static double face_depth(const Plan *plan, const Face *face) {
     return DEEPEST;
 }
 
+NearFace near_face(const Outline *outline, const Plan *plan, size_t index) {
+    const Face *face = &outline->faces[index];
+    Vec2 tangent = vec2_left(face->normal); /* from a to b: the solid is on its left */
+    return (NearFace){.normal = face->normal,
+                      .offset = vec2_dot(face->normal, face->a),
+                      .begin = vec2_dot(tangent, face->a),
+                      .end = vec2_dot(tangent, face->b),
+                      .depth = face_depth(plan, face),
+                      .id = (int)index};
+}
+
+NearCorner near_corner(const Outline *outline, size_t index) {
+    const Corner *corner = &outline->corners[index];
+    return (NearCorner){
+        .at = corner->at, .in = corner->in, .out = corner->out, .id = (int)(outline->face_count + index)};
+}
+
 typedef struct Candidate {
     double distance;
     int item;
@@ -78,20 +95,10 @@ static void gather_all(Near *near, double outer, Vec2 middle, const Outline *out
     near->faces = near->corners = 0;
     for (int i = 0; i < gathering.count; i++) {
         size_t item = (size_t)gathering.candidate[i].item;
-        if (item < outline->face_count && near->faces < NEAR_MOST) {
-            const Face *face = &outline->faces[item];
-            Vec2 tangent = vec2_left(face->normal); /* from a to b: the solid is on its left */
-            near->face[near->faces++] = (NearFace){.normal = face->normal,
-                                                   .offset = vec2_dot(face->normal, face->a),
-                                                   .begin = vec2_dot(tangent, face->a),
-                                                   .end = vec2_dot(tangent, face->b),
-                                                   .depth = face_depth(plan, face),
-                                                   .id = (int)item};
-        } else if (item >= outline->face_count && near->corners < NEAR_MOST) {
-            const Corner *corner = &outline->corners[item - outline->face_count];
-            near->corner[near->corners++] =
-                (NearCorner){.at = corner->at, .in = corner->in, .out = corner->out, .id = (int)item};
-        }
+        if (item < outline->face_count && near->faces < NEAR_MOST)
+            near->face[near->faces++] = near_face(outline, plan, item);
+        else if (item >= outline->face_count && near->corners < NEAR_MOST)
+            near->corner[near->corners++] = near_corner(outline, item - outline->face_count);
     }
 }
 

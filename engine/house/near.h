@@ -36,6 +36,20 @@ typedef struct Near {
     short close_face[NEAR_MOST], close_corner[NEAR_MOST];
 } Near;
 
+/* The face or corner `index` of an outline, made ready. */
+NearFace near_face(const Outline *outline, const Plan *plan, size_t index);
+NearCorner near_corner(const Outline *outline, size_t index);
+
+/* Does a point, on the way from one place to another, go through the face into its solid? */
+static inline bool near_crosses(const NearFace *face, Vec2 before, Vec2 after) {
+    double from = vec2_dot(face->normal, before) - face->offset, to = vec2_dot(face->normal, after) - face->offset;
+    if (from < 0 || to >= 0)
+        return false;
+    Vec2 where = vec2_along(before, from / (from - to), vec2_sub(after, before));
+    double along = vec2_dot(vec2_left(face->normal), where);
+    return along > face->begin && along < face->end;
+}
+
 /* m: how far a body may move before its neighbours are gathered anew. */
 #define NEAR_SKIN 0.25
 

@@ -30,20 +30,21 @@ static void add_row(Observer *observer, size_t i, double offset_rate) {
     const World *world = observer->world;
     const Sense *sense = &world->sense[i];
     Vec2 at = world_reference(world, i);
-    trace_add(&observer->trace, (double[TRACE_COLUMNS]){
-                                    [TRACE_TIME] = clock_time(&world->clock),
-                                    [TRACE_PERSON] = (double)i,
-                                    [TRACE_X] = at.x,
-                                    [TRACE_Y] = at.y,
-                                    [TRACE_HEADING] = world->heading[i],
-                                    [TRACE_SPEED] = vec2_dot(world->velocity[i], world->axis[i]),
-                                    [TRACE_CLEARANCE] = sense->clearance,
-                                    [TRACE_RING] = sense->ring,
-                                    [TRACE_BODY_FORCE] = sense->body_force,
-                                    [TRACE_RING_FORCE] = sense->ring_force,
-                                    [TRACE_OFFSET] = world->drive[i].offset,
-                                    [TRACE_OFFSET_RATE] = offset_rate,
-                                });
+    trace_add(&observer->trace,
+              (double[TRACE_COLUMNS]){
+                  [TRACE_TIME] = world->phase[i] == PHASE_OUT ? world->ended[i] : clock_time(&world->clock),
+                  [TRACE_PERSON] = (double)i,
+                  [TRACE_X] = at.x,
+                  [TRACE_Y] = at.y,
+                  [TRACE_HEADING] = world->heading[i],
+                  [TRACE_SPEED] = vec2_dot(world->velocity[i], world->axis[i]),
+                  [TRACE_CLEARANCE] = sense->clearance,
+                  [TRACE_RING] = sense->ring,
+                  [TRACE_BODY_FORCE] = sense->body_force,
+                  [TRACE_RING_FORCE] = sense->ring_force,
+                  [TRACE_OFFSET] = world->drive[i].offset,
+                  [TRACE_OFFSET_RATE] = offset_rate,
+              });
 }
 
 size_t observer_sample_steps(const House *house) {
@@ -55,12 +56,15 @@ void observer_init(Observer *observer, const World *world, PersonObservation *pe
     *observer = (Observer){.world = world,
                            .people = people,
                            .watched = memory_allocate(world->count, sizeof *observer->watched),
+                           .riders = memory_allocate(world->count, sizeof *observer->riders),
                            .sample_steps = observer_sample_steps(world->house)};
     trace_init(&observer->trace, columns, TRACE_COLUMNS);
     for (size_t i = 0; i < world->count; i++) {
         if (!is_watched(world, i))
             continue;
         const Route *route = &world->journeys[i].route;
+        if (world_rides(world, i))
+            observer->riders[observer->rider_count++] = i;
         observer->watched[i] = (Watched){.at = world_reference(world, i), .untouched = HUGE_VAL};
         people[i] = (PersonObservation){.took_part = true,
                                         .exit = route->answer == ROUTE_NO_EXIT ? SIZE_MAX : route->exit,
@@ -75,6 +79,7 @@ void observer_init(Observer *observer, const World *world, PersonObservation *pe
 
 void observer_clear(Observer *observer) {
     memory_free(observer->watched);
+    memory_free(observer->riders);
     memory_free(observer->stretches);
     trace_clear(&observer->trace);
     *observer = (Observer){0};
@@ -112,18 +117,18 @@ static void watch_clearance(PersonObservation *person, Stretch *stretch, const W
 }
 
 static void watch_contact(PersonObservation *person, Stretch *stretch, Watched *watched, const Sense *sense,
-                          double dt) {
+                          double elapsed) {
     if (sense->body_force > 0) {
         person->contacts += watched->untouched >= NEW_CONTACT;
         watched->untouched = 0;
-        person->impulse += sense->body_force * dt;
+        person->impulse += sense->body_force * elapsed;
         stretch->peak_force = real_max(stretch->peak_force, sense->body_force);
         if (sense->body_force > person->peak_force) {
             person->peak_force = sense->body_force;
             person->peak_at = sense->contact_at;
         }
     } else {
-        watched->untouched += dt;
+        watched->untouched += elapsed;
     }
 }
 
@@ -132,32 +137,42 @@ static void watch_person(Observer *observer, size_t i) {
     PersonObservation *person = &observer->people[i];
     Watched *watched = &observer->watched[i];
     const Sense *sense = &world->sense[i];
-    double dt = world->clock.dt, free_speed = world->house->people[i].speed;
+    double time = ended(world, i) ? world->ended[i] : clock_time(&world->clock);
+    double elapsed = real_max(time - watched->time, 0), free_speed = world->house->people[i].speed;
     Vec2 at = world_reference(world, i);
     double moved = vec2_distance(watched->at, at);
     Stretch *stretch = stretch_of(observer, i);
     person->path_length += moved;
     watch_clearance(person, stretch, world, i, at);
-    watch_contact(person, stretch, watched, sense, dt);
-    person->ring_time += sense->ring > FELT ? dt : 0;
+    watch_contact(person, stretch, watched, sense, elapsed);
+    person->ring_time += sense->ring > FELT ? elapsed : 0;
     person->ring_peak = real_max(person->ring_peak, sense->ring);
     if (world->phase[i] != PHASE_WAITING) {
-        double lost = dt - moved / free_speed;
+        double lost = elapsed - moved / free_speed;
         person->lost_time += lost;
         stretch->lost_time += lost;
     }
     if (world->clock.step % observer->sample_steps == 0 || world->phase[i] == PHASE_OUT)
-        add_row(observer, i, (world->drive[i].offset - watched->offset) / dt);
+        add_row(observer, i, elapsed > 0 ? (world->drive[i].offset - watched->offset) / elapsed : 0);
     watched->at = at;
+    watched->time = time;
     watched->offset = world->drive[i].offset;
     watched->done = ended(world, i);
 }
 
+static void watch_if_going(Observer *observer, size_t i) {
+    const World *world = observer->world;
+    if (is_watched(world, i) && !(observer->watched[i].done && ended(world, i)))
+        watch_person(observer, i);
+}
+
 void observer_watch(Observer *observer) {
     const World *world = observer->world;
-    for (size_t i = 0; i < world->count; i++)
-        if (is_watched(world, i) && !(observer->watched[i].done && ended(world, i)))
-            watch_person(observer, i);
+    bool everybody = world->sensed || world->clock.step % observer->sample_steps == 0;
+    for (size_t i = 0; everybody && i < world->count; i++)
+        watch_if_going(observer, i);
+    for (size_t r = 0; !everybody && r < observer->rider_count; r++)
+        watch_if_going(observer, observer->riders[r]);
 }
 
 /* Where a person who no longer gets on is held: by whom or what, and how wide it is there. */
@@ -181,6 +196,7 @@ void observer_end(Observer *observer, Reason reason) {
     for (size_t i = 0; i < world->count; i++) {
         if (!is_watched(world, i))
             continue;
+        watch_if_going(observer, i);
         PersonObservation *person = &observer->people[i];
         const Route *route = &world->journeys[i].route;
         person->completed = world->phase[i] == PHASE_OUT;

@@ -12,6 +12,7 @@ typedef struct Watched {
     double untouched; /* s, since the body last touched something */
     double ended;     /* m, path length at which the present stretch ends */
     size_t stretch;   /* the present one, plus 1; 0: none yet */
+    double time;      /* s */
     bool done;
 } Watched;
 
@@ -19,7 +20,9 @@ typedef struct Observer {
     const World *world;
     PersonObservation *people; /* (count) not owned: those who take part are written */
     Watched *watched;          /* (count) */
-    size_t sample_steps;       /* between two rows of the trace */
+    size_t *riders;            /* (rider_count) those of them in chairs */
+    size_t rider_count;
+    size_t sample_steps; /* between two rows of the trace */
     Trace trace;
     Stretch *stretches; /* (stretch_count) */
     size_t stretch_count, stretch_capacity;
@@ -32,7 +35,8 @@ size_t observer_sample_steps(const House *house);
 void observer_init(Observer *observer, const World *world, PersonObservation *people);
 void observer_clear(Observer *observer);
 
-/* After every world_step. */
+/* After every world_step. Chairs are watched at every step, walkers when world->sensed: what is the greatest of theirs
+ * (forces, ring) is the greatest of those moments. */
 void observer_watch(Observer *observer);
 
 /* After the last step: those still on the way end with `reason`. */

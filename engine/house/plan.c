@@ -303,8 +303,12 @@ size_t plan_find_route(const Plan *plan, const char *id) {
     return plan_tables_find(plan, &plan_tables_lists[LIST_ROUTES], id);
 }
 
-const PlanRoute *plan_route_of(const Plan *plan, const char *person) {
-    size_t index = plan_find_person(plan, person);
-    size_t route = index == SIZE_MAX ? SIZE_MAX : plan->people[index].route;
+const PlanRoute *plan_route_of(const Plan *plan, const char *id) {
+    size_t person = plan_find_person(plan, id), route = SIZE_MAX;
+    size_t crowd = plan_tables_find(plan, &plan_tables_lists[LIST_CROWDS], id);
+    if (person != SIZE_MAX)
+        route = plan->people[person].route;
+    else if (crowd != SIZE_MAX)
+        route = plan->crowds[crowd].route;
     return route == SIZE_MAX ? NULL : &plan->routes[route];
 }

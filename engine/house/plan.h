@@ -85,6 +85,7 @@ typedef struct Crowd {
     int count;
     Points area; /* m, an outline */
     double delay;
+    size_t route; /* resolved, as a person's */
     const char *place;
 } Crowd;
 
@@ -97,7 +98,7 @@ typedef struct Observed {
 
 typedef struct PlanRoute {
     const char *id;
-    Ids people;
+    Ids people; /* and crowds */
     Points via; /* m, passed within a body's length, in order */
     const char *exit;
     Observed observed;
@@ -170,5 +171,5 @@ void plan_furniture_corners(const Furniture *piece, Vec2 corners[4]);
 size_t plan_find_person(const Plan *plan, const char *id);
 size_t plan_find_route(const Plan *plan, const char *id);
 
-/* The route that lists the person, or NULL. */
-const PlanRoute *plan_route_of(const Plan *plan, const char *person);
+/* The route that lists the person or crowd, or NULL. */
+const PlanRoute *plan_route_of(const Plan *plan, const char *id);

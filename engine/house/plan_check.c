@@ -340,15 +340,17 @@ static void check_route(const PlanCheck *check, size_t r) {
     }
     for (size_t i = 0; i < route->people.count; i++) {
         const char *id = route->people.at[i];
-        size_t p = plan_find_person(plan, id);
-        if (p == SIZE_MAX)
-            add_fault(check, LIST_ROUTES, r, "people", "route %.40s: there is no person \"%.40s\"", route->id, id);
-        else if (plan->people[p].route != SIZE_MAX)
+        size_t p = plan_find_person(plan, id), c = plan_tables_find(plan, &plan_tables_lists[LIST_CROWDS], id);
+        size_t *taken = p != SIZE_MAX ? &plan->people[p].route : c != SIZE_MAX ? &plan->crowds[c].route : NULL;
+        if (!taken)
+            add_fault(check, LIST_ROUTES, r, "people", "route %.40s: there is no person or crowd \"%.40s\"", route->id,
+                      id);
+        else if (*taken != SIZE_MAX)
             add_fault(check, LIST_ROUTES, r, "people",
                       "route %.40s: person %.40s already takes route %.40s, must take one only", route->id, id,
-                      plan->routes[plan->people[p].route].id);
+                      plan->routes[*taken].id);
         else
-            plan->people[p].route = r;
+            *taken = r;
     }
 }
 
@@ -392,6 +394,8 @@ void plan_check_whole(const PlanCheck *check) {
     memory_free(doorways);
     for (size_t p = 0; p < check->plan->person_count; p++)
         check->plan->people[p].route = SIZE_MAX;
+    for (size_t c = 0; c < check->plan->crowd_count; c++)
+        check->plan->crowds[c].route = SIZE_MAX;
     check_each(check, LIST_ROUTES, check_route);
     check_sampling(check);
 }

@@ -129,7 +129,7 @@ static const Parameter route_rows[] = {
      .offset = offsetof(PlanRoute, people),
      .unit = "",
      .needed = true,
-     .meaning = "who takes it"},
+     .meaning = "the people and crowds that take it"},
     POINTS(PlanRoute, via, 0, false, "points to pass within a body's length, in order"),
     {.name = "exit",
      .kind = PARAMETER_ID,

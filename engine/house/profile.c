@@ -4,49 +4,60 @@
 #include <stdio.h>
 #include <string.h>
 
-#define ROW(name_, field_, unit_, low_, high_, meaning_)                                                               \
-    {                                                                                                                  \
-        .name = name_, .kind = PARAMETER_NUMBER, .offset = offsetof(Profile, field_), .unit = unit_, .low = low_,      \
-        .high = high_, .needed = true, .meaning = meaning_                                                             \
-    }
+/* Who needs the row. */
+enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS };
 
-static const Parameter profile_rows[] = {
-    ROW("body.length", length, "m", 0.1, 3, "length of chair and driver"),
-    ROW("body.width", width, "m", 0.1, 3, "width"),
-    ROW("body.axle", axle, "m", 0, 3, "drive axle ahead of the rear edge"),
-    ROW("body.corner_radius", corner_radius, "m", 0.01, 1, "rounding of the corners"),
-    ROW("body.mass", mass, "kg", 1, 1000, "mass of chair and driver"),
-    ROW("body.mass_centre", mass_centre, "m", -1, 1, "mass centre ahead of the drive axle"),
-    ROW("body.radius_of_gyration", radius_of_gyration, "m", 0.05, 2, "radius of gyration in yaw"),
-    ROW("drive.free_speed", free_speed, "m/s", 0.05, 5, "free speed on the level, mean"),
-    ROW("drive.free_speed_deviation", free_speed_deviation, "m/s", 0, 2, "its standard deviation"),
-    ROW("drive.minimum_speed", minimum_speed, "m/s", 0.01, 2, "v_min, floor of the speed through corners"),
-    ROW("drive.steering_time", steering_time, "s", 0, 10, "b of the steering law v = (W - w) / b"),
-    ROW("drive.acceleration", acceleration, "m/s2", 0.01, 10, "a_0, initial acceleration"),
-    ROW("drive.deceleration", deceleration, "m/s2", 0.01, 10, "a_d, deceleration"),
-    ROW("drive.lateral_acceleration", lateral_acceleration, "m/s2", 0.01, 10, "comfortable in a corner"),
-    ROW("drive.turn_rate", turn_rate, "rad/s", 0.01, 10, "fastest turn"),
-    ROW("drive.push", push, "N", 0, 5000, "most that the driver pushes with; 0: nobody drives"),
-    ROW("drive.turning_moment", turning_moment, "N m", 0, 1000, "most that the driver turns with"),
-    ROW("drive.speed_response", speed_response, "s", 0.01, 10, "time to take up a speed"),
-    ROW("drive.turn_response", turn_response, "s", 0.01, 10, "time to take up a turn"),
-    ROW("drive.lateral_gain", lateral_gain, "1/m2", 0, 1000, "steering per distance off the path"),
-    ROW("drive.heading_gain", heading_gain, "1/m", 0, 1000, "steering per heading off the path"),
-    ROW("drive.side_friction", side_friction, "1", 0, 10, "of the wheels sideways"),
-    ROW("drive.reversing_speed", reversing_speed, "m/s", 0.01, 5, "speed backwards"),
-    ROW("drive.reversing_time", reversing_time, "s", 0, 60, "time to change direction"),
-    ROW("space.reach", space_reach, "m", 0, 3, "personal space beyond the body"),
-    ROW("space.normal_stiffness", space.normal_stiffness, "N/m", 0, 1e7, "k_n' of the personal space"),
-    ROW("space.normal_damping", space.normal_damping, "N s/m", 0, 1e6, "c_n' of the personal space"),
-    ROW("space.tangential_stiffness", space.tangential_stiffness, "N/m", 0, 1e7, "k_t' of the personal space"),
-    ROW("space.tangential_damping", space.tangential_damping, "N s/m", 0, 1e6, "c_t' of the personal space"),
-    ROW("space.friction", space.friction, "1", 0, 10, "Coulomb limit of the personal space"),
-    ROW("contact.normal_stiffness", contact.normal_stiffness, "N/m", 1, 1e8, "k_n of the body"),
-    ROW("contact.normal_damping", contact.normal_damping, "N s/m", 0, 1e6, "c_n of the body"),
-    ROW("contact.tangential_stiffness", contact.tangential_stiffness, "N/m", 0, 1e8, "k_t of the body"),
-    ROW("contact.tangential_damping", contact.tangential_damping, "N s/m", 0, 1e6, "c_t of the body"),
-    ROW("contact.friction", contact.friction, "1", 0, 10, "Coulomb limit of the body"),
-};
+#define ROWS_OF_A_PROFILE(ROW)                                                                                         \
+    ROW(CHAIRS, "body.length", length, "m", 0.1, 3, "length of chair and driver")                                      \
+    ROW(ALL, "body.width", width, "m", 0.1, 3, "width")                                                                \
+    ROW(CHAIRS, "body.axle", axle, "m", 0, 3, "drive axle ahead of the rear edge")                                     \
+    ROW(CHAIRS, "body.corner_radius", corner_radius, "m", 0.01, 1, "rounding of the corners")                          \
+    ROW(ALL, "body.mass", mass, "kg", 1, 1000, "mass of chair and driver")                                             \
+    ROW(CHAIRS, "body.mass_centre", mass_centre, "m", -1, 1, "mass centre ahead of the drive axle")                    \
+    ROW(CHAIRS, "body.radius_of_gyration", radius_of_gyration, "m", 0.05, 2, "radius of gyration in yaw")              \
+    ROW(ALL, "drive.free_speed", free_speed, "m/s", 0.05, 5, "free speed on the level, mean")                          \
+    ROW(ALL, "drive.free_speed_deviation", free_speed_deviation, "m/s", 0, 2, "its standard deviation")                \
+    ROW(CHAIRS, "drive.minimum_speed", minimum_speed, "m/s", 0.01, 2, "v_min, floor of the speed through corners")     \
+    ROW(CHAIRS, "drive.steering_time", steering_time, "s", 0, 10, "b of the steering law v = (W - w) / b")             \
+    ROW(ALL, "drive.acceleration", acceleration, "m/s2", 0.01, 10, "a_0, initial acceleration")                        \
+    ROW(CHAIRS, "drive.deceleration", deceleration, "m/s2", 0.01, 10, "a_d, deceleration")                             \
+    ROW(CHAIRS, "drive.lateral_acceleration", lateral_acceleration, "m/s2", 0.01, 10, "comfortable in a corner")       \
+    ROW(CHAIRS, "drive.turn_rate", turn_rate, "rad/s", 0.01, 10, "fastest turn")                                       \
+    ROW(ALL, "drive.push", push, "N", 0, 5000, "most that the driver pushes with; 0: nobody drives")                   \
+    ROW(CHAIRS, "drive.turning_moment", turning_moment, "N m", 0, 1000, "most that the driver turns with")             \
+    ROW(ALL, "drive.speed_response", speed_response, "s", 0.01, 10, "time to take up a speed")                         \
+    ROW(CHAIRS, "drive.turn_response", turn_response, "s", 0.01, 10, "time to take up a turn")                         \
+    ROW(CHAIRS, "drive.lateral_gain", lateral_gain, "1/m2", 0, 1000, "steering per distance off the path")             \
+    ROW(CHAIRS, "drive.heading_gain", heading_gain, "1/m", 0, 1000, "steering per heading off the path")               \
+    ROW(CHAIRS, "drive.side_friction", side_friction, "1", 0, 10, "of the wheels sideways")                            \
+    ROW(CHAIRS, "drive.reversing_speed", reversing_speed, "m/s", 0.01, 5, "speed backwards")                           \
+    ROW(CHAIRS, "drive.reversing_time", reversing_time, "s", 0, 60, "time to change direction")                        \
+    ROW(WALKERS, "drive.time_gap", time_gap, "s", 0.05, 10, "a walker's time gap to whoever is ahead")                 \
+    ROW(ALL, "space.reach", space_reach, "m", 0, 3, "personal space beyond the body")                                  \
+    ROW(ALL, "space.normal_stiffness", space.normal_stiffness, "N/m", 0, 1e7, "k_n' of the personal space")            \
+    ROW(ALL, "space.normal_damping", space.normal_damping, "N s/m", 0, 1e6, "c_n' of the personal space")              \
+    ROW(ALL, "space.tangential_stiffness", space.tangential_stiffness, "N/m", 0, 1e7, "k_t' of the personal space")    \
+    ROW(ALL, "space.tangential_damping", space.tangential_damping, "N s/m", 0, 1e6, "c_t' of the personal space")      \
+    ROW(ALL, "space.friction", space.friction, "1", 0, 10, "Coulomb limit of the personal space")                      \
+    ROW(ALL, "contact.normal_stiffness", contact.normal_stiffness, "N/m", 1, 1e8, "k_n of the body")                   \
+    ROW(ALL, "contact.normal_damping", contact.normal_damping, "N s/m", 0, 1e6, "c_n of the body")                     \
+    ROW(ALL, "contact.tangential_stiffness", contact.tangential_stiffness, "N/m", 0, 1e8, "k_t of the body")           \
+    ROW(ALL, "contact.tangential_damping", contact.tangential_damping, "N s/m", 0, 1e6, "c_t of the body")             \
+    ROW(ALL, "contact.friction", contact.friction, "1", 0, 10, "Coulomb limit of the body")
+
+#define AS_PARAMETER(who_, name_, field_, unit_, low_, high_, meaning_)                                                \
+    {.name = name_,                                                                                                    \
+     .kind = PARAMETER_NUMBER,                                                                                         \
+     .offset = offsetof(Profile, field_),                                                                              \
+     .unit = unit_,                                                                                                    \
+     .low = low_,                                                                                                      \
+     .high = high_,                                                                                                    \
+     .needed = true,                                                                                                   \
+     .meaning = meaning_},
+#define AS_MARK(who_, name_, field_, unit_, low_, high_, meaning_) who_,
+
+static const Parameter profile_rows[] = {ROWS_OF_A_PROFILE(AS_PARAMETER)};
+static const unsigned char row_marks[] = {ROWS_OF_A_PROFILE(AS_MARK)};
 
 enum { ROWS = sizeof profile_rows / sizeof *profile_rows };
 _Static_assert((int)ROWS <= (int)PROFILE_NUMBERS, "a provenance for every row");
@@ -66,6 +77,15 @@ enum { GROUPS = sizeof groups / sizeof *groups };
 
 const ParameterTable *profile_table(void) {
     return &table;
+}
+
+const char *profile_driving_name(int driving) {
+    static const char *const names[] = {"driver", "miura", "walker"};
+    return names[driving];
+}
+
+bool profile_row_matters(size_t row, Driving driving) {
+    return row_marks[row] & (driving == DRIVING_WALKER ? WALKERS : CHAIRS);
 }
 
 /* The part after the group when the row belongs to `group`, or NULL. */
@@ -116,11 +136,11 @@ static void read_group(Profile *profile, const JsonNode *root, const char *group
     const char *names[ROWS + 1] = {0};
     size_t count = 0;
     for (size_t i = 0; i < ROWS; i++)
-        if (name_in_group(&profile_rows[i], group))
+        if (name_in_group(&profile_rows[i], group) && profile_row_matters(i, profile->driving))
             names[count++] = name_in_group(&profile_rows[i], group);
     json_check_keys(&node, names, fault);
     for (size_t i = 0; i < ROWS; i++)
-        if (name_in_group(&profile_rows[i], group))
+        if (name_in_group(&profile_rows[i], group) && profile_row_matters(i, profile->driving))
             read_value(profile, i, &node, name_in_group(&profile_rows[i], group), fault);
 }
 
@@ -139,6 +159,15 @@ static void read_texts(Profile *profile, const JsonNode *root, Fault *fault) {
         json_fault(root, fault, "a profile has no \"driving\" (%s)", driving_row.meaning);
 }
 
+/* A walker is a disc; nothing is said twice. */
+static void round_walker(Profile *profile) {
+    if (profile->driving != DRIVING_WALKER)
+        return;
+    profile->length = profile->width;
+    profile->axle = profile->corner_radius = profile->width / 2;
+    profile->radius_of_gyration = profile->width / sqrt(8);
+}
+
 bool profile_read(Profile *profile, const char *path, Fault *fault) {
     size_t before = fault->total;
     JsonFile file = {0};
@@ -154,6 +183,7 @@ bool profile_read(Profile *profile, const char *path, Fault *fault) {
             read_group(&read, &root, groups[g], fault);
     }
     json_free(&file);
+    round_walker(&read);
     if (fault->total != before) {
         profile_free(&read);
         return false;
@@ -170,10 +200,19 @@ bool profile_set(Profile *profile, const char *name, const char *value, const ch
     JsonFile file = {.path = prefix, .root = json_loads(value, JSON_DECODE_ANY, NULL)};
     JsonNode node = json_root(&file);
     const Parameter *row = strcmp(name, "driving") == 0 ? &driving_row : parameters_find(&table, name);
+    int before_driving = profile->driving;
     if (!row)
         parameters_fault_unknown(&table, name, &node, fault);
+    else if (row != &driving_row && !profile_row_matters((size_t)(row - profile_rows), profile->driving))
+        json_fault(&node, fault, "%s has no meaning for %s, who %s", row->name, profile->name,
+                   profile->driving == DRIVING_WALKER ? "walks" : "drives");
     else if (parameters_read_value(row, profile, &node, &profile->arena, fault) && row != &driving_row)
         profile->provenance[row - profile_rows] = "assumed: set for this run";
+    if ((before_driving == DRIVING_WALKER) != (profile->driving == DRIVING_WALKER)) {
+        profile->driving = before_driving;
+        json_fault(&node, fault, "who walks cannot be made to drive, nor the other way round: take another profile");
+    }
+    round_walker(profile);
     json_decref(file.root);
     memory_free(prefix);
     return fault->total == before;
@@ -181,7 +220,10 @@ bool profile_set(Profile *profile, const char *name, const char *value, const ch
 
 bool profile_check(const Profile *profile, double dt, const char *place, Fault *fault) {
     size_t before = fault->total;
-    const double most_contacts = 4; /* two walls on either side, body and ring of the heavier law counted in full */
+    bool walks = profile->driving == DRIVING_WALKER;
+    /* A chair: two walls on either side, body and ring of the heavier law counted in full. Somebody in a crowd: six
+     * others, two of them against a wall behind. */
+    const double most_contacts = walks ? 8 : 4;
     if (profile->axle > profile->length)
         fault_add(fault, "%s: axle is %g m ahead of the rear edge, at most the length, %g m", place, profile->axle,
                   profile->length);
@@ -223,7 +265,8 @@ json_t *profile_schema(void) {
                                 json_pack("{s:s, s:b, s:{s:o, s:o}, s:[s,s]}", "type", "object", "additionalProperties",
                                           0, "properties", "value", parameters_schema_value(&profile_rows[i]),
                                           "provenance", provenance, "required", "value", "provenance"));
-            json_array_append_new(needed, json_string(name));
+            if (row_marks[i] == ALL)
+                json_array_append_new(needed, json_string(name));
         }
         json_object_set_new(properties, groups[g],
                             json_pack("{s:s, s:b, s:o, s:o}", "type", "object", "additionalProperties", 0, "properties",

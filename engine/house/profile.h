@@ -3,7 +3,7 @@
  *
  * The body is a rounded rectangle, length by width, its corners rounded by `corner_radius`; the reference point is the
  * middle of the drive axle, `axle` ahead of the rear edge, and the mass centre stands `mass_centre` ahead of the axle.
- * The paper's body (driving `miura`) is a disc of radius width / 2 about its reference point. */
+ * The bodies of the paper (driving `miura`) and of walkers are discs of radius width / 2 about the reference point. */
 #pragma once
 
 #include <stdbool.h>
@@ -17,9 +17,13 @@
 typedef enum Driving {
     DRIVING_DRIVER, /* a chair that turns and does not slip sideways, along a planned path: ours */
     DRIVING_MIURA,  /* the paper's: a disc on straight legs and corners */
+    DRIVING_WALKER, /* on foot: a disc that follows a distance field and keeps its distance to whoever is ahead */
 } Driving;
 
-#define DRIVING_WORDS "driver|miura"
+#define DRIVING_WORDS "driver|miura|walker"
+
+/* "driver", "miura", "walker" */
+const char *profile_driving_name(int driving);
 
 enum { PROFILE_NUMBERS = 48 /* room for the rows of the table */ };
 
@@ -52,6 +56,7 @@ typedef struct Profile {
     double side_friction;        /* 1, of the wheels, sideways */
     double reversing_speed;      /* m/s */
     double reversing_time;       /* s, to change direction */
+    double time_gap;             /* s, T of a walker's v = s / T, s the free way to whoever is ahead */
 
     double space_reach; /* m, of the personal space beyond the body */
     ContactLaw space;
@@ -70,6 +75,9 @@ bool profile_read(Profile *profile, const char *path, Fault *fault);
 /* Changes one parameter, for instance "width" to the JSON value "0.70"; `place` begins the faults: "file:line:column:
  * ". */
 bool profile_set(Profile *profile, const char *name, const char *value, const char *place, Fault *fault);
+
+/* Does the row with this index matter to somebody who gets about in this way? A file gives exactly those that do. */
+bool profile_row_matters(size_t row, Driving driving);
 
 /* What the rows cannot say: that the parts of the body fit together and the step `dt` (s) is stable. */
 bool profile_check(const Profile *profile, double dt, const char *place, Fault *fault);

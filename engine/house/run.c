@@ -6,10 +6,13 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "house/observer.h"
+#include "house/replan.h"
 #include "house/world.h"
 
 /* simulated s between two looks at `stop` and reports of progress */
 static const double LOOK_UP = 0.5;
+
+enum { TEAM_WORTH = 300 /* people: with fewer a step is over before a second thread has begun */ };
 
 /* People who have the house to themselves, and what was seen of them. */
 typedef struct Group {
@@ -22,12 +25,17 @@ typedef struct Group {
     uint64_t digest, steps;
 } Group;
 
-static Reason run_world(World *world, Observer *observer, const RunOptions *options, bool reports) {
-    double until = world->house->plan.run.until, next_look = 0;
+static Reason run_world(World *world, Journeys *journeys, Observer *observer, const Group *group, bool reports) {
+    const RunOptions *options = group->options;
+    double until = world->house->plan.run.until, next_look = 0, next_closing = replan_next(world, 0);
     while (world_goes_on(world)) {
         double time = clock_time(&world->clock);
         if (time >= until)
             return REASON_TIME_LIMIT;
+        if (time >= next_closing) {
+            replan_journeys(world, journeys, group->jobs, options->stop);
+            next_closing = replan_next(world, time);
+        }
         if (time >= next_look) {
             next_look += LOOK_UP;
             if (options->stop && *options->stop)
@@ -46,16 +54,18 @@ static Reason run_world(World *world, Observer *observer, const RunOptions *opti
 static void run_group(void *context, size_t index) {
     Group *group = (Group *)context + index;
     const RunOptions *options = group->options;
-    Journey *journeys = journey_plan_all(group->house, group->part, group->jobs, options->stop);
-    World world = world_create(group->house, journeys, group->part);
+    Journeys journeys = journey_plan_all(group->house, group->part, group->jobs, options->stop);
+    World world = world_create(group->house, journeys.of, group->part);
+    world.team = parallel_team_create(world.present_count > TEAM_WORTH ? group->jobs : 1);
     observer_init(&group->observer, &world, group->people);
-    Reason reason = run_world(&world, &group->observer, options, index == 0);
+    Reason reason = run_world(&world, &journeys, &group->observer, group, index == 0);
     observer_end(&group->observer, reason);
     group->digest = world.digest;
     group->steps = world.clock.step;
     group->observer.world = NULL;
+    parallel_team_destroy(world.team);
     world_destroy(&world);
-    journey_free_all(journeys, group->house->person_count);
+    journey_free_all(&journeys);
 }
 
 /* Who is together with whom: everybody, or route by route and then those without one. Returns the number of groups. */

@@ -4,10 +4,13 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/digest.h"
 #include "base/memory.h"
 #include "house/drive.h"
 #include "house/observation.h"
-#include "house/yield.h"
+
+/* m: nobody is pushed farther out of the house. */
+static const double FARTHEST_OUT = 10;
 
 /* Layout -------------------------------------------------------------------------------------------------------- */
 
@@ -20,31 +23,36 @@ static void *lay(char *block, size_t *used, size_t count, size_t size) {
 
 /* Points the arrays into the block; returns its size. */
 static size_t lay_out(World *world, char *block) {
-    size_t used = 0, n = world->count;
-    world->centre = lay(block, &used, n, sizeof *world->centre);
-    world->axis = lay(block, &used, n, sizeof *world->axis);
-    world->heading = lay(block, &used, n, sizeof *world->heading);
-    world->velocity = lay(block, &used, n, sizeof *world->velocity);
-    world->turn = lay(block, &used, n, sizeof *world->turn);
-    world->force = lay(block, &used, n, sizeof *world->force);
-    world->ring = lay(block, &used, n, sizeof *world->ring);
-    world->ring_moment = lay(block, &used, n, sizeof *world->ring_moment);
-    world->moment = lay(block, &used, n, sizeof *world->moment);
-    world->present = lay(block, &used, n, sizeof *world->present);
-    world->phase = lay(block, &used, n, sizeof *world->phase);
-    world->reason = lay(block, &used, n, sizeof *world->reason);
-    world->exit = lay(block, &used, n, sizeof *world->exit);
-    world->ended = lay(block, &used, n, sizeof *world->ended);
-    world->sense = lay(block, &used, n, sizeof *world->sense);
-    world->drive = lay(block, &used, n, sizeof *world->drive);
-    world->body = lay(block, &used, n, sizeof *world->body);
-    world->near = lay(block, &used, n, sizeof *world->near);
-    world->slips = lay(block, &used, n * GAPS_MOST, sizeof *world->slips);
-    world->slip_count = lay(block, &used, n, sizeof *world->slip_count);
-    world->pair_slips = lay(block, &used, n * PAIR_SLIPS, sizeof *world->pair_slips);
-    world->pair_slip_count = lay(block, &used, n, sizeof *world->pair_slip_count);
-    world->was_clear = lay(block, &used, n, sizeof *world->was_clear);
-    world->door_open = lay(block, &used, world->house->plan.door_count, sizeof *world->door_open);
+    size_t used = 0, n = world->count, chairs = 0;
+    for (size_t i = 0; i < n; i++)
+        chairs += world_rides(world, i);
+#define LAY(array, count_) world->array = lay(block, &used, count_, sizeof *world->array)
+    LAY(centre, n);
+    LAY(axis, n);
+    LAY(heading, n);
+    LAY(velocity, n);
+    LAY(turn, n);
+    LAY(force, n);
+    LAY(ring, n);
+    LAY(ring_moment, n);
+    LAY(moment, n);
+    LAY(drive, n);
+    LAY(walk, n);
+    LAY(present, n);
+    LAY(riders, n);
+    LAY(seat, n);
+    LAY(phase, n);
+    LAY(reason, n);
+    LAY(exit, n);
+    LAY(ended, n);
+    LAY(sense, n);
+    LAY(body, n);
+    LAY(was_clear, n);
+    LAY(door_open, world->house->plan.door_count);
+    LAY(near, chairs);
+    LAY(slips, chairs * GAPS_MOST);
+    LAY(slip_count, chairs);
+#undef LAY
     return used;
 }
 
@@ -60,163 +68,24 @@ static void place_person(World *world, size_t i, bool takes_part) {
     world->phase[i] = takes_part ? PHASE_WAITING : PHASE_ABSENT;
     world->drive[i].best_turn = HUGE_VAL;
     world->drive[i].retreat_to = -1;
+    world->drive[i].heeded = HUGE_VAL;
+    world->walk[i] = (Walk){.best = HUGE_VAL, .door = -1};
 }
 
-/* Forces ---------------------------------------------------------------------------------------------------------- */
+/* Who is there ---------------------------------------------------------------------------------------------------- */
 
 static bool is_there(const World *world, size_t i) {
     return world->phase[i] != PHASE_ABSENT && world->phase[i] != PHASE_OUT;
 }
 
 static void list_present(World *world) {
-    world->present_count = 0;
-    for (size_t i = 0; i < world->count; i++)
-        if (is_there(world, i))
-            world->present[world->present_count++] = i;
-}
-
-/* One law over one gap, of which the body has the share. */
-static Vec2 law_force(const ContactLaw *law, const Gap *gap, double compression_gap, double gap_rate, double sliding,
-                      double dt, double *slip, double *normal_force) {
-    double normal = contact_normal(law, compression_gap, gap_rate) * gap->share;
-    *normal_force = normal;
-    if (normal <= 0) {
-        *slip = 0;
-        return vec2(0, 0);
-    }
-    ContactLaw shared = *law;
-    shared.tangential_stiffness *= gap->share;
-    shared.tangential_damping *= gap->share;
-    double along = contact_tangential(&shared, normal, sliding, dt, slip);
-    return vec2_along(vec2_scale(gap->normal, normal), along, vec2_left(gap->normal));
-}
-
-static const Slip *find_slip(const Slip *slips, int count, int key) {
-    for (int k = 0; k < count; k++)
-        if (slips[k].key == key)
-            return &slips[k];
-    return NULL;
-}
-
-static void feel(Sense *sense, const Body *body, const Gap *gap, double body_force, double ring_force, Vec2 at,
-                 int other) {
-    if (gap->gap < sense->clearance) {
-        sense->clearance = gap->gap;
-        sense->nearest_at = at;
-        sense->other = other;
-    }
-    sense->ring = real_max(sense->ring, real_min(body->reach, body->reach - gap->gap));
-    if (body_force > 0 && body_force >= sense->body_force)
-        sense->contact_at = at;
-    sense->body_force += body_force;
-    sense->ring_force += ring_force;
-}
-
-/* F2: body and personal space against walls, furniture and leaves. */
-static void force_of_obstacles(World *world, size_t i) {
-    const House *house = world->house;
-    const Profile *profile = house->people[i].profile;
-    Body *body = &world->body[i];
-    Vec2 centre = world->centre[i];
-    near_update(&world->near[i], body, centre, world->axis[i], &house->outline, &house->plan, world->door_open,
-                world->door_changes);
-    Gap gaps[GAPS_MOST];
-    Slip kept[GAPS_MOST], *slips = world->slips + i * GAPS_MOST;
-    int held[GAPS_MOST];
-    size_t held_count = 0;
-    for (int k = 0; k < world->slip_count[i]; k++)
-        if (slips[k].touches)
-            held[held_count++] = slips[k].key;
-    size_t count = gap_to_obstacles(gaps, body, centre, world->axis[i], &world->near[i], held, held_count);
-    Vec2 force = {0, 0}, rings = {0, 0};
-    double moment = 0, ring_moment = 0;
-    for (size_t g = 0; g < count; g++) {
-        const Gap *gap = &gaps[g];
-        const Slip *before = find_slip(slips, world->slip_count[i], gap->key);
-        kept[g] = before ? *before : (Slip){.key = gap->key};
-        Vec2 moving = vec2_along(world->velocity[i], world->turn[i], vec2_left(gap->arm));
-        double rate = vec2_dot(moving, gap->normal), sliding = vec2_dot(moving, vec2_left(gap->normal));
-        double hard = 0, soft = 0;
-        Vec2 ring = law_force(&profile->space, gap, gap->gap - body->reach, rate, sliding, world->clock.dt,
-                              &kept[g].ring, &soft);
-        Vec2 both = vec2_add(
-            ring, law_force(&profile->contact, gap, gap->gap, rate, sliding, world->clock.dt, &kept[g].body, &hard));
-        kept[g].touches = gap->gap < 0;
-        force = vec2_add(force, both);
-        moment += vec2_cross(gap->arm, both);
-        rings = vec2_add(rings, ring);
-        ring_moment += vec2_cross(gap->arm, ring);
-        feel(&world->sense[i], body, gap, hard, soft, vec2_add(centre, gap->arm), -1);
-    }
-    memcpy(slips, kept, count * sizeof *kept);
-    world->slip_count[i] = (int)count;
-    world->force[i] = vec2_add(world->force[i], force);
-    world->moment[i] += moment;
-    world->ring[i] = rings;
-    world->ring_moment[i] = ring_moment;
-}
-
-static ContactLaw mean_law(const ContactLaw *a, const ContactLaw *b) {
-    return (ContactLaw){(a->normal_stiffness + b->normal_stiffness) / 2, (a->normal_damping + b->normal_damping) / 2,
-                        (a->tangential_stiffness + b->tangential_stiffness) / 2,
-                        (a->tangential_damping + b->tangential_damping) / 2, (a->friction + b->friction) / 2};
-}
-
-/* F1: two people. The larger personal space counts, the law is the mean of both, the forces are equal and opposite. */
-static void force_of_pair(World *world, size_t i, size_t j, Slip kept[PAIR_SLIPS], int *kept_count) {
-    const Profile *a = world->house->people[i].profile, *b = world->house->people[j].profile;
-    const Body *body_a = &world->body[i], *body_b = &world->body[j];
-    double reach = real_max(body_a->reach, body_b->reach), sight = real_max(body_a->sight, body_b->sight);
-    double apart = vec2_distance(world->centre[i], world->centre[j]);
-    bool far = apart > body_a->swing + body_a->radius + body_b->swing + body_b->radius + sight;
-    if (far || !yield_sees(world, i, j))
-        return;
-    ContactLaw contact = mean_law(&a->contact, &b->contact), space = mean_law(&a->space, &b->space);
-    Gap gaps[GAPS_MOST];
-    size_t count =
-        gap_to_body(gaps, body_a, world->centre[i], world->axis[i], body_b, world->centre[j], world->axis[j], sight);
-    for (size_t g = 0; g < count; g++) {
-        const Gap *gap = &gaps[g];
-        Vec2 arm_b = vec2_sub(vec2_add(world->centre[i], gap->arm), world->centre[j]);
-        Vec2 moving = vec2_sub(vec2_along(world->velocity[i], world->turn[i], vec2_left(gap->arm)),
-                               vec2_along(world->velocity[j], world->turn[j], vec2_left(arm_b)));
-        double rate = vec2_dot(moving, gap->normal), sliding = vec2_dot(moving, vec2_left(gap->normal));
-        double hard = 0, soft = 0;
-        int key = (int)j * GAP_PARTS + gap->key;
-        const Slip *before = find_slip(world->pair_slips + i * PAIR_SLIPS, world->pair_slip_count[i], key);
-        Slip slip = before ? *before : (Slip){.key = key};
-        Vec2 ring = law_force(&space, gap, gap->gap - reach, rate, sliding, world->clock.dt, &slip.ring, &soft);
-        Vec2 both =
-            vec2_add(ring, law_force(&contact, gap, gap->gap, rate, sliding, world->clock.dt, &slip.body, &hard));
-        if (*kept_count < PAIR_SLIPS)
-            kept[(*kept_count)++] = slip;
-        world->force[i] = vec2_add(world->force[i], both);
-        world->force[j] = vec2_sub(world->force[j], both);
-        world->moment[i] += vec2_cross(gap->arm, both);
-        world->moment[j] -= vec2_cross(arm_b, both);
-        Vec2 at = vec2_add(world->centre[i], gap->arm);
-        feel(&world->sense[i], body_a, gap, hard, soft, at, (int)j);
-        feel(&world->sense[j], body_b, gap, hard, soft, at, (int)i);
-    }
-}
-
-static void gather_forces(World *world) {
-    for (size_t p = 0; p < world->present_count; p++) {
-        size_t i = world->present[p];
-        world->force[i] = vec2(0, 0);
-        world->moment[i] = 0;
-        world->sense[i] = (Sense){.clearance = world->body[i].sight, .other = -1};
-        if (world->was_clear[i])
-            force_of_obstacles(world, i);
-    }
-    for (size_t p = 0; p + 1 < world->present_count; p++) {
-        Slip kept[PAIR_SLIPS];
-        int kept_count = 0;
-        size_t i = world->present[p];
-        for (size_t q = p + 1; q < world->present_count; q++)
-            force_of_pair(world, i, world->present[q], kept, &kept_count);
-        memcpy(world->pair_slips + i * PAIR_SLIPS, kept, (size_t)kept_count * sizeof *kept);
-        world->pair_slip_count[i] = kept_count;
+    world->present_count = world->rider_count = 0;
+    for (size_t i = 0; i < world->count; i++) {
+        if (!is_there(world, i))
+            continue;
+        world->present[world->present_count++] = i;
+        if (world_rides(world, i))
+            world->riders[world->rider_count++] = i;
     }
 }
 
@@ -245,9 +114,26 @@ static bool leaf_is_free(const World *world, size_t door) {
     return true;
 }
 
+/* Whoever has held a shut door's handle for long enough opens it, once there is room for the leaf. */
+static void try_door(World *world, int door, double handle) {
+    if (handle < world->house->plan.doors[door].opening_time || world->door_open[door] ||
+        !leaf_is_free(world, (size_t)door))
+        return;
+    world->door_open[door] = true;
+    world->door_changes++;
+    world->shut_doors--;
+}
+
 static void open_doors(World *world) {
+    if (!world->shut_doors)
+        return;
     for (size_t p = 0; p < world->present_count; p++) {
         size_t i = world->present[p];
+        if (!world_rides(world, i)) {
+            if (world->phase[i] == PHASE_MOVING && world->walk[i].door >= 0)
+                try_door(world, world->walk[i].door, world->walk[i].handle);
+            continue;
+        }
         int door = world->phase[i] == PHASE_MOVING ? drive_door_at_hand(world, i) : -1;
         Drive *drive = &world->drive[i];
         if (door < 0) {
@@ -257,10 +143,7 @@ static void open_doors(World *world) {
         drive->handle += world->clock.dt;
         if (drive->handle < world->house->plan.doors[door].opening_time)
             drive->stalled = 0; /* opening a door is getting on, waiting for its leaf's place is not */
-        if (drive->handle >= world->house->plan.doors[door].opening_time && leaf_is_free(world, (size_t)door)) {
-            world->door_open[door] = true;
-            world->door_changes++;
-        }
+        try_door(world, door, drive->handle);
     }
 }
 
@@ -277,10 +160,10 @@ static Effort brake_person(const World *world, size_t i) {
     return (Effort){force, -real_max(-profile->turning_moment, real_min(profile->turning_moment, moment))};
 }
 
-/* F3 and F4: everybody decides from the same frozen state. */
+/* F3 and F4 of chairs: everybody decides from the same frozen state. */
 static void exert_efforts(World *world) {
-    for (size_t p = 0; p < world->present_count; p++) {
-        size_t i = world->present[p];
+    for (size_t r = 0; r < world->rider_count; r++) {
+        size_t i = world->riders[r];
         Effort effort =
             world->phase[i] == PHASE_MOVING ? drive_person(world, i, &world->drive[i]) : brake_person(world, i);
         world->force[i] = vec2_add(world->force[i], effort.force);
@@ -319,9 +202,8 @@ static bool crosses(const Exit *exit, Vec2 before, Vec2 after) {
     return turn != 0 && -along / turn >= 0 && -along / turn <= 1;
 }
 
-static void leave(World *world, size_t i, Vec2 before) {
+bool world_leave(World *world, size_t i, Vec2 before, Vec2 after) {
     const Plan *plan = &world->house->plan;
-    Vec2 after = world_reference(world, i);
     double time = (double)(world->clock.step + 1) * world->clock.dt;
     for (size_t e = 0; e < plan->exit_count; e++) {
         const Exit *exit = &plan->exits[e];
@@ -329,104 +211,149 @@ static void leave(World *world, size_t i, Vec2 before) {
             world->phase[i] = PHASE_OUT;
             world->exit[i] = e;
             world->ended[i] = time;
-            world->departures++;
-            return;
+            return true;
         }
     }
+    return false;
 }
 
-static void give_up(World *world, size_t i, Reason reason) {
+void world_give_up(World *world, size_t i, int reason) {
     world->phase[i] = PHASE_STUCK;
     world->reason[i] = reason;
     world->ended[i] = clock_time(&world->clock);
     world->drive[i].departures = world->departures;
+    world->walk[i].wish = vec2(0, 0);
 }
 
-/* Starts those whose delay is over; those for whom there is no way, or who no longer get on, stay where they are, the
- * latter until somebody else has left. */
-static void change_phases(World *world) {
-    double time = clock_time(&world->clock);
+/* Starts those whose delay is over; those for whom there is no way stay where they are. */
+static void start_people(World *world, double time) {
+    world->next_start = HUGE_VAL;
     for (size_t p = 0; p < world->present_count; p++) {
         size_t i = world->present[p];
-        const Route *route = &world->journeys[i].route;
-        if (world->phase[i] == PHASE_WAITING && time >= world->house->people[i].delay) {
-            world->phase[i] = PHASE_MOVING;
-            if (route->answer != ROUTE_FOUND)
-                give_up(world, i, route->answer == ROUTE_NO_EXIT ? REASON_NO_EXIT : REASON_CANNOT_PASS);
-        } else if (world->phase[i] == PHASE_MOVING && world->drive[i].stalled > world->house->plan.run.patience) {
-            bool closed = time > world->house->plan.exits[route->exit].closes;
-            give_up(world, i, closed ? REASON_NO_EXIT : REASON_BLOCKED);
-        } else if (world->phase[i] == PHASE_STUCK && world->reason[i] == REASON_BLOCKED &&
-                   world->drive[i].departures != world->departures) {
-            world->phase[i] = PHASE_MOVING; /* somebody has left: perhaps there is room now */
-            world->reason[i] = REASON_NONE;
-            world->drive[i].stalled = 0;
+        double delay = world->house->people[i].delay;
+        RouteAnswer answer = world->journeys[i].route.answer;
+        if (world->phase[i] != PHASE_WAITING)
+            continue;
+        if (time < delay) {
+            world->next_start = real_min(world->next_start, delay);
+            continue;
+        }
+        world->phase[i] = PHASE_MOVING;
+        if (answer != ROUTE_FOUND)
+            world_give_up(world, i, answer == ROUTE_NO_EXIT ? REASON_NO_EXIT : REASON_CANNOT_PASS);
+    }
+}
+
+/* Somebody has left: perhaps there is room now for those who were blocked. */
+static void resume_people(World *world) {
+    world->resumed = world->departures;
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t i = world->present[p];
+        if (world->phase[i] != PHASE_STUCK || world->reason[i] != REASON_BLOCKED)
+            continue;
+        world->phase[i] = PHASE_MOVING;
+        world->reason[i] = REASON_NONE;
+        world->drive[i].stalled = world->walk[i].stalled = 0;
+    }
+}
+
+/* Who no longer gets on stays there; of walkers the decision tells (walk.c). */
+static void change_phases(World *world) {
+    double time = clock_time(&world->clock);
+    if (time >= world->next_start)
+        start_people(world, time);
+    if (world->resumed != world->departures)
+        resume_people(world);
+    for (size_t r = 0; r < world->rider_count; r++) {
+        size_t i = world->riders[r];
+        if (world->phase[i] == PHASE_MOVING && world->drive[i].stalled > world->house->plan.run.patience) {
+            bool closed = time > world->house->plan.exits[world->journeys[i].route.exit].closes;
+            world_give_up(world, i, closed ? REASON_NO_EXIT : REASON_BLOCKED);
         }
     }
 }
 
 /* Beginning and end ------------------------------------------------------------------------------------------------ */
 
+/* Steps in so many seconds, at least one. */
+static uint64_t steps_in(double seconds, double dt) {
+    return seconds > 1.5 * dt ? (uint64_t)(seconds / dt + 0.5) : 1;
+}
+
+/* Lists that no longer hold are made anew. */
+static void update_lists(World *world) {
+    if (walkers_update(world))
+        ride_list(world);
+}
+
 World world_create(const House *house, const Journey *journeys, const bool *part) {
+    const Plan *plan = &house->plan;
     World world = {.house = house,
                    .journeys = journeys,
-                   .clock = {0, house->plan.run.dt},
+                   .clock = {0, plan->run.dt},
                    .count = house->person_count,
-                   .digest = 0xcbf29ce484222325u};
+                   .decision_steps = steps_in(WALK_PERIOD, plan->run.dt),
+                   .sense_steps = steps_in(WORLD_SENSE_PERIOD, plan->run.dt),
+                   .bounds = box_expand(house->outline.box, FARTHEST_OUT),
+                   .digest = DIGEST_START};
     world.block_size = lay_out(&world, NULL);
     world.block = memory_allocate(world.block_size, 1);
     lay_out(&world, world.block);
-    for (size_t d = 0; d < house->plan.door_count; d++)
-        world.door_open[d] = !outline_door_moves(&house->plan.doors[d]);
+    for (size_t d = 0; d < plan->door_count; d++) {
+        world.door_open[d] = !outline_door_moves(&plan->doors[d]);
+        world.shut_doors += !world.door_open[d];
+    }
+    for (size_t e = 0; e < plan->exit_count; e++)
+        world.last_opening = real_max(world.last_opening, plan->exits[e].opens);
+    size_t seats = 0;
     for (size_t i = 0; i < world.count; i++) {
         place_person(&world, i, !part || part[i]);
         world.was_clear[i] = world_is_clear(&world, i);
+        world.seat[i] = world_rides(&world, i) ? seats++ : SIZE_MAX;
+        world.sense[i] = (Sense){.clearance = world.body[i].sight, .other = -1};
     }
     list_present(&world);
-    gather_forces(&world); /* what everybody feels before the first step */
+    walkers_init(&world.walkers, &world);
+    ride_init(&world.rides, &world);
+    update_lists(&world);
+    ride_gather_forces(&world, true); /* what everybody feels before the first step */
     return world;
 }
 
 void world_destroy(World *world) {
+    walkers_clear(&world->walkers);
+    ride_clear(&world->rides);
     memory_free(world->block);
     *world = (World){0};
 }
 
 World world_copy(const World *world) {
     World copy = *world;
+    copy.team = NULL;
     copy.block = memory_allocate(world->block_size, 1);
     memcpy(copy.block, world->block, world->block_size);
     lay_out(&copy, copy.block);
+    walkers_copy(&copy.walkers, &world->walkers);
+    ride_copy(&copy.rides, &world->rides);
     return copy;
 }
 
 /* Digest and divergence ----------------------------------------------------------------------------------------------
  */
 
-static uint64_t mix(uint64_t digest, double value) {
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    digest = (digest ^ bits) * 0x9e3779b97f4a7c15u;
-    return digest ^ (digest >> 29);
-}
-
 /* Every person's digest is made by itself and the sum taken, so that the order of people does not matter. */
-static void digest_states(World *world) {
+static uint64_t digest_of_riders(const World *world) {
     uint64_t sum = 0;
-    for (size_t p = 0; p < world->present_count; p++) {
-        size_t i = world->present[p];
-        uint64_t digest = mix(mix(0, world->centre[i].x), world->centre[i].y);
-        digest = mix(mix(digest, world->velocity[i].x), world->velocity[i].y);
-        sum += mix(mix(digest, world->heading[i]), world->turn[i]);
+    for (size_t r = 0; r < world->rider_count; r++) {
+        size_t i = world->riders[r];
+        uint64_t digest = digest_pair(digest_pair(0, world->centre[i]), world->velocity[i]);
+        sum += digest_mix(digest_mix(digest, world->heading[i]), world->turn[i]);
     }
-    world->digest = (world->digest ^ sum) * 0x100000001b3u;
+    return sum;
 }
 
 static bool is_sound(const World *world, size_t i) {
-    Box box = box_expand(world->house->outline.box, 10); /* m: nobody is pushed farther out of the house */
-    Vec2 at = world->centre[i];
-    return at.x >= box.low.x && at.x <= box.high.x && at.y >= box.low.y && at.y <= box.high.y &&
-           isfinite(world->heading[i]) && isfinite(world->turn[i]);
+    return world_holds(world, world->centre[i]) && isfinite(world->heading[i]) && isfinite(world->turn[i]);
 }
 
 /* Clips the segment to the core's strip in one direction; false when nothing is left. */
@@ -481,39 +408,62 @@ bool world_goes_on(const World *world) {
     return false;
 }
 
-/* Everybody who is left moves; whoever crosses an exit is gone. */
-static WorldStatus move_everybody(World *world, size_t *who) {
-    WorldStatus status = WORLD_OK;
-    for (size_t p = 0; p < world->present_count; p++) {
-        size_t i = world->present[p];
+/* Did the mass centre go into a wall? */
+static int crossed_faces(const Near *near, Vec2 before, Vec2 after) {
+    int crossed = 0;
+    for (int f = 0; f < near->close_faces; f++)
+        crossed += near_crosses(&near->face[near->close_face[f]], before, after);
+    return crossed;
+}
+
+/* Every chair moves; whoever crosses an exit is gone. */
+static void move_riders(World *world, size_t *diverged) {
+    for (size_t r = 0; r < world->rider_count; r++) {
+        size_t i = world->riders[r];
         if (!world->was_clear[i])
             continue;
-        Vec2 before = world_reference(world, i);
+        Vec2 before = world_reference(world, i), middle = world->centre[i];
         move_person(world, i);
+        world->wall_crossings += crossed_faces(&world->near[world->seat[i]], middle, world->centre[i]);
         if (world->phase[i] == PHASE_MOVING)
-            leave(world, i, before);
-        if (!is_sound(world, i)) {
-            give_up(world, i, REASON_DIVERGED);
-            status = WORLD_DIVERGED;
-            if (who)
-                *who = i;
-        }
+            world->departures += world_leave(world, i, before, world_reference(world, i));
+        bool sound = is_sound(world, i);
+        if (!sound && *diverged == SIZE_MAX)
+            *diverged = i;
         /* What is deeper than the body's rounding is being pushed out by the contact law. */
-        assert(status == WORLD_DIVERGED || world->sense[i].body_force > 0 || world_is_clear(world, i));
+        assert(!sound || world->sense[i].body_force > 0 || world_is_clear(world, i));
     }
-    return status;
+}
+
+static void forget_senses(World *world) {
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t i = world->present[p];
+        world->sense[i] = (Sense){.clearance = world->body[i].sight, .other = -1};
+    }
 }
 
 WorldStatus world_step(World *world, size_t *who) {
     int departures = world->departures;
+    size_t diverged = SIZE_MAX;
+    world->sensed = (world->clock.step + 1) % world->sense_steps == 0;
     change_phases(world);
     open_doors(world);
-    gather_forces(world);
+    update_lists(world);
+    if (world->sensed)
+        forget_senses(world);
+    ride_gather_forces(world, world->sensed);
     exert_efforts(world);
-    WorldStatus status = move_everybody(world, who);
+    uint64_t digest = walkers_step(world, world->sensed, &diverged);
+    move_riders(world, &diverged);
+    walkers_follow(world);
+    digest += digest_of_riders(world);
+    if (diverged != SIZE_MAX)
+        world_give_up(world, diverged, REASON_DIVERGED);
     if (world->departures != departures)
         list_present(world);
     world->clock.step++;
-    digest_states(world);
-    return status;
+    world->digest = digest_chain(world->digest, digest);
+    if (who)
+        *who = diverged;
+    return diverged == SIZE_MAX ? WORLD_OK : WORLD_DIVERGED;
 }

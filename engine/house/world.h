@@ -11,17 +11,23 @@
  * where the springs and dashpots of the left side are those of the contacts, of the body and of the personal space.
  * For the driver the turning of the body is integrated as well, and the wheels hold it sideways.
  *
- * A step reads everybody, then moves everybody: semi-implicit Euler from forces of the frozen state. A world points
- * only at things that do not change while it moves and owns one block of memory, so that it can be copied whole. */
+ * A step reads everybody, then moves everybody: semi-implicit Euler from forces of the frozen state. Chairs, few and
+ * each with a shape and a planned way, are worked out one by one (ride.h, drive.h); people on foot, many and round, in
+ * slots (walkers.h). A world points only at things that do not change while it moves and owns all that does, so that it
+ * can be copied whole. */
 #pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/parallel.h"
 #include "house/gap.h"
 #include "house/house.h"
 #include "house/journey.h"
+#include "house/ride.h"
+#include "house/walk.h"
+#include "house/walkers.h"
 #include "mechanics/clock.h"
 
 typedef enum Phase {
@@ -33,13 +39,6 @@ typedef enum Phase {
 } Phase;
 
 typedef enum WorldStatus { WORLD_OK, WORLD_DIVERGED } WorldStatus;
-
-/* A tangential spring's memory, as long as the pair touches. */
-typedef struct Slip {
-    int key;
-    double body, ring; /* m */
-    bool touches;      /* the body itself */
-} Slip;
 
 /* What a person feels in this step. */
 typedef struct Sense {
@@ -67,47 +66,62 @@ typedef struct Drive {
     double retreat_to; /* m, along the track: back to there, to try again; negative: not retreating */
     int retries;       /* since the last progress */
     int departures;    /* of others that had been seen when the person gave up */
+    double heeded;     /* m/s, the speed that the people ahead leave, when last looked at */
+    double around;     /* m, the offset at which they are passed */
 } Drive;
 
 typedef struct World {
     const House *house;
-    const Journey *journeys;
+    const Journey *journeys; /* (count) */
+    ParallelTeam *team;      /* not owned; NULL: this thread alone */
     Clock clock;
     size_t count;         /* of people */
     size_t present_count; /* of those who take part and are not out */
+    size_t rider_count;   /* of them in chairs */
     uint64_t digest;
+    uint64_t decision_steps; /* from one decision of a walker, or look of a chair's driver, to the next */
+    uint64_t sense_steps;    /* from one time that walkers' senses are filled to the next; chairs' always are */
+    bool sensed;             /* walkers' senses were filled in the last step */
     int door_changes;
-    int departures; /* people who have left */
+    int shut_doors;      /* that can be opened and have not been */
+    int departures;      /* people who have left */
+    int resumed;         /* departures after which the blocked have tried again */
+    int wall_crossings;  /* middles of bodies that went into a wall: there must be none */
+    double next_start;   /* s, when the next delay is over */
+    double last_opening; /* s, of an exit: until then waiting is not being blocked */
+    Box bounds;          /* m: whoever leaves it has been thrown out of the house */
+    Walkers walkers;
+    Rides rides;
     /* one per person (count), of the mass centre unless said otherwise */
     Vec2 *centre;        /* m */
     Vec2 *axis;          /* unit, along the heading */
     double *heading;     /* rad */
     Vec2 *velocity;      /* m/s */
     double *turn;        /* rad/s */
-    Vec2 *force;         /* N, of contacts, this step */
+    Vec2 *force;         /* N, of contacts, this step; chairs only, as the next four */
     Vec2 *ring;          /* N, of it what obstacles do through the personal space */
     double *ring_moment; /* N m */
     double *moment;      /* N m */
-    size_t *present;     /* (present_count) who they are, rising */
-    int *phase;          /* Phase */
-    int *reason;         /* Reason, of the stuck */
-    size_t *exit;        /* crossed; SIZE_MAX: none */
-    double *ended;       /* s, when out or stuck */
-    Sense *sense;
     Drive *drive;
+    Walk *walk;      /* walkers only */
+    size_t *present; /* (present_count) who they are, rising */
+    size_t *riders;  /* (rider_count) of them in chairs, rising */
+    size_t *seat;    /* of a chair, its place in the arrays below */
+    int *phase;      /* Phase */
+    int *reason;     /* Reason, of the stuck */
+    size_t *exit;    /* crossed; SIZE_MAX: none */
+    double *ended;   /* s, when out or stuck */
+    Sense *sense;
     Body *body;
+    bool *was_clear; /* of everything at the start; a chair that was not stays there */
+    bool *door_open; /* (doors) */
+    /* one per chair, by its seat */
     Near *near;
-    Slip *slips; /* (count x GAPS_MOST) */
+    Slip *slips; /* (chairs x GAPS_MOST) */
     int *slip_count;
-    Slip *pair_slips;     /* (count x PAIR_SLIPS) with people of a higher index, keys other * GAP_PARTS + part */
-    int *pair_slip_count; /* (count) */
-    bool *door_open;      /* (doors) */
-    bool *was_clear;      /* of everything at the start; whoever was not stays there */
-    void *block;          /* all of the above */
+    void *block; /* all of the arrays above */
     size_t block_size;
 } World;
-
-enum { PAIR_SLIPS = 48 /* touching parts of people around one: six others with all their corners */ };
 
 /* The world before its first step. The house and the journeys must outlive it. world_destroy releases it. */
 World world_create(const House *house, const Journey *journeys, const bool *part);
@@ -117,7 +131,7 @@ void world_destroy(World *world);
 World world_copy(const World *world);
 
 /* One step of house->plan.run.dt. On WORLD_DIVERGED a number was no longer finite or somebody was thrown out of the
- * house; `*who` (may be NULL) is the person, whose phase is then PHASE_STUCK. */
+ * house; `*who` (may be NULL) is the person, whose phase is then PHASE_STUCK, otherwise SIZE_MAX. */
 WorldStatus world_step(World *world, size_t *who);
 
 /* Is anybody still on the way? */
@@ -127,6 +141,28 @@ bool world_goes_on(const World *world);
  * rounding. Looks at the faces themselves, not at the neighbours kept for contacts; debug builds assert after every
  * step that it holds for everybody but those whom the contact law is pushing out. */
 bool world_is_clear(const World *world, size_t i);
+
+#define WORLD_SENSE_PERIOD 0.01 /* s, between two times that walkers' senses are filled */
+
+/* For the parts of a step -------------------------------------------------------------------------------------------
+ */
+
+/* Has person i, on the way from one place to another, crossed an exit that is open now? Then the person is out. */
+bool world_leave(World *world, size_t i, Vec2 before, Vec2 after);
+
+/* Person i gets no farther, for a Reason. */
+void world_give_up(World *world, size_t i, int reason);
+
+/* Is the place finite and not far out of the house? */
+static inline bool world_holds(const World *world, Vec2 at) {
+    return at.x >= world->bounds.low.x && at.x <= world->bounds.high.x && at.y >= world->bounds.low.y &&
+           at.y <= world->bounds.high.y;
+}
+
+/* Is the person in a chair, or a disc of the paper? */
+static inline bool world_rides(const World *world, size_t i) {
+    return world->house->people[i].profile->driving != DRIVING_WALKER;
+}
 
 /* The reference point of a person, m. */
 static inline Vec2 world_reference(const World *world, size_t i) {

@@ -20,6 +20,8 @@ static const double SLOW_PASSING = 0.15, STANDING = 0.05;
 static const double DEADLOCK = 2;
 
 bool yield_sees(const World *world, size_t i, size_t j) {
+    if (walk_sees(&world->house->space, world->centre[i], world->centre[j]))
+        return true; /* told quickly; what the grid calls hidden is looked at more closely */
     Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
     double distance = vec2_length(to);
     return distance <= 0 || outline_ray(&world->house->outline, world->centre[i], vec2_scale(to, 1 / distance),
@@ -104,26 +106,41 @@ static double speed_past(const World *world, size_t i, size_t j, const Sight *si
     return real_min(speed, braking + real_max(sight->coming, 0));
 }
 
-double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, double speed) {
-    double aside = 0;
-    for (size_t p = 0; p < world->present_count; p++) {
-        size_t j = world->present[p];
-        if (j == i)
-            continue;
-        Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
-        double passed = -extent(world, i, vec2_scale(travel, -1)) - extent(world, j, travel);
-        if (vec2_dot(to, to) > SIGHT * SIGHT || vec2_dot(to, travel) < passed || !yield_sees(world, i, j))
-            continue;
-        Sight sight = look_at(world, i, j);
-        if (fabs(sight.lateral) > SIGHT / 2)
-            continue;
-        double offset = sight.coming < STANDING ? pass_offset(world, i, &sight) : 0;
-        aside = fabs(offset) > fabs(aside) ? offset : aside;
-        speed = speed_past(world, i, j, &sight, speed);
+/* The speed that somebody's being there leaves, at most `speed`, and the offset at which that person is passed. */
+static void heed(const World *world, size_t i, size_t j, Vec2 travel, double *speed, double *around) {
+    if (j == i || world->phase[j] == PHASE_OUT)
+        return;
+    Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
+    double passed = -extent(world, i, vec2_scale(travel, -1)) - extent(world, j, travel);
+    if (vec2_dot(to, to) > SIGHT * SIGHT || vec2_dot(to, travel) < passed)
+        return;
+    Sight sight = look_at(world, i, j);
+    if (fabs(sight.lateral) > SIGHT / 2 || !yield_sees(world, i, j))
+        return;
+    double offset = sight.coming < STANDING ? pass_offset(world, i, &sight) : 0;
+    *around = fabs(offset) > fabs(*around) ? offset : *around;
+    *speed = speed_past(world, i, j, &sight, *speed);
+}
+
+/* Everybody in sight, in the order of the cells. */
+static void look_around(const World *world, size_t i, Drive *drive, Vec2 travel) {
+    const Cells *cells = &world->walkers.cells;
+    CellRange range = cells_around(cells, world->centre[i], SIGHT + WALKERS_SKIN);
+    drive->heeded = HUGE_VAL;
+    drive->around = 0;
+    for (int y = range.y0; y <= range.y1; y++) {
+        uint32_t end;
+        for (uint32_t s = cells_row(cells, &range, y, &end); s < end; s++)
+            heed(world, i, cells->who[s], travel, &drive->heeded, &drive->around);
     }
+}
+
+double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, double speed) {
+    if ((world->clock.step + i) % world->decision_steps == 0)
+        look_around(world, i, drive, travel);
     /* A swerve takes way, not time: somebody who stands does not get any farther to one side. */
     double moved = vec2_length(world->velocity[i]) * world->clock.dt, change = SWERVE * moved, before = drive->aside;
-    drive->aside += real_clamp(aside - before, -change, change);
+    drive->aside += real_clamp(drive->around - before, -change, change);
     drive->swerve = moved > 0 ? (drive->aside - before) / moved : 0;
-    return speed;
+    return real_min(speed, drive->heeded);
 }

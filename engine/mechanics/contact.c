@@ -1,19 +1,9 @@
 #include "mechanics/contact.h"
 
-#include <math.h>
-
-double contact_tangential(const ContactLaw *law, double normal_force, double sliding, double dt, double *slip) {
-    double carried = *slip + sliding * dt;
-    double force = -(law->tangential_stiffness * carried + law->tangential_damping * sliding);
-    double limit = law->friction * normal_force;
-    if (fabs(force) > limit) {
-        force = copysign(limit, force);
-        carried = law->tangential_stiffness > 0
-                      ? (-force - law->tangential_damping * sliding) / law->tangential_stiffness
-                      : 0;
-    }
-    *slip = carried;
-    return force;
+ContactLaw contact_mean(const ContactLaw *a, const ContactLaw *b) {
+    return (ContactLaw){(a->normal_stiffness + b->normal_stiffness) / 2, (a->normal_damping + b->normal_damping) / 2,
+                        (a->tangential_stiffness + b->tangential_stiffness) / 2,
+                        (a->tangential_damping + b->tangential_damping) / 2, (a->friction + b->friction) / 2};
 }
 
 /* Semi-implicit Euler on m x'' + c x' + k x = 0, with the damping force taken from the old velocity, is stable while

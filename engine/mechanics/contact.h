@@ -14,6 +14,8 @@
  */
 #pragma once
 
+#include <math.h>
+
 typedef struct ContactLaw {
     double normal_stiffness;     /* k_n, N/m */
     double normal_damping;       /* c_n, N s/m */
@@ -34,7 +36,23 @@ static inline double contact_normal(const ContactLaw *law, double gap, double ga
 /* The tangential force, N, along the direction in which `sliding` (m/s, of the body relative to the other) is
  * positive; it opposes the sliding. `*slip` (m) is the spring's length and is carried on by one step of `dt` s; when
  * the friction limit is met it is set back so that the law gives the limited force. */
-double contact_tangential(const ContactLaw *law, double normal_force, double sliding, double dt, double *slip);
+static inline double contact_tangential(const ContactLaw *law, double normal_force, double sliding, double dt,
+                                        double *slip) {
+    double carried = *slip + sliding * dt;
+    double force = -(law->tangential_stiffness * carried + law->tangential_damping * sliding);
+    double limit = law->friction * normal_force;
+    if (fabs(force) > limit) {
+        force = copysign(limit, force);
+        carried = law->tangential_stiffness > 0
+                      ? (-force - law->tangential_damping * sliding) / law->tangential_stiffness
+                      : 0;
+    }
+    *slip = carried;
+    return force;
+}
+
+/* What acts between two who have laws of their own: the mean of both. */
+ContactLaw contact_mean(const ContactLaw *a, const ContactLaw *b);
 
 /* The longest stable step, s, of semi-implicit Euler for a mass `mass` (kg) held by `contacts` such springs and
  * dashpots at once: (2 / omega) (sqrt(1 + zeta^2) - zeta). Infinite without stiffness and damping. */

@@ -41,18 +41,18 @@ static double one_turn(const char *source, const char *route, double seconds[PAR
     seconds[0] = bench_now() - begin;
     const bool *part = only(&house, route);
     begin = bench_now();
-    Journey *journeys = journey_plan_all(&house, part, 1, NULL);
+    Journeys journeys = journey_plan_all(&house, part, 1, NULL);
     seconds[1] = bench_now() - begin;
     size_t who = 0;
     while (!part[who])
         who++;
     Track again = {0};
     begin = bench_now();
-    track_build_driver(&again, &house, &house.people[who], &journeys[who].route);
+    track_build_driver(&again, &house, &house.people[who], &journeys.of[who].route);
     seconds[2] = bench_now() - begin;
     seconds[1] -= seconds[2];
     track_free(&again);
-    World world = world_create(&house, journeys, part), twin = world_copy(&world);
+    World world = world_create(&house, journeys.of, part), twin = world_copy(&world);
     begin = bench_now();
     while (world_goes_on(&world))
         world_step(&world, NULL);
@@ -71,7 +71,7 @@ static double one_turn(const char *source, const char *route, double seconds[PAR
     memory_free(people);
     world_destroy(&twin);
     world_destroy(&world);
-    journey_free_all(journeys, house.person_count);
+    journey_free_all(&journeys);
     house_free(&house);
     return simulated;
 }

@@ -1,0 +1,25 @@
+/* A digest of numbers: 64 bits that differ when any bit of what went in does. */
+#pragma once
+
+#include <stdint.h>
+#include <string.h>
+
+#include "base/vec2.h"
+
+#define DIGEST_START 0xcbf29ce484222325u
+
+static inline uint64_t digest_mix(uint64_t digest, double value) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    digest = (digest ^ bits) * 0x9e3779b97f4a7c15u;
+    return digest ^ (digest >> 29);
+}
+
+static inline uint64_t digest_pair(uint64_t digest, Vec2 pair) {
+    return digest_mix(digest_mix(digest, pair.x), pair.y);
+}
+
+/* One digest after another; the order counts. */
+static inline uint64_t digest_chain(uint64_t digest, uint64_t next) {
+    return (digest ^ next) * 0x100000001b3u;
+}

@@ -1,0 +1,236 @@
+/* Somebody on foot follows the direction in which the time to the goal falls (march.h) at the speed
+ *
+ *     v = min(v_0, s / T)
+ *
+ *     v_0  free speed, m/s                 s  free way to the nearest body ahead, m
+ *     T    time gap, s                     l  sum of both radii, m
+ *
+ * which is the collision-free speed model of Tordeux, Chraibi and Seyfried (2016): the slope of speed against spacing
+ * is what single files of people show. s is measured along the way that is walked,
+ *
+ *                   .-.
+ *        me  o--s--( o )            s = x - sqrt(l^2 - y^2) for bodies with |y| < l, x ahead and y beside the way,
+ *                   '-'             each taken where it will be a moment later
+ *
+ * and when it is too short to walk freely, other headings to both sides are looked at (Moussaid, Helbing and Theraulaz
+ * 2011): the one along which most way is made good is taken. Straight on only those count who are nearer to the goal than
+ * oneself: who is ahead goes first. Of two who meet in front of a door one therefore always goes, and no arch holds for
+ * good. Shoving is left to the contact law. */
+#include "house/walk.h"
+
+#include "house/observation.h"
+#include "house/world.h"
+
+/* All of these are assumed. */
+
+/* m: as far as bodies ahead are looked at. */
+static const double SIGHT = 2.0;
+/* s: others are reckoned with where they will be then. */
+static const double FORESIGHT = 0.3;
+/* m: left between oneself and whoever is ahead or passed. */
+static const double BERTH = 0.10;
+/* m: free floor wanted ahead of a heading to one side. */
+static const double STEP = 0.4;
+/* 1 and m/s: a heading to one side has to make good so much more way than the ones before. */
+static const double BETTER = 1.05, BETTER_BY = 0.10;
+/* s: less time gained does not count as getting on. */
+static const double PROGRESS = 0.05;
+/* m: from its line, to where somebody has hold of a shut door. */
+static const double ARMS_REACH = 0.45;
+
+/* Headings beside the way, left and right in turn, as cosine and sine. */
+enum { HEADINGS = 9 };
+static const Vec2 headings[HEADINGS] = {
+    {1, 0},
+    {0.93969262078590843, 0.34202014332566871},
+    {0.93969262078590843, -0.34202014332566871},
+    {0.76604444311897801, 0.64278760968653936},
+    {0.76604444311897801, -0.64278760968653936},
+    {0.5, 0.86602540378443860},
+    {0.5, -0.86602540378443860},
+    {0.17364817766693041, 0.98480775301220802},
+    {0.17364817766693041, -0.98480775301220802},
+};
+
+enum { SEEN_MOST = 64 };
+
+/* A disc ahead. */
+typedef struct Seen {
+    Vec2 at;         /* m, from oneself, a moment later */
+    double together; /* m, sum of the radii and the berth */
+    bool first;      /* nearer to the goal */
+} Seen;
+
+typedef struct View {
+    const World *world;
+    const March *march;
+    Vec2 at, way;
+    double radius, time, speed, gap; /* m, s, m/s, s */
+    Seen seen[SEEN_MOST];
+    int count;
+} View;
+
+bool walk_sees(const FreeSpace *space, Vec2 from, Vec2 to) {
+    double whole = vec2_distance(from, to), done = 0, thin = space->cell / 2;
+    Vec2 along = whole > 0 ? vec2_scale(vec2_sub(to, from), 1 / whole) : vec2(1, 0);
+    while (done < whole) {
+        double free = freespace_distance(space, vec2_along(from, done, along));
+        if (free >= whole - done)
+            return true;
+        if (free < thin && done > 0)
+            return false;
+        done += real_max(free, thin);
+    }
+    return true;
+}
+
+/* A disc at `from` me that moves so. */
+static void see_disc(View *view, Vec2 from, Vec2 velocity, double radius) {
+    double together = view->radius + radius + BERTH;
+    if (vec2_dot(from, view->way) < -together || view->count == SEEN_MOST ||
+        vec2_dot(from, from) > (SIGHT + together) * (SIGHT + together))
+        return;
+    Vec2 there = vec2_add(view->at, from);
+    if (!walk_sees(&view->world->house->space, view->at, there))
+        return;
+    bool first = march_time(view->march, there) < view->time;
+    view->seen[view->count++] = (Seen){vec2_along(from, FORESIGHT, velocity), together, first};
+}
+
+/* A chair is as good as a row of discs. */
+static void see_chair(View *view, size_t j, Vec2 from) {
+    const Body *body = &view->world->body[j];
+    Vec2 axis = view->world->axis[j], velocity = view->world->velocity[j];
+    double radius = body->half.y + body->radius, ends = real_max(body->half.x + body->radius - radius, 0);
+    Vec2 middle = vec2_add(from, vec2_turn(body->middle, axis));
+    for (int end = -1; end <= 1; end++)
+        if (end == 0 || ends > 0)
+            see_disc(view, vec2_along(middle, end * ends, axis), velocity, radius);
+}
+
+static void look_around(View *view, uint32_t slot) {
+    const Walkers *walkers = &view->world->walkers;
+    CellRange range = cells_around(&walkers->cells, view->at, SIGHT + WALKERS_SKIN);
+    for (int y = range.y0; y <= range.y1; y++) {
+        uint32_t end;
+        for (uint32_t s = cells_row(&walkers->cells, &range, y, &end); s < end; s++) {
+            const WalkerKind *kind = &walkers->kinds[walkers->kind[s]];
+            Vec2 from = vec2_sub(walkers->at[s], view->at);
+            uint32_t j = walkers->cells.who[s];
+            if (s == slot || vec2_dot(from, from) > (SIGHT + 1) * (SIGHT + 1) || view->world->phase[j] == PHASE_OUT)
+                continue;
+            if (kind->walks)
+                see_disc(view, from, walkers->velocity[s], kind->radius);
+            else
+                see_chair(view, j, from);
+        }
+    }
+}
+
+/* The free way along a heading, m: straight on only those count who go first, to one side everybody. */
+static double free_way(const View *view, Vec2 heading, bool straight) {
+    double least = SIGHT;
+    for (int k = 0; k < view->count; k++) {
+        const Seen *seen = &view->seen[k];
+        if (straight && !seen->first)
+            continue;
+        double ahead = vec2_dot(seen->at, heading), beside = vec2_cross(heading, seen->at);
+        double square = seen->together * seen->together - beside * beside;
+        if (ahead > 0 && square > 0)
+            least = real_min(least, ahead - sqrt(square));
+    }
+    return real_max(least, 0);
+}
+
+static double speed_along(const View *view, Vec2 heading, bool straight) {
+    return real_min(view->speed, free_way(view, heading, straight) / view->gap);
+}
+
+/* The velocity that makes most way good. */
+static Vec2 choose(const View *view) {
+    Vec2 best = view->way;
+    double speed = speed_along(view, best, true), good = speed;
+    if (speed >= view->speed)
+        return vec2_scale(best, speed);
+    const FreeSpace *space = &view->world->house->space;
+    double least = real_min(view->radius, freespace_distance(space, view->at));
+    for (int h = 1; h < HEADINGS; h++) {
+        if (view->speed * headings[h].x <= good * BETTER + BETTER_BY)
+            break; /* even free this one and those after it are no better */
+        Vec2 heading = vec2_turn(headings[h], view->way);
+        double along = speed_along(view, heading, false), made = along * headings[h].x;
+        if (made > good * BETTER + BETTER_BY &&
+            freespace_distance(space, vec2_along(view->at, STEP, heading)) >= least) {
+            best = heading;
+            speed = along;
+            good = made;
+        }
+    }
+    return vec2_scale(best, speed);
+}
+
+/* The shut door whose line the way crosses within arm's reach, or -1. */
+static int door_ahead(const World *world, Vec2 at, Vec2 way, double radius) {
+    const Plan *plan = &world->house->plan;
+    for (size_t d = 0; world->shut_doors && d < plan->door_count; d++) {
+        if (world->door_open[d])
+            continue;
+        Vec2 from, to, end = vec2_along(at, radius + ARMS_REACH, way);
+        plan_door_ends(plan, &plan->doors[d], &from, &to);
+        if ((vec2_cross(vec2_sub(to, from), vec2_sub(at, from)) < 0) !=
+                (vec2_cross(vec2_sub(to, from), vec2_sub(end, from)) < 0) &&
+            (vec2_cross(way, vec2_sub(from, at)) < 0) != (vec2_cross(way, vec2_sub(to, at)) < 0))
+            return (int)d;
+    }
+    return -1;
+}
+
+static void watch_progress(const World *world, Walk *walk, double time) {
+    if (time < walk->best - PROGRESS || walk->departures != world->departures ||
+        clock_time(&world->clock) < world->last_opening) {
+        walk->best = real_min(walk->best, time);
+        walk->departures = world->departures;
+        walk->stalled = 0;
+    } else {
+        walk->stalled += WALK_PERIOD;
+    }
+}
+
+void walk_decide(World *world, size_t i, uint32_t slot) {
+    const Journey *journey = &world->journeys[i];
+    const Inhabitant *person = &world->house->people[i];
+    const Walkers *walkers = &world->walkers;
+    Walk *walk = &world->walk[i];
+    View view = {.world = world,
+                 .march = journey->legs[walk->leg],
+                 .at = walkers->at[slot],
+                 .radius = person->profile->width / 2,
+                 .speed = person->speed,
+                 .gap = person->profile->time_gap};
+    while ((size_t)walk->leg + 1 < journey->leg_count &&
+           vec2_distance(view.at, view.march->goal.at) <= view.march->goal.radius) {
+        view.march = journey->legs[++walk->leg];
+        walk->best = HUGE_VAL;
+    }
+    if (walk->stalled > world->house->plan.run.patience) {
+        world_give_up(world, i, REASON_BLOCKED);
+        return;
+    }
+    view.way = march_direction(view.march, view.at);
+    view.time = march_time(view.march, view.at);
+    watch_progress(world, walk, view.time);
+    walk->door = door_ahead(world, view.at, view.way, view.radius);
+    look_around(&view, slot);
+    walk->wish = vec2_dot(view.way, view.way) > 0 ? choose(&view) : vec2(0, 0);
+    if (walk->door >= 0) {
+        walk->handle += WALK_PERIOD;
+        walk->stalled = 0;
+        walk->wish = vec2(0, 0);
+    } else {
+        walk->handle = 0;
+    }
+    if (vec2_dot(walk->wish, walk->wish) > 0) {
+        world->axis[i] = vec2_unit(walk->wish);
+        world->heading[i] = atan2(world->axis[i].y, world->axis[i].x);
+    }
+}
