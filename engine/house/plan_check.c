@@ -374,9 +374,9 @@ static void check_sampling(const PlanCheck *check) {
         json_fault(place, check->fault, "sample is %g s, must be at least the step dt, %g s", run->sample, run->dt);
     else if (run->sample < least)
         json_fault(place, check->fault,
-                   "sample is %g s, must be at least %.3g s: %.0f people until %g s would fill more than %.0f rows of "
+                   "sample is %g s, must be at least %.3g s: until %g s everybody would fill more than %.0f rows of "
                    "the trace",
-                   run->sample, 1.005 * least, people, run->until, TRACE_MOST_ROWS);
+                   run->sample, 1.005 * least, run->until, TRACE_MOST_ROWS);
 }
 
 void plan_check_whole(const PlanCheck *check) {
