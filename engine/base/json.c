@@ -90,8 +90,21 @@ JsonNode json_element(const JsonNode *array, size_t index) {
 
 /* The walk over the text. It relies on jansson having accepted it. */
 
+static bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+/* By hand: checkers of memory look at the whole text in each call of strspn. */
 static const char *skip_space(const char *at) {
-    return at + strspn(at, " \t\r\n");
+    while (is_space(*at))
+        at++;
+    return at;
+}
+
+static const char *skip_scalar(const char *at) {
+    while (*at && !is_space(*at) && *at != ',' && *at != ':' && *at != ']' && *at != '}')
+        at++;
+    return at;
 }
 
 static const char *skip_string(const char *at) {
@@ -116,7 +129,7 @@ static const char *skip_value(const char *at) {
         } else if (*at == ',' || *at == ':') {
             at++;
         } else {
-            at += strcspn(at, " \t\r\n,:]}");
+            at = skip_scalar(at);
         }
     } while (depth > 0 && *at);
     return at;
