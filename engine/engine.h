@@ -22,6 +22,7 @@
 #include "house/populate.h"
 #include "house/passage.h"
 #include "house/route.h"
+#include "house/fields.h"
 #include "house/march.h"
 #include "house/track.h"
 #include "house/journey.h"

@@ -3,6 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "base/random.h"
 #include "house/route.h"
 
@@ -428,6 +429,185 @@ TEST(a_disc_passes_a_door_a_centimetre_wider_and_no_narrower_one) {
     CHECK_TEXT(route.blockage.what, "door d1");
     CHECK_NEAR(route.blockage.has, 0.62, 0.005);
     CHECK_NEAR(route.blockage.needs, 0.63, 0.01);
+    route_free(&route);
+    fixture_free(&fixture);
+}
+
+/* Queries that several threads ask, and their answers. */
+typedef struct Asked {
+    const RouteQuery *queries; /* (count) */
+    Route *routes;             /* (count) */
+} Asked;
+
+static void ask(void *context, size_t i) {
+    Asked *asked = context;
+    asked->routes[i] = i % 4 == 3 ? route_round(&asked->queries[i]) : route_drive(&asked->queries[i]);
+}
+
+static bool same_route(const Route *one, const Route *other) {
+    if (one->answer != other->answer || one->count != other->count || one->exit != other->exit)
+        return false;
+    for (size_t i = 0; i < one->count; i++)
+        if (memcmp(&one->poses[i].at, &other->poses[i].at, sizeof(Vec2)) != 0 ||
+            memcmp(&one->poses[i].heading, &other->poses[i].heading, sizeof(double)) != 0 ||
+            memcmp(&one->poses[i].clearance, &other->poses[i].clearance, sizeof(double)) != 0)
+            return false;
+    return true;
+}
+
+TEST(shared_fields_change_no_bit_of_any_answer) {
+    enum { COUNT = 24 };
+    Fixture fixture;
+    rooms_make(&fixture, 0.63, 0.9, DOOR_CLOSED);
+    fixture.exits[1] = (Exit){.id = "e2", .from = {0.8, 0}, .to = {0.8, 3}, .closes = 10};
+    fixture.plan.exit_count = 2;
+    Profile small = chair(1.0, 0.5);
+    const Vec2 via[1] = {{3.9, 2.2}};
+    RouteQuery queries[COUNT];
+    Route alone[COUNT], shared[COUNT];
+    Random random = random_seed(7, 3);
+    for (int i = 0; i < COUNT; i++) {
+        queries[i] = fixture.query;
+        queries[i].at = vec2(1.2 + 0.8 * random_uniform(&random), 1 + random_uniform(&random));
+        queries[i].heading = 2 * M_PI * random_uniform(&random);
+        queries[i].time = 20 * random_uniform(&random);
+        queries[i].via = via;
+        queries[i].via_count = i % 3 == 0;
+        queries[i].profile = i % 5 == 0 ? &small : &fixture.profile;
+        queries[i].exit = i % 7 == 0 ? 0 : SIZE_MAX;
+    }
+    parallel_for(1, COUNT, ask, &(Asked){queries, alone});
+    for (int jobs = 1; jobs <= 4; jobs += 3) {
+        Fields *fields = fields_create();
+        for (int i = 0; i < COUNT; i++)
+            queries[i].fields = fields;
+        parallel_for(jobs, COUNT, ask, &(Asked){queries, shared});
+        for (int i = 0; i < COUNT; i++) {
+            CHECK(alone[i].answer == ROUTE_FOUND);
+            CHECK(same_route(&alone[i], &shared[i]));
+            route_free(&shared[i]);
+        }
+        fields_destroy(fields);
+    }
+    for (int i = 0; i < COUNT; i++)
+        route_free(&alone[i]);
+    fixture_free(&fixture);
+}
+
+TEST(one_field_serves_all_who_wish_for_the_same) {
+    Fixture fixture;
+    rooms_make(&fixture, 0.63, 0.9, DOOR_OPEN);
+    fixture.exits[0].closes = 10;
+    Fields *fields = fields_create();
+    FieldWish wish = {&fixture.plan, &fixture.space, &fixture.profile, 0.3,
+                      .goal = field_exit_goal(&fixture.plan, SIZE_MAX, 0, false)};
+    const Field *one = fields_take(fields, &wish);
+    wish.goal.time = 9; /* the exit is usable as before */
+    const Field *other = fields_take(fields, &wish);
+    CHECK(one == other);
+    fields_return(fields, one);
+    fields_return(fields, other);
+    wish.goal.time = 11;
+    other = fields_take(fields, &wish);
+    CHECK(one != other && !isfinite(field_time(other, vec2(1, 1))));
+    fields_return(fields, other);
+    wish.goal.time = 0;
+    wish.radius = 0.25;
+    other = fields_take(fields, &wish);
+    CHECK(one != other && isfinite(field_time(other, vec2(1, 1))));
+    fields_return(fields, other);
+    fields_destroy(fields);
+    fixture_free(&fixture);
+}
+
+TEST(planned_again_halfway_a_closed_exit_is_left_for_another) {
+    Fixture fixture;
+    rooms_make(&fixture, 0.63, 0.9, DOOR_OPEN);
+    fixture.exits[1] = (Exit){.id = "e2", .from = {0.9, 0}, .to = {0.9, 3}, .closes = HUGE_VAL};
+    fixture.plan.exit_count = 2;
+    fixture.query.at = vec2(2, 1.5);
+    fixture.query.exit = 0;
+    Route first = route_drive(&fixture.query);
+    CHECK(first.answer == ROUTE_FOUND && first.exit == 0);
+    fixture.query.exit = SIZE_MAX;
+    fixture.query.time = 10;
+    fixture.exits[0].closes = 10;
+    for (size_t i = 5; i + 10 < first.count; i += 10) {
+        fixture.query.at = first.poses[i].at;
+        fixture.query.heading = first.poses[i].heading;
+        Route again = route_drive(&fixture.query);
+        CHECK(again.exit == 1);
+        check_path(&fixture, &again);
+        CHECK_NEAR(vec2_distance(again.poses[0].at, fixture.query.at), 0, 0);
+        CHECK_NEAR(again.poses[0].heading, fixture.query.heading, 0);
+        route_free(&again);
+    }
+    route_free(&first);
+    fixture_free(&fixture);
+}
+
+TEST(an_exit_that_opens_later_is_left_out_only_if_another_is_open) {
+    Fixture fixture;
+    rooms_make(&fixture, 0.63, 0.9, DOOR_OPEN);
+    fixture.exits[0].opens = 50;
+    fixture.exits[1] = (Exit){.id = "e2", .from = {0.9, 0}, .to = {0.9, 3}, .closes = HUGE_VAL};
+    fixture.plan.exit_count = 2;
+    fixture.query.at = vec2(4.2, 1.5);
+    fixture.query.time = 10;
+    const size_t expected[2][3] = {{0, 0, 0}, {1, 0, 0}}; /* by open_first and case */
+    for (int open_first = 0; open_first < 2; open_first++)
+        for (int n = 0; n < 3; n++) {
+            fixture.exits[1].opens = n == 1 ? 60 : 0;   /* neither is open */
+            fixture.query.exit = n == 2 ? 0 : SIZE_MAX; /* only that one counts */
+            fixture.query.open_first = open_first;
+            Route route = route_drive(&fixture.query);
+            CHECK(route.answer == ROUTE_FOUND && route.exit == expected[open_first][n]);
+            route_free(&route);
+        }
+    fixture_free(&fixture);
+}
+
+TEST(a_chair_may_start_anyhow_where_it_is_free) {
+    Fixture fixture;
+    rooms_make(&fixture, 0.63, 0.9, DOOR_OPEN);
+    Random random = random_seed(7, 4);
+    int tried = 0;
+    while (tried < 30) {
+        fixture.query.at = vec2(0.4 + 4.4 * random_uniform(&random), 0.4 + 2.2 * random_uniform(&random));
+        fixture.query.heading = 40 * random_uniform(&random) - 20;
+        Vec2 axis = vec2_heading(fixture.query.heading);
+        if (freespace_clearance(&fixture.space, vec2_along(fixture.query.at, 0.55 - 0.28, axis), axis, 0.55, 0.315, 0.1,
+                                NULL) < 0.01)
+            continue;
+        tried++;
+        Route route = route_drive(&fixture.query);
+        check_path(&fixture, &route);
+        route_free(&route);
+    }
+    fixture_free(&fixture);
+}
+
+TEST(a_chair_that_presses_on_a_wall_is_planned_from_beside_it) {
+    Fixture fixture;
+    rooms_make(&fixture, 0.63, 0.9, DOOR_OPEN);
+    const double deep = 0.008;
+    /* Into the corner of the two walls' faces at 0.06, tail first. */
+    fixture.query.at = vec2(0.06 + 0.28 - deep, 0.06 + 0.315 - deep);
+    Route route = route_drive(&fixture.query);
+    CHECK(route.answer == ROUTE_CANNOT_PASS);
+    route_free(&route);
+    fixture.query.pressed = 0.02;
+    route = route_drive(&fixture.query);
+    check_path(&fixture, &route);
+    if (route.count > 0) {
+        CHECK_NEAR(vec2_distance(route.poses[0].at, fixture.query.at), (deep + ROUTE_EASED) * M_SQRT2, 0.01);
+        CHECK_NEAR(route.poses[0].heading, fixture.query.heading, 0);
+    }
+    route_free(&route);
+    fixture.query.pressed = deep / 2;
+    route = route_drive(&fixture.query);
+    CHECK(route.answer == ROUTE_CANNOT_PASS);
+    CHECK_TEXT(route.blockage.what, "start, inside wall w1");
     route_free(&route);
     fixture_free(&fixture);
 }

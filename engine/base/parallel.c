@@ -35,21 +35,44 @@ void parallel_for(int jobs, size_t count, void (*work)(void *context, size_t i),
     memory_free(threads);
 }
 
-/* Teams: who has nothing to do looks a while for the next call, then sleeps until it comes. */
+/* Teams. A call is one number: which call it is, how many pieces it has and how many of them are taken. Whoever adds
+ * one to it has taken a piece; a call ends when all its pieces are done, whether or not every helper has noticed it, so
+ * that a helper that has no processor just now holds nobody up. Helpers look for the next call for a while, then sleep.
+ */
 
 enum { LOOKS = 4000 /* at some nanoseconds each: longer than the serial part of a step */ };
 
+#define PIECE_BITS 24
+#define PIECE_MASK ((UINT64_C(1) << PIECE_BITS) - 1)
+
 struct ParallelTeam {
-    Crew crew;
-    atomic_uint call;  /* counts the calls */
-    atomic_int inside; /* helpers at work on the present call */
+    atomic_uint_fast64_t call; /* number << 2 PIECE_BITS | pieces << PIECE_BITS | taken */
+    atomic_size_t done;        /* pieces of the present call */
+    void (*work)(void *context, size_t i);
+    void *context;
+    size_t calls;
     atomic_bool ends;
-    bool may_spin; /* a processor for each thread */
+    atomic_int sleepers;
     pthread_mutex_t mutex;
     pthread_cond_t called;
     int helpers;
     pthread_t *threads; /* (helpers) */
 };
+
+static bool has_pieces(uint64_t call) {
+    return (call & PIECE_MASK) < (call >> PIECE_BITS & PIECE_MASK);
+}
+
+/* Takes pieces of the present call while there are any. Nobody changes work and context while a piece is not done. */
+static void take_pieces(ParallelTeam *team) {
+    while (has_pieces(atomic_load(&team->call))) {
+        uint64_t call = atomic_fetch_add(&team->call, 1);
+        if (!has_pieces(call))
+            return;
+        team->work(team->context, (size_t)(call & PIECE_MASK));
+        atomic_fetch_add(&team->done, 1);
+    }
+}
 
 static void wait_a_little(void) {
 #if defined(__x86_64__) || defined(__i386__)
@@ -57,46 +80,42 @@ static void wait_a_little(void) {
 #endif
 }
 
-/* Waits for a call after `seen`; returns its number. */
-static unsigned wait_for_call(ParallelTeam *team, unsigned seen) {
-    for (int look = 0; team->may_spin && look < LOOKS; look++) {
-        unsigned call = atomic_load_explicit(&team->call, memory_order_acquire);
-        if (call != seen)
-            return call;
+/* Until there may be work again. */
+static void wait_for_call(ParallelTeam *team) {
+    for (int look = 0; look < LOOKS; look++) {
+        if (has_pieces(atomic_load_explicit(&team->call, memory_order_relaxed)) || atomic_load(&team->ends))
+            return;
         wait_a_little();
     }
     pthread_mutex_lock(&team->mutex);
-    while (atomic_load(&team->call) == seen)
+    atomic_fetch_add(&team->sleepers, 1);
+    while (!has_pieces(atomic_load(&team->call)) && !atomic_load(&team->ends))
         pthread_cond_wait(&team->called, &team->mutex);
-    unsigned call = atomic_load(&team->call);
+    atomic_fetch_sub(&team->sleepers, 1);
     pthread_mutex_unlock(&team->mutex);
-    return call;
+}
+
+static void wake_helpers(ParallelTeam *team) {
+    if (atomic_load(&team->sleepers) == 0)
+        return;
+    pthread_mutex_lock(&team->mutex);
+    pthread_cond_broadcast(&team->called);
+    pthread_mutex_unlock(&team->mutex);
 }
 
 static void *help(void *argument) {
     ParallelTeam *team = argument;
-    unsigned seen = 0;
-    for (;;) {
-        seen = wait_for_call(team, seen);
-        if (atomic_load(&team->ends))
-            return NULL;
-        crew_work(&team->crew);
-        atomic_fetch_sub_explicit(&team->inside, 1, memory_order_release);
+    while (!atomic_load(&team->ends)) {
+        take_pieces(team);
+        wait_for_call(team);
     }
-}
-
-static void call_helpers(ParallelTeam *team) {
-    pthread_mutex_lock(&team->mutex);
-    atomic_fetch_add_explicit(&team->call, 1, memory_order_release);
-    pthread_cond_broadcast(&team->called);
-    pthread_mutex_unlock(&team->mutex);
+    return NULL;
 }
 
 ParallelTeam *parallel_team_create(int jobs) {
     if (jobs < 2)
         return NULL;
     ParallelTeam *team = memory_allocate(1, sizeof *team);
-    team->may_spin = jobs <= parallel_processors();
     pthread_mutex_init(&team->mutex, NULL);
     pthread_cond_init(&team->called, NULL);
     team->threads = memory_allocate((size_t)jobs - 1, sizeof *team->threads);
@@ -109,7 +128,7 @@ void parallel_team_destroy(ParallelTeam *team) {
     if (!team)
         return;
     atomic_store(&team->ends, true);
-    call_helpers(team);
+    wake_helpers(team);
     for (int i = 0; i < team->helpers; i++)
         pthread_join(team->threads[i], NULL);
     pthread_cond_destroy(&team->called);
@@ -119,20 +138,19 @@ void parallel_team_destroy(ParallelTeam *team) {
 }
 
 void parallel_team_for(ParallelTeam *team, size_t count, void (*work)(void *context, size_t i), void *context) {
-    if (!team || count < 2) {
+    if (!team || count < 2 || count > PIECE_MASK / 2) {
         for (size_t i = 0; i < count; i++)
             work(context, i);
         return;
     }
-    team->crew.work = work;
-    team->crew.context = context;
-    team->crew.count = count;
-    atomic_store(&team->crew.next, 0);
-    atomic_store(&team->inside, team->helpers);
-    call_helpers(team);
-    crew_work(&team->crew);
-    while (atomic_load_explicit(&team->inside, memory_order_acquire) > 0)
-        if (team->may_spin)
+    team->work = work;
+    team->context = context;
+    atomic_store(&team->done, 0);
+    atomic_store(&team->call, (uint64_t)++team->calls << 2 * PIECE_BITS | (uint64_t)count << PIECE_BITS);
+    wake_helpers(team);
+    take_pieces(team);
+    for (int look = 0; atomic_load(&team->done) < count; look++)
+        if (look < LOOKS)
             wait_a_little();
         else
             sched_yield();

@@ -117,7 +117,17 @@ double field_delay(const Ground *ground, Vec2 from, Vec2 to) {
 }
 
 bool field_exit_usable(const Goal *goal, const Plan *plan, size_t exit) {
-    return (goal->exit == SIZE_MAX || goal->exit == exit) && plan->exits[exit].closes > goal->time;
+    return (goal->exit == SIZE_MAX || goal->exit == exit) && plan->exits[exit].closes > goal->time &&
+           !(goal->open && plan->exits[exit].opens > goal->time);
+}
+
+Goal field_exit_goal(const Plan *plan, size_t exit, double time, bool open_first) {
+    Goal goal = {.exit = exit, .time = time, .open = open_first};
+    for (size_t e = 0; open_first && e < plan->exit_count; e++)
+        if (field_exit_usable(&goal, plan, e))
+            return goal;
+    goal.open = false;
+    return goal;
 }
 
 bool field_goal_reached(const Goal *goal, const Plan *plan, Vec2 from, Vec2 to, size_t *exit) {

@@ -19,6 +19,7 @@ typedef struct Goal {
     double radius; /* m; 0: across an exit */
     size_t exit;   /* SIZE_MAX: any that is usable */
     double time;   /* s, from when an exit has to be usable */
+    bool open;     /* exits that open only later than `time` do not count */
 } Goal;
 
 typedef struct DoorLine {
@@ -58,7 +59,11 @@ double field_discomfort(double clearance);
 /* What closed doors cost on the straight way from one place to another, s. */
 double field_delay(const Ground *ground, Vec2 from, Vec2 to);
 
-/* Is the exit open to somebody who starts at `time`? */
+/* Across `exit`, or any for SIZE_MAX, for somebody who starts at `time` s. `open_first`: exits that are not open yet
+ * are left out, provided that another one is open by then. */
+Goal field_exit_goal(const Plan *plan, size_t exit, double time, bool open_first);
+
+/* Is the exit open to somebody who starts at `time`, or will it be? */
 bool field_exit_usable(const Goal *goal, const Plan *plan, size_t exit);
 
 /* Does a straight motion end the leg? `*exit` is the exit crossed (SIZE_MAX: none). */

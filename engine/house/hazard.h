@@ -1,6 +1,7 @@
 /* Dangerous points: places where bodies come near, touch hard or lose time, ranked.
  *
- * Every person's way is cut into stretches; each keeps its least clearance, hardest contact and lost time. A stretch
+ * Every chair's way is cut into stretches; each keeps its least clearance, hardest contact and lost time. What happens
+ * to people on foot is put together by squares of the floor instead, and their clearance is that from obstacles. What
  * that exceeds a threshold (run.clearance_warning, run.force_warning, run.loss_warning) is dangerous, and its score is
  *
  *     (threshold - clearance) / threshold, at least 0  +  peak force / threshold  +  lost time / threshold
@@ -19,7 +20,7 @@
 
 enum { HAZARDS_MOST = 9 /* ranked; the rest would not be read */ };
 
-/* What one person met on one stretch. */
+/* What one chair met on one stretch, or all walkers on one square. */
 typedef struct Stretch {
     Vec2 at;           /* m, where the body was nearest to something */
     int other;         /* the person it was nearest to, or -1: an obstacle */

@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "house/fields.h"
 
 /* Itineraries -------------------------------------------------------------------------------------------------------
  */
@@ -44,7 +45,7 @@ static bool anything_usable(const House *house, const Goal *goal) {
 
 /* One still without fields, from the route's point `via` on. */
 static void add_itinerary(Journeys *journeys, const House *house, const Profile *profile, const PlanRoute *route,
-                          double since, size_t via) {
+                          double since, size_t via, bool again) {
     Itinerary *itinerary = memory_allocate(1, sizeof *itinerary);
     size_t points = route ? route->via.count : 0;
     *itinerary = (Itinerary){.profile = profile, .route = route, .since = since, .leg_count = points - via + 1};
@@ -52,7 +53,7 @@ static void add_itinerary(Journeys *journeys, const House *house, const Profile 
     itinerary->legs = memory_allocate(itinerary->leg_count, sizeof *itinerary->legs);
     for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
         Goal *goal = &itinerary->fields[leg].goal;
-        *goal = (Goal){.exit = exit_of(house, route, since), .time = since};
+        *goal = field_exit_goal(&house->plan, exit_of(house, route, since), since, again);
         if (via + leg < points) {
             goal->at = route->via.at[via + leg];
             goal->radius = fmax(profile->length / 2, 0.5);
@@ -74,8 +75,13 @@ typedef struct Planning {
     double time;               /* s, now */
     const volatile sig_atomic_t *stop;
     Journeys *journeys;
+    bool again;             /* people are on the way already */
     size_t first_itinerary; /* without fields */
+    Fields *fields;         /* shared by all chairs */
 } Planning;
+
+/* m: by how much a chair that is on the way may press on something. */
+static const double PRESSED = 0.02;
 
 static double since_of(const Planning *planning, size_t person) {
     return last_closing(planning->house, fmax(planning->house->people[person].delay, planning->time));
@@ -106,7 +112,10 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
                         .via_count = route ? route->via.count - place->via : 0,
                         .exit = exit_of(house, route, since),
                         .time = since,
+                        .open_first = planning->again,
+                        .pressed = planning->again ? PRESSED : 0,
                         .most_reversals = house->plan.run.reversals,
+                        .fields = planning->fields,
                         .stop = planning->stop};
 }
 
@@ -200,11 +209,13 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
         double since = since_of(planning, place->person);
         if (person->profile->driving == DRIVING_WALKER &&
             !find_itinerary(journeys, person->profile, person->route, since, place->via))
-            add_itinerary(journeys, house, person->profile, person->route, since, place->via);
+            add_itinerary(journeys, house, person->profile, person->route, since, place->via, planning->again);
     }
+    planning->fields = fields_create();
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
     explain_walkers(planning, count);
+    fields_destroy(planning->fields);
 }
 
 Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
@@ -215,7 +226,7 @@ Journeys journey_plan_all(const House *house, const bool *part, int jobs, const 
         if (!part || part[i])
             places[count++] =
                 (Whereabouts){.person = i, .at = house->people[i].at, .heading = house->people[i].heading};
-    Planning planning = {house, places, 0, stop, &journeys, 0};
+    Planning planning = {.house = house, .places = places, .stop = stop, .journeys = &journeys};
     plan_all(&planning, count, jobs);
     memory_free(places);
     return journeys;
@@ -223,7 +234,8 @@ Journeys journey_plan_all(const House *house, const bool *part, int jobs, const 
 
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,
                         int jobs, const volatile sig_atomic_t *stop) {
-    Planning planning = {house, places, time, stop, journeys, 0};
+    Planning planning = {
+        .house = house, .places = places, .time = time, .stop = stop, .journeys = journeys, .again = true};
     plan_all(&planning, count, jobs);
 }
 

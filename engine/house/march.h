@@ -37,7 +37,7 @@ typedef struct March {
     double cell, per_metre; /* m; 1/m, cells in a metre */
     int nx, ny;
     float *time;                  /* (ny x nx) s; negative where the goal is passed already, infinite: no way */
-    signed char (*directions)[2]; /* (ny x nx) unit vectors times 127; (0, 0) none, MARCH_BLOCKED and so on */
+    signed char (*directions)[2]; /* (ny x nx) unit vectors times 127; (0, 0) none; x INT8_MIN: by a wall or an exit */
     MarchExit *exits;             /* (exit_count) that are usable */
     size_t exit_count;
 } March;

@@ -11,6 +11,8 @@ static const double NEW_CONTACT = 0.1;
 /* m: of the personal space; less is not felt as compressed. */
 static const double FELT = 1e-3;
 
+enum { MOST_SQUARES = 1 << 21 };
+
 static const TraceColumn columns[TRACE_COLUMNS] = {
     {"time", "s"},       {"person", "1"},     {"x", "m"},         {"y", "m"},
     {"heading", "rad"},  {"speed", "m/s"},    {"clearance", "m"}, {"ring", "m"},
@@ -52,6 +54,18 @@ size_t observer_sample_steps(const House *house) {
     return steps > 1 ? (size_t)(steps + 0.5) : 1;
 }
 
+/* Squares over the house, into which the ways of walkers are put together. */
+static void lay_floor(Observer *observer) {
+    Floor *floor = &observer->floor;
+    Box box = observer->world->bounds;
+    double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
+    floor->low = box.low;
+    floor->side = fmax(2 * HAZARD_STRETCH, sqrt(width * height / MOST_SQUARES));
+    floor->nx = (int)fmin(width / floor->side, MOST_SQUARES) + 1;
+    floor->ny = (int)fmin(height / floor->side, MOST_SQUARES) + 1;
+    floor->stretch = memory_allocate((size_t)floor->nx * (size_t)floor->ny, sizeof *floor->stretch);
+}
+
 void observer_init(Observer *observer, const World *world, PersonObservation *people) {
     *observer = (Observer){.world = world,
                            .people = people,
@@ -63,6 +77,8 @@ void observer_init(Observer *observer, const World *world, PersonObservation *pe
         if (!is_watched(world, i))
             continue;
         const Route *route = &world->journeys[i].route;
+        if (!world_rides(world, i) && !observer->floor.stretch)
+            lay_floor(observer);
         if (world_rides(world, i))
             observer->riders[observer->rider_count++] = i;
         observer->watched[i] = (Watched){.at = world_reference(world, i), .untouched = HUGE_VAL};
@@ -80,28 +96,46 @@ void observer_init(Observer *observer, const World *world, PersonObservation *pe
 void observer_clear(Observer *observer) {
     memory_free(observer->watched);
     memory_free(observer->riders);
+    memory_free(observer->floor.stretch);
     memory_free(observer->stretches);
     trace_clear(&observer->trace);
     *observer = (Observer){0};
 }
 
+static size_t add_stretch(Observer *observer, Vec2 at) {
+    observer->stretches = memory_reserve(observer->stretches, &observer->stretch_capacity, observer->stretch_count + 1,
+                                         sizeof *observer->stretches);
+    observer->stretches[observer->stretch_count] = (Stretch){.at = at, .other = -1, .clearance = HUGE_VAL};
+    return observer->stretch_count++;
+}
+
+/* The square that a walker is on: all who come along have it in common. */
+static Stretch *square_of(Observer *observer, Vec2 at) {
+    Floor *floor = &observer->floor;
+    int x = cells_index((at.x - floor->low.x) / floor->side, floor->nx - 1);
+    int y = cells_index((at.y - floor->low.y) / floor->side, floor->ny - 1);
+    size_t *stretch = &floor->stretch[(size_t)y * (size_t)floor->nx + (size_t)x];
+    if (*stretch == 0)
+        *stretch = add_stretch(observer, at) + 1;
+    return &observer->stretches[*stretch - 1];
+}
+
 /* The stretch of the way that the person is on. */
-static Stretch *stretch_of(Observer *observer, size_t i) {
+static Stretch *stretch_of(Observer *observer, size_t i, Vec2 at) {
     Watched *watched = &observer->watched[i];
+    if (!world_rides(observer->world, i))
+        return square_of(observer, at);
     if (!watched->stretch || observer->people[i].path_length >= watched->ended) {
-        observer->stretches = memory_reserve(observer->stretches, &observer->stretch_capacity,
-                                             observer->stretch_count + 1, sizeof *observer->stretches);
-        observer->stretches[observer->stretch_count] =
-            (Stretch){.at = observer->world->centre[i], .other = -1, .clearance = HUGE_VAL};
-        watched->stretch = ++observer->stretch_count;
+        watched->stretch = add_stretch(observer, observer->world->centre[i]) + 1;
         watched->ended += HAZARD_STRETCH;
     }
     return &observer->stretches[watched->stretch - 1];
 }
 
+/* That walkers come near to one another is no danger of the house. */
 static void watch_clearance(PersonObservation *person, Stretch *stretch, const World *world, size_t i, Vec2 at) {
     const Sense *sense = &world->sense[i];
-    if (sense->clearance < stretch->clearance) {
+    if (sense->clearance < stretch->clearance && (sense->other < 0 || world_rides(world, i))) {
         stretch->clearance = sense->clearance;
         if (sense->clearance < world->body[i].sight)
             stretch->at = sense->nearest_at;
@@ -141,7 +175,7 @@ static void watch_person(Observer *observer, size_t i) {
     double elapsed = real_max(time - watched->time, 0), free_speed = world->house->people[i].speed;
     Vec2 at = world_reference(world, i);
     double moved = vec2_distance(watched->at, at);
-    Stretch *stretch = stretch_of(observer, i);
+    Stretch *stretch = stretch_of(observer, i, at);
     person->path_length += moved;
     watch_clearance(person, stretch, world, i, at);
     watch_contact(person, stretch, watched, sense, elapsed);

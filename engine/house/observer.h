@@ -16,6 +16,14 @@ typedef struct Watched {
     bool done;
 } Watched;
 
+/* Where walkers go, square by square. */
+typedef struct Floor {
+    Vec2 low;    /* m */
+    double side; /* m */
+    int nx, ny;
+    size_t *stretch; /* (ny x nx) of each square, plus 1; 0: nobody has been there */
+} Floor;
+
 typedef struct Observer {
     const World *world;
     PersonObservation *people; /* (count) not owned: those who take part are written */
@@ -24,6 +32,7 @@ typedef struct Observer {
     size_t rider_count;
     size_t sample_steps; /* between two rows of the trace */
     Trace trace;
+    Floor floor;
     Stretch *stretches; /* (stretch_count) */
     size_t stretch_count, stretch_capacity;
 } Observer;

@@ -43,6 +43,9 @@ enum { ROOMIER_NODES = 50000 };
 /* Bodies that are smaller by so much on every side, m, tell where the true one sticks. */
 static const double shrinkings[] = {0.0075, 0.015, 0.025, 0.035, 0.05, 0.08, 0.12};
 
+#define EASED_STEP 0.002    /* m */
+enum { MOST_EASINGS = 12 }; /* moves off one thing after another */
+
 #define FINER 4.0 /* 1, of the grid on which a disc's way is looked for again */
 
 typedef struct Legs {
@@ -54,7 +57,7 @@ static Legs legs_make(const RouteQuery *query) {
     Legs legs = {memory_allocate(query->via_count + 1, sizeof(Goal)), query->via_count + 1};
     for (size_t i = 0; i < query->via_count; i++)
         legs.goals[i] = (Goal){.at = query->via[i], .radius = query->profile->length / 2, .exit = SIZE_MAX};
-    legs.goals[query->via_count] = (Goal){.exit = query->exit, .time = query->time};
+    legs.goals[query->via_count] = field_exit_goal(query->plan, query->exit, query->time, query->open_first);
     return legs;
 }
 
@@ -81,20 +84,17 @@ static SearchAnswer search_legs(const RouteQuery *query, const Legs *legs, const
                                 const SearchGrain *grain, SearchTrack *track, size_t *pins) {
     /* A disc about the axle that never leaves the body. */
     double radius = fmin(body->half_width, body->half_length - fabs(body->ahead));
-    Ground ground;
-    field_ground_init(&ground, query->plan, query->space, query->profile, radius);
-    ground.stop = query->stop;
+    FieldWish wish = {query->plan, query->space, query->profile, radius, .stop = query->stop};
     search_track_clear(track);
     search_track_add(track, (Pose){query->at, query->heading, 0, 0});
     SearchAnswer answer = SEARCH_FOUND;
     for (size_t leg = 0; leg < legs->count && answer == SEARCH_FOUND; leg++) {
-        Field field;
-        field_init(&field, &ground, &legs->goals[leg]);
-        answer = search_leg(track, &field, &legs->goals[leg], body, grain, query->most_reversals);
+        wish.goal = legs->goals[leg];
+        const Field *field = fields_take(query->fields, &wish);
+        answer = search_leg(track, field, &legs->goals[leg], body, grain, query->most_reversals);
         pins[leg] = track->count - 1;
-        field_clear(&field);
+        fields_return(query->fields, field);
     }
-    field_ground_clear(&ground);
     return answer;
 }
 
@@ -326,39 +326,27 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
     memory_free(pins);
 }
 
-Route route_drive(const RouteQuery *query) {
-    Route route = {.answer = ROUTE_CANNOT_PASS, .exit = query->exit};
-    Rectangle body = search_body(query->profile);
-    Legs legs = legs_make(query);
-    if (exit_usable(query, &legs.goals[legs.count - 1], &route)) {
-        if (search_clearance(query->space, &body, query->at, query->heading, 0.1, NULL) < 0)
-            blockage_of_start(&route.blockage, query, &body);
-        else
-            search_drive(&route, query, &legs, &body);
-    }
-    memory_free(legs.goals);
-    return route;
-}
-
 /* All legs of a disc on one grid. */
-static bool taut_legs(SearchTrack *track, const RouteQuery *query, const FreeSpace *space, const Legs *legs,
-                      double radius) {
+static bool taut_legs(SearchTrack *track, const RouteQuery *query, const FreeSpace *space, Fields *fields,
+                      const Legs *legs, double radius) {
     double clearance = freespace_exact(space, query->at, radius + ROUTE_CLEARANCE_REACH, NULL) - radius;
     search_track_clear(track);
     search_track_add(track, (Pose){query->at, query->heading, clearance, 0});
     for (size_t leg = 0; leg < legs->count; leg++)
-        if (!taut_leg(track, query->plan, space, query->profile, radius, &legs->goals[leg]))
+        if (!taut_leg(track, fields, query->plan, space, query->profile, radius, &legs->goals[leg]))
             return false;
     return true;
 }
 
 static void search_round(Route *route, const RouteQuery *query, const Legs *legs, double radius) {
     SearchTrack track = {0};
-    bool found = taut_legs(&track, query, query->space, legs, radius);
+    bool found = taut_legs(&track, query, query->space, query->fields, legs, radius);
     if (!found) { /* gaps hardly wider than the disc slip between the points of a coarse grid */
         FreeSpace fine;
+        Fields *own = fields_create(); /* `fine` does not outlive this */
         freespace_build(&fine, query->space->outline, query->space->cell / FINER);
-        found = taut_legs(&track, query, &fine, legs, radius);
+        found = taut_legs(&track, query, &fine, own, legs, radius);
+        fields_destroy(own);
         freespace_free(&fine);
     }
     if (found) {
@@ -374,20 +362,74 @@ static void search_round(Route *route, const RouteQuery *query, const Legs *legs
     blockage_of_fit(&route->blockage, query, &square, &tightest);
 }
 
-Route route_round(const RouteQuery *query) {
+/* The answer of one of the two ways of driving, with fields of its own unless there are shared ones. */
+static Route answer_with(const RouteQuery *query, void (*answer)(Route *route, const RouteQuery *query)) {
     Route route = {.answer = ROUTE_CANNOT_PASS, .exit = query->exit};
+    RouteQuery with = *query;
+    if (!query->fields)
+        with.fields = fields_create();
+    answer(&route, &with);
+    if (!query->fields)
+        fields_destroy(with.fields);
+    return route;
+}
+
+/* Where the body starts: in the middle of a run, beside what it presses on or stands close to, because a chair whose
+ * flank is at a wall cannot turn away from it without its tail going through. Of the places tried the roomiest one;
+ * false: it is not free. */
+static bool ease_off(const RouteQuery *query, const Rectangle *body, Vec2 *at) {
+    int face;
+    Vec2 here = query->at;
+    double best = search_clearance(query->space, body, here, query->heading, ROUTE_EASED, &face), clearance = best;
+    *at = here;
+    if (!(query->pressed > 0) || best < -query->pressed)
+        return best >= 0;
+    for (int n = 0; n < MOST_EASINGS && clearance < ROUTE_EASED && face >= 0; n++) {
+        /* All the way out, but only half of what is missing to comfort: there may be something on the other side. */
+        double move = clearance < 0 ? EASED_STEP - clearance : fmax((ROUTE_EASED - clearance) / 2, EASED_STEP);
+        here = vec2_along(here, move, query->space->outline->faces[face].normal);
+        clearance = search_clearance(query->space, body, here, query->heading, ROUTE_EASED, &face);
+        if (clearance > best && vec2_distance(here, query->at) <= 2 * (query->pressed + ROUTE_EASED)) {
+            best = clearance;
+            *at = here;
+        }
+    }
+    return best >= 0;
+}
+
+static void drive(Route *route, const RouteQuery *query) {
+    Rectangle body = search_body(query->profile);
+    Legs legs = legs_make(query);
+    RouteQuery from = *query;
+    if (exit_usable(query, &legs.goals[legs.count - 1], route)) {
+        if (ease_off(query, &body, &from.at))
+            search_drive(route, &from, &legs, &body);
+        else
+            blockage_of_start(&route->blockage, query, &body);
+    }
+    memory_free(legs.goals);
+}
+
+static void go_round(Route *route, const RouteQuery *query) {
     double radius = query->profile->width / 2;
     Rectangle disc = {radius, radius, 0};
     Legs legs = legs_make(query);
-    if (exit_usable(query, &legs.goals[legs.count - 1], &route)) {
+    if (exit_usable(query, &legs.goals[legs.count - 1], route)) {
         if (freespace_distance(query->space, query->at) < 0 ||
             freespace_exact(query->space, query->at, radius, NULL) < radius)
-            blockage_of_start(&route.blockage, query, &disc);
+            blockage_of_start(&route->blockage, query, &disc);
         else
-            search_round(&route, query, &legs, radius);
+            search_round(route, query, &legs, radius);
     }
     memory_free(legs.goals);
-    return route;
+}
+
+Route route_drive(const RouteQuery *query) {
+    return answer_with(query, drive);
+}
+
+Route route_round(const RouteQuery *query) {
+    return answer_with(query, go_round);
 }
 
 void route_widths(const Blockage *blockage, char *text, size_t size) {

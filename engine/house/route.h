@@ -17,6 +17,7 @@
 #include <stddef.h>
 
 #include "base/vec2.h"
+#include "house/fields.h"
 #include "house/freespace.h"
 #include "house/plan.h"
 #include "house/profile.h"
@@ -30,6 +31,8 @@ typedef struct Pose {
 } Pose;
 
 #define ROUTE_CLEARANCE_REACH 0.5 /* m */
+
+#define ROUTE_EASED 0.03 /* m, of clearance at the start of a route in the middle of a run */
 
 /* Where and why there is no way. */
 typedef struct Blockage {
@@ -68,10 +71,14 @@ typedef struct RouteQuery {
     double heading;  /* rad */
     const Vec2 *via; /* (via_count) points to pass within half a body's length, in order */
     size_t via_count;
-    size_t exit; /* SIZE_MAX: the quickest of those usable */
-    double time; /* s, when the person starts: exits closed for good by then are not usable */
+    size_t exit;     /* SIZE_MAX: the quickest of those usable */
+    double time;     /* s, when the person starts: exits closed for good by then are not usable */
+    bool open_first; /* nor those that open only later, where another one is open */
+    double pressed;  /* m, > 0 in the middle of a run: by how much the body may press on something. The route of a
+                        chair then begins ROUTE_EASED off what it is close to, where there is room, without a turn */
     int most_reversals;
     const volatile sig_atomic_t *stop; /* set: give up, whatever the answer; NULL: never */
+    Fields *fields;                    /* shared with other queries; NULL: none, the answer is the same */
 } RouteQuery;
 
 /* "needs at least 0.80 m, has 0.75 m", what is needed rounded up and what is there down to a centimetre; "" where it is

@@ -195,16 +195,13 @@ static void write_poses(SearchTrack *track, const Line *line, const FreeSpace *s
     }
 }
 
-bool taut_leg(SearchTrack *track, const Plan *plan, const FreeSpace *space, const Profile *profile, double radius,
-              const Goal *goal) {
+bool taut_leg(SearchTrack *track, Fields *fields, const Plan *plan, const FreeSpace *space, const Profile *profile,
+              double radius, const Goal *goal) {
     Vec2 start = track->poses[track->count - 1].at;
-    Ground ground;
-    Field field;
     Line line = {0};
-    field_ground_init_exact(&ground, plan, space, profile, radius + TIGHT);
-    field_init(&field, &ground, goal);
+    const Field *field = fields_take(fields, &(FieldWish){plan, space, profile, radius + TIGHT, true, *goal, NULL});
     bool found =
-        walk_down(&field, start, radius, &line) && (goal->radius > 0 || cross_exit(&line, space, plan, goal, radius));
+        walk_down(field, start, radius, &line) && (goal->radius > 0 || cross_exit(&line, space, plan, goal, radius));
     if (found) {
         for (int pass = 0; pass < PASSES; pass++) { /* forwards and backwards in turn */
             line_replace(&line, spaced(&line));
@@ -219,7 +216,6 @@ bool taut_leg(SearchTrack *track, const Plan *plan, const FreeSpace *space, cons
                 track->exit = exit;
     }
     memory_free(line.at);
-    field_clear(&field);
-    field_ground_clear(&ground);
+    fields_return(fields, field);
     return found;
 }

@@ -13,9 +13,9 @@
  *                   '-'             each taken where it will be a moment later
  *
  * and when it is too short to walk freely, other headings to both sides are looked at (Moussaid, Helbing and Theraulaz
- * 2011): the one along which most way is made good is taken. Straight on only those count who are nearer to the goal than
- * oneself: who is ahead goes first. Of two who meet in front of a door one therefore always goes, and no arch holds for
- * good. Shoving is left to the contact law. */
+ * 2011): the one along which most way is made good is taken. Straight on only those count who are nearer to the goal
+ * than oneself: who is ahead goes first. Of two who meet in front of a door one therefore always goes, and no arch
+ * holds for good. Shoving is left to the contact law. */
 #include "house/walk.h"
 
 #include "house/observation.h"
@@ -23,12 +23,10 @@
 
 /* All of these are assumed. */
 
-/* m: as far as bodies ahead are looked at. */
-static const double SIGHT = 2.0;
 /* s: others are reckoned with where they will be then. */
 static const double FORESIGHT = 0.3;
 /* m: left between oneself and whoever is ahead or passed. */
-static const double BERTH = 0.10;
+static const double BERTH = 0.08;
 /* m: free floor wanted ahead of a heading to one side. */
 static const double STEP = 0.4;
 /* 1 and m/s: a heading to one side has to make good so much more way than the ones before. */
@@ -56,9 +54,10 @@ enum { SEEN_MOST = 64 };
 
 /* A disc ahead. */
 typedef struct Seen {
-    Vec2 at;         /* m, from oneself, a moment later */
-    double together; /* m, sum of the radii and the berth */
-    bool first;      /* nearer to the goal */
+    Vec2 at;                 /* m, from oneself, a moment later */
+    Vec2 now;                /* m, as it is */
+    double together;         /* m, sum of the radii and the berth */
+    signed char seen, first; /* is it in sight, is it nearer to the goal: 1, 0, or -1, not asked yet */
 } Seen;
 
 typedef struct View {
@@ -66,6 +65,7 @@ typedef struct View {
     const March *march;
     Vec2 at, way;
     double radius, time, speed, gap; /* m, s, m/s, s */
+    double sight;                    /* m: farther bodies do not matter */
     Seen seen[SEEN_MOST];
     int count;
 } View;
@@ -86,15 +86,21 @@ bool walk_sees(const FreeSpace *space, Vec2 from, Vec2 to) {
 
 /* A disc at `from` me that moves so. */
 static void see_disc(View *view, Vec2 from, Vec2 velocity, double radius) {
-    double together = view->radius + radius + BERTH;
-    if (vec2_dot(from, view->way) < -together || view->count == SEEN_MOST ||
-        vec2_dot(from, from) > (SIGHT + together) * (SIGHT + together))
-        return;
-    Vec2 there = vec2_add(view->at, from);
-    if (!walk_sees(&view->world->house->space, view->at, there))
-        return;
-    bool first = march_time(view->march, there) < view->time;
-    view->seen[view->count++] = (Seen){vec2_along(from, FORESIGHT, velocity), together, first};
+    double together = view->radius + radius + BERTH, far = view->sight + together;
+    if (vec2_dot(from, view->way) >= -together && vec2_dot(from, from) <= far * far && view->count < SEEN_MOST)
+        view->seen[view->count++] = (Seen){vec2_along(from, FORESIGHT, velocity), from, together, -1, -1};
+}
+
+static bool is_seen(const View *view, Seen *seen) {
+    if (seen->seen < 0)
+        seen->seen = walk_sees(&view->world->house->space, view->at, vec2_add(view->at, seen->now));
+    return seen->seen;
+}
+
+static bool goes_first(const View *view, Seen *seen) {
+    if (seen->first < 0)
+        seen->first = march_time(view->march, vec2_add(view->at, seen->now)) < view->time;
+    return seen->first;
 }
 
 /* A chair is as good as a row of discs. */
@@ -110,14 +116,15 @@ static void see_chair(View *view, size_t j, Vec2 from) {
 
 static void look_around(View *view, uint32_t slot) {
     const Walkers *walkers = &view->world->walkers;
-    CellRange range = cells_around(&walkers->cells, view->at, SIGHT + WALKERS_SKIN);
+    const double far = view->sight + 1.5; /* m: no body's middle is farther from its edge */
+    CellRange range = cells_around(&walkers->cells, view->at, far + WALKERS_SKIN);
     for (int y = range.y0; y <= range.y1; y++) {
         uint32_t end;
         for (uint32_t s = cells_row(&walkers->cells, &range, y, &end); s < end; s++) {
             const WalkerKind *kind = &walkers->kinds[walkers->kind[s]];
             Vec2 from = vec2_sub(walkers->at[s], view->at);
             uint32_t j = walkers->cells.who[s];
-            if (s == slot || vec2_dot(from, from) > (SIGHT + 1) * (SIGHT + 1) || view->world->phase[j] == PHASE_OUT)
+            if (s == slot || vec2_dot(from, from) > far * far || view->world->phase[j] == PHASE_OUT)
                 continue;
             if (kind->walks)
                 see_disc(view, from, walkers->velocity[s], kind->radius);
@@ -128,26 +135,27 @@ static void look_around(View *view, uint32_t slot) {
 }
 
 /* The free way along a heading, m: straight on only those count who go first, to one side everybody. */
-static double free_way(const View *view, Vec2 heading, bool straight) {
-    double least = SIGHT;
+static double free_way(View *view, Vec2 heading, bool straight) {
+    double least = view->sight;
     for (int k = 0; k < view->count; k++) {
-        const Seen *seen = &view->seen[k];
-        if (straight && !seen->first)
-            continue;
+        Seen *seen = &view->seen[k];
         double ahead = vec2_dot(seen->at, heading), beside = vec2_cross(heading, seen->at);
         double square = seen->together * seen->together - beside * beside;
-        if (ahead > 0 && square > 0)
-            least = real_min(least, ahead - sqrt(square));
+        if (ahead <= 0 || square <= 0 || ahead - seen->together >= least)
+            continue;
+        double free = ahead - sqrt(square);
+        if (free < least && (!straight || goes_first(view, seen)) && is_seen(view, seen))
+            least = free;
     }
     return real_max(least, 0);
 }
 
-static double speed_along(const View *view, Vec2 heading, bool straight) {
+static double speed_along(View *view, Vec2 heading, bool straight) {
     return real_min(view->speed, free_way(view, heading, straight) / view->gap);
 }
 
 /* The velocity that makes most way good. */
-static Vec2 choose(const View *view) {
+static Vec2 choose(View *view) {
     Vec2 best = view->way;
     double speed = speed_along(view, best, true), good = speed;
     if (speed >= view->speed)
@@ -207,6 +215,7 @@ void walk_decide(World *world, size_t i, uint32_t slot) {
                  .radius = person->profile->width / 2,
                  .speed = person->speed,
                  .gap = person->profile->time_gap};
+    view.sight = view.speed * (view.gap + FORESIGHT);
     while ((size_t)walk->leg + 1 < journey->leg_count &&
            vec2_distance(view.at, view.march->goal.at) <= view.march->goal.radius) {
         view.march = journey->legs[++walk->leg];
