@@ -27,7 +27,7 @@ static void set_profile(const Plan *plan) {
         const Override *override = &plan->overrides[i];
         if (strncmp(override->name, name, strlen(name)) == 0) {
             bool good = profile_set(&profile, override->name + strlen(name), override->value, override->place, &fault);
-            fuzz_expect_faults(good, &fault, override->place);
+            fuzz_expect_faults(good, &fault, "--set ");
         }
     }
     bool fits = profile_check(&profile, plan->run.dt, "place", &fault);
