@@ -44,7 +44,8 @@ static size_t next_point(const World *world, size_t i) {
 /* Person i starts on the new journey. Where there is none it stays; a chair that was pushed off its way asks again. */
 static void set_out(World *world, size_t i, bool strayed) {
     RouteAnswer answer = world->journeys[i].route.answer;
-    world->drive[i] = (Drive){.best_turn = HUGE_VAL, .retreat_to = -1, .heeded = HUGE_VAL};
+    world->drive[i] =
+        (Drive){.best_turn = HUGE_VAL, .retreat_to = -1, .heeded = HUGE_VAL, .plans = world->drive[i].plans + strayed};
     world->walk[i].leg = 0;
     world->walk[i].best = HUGE_VAL;
     world->walk[i].stalled = 0;
@@ -59,15 +60,20 @@ static void set_out(World *world, size_t i, bool strayed) {
     }
 }
 
-/* s: a chair that has not got on for so long has lost its way, if it is off it. Assumed. */
-static const double LOST_AFTER = 3;
+/* All of these are assumed. s: a chair that has not got on for so long has lost its way, if it is off it, or is wedged,
+ * if it touches something; times: that one plans anew. */
+static const double LOST_AFTER = 3, WEDGED_AFTER = 8;
+enum { PLANS_MOST = 12 };
 
 static bool has_strayed(const World *world, size_t i, double time) {
     const Drive *drive = &world->drive[i];
     bool stuck = world->phase[i] == PHASE_STUCK && world->reason[i] == REASON_BLOCKED;
     (void)time;
-    return world_rides(world, i) && (stuck || (world->phase[i] == PHASE_MOVING && drive->stalled > LOST_AFTER)) &&
-           fabs(drive->offset - drive->aside) > world->house->people[i].profile->width;
+    if (!world_rides(world, i) || !(stuck || world->phase[i] == PHASE_MOVING) || drive->plans >= PLANS_MOST)
+        return false;
+    bool off = fabs(drive->offset - drive->aside) > world->house->people[i].profile->width;
+    return (off && (stuck || drive->stalled > LOST_AFTER)) ||
+           (world->sense[i].body_force > 0 && (stuck || drive->stalled > WEDGED_AFTER));
 }
 
 static void plan_again(World *world, Journeys *journeys, bool (*needs)(const World *world, size_t i, double time),
