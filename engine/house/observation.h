@@ -74,7 +74,7 @@ typedef struct Observation {
     uint64_t steps;
     int wall_crossings; /* at any step, of a body's middle into a wall: more than none is a fault of the program */
     double dt;          /* s */
-    double sample;      /* s, between two rows of the trace: run.sample in whole steps */
+    double sample;      /* s, between two rows of the trace: observer_sample_steps */
     uint64_t digest;    /* of all states at all steps */
 } Observation;
 

@@ -13,6 +13,9 @@ static const double FELT = 1e-3;
 
 enum { MOST_SQUARES = 1 << 21 };
 
+/* 1: of the trace, which is kept to the end; some 2 GB. */
+static const double MOST_ROWS = 2e7;
+
 static const TraceColumn columns[TRACE_COLUMNS] = {
     {"time", "s"},       {"person", "1"},     {"x", "m"},         {"y", "m"},
     {"heading", "rad"},  {"speed", "m/s"},    {"clearance", "m"}, {"ring", "m"},
@@ -50,7 +53,9 @@ static void add_row(Observer *observer, size_t i, double offset_rate) {
 }
 
 size_t observer_sample_steps(const House *house) {
-    double steps = house->plan.run.sample / house->plan.run.dt;
+    const RunSettings *run = &house->plan.run;
+    double least = (double)house->person_count * run->until / MOST_ROWS;
+    double steps = real_max(run->sample, least) / run->dt;
     return steps > 1 ? (size_t)(steps + 0.5) : 1;
 }
 

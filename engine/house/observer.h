@@ -37,7 +37,8 @@ typedef struct Observer {
     size_t stretch_count, stretch_capacity;
 } Observer;
 
-/* How many steps there are between two rows of the trace. */
+/* How many steps there are between two rows of the trace: run.sample, or more where very many people, until run.until,
+ * would fill the memory with rows. */
 size_t observer_sample_steps(const House *house);
 
 /* The world has not moved yet. observer_clear releases the observer, not the people. */

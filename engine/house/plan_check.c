@@ -14,7 +14,7 @@ static const double ROUNDING = 1e-9;        /* m: a door may fill its wall to th
 static const double WALL_SHORTEST = 1e-6;   /* m, of a segment: what the outline's grid still resolves */
 static const double EXIT_SHORTEST = 0.01;   /* m */
 static const double FURNITURE_LEAST = 0.01; /* m, in both directions */
-static const double TRACE_MOST_ROWS = 2e7;  /* 1, of all people: some 2 GB */
+static const double MOST_PEOPLE = 2e5;      /* 1: some 200 MB of moving house, and minutes to place */
 
 static bool is_sound(const PlanCheck *check, int list, size_t index) {
     return check->sound[list][index];
@@ -360,23 +360,23 @@ static void check_each(const PlanCheck *check, int list, void (*check_element)(c
             check_element(check, i);
 }
 
-/* The rows of the trace are kept until the end. */
 static void check_sampling(const PlanCheck *check) {
     const RunSettings *run = &check->plan->run;
     JsonNode node = json_member(check->root, "run");
     JsonNode sample = json_member(&node, "sample");
     const JsonNode *place = sample.value ? &sample : node.value ? &node : check->root;
+    if (run->sample < run->dt)
+        json_fault(place, check->fault, "sample is %g s, must be at least the step dt, %g s", run->sample, run->dt);
+}
+
+static void check_crowds(const PlanCheck *check) {
+    JsonNode node = json_member(check->root, "crowds");
     double people = (double)check->plan->person_count;
     for (size_t c = 0; c < check->plan->crowd_count; c++)
         people += check->plan->crowds[c].count;
-    double least = people * run->until / TRACE_MOST_ROWS;
-    if (run->sample < run->dt)
-        json_fault(place, check->fault, "sample is %g s, must be at least the step dt, %g s", run->sample, run->dt);
-    else if (run->sample < least)
-        json_fault(place, check->fault,
-                   "sample is %g s, must be at least %.3g s: until %g s everybody would fill more than %.0f rows of "
-                   "the trace",
-                   run->sample, 1.005 * least, run->until, TRACE_MOST_ROWS);
+    if (people > MOST_PEOPLE)
+        json_fault(node.value ? &node : check->root, check->fault, "%.0f people in all, must be at most %.0f", people,
+                   MOST_PEOPLE);
 }
 
 void plan_check_whole(const PlanCheck *check) {
@@ -398,4 +398,5 @@ void plan_check_whole(const PlanCheck *check) {
         check->plan->crowds[c].route = SIZE_MAX;
     check_each(check, LIST_ROUTES, check_route);
     check_sampling(check);
+    check_crowds(check);
 }

@@ -26,7 +26,9 @@
 /* s: others are reckoned with where they will be then. */
 static const double FORESIGHT = 0.3;
 /* m: left between oneself and whoever is ahead or passed. */
-static const double BERTH = 0.05;
+static const double BERTH = 0.045;
+/* m/s: nobody is so much faster before the next decisions, so that farther bodies do not matter yet. */
+static const double FASTER = 0.6;
 /* m: free floor wanted ahead of a heading to one side. */
 static const double STEP = 0.4;
 /* 1 and m/s: a heading to one side has to make good so much more way than the ones before. */
@@ -58,7 +60,7 @@ static const Vec2 headings[HEADINGS] = {
     {0.17364817766693041, -0.98480775301220802},
 };
 
-enum { SEEN_MOST = 64 };
+enum { SEEN_MOST = 128 };
 
 /* A disc ahead. */
 typedef struct Seen {
@@ -130,7 +132,7 @@ static void see_chair(View *view, size_t j, Vec2 from) {
 
 static void look_around(View *view, uint32_t slot) {
     const Walkers *walkers = &view->world->walkers;
-    const double far = view->sight + 1.5; /* m: no body's middle is farther from its edge */
+    const double far = view->sight + view->radius + walkers->widest + BERTH; /* m */
     CellRange range = cells_around(&walkers->cells, view->at, far + WALKERS_SKIN);
     for (int y = range.y0; y <= range.y1; y++) {
         uint32_t end;
@@ -257,7 +259,8 @@ void walk_decide(World *world, size_t i, uint32_t slot) {
                  .speed = person->speed,
                  .gap = person->profile->time_gap};
     view.squeezes = walk->held > HELD;
-    view.sight = view.speed * (view.gap + FORESIGHT);
+    double soon = real_min(view.speed, vec2_length(walkers->velocity[slot]) + FASTER);
+    view.sight = soon * view.gap + view.speed * FORESIGHT;
     while ((size_t)walk->leg + 1 < journey->leg_count &&
            vec2_distance(view.at, view.march->goal.at) <= view.march->goal.radius) {
         view.march = journey->legs[++walk->leg];

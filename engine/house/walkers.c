@@ -50,6 +50,8 @@ void walkers_init(Walkers *walkers, const World *world) {
         const Profile *profile = &house->profiles[a];
         walkers->kinds[a] = kind_of(profile);
         walkers->any |= walkers->kinds[a].walks;
+        Body body = body_of(profile);
+        walkers->widest = real_max(walkers->widest, body.swing + body.radius);
         for (size_t b = 0; b < kinds; b++) {
             walkers->laws[a * kinds + b] = law_between(profile, &house->profiles[b]);
             if (walkers->kinds[a].walks && house->profiles[b].driving == DRIVING_WALKER)
@@ -468,7 +470,8 @@ static inline __attribute__((always_inline)) void step_walker(World *world, Walk
     }
     Sense *sense = senses ? &world->sense[i] : NULL;
     Vec2 force = force_of_walkers(walkers, s, dt, sense);
-    Beside beside = {.face_count = 0, .corner_count = 0};
+    Beside beside; /* only counted, not cleared: this is the inner loop */
+    beside.face_count = beside.corner_count = 0;
     if (walkers->marks[s] & MARK_OBSTACLES) {
         look_beside(&beside, world, walkers->at[s], world->house->vicinity.reach);
         if (beside.face_count + beside.corner_count > 0)

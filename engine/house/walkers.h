@@ -61,6 +61,7 @@ typedef struct Walkers {
     WalkerKind *kinds; /* (kind_count) one per profile of the house */
     WalkerLaw *laws;   /* (kind_count x kind_count) */
     size_t kind_count;
+    double widest;         /* m, farthest of anybody's edge from the middle */
     double range;          /* m, largest of the laws */
     bool any;              /* somebody walks */
     double travelled;      /* m, that anybody may have moved since the lists were made */
