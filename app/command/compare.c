@@ -5,6 +5,7 @@
 #include "command/answer.h"
 #include "command/command.h"
 #include "command/house_file.h"
+#include "command/report.h"
 
 /* The person with this id, or NULL. */
 static const PersonObservation *find_person(const House *house, const Observation *observation, const char *id) {
@@ -20,9 +21,9 @@ static void print_row(const char *name, const char *id, const PersonObservation 
 }
 
 static void print_comparison(const House houses[2], const Observation observations[2]) {
-    char headline[256];
+    char headline[REPORT_HEADLINE];
     for (int h = 0; h < 2; h++) {
-        answer_headline(&houses[h], &observations[h], headline, sizeof headline);
+        report_headline(&houses[h], &observations[h], headline, sizeof headline);
         printf("%c: %s: %s\n", "ab"[h], houses[h].plan.name, headline);
     }
     printf("\n%-12s %-8s %9s %11s %9s %8s %8s\n", "person", "", "time s", "narrowest m", "contacts", "peak N",

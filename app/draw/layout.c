@@ -143,9 +143,7 @@ static double place_mark(Layout *layout, const SceneRow *row, double left, doubl
         return left;
     double end = left + width, right = end - CELL_GAP;
     if (row->kind == ROW_LINE)
-        add_sample(
-            layout,
-            (Sample){.from = {left, y}, .to = {right, y}, .role = row->role, .style = row->style, .width = row->width});
+        add_sample(layout, (Sample){{left, y}, {right, y}, row->role, row->style, row->width, row->symbol});
     if (row->mark) {
         Caption *mark = layout_add_caption(layout, row->mark, DISC_LETTERS, true, vec2((left + right) / 2, y));
         labels_shape(mark, row->kind == ROW_DISC ? LABEL_DISC : LABEL_TAG, row->role);
