@@ -89,10 +89,9 @@ static size_t first_stuck(const House *house, const Observation *observation, co
 
 static void print_party(const House *house, const Observation *observation, const Census *census, size_t p) {
     const Party *party = &census->parties[p];
-    const char *name = party->crowd ? party->crowd->id : "single people";
     size_t stuck = first_stuck(house, observation, census, p);
-    printf("%s (%s%s%s), %zu people: ", name, party->profile->name, party->route ? ", route " : "",
-           party->route ? party->route->id : "", party->people);
+    printf("%s (%s%s%s), %zu people: ", census_party_name(house, party), party->profile->name,
+           party->route ? ", route " : "", party->route ? party->route->id : "", party->people);
     if (stuck == house->person_count) {
         printf("all get out\n");
         return;

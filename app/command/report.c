@@ -58,6 +58,11 @@ static int wider(int width, const char *name) {
     return length > width ? length : width;
 }
 
+/* Without the sign of a nought that rounding leaves. */
+static double tenths(double value) {
+    return fabs(value) < 0.05 ? 0 : value;
+}
+
 static void print_people_head(int width) {
     printf("%-*s %-16s %-6s %-8s %9s %9s %11s %9s %8s %8s %8s  %s\n", width, "person", "profile", "route", "exit",
            "time s", "reversals", "narrowest m", "contacts", "peak N", "ring s", "lost s", "answer");
@@ -71,7 +76,7 @@ static void print_person(const House *house, size_t i, const PersonObservation *
     printf("%-*s %-16s %-6s %-8s %9.2f %9s %11.3f %9d %8.0f %8.1f %8.1f  %s\n", width, inhabitant->id,
            inhabitant->profile->name, inhabitant->route ? inhabitant->route->id : "-",
            person->exit < house->plan.exit_count ? house->plan.exits[person->exit].id : "-", person->time, reversals,
-           person->narrowest, person->contacts, person->peak_force, person->ring_time, person->lost_time,
+           person->narrowest, person->contacts, person->peak_force, person->ring_time, tenths(person->lost_time),
            person->completed ? "out" : observation_reason(person->reason));
 }
 
@@ -97,14 +102,10 @@ static size_t print_people(const House *house, const Observation *observation, b
     return listed;
 }
 
-static const char *party_name(const House *house, const Party *party) {
-    return party->crowd ? party->crowd->id : party->people == 1 ? house->people[party->first].id : "single people";
-}
-
 static void print_parties(const House *house, const Census *census) {
     int width = NAME_LEAST;
     for (size_t p = 0; p < census->party_count; p++)
-        width = wider(width, party_name(house, &census->parties[p]));
+        width = wider(width, census_party_name(house, &census->parties[p]));
     printf("%-*s %-16s %-6s %7s %7s %9s %9s %8s %9s %8s\n", width, "people", "profile", "route", "number", "out",
            "mean s", "last s", "lost s", "contacts", "peak N");
     for (size_t p = 0; p < census->party_count; p++) {
@@ -114,9 +115,9 @@ static void print_parties(const House *house, const Census *census) {
             snprintf(mean, sizeof mean, "%.2f", party->mean);
             snprintf(last, sizeof last, "%.2f", party->last);
         }
-        printf("%-*s %-16s %-6s %7zu %7zu %9s %9s %8.1f %9d %8.0f\n", width, party_name(house, party),
+        printf("%-*s %-16s %-6s %7zu %7zu %9s %9s %8.1f %9d %8.0f\n", width, census_party_name(house, party),
                party->profile->name, party->route ? party->route->id : "-", party->people, party->out, mean, last,
-               party->lost, party->contacts, party->peak_force);
+               tenths(party->lost), party->contacts, party->peak_force);
     }
 }
 

@@ -16,6 +16,10 @@ bool census_walks(const Profile *profile) {
     return profile->driving == DRIVING_WALKER;
 }
 
+const char *census_party_name(const House *house, const Party *party) {
+    return party->crowd ? party->crowd->id : party->people == 1 ? house->people[party->first].id : "single people";
+}
+
 /* Is this "<crowd>-<number>", the number one of its members'? Nobody else has such a name. */
 static bool is_member(const Crowd *crowd, const char *id) {
     size_t length = strlen(crowd->id);

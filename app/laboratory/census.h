@@ -48,5 +48,8 @@ void census_clear(Census *census);
 /* "27 blocked at door d2, 2 time limit": the holds of those who are not out. */
 void census_reasons(const House *house, const Census *census, char *text, size_t size);
 
+/* The crowd's id, the person's who has no like, or "single people". */
+const char *census_party_name(const House *house, const Party *party);
+
 /* On foot, not in a chair? */
 bool census_walks(const Profile *profile);

@@ -16,8 +16,8 @@
 /* The word that a note holds when its plan was not measured: then it must be read wherever the plan is seen. */
 static const char ASSUMED[] = "assumed";
 
-static bool is_crowd(const House *house) {
-    return house->person_count > PEOPLE_SCENE_INDIVIDUALS;
+static bool is_crowd(const Census *census) {
+    return census->people > PEOPLE_SCENE_INDIVIDUALS;
 }
 
 static bool holds_word(const char *text, const char *word) {
@@ -111,7 +111,7 @@ static void say_answer(Scene *scene, const House *house, const Observation *obse
         scene->title_role = ROLE_TEXT;
         scene->title = "Nobody is here";
         scene->detail = "";
-    } else if (is_crowd(house)) {
+    } else if (is_crowd(census)) {
         crowd_scene_answer(scene, house, observation, census);
     } else if (census->stuck == SIZE_MAX) {
         say_yes(scene, house, observation, census);
@@ -192,7 +192,7 @@ static Box whole_box(const House *house, const Observation *observation) {
 
 void house_scene_make(Scene *scene, const House *house, const Observation *observation) {
     Census census = census_take(house, observation);
-    bool crowd = is_crowd(house);
+    bool crowd = is_crowd(&census);
     *scene = (Scene){.grid = GRID};
     scene->box = whole_box(house, observation);
     say_answer(scene, house, observation, &census);
