@@ -46,7 +46,7 @@ void report_headline(const House *house, const Observation *observation, char *t
             say_stuck(house, observation, census.stuck, why, sizeof why);
             snprintf(text, size, "%s%s", why, others);
         } else {
-            census_reasons(house, &census, why, sizeof why);
+            census_reasons(house, &census, true, why, sizeof why);
             snprintf(text, size, "%zu of %zu are not out: %s%s", stuck, census.people, why, others);
         }
     }

@@ -176,10 +176,11 @@ void census_clear(Census *census) {
 }
 
 /* "29 blocked at door d2", "p1 cannot pass door d2 (needs at least 0.80 m, has 0.75 m)" */
-static void say_hold(const House *house, const Hold *hold, char *text, size_t size) {
+static void say_hold(const House *house, const Hold *hold, bool with_widths, char *text, size_t size) {
     const char *what = hold->blockage.what;
-    char widths[64], who[64];
-    route_widths(&hold->blockage, widths, sizeof widths);
+    char widths[64] = "", who[64];
+    if (with_widths)
+        route_widths(&hold->blockage, widths, sizeof widths);
     snprintf(who, sizeof who, "%zu", hold->people);
     if (hold->people == 1)
         snprintf(who, sizeof who, "%s", house->people[hold->first].id);
@@ -194,12 +195,12 @@ static void say_hold(const House *house, const Hold *hold, char *text, size_t si
         snprintf(text, size, "%s %s", who, observation_reason(hold->reason));
 }
 
-void census_reasons(const House *house, const Census *census, char *text, size_t size) {
+void census_reasons(const House *house, const Census *census, bool with_widths, char *text, size_t size) {
     size_t used = 0, told = 0;
     *text = 0;
     for (size_t h = 0; h < census->hold_count && h < REASONS_TOLD && used < size; h++) {
         char hold[256];
-        say_hold(house, &census->holds[h], hold, sizeof hold);
+        say_hold(house, &census->holds[h], with_widths, hold, sizeof hold);
         used += (size_t)snprintf(text + used, size - used, "%s%s", h ? ", " : "", hold);
         told += census->holds[h].people;
     }

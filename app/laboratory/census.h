@@ -45,8 +45,9 @@ typedef struct Census {
 Census census_take(const House *house, const Observation *observation);
 void census_clear(Census *census);
 
-/* "27 blocked at door d2, 2 time limit": the holds of those who are not out. */
-void census_reasons(const House *house, const Census *census, char *text, size_t size);
+/* "27 cannot pass door d2 (needs at least 0.39 m, has 0.30 m), 2 time limit": the holds of those who are not out, with
+ * or without the widths. */
+void census_reasons(const House *house, const Census *census, bool with_widths, char *text, size_t size);
 
 /* The crowd's id, the person's who has no like, or "single people". */
 const char *census_party_name(const House *house, const Party *party);

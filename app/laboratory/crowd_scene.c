@@ -82,7 +82,7 @@ void crowd_scene_answer(Scene *scene, const House *house, const Observation *obs
     size_t stuck = census->people - census->out;
     if (stuck) {
         char why[512];
-        census_reasons(house, census, why, sizeof why);
+        census_reasons(house, census, census->hold_count == 1, why, sizeof why); /* more would not fit in */
         scene->title_role = ROLE_ERROR;
         scene->title = scene_text(scene, "%zu of %zu not out", stuck, census->people);
         scene->detail = census->out ? scene_text(scene, "%s; the others in %.1f s", why, census->last)
@@ -219,21 +219,22 @@ static void add_chairs(Scene *scene, const House *house, const Observation *obse
     }
 }
 
-/* A diamond where each of those ended who are not out; a chair keeps its shape round it. */
+/* A diamond where each of those ended who are not out, on foot or in chairs; a chair keeps its shape round it. */
 static void add_stuck(Scene *scene, const House *house, const Observation *observation, const Census *census,
-                      const Trail *trails) {
-    double point = design_point(scene);
-    double least = point * (census->people - census->out > STUCK_FEW ? DIAMOND_LEAST : DIAMOND_SINGLE);
+                      const Trail *trails, bool on_foot) {
+    size_t stuck = census->people - census->out;
+    double least = design_point(scene) * (stuck > STUCK_FEW ? DIAMOND_LEAST : DIAMOND_SINGLE);
     Figures diamonds = {0};
     for (size_t i = 0; i < house->person_count; i++) {
         const Inhabitant *person = &house->people[i];
         const Profile *profile = person->profile;
-        if (!observation->people[i].took_part || observation->people[i].completed)
+        bool out = !observation->people[i].took_part || observation->people[i].completed;
+        if (out || census_walks(profile) != on_foot)
             continue;
         Pose pose = {.at = person->at, .heading = person->heading};
         if (trails[i].count)
             pose = trail_pose(&trails[i], trail_end(&trails[i]));
-        if (!census_walks(profile)) {
+        if (!on_foot) {
             Primitive *chair = add_chair(scene, profile, pose, ROLE_PAPER);
             chair->edge = ROLE_ERROR;
             chair->width = 2 * CHAIR_EDGE;
@@ -248,7 +249,8 @@ void crowd_scene_ways(Scene *scene, const House *house, const Observation *obser
     add_walkers_starts(scene, house, observation);
     add_walkers_loci(scene, house, observation, trails);
     add_chairs(scene, house, observation, trails);
-    add_stuck(scene, house, observation, census, trails);
+    add_stuck(scene, house, observation, census, trails, true);
+    add_stuck(scene, house, observation, census, trails, false);
     trail_free_list(trails);
 }
 
