@@ -41,4 +41,7 @@
 #include "house/hazard.h"
 #include "house/replan.h"
 #include "house/run.h"
+#include "house/measure.h"
+#include "house/verification.h"
+#include "house/trial.h"
 #include "exchange/jupedsim.h"

@@ -140,6 +140,45 @@ def check_files():
         check(png[16:24] == (800).to_bytes(4, "big") + (450).to_bytes(4, "big"), "plan.png is 800x450")
 
 
+def check_cases():
+    """One test that passes, one that does not, one that does not apply; the tables; an interrupted run."""
+    corridor = house("straight-corridor")
+    with tempfile.TemporaryDirectory() as folder:
+        def case(name, **members):
+            path = os.path.join(folder, f"{name}.json")
+            head = {"format": "clearance-case", "version": 1, "id": name, "suite": f"S {name}", "title": "a | b <c>"}
+            pathlib.Path(path).write_text(json.dumps({**head, **members}))
+            return path
+        slow = {"id": "slow", "house": corridor, "set": "exit.e1.opens=90000 run.until=90000"}
+        good = case("good", house=corridor, checks=[{"measure": "out", "low": 1, "unit": "1"}])
+        bad = case("bad", house=corridor, checks=[{"measure": "time", "high": 1, "unit": "s", "why": "it is <far>"}])
+        case("none", applies=False, reason="there are no stairs")
+        check(" yes" in expect(0, "cases", good).stdout, "cases: a test passes")
+        check("it is <far>" in expect(1, "cases", bad).stdout, "cases: says why not")
+        out = os.path.join(folder, "out")
+        answer = json.loads(expect(1, "cases", folder, "--json", "--out", out).stdout)
+        check([c["passed"] for c in answer["cases"]] == ["no", "yes", "does not apply"], "cases --json of a directory")
+        check(json.loads(pathlib.Path(out, "cases.json").read_text()) == answer, "cases.json is the answer")
+        page, table = (pathlib.Path(out, f"cases.{end}").read_text() for end in ("html", "md"))
+        check("it is &lt;far&gt;" in page and "<far>" not in page, "cases.html is escaped")
+        check("a \\| b <c>" in table and "there are no stairs" in table, "cases.md is a table")
+        check(json.loads(expect(1, "cases", folder, "--json", "--jobs", "2").stdout) == answer, "--jobs changes nothing")
+        expect(2, "cases", good, good, says="must be another")
+        expect(2, "cases", os.path.join(source, "assets"), says="there is no case here")
+        check_cases_interrupted(case("slow", house=corridor, variants=[slow],
+                                     checks=[{"measure": "time", "variant": "slow", "high": 1, "unit": "s"}]))
+
+
+def check_cases_interrupted(path):
+    process = subprocess.Popen([program, "cases", path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        process.wait(timeout=1)
+    except subprocess.TimeoutExpired:
+        process.send_signal(signal.SIGINT)
+    output, error = process.communicate(timeout=60)
+    check(process.returncode == 1 and "interrupted" in error and "not run" in output, "cases: interrupted", output + error)
+
+
 def check_interrupt():
     """Two people who hold each other up are simulated for an hour; Ctrl-C ends that, and what there is is kept."""
     with tempfile.TemporaryDirectory() as out:
@@ -156,7 +195,7 @@ def check_interrupt():
         check(os.path.exists(os.path.join(out, "summary.json")), "interrupted: what there is is kept")
 
 
-for part in (check_answers, check_crowds, check_options, check_wrong_use, check_files, check_interrupt):
+for part in (check_answers, check_crowds, check_options, check_wrong_use, check_files, check_cases, check_interrupt):
     part()
 print(f"{failures} failures")
 sys.exit(failures != 0)

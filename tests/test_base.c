@@ -59,6 +59,24 @@ TEST(a_fault_stays_one_line_of_plain_text) {
     CHECK(fault.count == 0);
 }
 
+TEST(a_fault_stays_utf_8_whatever_it_quotes_and_wherever_that_is_cut) {
+    static const char *const lines[][2] = {
+        {"caf\xc3\xa9 \xe6\x97\xa5\xe6\x9c\xac \xf0\x9f\x8f\xa0",
+         "caf\xc3\xa9 \xe6\x97\xa5\xe6\x9c\xac \xf0\x9f\x8f\xa0"},
+        {"caf\xe9", "caf?"},
+        {"\xe6\x97\xa5\xe6\x9c", "\xe6\x97\xa5??"},
+        {"\x80 \xff \xc0\xaf \xc1\xbf", "? ? ?? ??"},
+        {"\xed\xa0\x80 \xe0\x80\x80 \xf4\x90\x80\x80 \xf0\x9f\x8f", "??? ??? ???? ???"},
+        {"\xf4\x8f\xbf\xbf \xed\x9f\xbf\xe2\x82", "\xf4\x8f\xbf\xbf \xed\x9f\xbf??"},
+    };
+    Fault fault = {0};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        fault_add(&fault, "%s", lines[i][0]);
+        CHECK_TEXT(fault.lines[i], lines[i][1]);
+    }
+    fault_clear(&fault);
+}
+
 TEST(memory_that_grows_keeps_what_it_held_and_is_zero_beyond) {
     size_t capacity = 0;
     int *numbers = NULL;

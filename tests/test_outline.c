@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/random.h"
+#include "base/text.h"
 #include "check.h"
 #include "draft.h"
 #include "house/outline.h"
@@ -383,5 +384,51 @@ TEST(an_empty_plan_has_an_outline_of_nothing) {
     CHECK(drawn.outline.face_count == 0 && drawn.outline.corner_count == 0 && drawn.outline.ring_count == 0);
     CHECK(drawn.outline.box.low.x < drawn.outline.box.high.x);
     CHECK_NEAR(ray(&drawn, 0, 0, 1, 0), 20, 0);
+    wipe(&drawn);
+}
+
+TEST(a_wall_whose_ends_nearly_meet_is_closed) {
+    Drawn drawn =
+        draw("'walls': [{'id': 'w1', 'points': [[1e-10, 0], [4, 0], [4, 3], [0, 3], [0, 0]], 'thickness': 0.2}]");
+    CHECK(drawn.outline.face_count == 8);
+    CHECK_NEAR(perimeter(&drawn.outline), 2 * (4.2 + 3.2) + 2 * (3.8 + 2.8), 1e-6);
+    wipe(&drawn);
+}
+
+TEST(doors_side_by_side_are_cut_at_once) {
+    enum { DOORS = 300 };
+    Text text = {0};
+    char door[120];
+    text_add(&text, "'walls': [{'id': 'w1', 'points': [[0, 0], [600, 0]], 'thickness': 0.2}], 'doors': [");
+    for (int d = 0; d < DOORS; d++) {
+        snprintf(door, sizeof door, "%s{'id': 'd%d', 'wall': 'w1', 'at': %g, 'width': %g}", d ? ", " : "", d,
+                 0.5 + 2 * d, d % 3 ? 0.9 : 1.0);
+        text_add(&text, door);
+    }
+    text_add(&text, ", {'id': 'next', 'wall': 'w1', 'at': 1.5, 'width': 1}]"); /* from the first to the second */
+    Drawn drawn = draw(text.text);
+    memory_free(text.text);
+    CHECK(drawn.outline.face_count == 4 * DOORS);
+    wipe(&drawn);
+}
+
+TEST(the_owner_of_a_face_is_found_among_any_number) {
+    enum { WALLS = 200 };
+    Text text = {0};
+    char wall[120];
+    text_add(&text, "'walls': [");
+    for (int w = 0; w < WALLS; w++) {
+        double angle = M_PI * w / WALLS;
+        snprintf(wall, sizeof wall, "{'id': 'w%d', 'points': [[%.9f, %.9f], [%.9f, %.9f]], 'thickness': 0.002}, ", w,
+                 -9 * cos(angle), -9 * sin(angle), 9 * cos(angle), 9 * sin(angle));
+        text_add(&text, wall);
+    }
+    text_add(&text, "{'id': 'last', 'points': [[0, -0.5], [0, 0.5]], 'thickness': 1}]");
+    Drawn drawn = draw(text.text);
+    memory_free(text.text);
+    int last = 0;
+    for (size_t f = 0; f < drawn.outline.face_count; f++)
+        last += drawn.outline.faces[f].index == WALLS;
+    CHECK(last > WALLS);
     wipe(&drawn);
 }

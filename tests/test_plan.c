@@ -231,6 +231,20 @@ TEST(overrides_and_settings_change_the_plan) {
     plan_free(&plan);
 }
 
+TEST(what_a_setting_renames_is_found_by_its_new_name) {
+    Plan plan;
+    char *fault;
+    const char *const settings[] = {"wall.w1.id=w2", "door.d1.id=d2", "door.d2.wall=w2", "door.d2.width=0.7", NULL};
+    CHECK(read_with(&plan, room, settings, &fault));
+    CHECK_TEXT(plan.doors[0].id, "d2");
+    CHECK_NEAR(plan.doors[0].width, 0.7, 0);
+    CHECK(plan.doors[0].wall_index == 0);
+    plan_free(&plan);
+    CHECK(!read_with(&plan, room, (const char *const[]){"door.d1.id=d2", "door.d1.width=0.7", NULL}, &fault));
+    CHECK_TEXT(fault, "--set door.d1.width: there is no door \"d1\"");
+    free(fault);
+}
+
 TEST(a_setting_comes_after_an_override_and_is_named_in_its_fault) {
     Plan plan;
     char *fault, members[2000];
@@ -400,6 +414,26 @@ TEST(what_topples_grows_by_its_height_towards_its_face) {
             CHECK_NEAR(area, (box.high.x - box.low.x) * (box.high.y - box.low.y), 1e-12);
         }
     }
+}
+
+TEST(faults_about_people_and_crowds_begin_with_their_places) {
+    char path[DRAFT_PATH];
+    Plan plan = {0};
+    Fault fault = {0};
+    draft_write(path, "{'format': 'clearance-house', 'version': 1, 'walls': [], 'name': '\xc3\xa9 ]',\n"
+                      " 'crowds' :[ {'id': 'c1', 'profile': 'x', 'count': 1, 'area': [[0, 0], [1, 0], [1, 1]]}\n],\n"
+                      " 'note': '\xc3\xa9', 'people': [{'id': 'p1', 'profile': 'x', 'at': [9, 9]},"
+                      "{'id': 'p2', 'profile': 'x', 'at': [8, 8]}]}");
+    CHECK(plan_read(&plan, path, NULL, 0, &fault));
+    const char *const places[] = {":4:26: ", ":4:69: ", ":2:14: "};
+    const char *const got[] = {plan.people[0].place, plan.people[1].place, plan.crowds[0].place};
+    for (int i = 0; i < 3; i++) {
+        CHECK(strncmp(got[i], path, strlen(path)) == 0);
+        CHECK_TEXT(got[i] + strlen(path), places[i]);
+    }
+    plan_free(&plan);
+    fault_clear(&fault);
+    unlink(path);
 }
 
 TEST(people_and_routes_are_found_by_their_ids) {

@@ -15,7 +15,7 @@ volatile sig_atomic_t command_interrupted;
 
 /* Verbs ----------------------------------------------------------------------------------------------------------- */
 
-enum { FOR_RUN = 1, FOR_CHECK = 2, FOR_COMPARE = 4, FOR_LOCI = 8, FOR_SCHEMA = 16 };
+enum { FOR_RUN = 1, FOR_CHECK = 2, FOR_COMPARE = 4, FOR_LOCI = 8, FOR_SCHEMA = 16, FOR_CASES = 32 };
 enum { FOR_HOUSES = FOR_RUN | FOR_CHECK | FOR_COMPARE | FOR_LOCI };
 
 typedef struct Verb {
@@ -44,6 +44,10 @@ static const Verb verbs[] = {
     {"loci", FOR_LOCI, 1, SIZE_MAX, "HOUSE ...",
      "drive each house both ways, miura and driver: times, and how far apart the loci are",
      "  clearance loci houses/corner-*.json\n", command_loci},
+    {"cases", FOR_CASES, 1, SIZE_MAX, "DIR|FILE ...", "run public verification tests: what passed, and if not, why",
+     "  clearance cases tests/cases --out out\n"
+     "  clearance cases tests/cases/rimea-01.json\n",
+     command_cases},
     {"schema", FOR_SCHEMA, 1, 1, "house|profile", "print the JSON Schema of a kind of file, for editors",
      "  clearance schema house > house.schema.json\n", command_schema},
 };
@@ -141,15 +145,17 @@ static const Option option_rows[] = {
      take_setting},
     {"--out", "DIR", FOR_RUN, "write summary.json, trace.csv, trajectory.sqlite, plan.png and plan.svg there",
      take_out},
-    {"--json", NULL, FOR_HOUSES, "the answer as one JSON object and nothing else", take_json},
+    {"--out", "DIR", FOR_CASES, "write cases.html, cases.md and cases.json there", take_out},
+    {"--json", NULL, FOR_HOUSES | FOR_CASES, "the answer as one JSON object and nothing else", take_json},
     {"--route", "ID", FOR_RUN, "only this route's people", take_route},
     {"--driving", "miura|driver", FOR_HOUSES, "drive everybody this way", take_driving},
     {"--until", "SECONDS", FOR_RUN | FOR_COMPARE, "give up at this simulated time", take_until},
-    {"--seed", "N", FOR_HOUSES, "seed of all chance, from 0 (default 1)", take_seed},
-    {"--jobs", "N", FOR_HOUSES, "threads, from 1 (default: one a processor); the answer is the same", take_jobs},
+    {"--seed", "N", FOR_HOUSES | FOR_CASES, "seed of all chance, from 0 (default 1)", take_seed},
+    {"--jobs", "N", FOR_HOUSES | FOR_CASES, "threads, from 1 (default: one a processor); the answer is the same",
+     take_jobs},
     {"--size", "WxH", FOR_RUN, "size of the picture in pixels, from 320x200 (default 1280x720)", take_size},
     {"--theme", THEME_WORDS, FOR_RUN, "light or dark picture", take_theme},
-    {"--quiet", NULL, FOR_HOUSES, "no progress", take_quiet},
+    {"--quiet", NULL, FOR_HOUSES | FOR_CASES, "no progress", take_quiet},
 };
 enum { OPTIONS = sizeof option_rows / sizeof *option_rows };
 

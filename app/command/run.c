@@ -1,15 +1,13 @@
-#include <errno.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "base/text.h"
 #include "command/answer.h"
 #include "command/command.h"
 #include "command/house_file.h"
+#include "command/output.h"
 #include "command/report.h"
 #include "draw/paint_cairo.h"
 #include "exchange/jupedsim.h"
@@ -22,27 +20,6 @@ static int write_summary(const House *house, const Observation *observation, con
     free(text);
     json_decref(answer);
     return error;
-}
-
-/* Makes the directory and those above it, before the work is done; says so when that cannot be. */
-static bool make_directory(const char *path) {
-    char part[4096];
-    snprintf(part, sizeof part, "%s", path);
-    int error = 0;
-    for (char *slash = part + 1; !error && *slash; slash++) {
-        if (*slash != '/')
-            continue;
-        *slash = 0;
-        error = mkdir(part, 0777) && errno != EEXIST ? errno : 0;
-        *slash = '/';
-    }
-    if (!error)
-        error = mkdir(part, 0777) && errno != EEXIST ? errno : 0;
-    if (!error && access(part, W_OK | X_OK))
-        error = errno;
-    if (error)
-        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
-    return !error;
 }
 
 /* Writes everything a run leaves behind; the first file that cannot be written ends it. */
@@ -85,7 +62,7 @@ static size_t find_route(const House *house, const Options *options) {
 int command_run(const Options *options) {
     House house = {0};
     Fault fault = {0};
-    if (options->out && !make_directory(options->out))
+    if (options->out && !output_directory(options->out))
         return EXIT_WRONG_INPUT;
     if (!house_file_read(&house, options, 0, &fault))
         return house_file_report(&fault);

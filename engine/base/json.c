@@ -90,8 +90,21 @@ JsonNode json_element(const JsonNode *array, size_t index) {
 
 /* The walk over the text. It relies on jansson having accepted it. */
 
+static bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+/* By hand: checkers of memory look at the whole text in each call of strspn. */
 static const char *skip_space(const char *at) {
-    return at + strspn(at, " \t\r\n");
+    while (is_space(*at))
+        at++;
+    return at;
+}
+
+static const char *skip_scalar(const char *at) {
+    while (*at && !is_space(*at) && *at != ',' && *at != ':' && *at != ']' && *at != '}')
+        at++;
+    return at;
 }
 
 static const char *skip_string(const char *at) {
@@ -116,7 +129,7 @@ static const char *skip_value(const char *at) {
         } else if (*at == ',' || *at == ':') {
             at++;
         } else {
-            at += strcspn(at, " \t\r\n,:]}");
+            at = skip_scalar(at);
         }
     } while (depth > 0 && *at);
     return at;
@@ -165,21 +178,47 @@ static const char *find_value(const JsonNode *node) {
     return at;
 }
 
+/* Moves the place on to `at`, counting characters and not the bytes of one. */
+static void move_on(JsonPlace *place, const char *from, const char *at) {
+    for (const char *c = from; c < at; c++) {
+        if (*c == '\n') {
+            place->line++;
+            place->column = 1;
+        } else if (((unsigned char)*c & 0xc0) != 0x80) {
+            place->column++;
+        }
+    }
+}
+
 static void fault_at(const JsonFile *file, const char *at, Fault *fault, const char *what) {
     if (!file->text) {
         fault_add(fault, "%s%s", file->path, what);
         return;
     }
-    int line = 1, column = 1;
-    for (const char *c = file->text; c < at; c++) {
-        if (*c == '\n') {
-            line++;
-            column = 1;
-        } else if (((unsigned char)*c & 0xc0) != 0x80) { /* count characters, not the bytes of one */
-            column++;
-        }
+    JsonPlace place = {1, 1};
+    move_on(&place, file->text, at);
+    fault_add(fault, "%s:%d:%d: %s", file->path, place.line, place.column, what);
+}
+
+static size_t children_of(const JsonNode *node) {
+    return json_is_array(node->value) ? json_array_size(node->value) : json_object_size(node->value);
+}
+
+JsonPlace *json_places(const JsonNode *node) {
+    size_t count = children_of(node);
+    JsonPlace *places = memory_allocate(count, sizeof *places), here = {1, 1};
+    const char *from = node->file->text, *at = from ? find_value(node) + 1 : NULL;
+    for (size_t i = 0; i < count && at; i++) {
+        at = skip_space(at);
+        if (json_is_object(node->value))
+            at = skip_space(skip_space(skip_string(at)) + 1);
+        move_on(&here, from, at);
+        places[i] = here;
+        from = at;
+        at = skip_space(skip_value(at));
+        at += *at == ',';
     }
-    fault_add(fault, "%s:%d:%d: %s", file->path, line, column, what);
+    return places;
 }
 
 void json_fault(const JsonNode *node, Fault *fault, const char *format, ...) {
@@ -207,6 +246,10 @@ void json_check_keys(const JsonNode *object, const char *const *known, Fault *fa
             found = strcmp(key, known[i]) == 0;
         if (found)
             continue;
+        if (fault->count >= FAULT_MOST) {
+            fault_add(fault, "%s", ""); /* counted, as in json_fault */
+            continue;
+        }
         const char *nearest = text_nearest(key, known, count);
         char what[256], list[160] = "";
         if (nearest) {

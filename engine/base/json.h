@@ -26,7 +26,7 @@ typedef struct JsonNode {
     size_t index;                  /* in an array */
 } JsonNode;
 
-enum { JSON_LARGEST_FILE = 256 * 1024 * 1024 /* bytes: a house of some hundred thousand walls has a tenth of it */ };
+enum { JSON_LARGEST_FILE = 64 * 1024 * 1024 /* bytes: a house of a hundred thousand walls has a sixth of it */ };
 
 bool json_read(JsonFile *file, const char *path, Fault *fault);
 void json_free(JsonFile *file);
@@ -38,6 +38,14 @@ JsonNode json_member(const JsonNode *object, const char *key);
 
 /* The element `index` of an array, index below its length. */
 JsonNode json_element(const JsonNode *array, size_t index);
+
+typedef struct JsonPlace {
+    int line, column; /* from 1 */
+} JsonPlace;
+
+/* Where each element of an array, or each member's value of an object, stands in its file: as many, found in one walk.
+ * Of no use when the value is of no file. memory_free them. */
+JsonPlace *json_places(const JsonNode *node);
 
 /* Adds `file:line:column: what`, pointing at the node's value. */
 void json_fault(const JsonNode *node, Fault *fault, const char *format, ...) __attribute__((format(printf, 3, 4)));

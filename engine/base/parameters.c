@@ -361,6 +361,10 @@ static bool list_namesakes(const ParameterTable *table, const char *name, char *
 }
 
 void parameters_fault_unknown(const ParameterTable *table, const char *name, const JsonNode *node, Fault *fault) {
+    if (fault->count >= FAULT_MOST) {
+        json_fault(node, fault, "%s", ""); /* counted */
+        return;
+    }
     const char *names[2 * NAMES_MOST];
     size_t count = 0;
     for (size_t i = 0; i < table->count; i++) {

@@ -1,5 +1,6 @@
 #include "house/freespace.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -20,6 +21,7 @@
  * (|n_x| + |n_y|)). */
 
 enum {
+    FEW_ENTRIES = 64,            /* of a bucket: so many are sorted faster by insertion */
     LANES = 8,                   /* points of a row treated at once: what lets the compiler use vectors */
     MOST_BUCKETS = 4000000,      /* buckets are made larger rather than be more than this */
     MOST_BUCKET_FACES = 16000000 /* nor hold more faces, about, than this */
@@ -173,16 +175,45 @@ static void bucket_face(FreeSpace *space, int index, int *cursors, bool fill) {
             int place = cursors[bucket]++;
             if (!fill)
                 continue;
-            /* Insertion keeps each bucket sorted; ties stay in the order of the faces. */
-            float value = near > 0 ? (float)near : 0;
-            while (place > space->bucket_starts[bucket] && space->bucket_near[place - 1] > value) {
-                space->bucket_near[place] = space->bucket_near[place - 1];
-                space->bucket_faces[place] = space->bucket_faces[place - 1];
-                place--;
-            }
-            space->bucket_near[place] = value;
+            space->bucket_near[place] = near > 0 ? (float)near : 0;
             space->bucket_faces[place] = index;
         }
+    }
+}
+
+typedef struct BucketEntry {
+    float near;
+    int face;
+} BucketEntry;
+
+static int compare_entries(const void *a, const void *b) {
+    const BucketEntry *p = a, *q = b;
+    if (p->near != q->near)
+        return p->near < q->near ? -1 : 1;
+    return p->face < q->face ? -1 : p->face > q->face;
+}
+
+/* Sorts the entries from `first` to `end` - 1 by distance, and those as near as each other by face, the order in which
+ * they come; `room` is for as many. */
+static void sort_bucket(FreeSpace *space, int first, int end, BucketEntry *room) {
+    for (int i = first; end - first <= FEW_ENTRIES && i < end; i++) { /* insertion: usual houses have few */
+        float near = space->bucket_near[i];
+        int face = space->bucket_faces[i], place = i;
+        for (; place > first && space->bucket_near[place - 1] > near; place--) {
+            space->bucket_near[place] = space->bucket_near[place - 1];
+            space->bucket_faces[place] = space->bucket_faces[place - 1];
+        }
+        space->bucket_near[place] = near;
+        space->bucket_faces[place] = face;
+    }
+    if (end - first <= FEW_ENTRIES)
+        return;
+    for (int i = first; i < end; i++)
+        room[i - first] = (BucketEntry){space->bucket_near[i], space->bucket_faces[i]};
+    qsort(room, (size_t)(end - first), sizeof *room, compare_entries);
+    for (int i = first; i < end; i++) {
+        space->bucket_near[i] = room[i - first].near;
+        space->bucket_faces[i] = room[i - first].face;
     }
 }
 
@@ -200,7 +231,7 @@ static void build_buckets(FreeSpace *space) {
     double across = (space->nx - 1) * space->cell, up = (space->ny - 1) * space->cell;
     space->bucket = SMALLEST_BUCKET;
     while (across / space->bucket * (up / space->bucket) > MOST_BUCKETS ||
-           bucket_entries(outline, space->bucket) > MOST_BUCKET_FACES)
+           (bucket_entries(outline, space->bucket) > MOST_BUCKET_FACES && space->bucket < greatest(across, up)))
         space->bucket *= 2;
     space->bucket_nx = (int)(across / space->bucket) + 1;
     space->bucket_ny = (int)(up / space->bucket) + 1;
@@ -210,7 +241,9 @@ static void build_buckets(FreeSpace *space) {
     for (size_t f = 0; f < outline->face_count; f++)
         if (outline_planned(outline->faces[f].presence))
             bucket_face(space, (int)f, cursors, false);
+    int most = 0;
     for (size_t b = 0; b < buckets; b++) {
+        most = cursors[b] > most ? cursors[b] : most;
         space->bucket_starts[b + 1] = space->bucket_starts[b] + cursors[b];
         cursors[b] = space->bucket_starts[b];
     }
@@ -220,6 +253,10 @@ static void build_buckets(FreeSpace *space) {
     for (size_t f = 0; f < outline->face_count; f++)
         if (outline_planned(outline->faces[f].presence))
             bucket_face(space, (int)f, cursors, true);
+    BucketEntry *room = memory_allocate((size_t)most, sizeof *room);
+    for (size_t b = 0; b < buckets; b++)
+        sort_bucket(space, space->bucket_starts[b], space->bucket_starts[b + 1], room);
+    memory_free(room);
     memory_free(cursors);
 }
 

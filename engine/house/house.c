@@ -22,15 +22,15 @@ static const char *profile_path(House *house, const char *house_path, const char
     return path;
 }
 
-static void read_profile(House *house, const char *house_path, const HouseOptions *options, const char *who,
-                         const char *name, Fault *fault) {
+static void read_profile(House *house, const char *house_path, const HouseOptions *options, const char *place,
+                         const char *who, const char *name, Fault *fault) {
     for (size_t i = 0; i < house->profile_count; i++)
         if (strcmp(house->profiles[i].name, name) == 0)
             return;
     const char *path = profile_path(house, house_path, options->profiles, name);
     if (access(path, R_OK) != 0) {
-        fault_add(fault, "%s:1:1: %s has profile \"%s\", but there is no %s.json beside the house or in %s", house_path,
-                  who, name, name, options->profiles);
+        fault_add(fault, "%s%s has profile \"%s\", but there is no %s.json beside the house or in %s", place, who, name,
+                  name, options->profiles);
         return;
     }
     Profile *profile = &house->profiles[house->profile_count];
@@ -45,10 +45,14 @@ static void read_profile(House *house, const char *house_path, const HouseOption
 static void read_profiles(House *house, const char *path, const HouseOptions *options, Fault *fault) {
     const Plan *plan = &house->plan;
     house->profiles = memory_allocate(plan->person_count + plan->crowd_count, sizeof *house->profiles);
-    for (size_t i = 0; i < plan->person_count; i++)
-        read_profile(house, path, options, plan->people[i].id, plan->people[i].profile, fault);
-    for (size_t i = 0; i < plan->crowd_count; i++)
-        read_profile(house, path, options, plan->crowds[i].id, plan->crowds[i].profile, fault);
+    for (size_t i = 0; i < plan->person_count; i++) {
+        const Person *person = &plan->people[i];
+        read_profile(house, path, options, person->place, person->id, person->profile, fault);
+    }
+    for (size_t i = 0; i < plan->crowd_count; i++) {
+        const Crowd *crowd = &plan->crowds[i];
+        read_profile(house, path, options, crowd->place, crowd->id, crowd->profile, fault);
+    }
 }
 
 /* profile.NAME.PARAMETER */
@@ -65,10 +69,22 @@ static void apply_override(House *house, const Override *override, Fault *fault)
     fault_add(fault, "%sno person has the profile \"%.*s\"", override->place, (int)length, name);
 }
 
-static void check_profile(const House *house, const char *path, size_t i, Fault *fault) {
+/* Where the profile is named first. */
+static const char *place_of(const House *house, const Profile *profile) {
+    const Plan *plan = &house->plan;
+    for (size_t i = 0; i < plan->person_count; i++)
+        if (strcmp(plan->people[i].profile, profile->name) == 0)
+            return plan->people[i].place;
+    for (size_t i = 0; i < plan->crowd_count; i++)
+        if (strcmp(plan->crowds[i].profile, profile->name) == 0)
+            return plan->crowds[i].place;
+    return "";
+}
+
+static void check_profile(const House *house, size_t i, Fault *fault) {
     const Profile *profile = &house->profiles[i];
     char place[512];
-    snprintf(place, sizeof place, "%.400s:1:1: profile %.60s", path, profile->name);
+    snprintf(place, sizeof place, "%.400sprofile %.60s", place_of(house, profile), profile->name);
     profile_check(profile, house->plan.run.dt, place, fault);
 }
 
@@ -91,7 +107,7 @@ static bool read_parts(House *house, const char *path, const HouseOptions *optio
         for (size_t i = 0; i < house->plan.override_count; i++)
             apply_override(house, &house->plan.overrides[i], fault);
     for (size_t i = 0; i < house->profile_count && fault->total == before; i++)
-        check_profile(house, path, i, fault);
+        check_profile(house, i, fault);
     if (fault->total != before || !outline_build(&house->outline, &house->plan, fault))
         return false;
     freespace_build(&house->space, &house->outline, house->plan.run.cell);
@@ -100,7 +116,7 @@ static bool read_parts(House *house, const char *path, const HouseOptions *optio
                   path, house->space.cell * house->space.nx, house->space.cell * house->space.ny);
     build_vicinity(house);
     if (fault->total == before)
-        populate(house, path, fault);
+        populate(house, fault);
     return fault->total == before;
 }
 

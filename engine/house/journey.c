@@ -5,7 +5,6 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
-#include "house/fields.h"
 
 /* Itineraries -------------------------------------------------------------------------------------------------------
  */
@@ -77,7 +76,6 @@ typedef struct Planning {
     Journeys *journeys;
     bool again;             /* people are on the way already */
     size_t first_itinerary; /* without fields */
-    Fields *fields;         /* shared by all chairs */
 } Planning;
 
 /* m: by how much a chair that is on the way may press on something. */
@@ -115,7 +113,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
                         .open_first = planning->again,
                         .pressed = planning->again ? PRESSED : 0,
                         .most_reversals = house->plan.run.reversals,
-                        .fields = planning->fields,
+                        .fields = planning->journeys->fields,
                         .stop = planning->stop};
 }
 
@@ -211,15 +209,15 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
             !find_itinerary(journeys, person->profile, person->route, since, place->via))
             add_itinerary(journeys, house, person->profile, person->route, since, place->via, planning->again);
     }
-    planning->fields = fields_create();
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
     explain_walkers(planning, count);
-    fields_destroy(planning->fields);
 }
 
 Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
-    Journeys journeys = {.of = memory_allocate(house->person_count, sizeof *journeys.of), .count = house->person_count};
+    Journeys journeys = {.of = memory_allocate(house->person_count, sizeof *journeys.of),
+                         .count = house->person_count,
+                         .fields = fields_create()};
     Whereabouts *places = memory_allocate(house->person_count, sizeof *places);
     size_t count = 0;
     for (size_t i = 0; i < house->person_count; i++)
@@ -254,5 +252,7 @@ void journey_free_all(Journeys *journeys) {
         memory_free(itinerary);
     }
     memory_free(journeys->itineraries);
+    if (journeys->fields)
+        fields_destroy(journeys->fields);
     *journeys = (Journeys){0};
 }

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "house/fields.h"
 #include "house/house.h"
 #include "house/march.h"
 #include "house/route.h"
@@ -36,6 +37,7 @@ typedef struct Journeys {
     size_t count;
     Itinerary **itineraries; /* (itinerary_count) */
     size_t itinerary_count, itinerary_capacity;
+    Fields *fields; /* that the chairs' searches share */
 } Journeys;
 
 /* Plans everybody's journey, on up to `jobs` threads, until `stop` (may be NULL) is set; person i takes part when

@@ -72,9 +72,10 @@ typedef struct Observation {
     bool completed; /* everybody who took part is out */
     double time;    /* s, when the last one got out, or the run ended */
     uint64_t steps;
-    double dt;       /* s */
-    double sample;   /* s, between two rows of the trace: run.sample in whole steps */
-    uint64_t digest; /* of all states at all steps */
+    int wall_crossings; /* at any step, of a body's middle into a wall: more than none is a fault of the program */
+    double dt;          /* s */
+    double sample;      /* s, between two rows of the trace: run.sample in whole steps */
+    uint64_t digest;    /* of all states at all steps */
 } Observation;
 
 void observation_free(Observation *observation);

@@ -20,6 +20,17 @@ static const double GRAZING = 1e-5;
 static const double COLLINEAR = 0.05;
 /* 1: mitred joints of walls reach at most this many half thicknesses. */
 static const double MITRE_LIMIT = 5;
+/* m: ends of walls this near to each other meet. */
+static const double END_TOLERANCE = 1e-6;
+/* m: a wall whose last point is this near to its first is closed. */
+static const double CLOSED_TOLERANCE = 1e-9;
+
+enum {
+    /* Pieces of wall or furniture whose boxes meet, each pair seen from both sides. Each may be a crossing, of which a
+     * thousand take some 0.1 s and 5 MB to unite; 100,000 walls that meet at their ends are as many pairs. */
+    MOST_MEETINGS = 400000,
+    MOST_NEAR = 100 * MOST_MEETINGS /* that have to be looked at for it, some seconds */
+};
 
 /* A solid before the union, to tell afterwards to whom a face belongs. */
 typedef struct Solid {
@@ -38,6 +49,10 @@ typedef struct Builder {
     Solid *solids;
     size_t solid_count, solid_capacity;
     Broadphase *near_solids;
+    int *near; /* (near_capacity) what a query has found */
+    size_t near_capacity;
+    size_t *door_starts;   /* (wall_count + 1) of each wall in doors_of_wall */
+    size_t *doors_of_wall; /* (door_count) wall by wall */
     size_t face_capacity, corner_capacity, ring_capacity, ring_point_capacity;
 } Builder;
 
@@ -71,17 +86,32 @@ static void add_part(Builder *builder, GEOSGeometry *part) {
     builder->parts[builder->part_count++] = part;
 }
 
-static void add_solid(Builder *builder, const Vec2 corners[4], int owner, size_t index) {
+static Box box_of_corners(const Vec2 corners[4]) {
+    Box box = box_empty();
+    for (int i = 0; i < 4; i++)
+        box = box_include(box, corners[i]);
+    return box;
+}
+
+/* The broad phase's box is larger by `grown` m, for corners that are not known yet. */
+static void add_solid(Builder *builder, const Vec2 corners[4], double grown, int owner, size_t index) {
     builder->solids =
         memory_reserve(builder->solids, &builder->solid_capacity, builder->solid_count + 1, sizeof *builder->solids);
     Solid *solid = &builder->solids[builder->solid_count];
     memcpy(solid->corners, corners, sizeof solid->corners);
     solid->owner = owner;
     solid->index = (int)index;
-    Box box = box_empty();
-    for (int i = 0; i < 4; i++)
-        box = box_include(box, corners[i]);
-    broadphase_insert(builder->near_solids, box, (int)builder->solid_count++);
+    broadphase_insert(builder->near_solids, box_expand(box_of_corners(corners), grown), (int)builder->solid_count++);
+}
+
+/* How many solids' boxes meet the box; builder->near lists them in rising order. */
+static size_t find_near(Builder *builder, Box box) {
+    size_t found = broadphase_query(builder->near_solids, box, builder->near, builder->near_capacity);
+    if (found > builder->near_capacity) {
+        builder->near = memory_reserve(builder->near, &builder->near_capacity, found, sizeof *builder->near);
+        broadphase_query(builder->near_solids, box, builder->near, found);
+    }
+    return found;
 }
 
 /* The rectangle from a to b, `left` m to the left of that line and `right` m to its right, counter-clockwise. */
@@ -94,78 +124,132 @@ static void strip(Vec2 a, Vec2 b, double left, double right, Vec2 corners[4]) {
 }
 
 static bool is_closed(const Wall *wall) {
-    return wall->points.count > 3 && vec2_distance(wall->points.at[0], wall->points.at[wall->points.count - 1]) < 1e-9;
+    const Points *points = &wall->points;
+    return points->count > 3 && vec2_distance(points->at[0], points->at[points->count - 1]) < CLOSED_TOLERANCE;
 }
 
-/* Does another wall end where this one does, and at an angle to `along`, its direction there? Then both reach on by
- * half their thickness and close the corner; walls that go straight on need not, and a door may begin there. */
-static bool meets_an_end(const Plan *plan, size_t wall, Vec2 end, Vec2 along) {
-    for (size_t w = 0; w < plan->wall_count; w++) {
-        const Points *points = &plan->walls[w].points;
-        if (w == wall || is_closed(&plan->walls[w]))
-            continue;
-        for (int last = 0; last < 2; last++) {
-            Vec2 at = points->at[last ? points->count - 1 : 0], inner = points->at[last ? points->count - 2 : 1];
-            if (vec2_distance(at, end) < 1e-6 && fabs(vec2_cross(along, vec2_unit(vec2_sub(inner, at)))) > COLLINEAR)
-                return true;
-        }
+/* The pieces of the wall between its points, as wide as it is thick. */
+static void add_wall_solids(Builder *builder, size_t w) {
+    const Wall *wall = &builder->plan->walls[w];
+    double half = wall->thickness / 2;
+    for (size_t s = 0; s + 1 < wall->points.count; s++) {
+        Vec2 corners[4];
+        strip(wall->points.at[s], wall->points.at[s + 1], half, half, corners);
+        add_solid(builder, corners, half, OWNER_WALL, w); /* its ends may reach on by half */
+    }
+}
+
+static bool ends_at_an_angle(const Wall *wall, Vec2 end, Vec2 along) {
+    const Points *points = &wall->points;
+    for (int last = 0; last < 2 && !is_closed(wall); last++) {
+        Vec2 at = points->at[last ? points->count - 1 : 0], inner = points->at[last ? points->count - 2 : 1];
+        if (vec2_distance(at, end) < END_TOLERANCE &&
+            fabs(vec2_cross(along, vec2_unit(vec2_sub(inner, at)))) > COLLINEAR)
+            return true;
     }
     return false;
 }
 
-static GEOSGeometry *cut_doors(Builder *builder, size_t w, GEOSGeometry *wall) {
+/* Does another wall end where this one does, and at an angle to `along`, its direction there? Then both reach on by
+ * half their thickness and close the corner; walls that go straight on need not, and a door may begin there. */
+static bool meets_an_end(Builder *builder, size_t wall, Vec2 end, Vec2 along) {
+    size_t found = find_near(builder, box_around(end, END_TOLERANCE));
+    for (size_t i = 0; i < found; i++) {
+        const Solid *solid = &builder->solids[builder->near[i]];
+        if (solid->owner == OWNER_WALL && (size_t)solid->index != wall &&
+            ends_at_an_angle(&builder->plan->walls[solid->index], end, along))
+            return true;
+    }
+    return false;
+}
+
+static void sort_doors(Builder *builder) {
     const Plan *plan = builder->plan;
-    for (size_t d = 0; d < plan->door_count && wall; d++) {
-        const Door *door = &plan->doors[d];
-        if (door->wall_index != w || door->state == DOOR_LOCKED)
+    size_t *starts = memory_allocate(plan->wall_count + 2, sizeof *starts);
+    size_t *sorted = memory_allocate(plan->door_count, sizeof *sorted);
+    for (size_t d = 0; d < plan->door_count; d++)
+        starts[plan->doors[d].wall_index + 2]++;
+    for (size_t w = 2; w < plan->wall_count + 2; w++)
+        starts[w] += starts[w - 1];
+    for (size_t d = 0; d < plan->door_count; d++) /* which turns the starts of the next wall into its own */
+        sorted[starts[plan->doors[d].wall_index + 1]++] = d;
+    builder->door_starts = starts;
+    builder->doors_of_wall = sorted;
+}
+
+/* Where a wall's doors that are not locked stand open; NULL: nowhere. */
+static GEOSGeometry *openings_of(Builder *builder, size_t w) {
+    const Plan *plan = builder->plan;
+    double half = plan->walls[w].thickness / 2 + 1e-3;
+    GEOSGeometry **holes = NULL;
+    size_t count = 0, capacity = 0;
+    for (size_t i = builder->door_starts[w]; i < builder->door_starts[w + 1]; i++) {
+        const Door *door = &plan->doors[builder->doors_of_wall[i]];
+        if (door->state == DOOR_LOCKED)
             continue;
         Vec2 from, to, corners[4];
         plan_door_ends(plan, door, &from, &to);
-        double half = plan->walls[w].thickness / 2 + 1e-3;
         strip(from, to, half, half, corners);
-        GEOSGeometry *hole = polygon_of(builder, corners);
-        GEOSGeometry *rest = GEOSDifference_r(builder->geos, wall, hole);
-        GEOSGeom_destroy_r(builder->geos, hole);
-        GEOSGeom_destroy_r(builder->geos, wall);
-        wall = rest;
+        holes = memory_reserve(holes, &capacity, count + 1, sizeof *holes);
+        holes[count++] = polygon_of(builder, corners);
     }
-    return wall;
+    GEOSGeometry *united = NULL;
+    if (count) {
+        GEOSGeometry *all = GEOSGeom_createCollection_r(builder->geos, GEOS_GEOMETRYCOLLECTION, holes, (unsigned)count);
+        united = all ? GEOSUnaryUnion_r(builder->geos, all) : NULL;
+        GEOSGeom_destroy_r(builder->geos, all);
+        builder->failed |= !united;
+    }
+    memory_free(holes);
+    return united;
 }
 
-static void add_wall(Builder *builder, size_t w) {
+static GEOSGeometry *cut_doors(Builder *builder, size_t w, GEOSGeometry *wall) {
+    GEOSGeometry *openings = wall ? openings_of(builder, w) : NULL;
+    if (!openings)
+        return wall;
+    GEOSGeometry *rest = GEOSDifference_r(builder->geos, wall, openings);
+    GEOSGeom_destroy_r(builder->geos, openings);
+    GEOSGeom_destroy_r(builder->geos, wall);
+    return rest;
+}
+
+/* The centre line of a wall, longer where it meets another's end; memory_free it. `solids` are the wall's own. */
+static Vec2 *centre_line(Builder *builder, size_t w, Solid *solids) {
     const Wall *wall = &builder->plan->walls[w];
     size_t count = wall->points.count;
     double half = wall->thickness / 2;
     Vec2 *points = memory_allocate(count, sizeof *points);
     memcpy(points, wall->points.at, count * sizeof *points);
-    if (!is_closed(wall)) {
-        Vec2 first = vec2_unit(vec2_sub(points[0], points[1]));
-        Vec2 last = vec2_unit(vec2_sub(points[count - 1], points[count - 2]));
-        if (meets_an_end(builder->plan, w, points[0], first))
-            points[0] = vec2_along(points[0], half, first);
-        if (meets_an_end(builder->plan, w, points[count - 1], last))
-            points[count - 1] = vec2_along(points[count - 1], half, last);
+    if (is_closed(wall)) {
+        points[count - 1] = points[0]; /* to the last bit, or GEOS makes no ring of it */
+        return points;
     }
-    for (size_t s = 0; s + 1 < count; s++) {
-        Vec2 corners[4];
-        strip(points[s], points[s + 1], half, half, corners);
-        add_solid(builder, corners, OWNER_WALL, w);
-    }
+    Vec2 first = vec2_unit(vec2_sub(points[0], points[1]));
+    Vec2 last = vec2_unit(vec2_sub(points[count - 1], points[count - 2]));
+    if (meets_an_end(builder, w, points[0], first))
+        points[0] = vec2_along(points[0], half, first);
+    if (meets_an_end(builder, w, points[count - 1], last))
+        points[count - 1] = vec2_along(points[count - 1], half, last);
+    strip(points[0], points[1], half, half, solids[0].corners);
+    strip(points[count - 2], points[count - 1], half, half, solids[count - 2].corners);
+    return points;
+}
+
+/* The wall's solids are those from `solid` on. */
+static void add_wall(Builder *builder, size_t w, size_t solid) {
+    const Wall *wall = &builder->plan->walls[w];
+    Vec2 *points = centre_line(builder, w, &builder->solids[solid]);
     if (wall->thickness > 0) {
-        GEOSGeometry *line = line_of(builder, points, count, is_closed(wall));
-        GEOSGeometry *body =
-            GEOSBufferWithStyle_r(builder->geos, line, half, 8, GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, MITRE_LIMIT);
+        GEOSGeometry *line = line_of(builder, points, wall->points.count, is_closed(wall));
+        GEOSGeometry *body = NULL;
+        if (line)
+            body = GEOSBufferWithStyle_r(builder->geos, line, wall->thickness / 2, 8, GEOSBUF_CAP_FLAT,
+                                         GEOSBUF_JOIN_MITRE, MITRE_LIMIT);
         GEOSGeom_destroy_r(builder->geos, line);
         add_part(builder, cut_doors(builder, w, body));
     }
     memory_free(points);
-}
-
-static void add_furniture(Builder *builder, size_t f) {
-    Vec2 corners[4];
-    plan_furniture_corners(&builder->plan->furniture[f], corners);
-    add_solid(builder, corners, OWNER_FURNITURE, f);
-    add_part(builder, polygon_of(builder, corners));
 }
 
 /* The leaf of a hinged door that stands open, at a right angle to its wall. It hangs beside the opening and does not
@@ -180,6 +264,51 @@ static void open_leaf(const Plan *plan, const Door *door, double from_wall, Vec2
     Vec2 root = vec2_along(hinge, from_wall, out), tip = vec2_along(hinge, half + door->width, out);
     bool beside_left = (door->hinge == HINGE_START) == (door->swing == SWING_LEFT);
     strip(root, tip, beside_left ? OUTLINE_LEAF_THICKNESS : 0, beside_left ? 0 : OUTLINE_LEAF_THICKNESS, corners);
+}
+
+static void add_standing_solids(Builder *builder) {
+    const Plan *plan = builder->plan;
+    Vec2 corners[4];
+    for (size_t f = 0; f < plan->furniture_count; f++) {
+        plan_furniture_corners(&plan->furniture[f], corners);
+        add_solid(builder, corners, 0, OWNER_FURNITURE, f);
+    }
+    for (size_t d = 0; d < plan->door_count; d++) {
+        if (plan->doors[d].kind == DOOR_HINGED && plan->doors[d].state == DOOR_OPEN) {
+            open_leaf(plan, &plan->doors[d], 0, corners);
+            add_solid(builder, corners, 0, OWNER_DOOR, d);
+        }
+    }
+}
+
+typedef struct Meetings {
+    const Builder *builder;
+    Box box;
+    size_t met, looked_at;
+} Meetings;
+
+static bool visit_meeting(void *context, int item) {
+    Meetings *meetings = context;
+    Box box = box_of_corners(meetings->builder->solids[item].corners), own = meetings->box;
+    meetings->met +=
+        box.low.x <= own.high.x && own.low.x <= box.high.x && box.low.y <= own.high.y && own.low.y <= box.high.y;
+    meetings->looked_at++;
+    return meetings->met <= MOST_MEETINGS && meetings->looked_at <= MOST_NEAR;
+}
+
+/* False, with a message: more solids meet, or nearly, than can be united in bounded time. */
+static bool few_meet(Builder *builder) {
+    Meetings meetings = {.builder = builder};
+    bool few = true;
+    for (size_t i = 0; i < builder->solid_count && few; i++) {
+        meetings.box = box_of_corners(builder->solids[i].corners);
+        broadphase_visit(builder->near_solids, meetings.box, visit_meeting, &meetings);
+        few = meetings.met <= MOST_MEETINGS && meetings.looked_at <= MOST_NEAR;
+    }
+    if (!few)
+        snprintf(builder->message, sizeof builder->message,
+                 "they and furniture meet in more than %d places, must be fewer", MOST_MEETINGS / 2);
+    return few;
 }
 
 static GEOSGeometry *unite(Builder *builder) {
@@ -219,14 +348,12 @@ static double outside(const Vec2 corners[4], Vec2 p) {
 }
 
 /* Furniture and leaves come before walls: what leans on a wall is named itself. */
-static const Solid *owner_at(const Builder *builder, Vec2 middle) {
-    enum { MOST = 64 };
-    int near[MOST];
-    size_t found = broadphase_query(builder->near_solids, box_around(middle, 10 * OWNER_TOLERANCE), near, MOST);
+static const Solid *owner_at(Builder *builder, Vec2 middle) {
+    size_t found = find_near(builder, box_around(middle, 10 * OWNER_TOLERANCE));
     const Solid *best = NULL;
     double best_outside = HUGE_VAL;
-    for (size_t i = 0; i < found && i < MOST; i++) {
-        const Solid *solid = &builder->solids[near[i]];
+    for (size_t i = 0; i < found; i++) {
+        const Solid *solid = &builder->solids[builder->near[i]];
         double distance = fmax(outside(solid->corners, middle), OWNER_TOLERANCE);
         bool better = distance < best_outside ||
                       (distance == best_outside && best->owner == OWNER_WALL && solid->owner != OWNER_WALL);
@@ -441,19 +568,17 @@ static void fill_broadphase(Outline *outline) {
 
 static bool build(Builder *builder) {
     const Plan *plan = builder->plan;
+    sort_doors(builder);
     for (size_t w = 0; w < plan->wall_count; w++)
-        add_wall(builder, w);
-    for (size_t f = 0; f < plan->furniture_count; f++)
-        add_furniture(builder, f);
-    for (size_t d = 0; d < plan->door_count; d++) {
-        const Door *door = &plan->doors[d];
-        if (door->kind == DOOR_HINGED && door->state == DOOR_OPEN) {
-            Vec2 corners[4];
-            open_leaf(plan, door, 0, corners);
-            add_solid(builder, corners, OWNER_DOOR, d);
-            add_part(builder, polygon_of(builder, corners));
-        }
-    }
+        add_wall_solids(builder, w);
+    size_t of_walls = builder->solid_count;
+    add_standing_solids(builder);
+    if (!few_meet(builder))
+        return false;
+    for (size_t w = 0, solid = 0; w < plan->wall_count; solid += plan->walls[w].points.count - 1, w++)
+        add_wall(builder, w, solid);
+    for (size_t i = of_walls; i < builder->solid_count; i++)
+        add_part(builder, polygon_of(builder, builder->solids[i].corners));
     GEOSGeometry *solids = unite(builder);
     if (!solids || builder->failed) {
         GEOSGeom_destroy_r(builder->geos, solids);
@@ -478,6 +603,9 @@ bool outline_build(Outline *outline, const Plan *plan, Fault *fault) {
         GEOSGeom_destroy_r(builder.geos, builder.parts[i]);
     memory_free(builder.parts);
     memory_free(builder.solids);
+    memory_free(builder.near);
+    memory_free(builder.door_starts);
+    memory_free(builder.doors_of_wall);
     broadphase_destroy(builder.near_solids);
     GEOS_finish_r(builder.geos);
     if (good) {
@@ -486,7 +614,7 @@ bool outline_build(Outline *outline, const Plan *plan, Fault *fault) {
         outline_free(outline);
         *outline = built;
     } else {
-        fault_add(fault, "%s: the walls cannot be united: %s", plan->name, builder.message);
+        fault_add(fault, "%s:1:1: the walls cannot be united: %s", plan->path, builder.message);
         outline_free(&built);
     }
     return good;

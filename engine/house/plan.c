@@ -15,6 +15,28 @@ static const char *const plan_keys[] = {"format", "version",   "name",  "note", 
 
 /* Reading ---------------------------------------------------------------------------------------------------- */
 
+/* Where a value stands, to begin a fault with. */
+static const char *keep_place(Plan *plan, const JsonFile *file, JsonPlace place) {
+    size_t size = strlen(file->path) + 40;
+    char *text = arena_allocate(&plan->arena, size);
+    snprintf(text, size, "%s:%d:%d: ", file->path, place.line, place.column);
+    return text;
+}
+
+/* Faults about people and crowds are also found after reading. */
+static void keep_places(Plan *plan, const JsonNode *root) {
+    JsonNode people = json_member(root, plan_tables_lists[LIST_PEOPLE].key);
+    JsonNode crowds = json_member(root, plan_tables_lists[LIST_CROWDS].key);
+    JsonPlace *places = json_places(&people);
+    for (size_t i = 0; i < plan->person_count; i++)
+        plan->people[i].place = keep_place(plan, root->file, places[i]);
+    memory_free(places);
+    places = json_places(&crowds);
+    for (size_t i = 0; i < plan->crowd_count; i++)
+        plan->crowds[i].place = keep_place(plan, root->file, places[i]);
+    memory_free(places);
+}
+
 /* Returns which elements were read without a fault (count of the list). */
 static const bool *read_list(Plan *plan, const PlanList *list, const JsonNode *root, Fault *fault) {
     JsonNode node = json_member(root, list->key);
@@ -30,23 +52,17 @@ static const bool *read_list(Plan *plan, const PlanList *list, const JsonNode *r
     return sound;
 }
 
-/* A parameter of a profile: for whoever reads the profiles. */
-static void keep_override(Plan *plan, const char *name, const JsonNode *node) {
-    Override *kept = arena_allocate(&plan->arena, (plan->override_count + 1) * sizeof *kept);
-    if (plan->override_count)
-        memcpy(kept, plan->overrides, plan->override_count * sizeof *kept);
+/* A parameter of a profile: for whoever reads the profiles. There is room in plan->overrides. */
+static void keep_override(Plan *plan, const char *name, const JsonNode *node, const char *place) {
     char *value = json_line(node->value);
-    Fault place = {0};
-    json_fault(node, &place, "%s", "");
-    kept[plan->override_count++] = (Override){arena_text(&plan->arena, name), arena_text(&plan->arena, value),
-                                              arena_text(&plan->arena, place.lines[0])};
-    fault_clear(&place);
+    plan->overrides[plan->override_count++] =
+        (Override){arena_text(&plan->arena, name), arena_text(&plan->arena, value), place};
     memory_free(value);
-    plan->overrides = kept;
 }
 
-/* One NAME = value: applied to the plan, or kept for the profiles. The node points at the value. */
-static void apply_setting(Plan *plan, const char *name, const JsonNode *node, Fault *fault) {
+/* One NAME = value: applied to the plan, or kept for the profiles. The node points at the value, which stands at
+ * `place`, in the plan's arena. */
+static void apply_setting(Plan *plan, const char *name, const JsonNode *node, const char *place, Fault *fault) {
     char kind[32], id[64];
     int used = 0;
     if (sscanf(name, "run.%n", &used) == 0 && used) {
@@ -65,7 +81,7 @@ static void apply_setting(Plan *plan, const char *name, const JsonNode *node, Fa
         return;
     }
     if (strcmp(kind, "profile") == 0) {
-        keep_override(plan, name, node);
+        keep_override(plan, name, node, place);
         return;
     }
     const char *kinds[PLAN_LISTS + 2] = {"profile", "run"};
@@ -80,8 +96,8 @@ static void apply_setting(Plan *plan, const char *name, const JsonNode *node, Fa
             json_fault(node, fault, "there is no %s \"%s\"", kind, id);
         else if (!row)
             parameters_fault_unknown(&list->table, name + used, node, fault);
-        else
-            parameters_read_value(row, plan_tables_element(plan, list, index), node, &plan->arena, fault);
+        else if (parameters_read_value(row, plan_tables_element(plan, list, index), node, &plan->arena, fault))
+            plan_tables_renamed(plan, list, index);
         return;
     }
     const char *nearest = text_nearest(kind, kinds, PLAN_LISTS + 2);
@@ -90,18 +106,21 @@ static void apply_setting(Plan *plan, const char *name, const JsonNode *node, Fa
                nearest ? nearest : "furniture, room, exit, person, crowd, route, profile, run", nearest ? "\"?" : "");
 }
 
-static void read_overrides(Plan *plan, const JsonNode *root, Fault *fault) {
-    JsonNode node = json_member(root, "overrides");
-    if (node.value && !json_is_object(node.value)) {
-        json_fault(&node, fault, "overrides must be an object { \"NAME\": value }");
+static void read_overrides(Plan *plan, const JsonNode *node, Fault *fault) {
+    if (!node->value)
+        return;
+    if (!json_is_object(node->value)) {
+        json_fault(node, fault, "overrides must be an object { \"NAME\": value }");
         return;
     }
+    JsonPlace *places = json_places(node), *at = places;
     const char *key;
     json_t *value;
-    json_object_foreach(node.value, key, value) {
-        JsonNode member = json_member(&node, key);
-        apply_setting(plan, key, &member, fault);
+    json_object_foreach(node->value, key, value) {
+        JsonNode member = json_member(node, key);
+        apply_setting(plan, key, &member, keep_place(plan, node->file, *at++), fault);
     }
+    memory_free(places);
 }
 
 /* A NAME=VALUE of the command line: VALUE is a number, a list, or else a word. */
@@ -122,7 +141,7 @@ static void read_setting(Plan *plan, const char *setting, Fault *fault) {
         return;
     }
     JsonNode node = json_root(&file);
-    apply_setting(plan, name, &node, fault);
+    apply_setting(plan, name, &node, arena_text(&plan->arena, path), fault);
     json_decref(file.root);
 }
 
@@ -130,6 +149,7 @@ static void read_house(Plan *plan, const JsonNode *root, const char *const *sett
                        Fault *fault) {
     PlanCheck check = {.plan = plan, .root = root, .fault = fault};
     json_check_keys(root, plan_keys, fault);
+    plan->path = arena_text(&plan->arena, root->file->path);
     plan->name = json_read_text(root, "name", &plan->arena, fault);
     plan->note = json_read_text(root, "note", &plan->arena, fault);
     if (!json_object_get(root->value, "walls"))
@@ -140,7 +160,12 @@ static void read_house(Plan *plan, const JsonNode *root, const char *const *sett
     parameters_reset(&plan_tables_run, &plan->run);
     if (run.value)
         parameters_read(&plan_tables_run, &plan->run, &run, &plan->arena, fault);
-    read_overrides(plan, root, fault);
+    keep_places(plan, root);
+    JsonNode overrides = json_member(root, "overrides");
+    size_t changes = setting_count + json_object_size(overrides.value);
+    plan->overrides = arena_allocate(&plan->arena, changes * sizeof *plan->overrides);
+    plan_tables_index(plan, changes);
+    read_overrides(plan, &overrides, fault);
     for (size_t i = 0; i < setting_count; i++)
         read_setting(plan, settings[i], fault);
     plan_check_whole(&check);
@@ -279,9 +304,11 @@ size_t plan_find_route(const Plan *plan, const char *id) {
 }
 
 const PlanRoute *plan_route_of(const Plan *plan, const char *id) {
-    for (size_t r = 0; r < plan->route_count; r++)
-        for (size_t i = 0; i < plan->routes[r].people.count; i++)
-            if (strcmp(plan->routes[r].people.at[i], id) == 0)
-                return &plan->routes[r];
-    return NULL;
+    size_t person = plan_find_person(plan, id), route = SIZE_MAX;
+    size_t crowd = plan_tables_find(plan, &plan_tables_lists[LIST_CROWDS], id);
+    if (person != SIZE_MAX)
+        route = plan->people[person].route;
+    else if (crowd != SIZE_MAX)
+        route = plan->crowds[crowd].route;
+    return route == SIZE_MAX ? NULL : &plan->routes[route];
 }

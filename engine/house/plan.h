@@ -66,6 +66,8 @@ typedef struct Exit {
     double closes; /* s; infinite: never */
 } Exit;
 
+/* A `place`, of what is in a house file, begins the faults about it: "file:line:column: ", or "--set NAME: ". */
+
 typedef struct Person {
     const char *id;
     const char *profile;
@@ -73,6 +75,8 @@ typedef struct Person {
     double heading; /* degree */
     double delay;   /* s, before starting */
     double speed;   /* m/s, the free speed; 0: the profile's */
+    size_t route;   /* resolved: the place of the route that lists them; SIZE_MAX: none */
+    const char *place;
 } Person;
 
 typedef struct Crowd {
@@ -81,6 +85,8 @@ typedef struct Crowd {
     int count;
     Points area; /* m, an outline */
     double delay;
+    size_t route; /* resolved, as a person's */
+    const char *place;
 } Crowd;
 
 /* What somebody measured for a route; mean 0: nobody has. */
@@ -119,11 +125,12 @@ typedef struct RunSettings {
 typedef struct Override {
     const char *name;  /* "profile.manual-chair.width" */
     const char *value; /* as JSON */
-    const char *place; /* "file:line:column: ", where it was said, or "--set NAME: " */
+    const char *place;
 } Override;
 
 /* Zero is an empty plan. plan_free releases what a reader filled. */
 typedef struct Plan {
+    const char *path; /* of its file, as given */
     const char *name;
     const char *note;
     Wall *walls; /* (wall_count), and so on */
@@ -138,7 +145,8 @@ typedef struct Plan {
     size_t wall_count, door_count, furniture_count, room_count, exit_count, person_count, crowd_count, route_count;
     size_t override_count;
     RunSettings run;
-    Arena arena; /* holds all of the above */
+    struct PlanIndex *index; /* finds what has an id */
+    Arena arena;             /* holds all of the above */
 } Plan;
 
 /* Reads a house file, then applies `settings` ("door.d1.width=0.8", setting_count of them, NULL when 0) and checks

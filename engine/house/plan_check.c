@@ -1,15 +1,20 @@
 #include "house/plan_check.h"
 
+#include <limits.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "house/broadphase.h"
+
 static const double ROUNDING = 1e-9;        /* m: a door may fill its wall to the last bit */
 static const double WALL_SHORTEST = 1e-6;   /* m, of a segment: what the outline's grid still resolves */
 static const double EXIT_SHORTEST = 0.01;   /* m */
 static const double FURNITURE_LEAST = 0.01; /* m, in both directions */
+static const double TRACE_MOST_ROWS = 2e7;  /* 1, of all people: some 2 GB */
 
 static bool is_sound(const PlanCheck *check, int list, size_t index) {
     return check->sound[list][index];
@@ -84,43 +89,89 @@ static void check_wall(const PlanCheck *check, size_t w) {
     }
 }
 
-static void check_overlaps(const PlanCheck *check, size_t d) {
-    const Door *door = &check->plan->doors[d];
-    for (size_t e = 0; e < d; e++) {
-        const Door *other = &check->plan->doors[e];
-        if (is_sound(check, LIST_DOORS, e) && other->wall_index == door->wall_index &&
-            other->segment == door->segment && fabs(other->at - door->at) < (other->width + door->width) / 2 - ROUNDING)
-            add_fault(check, LIST_DOORS, d, "at", "door %.40s overlaps door %.40s, must be at least %.3g m from it",
+/* Doors in the order in which they lie: by wall, segment and beginning. */
+typedef struct Doorway {
+    size_t wall, segment, door;
+    double from, to; /* m, along the segment */
+} Doorway;
+
+static int compare_doorways(const void *a, const void *b) {
+    const Doorway *p = a, *q = b;
+    if (p->wall != q->wall)
+        return p->wall < q->wall ? -1 : 1;
+    if (p->segment != q->segment)
+        return p->segment < q->segment ? -1 : 1;
+    if (p->from != q->from)
+        return p->from < q->from ? -1 : 1;
+    return p->door < q->door ? -1 : p->door > q->door;
+}
+
+static bool same_segment(const Doorway *a, const Doorway *b) {
+    return a->wall == b->wall && a->segment == b->segment;
+}
+
+/* Each door against the one before it that reaches farthest. */
+static void check_overlaps(const PlanCheck *check, const Doorway *doorways, size_t count) {
+    const Doorway *farthest = doorways;
+    for (size_t i = 1; i < count; i++) {
+        const Doorway *here = &doorways[i];
+        if (same_segment(here, farthest) && here->from < farthest->to - ROUNDING) {
+            size_t later = here->door > farthest->door ? here->door : farthest->door;
+            const Door *door = &check->plan->doors[later];
+            const Door *other = &check->plan->doors[later == here->door ? farthest->door : here->door];
+            add_fault(check, LIST_DOORS, later, "at", "door %.40s overlaps door %.40s, must be at least %.3g m from it",
                       door->id, other->id, (other->width + door->width) / 2);
+        }
+        if (!same_segment(here, farthest) || here->to > farthest->to)
+            farthest = here;
     }
 }
 
-static void check_door(const PlanCheck *check, size_t d) {
+/* Does it lie in its wall? Otherwise that is a fault, of the door or of the wall. */
+static bool check_door(const PlanCheck *check, size_t d) {
     Door *door = &check->plan->doors[d];
     door->wall_index = plan_tables_find(check->plan, &plan_tables_lists[LIST_WALLS], door->wall);
     if (door->wall_index == SIZE_MAX) {
         add_fault(check, LIST_DOORS, d, "wall", "door %.40s: there is no wall \"%.40s\"", door->id, door->wall);
-        return;
+        return false;
     }
     if (!is_sound(check, LIST_WALLS, door->wall_index))
-        return;
+        return false;
     const Wall *wall = &check->plan->walls[door->wall_index];
     size_t last = wall->points.count - 2;
     if ((size_t)door->segment > last) {
         add_fault(check, LIST_DOORS, d, "segment", "door %.40s: segment is %d, must be from 0 to %zu in wall %.40s",
                   door->id, door->segment, last, wall->id);
-        return;
+        return false;
     }
     double length = vec2_distance(wall->points.at[door->segment], wall->points.at[door->segment + 1]);
-    if (door->width > length + ROUNDING)
+    if (door->width > length + ROUNDING) {
         add_fault(check, LIST_DOORS, d, "width", "door %.40s: width is %g m, must be at most %.4g m in wall %.40s",
                   door->id, door->width, length, wall->id);
-    else if (door->at - door->width / 2 < -ROUNDING || door->at + door->width / 2 > length + ROUNDING)
+        return false;
+    }
+    if (door->at - door->width / 2 < -ROUNDING || door->at + door->width / 2 > length + ROUNDING) {
         add_fault(check, LIST_DOORS, d, "at",
                   "door %.40s: at is %g m, past the end of wall %.40s, must be from %.4g to %.4g m", door->id, door->at,
                   wall->id, door->width / 2, length - door->width / 2);
-    else
-        check_overlaps(check, d);
+        return false;
+    }
+    return true;
+}
+
+/* Returns the doors that lie in their walls, in order (count); memory_free them. */
+static Doorway *check_doors(const PlanCheck *check, size_t *count) {
+    Doorway *doorways = memory_allocate(check->plan->door_count, sizeof *doorways);
+    *count = 0;
+    for (size_t d = 0; d < check->plan->door_count; d++) {
+        const Door *door = &check->plan->doors[d];
+        if (is_sound(check, LIST_DOORS, d) && check_door(check, d))
+            doorways[(*count)++] = (Doorway){door->wall_index, (size_t)door->segment, d, door->at - door->width / 2,
+                                             door->at + door->width / 2};
+    }
+    qsort(doorways, *count, sizeof *doorways, compare_doorways);
+    check_overlaps(check, doorways, *count);
+    return doorways;
 }
 
 static void check_piece(const PlanCheck *check, size_t f) {
@@ -155,61 +206,127 @@ static bool inside_corners(Vec2 p, const Vec2 *corners, size_t count) {
     return inside;
 }
 
-static bool in_doorway(const Plan *plan, size_t wall, size_t segment, double along) {
-    for (size_t d = 0; d < plan->door_count; d++) {
-        const Door *door = &plan->doors[d];
-        if (door->wall_index == wall && (size_t)door->segment == segment && door->state != DOOR_LOCKED &&
-            fabs(along - door->at) < door->width / 2)
-            return true;
-    }
-    return false;
+/* What people may stand inside of: furniture, then the segments of walls one by one, as items of a broad phase. */
+typedef struct Solids {
+    const Plan *plan;
+    Broadphase *near;
+    size_t *walls, *segments; /* of item furniture_count + i */
+    const Doorway *doorways;  /* (doorway_count) in order */
+    size_t doorway_count;
+} Solids;
+
+static Box box_of(const Vec2 *points, size_t count, double grown) {
+    Box box = box_empty();
+    for (size_t i = 0; i < count; i++)
+        box = box_include(box, points[i]);
+    return box_expand(box, grown);
 }
 
-/* Names what the point is inside of, "wall w1", "furniture f1" or "wardrobe (f1)"; false: it is in free space. */
-static bool solid_at(const Plan *plan, Vec2 p, char *name, size_t size) {
+static Solids solids_create(const Plan *plan, const Doorway *doorways, size_t doorway_count) {
+    Solids solids = {.plan = plan, .near = broadphase_create(), .doorways = doorways, .doorway_count = doorway_count};
+    size_t count = 0, used = 0;
+    for (size_t w = 0; w < plan->wall_count; w++)
+        count += plan->walls[w].points.count - 1;
+    solids.walls = memory_allocate(count, sizeof *solids.walls);
+    solids.segments = memory_allocate(count, sizeof *solids.segments);
     for (size_t f = 0; f < plan->furniture_count; f++) {
-        const Furniture *piece = &plan->furniture[f];
         Vec2 corners[4];
-        plan_furniture_corners(piece, corners);
-        if (inside_corners(p, corners, 4)) {
-            if (!*piece->name || strcmp(piece->name, piece->id) == 0)
-                snprintf(name, size, "furniture %.40s", piece->id);
-            else
-                snprintf(name, size, "%.40s (%.40s)", piece->name, piece->id);
-            return true;
-        }
+        plan_furniture_corners(&plan->furniture[f], corners);
+        broadphase_insert(solids.near, box_of(corners, 4, 0), (int)f);
     }
     for (size_t w = 0; w < plan->wall_count; w++) {
         const Wall *wall = &plan->walls[w];
-        for (size_t s = 0; s + 1 < wall->points.count; s++) {
-            Vec2 a = wall->points.at[s], b = wall->points.at[s + 1];
-            if (vec2_distance(p, vec2_nearest_on_segment(p, a, b)) < wall->thickness / 2 &&
-                !in_doorway(plan, w, s, vec2_dot(vec2_sub(p, a), vec2_unit(vec2_sub(b, a))))) {
-                snprintf(name, size, "wall %.40s", wall->id);
-                return true;
-            }
+        for (size_t s = 0; s + 1 < wall->points.count; s++, used++) {
+            solids.walls[used] = w;
+            solids.segments[used] = s;
+            broadphase_insert(solids.near, box_of(wall->points.at + s, 2, wall->thickness / 2),
+                              (int)(plan->furniture_count + used));
         }
+    }
+    return solids;
+}
+
+static void solids_destroy(Solids *solids) {
+    broadphase_destroy(solids->near);
+    memory_free(solids->walls);
+    memory_free(solids->segments);
+}
+
+static bool in_doorway(const Solids *solids, size_t wall, size_t segment, double along) {
+    const Doorway wanted = {.wall = wall, .segment = segment, .from = -HUGE_VAL};
+    size_t low = 0, high = solids->doorway_count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (compare_doorways(&solids->doorways[middle], &wanted) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    for (; low < solids->doorway_count && same_segment(&solids->doorways[low], &wanted); low++) {
+        const Door *door = &solids->plan->doors[solids->doorways[low].door];
+        if (door->state != DOOR_LOCKED && fabs(along - door->at) < door->width / 2)
+            return true;
     }
     return false;
 }
 
-static void check_person(const PlanCheck *check, size_t p) {
-    const Person *person = &check->plan->people[p];
-    char solid[100];
-    if (solid_at(check->plan, person->at, solid, sizeof solid))
-        add_fault(check, LIST_PEOPLE, p, "at", "person %.40s stands inside %s, must stand in free space", person->id,
-                  solid);
+static bool in_furniture(const Furniture *piece, Vec2 p) {
+    Vec2 corners[4];
+    plan_furniture_corners(piece, corners);
+    return inside_corners(p, corners, 4);
 }
 
-/* The route that lists the person before `place` in route `r`, or NULL. */
-static const PlanRoute *earlier_route(const Plan *plan, size_t r, size_t place, const char *person) {
-    for (size_t q = 0; q <= r; q++) {
-        const Ids *people = &plan->routes[q].people;
-        for (size_t i = 0; i < (q < r ? people->count : place); i++)
-            if (people->at[i] && strcmp(people->at[i], person) == 0)
-                return &plan->routes[q];
+static bool in_wall(const Solids *solids, size_t w, size_t s, Vec2 p) {
+    const Wall *wall = &solids->plan->walls[w];
+    Vec2 a = wall->points.at[s], b = wall->points.at[s + 1];
+    return vec2_distance(p, vec2_nearest_on_segment(p, a, b)) < wall->thickness / 2 &&
+           !in_doorway(solids, w, s, vec2_dot(vec2_sub(p, a), vec2_unit(vec2_sub(b, a))));
+}
+
+typedef struct Standing {
+    const Solids *solids;
+    Vec2 at;
+    int inside; /* the first item that holds it, INT_MAX: none */
+} Standing;
+
+static bool visit_solid(void *context, int item) {
+    Standing *standing = context;
+    const Solids *solids = standing->solids;
+    size_t furniture = solids->plan->furniture_count, i = (size_t)item - furniture;
+    if (item < standing->inside &&
+        ((size_t)item < furniture ? in_furniture(&solids->plan->furniture[item], standing->at)
+                                  : in_wall(solids, solids->walls[i], solids->segments[i], standing->at)))
+        standing->inside = item;
+    return true;
+}
+
+static void check_person(const PlanCheck *check, const Solids *solids, size_t p) {
+    const Person *person = &check->plan->people[p];
+    Standing standing = {solids, person->at, INT_MAX};
+    broadphase_visit(solids->near, box_around(person->at, 0), visit_solid, &standing);
+    if (standing.inside == INT_MAX)
+        return;
+    size_t item = (size_t)standing.inside, furniture = check->plan->furniture_count;
+    char solid[100];
+    if (item >= furniture) {
+        snprintf(solid, sizeof solid, "wall %.40s", check->plan->walls[solids->walls[item - furniture]].id);
+    } else {
+        const Furniture *piece = &check->plan->furniture[item];
+        if (!*piece->name || strcmp(piece->name, piece->id) == 0)
+            snprintf(solid, sizeof solid, "furniture %.40s", piece->id);
+        else
+            snprintf(solid, sizeof solid, "%.40s (%.40s)", piece->name, piece->id);
     }
-    return NULL;
+    add_fault(check, LIST_PEOPLE, p, "at", "person %.40s stands inside %s, must stand in free space", person->id,
+              solid);
+}
+
+static void check_people(const PlanCheck *check, const Doorway *doorways, size_t doorway_count) {
+    Solids solids = solids_create(check->plan, doorways, doorway_count);
+    for (size_t p = 0; p < check->plan->person_count; p++)
+        if (is_sound(check, LIST_PEOPLE, p))
+            check_person(check, &solids, p);
+    solids_destroy(&solids);
 }
 
 static void check_route(const PlanCheck *check, size_t r) {
@@ -223,15 +340,17 @@ static void check_route(const PlanCheck *check, size_t r) {
     }
     for (size_t i = 0; i < route->people.count; i++) {
         const char *id = route->people.at[i];
-        const PlanRoute *earlier = earlier_route(plan, r, i, id);
-        if (plan_find_person(plan, id) == SIZE_MAX &&
-            plan_tables_find(plan, &plan_tables_lists[LIST_CROWDS], id) == SIZE_MAX)
+        size_t p = plan_find_person(plan, id), c = plan_tables_find(plan, &plan_tables_lists[LIST_CROWDS], id);
+        size_t *taken = p != SIZE_MAX ? &plan->people[p].route : c != SIZE_MAX ? &plan->crowds[c].route : NULL;
+        if (!taken)
             add_fault(check, LIST_ROUTES, r, "people", "route %.40s: there is no person or crowd \"%.40s\"", route->id,
                       id);
-        else if (earlier)
+        else if (*taken != SIZE_MAX)
             add_fault(check, LIST_ROUTES, r, "people",
                       "route %.40s: person %.40s already takes route %.40s, must take one only", route->id, id,
-                      earlier->id);
+                      plan->routes[*taken].id);
+        else
+            *taken = r;
     }
 }
 
@@ -241,25 +360,42 @@ static void check_each(const PlanCheck *check, int list, void (*check_element)(c
             check_element(check, i);
 }
 
+/* The rows of the trace are kept until the end. */
+static void check_sampling(const PlanCheck *check) {
+    const RunSettings *run = &check->plan->run;
+    JsonNode node = json_member(check->root, "run");
+    JsonNode sample = json_member(&node, "sample");
+    const JsonNode *place = sample.value ? &sample : node.value ? &node : check->root;
+    double people = (double)check->plan->person_count;
+    for (size_t c = 0; c < check->plan->crowd_count; c++)
+        people += check->plan->crowds[c].count;
+    double least = people * run->until / TRACE_MOST_ROWS;
+    if (run->sample < run->dt)
+        json_fault(place, check->fault, "sample is %g s, must be at least the step dt, %g s", run->sample, run->dt);
+    else if (run->sample < least)
+        json_fault(place, check->fault,
+                   "sample is %g s, must be at least %.3g s: until %g s everybody would fill more than %.0f rows of "
+                   "the trace",
+                   run->sample, 1.005 * least, run->until, TRACE_MOST_ROWS);
+}
+
 void plan_check_whole(const PlanCheck *check) {
     check_unique_ids(check);
     size_t before = check->fault->total;
     check_each(check, LIST_WALLS, check_wall);
-    check_each(check, LIST_DOORS, check_door);
+    size_t doorway_count;
+    Doorway *doorways = check_doors(check, &doorway_count);
     check_each(check, LIST_FURNITURE, check_piece);
     bool solid = check->fault->total == before && all_sound(check, LIST_WALLS) && all_sound(check, LIST_DOORS) &&
                  all_sound(check, LIST_FURNITURE);
     check_each(check, LIST_EXITS, check_exit);
     if (solid)
-        check_each(check, LIST_PEOPLE, check_person);
+        check_people(check, doorways, doorway_count);
+    memory_free(doorways);
+    for (size_t p = 0; p < check->plan->person_count; p++)
+        check->plan->people[p].route = SIZE_MAX;
+    for (size_t c = 0; c < check->plan->crowd_count; c++)
+        check->plan->crowds[c].route = SIZE_MAX;
     check_each(check, LIST_ROUTES, check_route);
-    const RunSettings *run = &check->plan->run;
-    if (run->sample < run->dt) {
-        JsonNode node = json_member(check->root, "run");
-        JsonNode sample = json_member(&node, "sample");
-        json_fault(sample.value ? &sample
-                   : node.value ? &node
-                                : check->root,
-                   check->fault, "sample is %g s, must be at least the step dt, %g s", run->sample, run->dt);
-    }
+    check_sampling(check);
 }

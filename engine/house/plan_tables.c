@@ -195,9 +195,55 @@ const char *plan_tables_id(const Plan *plan, const PlanList *list, size_t index)
     return *(const char *const *)plan_tables_element(plan, list, index);
 }
 
+/* A table of hashes, open addressing, at most half full. An id that has changed leaves its old slot behind, which is
+ * then passed over: the element itself says what its id is. */
+typedef struct IndexSlot {
+    const PlanList *list; /* NULL: empty */
+    size_t index;
+} IndexSlot;
+
+typedef struct PlanIndex {
+    IndexSlot *slots; /* (size) */
+    size_t size;      /* a power of two */
+} PlanIndex;
+
+static bool slot_has(const Plan *plan, const IndexSlot *slot, const PlanList *list, const char *id) {
+    return slot->list == list && strcmp(plan_tables_id(plan, list, slot->index), id) == 0;
+}
+
+/* The slot of the id, or the empty one where it would be. */
+static IndexSlot *find_slot(const Plan *plan, const PlanList *list, const char *id) {
+    const PlanIndex *index = plan->index;
+    uint64_t hash = 0xcbf29ce484222325u + (uint64_t)(list - plan_tables_lists); /* FNV-1a */
+    for (const char *c = id; *c; c++)
+        hash = (hash ^ (unsigned char)*c) * 0x100000001b3u;
+    size_t at = (hash ^ hash >> 32) & (index->size - 1);
+    while (index->slots[at].list && !slot_has(plan, &index->slots[at], list, id))
+        at = (at + 1) & (index->size - 1);
+    return &index->slots[at];
+}
+
+void plan_tables_renamed(Plan *plan, const PlanList *list, size_t index) {
+    IndexSlot *slot = find_slot(plan, list, plan_tables_id(plan, list, index));
+    if (!slot->list) /* an id that is there twice, a fault, finds the first */
+        *slot = (IndexSlot){list, index};
+}
+
+void plan_tables_index(Plan *plan, size_t changes) {
+    size_t count = changes;
+    for (size_t l = 0; l < PLAN_LISTS; l++)
+        count += plan_tables_count(plan, &plan_tables_lists[l]);
+    plan->index = arena_allocate(&plan->arena, sizeof *plan->index);
+    plan->index->size = 16;
+    while (plan->index->size < 2 * count)
+        plan->index->size *= 2;
+    plan->index->slots = arena_allocate(&plan->arena, plan->index->size * sizeof *plan->index->slots);
+    for (size_t l = 0; l < PLAN_LISTS; l++)
+        for (size_t i = 0; i < plan_tables_count(plan, &plan_tables_lists[l]); i++)
+            plan_tables_renamed(plan, &plan_tables_lists[l], i);
+}
+
 size_t plan_tables_find(const Plan *plan, const PlanList *list, const char *id) {
-    for (size_t i = 0; i < plan_tables_count(plan, list); i++)
-        if (strcmp(plan_tables_id(plan, list, i), id) == 0)
-            return i;
-    return SIZE_MAX;
+    const IndexSlot *slot = find_slot(plan, list, id);
+    return slot->list ? slot->index : SIZE_MAX;
 }

@@ -35,5 +35,10 @@ void *plan_tables_element(const Plan *plan, const PlanList *list, size_t index);
 /* "" where the id could not be read. */
 const char *plan_tables_id(const Plan *plan, const PlanList *list, size_t index);
 
+/* Makes what plan_tables_find looks in, when all lists are read; up to `changes` ids may then be given to
+ * plan_tables_renamed. */
+void plan_tables_index(Plan *plan, size_t changes);
+void plan_tables_renamed(Plan *plan, const PlanList *list, size_t index);
+
 /* The place of the id in the list, or SIZE_MAX. */
 size_t plan_tables_find(const Plan *plan, const PlanList *list, const char *id);

@@ -127,7 +127,7 @@ static double draw_speed(Random *random, const Profile *profile) {
 }
 
 /* Stands the members of a crowd in its area, no body on another. */
-static void place_crowd(House *house, Squares *squares, size_t c, const char *path, Fault *fault) {
+static void place_crowd(House *house, Squares *squares, size_t c, Fault *fault) {
     const Crowd *crowd = &house->plan.crowds[c];
     Random random = random_seed(house->seed, stream_of(crowd->id));
     Box box = box_empty();
@@ -145,7 +145,7 @@ static void place_crowd(House *house, Squares *squares, size_t c, const char *pa
                     find_near(squares, house, &placed, too_near) < 0;
         }
         if (!found) {
-            fault_add(fault, "%s:1:1: crowd %s: there is room for %d of its %d people, make the area larger", path,
+            fault_add(fault, "%scrowd %s: there is room for %d of its %d people, make the area larger", crowd->place,
                       crowd->id, member, crowd->count);
             return;
         }
@@ -159,7 +159,7 @@ static void place_crowd(House *house, Squares *squares, size_t c, const char *pa
     }
 }
 
-static void place_person(House *house, Squares *squares, const Person *person, const char *path, Fault *fault) {
+static void place_person(House *house, Squares *squares, const Person *person, Fault *fault) {
     const Profile *profile = find_profile(house, person->profile);
     Inhabitant placed = {.id = person->id,
                          .profile = profile,
@@ -170,7 +170,7 @@ static void place_person(House *house, Squares *squares, const Person *person, c
                          .speed = person->speed > 0 ? person->speed : profile->free_speed};
     int other = find_near(squares, house, &placed, overlap);
     if (other >= 0)
-        fault_add(fault, "%s:1:1: person %s stands inside person %s, must stand apart", path, placed.id,
+        fault_add(fault, "%sperson %s stands inside person %s, must stand apart", person->place, placed.id,
                   house->people[other].id);
     add_person(house, squares, placed);
 }
@@ -180,7 +180,7 @@ static int compare_inhabitants(const void *a, const void *b) {
     return strcmp(p->id, q->id);
 }
 
-bool populate(House *house, const char *path, Fault *fault) {
+bool populate(House *house, Fault *fault) {
     const Plan *plan = &house->plan;
     size_t count = plan->person_count, before = fault->total;
     for (size_t c = 0; c < plan->crowd_count; c++)
@@ -188,15 +188,17 @@ bool populate(House *house, const char *path, Fault *fault) {
     house->people = memory_allocate(count, sizeof *house->people);
     Squares squares = squares_make(house, count);
     for (size_t i = 0; i < plan->person_count; i++)
-        place_person(house, &squares, &plan->people[i], path, fault);
+        place_person(house, &squares, &plan->people[i], fault);
     for (size_t c = 0; c < plan->crowd_count && fault->total == before; c++)
-        place_crowd(house, &squares, c, path, fault);
+        place_crowd(house, &squares, c, fault);
     memory_free(squares.first);
     memory_free(squares.next);
     qsort(house->people, house->person_count, sizeof *house->people, compare_inhabitants);
-    for (size_t i = 1; i < house->person_count; i++)
-        if (strcmp(house->people[i].id, house->people[i - 1].id) == 0)
-            fault_add(fault, "%s:1:1: person %s has the name of a member of a crowd, must have another", path,
-                      house->people[i].id);
+    for (size_t i = 1; i < house->person_count; i++) {
+        const char *id = house->people[i].id;
+        if (strcmp(id, house->people[i - 1].id) == 0)
+            fault_add(fault, "%sperson %s has the name of a member of a crowd, must have another",
+                      plan->people[plan_find_person(plan, id)].place, id);
+    }
     return fault->total == before;
 }

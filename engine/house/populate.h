@@ -5,5 +5,5 @@
 #include "house/house.h"
 
 /* Fills house->people, whose plan, profiles and distances must be there. False: faults say who stands inside whom, or
- * which crowd has no room; `path` begins them. */
-bool populate(House *house, const char *path, Fault *fault);
+ * which crowd has no room. */
+bool populate(House *house, Fault *fault);

@@ -41,28 +41,62 @@ static size_t next_point(const World *world, size_t i) {
     return next;
 }
 
-/* Person i starts on the new journey, or stays where there is none. */
-static void set_out(World *world, size_t i) {
-    const Route *route = &world->journeys[i].route;
-    world->drive[i] = (Drive){.best_turn = HUGE_VAL, .retreat_to = -1, .heeded = HUGE_VAL};
+/* Person i starts on the new journey. Where there is none it stays; a chair that was pushed off its way asks again. */
+static void set_out(World *world, size_t i, bool strayed) {
+    RouteAnswer answer = world->journeys[i].route.answer;
+    world->drive[i] =
+        (Drive){.best_turn = HUGE_VAL, .retreat_to = -1, .heeded = HUGE_VAL, .plans = world->drive[i].plans + strayed};
     world->walk[i].leg = 0;
     world->walk[i].best = HUGE_VAL;
     world->walk[i].stalled = 0;
-    if (route->answer != ROUTE_FOUND && world->phase[i] == PHASE_MOVING)
-        world_give_up(world, i, route->answer == ROUTE_NO_EXIT ? REASON_NO_EXIT : REASON_CANNOT_PASS);
+    if (answer == ROUTE_FOUND && world->phase[i] == PHASE_STUCK) {
+        world->phase[i] = PHASE_MOVING;
+        world->reason[i] = REASON_NONE;
+    } else if (answer != ROUTE_FOUND && strayed) {
+        world->drive[i].offset = HUGE_VAL;
+        world_give_up(world, i, REASON_BLOCKED);
+    } else if (answer != ROUTE_FOUND && world->phase[i] == PHASE_MOVING) {
+        world_give_up(world, i, answer == ROUTE_NO_EXIT ? REASON_NO_EXIT : REASON_CANNOT_PASS);
+    }
 }
 
-void replan_journeys(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop) {
+/* All of these are assumed. s: a chair that has not got on for so long has lost its way, if it is off it, or is wedged,
+ * if it touches something; times: that one plans anew. */
+static const double LOST_AFTER = 3, WEDGED_AFTER = 8;
+enum { PLANS_MOST = 12 };
+
+static bool has_strayed(const World *world, size_t i, double time) {
+    const Drive *drive = &world->drive[i];
+    bool stuck = world->phase[i] == PHASE_STUCK && world->reason[i] == REASON_BLOCKED;
+    (void)time;
+    if (!world_rides(world, i) || !(stuck || world->phase[i] == PHASE_MOVING) || drive->plans >= PLANS_MOST)
+        return false;
+    bool off = fabs(drive->offset - drive->aside) > world->house->people[i].profile->width;
+    return (off && (stuck || drive->stalled > LOST_AFTER)) ||
+           (world->sense[i].body_force > 0 && (stuck || drive->stalled > WEDGED_AFTER));
+}
+
+static void plan_again(World *world, Journeys *journeys, bool (*needs)(const World *world, size_t i, double time),
+                       int jobs, const volatile sig_atomic_t *stop) {
     double time = clock_time(&world->clock);
     Whereabouts *places = memory_allocate(world->present_count, sizeof *places);
     size_t count = 0;
     for (size_t p = 0; p < world->present_count; p++) {
         size_t i = world->present[p];
-        if (has_lost_exit(world, i, time))
+        if (needs(world, i, time))
             places[count++] = (Whereabouts){i, world_reference(world, i), world->heading[i], next_point(world, i)};
     }
-    journey_plan_again(journeys, world->house, places, count, time, jobs, stop);
+    if (count)
+        journey_plan_again(journeys, world->house, places, count, time, jobs, stop);
     for (size_t k = 0; k < count; k++)
-        set_out(world, places[k].person);
+        set_out(world, places[k].person, needs == has_strayed);
     memory_free(places);
+}
+
+void replan_strays(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop) {
+    plan_again(world, journeys, has_strayed, jobs, stop);
+}
+
+void replan_journeys(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop) {
+    plan_again(world, journeys, has_lost_exit, jobs, stop);
 }

@@ -1,4 +1,5 @@
-/* Exits that close while people are on the way to them: who was, turns to another. */
+/* Planning anew while people are on the way: when an exit has closed, whoever was on the way to it turns to another;
+ * when a crowd has pushed a chair off its way, it looks for a new one from where it is. */
 #pragma once
 
 #include <signal.h>
@@ -8,6 +9,11 @@
 
 /* s, when the next exit closes after `time`; infinite: none. */
 double replan_next(const World *world, double time);
+
+#define REPLAN_PERIOD 1.0 /* s, between two looks for chairs that have been pushed off their way */
+
+/* Plans anew for chairs that no longer get on and stand more than a body's width off their way. */
+void replan_strays(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop);
 
 /* Plans anew for everybody who is on the way, or has not started, to an exit that has closed by now. `journeys` are the
  * world's. */

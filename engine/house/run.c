@@ -3,6 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/digest.h"
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "house/observer.h"
@@ -23,11 +24,13 @@ typedef struct Group {
     PersonObservation *people; /* of all groups: each writes its own */
     Observer observer;
     uint64_t digest, steps;
+    int wall_crossings;
 } Group;
 
 static Reason run_world(World *world, Journeys *journeys, Observer *observer, const Group *group, bool reports) {
     const RunOptions *options = group->options;
     double until = world->house->plan.run.until, next_look = 0, next_closing = replan_next(world, 0);
+    double next_stray = REPLAN_PERIOD;
     while (world_goes_on(world)) {
         double time = clock_time(&world->clock);
         if (time >= until)
@@ -35,6 +38,10 @@ static Reason run_world(World *world, Journeys *journeys, Observer *observer, co
         if (time >= next_closing) {
             replan_journeys(world, journeys, group->jobs, options->stop);
             next_closing = replan_next(world, time);
+        }
+        if (time >= next_stray) {
+            replan_strays(world, journeys, group->jobs, options->stop);
+            next_stray += REPLAN_PERIOD;
         }
         if (time >= next_look) {
             next_look += LOOK_UP;
@@ -62,6 +69,7 @@ static void run_group(void *context, size_t index) {
     observer_end(&group->observer, reason);
     group->digest = world.digest;
     group->steps = world.clock.step;
+    group->wall_crossings = world.wall_crossings;
     group->observer.world = NULL;
     parallel_team_destroy(world.team);
     world_destroy(&world);
@@ -99,7 +107,8 @@ static void merge_group(Observation *observation, Group *group, Stretch **stretc
         memcpy(*stretches + *count, observer->stretches, observer->stretch_count * sizeof **stretches);
     *count += observer->stretch_count;
     observation->steps = group->steps > observation->steps ? group->steps : observation->steps;
-    observation->digest = (observation->digest ^ group->digest) * 0x100000001b3u;
+    observation->wall_crossings += group->wall_crossings;
+    observation->digest = digest_chain(observation->digest, group->digest);
 }
 
 static void conclude(Observation *observation) {

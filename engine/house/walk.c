@@ -26,11 +26,19 @@
 /* s: others are reckoned with where they will be then. */
 static const double FORESIGHT = 0.3;
 /* m: left between oneself and whoever is ahead or passed. */
-static const double BERTH = 0.08;
+static const double BERTH = 0.05;
 /* m: free floor wanted ahead of a heading to one side. */
 static const double STEP = 0.4;
 /* 1 and m/s: a heading to one side has to make good so much more way than the ones before. */
 static const double BETTER = 1.05, BETTER_BY = 0.10;
+/* 1: cosine of the angle to one's way beyond which somebody comes the other way, and the share of the free speed that a
+ * heading to the left is then worth. */
+static const double ONCOMING = -0.5, KEEP_LEFT = 0.3;
+/* m: so far ahead, and so far to either side, people who come the other way are looked for. */
+static const double farther[] = {2.5, 4.0, 5.5}, BESIDE = 1.0;
+/* s, 1 and m/s: who has been held up so long squeezes past those who come the other way, shoulders turned to this share
+ * of the widths, no faster than this. */
+static const double HELD = 0.5, SQUEEZE = 0.1, SQUEEZING = 0.5;
 /* s: less time gained does not count as getting on. */
 static const double PROGRESS = 0.05;
 /* m: from its line, to where somebody has hold of a shut door. */
@@ -57,6 +65,7 @@ typedef struct Seen {
     Vec2 at;                 /* m, from oneself, a moment later */
     Vec2 now;                /* m, as it is */
     double together;         /* m, sum of the radii and the berth */
+    bool oncoming;           /* faces the other way */
     signed char seen, first; /* is it in sight, is it nearer to the goal: 1, 0, or -1, not asked yet */
 } Seen;
 
@@ -66,6 +75,8 @@ typedef struct View {
     Vec2 at, way;
     double radius, time, speed, gap; /* m, s, m/s, s */
     double sight;                    /* m: farther bodies do not matter */
+    bool oncoming;                   /* somebody comes the other way */
+    bool squeezes;                   /* past them */
     Seen seen[SEEN_MOST];
     int count;
 } View;
@@ -84,11 +95,14 @@ bool walk_sees(const FreeSpace *space, Vec2 from, Vec2 to) {
     return true;
 }
 
-/* A disc at `from` me that moves so. */
-static void see_disc(View *view, Vec2 from, Vec2 velocity, double radius) {
-    double together = view->radius + radius + BERTH, far = view->sight + together;
+/* A disc at `from` me that moves so, and the berth that it is given. */
+static void see_disc(View *view, Vec2 from, Vec2 velocity, double radius, double berth, bool oncoming) {
+    double together = view->radius + radius + berth, far = view->sight + together;
+    view->oncoming |= oncoming && vec2_dot(from, view->way) > 0;
+    if (oncoming && view->squeezes)
+        together = SQUEEZE * (view->radius + radius);
     if (vec2_dot(from, view->way) >= -together && vec2_dot(from, from) <= far * far && view->count < SEEN_MOST)
-        view->seen[view->count++] = (Seen){vec2_along(from, FORESIGHT, velocity), from, together, -1, -1};
+        view->seen[view->count++] = (Seen){vec2_along(from, FORESIGHT, velocity), from, together, oncoming, -1, -1};
 }
 
 static bool is_seen(const View *view, Seen *seen) {
@@ -103,7 +117,7 @@ static bool goes_first(const View *view, Seen *seen) {
     return seen->first;
 }
 
-/* A chair is as good as a row of discs. */
+/* A chair is as good as a row of discs; half of its personal space is respected. */
 static void see_chair(View *view, size_t j, Vec2 from) {
     const Body *body = &view->world->body[j];
     Vec2 axis = view->world->axis[j], velocity = view->world->velocity[j];
@@ -111,7 +125,7 @@ static void see_chair(View *view, size_t j, Vec2 from) {
     Vec2 middle = vec2_add(from, vec2_turn(body->middle, axis));
     for (int end = -1; end <= 1; end++)
         if (end == 0 || ends > 0)
-            see_disc(view, vec2_along(middle, end * ends, axis), velocity, radius);
+            see_disc(view, vec2_along(middle, end * ends, axis), velocity, radius, body->reach / 2, false);
 }
 
 static void look_around(View *view, uint32_t slot) {
@@ -127,9 +141,27 @@ static void look_around(View *view, uint32_t slot) {
             if (s == slot || vec2_dot(from, from) > far * far || view->world->phase[j] == PHASE_OUT)
                 continue;
             if (kind->walks)
-                see_disc(view, from, walkers->velocity[s], kind->radius);
+                see_disc(view, from, walkers->velocity[s], kind->radius, BERTH,
+                         vec2_dot(walkers->facing[s], view->way) < ONCOMING);
             else
                 see_chair(view, j, from);
+        }
+    }
+}
+
+/* Does somebody come the other way farther ahead? */
+static void look_ahead(View *view) {
+    const Walkers *walkers = &view->world->walkers;
+    for (size_t k = 0; k < sizeof farther / sizeof *farther && !view->oncoming; k++) {
+        CellRange range = cells_around(&walkers->cells, vec2_along(view->at, farther[k], view->way), BESIDE);
+        for (int y = range.y0; y <= range.y1; y++) {
+            uint32_t end;
+            for (uint32_t s = cells_row(&walkers->cells, &range, y, &end); s < end; s++) {
+                Vec2 from = vec2_sub(walkers->at[s], view->at);
+                view->oncoming |= vec2_dot(walkers->facing[s], view->way) < ONCOMING &&
+                                  fabs(vec2_cross(view->way, from)) < BESIDE && vec2_dot(view->way, from) > 0 &&
+                                  walk_sees(&view->world->house->space, view->at, walkers->at[s]);
+            }
         }
     }
 }
@@ -154,27 +186,36 @@ static double speed_along(View *view, Vec2 heading, bool straight) {
     return real_min(view->speed, free_way(view, heading, straight) / view->gap);
 }
 
-/* The velocity that makes most way good. */
+/* The velocity that makes most way good. Whoever meets people who come the other way keeps to the left a little, as in
+ * Japan, so that both streams get past. */
 static Vec2 choose(View *view) {
     Vec2 best = view->way;
     double speed = speed_along(view, best, true), good = speed;
-    if (speed >= view->speed)
+    double better = view->oncoming ? 1 : BETTER, by = view->oncoming ? 0 : BETTER_BY;
+    double left = view->oncoming ? KEEP_LEFT * view->speed : 0;
+    if (speed >= view->speed && !view->oncoming)
         return vec2_scale(best, speed);
     const FreeSpace *space = &view->world->house->space;
     double least = real_min(view->radius, freespace_distance(space, view->at));
     for (int h = 1; h < HEADINGS; h++) {
-        if (view->speed * headings[h].x <= good * BETTER + BETTER_BY)
+        if (view->speed * headings[h].x + left <= good * better + by)
             break; /* even free this one and those after it are no better */
         Vec2 heading = vec2_turn(headings[h], view->way);
         double along = speed_along(view, heading, false), made = along * headings[h].x;
-        if (made > good * BETTER + BETTER_BY &&
-            freespace_distance(space, vec2_along(view->at, STEP, heading)) >= least) {
+        if (headings[h].y > 0 && along > 0)
+            made += left;
+        if (made > good * better + by && freespace_distance(space, vec2_along(view->at, STEP, heading)) >= least) {
             best = heading;
             speed = along;
             good = made;
         }
     }
     return vec2_scale(best, speed);
+}
+
+static Vec2 slower(Vec2 velocity, double most) {
+    double speed = vec2_length(velocity);
+    return speed > most ? vec2_scale(velocity, most / speed) : velocity;
 }
 
 /* The shut door whose line the way crosses within arm's reach, or -1. */
@@ -215,6 +256,7 @@ void walk_decide(World *world, size_t i, uint32_t slot) {
                  .radius = person->profile->width / 2,
                  .speed = person->speed,
                  .gap = person->profile->time_gap};
+    view.squeezes = walk->held > HELD;
     view.sight = view.speed * (view.gap + FORESIGHT);
     while ((size_t)walk->leg + 1 < journey->leg_count &&
            vec2_distance(view.at, view.march->goal.at) <= view.march->goal.radius) {
@@ -230,7 +272,11 @@ void walk_decide(World *world, size_t i, uint32_t slot) {
     watch_progress(world, walk, view.time);
     walk->door = door_ahead(world, view.at, view.way, view.radius);
     look_around(&view, slot);
+    look_ahead(&view);
     walk->wish = vec2_dot(view.way, view.way) > 0 ? choose(&view) : vec2(0, 0);
+    if (view.squeezes && view.oncoming)
+        walk->wish = slower(walk->wish, SQUEEZING);
+    walk->held = vec2_length(walkers->velocity[slot]) < SQUEEZING / 2 ? walk->held + WALK_PERIOD : 0;
     if (walk->door >= 0) {
         walk->handle += WALK_PERIOD;
         walk->stalled = 0;

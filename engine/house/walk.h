@@ -13,6 +13,7 @@ typedef struct Walk {
     Vec2 wish;      /* m/s, the velocity wanted */
     double best;    /* s, the least time to the goal so far */
     double stalled; /* s, without getting on */
+    double held;    /* s, without being able to move */
     double handle;  /* s, spent at a shut door's handle */
     int door;       /* whose handle, or -1 */
     int leg;        /* of the journey */

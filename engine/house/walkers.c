@@ -10,6 +10,8 @@
 
 enum { CHUNK = 128 /* slots that one thread does in one go */ };
 
+enum { LISTS_LIVE = 10 /* decisions, at most: where people face is known as it was when the lists were made */ };
+
 enum {
     MARK_CHAIR = 1,     /* the slot is a chair's */
     MARK_OBSTACLES = 2, /* something to touch may be near */
@@ -68,7 +70,7 @@ void walkers_init(Walkers *walkers, const World *world) {
 
 /* Calls `each` for every array that is as long as there are slots, people or entries of lists. */
 #define SLOT_ARRAYS(EACH)                                                                                              \
-    EACH(at) EACH(velocity) EACH(next_at) EACH(next_velocity) EACH(wish) EACH(push) EACH(kind) EACH(marks)
+    EACH(at) EACH(velocity) EACH(next_at) EACH(next_velocity) EACH(wish) EACH(push) EACH(facing) EACH(kind) EACH(marks)
 
 static void *copy_of(const void *from, size_t count, size_t size) {
     if (!from)
@@ -186,6 +188,7 @@ static void load_chunk(void *context, size_t chunk) {
         walkers->velocity[s] = walkers->next_velocity[s] = world->velocity[i];
         walkers->wish[s] = world->walk[i].wish;
         walkers->push[s] = vec2(0, 0);
+        walkers->facing[s] = world->axis[i];
         walkers->kind[s] = (uint16_t)(world->house->people[i].profile - world->house->profiles);
         walkers->marks[s] = marks_at(world, walkers->at[s], walkers->kinds[walkers->kind[s]].walks);
         walkers->slot_of[i] = s;
@@ -282,6 +285,7 @@ static void make_lists(World *world) {
     walkers->slip = memory_reserve(walkers->slip, &walkers->slip_capacity, pairs, sizeof *walkers->slip);
     parallel_team_for(world->team, chunks, fill_chunk, world);
     walkers->travelled = 0;
+    walkers->made = world->clock.step;
     walkers->doors = world->door_changes;
     walkers->departures = world->departures;
 }
@@ -289,7 +293,8 @@ static void make_lists(World *world) {
 bool walkers_update(World *world) {
     Walkers *walkers = &world->walkers;
     bool hold = walkers->doors == world->door_changes && walkers->departures == world->departures &&
-                2 * walkers->travelled <= WALKERS_SKIN;
+                2 * walkers->travelled <= WALKERS_SKIN &&
+                world->clock.step < walkers->made + LISTS_LIVE * world->decision_steps;
     if (!hold)
         make_lists(world);
     return !hold;

@@ -64,6 +64,7 @@ typedef struct Walkers {
     double range;          /* m, largest of the laws */
     bool any;              /* somebody walks */
     double travelled;      /* m, that anybody may have moved since the lists were made */
+    uint64_t made;         /* step at which that was */
     int doors, departures; /* of the world, when the lists were made; -1: not yet */
     /* one per slot (cells.count) */
     size_t capacity;
@@ -71,6 +72,7 @@ typedef struct Walkers {
     Vec2 *next_at, *next_velocity; /* the one in the making */
     Vec2 *wish;                    /* m/s, the velocity wanted */
     Vec2 *push;                    /* N, by chairs */
+    Vec2 *facing;                  /* unit, when the lists were made */
     uint16_t *kind;
     uint8_t *marks;   /* WALKER_MARK_... */
     uint32_t *first;  /* (count + 1) of the list below */

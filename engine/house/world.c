@@ -249,7 +249,8 @@ static void resume_people(World *world) {
     world->resumed = world->departures;
     for (size_t p = 0; p < world->present_count; p++) {
         size_t i = world->present[p];
-        if (world->phase[i] != PHASE_STUCK || world->reason[i] != REASON_BLOCKED)
+        if (world->phase[i] != PHASE_STUCK || world->reason[i] != REASON_BLOCKED ||
+            world->journeys[i].route.answer != ROUTE_FOUND)
             continue;
         world->phase[i] = PHASE_MOVING;
         world->reason[i] = REASON_NONE;

@@ -66,6 +66,7 @@ typedef struct Drive {
     double retreat_to; /* m, along the track: back to there, to try again; negative: not retreating */
     int retries;       /* since the last progress */
     int departures;    /* of others that had been seen when the person gave up */
+    int plans;         /* made since the first, after having been pushed off the way */
     double heeded;     /* m/s, the speed that the people ahead leave, when last looked at */
     double around;     /* m, the offset at which they are passed */
 } Drive;

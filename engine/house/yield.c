@@ -16,8 +16,8 @@ static const double SWERVE = 0.22;
 static const double STRAIGHT = 0.7;
 /* m/s: how slowly one edges past, and below what somebody stands. */
 static const double SLOW_PASSING = 0.15, STANDING = 0.05;
-/* s: two who wait for one another look at it so long; then the first by id goes on, and a chair before somebody on foot,
- * who can step aside. */
+/* s: two who wait for one another look at it so long; then the first by id goes on, and a chair before somebody on
+ * foot, who can step aside. */
 static const double DEADLOCK = 2;
 
 bool yield_sees(const World *world, size_t i, size_t j) {

@@ -1,0 +1,185 @@
+/* Public verification suites, run as data: a case file each, one table of them all. */
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "base/memory.h"
+#include "base/text.h"
+#include "command/answer.h"
+#include "command/cases_html.h"
+#include "command/cases_table.h"
+#include "command/command.h"
+#include "command/house_file.h"
+#include "command/output.h"
+#include "house/trial.h"
+
+/* Case files --------------------------------------------------------------------------------------------------------
+ */
+
+typedef struct Paths {
+    char **at; /* (count) */
+    size_t count, capacity;
+} Paths;
+
+static void add_path(Paths *paths, const char *directory, const char *name) {
+    size_t size = strlen(directory) + strlen(name) + 2;
+    char *path = memory_allocate(size, 1);
+    snprintf(path, size, "%s%s%s", directory, *directory ? "/" : "", name);
+    paths->at = memory_reserve(paths->at, &paths->capacity, paths->count + 1, sizeof *paths->at);
+    paths->at[paths->count++] = path;
+}
+
+static int is_case_file(const struct dirent *entry) {
+    size_t length = strlen(entry->d_name);
+    return *entry->d_name != '.' && length > 5 && strcmp(entry->d_name + length - 5, ".json") == 0;
+}
+
+/* A directory stands for the .json files in it, sorted by name. */
+static void find_files(Paths *paths, const char *file, Fault *fault) {
+    struct stat status;
+    if (stat(file, &status) != 0 || !S_ISDIR(status.st_mode)) {
+        add_path(paths, "", file);
+        return;
+    }
+    struct dirent **entries;
+    int count = scandir(file, &entries, is_case_file, alphasort);
+    if (count <= 0)
+        fault_add(fault, "%s:1:1: %s", file,
+                  count < 0 ? "cannot be read" : "there is no case here, must hold .json files");
+    for (int i = 0; i < count; i++) {
+        add_path(paths, file, entries[i]->d_name);
+        free(entries[i]);
+    }
+    if (count >= 0)
+        free(entries);
+}
+
+static Verification *read_cases(const Paths *paths, Fault *fault) {
+    Verification *cases = memory_allocate(paths->count, sizeof *cases);
+    for (size_t i = 0; i < paths->count; i++) {
+        size_t before = fault->total;
+        verification_read(&cases[i], paths->at[i], fault);
+        for (size_t k = 0; k < i && fault->total == before; k++)
+            if (cases[k].id && strcmp(cases[k].id, cases[i].id) == 0)
+                fault_add(fault, "%s:1:1: the id \"%s\" is that of %s, must be another", paths->at[i], cases[i].id,
+                          paths->at[k]);
+    }
+    return cases;
+}
+
+/* Running -----------------------------------------------------------------------------------------------------------
+ */
+
+typedef struct Progress {
+    time_t begin;
+    bool shown;
+} Progress;
+
+/* Once the work has taken more than a second. */
+static void show_progress(void *context, size_t done, size_t all) {
+    Progress *progress = context;
+    if (time(NULL) - progress->begin < 2)
+        return;
+    fprintf(stderr, "\r%zu of %zu runs ", done, all);
+    progress->shown = true;
+}
+
+static void run_cases(Verification *cases, size_t count, const Options *options, Fault *fault) {
+    Progress progress = {.begin = time(NULL)};
+    bool show = !options->quiet && isatty(STDERR_FILENO);
+    TrialOptions trial = {.profiles = house_file_profiles(),
+                          .seed = options->seed,
+                          .jobs = options->jobs,
+                          .stop = &command_interrupted,
+                          .progress = show ? show_progress : NULL,
+                          .context = &progress};
+    trial_run(cases, count, &trial, fault);
+    if (progress.shown)
+        fprintf(stderr, "\r                         \r");
+}
+
+/* Writing -----------------------------------------------------------------------------------------------------------
+ */
+
+static void add_json(Text *text, const Verification *cases, size_t count, uint64_t seed) {
+    json_t *answer = cases_table_json(cases, count, seed);
+    char *dump = json_dumps(answer, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
+    text_add(text, dump);
+    text_add(text, "\n");
+    free(dump);
+    json_decref(answer);
+}
+
+static bool write_tables(const Verification *cases, size_t count, const Options *options) {
+    static const struct {
+        const char *name;
+        void (*add)(Text *text, const Verification *cases, size_t count, uint64_t seed);
+    } files[] = {{"cases.html", cases_html_add}, {"cases.md", cases_table_markdown}, {"cases.json", add_json}};
+    char path[4096];
+    int error = 0;
+    for (size_t f = 0; f < sizeof files / sizeof *files && !error; f++) {
+        Text text = {0};
+        files[f].add(&text, cases, count, options->seed);
+        snprintf(path, sizeof path, "%s/%s", options->out, files[f].name);
+        error = text_write_file(path, text.text, text.used);
+        memory_free(text.text);
+    }
+    if (error)
+        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+    return !error;
+}
+
+static bool all_passed(const Verification *cases, size_t count) {
+    bool all = true;
+    for (size_t i = 0; i < count; i++) {
+        Verdict verdict = trial_verdict(&cases[i]);
+        all &= verdict == VERDICT_PASSED || verdict == VERDICT_DOES_NOT_APPLY;
+    }
+    return all;
+}
+
+static int answer(const Verification *cases, size_t count, const Options *options, Fault *fault) {
+    if (command_interrupted)
+        fprintf(stderr, "clearance: interrupted; tests that had been run are kept\n");
+    bool written = !options->out || write_tables(cases, count, options);
+    if (options->json)
+        answer_print(cases_table_json(cases, count, options->seed));
+    else
+        cases_table_print(cases, count);
+    if (fault->total)
+        return house_file_report(fault);
+    if (options->out && written && !options->json)
+        printf("\nthe tables are in %s\n", options->out);
+    return !written ? EXIT_WRONG_INPUT : all_passed(cases, count) ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+}
+
+int command_cases(const Options *options) {
+    Fault fault = {0};
+    Paths paths = {0};
+    if (options->out && !output_directory(options->out))
+        return EXIT_WRONG_INPUT;
+    for (size_t f = 0; f < options->file_count; f++)
+        find_files(&paths, options->files[f], &fault);
+    Verification *cases = read_cases(&paths, &fault);
+    int code;
+    if (fault.total) {
+        code = house_file_report(&fault);
+    } else {
+        run_cases(cases, paths.count, options, &fault);
+        code = answer(cases, paths.count, options, &fault);
+    }
+    for (size_t i = 0; i < paths.count; i++) {
+        verification_free(&cases[i]);
+        memory_free(paths.at[i]);
+    }
+    memory_free(paths.at);
+    memory_free(cases);
+    return code;
+}

@@ -1,0 +1,12 @@
+/* The table of verification cases as one page that needs nothing else: to be read from the back of a room, light or
+ * dark as the reader's system is set, each value on a ruler beside its limits. Words and shapes say what passed; colour
+ * only repeats it. */
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/text.h"
+#include "house/verification.h"
+
+void cases_html_add(Text *text, const Verification *cases, size_t count, uint64_t seed);

@@ -1,0 +1,57 @@
+#!/bin/sh
+# Fuzzes the readers for SECONDS (default 60) a target, as many at once as there are processors: run.sh [SECONDS].
+# The inputs that reached new code are kept in build-fuzz/corpus/; what was found is in build-fuzz/found/.
+set -eu
+cd "$(dirname "$0")/../.."
+. app/packages.sh
+seconds=${1:-60}
+targets="plan profile parameters set"
+build=build-fuzz
+
+install_packages $build_packages clang libclang-rt-14-dev
+
+if [ ! -f $build/build.ninja ]; then
+    echo "configuring in $build/"
+    # casts of numbers too large for a whole one are not among "undefined", and how plans go wrong
+    instrument="-fsanitize=fuzzer-no-link,float-cast-overflow"
+    CC=clang CXX=clang++ configure meson setup $build --buildtype=debugoptimized -Db_sanitize=address,undefined \
+        -Db_lundef=false -Dc_args=$instrument -Dcpp_args=$instrument
+fi
+echo "building"
+# shellcheck disable=SC2046 # a list of words
+ninja -C $build --quiet app/clearance $(for t in $targets; do echo "tests/fuzz/fuzz_$t"; done)
+
+export CLEARANCE_SOURCE="$PWD" ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+for schema in house profile; do
+    $build/app/clearance schema $schema
+done | grep -oE '"[A-Za-z0-9_.-]+"' | sort -u | sed 's/.*/"\\&/; s/"$/\\""/' >$build/dictionary
+rm -rf $build/seeds $build/found
+for t in $targets; do
+    mkdir -p $build/seeds/"$t" $build/corpus/"$t" $build/found
+done
+cp houses/*.json tests/data/bad/houses/*.json $build/seeds/plan/
+cp assets/profiles/*.json tests/data/bad/profiles/*.json $build/seeds/profile/
+split -l 1 -a 3 tests/fuzz/values.txt $build/seeds/parameters/
+split -l 2 -a 3 tests/fuzz/settings.txt $build/seeds/set/
+
+echo "fuzzing each target for $seconds s"
+# shellcheck disable=SC2016,SC2086 # xargs passes the words
+printf '%s\n' $targets | BUILD=$build SECONDS_EACH=$seconds xargs -P "$(nproc)" -I TARGET sh -c '
+    $BUILD/tests/fuzz/fuzz_TARGET -max_total_time="$SECONDS_EACH" -timeout=10 -rss_limit_mb=2048 -max_len=8192 \
+        -dict=$BUILD/dictionary -artifact_prefix=$BUILD/found/TARGET- -print_final_stats=1 \
+        $BUILD/corpus/TARGET $BUILD/seeds/TARGET >$BUILD/TARGET.log 2>&1
+    echo $? >$BUILD/TARGET.status'
+
+bad=0
+for t in $targets; do
+    log=$build/$t.log
+    found=$(find $build/found -name "$t-*" | wc -l)
+    printf '%-10s %9s executions, coverage %5s, %s found\n' "$t" \
+        "$(sed -n 's/^stat::number_of_executed_units: //p' "$log")" "$(grep -oE 'cov: [0-9]+' "$log" | tail -n 1 | cut -c 6-)" "$found"
+    if [ "$found" -ne 0 ] || [ "$(cat $build/"$t".status)" -ne 0 ]; then
+        bad=1
+        grep -E -A 12 'does not hold|ERROR|runtime error|SUMMARY|out of memory' "$log" | head -n 40
+        find $build/found -name "$t-*"
+    fi
+done
+exit $bad
