@@ -60,6 +60,41 @@ def check_answers():
     check(len(answer["faults"]) > 1, "check --json lists several faults")
 
 
+def check_crowds():
+    """A room of 40 on foot and a chair: sums in text, everybody in JSON, nothing invented about people on foot."""
+    plan = {
+        "format": "clearance-house", "version": 1, "name": "room",
+        "walls": [{"id": "w", "points": [[0, 0], [8, 0], [8, 6], [0, 6], [0, 0]], "thickness": 0.1}],
+        "doors": [{"id": "d1", "wall": "w", "segment": 1, "at": 3, "width": 1.4, "kind": "opening"}],
+        "exits": [{"id": "e1", "from": [8.2, 2.2], "to": [8.2, 3.8]}],
+        "people": [{"id": "p1", "profile": "manual-chair", "at": [2, 3]}],
+        "crowds": [{"id": "adults", "profile": "adult", "count": 40, "area": [[3, 0.5], [7.5, 0.5], [7.5, 5.5], [3, 5.5]]}],
+    }
+    with tempfile.TemporaryDirectory() as place:
+        file = pathlib.Path(place, "room.json")
+        file.write_text(json.dumps(plan))
+        lines = expect(0, "run", str(file)).stdout.splitlines()
+        check(lines[0].startswith("All 41 out in "), f"run of a crowd begins {lines[0]!r}")
+        check(sum(line.startswith("adults") for line in lines) == 1, "run of a crowd has one row for it")
+        answer = json.loads(expect(0, "run", str(file), "--json").stdout)
+        check(len(answer["people"]) == 41, "run --json lists everybody")
+        crowd = answer["crowds"][0]
+        check((crowd["id"], crowd["people"], crowd["out"]) == ("adults", 40, 40), f"run --json sums crowds: {crowd}")
+        late = expect(1, "run", str(file), "--until", "3").stdout
+        check("are not out: " in late.splitlines()[0] and " time limit" in late, "run --until 3 of a crowd says who is not out")
+        check(" more\n" in late, "run of a crowd lists some of those who are not out")
+        check(late.count("  time limit\n") == 10, "run of a crowd lists ten of those who are not out")
+        lines = expect(0, "check", str(file)).stdout.splitlines()
+        check(lines[0] == "adults (adult), 40 people: all get out", f"check of a crowd begins {lines[0]!r}")
+        check(len(lines) == 2 and lines[1].startswith("p1 (manual-chair): gets out by e1, "), f"check of a crowd: {lines}")
+        people = json.loads(expect(0, "check", str(file), "--json").stdout)["people"]
+        check(len(people) == 41, "check --json lists everybody")
+        walker = next(person for person in people if person["id"] == "adults-1")
+        check(walker["fits"] and walker["drivable"], "somebody on foot gets out")
+        check(walker["reversals"] is None and walker["path_length"] is None and "narrowest" not in walker,
+              f"check invents nothing about somebody on foot: {walker}")
+
+
 def check_options():
     one = json.loads(run("run", house("ube-techno-house"), "--json", "--jobs", "1").stdout)
     two = json.loads(run("run", house("ube-techno-house"), "--json", "--jobs=2").stdout)
@@ -160,7 +195,7 @@ def check_interrupt():
         check(os.path.exists(os.path.join(out, "summary.json")), "interrupted: what there is is kept")
 
 
-for part in (check_answers, check_options, check_wrong_use, check_files, check_cases, check_interrupt):
+for part in (check_answers, check_crowds, check_options, check_wrong_use, check_files, check_cases, check_interrupt):
     part()
 print(f"{failures} failures")
 sys.exit(failures != 0)

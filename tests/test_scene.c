@@ -11,6 +11,7 @@
 #include "draw/mask.h"
 #include "draw/paint_cairo.h"
 #include "draw/text.h"
+#include "laboratory/census.h"
 #include "laboratory/house_scene.h"
 #include "laboratory/silhouette.h"
 
@@ -336,5 +337,138 @@ TEST(a_locus_has_a_tick_each_second_and_a_number_each_fifth) {
     }
     CHECK_NEAR(ticks, 7, 0);
     CHECK_NEAR(numbers, 1, 0);
+    scene_clear(&scene);
+}
+
+static const Profile adult = {
+    .name = "adult", .driving = DRIVING_WALKER, .length = 0.38, .width = 0.38, .axle = 0.19, .space_reach = 0.15};
+
+enum { MEMBERS = 40 };
+
+/* A crowd of 40 and a chair before two exits: all are out but three who are blocked, two of them beside each other,
+ * and one who has run out of time. */
+static Scene crowd_scene(Census *census) {
+    static TraceColumn columns[TRACE_COLUMNS];
+    static char names[MEMBERS][16];
+    Profile profiles[] = {chair, adult};
+    Crowd crowd = {.id = "adults", .profile = "adult", .count = MEMBERS};
+    Exit exits[] = {{.id = "e1", .from = {10, 1}, .to = {10, 2}}, {.id = "e2", .from = {0, 1}, .to = {0, 2}}};
+    Inhabitant people[MEMBERS + 1];
+    PersonObservation observed[MEMBERS + 1];
+    House house = {.plan = {.name = "a hall", .note = "", .crowds = &crowd, .crowd_count = 1, .exits = exits},
+                   .profiles = profiles,
+                   .profile_count = 2,
+                   .people = people,
+                   .person_count = MEMBERS + 1};
+    house.plan.exit_count = 2;
+    house.outline.box = (Box){{0, 0}, {10, 6}};
+    Observation observation = {.people = observed, .person_count = MEMBERS + 1, .time = 60};
+    trace_init(&observation.trace, columns, TRACE_COLUMNS);
+    for (int i = 0; i <= MEMBERS; i++) {
+        bool rides = i == MEMBERS;
+        if (!rides)
+            snprintf(names[i], sizeof names[i], "adults-%d", i + 1);
+        people[i] =
+            (Inhabitant){.id = rides ? "p1" : names[i], .profile = &profiles[!rides], .at = {0.2 + 0.2 * i, 1 + i % 4}};
+        observed[i] = (PersonObservation){
+            .took_part = true, .completed = true, .time = 10 + i, .exit = i % 4 == 0, .path_length = 6, .contacts = 1};
+        for (int k = 0; k < 600; k++)
+            trace_add(&observation.trace, (double[TRACE_COLUMNS]){[TRACE_TIME] = 0.1 * k,
+                                                                  [TRACE_PERSON] = i,
+                                                                  [TRACE_X] = people[i].at.x + 0.001 * k,
+                                                                  [TRACE_Y] = people[i].at.y});
+    }
+    static const Blockage blockages[] = {
+        {{4, 1}, "person adults-6", 3, 0.76}, {{4.5, 1}, "door d1", 3, 0.38}, {{8, 5}, "wall w", 3, 0.38}};
+    for (int i = 0; i < 3; i++) {
+        observed[4 + i].completed = false;
+        observed[4 + i].reason = REASON_BLOCKED;
+        observed[4 + i].blockage = blockages[i];
+    }
+    observed[7].completed = false;
+    observed[7].reason = REASON_TIME_LIMIT;
+    Scene scene;
+    house_scene_make(&scene, &house, &observation);
+    *census = census_take(&house, &observation);
+    trace_clear(&observation.trace);
+    return scene;
+}
+
+static const Primitive *find_label(const Scene *scene, const char *text) {
+    for (size_t i = 0; i < scene->count; i++)
+        if (scene->primitives[i].kind == PRIMITIVE_LABEL && strcmp(scene->primitives[i].text, text) == 0)
+            return &scene->primitives[i];
+    return NULL;
+}
+
+TEST(a_census_sums_crowds_and_puts_together_who_is_stopped_at_one_place) {
+    Census census;
+    Scene scene = crowd_scene(&census);
+    CHECK(census.people == MEMBERS + 1 && census.out == MEMBERS - 3 && census.stuck == 4);
+    CHECK(census.party_count == 2);
+    CHECK_TEXT(census.parties[0].crowd->id, "adults");
+    CHECK(!census.parties[1].crowd && census.parties[1].people == 1);
+    CHECK(census.parties[0].people == MEMBERS && census.parties[0].out == MEMBERS - 4);
+    CHECK_NEAR(census.parties[0].mean, (10 * 36 + MEMBERS * (MEMBERS - 1) / 2.0 - (4 + 5 + 6 + 7)) / 36, 1e-9);
+    CHECK_NEAR(census.parties[0].last, 10 + MEMBERS - 1, 1e-9);
+    CHECK(census.hold_count == 3 && census.holds[0].people == 2);
+    CHECK_TEXT(census.holds[0].blockage.what, "door d1");
+    CHECK(census.left[0] + census.left[1] == census.out);
+    census_clear(&census);
+    scene_clear(&scene);
+}
+
+TEST(a_picture_of_a_crowd_names_nobody_and_counts_everybody) {
+    Census census;
+    Scene scene = crowd_scene(&census);
+    CHECK_TEXT(scene.title, "4 of 41 not out");
+    CHECK_TEXT(scene.detail,
+               "2 blocked at door d1, adults-7 blocked at wall w, adults-8 time limit; the others in 50.0 s");
+    CHECK(find_label(&scene, "2 blocked here") && find_label(&scene, "1 blocked here"));
+    CHECK(!find_label(&scene, "adults-1") && !find_label(&scene, "p1"));
+    CHECK(find_label(&scene, "EXIT e1: 27") && find_label(&scene, "EXIT e2: 10"));
+    CHECK(census.left[0] == 27 && census.left[1] == 10);
+    CHECK(scene.row_count == 4);
+    CHECK_TEXT(scene.rows[1].cells[0], "manual-chair");
+    CHECK(scene.rows[1].symbol == SYMBOL_BOX && scene.rows[1].role == ROLE_LOCUS);
+    CHECK_TEXT(scene.rows[2].cells[0], "adult");
+    CHECK_TEXT(scene.rows[2].cells[1], "36/40");
+    CHECK(scene.rows[2].symbol == SYMBOL_DISC && scene.rows[2].role == ROLE_WALKER);
+    CHECK_TEXT(scene.rows[3].cells[0], "not out");
+    CHECK(scene.rows[3].symbol == SYMBOL_DIAMOND);
+    census_clear(&census);
+    scene_clear(&scene);
+}
+
+TEST(loci_of_a_crowd_are_thinned_but_end_where_they_end) {
+    Census census;
+    Scene scene = crowd_scene(&census);
+    int loci = 0;
+    for (size_t i = 0; i < scene.count; i++) {
+        const Primitive *line = &scene.primitives[i];
+        if (line->kind != PRIMITIVE_LINE || line->edge != ROLE_WALKER)
+            continue;
+        loci++;
+        CHECK(line->count == 3 && line->edge_opacity < 0.5);
+        CHECK_NEAR(line->points[2].x - line->points[0].x, 0.599, 1e-9);
+    }
+    CHECK_NEAR(loci, MEMBERS, 0);
+    census_clear(&census);
+    scene_clear(&scene);
+}
+
+TEST(a_close_label_is_left_out_where_it_finds_no_room) {
+    Scene scene = plain_scene();
+    Vec2 large[] = {{1, 1}, {3, 1}, {3, 2}, {1, 2}}, small[] = {{4, 1}, {4.1, 1}, {4.1, 1.1}, {4, 1.1}};
+    Primitive *bed = scene_add_label(&scene, ROLE_TEXT, 17, vec2(2, 1.5), "bed");
+    scene_bind_label(&scene, bed, large, 4);
+    bed->close = true;
+    Primitive *stool = scene_add_label(&scene, ROLE_TEXT, 17, vec2(4.05, 1.05), "stool");
+    scene_bind_label(&scene, stool, small, 4);
+    stool->close = true;
+    Layout layout;
+    layout_make(&layout, &scene, PAGE);
+    CHECK(find_caption(&layout, "bed") && !find_caption(&layout, "stool"));
+    layout_clear(&layout);
     scene_clear(&scene);
 }

@@ -1,4 +1,4 @@
-/* The answers about a house, as JSON (the contract) and as text. */
+/* The answers about a house, as JSON (the contract). */
 #pragma once
 
 #include <jansson.h>
@@ -18,8 +18,5 @@ json_t *answer_blockage(const Blockage *blockage);
 /* Prints one JSON object on standard output. */
 void answer_print(json_t *answer);
 
-/* Prints the same for people to read: answer, people, routes, dangerous points. */
-void answer_print_text(const House *house, const Observation *observation);
-
-/* "Out in 18.4 s" or what stands against it. */
-void answer_headline(const House *house, const Observation *observation, char *text, size_t size);
+/* The mean time of a route's people, s; less than 0 when somebody did not get out or took no part. */
+double answer_route_time(const House *house, const Observation *observation, const PlanRoute *route);

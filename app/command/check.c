@@ -4,20 +4,25 @@
 #include "command/answer.h"
 #include "command/command.h"
 #include "command/house_file.h"
-#include "house/world.h"
+#include "house/journey.h"
+#include "laboratory/census.h"
 
+/* Of the only exit also when a route leads to any; NULL: whichever is the quickest. */
 static const char *exit_name(const House *house, size_t exit) {
-    return exit < house->plan.exit_count ? house->plan.exits[exit].id : NULL;
+    const Plan *plan = &house->plan;
+    return exit < plan->exit_count ? plan->exits[exit].id : plan->exit_count == 1 ? plan->exits[0].id : NULL;
 }
 
+/* Somebody on foot follows a field to the nearest exit: no path is planned, of which there would be numbers. */
 static json_t *check_person(const House *house, size_t i, const Route *route) {
     const Inhabitant *person = &house->people[i];
-    const char *exit = exit_name(house, route->exit);
-    json_t *answer =
-        json_pack("{s:s, s:s, s:s?, s:s?, s:b, s:b, s:i, s:f}", "id", person->id, "profile", person->profile->name,
-                  "route", person->route ? person->route->id : NULL, "exit", exit, "fits", route->fits, "drivable",
-                  route->drivable, "reversals", route->reversals, "path_length", route->length);
-    if (route->answer == ROUTE_FOUND)
+    bool walks = census_walks(person->profile);
+    json_t *answer = json_pack("{s:s, s:s, s:s?, s:s?, s:b, s:b, s:o, s:o}", "id", person->id, "profile",
+                               person->profile->name, "route", person->route ? person->route->id : NULL, "exit",
+                               exit_name(house, route->exit), "fits", route->fits, "drivable", route->drivable,
+                               "reversals", walks ? json_null() : json_integer(route->reversals), "path_length",
+                               walks ? json_null() : json_real(route->length));
+    if (route->answer == ROUTE_FOUND && !walks)
         json_object_set_new(answer, "narrowest",
                             json_pack("{s:f, s:f, s:f}", "x", route->narrowest_at.x, "y", route->narrowest_at.y,
                                       "clearance", route->narrowest));
@@ -26,25 +31,98 @@ static json_t *check_person(const House *house, size_t i, const Route *route) {
     return answer;
 }
 
-static void print_person(const House *house, size_t i, const Route *route) {
-    const Inhabitant *person = &house->people[i];
-    const Blockage *blockage = &route->blockage;
-    const char *exit = exit_name(house, route->exit);
+/* "cannot pass door d2 at (1.00, 2.00): needs at least 0.80 m, has 0.75 m"; is it the width that stops somebody? */
+static bool print_blockage(const Blockage *blockage) {
     char widths[64];
     route_widths(blockage, widths, sizeof widths);
+    printf("cannot pass %s at (%.2f, %.2f)%s%s", blockage->what, blockage->at.x, blockage->at.y, *widths ? ": " : "",
+           widths);
+    return *widths;
+}
+
+static void print_person(const House *house, size_t i, const Route *route) {
+    const Inhabitant *person = &house->people[i];
+    const char *exit = exit_name(house, route->exit);
+    bool walks = census_walks(person->profile);
     printf("%s (%s%s%s): ", person->id, person->profile->name, person->route ? ", route " : "",
            person->route ? person->route->id : "");
-    if (route->answer == ROUTE_FOUND)
-        printf("gets out by %s, %.1f m, %d changes of direction, narrowest %.3f m at (%.2f, %.2f)\n", exit,
-               route->length, route->reversals, route->narrowest, route->narrowest_at.x, route->narrowest_at.y);
-    else if (route->answer == ROUTE_NO_EXIT)
-        printf("no exit\n");
+    if (route->answer == ROUTE_NO_EXIT) {
+        printf("no exit");
+    } else if (route->answer == ROUTE_CANNOT_PASS) {
+        if (print_blockage(&route->blockage) && !walks)
+            printf("; it %s", route->fits ? "fits, but cannot be driven" : "does not fit");
+    } else if (walks) {
+        printf("gets out%s%s", exit ? " by " : "", exit ? exit : "");
+    } else {
+        printf("gets out by %s, %.1f m, %d changes of direction, narrowest %.3f m at (%.2f, %.2f)", exit, route->length,
+               route->reversals, route->narrowest, route->narrowest_at.x, route->narrowest_at.y);
+    }
+    printf("\n");
+}
+
+/* The routes as if they had been tried, for the census. */
+static Observation observation_of_routes(const House *house, const Journeys *journeys) {
+    static const Reason reasons[] = {
+        [ROUTE_FOUND] = REASON_NONE, [ROUTE_CANNOT_PASS] = REASON_CANNOT_PASS, [ROUTE_NO_EXIT] = REASON_NO_EXIT};
+    Observation observation = {
+        .people = memory_allocate(house->person_count, sizeof *observation.people),
+        .person_count = house->person_count,
+    };
+    for (size_t i = 0; i < house->person_count; i++) {
+        const Route *route = &journeys->of[i].route;
+        observation.people[i] = (PersonObservation){.took_part = true,
+                                                    .completed = route->answer == ROUTE_FOUND,
+                                                    .reason = reasons[route->answer],
+                                                    .exit = route->exit,
+                                                    .blockage = route->blockage};
+    }
+    return observation;
+}
+
+/* The first of a party who does not get out, or person_count. */
+static size_t first_stuck(const House *house, const Observation *observation, const Census *census, size_t party) {
+    size_t i = census->parties[party].first;
+    while (i < house->person_count && (census->party_of[i] != party || observation->people[i].completed))
+        i++;
+    return i;
+}
+
+static void print_party(const House *house, const Observation *observation, const Census *census, size_t p) {
+    const Party *party = &census->parties[p];
+    size_t stuck = first_stuck(house, observation, census, p);
+    printf("%s (%s%s%s), %zu people: ", census_party_name(house, party), party->profile->name,
+           party->route ? ", route " : "", party->route ? party->route->id : "", party->people);
+    if (stuck == house->person_count) {
+        printf("all get out\n");
+        return;
+    }
+    const PersonObservation *first = &observation->people[stuck];
+    if (party->out)
+        printf("%zu do not get out, the first, %s: ", party->people - party->out, house->people[stuck].id);
     else
-        printf("cannot pass %s at (%.2f, %.2f)%s%s%s\n", blockage->what, blockage->at.x, blockage->at.y,
-               *widths ? ": " : "", widths,
-               !*widths      ? ""
-               : route->fits ? "; it fits, but cannot be driven"
-                             : "; it does not fit");
+        printf("nobody gets out: ");
+    if (first->reason == REASON_CANNOT_PASS)
+        print_blockage(&first->blockage);
+    else
+        printf("%s", observation_reason(first->reason));
+    printf("\n");
+}
+
+/* Of many people a line a crowd, and one for whoever has no like. */
+static void print_answer(const House *house, const Journeys *journeys) {
+    Observation observation = observation_of_routes(house, journeys);
+    Census census = census_take(house, &observation);
+    bool many = census.people > CENSUS_ROWS;
+    for (size_t p = 0; p < census.party_count && many; p++)
+        if (census.parties[p].people > 1)
+            print_party(house, &observation, &census, p);
+    for (size_t i = 0; i < house->person_count; i++)
+        if (!many || census.parties[census.party_of[i]].people == 1)
+            print_person(house, i, &journeys->of[i].route);
+    if (!house->person_count)
+        printf("no faults; nobody lives here\n");
+    census_clear(&census);
+    observation_free(&observation);
 }
 
 static json_t *fault_lines(const Fault *fault) {
@@ -69,14 +147,12 @@ int command_check(const Options *options) {
         const Route *route = &journeys.of[i].route;
         all &= route->answer == ROUTE_FOUND;
         json_array_append_new(people, check_person(&house, i, route));
-        if (!options->json)
-            print_person(&house, i, route);
     }
     json_t *answer = json_pack("{s:s, s:[], s:o}", "kind", "check", "faults", "people", people);
     if (options->json)
         answer_print(json_incref(answer));
-    else if (!house.person_count)
-        printf("no faults; nobody lives here\n");
+    else
+        print_answer(&house, &journeys);
     json_decref(answer);
     journey_free_all(&journeys);
     house_free(&house);

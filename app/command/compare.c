@@ -5,6 +5,8 @@
 #include "command/answer.h"
 #include "command/command.h"
 #include "command/house_file.h"
+#include "command/report.h"
+#include "laboratory/census.h"
 
 /* The person with this id, or NULL. */
 static const PersonObservation *find_person(const House *house, const Observation *observation, const char *id) {
@@ -19,12 +21,47 @@ static void print_row(const char *name, const char *id, const PersonObservation 
            person->peak_force, person->lost_time, person->completed ? "out" : observation_reason(person->reason));
 }
 
-static void print_comparison(const House houses[2], const Observation observations[2]) {
-    char headline[256];
-    for (int h = 0; h < 2; h++) {
-        answer_headline(&houses[h], &observations[h], headline, sizeof headline);
-        printf("%c: %s: %s\n", "ab"[h], houses[h].plan.name, headline);
+/* What a party of `a` is in b, or NULL. */
+static const Party *find_party(const House *house, const Census *census, const char *name, const char *profile) {
+    for (size_t p = 0; p < census->party_count; p++)
+        if (strcmp(census_party_name(house, &census->parties[p]), name) == 0 &&
+            strcmp(census->parties[p].profile->name, profile) == 0)
+            return &census->parties[p];
+    return NULL;
+}
+
+static void print_party(const char *name, const char *id, const Party *party) {
+    char mean[16] = "-", last[16] = "-";
+    if (party->out) {
+        snprintf(mean, sizeof mean, "%.2f", party->mean);
+        snprintf(last, sizeof last, "%.2f", party->last);
     }
+    printf("%-20s %-8s %8zu %8zu %9s %9s %9d %8.0f %8.1f\n", id, name, party->people, party->out, mean, last,
+           party->contacts, party->peak_force, party->lost);
+}
+
+/* A row a crowd; where nobody is out there are no times to compare. */
+static void print_parties(const House houses[2], const Census census[2]) {
+    printf("\n%-20s %-8s %8s %8s %9s %9s %9s %8s %8s\n", "people", "", "number", "out", "mean s", "last s", "contacts",
+           "peak N", "lost s");
+    for (size_t p = 0; p < census[0].party_count; p++) {
+        const Party *a = &census[0].parties[p];
+        const char *id = census_party_name(&houses[0], a);
+        const Party *b = find_party(&houses[1], &census[1], id, a->profile->name);
+        if (!b) {
+            printf("%-20s is not in b\n", id);
+            continue;
+        }
+        print_party("a", id, a);
+        print_party("b", "", b);
+        if (a->out && b->out)
+            printf("%-20s %-8s %+8ld %+8ld %+9.2f %+9.2f %+9d %+8.0f %+8.1f\n", "", "b - a",
+                   (long)b->people - (long)a->people, (long)b->out - (long)a->out, b->mean - a->mean, b->last - a->last,
+                   b->contacts - a->contacts, b->peak_force - a->peak_force, b->lost - a->lost);
+    }
+}
+
+static void print_people(const House houses[2], const Observation observations[2]) {
     printf("\n%-12s %-8s %9s %11s %9s %8s %8s\n", "person", "", "time s", "narrowest m", "contacts", "peak N",
            "lost s");
     for (size_t i = 0; i < houses[0].person_count; i++) {
@@ -42,6 +79,21 @@ static void print_comparison(const House houses[2], const Observation observatio
                b->narrowest - a->narrowest, b->contacts - a->contacts, b->peak_force - a->peak_force,
                b->lost_time - a->lost_time);
     }
+}
+
+static void print_comparison(const House houses[2], const Observation observations[2]) {
+    char headline[REPORT_HEADLINE];
+    for (int h = 0; h < 2; h++) {
+        report_headline(&houses[h], &observations[h], headline, sizeof headline);
+        printf("%c: %s: %s\n", "ab"[h], houses[h].plan.name, headline);
+    }
+    Census census[2] = {census_take(&houses[0], &observations[0]), census_take(&houses[1], &observations[1])};
+    if (census[0].people > CENSUS_ROWS)
+        print_parties(houses, census);
+    else
+        print_people(houses, observations);
+    for (int h = 0; h < 2; h++)
+        census_clear(&census[h]);
 }
 
 static json_t *differences(const House houses[2], const Observation observations[2]) {

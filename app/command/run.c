@@ -8,6 +8,7 @@
 #include "command/command.h"
 #include "command/house_file.h"
 #include "command/output.h"
+#include "command/report.h"
 #include "draw/paint_cairo.h"
 #include "exchange/jupedsim.h"
 #include "laboratory/house_scene.h"
@@ -83,7 +84,7 @@ int command_run(const Options *options) {
     if (options->json)
         answer_print(answer_house(&house, &observation));
     else
-        answer_print_text(&house, &observation);
+        report_print(&house, &observation);
     if (options->out && written && !options->json)
         printf("\npictures and data are in %s\n", options->out);
     int code = !written ? EXIT_WRONG_INPUT : observation.completed ? EXIT_ANSWERED : EXIT_ANSWER_NO;

@@ -111,12 +111,12 @@ static void consider_inside(Choice *best, const Mask *mask, Caption caption, con
         }
 }
 
-/* Places on the point itself and on rings around it. */
-static void consider_around(Choice *best, const Mask *mask, Caption caption, Vec2 at, bool on_it) {
+/* Places on the point itself and on so many rings around it. */
+static void consider_around(Choice *best, const Mask *mask, Caption caption, Vec2 at, bool on_it, int rings) {
     caption.centre = at;
     if (on_it)
         consider(best, mask, caption, 0);
-    for (int ring = 0; ring < RINGS; ring++)
+    for (int ring = 0; ring < rings; ring++)
         for (int i = 0; i < DIRECTIONS; i++) {
             Vec2 way = vec2_heading(2 * M_PI * i / DIRECTIONS);
             double reach = GAP + ring * RING_STEP;
@@ -151,10 +151,10 @@ static Choice choose_place(const Mask *mask, const Layout *layout, const Primiti
         consider_inside(&best, mask, large, points + 1, label->count - 1, points[0], 0);
         consider_inside(&best, mask, small, points + 1, label->count - 1, points[0], SMALLER_COST);
     }
-    if (best.cost == HUGE_VAL && (label->count == 1 || !label->optional)) {
+    if (best.cost == HUGE_VAL && (label->count == 1 || (!label->optional && !label->close))) {
         large.leader = label->leader;
         large.fill = label->shape == LABEL_BARE ? ROLE_PAPER : large.fill;
-        consider_around(&best, mask, large, points[0], label->shape == LABEL_DISC);
+        consider_around(&best, mask, large, points[0], label->shape == LABEL_DISC, label->close ? 1 : RINGS);
     }
     memory_free(points);
     return best;

@@ -22,9 +22,10 @@
 #define ROW_LETTERS 17.0
 #define ROW_HEIGHT 30.0
 #define CELL_GAP 14.0
-#define DISC_WIDTH 40.0 /* kept for a disc before a row's words */
-#define LINE_WIDTH 54.0 /* and for a piece of line */
-#define LINE_SHOWN 14.0 /* of the line, and of the tag's own edge, on either side of the tag's words */
+#define DISC_WIDTH 40.0   /* kept for a disc before a row's words */
+#define LINE_WIDTH 54.0   /* and for a piece of line */
+#define SYMBOL_WIDTH 46.0 /* and for one with a symbol on it */
+#define LINE_SHOWN 14.0   /* of the line, and of the tag's own edge, on either side of the tag's words */
 #define DISC_LETTERS 16.0
 #define BAR_SHORTEST 64.0 /* of the scale bar: room for "10 m" */
 #define GRID_CLOSEST 14.0 /* closer lines are a grey */
@@ -133,6 +134,8 @@ static double mark_width(const SceneRow *row) {
         return DISC_WIDTH;
     if (row->kind != ROW_LINE)
         return 0;
+    if (row->symbol != SYMBOL_NONE)
+        return SYMBOL_WIDTH;
     double tag = row->mark ? text_extent(row->mark, DISC_LETTERS, true).x + 2 * LINE_SHOWN : 0;
     return fmax(LINE_WIDTH, tag + CELL_GAP);
 }
@@ -143,9 +146,7 @@ static double place_mark(Layout *layout, const SceneRow *row, double left, doubl
         return left;
     double end = left + width, right = end - CELL_GAP;
     if (row->kind == ROW_LINE)
-        add_sample(
-            layout,
-            (Sample){.from = {left, y}, .to = {right, y}, .role = row->role, .style = row->style, .width = row->width});
+        add_sample(layout, (Sample){{left, y}, {right, y}, row->role, row->style, row->width, row->symbol});
     if (row->mark) {
         Caption *mark = layout_add_caption(layout, row->mark, DISC_LETTERS, true, vec2((left + right) / 2, y));
         labels_shape(mark, row->kind == ROW_DISC ? LABEL_DISC : LABEL_TAG, row->role);

@@ -36,7 +36,8 @@ typedef struct Sample {
     Vec2 from, to;
     Role role;
     LineStyle style;
-    double width;
+    double width; /* 0: no line */
+    Symbol symbol;
 } Sample;
 
 typedef struct Layout {

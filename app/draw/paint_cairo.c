@@ -23,6 +23,9 @@
 #define HALO_WIDTH 4.0
 #define HALO_OPACITY 0.85
 #define RULE_WIDTH 1.0
+#define SYMBOL_HALF 5.0 /* of the list's symbols: a disc's radius, half a box's width */
+#define SYMBOL_BOX_LENGTH 17.0
+#define SYMBOL_DIAMOND_HALF 7.0
 
 typedef struct Painter {
     cairo_t *cairo;
@@ -224,11 +227,32 @@ static void paint_caption(const Painter *painter, const Caption *caption) {
     cairo_restore(painter->cairo);
 }
 
+static void path_symbol(const Painter *painter, Symbol symbol, Vec2 at) {
+    if (symbol == SYMBOL_DISC)
+        path_disc(painter, at, SYMBOL_HALF);
+    if (symbol == SYMBOL_BOX)
+        path_box(painter, (Box){{at.x - SYMBOL_BOX_LENGTH / 2, at.y - SYMBOL_HALF},
+                                {at.x + SYMBOL_BOX_LENGTH / 2, at.y + SYMBOL_HALF}});
+    if (symbol == SYMBOL_DIAMOND) {
+        cairo_move_to(painter->cairo, at.x - SYMBOL_DIAMOND_HALF, at.y);
+        cairo_line_to(painter->cairo, at.x, at.y - SYMBOL_DIAMOND_HALF);
+        cairo_line_to(painter->cairo, at.x + SYMBOL_DIAMOND_HALF, at.y);
+        cairo_line_to(painter->cairo, at.x, at.y + SYMBOL_DIAMOND_HALF);
+        cairo_close_path(painter->cairo);
+    }
+}
+
 static void paint_sample(const Painter *painter, const Sample *sample) {
-    path_segment(painter, sample->from, sample->to);
-    use_line(painter, sample->style, sample->width);
     use_role(painter, sample->role, 1);
-    cairo_stroke(painter->cairo);
+    if (sample->width > 0) {
+        path_segment(painter, sample->from, sample->to);
+        use_line(painter, sample->style, sample->width);
+        cairo_stroke(painter->cairo);
+    }
+    if (sample->symbol != SYMBOL_NONE) {
+        path_symbol(painter, sample->symbol, vec2_scale(vec2_add(sample->from, sample->to), 0.5));
+        cairo_fill(painter->cairo);
+    }
 }
 
 /* Paper, and the list's panel with a rule around it. */

@@ -71,9 +71,13 @@ typedef struct Primitive {
     LabelShape shape;
     bool bold;
     bool optional; /* labels: better left out than put over something */
+    bool close;    /* labels: left out where there is no room within the outline, or right beside the point */
     bool leader;   /* labels: a thin line to points[0] when they have to move away */
     const char *text;
 } Primitive;
+
+/* A sign in the middle of a row's piece of line, of the row's role: told apart by their shapes. */
+typedef enum Symbol { SYMBOL_NONE, SYMBOL_DISC, SYMBOL_BOX, SYMBOL_DIAMOND } Symbol;
 
 /* One row of the list beside the picture. */
 typedef enum RowKind {
@@ -89,7 +93,8 @@ typedef struct SceneRow {
     RowKind kind;
     Role role;
     LineStyle style;
-    double width;     /* design points */
+    double width; /* design points; 0: only the symbol */
+    Symbol symbol;
     const char *mark; /* or NULL */
     const char
         *cells[ROW_CELLS]; /* or NULL; the first to the left and shortened where needed, the others to the right */

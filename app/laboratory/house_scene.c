@@ -5,16 +5,20 @@
 #include <string.h>
 
 #include "laboratory/blockage_scene.h"
+#include "laboratory/census.h"
+#include "laboratory/crowd_scene.h"
 #include "laboratory/people_scene.h"
 #include "laboratory/plan_scene.h"
 
 #define GRID 1.0        /* m */
 #define PLAN_MARGIN 0.4 /* m, round walls and ways: room for the exits' bands */
 
-enum { PEOPLE_ROWS = 8 /* listed one by one; the others in one row */ };
-
 /* The word that a note holds when its plan was not measured: then it must be read wherever the plan is seen. */
 static const char ASSUMED[] = "assumed";
+
+static bool is_crowd(const Census *census) {
+    return census->people > PEOPLE_SCENE_INDIVIDUALS;
+}
 
 static bool holds_word(const char *text, const char *word) {
     size_t length = strlen(word);
@@ -22,32 +26,6 @@ static bool holds_word(const char *text, const char *word) {
         if (strncasecmp(text, word, length) == 0)
             return true;
     return false;
-}
-
-/* How many took part, how many of them are out, and the first who is not. */
-typedef struct Census {
-    size_t people, out;
-    size_t first, stuck; /* SIZE_MAX: nobody */
-    int contacts;
-    double peak_force; /* N */
-} Census;
-
-static Census take_census(const Observation *observation) {
-    Census census = {.first = SIZE_MAX, .stuck = SIZE_MAX};
-    for (size_t i = 0; i < observation->person_count; i++) {
-        const PersonObservation *person = &observation->people[i];
-        if (!person->took_part)
-            continue;
-        census.people++;
-        census.out += person->completed;
-        census.contacts += person->contacts;
-        census.peak_force = fmax(census.peak_force, person->peak_force);
-        if (census.first == SIZE_MAX)
-            census.first = i;
-        if (!person->completed && census.stuck == SIZE_MAX)
-            census.stuck = i;
-    }
-    return census;
 }
 
 /* "cannot pass door d2", and so on: why somebody is not out. */
@@ -125,37 +103,40 @@ static void say_no(Scene *scene, const House *house, const Observation *observat
         scene_text(scene, "%s: %s%s%s", house->people[census->stuck].id, why, *how_much ? ", " : "", how_much);
 }
 
-static void say_answer(Scene *scene, const House *house, const Observation *observation) {
-    Census census = take_census(observation);
+static void say_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     scene->name = arena_text(&scene->arena, *house->plan.name ? house->plan.name : "house");
     scene->note = holds_word(house->plan.note, ASSUMED) ? arena_text(&scene->arena, house->plan.note) : "";
     scene->clock = observation->time > 0 ? scene_text(scene, "0 to %.1f s", observation->time) : "";
-    if (!census.people) {
+    if (!census->people) {
         scene->title_role = ROLE_TEXT;
         scene->title = "Nobody is here";
         scene->detail = "";
-    } else if (census.stuck == SIZE_MAX) {
-        say_yes(scene, house, observation, &census);
+    } else if (is_crowd(census)) {
+        crowd_scene_answer(scene, house, observation, census);
+    } else if (census->stuck == SIZE_MAX) {
+        say_yes(scene, house, observation, census);
     } else {
-        say_no(scene, house, observation, &census);
+        say_no(scene, house, observation, census);
     }
 }
 
-static void list_hazards(Scene *scene, const Observation *observation) {
+/* How far people in a crowd stay away from something says nothing, and the names need the room. */
+static void list_hazards(Scene *scene, const Observation *observation, bool crowd) {
     if (!observation->hazard_count)
         return;
     scene_add_row(scene, ROW_HEADING, "Dangerous points");
     for (size_t i = 0; i < observation->hazard_count && i < PEOPLE_SCENE_HAZARDS; i++) {
         const Hazard *hazard = &observation->hazards[i];
         const char *clearance = people_scene_clearance(scene, hazard->clearance);
-        const char *cost = hazard->peak_force > 0 ? scene_text(scene, "%.0f N", hazard->peak_force)
-                                                  : scene_text(scene, "%.1f s lost", hazard->lost_time);
+        const char *cost = hazard->peak_force > 0
+                               ? scene_text(scene, "%.0f N", hazard->peak_force)
+                               : scene_text(scene, crowd ? "%.0f s lost" : "%.1f s lost", hazard->lost_time);
         const char *mark = scene_text(scene, "%zu", i + 1);
         SceneRow *row = scene_add_row(scene, ROW_DISC, hazard->what);
         row->role = people_scene_danger(hazard);
         row->mark = mark;
-        row->cells[1] = clearance;
-        row->cells[2] = cost;
+        row->cells[1] = crowd ? cost : clearance;
+        row->cells[2] = crowd ? NULL : cost;
     }
 }
 
@@ -175,18 +156,10 @@ static void list_person(Scene *scene, const House *house, const Observation *obs
 }
 
 static void list_people(Scene *scene, const House *house, const Observation *observation) {
-    Census census = take_census(observation);
     scene_add_row(scene, ROW_HEADING, "People");
-    size_t listed = 0;
-    for (size_t i = 0; i < house->person_count && listed < PEOPLE_ROWS; i++)
-        if (observation->people[i].took_part) {
+    for (size_t i = 0; i < house->person_count; i++)
+        if (observation->people[i].took_part)
             list_person(scene, house, observation, i);
-            listed++;
-        }
-    if (listed == census.people)
-        return;
-    const char *result = scene_text(scene, "%zu of %zu out", census.out, census.people);
-    scene_add_row(scene, ROW_PLAIN, scene_text(scene, "and %zu more", census.people - listed))->cells[1] = result;
 }
 
 static void add_key(Scene *scene, const char *meaning, LocusLook look) {
@@ -218,15 +191,27 @@ static Box whole_box(const House *house, const Observation *observation) {
 }
 
 void house_scene_make(Scene *scene, const House *house, const Observation *observation) {
+    Census census = census_take(house, observation);
+    bool crowd = is_crowd(&census);
     *scene = (Scene){.grid = GRID};
     scene->box = whole_box(house, observation);
-    say_answer(scene, house, observation);
+    say_answer(scene, house, observation, &census);
     plan_scene_solids(scene, house);
-    people_scene_ways(scene, house, observation);
-    plan_scene_tags(scene, house);
-    people_scene_labels(scene, house, observation);
-    plan_scene_names(scene, house);
-    list_hazards(scene, observation);
-    list_people(scene, house, observation);
+    if (crowd)
+        crowd_scene_ways(scene, house, observation, &census);
+    else
+        people_scene_ways(scene, house, observation);
+    plan_scene_tags(scene, house, crowd ? census.left : NULL);
+    if (crowd)
+        crowd_scene_labels(scene, observation, &census);
+    else
+        people_scene_labels(scene, house, observation);
+    plan_scene_names(scene, house, !crowd);
+    list_hazards(scene, observation, crowd);
+    if (crowd)
+        crowd_scene_list(scene, house, &census);
+    else
+        list_people(scene, house, observation);
     list_key(scene, house, observation);
+    census_clear(&census);
 }

@@ -3,11 +3,11 @@
 #include <string.h>
 
 #include "laboratory/blockage_scene.h"
+#include "laboratory/census.h"
 #include "laboratory/silhouette.h"
 
 /* Design points. */
 #define LOCUS_WIDTH 4.0
-#define CROWD_WIDTH 1.5
 #define TICK_WIDTH 2.0
 #define TICK_SMALL 11.0
 #define TICK_LARGE 19.0
@@ -22,7 +22,6 @@
 #define GHOST_OPACITY 0.10
 #define GHOST_EDGE_OPACITY 0.55
 #define RING_OPACITY 0.75
-#define CROWD_OPACITY 0.35
 
 /* How much labels avoid them. */
 #define KEEP_LOCUS 1.5
@@ -31,16 +30,15 @@
 #define KEEP_RING 0.3
 #define KEEP_NARROWEST 6.0
 
-#define TICK_SECONDS 1.0    /* from tick to tick */
-#define NUMBER_SECONDS 5    /* ticks from number to number */
-#define GHOST_SECONDS 2.0   /* from body to body */
-#define GHOSTS_MOST 12      /* bodies on one way */
-#define GHOST_APART 0.75    /* of the body's length: nearer bodies are a blot */
-#define TICK_APART 0.05     /* m: ticks of somebody who stands still are one */
-#define SWEPT_STEP 0.05     /* m, from hull to hull; the rounding of the corners hides the rest */
-#define SWEPT_TURN 0.05     /* rad */
-#define COMPRESSED 0.02     /* m: a personal space pressed less than this is at rest */
-#define WALKER_LONGEST 0.85 /* m: no wheelchair is shorter, nobody on foot is longer */
+#define TICK_SECONDS 1.0  /* from tick to tick */
+#define NUMBER_SECONDS 5  /* ticks from number to number */
+#define GHOST_SECONDS 2.0 /* from body to body */
+#define GHOSTS_MOST 12    /* bodies on one way */
+#define GHOST_APART 0.75  /* of the body's length: nearer bodies are a blot */
+#define TICK_APART 0.05   /* m: ticks of somebody who stands still are one */
+#define SWEPT_STEP 0.05   /* m, from hull to hull; the rounding of the corners hides the rest */
+#define SWEPT_TURN 0.05   /* rad */
+#define COMPRESSED 0.02   /* m: a personal space pressed less than this is at rest */
 
 /* Scores, see hazard.h: 1 is no clearance left, or the threshold of force or lost time. */
 #define DANGER_MIDDLE 1.0
@@ -49,20 +47,17 @@
 const LocusLook PEOPLE_SCENE_SPACE = {ROLE_RING, LINE_DASHED, 2};
 const LocusLook PEOPLE_SCENE_PRESSED = {ROLE_RING, LINE_SOLID, 3.5};
 
-static bool is_crowd(const House *house) {
-    return house->person_count > PEOPLE_SCENE_INDIVIDUALS;
-}
-
-LocusLook people_scene_look(const House *house, size_t person) {
+LocusLook people_scene_nth_look(size_t index) {
     static const LocusLook looks[] = {{ROLE_LOCUS, LINE_SOLID, LOCUS_WIDTH},
                                       {ROLE_LOCUS_SECOND, LINE_DASHED, LOCUS_WIDTH},
                                       {ROLE_LOCUS_THIRD, LINE_DASH_DOT, LOCUS_WIDTH},
                                       {ROLE_LOCUS_FOURTH, LINE_DOTTED, LOCUS_WIDTH}};
-    if (is_crowd(house))
-        return (LocusLook){ROLE_WALKER, LINE_SOLID, CROWD_WIDTH};
-    const PlanRoute *route = house->people[person].route;
-    size_t index = route ? (size_t)(route - house->plan.routes) : person;
     return looks[index % (sizeof looks / sizeof *looks)];
+}
+
+LocusLook people_scene_look(const House *house, size_t person) {
+    const PlanRoute *route = house->people[person].route;
+    return people_scene_nth_look(route ? (size_t)(route - house->plan.routes) : person);
 }
 
 const char *people_scene_clearance(Scene *scene, double clearance) {
@@ -90,10 +85,6 @@ size_t people_scene_narrowest(const House *house, const Observation *observation
         }
     }
     return narrowest;
-}
-
-static bool is_walker(const Profile *profile) {
-    return profile->length < WALKER_LONGEST;
 }
 
 /* The union of the bodies along the way, as hulls of neighbours that overlap. */
@@ -167,14 +158,13 @@ static void add_bodies(Scene *scene, const Profile *profile, const Trail *trail,
     }
 }
 
-static void add_locus(Scene *scene, const Trail *trail, LocusLook look, bool crowd) {
+static void add_locus(Scene *scene, const Trail *trail, LocusLook look) {
     Vec2 *points = memory_allocate(trail->count, sizeof *points);
     for (size_t i = 0; i < trail->count; i++)
         points[i] = vec2(trail->rows[i][TRACE_X], trail->rows[i][TRACE_Y]);
     Primitive *locus = scene_add_line(scene, look.role, look.width, points, trail->count);
     locus->style = look.style;
-    locus->edge_opacity = crowd ? CROWD_OPACITY : 1;
-    locus->keep_clear = crowd ? KEEP_RING : KEEP_LOCUS;
+    locus->keep_clear = KEEP_LOCUS;
     memory_free(points);
 }
 
@@ -218,12 +208,12 @@ static void add_arrow(Scene *scene, const Profile *profile, const Inhabitant *pe
     scene_add_polygon(scene, ROLE_PAPER, arrow, 3);
 }
 
-static void add_start(Scene *scene, const Inhabitant *person) {
+void people_scene_start(Scene *scene, const Inhabitant *person, Role role) {
     const Profile *profile = person->profile;
     Vec2 outline[SILHOUETTE_POINTS];
-    bool walker = is_walker(profile);
+    bool walker = census_walks(profile);
     silhouette_outline(profile, person->at, person->heading, 0, outline);
-    Primitive *body = scene_add_polygon(scene, walker ? ROLE_WALKER : ROLE_CHAIR, outline, SILHOUETTE_POINTS);
+    Primitive *body = scene_add_polygon(scene, role, outline, SILHOUETTE_POINTS);
     body->edge = ROLE_WALL;
     body->width = walker ? GHOST_EDGE : START_EDGE;
     body->keep_clear = KEEP_START;
@@ -249,14 +239,10 @@ static void add_narrowest(Scene *scene, const House *house, const Observation *o
 static void add_way(Scene *scene, const House *house, const Trail *trail, size_t person) {
     const Profile *profile = house->people[person].profile;
     LocusLook look = people_scene_look(house, person);
-    bool crowd = is_crowd(house);
-    if (!crowd) {
-        add_swept(scene, profile, trail, look.role);
-        add_bodies(scene, profile, trail, look.role, house->person_count > PEOPLE_SCENE_SEVERAL);
-    }
-    add_locus(scene, trail, look, crowd);
-    if (!crowd)
-        add_ticks(scene, trail, look.role);
+    add_swept(scene, profile, trail, look.role);
+    add_bodies(scene, profile, trail, look.role, house->person_count > PEOPLE_SCENE_SEVERAL);
+    add_locus(scene, trail, look);
+    add_ticks(scene, trail, look.role);
 }
 
 void people_scene_ways(Scene *scene, const House *house, const Observation *observation) {
@@ -266,7 +252,8 @@ void people_scene_ways(Scene *scene, const House *house, const Observation *obse
             add_way(scene, house, &trails[i], i);
     for (size_t i = 0; i < house->person_count; i++)
         if (observation->people[i].took_part)
-            add_start(scene, &house->people[i]);
+            people_scene_start(scene, &house->people[i],
+                               census_walks(house->people[i].profile) ? ROLE_WALKER : ROLE_CHAIR);
     for (size_t i = 0; i < house->person_count; i++)
         if (blockage_scene_has(&observation->people[i]))
             blockage_scene_add(scene, house, observation, i, &trails[i]);
@@ -274,7 +261,7 @@ void people_scene_ways(Scene *scene, const House *house, const Observation *obse
     trail_free_list(trails);
 }
 
-static void add_hazard_discs(Scene *scene, const Observation *observation) {
+void people_scene_hazards(Scene *scene, const Observation *observation) {
     for (size_t i = 0; i < observation->hazard_count && i < PEOPLE_SCENE_HAZARDS; i++) {
         const Hazard *hazard = &observation->hazards[i];
         Primitive *disc = scene_add_label(scene, ROLE_TEXT, DISC_LETTERS, hazard->at, scene_text(scene, "%zu", i + 1));
@@ -308,7 +295,7 @@ static void add_person_labels(Scene *scene, const House *house, size_t i) {
     Vec2 rear = vec2_along(middle, -profile->length / 4, vec2_heading(person->heading));
     Vec2 outline[SILHOUETTE_POINTS];
     silhouette_outline(profile, person->at, person->heading, 0, outline);
-    Primitive *name = add_tag(scene, is_walker(profile) ? ROLE_WALKER : ROLE_CHAIR, rear, person->id);
+    Primitive *name = add_tag(scene, census_walks(profile) ? ROLE_WALKER : ROLE_CHAIR, rear, person->id);
     scene_bind_label(scene, name, outline, SILHOUETTE_POINTS);
 }
 
@@ -335,11 +322,11 @@ void people_scene_labels(Scene *scene, const House *house, const Observation *ob
         if (blockage_scene_has(&observation->people[i]))
             blockage_scene_label(scene, &observation->people[i].blockage);
     add_narrowest_label(scene, house, observation);
-    for (size_t i = 0; i < house->person_count && !is_crowd(house); i++)
+    for (size_t i = 0; i < house->person_count; i++)
         if (observation->people[i].took_part)
             add_person_labels(scene, house, i);
-    add_hazard_discs(scene, observation);
-    for (size_t i = 0; i < house->person_count && !is_crowd(house); i++)
+    people_scene_hazards(scene, observation);
+    for (size_t i = 0; i < house->person_count; i++)
         if (trails[i].count > 1 && house->people[i].route)
             add_route_letter(scene, house, &trails[i], i);
     for (size_t i = 0; i < house->person_count && house->person_count <= PEOPLE_SCENE_SEVERAL; i++)

@@ -186,12 +186,14 @@ static void bind_to_furniture(Scene *scene, Primitive *label, const Furniture *p
     scene_bind_label(scene, label, corners, 4);
 }
 
-void plan_scene_tags(Scene *scene, const House *house) {
+void plan_scene_tags(Scene *scene, const House *house, const size_t *left) {
     const Plan *plan = &house->plan;
     for (size_t i = 0; i < plan->exit_count; i++) {
         const Exit *exit = &plan->exits[i];
         const char *text = plan->exit_count > 1 ? scene_text(scene, "EXIT %s", exit->id) : "EXIT";
-        add_tag(scene, ROLE_EXIT_TAG, vec2_scale(vec2_add(exit->from, exit->to), 0.5), text);
+        if (left)
+            text = scene_text(scene, "%s: %zu", text, left[i]);
+        add_tag(scene, ROLE_EXIT_TAG, vec2_scale(vec2_add(exit->from, exit->to), 0.5), text)->leader = left;
     }
     for (size_t i = 0; i < plan->furniture_count; i++) {
         if (!plan->furniture[i].toppled)
@@ -239,29 +241,31 @@ static Vec2 room_middle(const Points *outline) {
     return best;
 }
 
-static void add_furniture_name(Scene *scene, const Furniture *piece) {
+static void add_furniture_name(Scene *scene, const Furniture *piece, bool needed) {
     const char *name = *piece->name ? piece->name : piece->id;
     Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_LETTERS, piece->centre, name);
     label->fill = ROLE_FURNITURE;
     label->leader = true;
+    label->close = !needed;
     Furniture standing = *piece;
     standing.toppled = false;
     bind_to_furniture(scene, label, &standing);
 }
 
-void plan_scene_names(Scene *scene, const House *house) {
+void plan_scene_names(Scene *scene, const House *house, bool needed) {
     const Plan *plan = &house->plan;
-    for (size_t i = 0; i < plan->furniture_count; i++)
-        add_furniture_name(scene, &plan->furniture[i]);
+    for (size_t i = 0; i < plan->furniture_count && plan->furniture_count <= PLAN_SCENE_NAMES; i++)
+        add_furniture_name(scene, &plan->furniture[i], needed);
     for (size_t i = 0; i < plan->room_count; i++) {
         const Points *outline = &plan->rooms[i].outline;
         Primitive *label = scene_add_label(scene, ROLE_ROOM, ROOM_LETTERS, room_middle(outline), plan->rooms[i].name);
         label->optional = true;
         scene_bind_label(scene, label, outline->at, outline->count);
     }
-    for (size_t i = 0; i < plan->door_count; i++) {
+    for (size_t i = 0; i < plan->door_count && plan->door_count <= PLAN_SCENE_NAMES; i++) {
         Opening opening = opening_of(plan, &plan->doors[i]);
         Vec2 middle = vec2_scale(vec2_add(opening.hinge, opening.latch), 0.5);
-        scene_add_label(scene, ROLE_DOOR, DOOR_LETTERS, middle, plan->doors[i].id);
+        Primitive *label = scene_add_label(scene, ROLE_DOOR, DOOR_LETTERS, middle, plan->doors[i].id);
+        label->close = label->optional = !needed;
     }
 }

@@ -6,6 +6,10 @@
 
 void plan_scene_solids(Scene *scene, const House *house);
 
-/* Labels, which choose their places in the order they come: tags of exits and toppled furniture early, names late. */
-void plan_scene_tags(Scene *scene, const House *house);
-void plan_scene_names(Scene *scene, const House *house);
+enum { PLAN_SCENE_NAMES = 25 /* more pieces of furniture, or doors, have no names */ };
+
+/* Labels, which choose their places in the order they come: tags of exits and toppled furniture early, names late.
+ * `left` (exit_count) tells how many left by each exit, or is NULL. Where names are not `needed`, those that find no
+ * room are left out. */
+void plan_scene_tags(Scene *scene, const House *house, const size_t *left);
+void plan_scene_names(Scene *scene, const House *house, bool needed);
