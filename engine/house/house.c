@@ -116,7 +116,7 @@ static bool read_parts(House *house, const char *path, const HouseOptions *optio
                   path, house->space.cell * house->space.nx, house->space.cell * house->space.ny);
     build_vicinity(house);
     if (fault->total == before)
-        populate(house, fault);
+        populate_house(house, fault);
     return fault->total == before;
 }
 

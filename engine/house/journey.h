@@ -14,7 +14,7 @@
 
 /* What is planned for one person. */
 typedef struct Journey {
-    Route route;              /* of a walker only the answer, the exit (SIZE_MAX: any) and the blockage */
+    Route route;              /* of a walker only answer, blockage and exit, SIZE_MAX for any */
     Track track;              /* of a chair; empty when there is no way */
     const March *const *legs; /* (leg_count) of a walker, one after another; not owned */
     size_t leg_count;

@@ -180,7 +180,7 @@ static int compare_inhabitants(const void *a, const void *b) {
     return strcmp(p->id, q->id);
 }
 
-bool populate(House *house, Fault *fault) {
+bool populate_house(House *house, Fault *fault) {
     const Plan *plan = &house->plan;
     size_t count = plan->person_count, before = fault->total;
     for (size_t c = 0; c < plan->crowd_count; c++)

@@ -6,4 +6,4 @@
 
 /* Fills house->people, whose plan, profiles and distances must be there. False: faults say who stands inside whom, or
  * which crowd has no room. */
-bool populate(House *house, Fault *fault);
+bool populate_house(House *house, Fault *fault);
