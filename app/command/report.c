@@ -160,7 +160,10 @@ static void print_hazards(const Observation *observation) {
         printf("\n%-*s clearance m  peak N  lost s\n", width, "dangerous points");
     for (size_t h = 0; h < observation->hazard_count; h++) {
         const Hazard *hazard = &observation->hazards[h];
-        printf("%2zu %-*s %8.3f %7.0f %7.1f   at (%.2f, %.2f)\n", h + 1, width, hazard->what, hazard->clearance,
+        char clearance[16] = "-";
+        if (isfinite(hazard->clearance))
+            snprintf(clearance, sizeof clearance, "%.3f", hazard->clearance);
+        printf("%2zu %-*s %8s %7.0f %7.1f   at (%.2f, %.2f)\n", h + 1, width, hazard->what, clearance,
                hazard->peak_force, hazard->lost_time, hazard->at.x, hazard->at.y);
     }
 }

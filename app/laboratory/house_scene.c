@@ -121,16 +121,18 @@ static void say_answer(Scene *scene, const House *house, const Observation *obse
 }
 
 /* How far people in a crowd stay away from something says nothing, and the names need the room. */
-static void list_hazards(Scene *scene, const Observation *observation, bool crowd) {
+static void list_hazards(Scene *scene, const House *house, const Observation *observation, bool crowd) {
     if (!observation->hazard_count)
         return;
     scene_add_row(scene, ROW_HEADING, "Dangerous points");
     for (size_t i = 0; i < observation->hazard_count && i < PEOPLE_SCENE_HAZARDS; i++) {
         const Hazard *hazard = &observation->hazards[i];
         const char *clearance = people_scene_clearance(scene, hazard->clearance);
-        const char *cost = hazard->peak_force > 0
-                               ? scene_text(scene, "%.0f N", hazard->peak_force)
-                               : scene_text(scene, crowd ? "%.0f s lost" : "%.1f s lost", hazard->lost_time);
+        const RunSettings *run = &house->plan.run;
+        bool pushed = crowd ? hazard->peak_force * run->loss_warning > hazard->lost_time * run->force_warning
+                            : hazard->peak_force > 0;
+        const char *cost = pushed ? scene_text(scene, "%.0f N", hazard->peak_force)
+                                  : scene_text(scene, crowd ? "%.0f s lost" : "%.1f s lost", hazard->lost_time);
         const char *mark = scene_text(scene, "%zu", i + 1);
         SceneRow *row = scene_add_row(scene, ROW_DISC, hazard->what);
         row->role = people_scene_danger(hazard);
@@ -207,7 +209,7 @@ void house_scene_make(Scene *scene, const House *house, const Observation *obser
     else
         people_scene_labels(scene, house, observation);
     plan_scene_names(scene, house, !crowd);
-    list_hazards(scene, observation, crowd);
+    list_hazards(scene, house, observation, crowd);
     if (crowd)
         crowd_scene_list(scene, house, &census);
     else

@@ -8,7 +8,7 @@ static double score_of(const RunSettings *run, double clearance, double peak_for
     double near = run->clearance_warning > 0 ? (run->clearance_warning - clearance) / run->clearance_warning : 0;
     double force = run->force_warning > 0 ? peak_force / run->force_warning : 0;
     double loss = run->loss_warning > 0 ? lost_time / run->loss_warning : 0;
-    return fmax(near, 0) + force + loss;
+    return fmax(near, 0) + force + loss; /* no clearance known is an infinite one */
 }
 
 /* The stretches and, for each that no hazard has taken yet, the hazard that it would be the middle of. */

@@ -33,7 +33,7 @@ typedef struct Hazard {
     Vec2 at;           /* m */
     char what[96];     /* "door d2", "wardrobe (f3)", "wall w1", "person p2" */
     double score;      /* 1 */
-    double clearance;  /* m, least */
+    double clearance;  /* m, least; infinite: nobody was near to anything */
     double peak_force; /* N, largest contact */
     double lost_time;  /* s, lost around here, by all together */
 } Hazard;

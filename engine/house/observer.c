@@ -137,12 +137,13 @@ static Stretch *stretch_of(Observer *observer, size_t i, Vec2 at) {
     return &observer->stretches[watched->stretch - 1];
 }
 
-/* That walkers come near to one another is no danger of the house. */
+/* That walkers come near to one another is no danger of the house, nor is what they do not feel. */
 static void watch_clearance(PersonObservation *person, Stretch *stretch, const World *world, size_t i, Vec2 at) {
     const Sense *sense = &world->sense[i];
-    if (sense->clearance < stretch->clearance && (sense->other < 0 || world_rides(world, i))) {
+    bool felt = sense->clearance < world->body[i].sight, rides = world_rides(world, i);
+    if (sense->clearance < stretch->clearance && (rides || (felt && sense->other < 0))) {
         stretch->clearance = sense->clearance;
-        if (sense->clearance < world->body[i].sight)
+        if (felt)
             stretch->at = sense->nearest_at;
         stretch->other = sense->other;
     }
