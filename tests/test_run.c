@@ -142,10 +142,12 @@ TEST(numbers_that_diverge_stop_the_run_and_name_the_person) {
     Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
     World world = world_create(&house, journeys.of, NULL);
     world_step(&world, NULL);
+    Vec2 good = world.centre[0];
     world.velocity[0] = vec2(1e12, 0);
     size_t who = SIZE_MAX;
     CHECK(world_step(&world, &who) == WORLD_DIVERGED);
     CHECK(who == 0 && world.phase[0] == PHASE_STUCK && world.reason[0] == REASON_DIVERGED);
+    CHECK(world.centre[0].x == good.x && world.centre[0].y == good.y); /* the last good state */
     world_destroy(&world);
     journey_free_all(&journeys);
     house_free(&house);

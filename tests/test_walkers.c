@@ -193,6 +193,26 @@ TEST(a_copy_of_a_crowd_goes_on_with_the_same_bits) {
     house_free(&house);
 }
 
+TEST(numbers_that_diverge_name_the_walker_and_keep_the_last_good_state) {
+    json_t *plan = closed_hall(10, 10);
+    add_crowd(plan, "c", "adult", 20, 1, 1, 9, 9);
+    House house;
+    case_made(&house, plan, -1, NULL);
+    Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+    World world = world_create(&house, journeys.of, NULL);
+    world_step(&world, NULL);
+    Vec2 good = world.centre[7];
+    world.velocity[7] = vec2(NAN, 0);
+    world.walkers.doors = -1;
+    size_t who = SIZE_MAX;
+    CHECK(world_step(&world, &who) == WORLD_DIVERGED);
+    CHECK(who == 7 && world.reason[7] == REASON_DIVERGED);
+    CHECK(world.centre[7].x == good.x && world.centre[7].y == good.y);
+    world_destroy(&world);
+    journey_free_all(&journeys);
+    house_free(&house);
+}
+
 TEST(somebody_alone_walks_at_the_free_speed) {
     House house;
     json_t *plan = case_corridor(2);

@@ -59,6 +59,18 @@ static size_t find_route(const House *house, const Options *options) {
     return options->route ? plan_find_route(&house->plan, options->route) : SIZE_MAX;
 }
 
+/* Whose numbers were lost, where, and what would help. */
+static void report_divergence(const House *house, const Observation *observation) {
+    for (size_t i = 0; i < observation->person_count; i++) {
+        const PersonObservation *person = &observation->people[i];
+        if (person->reason == REASON_DIVERGED)
+            fprintf(stderr,
+                    "clearance: the numbers of person %s diverged at %.3f s, the run ends with the last good state: "
+                    "smaller run.dt or softer contact of %s would help\n",
+                    house->people[i].id, person->time, house->people[i].profile->name);
+    }
+}
+
 int command_run(const Options *options) {
     House house = {0};
     Fault fault = {0};
@@ -77,6 +89,7 @@ int command_run(const Options *options) {
     }
     Observation observation;
     house_file_run(&observation, &house, options, route);
+    report_divergence(&house, &observation);
     if (command_interrupted)
         fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; what came before is kept\n",
                 observation.time);

@@ -231,12 +231,21 @@ static void fill_blockage(const World *world, size_t i, Blockage *blockage) {
     }
 }
 
+/* A run that was broken off leaves everybody's last good state. */
+static void add_last_row(Observer *observer, size_t i) {
+    const World *world = observer->world;
+    if (world->phase[i] != PHASE_OUT && world->clock.step % observer->sample_steps != 0)
+        add_row(observer, i, 0);
+}
+
 void observer_end(Observer *observer, Reason reason) {
     const World *world = observer->world;
     for (size_t i = 0; i < world->count; i++) {
         if (!is_watched(world, i))
             continue;
         watch_if_going(observer, i);
+        if (reason == REASON_INTERRUPTED)
+            add_last_row(observer, i);
         PersonObservation *person = &observer->people[i];
         const Route *route = &world->journeys[i].route;
         person->completed = world->phase[i] == PHASE_OUT;

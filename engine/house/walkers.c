@@ -480,14 +480,17 @@ static inline __attribute__((always_inline)) void step_walker(World *world, Walk
     Vec2 driven = effort(kind, walkers->wish[s], walkers->velocity[s]);
     Vec2 velocity = vec2_along(vec2_along(walkers->velocity[s], dt, driven), dt / kind->mass, force);
     Vec2 before = walkers->at[s], after = vec2_along(before, dt, velocity);
+    if (!world_holds(world, after)) { /* numbers are lost: back to the last good state */
+        report->diverged = report->diverged == NOBODY ? i : report->diverged;
+        after = before;
+        velocity = vec2(0, 0);
+    }
     walkers->next_at[s] = world->centre[i] = after;
     walkers->next_velocity[s] = world->velocity[i] = velocity;
     if (beside.face_count)
         report->crossings += crossed_faces(&beside, before, after);
     if ((walkers->marks[s] & MARK_EXIT) && world->phase[i] == PHASE_MOVING)
         report->departures += world_leave(world, i, before, after);
-    if (!world_holds(world, after) && report->diverged == NOBODY)
-        report->diverged = i;
     report->fastest2 = real_max(report->fastest2, vec2_dot(velocity, velocity));
     report->digest += digest_pair(digest_pair(0, after), velocity);
 }

@@ -409,6 +409,15 @@ bool world_goes_on(const World *world) {
     return false;
 }
 
+/* Whose numbers are lost stands where it stood: the last good state. */
+static void place_back(World *world, size_t i, Vec2 centre, double heading) {
+    world->centre[i] = centre;
+    world->heading[i] = heading;
+    world->axis[i] = vec2_heading(heading);
+    world->velocity[i] = vec2(0, 0);
+    world->turn[i] = 0;
+}
+
 /* Did the mass centre go into a wall? */
 static int crossed_faces(const Near *near, Vec2 before, Vec2 after) {
     int crossed = 0;
@@ -424,13 +433,16 @@ static void move_riders(World *world, size_t *diverged) {
         if (!world->was_clear[i])
             continue;
         Vec2 before = world_reference(world, i), middle = world->centre[i];
+        double heading = world->heading[i];
         move_person(world, i);
         world->wall_crossings += crossed_faces(&world->near[world->seat[i]], middle, world->centre[i]);
         if (world->phase[i] == PHASE_MOVING)
             world->departures += world_leave(world, i, before, world_reference(world, i));
         bool sound = is_sound(world, i);
-        if (!sound && *diverged == SIZE_MAX)
-            *diverged = i;
+        if (!sound) {
+            *diverged = *diverged == SIZE_MAX ? i : *diverged;
+            place_back(world, i, middle, heading);
+        }
         /* What is deeper than the body's rounding is being pushed out by the contact law. */
         assert(!sound || world->sense[i].body_force > 0 || world_is_clear(world, i));
     }
