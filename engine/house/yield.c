@@ -10,6 +10,8 @@ static const double PASSING_SPACE = 0.25, WALL_SPACE = 0.10, PASSING_LEAST = 0.0
 static const double STAND_OFF = 0.20;
 /* m: somebody who stands so little to one side counts as straight ahead and is passed on the left, as in Japan. */
 static const double STRAIGHT_AHEAD = 0.15;
+/* m: two who are so level have neither ahead. */
+static const double LEVEL = 0.05;
 /* 1: the slope of a swerve to the way. */
 static const double SWERVE = 0.22;
 /* 1: the cosine of the angle to the way up to which somebody goes along it. */
@@ -94,8 +96,18 @@ static double pass_offset(const World *world, size_t i, const Sight *sight) {
     return leftwards ? real_min(left, left_room) : -real_min(right, right_room);
 }
 
+/* Of two chairs that go the same way side by side, too near to both go on, the one that is ahead goes first. */
+static bool lets_go_first(const World *world, size_t i, size_t j, const Sight *sight) {
+    bool beside = world_rides(world, j) && world->phase[j] == PHASE_MOVING && sight->ahead < 0 &&
+                  sight->gap <= PASSING_LEAST && vec2_dot(world->axis[j], sight->way) > STRAIGHT;
+    double ahead = vec2_dot(vec2_sub(world->centre[j], world->centre[i]), sight->way);
+    return beside && (ahead > LEVEL || (ahead > -LEVEL && j < i));
+}
+
 static double speed_past(const World *world, size_t i, size_t j, const Sight *sight, double speed) {
     const Profile *profile = world->house->people[i].profile;
+    if (lets_go_first(world, i, j, sight))
+        return 0;
     double law = profile->steering_time > 0 ? 2 * sight->gap / profile->steering_time : HUGE_VAL;
     if (sight->gap > PASSING_LEAST || sight->ahead < -STAND_OFF)
         return real_min(speed, real_max(law, SLOW_PASSING));
