@@ -1,12 +1,14 @@
 #!/bin/sh
 # Prints the digest of a run of every house: the same bits are asked of every build and any number of jobs. Fails when a
-# house gives none.
+# house gives none. Of thousands of people two seconds are enough.
 # digests.sh CLEARANCE [OPTION ...]
 set -u
 program=$1
 shift
 for house in "$(dirname "$0")"/../houses/*.json; do
-    digest=$("$program" run "$house" --json "$@" | sed -n 's/.*"digest": "\([0-9a-f]*\)".*/\1/p')
+    until=600
+    grep -q '"crowds"' "$house" && until=2
+    digest=$("$program" run "$house" --json --until "$until" "$@" | sed -n 's/.*"digest": "\([0-9a-f]*\)".*/\1/p')
     [ -n "$digest" ] || exit 1
     echo "$(basename "$house" .json) $digest"
 done
