@@ -80,6 +80,58 @@ TEST(a_thousand_people_and_chairs_have_the_same_digest_with_one_two_and_four_thr
     CHECK(digests[2] == digests[0]);
 }
 
+/* At a long step people decide often while others leave: whoever looks at what is being written would see it differ. */
+TEST(leaving_people_do_not_change_what_others_decide_in_the_same_step) {
+    uint64_t digests[4];
+    for (int k = 0; k < 4; k++) {
+        House house;
+        case_made(&house, mixed_hall(), -1, (const char *[]){"run.dt=0.005", "run.until=12", "run.sample=1", NULL});
+        Observation observation = case_run(&house, k % 2 ? 4 : 1);
+        digests[k] = observation.digest;
+        observation_free(&observation);
+        house_free(&house);
+        CHECK(digests[k] == digests[0]);
+    }
+}
+
+TEST(walkers_wait_for_an_exit_that_opens_later) {
+    json_t *plan = closed_hall(8, 4);
+    add_door(plan, 1, 2, 1, "e", 0);
+    json_object_set_new(json_array_get(json_object_get(plan, "exits"), 0), "opens", json_real(30));
+    case_add_person(plan, "adult", 2, 2, 0);
+    House house;
+    case_made(&house, plan, -1, NULL);
+    Observation observation = case_run(&house, 1);
+    CHECK(observation.completed);
+    CHECK_NEAR(observation.time, 30.5, 0.6);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+TEST(each_of_two_doors_takes_its_own_time_to_open) {
+    json_t *plan = closed_hall(10, 4);
+    add_door(plan, 1, 2, 1, "e", 0);
+    for (int k = 0; k < 2; k++) {
+        char wall[] = "across-0", door[] = "shut-0";
+        wall[7] = door[5] = (char)('0' + k);
+        double x = 4 + 0.3 * k;
+        json_array_append_new(json_object_get(plan, "walls"), json_pack("{s:s, s:[[f,f],[f,f]], s:f}", "id", wall,
+                                                                        "points", x, 0.0, x, 4.0, "thickness", 0.1));
+        json_array_append_new(json_object_get(plan, "doors"),
+                              json_pack("{s:s, s:s, s:i, s:f, s:f, s:s, s:s, s:f}", "id", door, "wall", wall, "segment",
+                                        0, "at", 2.0, "width", 0.9, "kind", "sliding", "state", "closed",
+                                        "opening_time", 8.0));
+    }
+    case_add_person(plan, "adult", 1, 2, 0);
+    House house;
+    case_made(&house, plan, -1, NULL);
+    Observation observation = case_run(&house, 1);
+    CHECK(observation.completed);
+    CHECK_NEAR(observation.time, 9.1 / 1.34 + 2 * 8, 3);
+    observation_free(&observation);
+    house_free(&house);
+}
+
 TEST(momentum_between_walkers_is_conserved_to_rounding) {
     json_t *plan = closed_hall(40, 40);
     add_crowd(plan, "c", "adult", 120, 16, 16, 24, 24);

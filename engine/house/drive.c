@@ -261,7 +261,9 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
         target = 0;
     }
     int sense = 1; /* along the way, or back */
-    if (retreats(&world->journeys[i].track, drive, world->sense[i].body_force > 0 || world->sense[i].ring > 0)) {
+    bool held = world->sense[i].body_force > 0 || world->sense[i].ring > 0 || target < 0;
+    target = real_max(target, 0);
+    if (retreats(&world->journeys[i].track, drive, held)) {
         target = profile->reversing_speed;
         sense = -1;
     }

@@ -6,6 +6,9 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 
+/* m: of a route's point for people on foot, so that a crowd can pass it side by side. Assumed. */
+static const double VIA_RADIUS = 1.5;
+
 /* Itineraries -------------------------------------------------------------------------------------------------------
  */
 
@@ -25,11 +28,12 @@ static double last_closing(const House *house, double time) {
 }
 
 static Itinerary *find_itinerary(const Journeys *journeys, const Profile *profile, const PlanRoute *route, double since,
-                                 size_t via) {
+                                 size_t via, bool again) {
     size_t legs = (route ? route->via.count : 0) - via + 1;
     for (size_t k = 0; k < journeys->itinerary_count; k++) {
         Itinerary *known = journeys->itineraries[k];
-        if (known->profile == profile && known->route == route && known->since == since && known->leg_count == legs)
+        if (known->profile == profile && known->route == route && known->since == since && known->again == again &&
+            known->leg_count == legs)
             return known;
     }
     return NULL;
@@ -47,7 +51,8 @@ static void add_itinerary(Journeys *journeys, const House *house, const Profile 
                           double since, size_t via, bool again) {
     Itinerary *itinerary = memory_allocate(1, sizeof *itinerary);
     size_t points = route ? route->via.count : 0;
-    *itinerary = (Itinerary){.profile = profile, .route = route, .since = since, .leg_count = points - via + 1};
+    *itinerary =
+        (Itinerary){.profile = profile, .route = route, .since = since, .again = again, .leg_count = points - via + 1};
     itinerary->fields = memory_allocate(itinerary->leg_count, sizeof *itinerary->fields);
     itinerary->legs = memory_allocate(itinerary->leg_count, sizeof *itinerary->legs);
     for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
@@ -55,7 +60,7 @@ static void add_itinerary(Journeys *journeys, const House *house, const Profile 
         *goal = field_exit_goal(&house->plan, exit_of(house, route, since), since, again);
         if (via + leg < points) {
             goal->at = route->via.at[via + leg];
-            goal->radius = fmax(profile->length / 2, 0.5);
+            goal->radius = fmax(profile->length / 2, VIA_RADIUS);
         }
         itinerary->legs[leg] = &itinerary->fields[leg];
     }
@@ -120,7 +125,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
 static void plan_walk(const Planning *planning, const Whereabouts *place, Journey *journey) {
     const Inhabitant *person = &planning->house->people[place->person];
     const Itinerary *itinerary = find_itinerary(planning->journeys, person->profile, person->route,
-                                                since_of(planning, place->person), place->via);
+                                                since_of(planning, place->person), place->via, planning->again);
     journey->legs = itinerary->legs;
     journey->leg_count = itinerary->leg_count;
     journey->route.exit = itinerary->fields[itinerary->leg_count - 1].goal.exit;
@@ -206,7 +211,7 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
         const Inhabitant *person = &house->people[place->person];
         double since = since_of(planning, place->person);
         if (person->profile->driving == DRIVING_WALKER &&
-            !find_itinerary(journeys, person->profile, person->route, since, place->via))
+            !find_itinerary(journeys, person->profile, person->route, since, place->via, planning->again))
             add_itinerary(journeys, house, person->profile, person->route, since, place->via, planning->again);
     }
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);

@@ -26,6 +26,7 @@ typedef struct Itinerary {
     const Profile *profile;
     const PlanRoute *route; /* NULL: none, the quickest exit */
     double since;           /* s: exits closed by then do not count */
+    bool again;             /* made while people were on the way: exits that are not open yet come last */
     bool has_exit;          /* otherwise all exits are closed */
     March *fields;          /* (leg_count) */
     const March **legs;     /* (leg_count) into fields */

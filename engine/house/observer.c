@@ -243,7 +243,8 @@ void observer_end(Observer *observer, Reason reason) {
     for (size_t i = 0; i < world->count; i++) {
         if (!is_watched(world, i))
             continue;
-        watch_if_going(observer, i);
+        if (observer->watched[i].time < clock_time(&world->clock))
+            watch_if_going(observer, i);
         if (reason == REASON_INTERRUPTED)
             add_last_row(observer, i);
         PersonObservation *person = &observer->people[i];

@@ -84,7 +84,7 @@ const char *profile_driving_name(int driving) {
     return names[driving];
 }
 
-bool profile_row_matters(size_t row, Driving driving) {
+bool profile_row_matters(size_t row, int driving) {
     return row_marks[row] & (driving == DRIVING_WALKER ? WALKERS : CHAIRS);
 }
 
@@ -218,12 +218,18 @@ bool profile_set(Profile *profile, const char *name, const char *value, const ch
     return fault->total == before;
 }
 
+/* m: with more, those around one press so hard from all sides that they push one through a wall. */
+static const double WALKERS_REACH = 0.5;
+
 bool profile_check(const Profile *profile, double dt, const char *place, Fault *fault) {
     size_t before = fault->total;
     bool walks = profile->driving == DRIVING_WALKER;
     /* A chair: two walls on either side, body and ring of the heavier law counted in full. Somebody in a crowd: six
      * others, two of them against a wall behind. */
     const double most_contacts = walks ? 8 : 4;
+    if (walks && profile->space_reach > WALKERS_REACH)
+        fault_add(fault, "%s: reach is %g m, at most %g m for somebody who walks", place, profile->space_reach,
+                  WALKERS_REACH);
     if (profile->axle > profile->length)
         fault_add(fault, "%s: axle is %g m ahead of the rear edge, at most the length, %g m", place, profile->axle,
                   profile->length);

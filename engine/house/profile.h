@@ -77,7 +77,7 @@ bool profile_read(Profile *profile, const char *path, Fault *fault);
 bool profile_set(Profile *profile, const char *name, const char *value, const char *place, Fault *fault);
 
 /* Does the row with this index matter to somebody who gets about in this way? A file gives exactly those that do. */
-bool profile_row_matters(size_t row, Driving driving);
+bool profile_row_matters(size_t row, int driving);
 
 /* What the rows cannot say: that the parts of the body fit together and the step `dt` (s) is stable. */
 bool profile_check(const Profile *profile, double dt, const char *place, Fault *fault);

@@ -14,10 +14,12 @@ double replan_next(const World *world, double time) {
 }
 
 /* Is the exit that the person aims at, or one of those that it may aim at, closed? */
-static bool has_lost_exit(const World *world, size_t i, double time) {
+static bool has_lost_exit(const World *world, size_t i) {
     const Plan *plan = &world->house->plan;
+    double time = clock_time(&world->clock);
     const Route *route = &world->journeys[i].route;
-    if (world->phase[i] != PHASE_WAITING && world->phase[i] != PHASE_MOVING)
+    bool blocked = world->phase[i] == PHASE_STUCK && world->reason[i] == REASON_BLOCKED;
+    if (world->phase[i] != PHASE_WAITING && world->phase[i] != PHASE_MOVING && !blocked)
         return false;
     if (route->exit != SIZE_MAX)
         return plan->exits[route->exit].closes <= time;
@@ -55,7 +57,7 @@ static void set_out(World *world, size_t i, bool strayed) {
     } else if (answer != ROUTE_FOUND && strayed) {
         world->drive[i].offset = HUGE_VAL;
         world_give_up(world, i, REASON_BLOCKED);
-    } else if (answer != ROUTE_FOUND && world->phase[i] == PHASE_MOVING) {
+    } else if (answer != ROUTE_FOUND && world->phase[i] != PHASE_WAITING) {
         world_give_up(world, i, answer == ROUTE_NO_EXIT ? REASON_NO_EXIT : REASON_CANNOT_PASS);
     }
 }
@@ -65,10 +67,9 @@ static void set_out(World *world, size_t i, bool strayed) {
 static const double LOST_AFTER = 3, WEDGED_AFTER = 8;
 enum { PLANS_MOST = 12 };
 
-static bool has_strayed(const World *world, size_t i, double time) {
+static bool has_strayed(const World *world, size_t i) {
     const Drive *drive = &world->drive[i];
     bool stuck = world->phase[i] == PHASE_STUCK && world->reason[i] == REASON_BLOCKED;
-    (void)time;
     if (!world_rides(world, i) || !(stuck || world->phase[i] == PHASE_MOVING) || drive->plans >= PLANS_MOST)
         return false;
     bool off = fabs(drive->offset - drive->aside) > world->house->people[i].profile->width;
@@ -76,27 +77,25 @@ static bool has_strayed(const World *world, size_t i, double time) {
            (world->sense[i].body_force > 0 && (stuck || drive->stalled > WEDGED_AFTER));
 }
 
-static void plan_again(World *world, Journeys *journeys, bool (*needs)(const World *world, size_t i, double time),
-                       int jobs, const volatile sig_atomic_t *stop) {
-    double time = clock_time(&world->clock);
+static void plan_again(World *world, Journeys *journeys, bool strays, int jobs, const volatile sig_atomic_t *stop) {
     Whereabouts *places = memory_allocate(world->present_count, sizeof *places);
     size_t count = 0;
     for (size_t p = 0; p < world->present_count; p++) {
         size_t i = world->present[p];
-        if (needs(world, i, time))
+        if (strays ? has_strayed(world, i) : has_lost_exit(world, i))
             places[count++] = (Whereabouts){i, world_reference(world, i), world->heading[i], next_point(world, i)};
     }
     if (count)
-        journey_plan_again(journeys, world->house, places, count, time, jobs, stop);
+        journey_plan_again(journeys, world->house, places, count, clock_time(&world->clock), jobs, stop);
     for (size_t k = 0; k < count; k++)
-        set_out(world, places[k].person, needs == has_strayed);
+        set_out(world, places[k].person, strays);
     memory_free(places);
 }
 
 void replan_strays(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop) {
-    plan_again(world, journeys, has_strayed, jobs, stop);
+    plan_again(world, journeys, true, jobs, stop);
 }
 
 void replan_journeys(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop) {
-    plan_again(world, journeys, has_lost_exit, jobs, stop);
+    plan_again(world, journeys, false, jobs, stop);
 }

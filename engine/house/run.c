@@ -27,11 +27,18 @@ typedef struct Group {
     int wall_crossings;
 } Group;
 
+/* When nobody moves any more, chairs that were pushed off their way look round once more. */
+static bool goes_on(World *world, Journeys *journeys, const Group *group) {
+    if (!world_goes_on(world))
+        replan_strays(world, journeys, group->jobs, group->options->stop);
+    return world_goes_on(world);
+}
+
 static Reason run_world(World *world, Journeys *journeys, Observer *observer, const Group *group, bool reports) {
     const RunOptions *options = group->options;
     double until = world->house->plan.run.until, next_look = 0, next_closing = replan_next(world, 0);
     double next_stray = REPLAN_PERIOD;
-    while (world_goes_on(world)) {
+    while (goes_on(world, journeys, group)) {
         double time = clock_time(&world->clock);
         if (time >= until)
             return REASON_TIME_LIMIT;

@@ -48,7 +48,8 @@ static bool list_squares(Vicinity *vicinity, const Outline *outline) {
         double x = (double)(s % (size_t)vicinity->nx) + 0.5, y = (double)(s / (size_t)vicinity->nx) + 0.5;
         listing.centre = vec2_add(vicinity->low, vec2(x * vicinity->side, y * vicinity->side));
         broadphase_visit(outline->broadphase, box_around(listing.centre, listing.reach), list_item, &listing);
-        qsort(listing.items + before, listing.count - before, sizeof *listing.items, compare_items);
+        if (listing.count > before)
+            qsort(listing.items + before, listing.count - before, sizeof *listing.items, compare_items);
         vicinity->begin[s + 1] = (uint32_t)listing.count;
     }
     vicinity->items = listing.items;

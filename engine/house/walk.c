@@ -27,6 +27,8 @@
 static const double FORESIGHT = 0.3;
 /* m: left between oneself and whoever is ahead or passed. */
 static const double BERTH = 0.045;
+/* m/s: a chair that goes so fast is on its way. */
+static const double ROLLING = 0.5;
 /* m/s: nobody is so much faster before the next decisions, so that farther bodies do not matter yet. */
 static const double FASTER = 0.6;
 /* m: free floor wanted ahead of a heading to one side. */
@@ -119,15 +121,17 @@ static bool goes_first(const View *view, Seen *seen) {
     return seen->first;
 }
 
-/* A chair is as good as a row of discs; half of its personal space is respected. */
+/* A chair is as good as a row of discs. While it rolls along it is passed as anybody is; where it waits, half of its
+ * personal space is left to it, so that it has room to turn. */
 static void see_chair(View *view, size_t j, Vec2 from) {
     const Body *body = &view->world->body[j];
     Vec2 axis = view->world->axis[j], velocity = view->world->velocity[j];
     double radius = body->half.y + body->radius, ends = real_max(body->half.x + body->radius - radius, 0);
+    double berth = vec2_dot(velocity, velocity) > ROLLING * ROLLING ? BERTH : body->reach / 2;
     Vec2 middle = vec2_add(from, vec2_turn(body->middle, axis));
     for (int end = -1; end <= 1; end++)
         if (end == 0 || ends > 0)
-            see_disc(view, vec2_along(middle, end * ends, axis), velocity, radius, body->reach / 2, false);
+            see_disc(view, vec2_along(middle, end * ends, axis), velocity, radius, berth, false);
 }
 
 static void look_around(View *view, uint32_t slot) {
@@ -140,7 +144,7 @@ static void look_around(View *view, uint32_t slot) {
             const WalkerKind *kind = &walkers->kinds[walkers->kind[s]];
             Vec2 from = vec2_sub(walkers->at[s], view->at);
             uint32_t j = walkers->cells.who[s];
-            if (s == slot || vec2_dot(from, from) > far * far || view->world->phase[j] == PHASE_OUT)
+            if (s == slot || vec2_dot(from, from) > far * far)
                 continue;
             if (kind->walks)
                 see_disc(view, from, walkers->velocity[s], kind->radius, BERTH,
@@ -220,20 +224,48 @@ static Vec2 slower(Vec2 velocity, double most) {
     return speed > most ? vec2_scale(velocity, most / speed) : velocity;
 }
 
-/* The shut door whose line the way crosses within arm's reach, or -1. */
-static int door_ahead(const World *world, Vec2 at, Vec2 way, double radius) {
+/* Does the way from a place cross the line within arm's reach? */
+static bool leads_across(Vec2 at, Vec2 way, double reach, Vec2 from, Vec2 to) {
+    Vec2 end = vec2_along(at, reach, way), line = vec2_sub(to, from);
+    return (vec2_cross(line, vec2_sub(at, from)) < 0) != (vec2_cross(line, vec2_sub(end, from)) < 0) &&
+           (vec2_cross(way, vec2_sub(from, at)) < 0) != (vec2_cross(way, vec2_sub(to, at)) < 0);
+}
+
+/* The shut door that the way leads through, within arm's reach, or -1. */
+static int door_ahead(const World *world, Vec2 at, Vec2 way, double reach) {
     const Plan *plan = &world->house->plan;
     for (size_t d = 0; world->shut_doors && d < plan->door_count; d++) {
-        if (world->door_open[d])
-            continue;
-        Vec2 from, to, end = vec2_along(at, radius + ARMS_REACH, way);
+        Vec2 from, to;
         plan_door_ends(plan, &plan->doors[d], &from, &to);
-        if ((vec2_cross(vec2_sub(to, from), vec2_sub(at, from)) < 0) !=
-                (vec2_cross(vec2_sub(to, from), vec2_sub(end, from)) < 0) &&
-            (vec2_cross(way, vec2_sub(from, at)) < 0) != (vec2_cross(way, vec2_sub(to, at)) < 0))
+        if (!world->door_open[d] && leads_across(at, way, reach, from, to))
             return (int)d;
     }
     return -1;
+}
+
+/* Does the way lead across an exit that is not open now? Whoever is there waits for it, or turns when it has closed. */
+static bool exit_is_shut(const World *world, Vec2 at, Vec2 way, double reach) {
+    const Plan *plan = &world->house->plan;
+    double time = clock_time(&world->clock);
+    for (size_t e = 0; e < plan->exit_count; e++) {
+        const Exit *exit = &plan->exits[e];
+        if ((time < exit->opens || time > exit->closes) && leads_across(at, way, reach, exit->from, exit->to))
+            return true;
+    }
+    return false;
+}
+
+/* Takes hold of a shut door's handle, and stands before what is shut. Opening a door is getting on, waiting for its
+ * leaf's place is not. */
+static void stand_before(const World *world, Walk *walk, const View *view) {
+    double reach = view->radius + ARMS_REACH;
+    int door = door_ahead(world, view->at, view->way, reach);
+    walk->handle = door >= 0 && door == walk->door ? walk->handle + WALK_PERIOD : 0;
+    walk->door = door;
+    if (door >= 0 && walk->handle < world->house->plan.doors[door].opening_time)
+        walk->stalled = 0;
+    if (door >= 0 || exit_is_shut(world, view->at, view->way, reach))
+        walk->wish = vec2(0, 0);
 }
 
 static void watch_progress(const World *world, Walk *walk, double time) {
@@ -262,7 +294,8 @@ void walk_decide(World *world, size_t i, uint32_t slot) {
     double soon = real_min(view.speed, vec2_length(walkers->velocity[slot]) + FASTER);
     view.sight = soon * view.gap + view.speed * FORESIGHT;
     while ((size_t)walk->leg + 1 < journey->leg_count &&
-           vec2_distance(view.at, view.march->goal.at) <= view.march->goal.radius) {
+           vec2_distance(view.at, view.march->goal.at) <= view.march->goal.radius &&
+           walk_sees(&world->house->space, view.at, view.march->goal.at)) {
         view.march = journey->legs[++walk->leg];
         walk->best = HUGE_VAL;
     }
@@ -273,20 +306,13 @@ void walk_decide(World *world, size_t i, uint32_t slot) {
     view.way = march_direction(view.march, view.at);
     view.time = march_time(view.march, view.at);
     watch_progress(world, walk, view.time);
-    walk->door = door_ahead(world, view.at, view.way, view.radius);
     look_around(&view, slot);
     look_ahead(&view);
     walk->wish = vec2_dot(view.way, view.way) > 0 ? choose(&view) : vec2(0, 0);
     if (view.squeezes && view.oncoming)
         walk->wish = slower(walk->wish, SQUEEZING);
     walk->held = vec2_length(walkers->velocity[slot]) < SQUEEZING / 2 ? walk->held + WALK_PERIOD : 0;
-    if (walk->door >= 0) {
-        walk->handle += WALK_PERIOD;
-        walk->stalled = 0;
-        walk->wish = vec2(0, 0);
-    } else {
-        walk->handle = 0;
-    }
+    stand_before(world, walk, &view);
     if (vec2_dot(walk->wish, walk->wish) > 0) {
         world->axis[i] = vec2_unit(walk->wish);
         world->heading[i] = atan2(world->axis[i].y, world->axis[i].x);

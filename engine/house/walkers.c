@@ -338,7 +338,7 @@ static inline __attribute__((always_inline)) Vec2 force_of_walkers(Walkers *walk
         double square = vec2_dot(from, from);
         WalkerSlip *slip = &walkers->slip[k];
         if (square >= law->range2) {
-            slip->ring = 0;
+            *slip = (WalkerSlip){0, 0};
             continue;
         }
         double distance = sqrt(square), gap = distance - law->radii;
@@ -379,7 +379,7 @@ typedef struct Beside {
     size_t face_count, corner_count;
 } Beside;
 
-/* More than GAPS_MOST of a kind within a body's reach are left out from the farthest on: no body has room for them. */
+/* At most GAPS_MOST of a kind: within a disc's reach there are no more but in a plan that nobody could build. */
 static void look_beside(Beside *beside, const World *world, Vec2 at, double reach) {
     const Vicinity *vicinity = &world->house->vicinity;
     size_t count;

@@ -244,13 +244,18 @@ static void start_people(World *world, double time) {
     }
 }
 
+/* Blocked by others, on a way that there is? */
+static bool tries_again(const World *world, size_t i) {
+    return world->phase[i] == PHASE_STUCK && world->reason[i] == REASON_BLOCKED &&
+           world->journeys[i].route.answer == ROUTE_FOUND;
+}
+
 /* Somebody has left: perhaps there is room now for those who were blocked. */
 static void resume_people(World *world) {
     world->resumed = world->departures;
     for (size_t p = 0; p < world->present_count; p++) {
         size_t i = world->present[p];
-        if (world->phase[i] != PHASE_STUCK || world->reason[i] != REASON_BLOCKED ||
-            world->journeys[i].route.answer != ROUTE_FOUND)
+        if (!tries_again(world, i))
             continue;
         world->phase[i] = PHASE_MOVING;
         world->reason[i] = REASON_NONE;
@@ -401,9 +406,11 @@ bool world_is_clear(const World *world, size_t i) {
 }
 
 bool world_goes_on(const World *world) {
+    bool left = world->resumed != world->departures; /* somebody has just left: the blocked will try again */
     for (size_t p = 0; p < world->present_count; p++) {
-        int phase = world->phase[world->present[p]];
-        if (phase == PHASE_WAITING || phase == PHASE_MOVING)
+        size_t i = world->present[p];
+        int phase = world->phase[i];
+        if (phase == PHASE_WAITING || phase == PHASE_MOVING || (left && tries_again(world, i)))
             return true;
     }
     return false;

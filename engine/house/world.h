@@ -132,8 +132,8 @@ void world_destroy(World *world);
 World world_copy(const World *world);
 
 /* One step of house->plan.run.dt. On WORLD_DIVERGED a number was no longer finite or somebody was thrown out of the
- * house; `*who` (may be NULL) is the person, whose phase is then PHASE_STUCK, otherwise SIZE_MAX. Whoever has diverged is
- * back where the last good step had left them. */
+ * house; `*who` (may be NULL) is the person, whose phase is then PHASE_STUCK, otherwise SIZE_MAX. Whoever has diverged
+ * is back where the last good step had left them. */
 WorldStatus world_step(World *world, size_t *who);
 
 /* Is anybody still on the way? */

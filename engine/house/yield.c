@@ -10,6 +10,8 @@ static const double PASSING_SPACE = 0.25, WALL_SPACE = 0.10, PASSING_LEAST = 0.0
 static const double STAND_OFF = 0.20;
 /* m: somebody who stands so little to one side counts as straight ahead and is passed on the left, as in Japan. */
 static const double STRAIGHT_AHEAD = 0.15;
+/* m/s: no speed, but what says that somebody is so near that one of both has to back off. */
+static const double BACK_OFF = -1;
 /* m: two who are so level have neither ahead. */
 static const double LEVEL = 0.05;
 /* 1: the slope of a swerve to the way. */
@@ -100,8 +102,10 @@ static double pass_offset(const World *world, size_t i, const Sight *sight) {
 static bool lets_go_first(const World *world, size_t i, size_t j, const Sight *sight) {
     bool beside = world_rides(world, j) && world->phase[j] == PHASE_MOVING && sight->ahead < 0 &&
                   sight->gap <= PASSING_LEAST && vec2_dot(world->axis[j], sight->way) > STRAIGHT;
-    double ahead = vec2_dot(vec2_sub(world->centre[j], world->centre[i]), sight->way);
-    return beside && (ahead > LEVEL || (ahead > -LEVEL && j < i));
+    Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
+    double ahead = vec2_dot(to, sight->way);
+    double near = (world->house->people[i].profile->width + world->house->people[j].profile->width) / 2 + PASSING_SPACE;
+    return beside && vec2_length(to) < near && (ahead > LEVEL || (ahead > -LEVEL && j < i));
 }
 
 static double speed_past(const World *world, size_t i, size_t j, const Sight *sight, double speed) {
@@ -112,11 +116,13 @@ static double speed_past(const World *world, size_t i, size_t j, const Sight *si
     if (sight->gap > PASSING_LEAST || sight->ahead < -STAND_OFF)
         return real_min(speed, real_max(law, SLOW_PASSING));
     double braking = sqrt(2 * TRACK_PLANNED * profile->deceleration * real_max(0, sight->ahead - STAND_OFF));
-    bool chairs = world_rides(world, j);
     bool both_wait = vec2_length(world->velocity[j]) < STANDING && world->drive[i].stalled > DEADLOCK &&
-                     world->phase[j] == PHASE_MOVING && (!chairs || (i < j && sight->ahead > PASSING_LEAST));
-    if (both_wait)
+                     world->phase[j] == PHASE_MOVING;
+    bool room = sight->ahead > PASSING_LEAST, chair = world_rides(world, j);
+    if (both_wait && (!chair || (i < j && room)))
         braking = SLOW_PASSING;
+    else if (both_wait && chair && i > j && !room)
+        return BACK_OFF;
     return real_min(speed, braking + real_max(sight->coming, 0));
 }
 

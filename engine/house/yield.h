@@ -6,8 +6,8 @@
 
 #include "house/world.h"
 
-/* The speed, at most `speed` m/s, that the people ahead leave to person i who travels along the unit vector `travel`;
- * moves the swerve (drive->aside, drive->swerve) on by one step. */
+/* The speed, at most `speed` m/s (negative: back off), that the people ahead leave to person i who travels along the
+ * unit vector `travel`; moves the swerve (drive->aside, drive->swerve) on by one step. */
 double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, double speed);
 
 /* Is there nothing but free space between two people? Through a wall nobody is minded, nor is their personal space. */
