@@ -48,8 +48,7 @@ TEST(every_value_of_every_shipped_profile_says_where_it_comes_from) {
         Fault fault = {0};
         CHECK(profile_read(&profile, draft_source(paths[i]), &fault));
         for (size_t r = 0; r < profile_table()->count; r++)
-            CHECK((profile.provenance[r] && *profile.provenance[r]) ==
-                  profile_row_matters(r, profile.driving));
+            CHECK((profile.provenance[r] && *profile.provenance[r]) == profile_row_matters(r, profile.driving));
         for (size_t r = profile_table()->count; r < PROFILE_NUMBERS; r++)
             CHECK(!profile.provenance[r]);
         fault_clear(&fault);
