@@ -426,3 +426,17 @@ double freespace_growth(const FreeSpace *space, Vec2 centre, Vec2 axis, double h
                         double reach, int *face) {
     return measure(space, centre, axis, half_length, half_width, reach, face, true);
 }
+
+bool freespace_sees(const FreeSpace *space, Vec2 from, Vec2 to) {
+    double whole = vec2_distance(from, to), done = 0, thin = space->cell / 2;
+    Vec2 along = whole > 0 ? vec2_scale(vec2_sub(to, from), 1 / whole) : vec2(1, 0);
+    while (done < whole) {
+        double free = freespace_distance(space, vec2_along(from, done, along));
+        if (free >= whole - done)
+            return true;
+        if (free < thin && done > 0)
+            return false;
+        done += real_max(free, thin);
+    }
+    return true;
+}

@@ -4,6 +4,8 @@
  * they are interpolated. Inside solids they are negative. Doors that can be opened count as open. */
 #pragma once
 
+#include <stdbool.h>
+
 #include "base/vec2.h"
 #include "house/outline.h"
 
@@ -56,3 +58,6 @@ double freespace_clearance(const FreeSpace *space, Vec2 centre, Vec2 axis, doubl
  * `reach`; negative: by how much it must shrink to be free. It has the sign of freespace_clearance. */
 double freespace_growth(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
                         double reach, int *face);
+
+/* Is there nothing but free space between two places? Told from the grid: right to about half a cell. */
+bool freespace_sees(const FreeSpace *space, Vec2 from, Vec2 to);

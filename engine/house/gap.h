@@ -34,6 +34,14 @@ typedef struct Slip {
     bool touches;      /* the body itself */
 } Slip;
 
+/* The one with the key among `count`, or NULL. */
+static inline const Slip *gap_find_slip(const Slip *slips, int count, int key) {
+    for (int k = 0; k < count; k++)
+        if (slips[k].key == key)
+            return &slips[k];
+    return NULL;
+}
+
 enum {
     GAP_PARTS = 8,
     GAPS_MOST = 24, /* at once, of one body: beyond the nearest ones no room is left to touch more */

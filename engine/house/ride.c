@@ -91,27 +91,6 @@ void ride_list(World *world) {
 /* Forces ------------------------------------------------------------------------------------------------------------
  */
 
-static const Slip *find_slip(const Slip *slips, int count, int key) {
-    for (int k = 0; k < count; k++)
-        if (slips[k].key == key)
-            return &slips[k];
-    return NULL;
-}
-
-static void feel(Sense *sense, const Body *body, const Gap *gap, double body_force, double ring_force, Vec2 at,
-                 int other) {
-    if (gap->gap < sense->clearance) {
-        sense->clearance = gap->gap;
-        sense->nearest_at = at;
-        sense->other = other;
-    }
-    sense->ring = real_max(sense->ring, real_min(body->reach, body->reach - gap->gap));
-    if (body_force > 0 && body_force >= sense->body_force)
-        sense->contact_at = at;
-    sense->body_force += body_force;
-    sense->ring_force += ring_force;
-}
-
 /* F2: body and personal space against walls, furniture and leaves. */
 static void force_of_obstacles(World *world, size_t i) {
     const House *house = world->house;
@@ -133,7 +112,7 @@ static void force_of_obstacles(World *world, size_t i) {
     double moment = 0, ring_moment = 0;
     for (size_t g = 0; g < count; g++) {
         const Gap *gap = &gaps[g];
-        const Slip *before = find_slip(slips, world->slip_count[seat], gap->key);
+        const Slip *before = gap_find_slip(slips, world->slip_count[seat], gap->key);
         kept[g] = before ? *before : (Slip){.key = gap->key};
         Vec2 moving = vec2_along(world->velocity[i], world->turn[i], vec2_left(gap->arm));
         double rate = vec2_dot(moving, gap->normal), sliding = vec2_dot(moving, vec2_left(gap->normal));
@@ -147,7 +126,7 @@ static void force_of_obstacles(World *world, size_t i) {
         moment += vec2_cross(gap->arm, both);
         rings = vec2_add(rings, ring);
         ring_moment += vec2_cross(gap->arm, ring);
-        feel(&world->sense[i], body, gap, hard, soft, vec2_add(centre, gap->arm), -1);
+        world_feel(&world->sense[i], gap->gap, body->reach, hard, soft, vec2_add(centre, gap->arm), -1);
     }
     memcpy(slips, kept, count * sizeof *kept);
     world->slip_count[seat] = (int)count;
@@ -182,7 +161,7 @@ static void force_of_pair(World *world, RidePair *pair, bool senses) {
                                vec2_along(world->velocity[j], world->turn[j], vec2_left(arm_b)));
         double rate = vec2_dot(moving, gap->normal), sliding = vec2_dot(moving, vec2_left(gap->normal));
         double hard = 0, soft = 0;
-        const Slip *known = find_slip(before, count_before, gap->key);
+        const Slip *known = gap_find_slip(before, count_before, gap->key);
         Slip slip = known ? *known : (Slip){.key = gap->key};
         Vec2 ring = gap_force(&space, gap, gap->gap - reach, rate, sliding, world->clock.dt, &slip.ring, &soft);
         Vec2 both =
@@ -193,9 +172,9 @@ static void force_of_pair(World *world, RidePair *pair, bool senses) {
         world->moment[i] += vec2_cross(gap->arm, both);
         world->moment[j] -= vec2_cross(arm_b, both);
         Vec2 at = vec2_add(world->centre[i], gap->arm);
-        feel(&world->sense[i], body_a, gap, hard, soft, at, (int)j);
+        world_feel(&world->sense[i], gap->gap, body_a->reach, hard, soft, at, (int)j);
         if (senses || world_rides(world, j))
-            feel(&world->sense[j], body_b, gap, hard, soft, at, (int)i);
+            world_feel(&world->sense[j], gap->gap, body_b->reach, hard, soft, at, (int)i);
     }
     world->force[i] = vec2_add(world->force[i], total);
     if (world_rides(world, j)) {

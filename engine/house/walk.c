@@ -85,20 +85,6 @@ typedef struct View {
     int count;
 } View;
 
-bool walk_sees(const FreeSpace *space, Vec2 from, Vec2 to) {
-    double whole = vec2_distance(from, to), done = 0, thin = space->cell / 2;
-    Vec2 along = whole > 0 ? vec2_scale(vec2_sub(to, from), 1 / whole) : vec2(1, 0);
-    while (done < whole) {
-        double free = freespace_distance(space, vec2_along(from, done, along));
-        if (free >= whole - done)
-            return true;
-        if (free < thin && done > 0)
-            return false;
-        done += real_max(free, thin);
-    }
-    return true;
-}
-
 /* A disc at `from` me that moves so, and the berth that it is given. */
 static void see_disc(View *view, Vec2 from, Vec2 velocity, double radius, double berth, bool oncoming) {
     double together = view->radius + radius + berth, far = view->sight + together;
@@ -111,7 +97,7 @@ static void see_disc(View *view, Vec2 from, Vec2 velocity, double radius, double
 
 static bool is_seen(const View *view, Seen *seen) {
     if (seen->seen < 0)
-        seen->seen = walk_sees(&view->world->house->space, view->at, vec2_add(view->at, seen->now));
+        seen->seen = freespace_sees(&view->world->house->space, view->at, vec2_add(view->at, seen->now));
     return seen->seen;
 }
 
@@ -166,7 +152,7 @@ static void look_ahead(View *view) {
                 Vec2 from = vec2_sub(walkers->at[s], view->at);
                 view->oncoming |= vec2_dot(walkers->facing[s], view->way) < ONCOMING &&
                                   fabs(vec2_cross(view->way, from)) < BESIDE && vec2_dot(view->way, from) > 0 &&
-                                  walk_sees(&view->world->house->space, view->at, walkers->at[s]);
+                                  freespace_sees(&view->world->house->space, view->at, walkers->at[s]);
             }
         }
     }
@@ -295,7 +281,7 @@ void walk_decide(World *world, size_t i, uint32_t slot) {
     view.sight = soon * view.gap + view.speed * FORESIGHT;
     while ((size_t)walk->leg + 1 < journey->leg_count &&
            vec2_distance(view.at, view.march->goal.at) <= view.march->goal.radius &&
-           walk_sees(&world->house->space, view.at, view.march->goal.at)) {
+           freespace_sees(&world->house->space, view.at, view.march->goal.at)) {
         view.march = journey->legs[++walk->leg];
         walk->best = HUGE_VAL;
     }

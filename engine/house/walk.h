@@ -25,6 +25,3 @@ struct World;
 /* Decides for person i, who stands in `slot`: fills world->walk[i]. Reads everybody's present state and writes only
  * what belongs to person i. */
 void walk_decide(struct World *world, size_t i, uint32_t slot);
-
-/* Is there nothing but free space between two places? Told from the grid of distances: right to about half a cell. */
-bool walk_sees(const FreeSpace *space, Vec2 from, Vec2 to);

@@ -215,7 +215,7 @@ static uint32_t list_near(const World *world, uint32_t s, uint32_t *list) {
             if (vec2_dot(from, from) >= near * near || o == s || (walkers->marks[o] & MARK_CHAIR))
                 continue;
             bool rising = walkers->cells.who[s] < walkers->cells.who[o]; /* both ask the same question */
-            if (!walk_sees(&world->house->space, rising ? at : walkers->at[o], rising ? walkers->at[o] : at))
+            if (!freespace_sees(&world->house->space, rising ? at : walkers->at[o], rising ? walkers->at[o] : at))
                 continue;
             if (list)
                 list[found] = o;
@@ -305,19 +305,6 @@ bool walkers_update(World *world) {
 /* Forces ------------------------------------------------------------------------------------------------------------
  */
 
-static inline void feel(Sense *sense, double gap, double reach, double body, double ring, Vec2 at, int other) {
-    if (gap < sense->clearance) {
-        sense->clearance = gap;
-        sense->nearest_at = at;
-        sense->other = other;
-    }
-    sense->ring = real_max(sense->ring, real_min(reach, reach - gap));
-    if (body > 0 && body >= sense->body_force)
-        sense->contact_at = at;
-    sense->body_force += body;
-    sense->ring_force += ring;
-}
-
 /* Two in one place are pushed apart along x, each its own way. */
 static inline Vec2 direction_from(Vec2 from, double distance, bool lower) {
     if (distance > 0)
@@ -358,18 +345,11 @@ static inline __attribute__((always_inline)) Vec2 force_of_walkers(Walkers *walk
         if (body <= 0)
             slip->body = 0;
         if (sense)
-            feel(sense, gap, law->reach, body, push, vec2_along(at, -walkers->kinds[walkers->kind[s]].radius, normal),
-                 (int)walkers->cells.who[o]);
+            world_feel(sense, gap, law->reach, body, push,
+                       vec2_along(at, -walkers->kinds[walkers->kind[s]].radius, normal), (int)walkers->cells.who[o]);
         force = vec2_along(vec2_along(force, push + body, normal), along, vec2_left(normal));
     }
     return force;
-}
-
-static const Slip *find_slip(const WallSlips *slips, int key) {
-    for (int k = 0; k < slips->count; k++)
-        if (slips->slip[k].key == key)
-            return &slips->slip[k];
-    return NULL;
 }
 
 /* What is there beside a place, ready for gaps. */
@@ -421,7 +401,7 @@ static Vec2 force_of_obstacles(World *world, uint32_t s, uint32_t i, const Besid
                                beside->corner_count, held, held_count);
     for (size_t g = 0; g < count; g++) {
         const Gap *gap = &gaps[g];
-        const Slip *before = find_slip(slips, gap->key);
+        const Slip *before = gap_find_slip(slips->slip, slips->count, gap->key);
         Slip slip = before ? *before : (Slip){.key = gap->key};
         double rate = vec2_dot(velocity, gap->normal), sliding = vec2_dot(velocity, vec2_left(gap->normal));
         double soft, hard;
@@ -432,7 +412,7 @@ static Vec2 force_of_obstacles(World *world, uint32_t s, uint32_t i, const Besid
             kept.slip[kept.count++] = slip;
         force = vec2_add(force, vec2_add(ring, body));
         if (sense)
-            feel(sense, gap->gap, kind->reach, hard, soft, vec2_add(at, gap->arm), -1);
+            world_feel(sense, gap->gap, kind->reach, hard, soft, vec2_add(at, gap->arm), -1);
     }
     *slips = kept;
     return force;

@@ -161,6 +161,21 @@ static inline bool world_holds(const World *world, Vec2 at) {
            at.y <= world->bounds.high.y;
 }
 
+/* Adds what one gap does: the gap (m), the personal space's reach (m), the forces (N) on body and ring, where, and who
+ * the other is (-1: an obstacle). */
+static inline void world_feel(Sense *sense, double gap, double reach, double body, double ring, Vec2 at, int other) {
+    if (gap < sense->clearance) {
+        sense->clearance = gap;
+        sense->nearest_at = at;
+        sense->other = other;
+    }
+    sense->ring = real_max(sense->ring, real_min(reach, reach - gap));
+    if (body > 0 && body >= sense->body_force)
+        sense->contact_at = at;
+    sense->body_force += body;
+    sense->ring_force += ring;
+}
+
 /* Is the person in a chair, or a disc of the paper? */
 static inline bool world_rides(const World *world, size_t i) {
     return world->house->people[i].profile->driving != DRIVING_WALKER;

@@ -25,7 +25,7 @@ static const double SLOW_PASSING = 0.15, STANDING = 0.05;
 static const double DEADLOCK = 2;
 
 bool yield_sees(const World *world, size_t i, size_t j) {
-    if (walk_sees(&world->house->space, world->centre[i], world->centre[j]))
+    if (freespace_sees(&world->house->space, world->centre[i], world->centre[j]))
         return true; /* told quickly; what the grid calls hidden is looked at more closely */
     Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
     double distance = vec2_length(to);
