@@ -3,6 +3,7 @@
 
 #include "base/vec2.h"
 #include "base/memory.h"
+#include "base/heap.h"
 #include "base/fault.h"
 #include "base/text.h"
 #include "base/json.h"

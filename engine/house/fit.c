@@ -3,6 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/heap.h"
 #include "base/memory.h"
 
 /* The widest path (maximin; Pollack 1960) of the rectangle's growth over a lattice of the body's middle and heading,
@@ -150,28 +151,7 @@ static bool before(Front a, Front b) {
     return a.whole < b.whole || (a.whole <= b.whole && a.state > b.state);
 }
 
-static void heap_put(Lattice *lattice, Front front) {
-    lattice->heap = memory_reserve(lattice->heap, &lattice->heap_capacity, lattice->heap_count + 1, sizeof front);
-    size_t i = lattice->heap_count++;
-    for (; i > 0 && before(front, lattice->heap[(i - 1) / 2]); i = (i - 1) / 2)
-        lattice->heap[i] = lattice->heap[(i - 1) / 2];
-    lattice->heap[i] = front;
-}
-
-static int heap_take(Lattice *lattice) {
-    Front first = lattice->heap[0], last = lattice->heap[--lattice->heap_count];
-    size_t i = 0;
-    for (size_t child = 1; child < lattice->heap_count; child = 2 * i + 1) {
-        if (child + 1 < lattice->heap_count && before(lattice->heap[child + 1], lattice->heap[child]))
-            child++;
-        if (!before(lattice->heap[child], last))
-            break;
-        lattice->heap[i] = lattice->heap[child];
-        i = child;
-    }
-    lattice->heap[i] = last;
-    return first.state;
-}
+HEAP_DEFINE(heap, Front, before)
 
 static bool is_blocked(const Lattice *lattice, Vec2 centre) {
     for (size_t i = 0; i < lattice->blocked_count; i++)
@@ -209,7 +189,8 @@ static void enter(Lattice *lattice, int x, int y, int turn, int parent, double s
     }
     lattice->states[index] = state;
     lattice->state_count++;
-    heap_put(lattice, (Front){state.widest, state.length + (float)distance_to_go(lattice, centre), (int)index});
+    heap_put(&lattice->heap, &lattice->heap_count, &lattice->heap_capacity,
+             (Front){state.widest, state.length + (float)distance_to_go(lattice, centre), (int)index});
 }
 
 /* Does the way to this state end there? */
@@ -233,7 +214,7 @@ static int widest_way(Lattice *lattice, int x, int y, int turn) {
     enter(lattice, x, y, turn, -1, 0);
     const volatile sig_atomic_t *stop = lattice->query->stop;
     while (lattice->heap_count > 0 && lattice->state_count < MOST_STATES && !(stop && *stop)) {
-        int index = heap_take(lattice);
+        int index = heap_take(lattice->heap, &lattice->heap_count).state;
         State state = lattice->states[index];
         if (arrived(lattice, &state))
             return index;

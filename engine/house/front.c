@@ -2,6 +2,7 @@
 
 #include <limits.h>
 
+#include "base/heap.h"
 #include "base/memory.h"
 
 /* The fast marching method (Sethian 1996; second order: Sethian 1999). The time T(x), s, after which a front arrives
@@ -58,28 +59,7 @@ static bool entry_before(FrontEntry a, FrontEntry b) {
     return a.time < b.time || (a.time <= b.time && a.point < b.point);
 }
 
-static void heap_put(Front *front, FrontEntry entry) {
-    front->heap = memory_reserve(front->heap, &front->heap_capacity, front->heap_count + 1, sizeof entry);
-    size_t i = front->heap_count++;
-    for (; i > 0 && entry_before(entry, front->heap[(i - 1) / 2]); i = (i - 1) / 2)
-        front->heap[i] = front->heap[(i - 1) / 2];
-    front->heap[i] = entry;
-}
-
-static FrontEntry heap_take(Front *front) {
-    FrontEntry first = front->heap[0], last = front->heap[--front->heap_count];
-    size_t i = 0;
-    for (size_t child = 1; child < front->heap_count; child = 2 * i + 1) {
-        if (child + 1 < front->heap_count && entry_before(front->heap[child + 1], front->heap[child]))
-            child++;
-        if (!entry_before(front->heap[child], last))
-            break;
-        front->heap[i] = front->heap[child];
-        i = child;
-    }
-    front->heap[i] = last;
-    return first;
-}
+HEAP_DEFINE(heap, FrontEntry, entry_before)
 
 /* The smallest final time beside a point on one axis, as q and a of the equation above. */
 typedef struct Upwind {
@@ -138,14 +118,14 @@ static void lower_point(Front *front, int i, int j, int class) {
     float time = (float)point_time(front, i, j, class);
     if (time < front->time[point]) {
         front->time[point] = time;
-        heap_put(front, (FrontEntry){time, (int)point});
+        heap_put(&front->heap, &front->heap_count, &front->heap_capacity, (FrontEntry){time, (int)point});
     }
 }
 
 /* Makes the times of all points of a class final that are reached from what is in the heap. */
 static void run(Front *front, unsigned char class, int most_steps) {
     while (front->heap_count > 0) {
-        FrontEntry entry = heap_take(front);
+        FrontEntry entry = heap_take(front->heap, &front->heap_count);
         size_t point = (size_t)entry.point;
         if (front->states[point] & POINT_FINAL)
             continue;
@@ -198,7 +178,7 @@ void front_give(Front *front, int i, int j, double time) {
         return;
     front->states[point] |= POINT_GIVEN;
     front->time[point] = (float)time;
-    heap_put(front, (FrontEntry){(float)time, (int)point});
+    heap_put(&front->heap, &front->heap_count, &front->heap_capacity, (FrontEntry){(float)time, (int)point});
 }
 
 /* The slope of the time along one axis, s/m, from the neighbour that it came from. */

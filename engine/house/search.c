@@ -3,6 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/heap.h"
 #include "base/memory.h"
 
 /* Hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010): poses are real numbers, moved by primitives; of those that
@@ -236,33 +237,13 @@ static bool before(Open a, Open b) {
     return a.estimate < b.estimate || (a.estimate <= b.estimate && a.node > b.node);
 }
 
-static void open_put(Search *search, Open open) {
-    search->open = memory_reserve(search->open, &search->open_capacity, search->open_count + 1, sizeof open);
-    size_t i = search->open_count++;
-    for (; i > 0 && before(open, search->open[(i - 1) / 2]); i = (i - 1) / 2)
-        search->open[i] = search->open[(i - 1) / 2];
-    search->open[i] = open;
-}
-
-static Open open_take(Search *search) {
-    Open first = search->open[0], last = search->open[--search->open_count];
-    size_t i = 0;
-    for (size_t child = 1; child < search->open_count; child = 2 * i + 1) {
-        if (child + 1 < search->open_count && before(search->open[child + 1], search->open[child]))
-            child++;
-        if (!before(search->open[child], last))
-            break;
-        search->open[i] = search->open[child];
-        i = child;
-    }
-    search->open[i] = last;
-    return first;
-}
+HEAP_DEFINE(open, Open, before)
 
 static void add_node(Search *search, const Node *node, double to_go) {
     search->nodes = memory_reserve(search->nodes, &search->node_capacity, search->node_count + 1, sizeof *node);
     search->nodes[search->node_count] = *node;
-    open_put(search, (Open){node->cost + search->grain->weight * to_go, (int)search->node_count++});
+    open_put(&search->open, &search->open_count, &search->open_capacity,
+             (Open){node->cost + search->grain->weight * to_go, (int)search->node_count++});
 }
 
 /* What a motion costs from `from` to `to`, s. */
@@ -354,7 +335,7 @@ static SearchAnswer search_run(Search *search, SearchTrack *track) {
     for (size_t expanded = 0; search->open_count > 0;) {
         if (stop && *stop)
             return SEARCH_GAVE_UP;
-        int node = open_take(search).node;
+        int node = open_take(search->open, &search->open_count).node;
         if (search->nodes[node].exit != -1) {
             write_track(search, track, node);
             return SEARCH_FOUND;

@@ -1,0 +1,35 @@
+/* A binary heap of plain elements, the first of which is always the one that comes before all others.
+ *
+ *     HEAP_DEFINE(open, Open, before)
+ *
+ * makes open_put, which adds an element to a block that memory_reserve lets grow, and open_take, which takes the first
+ * one (there must be one), for elements of type Open and `bool before(Open a, Open b)`. */
+#pragma once
+
+#include <stddef.h>
+
+#include "base/memory.h"
+
+#define HEAP_DEFINE(name_, Type_, before_)                                                                             \
+    static void name_##_put(Type_ **heap, size_t *count, size_t *capacity, Type_ element) {                            \
+        *heap = memory_reserve(*heap, capacity, *count + 1, sizeof element);                                           \
+        size_t i = (*count)++;                                                                                         \
+        for (; i > 0 && before_(element, (*heap)[(i - 1) / 2]); i = (i - 1) / 2)                                       \
+            (*heap)[i] = (*heap)[(i - 1) / 2];                                                                         \
+        (*heap)[i] = element;                                                                                          \
+    }                                                                                                                  \
+                                                                                                                       \
+    static Type_ name_##_take(Type_ *heap, size_t *count) {                                                            \
+        Type_ first = heap[0], last = heap[--*count];                                                                  \
+        size_t i = 0;                                                                                                  \
+        for (size_t child = 1; child < *count; child = 2 * i + 1) {                                                    \
+            if (child + 1 < *count && before_(heap[child + 1], heap[child]))                                           \
+                child++;                                                                                               \
+            if (!before_(heap[child], last))                                                                           \
+                break;                                                                                                 \
+            heap[i] = heap[child];                                                                                     \
+            i = child;                                                                                                 \
+        }                                                                                                              \
+        heap[i] = last;                                                                                                \
+        return first;                                                                                                  \
+    }
