@@ -47,7 +47,7 @@ static void no_value(MeasureAnswer *answer, const char *format, ...) {
     va_start(arguments, format);
     vsnprintf(answer->note, sizeof answer->note, format, arguments);
     va_end(arguments);
-    answer->value = NAN;
+    answer->value = (double)NAN;
 }
 
 /* False, with a note: somebody of those asked about is still in, or nobody is asked about. */
@@ -239,7 +239,7 @@ static void take_start(MeasureAnswer *answer, const House *house, const Observat
     double *started = memory_allocate(observation->person_count, sizeof *started); /* s; 0: not yet */
     Move move;
     for (Walk walk = walk_begin(observation); walk_next(&walk, &move);)
-        if (!started[move.person] && vec2_distance(move.b, house->people[move.person].at) > HAIR)
+        if (started[move.person] <= 0 && vec2_distance(move.b, house->people[move.person].at) > HAIR)
             started[move.person] = move.until;
     for (size_t i = 0; i < observation->person_count; i++) {
         if (!asked(house, observation, question, i))

@@ -136,7 +136,7 @@ static bool mean_of(double *mean, VerificationCheck *check, size_t c, int side, 
 
 static void judge(VerificationCheck *check, size_t c, const Verification *verification, const Trials *trials) {
     double value, other = 1;
-    check->value = NAN;
+    check->value = (double)NAN;
     check->verdict = VERDICT_NOT_RUN;
     *check->note = 0;
     if (!mean_of(&value, check, c, 0, verification, trials) ||

@@ -293,7 +293,7 @@ static void read_checks(Verification *read, const JsonNode *root, Fault *fault) 
         check_check(check, read, &element, fault);
         check->sides[0] = find_variant(read, check->variant);
         check->sides[1] = *check->than ? find_variant(read, check->than) : check->sides[0];
-        check->value = NAN;
+        check->value = (double)NAN;
     }
 }
 
