@@ -35,15 +35,16 @@ static Box caption_box(const Caption *caption) {
     return (Box){vec2_sub(caption->centre, half), vec2_add(caption->centre, half)};
 }
 
-static Vec2 *to_page(const Layout *layout, const Vec2 *points, size_t count) {
-    Vec2 *page = memory_allocate(count, sizeof *page);
-    for (size_t i = 0; i < count; i++)
-        page[i] = layout_point(layout, points[i]);
+/* The points of a primitive at its highest. */
+static Vec2 *to_page(const Layout *layout, const Primitive *primitive) {
+    Vec2 *page = memory_allocate(primitive->count, sizeof *page);
+    for (size_t i = 0; i < primitive->count; i++)
+        page[i] = layout_raised(layout, primitive->points[i], primitive->base + primitive->height);
     return page;
 }
 
 static void mark_primitive(Mask *mask, const Layout *layout, const Primitive *primitive) {
-    Vec2 *points = to_page(layout, primitive->points, primitive->count);
+    Vec2 *points = to_page(layout, primitive);
     double weight = primitive->keep_clear;
     switch (primitive->kind) {
     case PRIMITIVE_POLYGON:
@@ -54,6 +55,12 @@ static void mark_primitive(Mask *mask, const Layout *layout, const Primitive *pr
         for (size_t i = 0; i + 1 < primitive->count; i++)
             mask_mark_line(mask, points[i], points[i + 1], primitive->width, weight);
         break;
+    case PRIMITIVE_DISC:
+    case PRIMITIVE_BALL:
+        for (size_t i = 0; i < primitive->count; i++)
+            mask_mark_box(mask, box_around(points[i], primitive->radius * layout->metre), weight);
+        break;
+    case PRIMITIVE_WHEEL:
     case PRIMITIVE_TICK:
     case PRIMITIVE_LABEL:
         break;
@@ -144,7 +151,7 @@ static Caption label_caption(const Primitive *label, Vec2 at, double size) {
 /* Inside its outline if it has one, as large as may be, otherwise around its point. */
 static Choice choose_place(const Mask *mask, const Layout *layout, const Primitive *label) {
     Choice best = {.cost = HUGE_VAL};
-    Vec2 *points = to_page(layout, label->points, label->count);
+    Vec2 *points = to_page(layout, label);
     Caption large = label_caption(label, points[0], label->size);
     Caption small = label_caption(label, points[0], LAYOUT_SMALLEST_LETTERS);
     if (label->count > 1) {
@@ -174,14 +181,32 @@ static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
     *caption = best.caption;
 }
 
+static void place_fixed(Layout *layout, const Primitive *label) {
+    Vec2 at = layout_raised(layout, label->points[0], label->base);
+    Caption *caption = layout_add_caption(layout, label->text, label->size, label->bold, at);
+    *caption = label_caption(label, at, label->size);
+}
+
+static bool has_free_labels(const Scene *scene) {
+    for (size_t i = 0; i < scene->count; i++)
+        if (scene->primitives[i].kind == PRIMITIVE_LABEL && !scene->primitives[i].fixed)
+            return true;
+    return false;
+}
+
 void labels_place(Layout *layout, const Scene *scene) {
+    for (size_t i = 0; i < scene->count; i++)
+        if (scene->primitives[i].kind == PRIMITIVE_LABEL && scene->primitives[i].fixed)
+            place_fixed(layout, &scene->primitives[i]);
+    if (!has_free_labels(scene))
+        return;
     Mask mask;
     mask_init(&mask, layout->plan);
     for (size_t i = 0; i < scene->count; i++)
         if (scene->primitives[i].keep_clear > 0)
             mark_primitive(&mask, layout, &scene->primitives[i]);
     for (size_t i = 0; i < scene->count; i++)
-        if (scene->primitives[i].kind == PRIMITIVE_LABEL)
+        if (scene->primitives[i].kind == PRIMITIVE_LABEL && !scene->primitives[i].fixed)
             place_label(&mask, layout, &scene->primitives[i]);
     mask_clear(&mask);
 }

@@ -17,6 +17,10 @@
 #define NOTE_HEIGHT 32.0
 #define FOOT_HEIGHT 44.0
 #define LIST_WIDTH 356.0
+#define PANEL_WIDTH 400.0
+#define PANEL_HEIGHT 230.0 /* of panels below the plan */
+#define PANEL_GAP 8.0
+#define BARE_MARGIN 12.0
 #define HEADING_LETTERS 19.0
 #define HEADING_HEIGHT 40.0
 #define ROW_LETTERS 17.0
@@ -28,10 +32,18 @@
 #define LINE_SHOWN 14.0   /* of the line, and of the tag's own edge, on either side of the tag's words */
 #define DISC_LETTERS 16.0
 #define BAR_SHORTEST 64.0 /* of the scale bar: room for "10 m" */
+#define BAR_WIDTH 5.0
 #define GRID_CLOSEST 14.0 /* closer lines are a grey */
 
 /* A list below the plan is only worth its unusual place when the plan becomes larger by this factor. */
 #define BELOW_GAIN 1.15
+
+#define DESIGN_WIDTH 1280.0
+#define DESIGN_HEIGHT 720.0
+
+double layout_unit(int width, int height) {
+    return fmin(width / DESIGN_WIDTH, height / DESIGN_HEIGHT);
+}
 
 static const double steps[] = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000};
 
@@ -98,6 +110,9 @@ static double add_words(Layout *layout, Role role, const char *text, double size
 
 /* The answer and, beside it or else below, its detail. */
 static void place_band(Layout *layout, const Scene *scene) {
+    layout->band = (Box){{0, 0}, {layout->page.x, 0}};
+    if (scene->bare || !scene->title)
+        return;
     double right = layout->page.x - MARGIN, room = right - MARGIN;
     double width = text_extent(scene->title, TITLE_LETTERS, true).x;
     double size = width > room ? fmax(TITLE_LETTERS * room / width, DETAIL_LETTERS) : TITLE_LETTERS;
@@ -232,50 +247,120 @@ static double metre_that_fits(const Scene *scene, Box plan) {
 }
 
 /* Where the plan may lie when the name stands above and the clock and the scale below it. */
-static Box plan_within(Box frame) {
+static Box plan_within(const Scene *scene, Box frame) {
+    if (scene->bare)
+        return box_expand(frame, -BARE_MARGIN);
     return (Box){{frame.low.x + MARGIN, frame.low.y + NOTE_HEIGHT},
                  {frame.high.x - MARGIN, frame.high.y - FOOT_HEIGHT}};
 }
 
-/* Divides the page below the band between the plan and the list; true when the list is below. */
+/* Divides the page below the band between the plan and what is beside it; true when that is below. */
 static bool divide_page(Layout *layout, const Scene *scene) {
     Box frame = {{0, layout->band.high.y}, layout->page};
-    layout->plan = plan_within(frame);
+    layout->frame = frame;
+    layout->plan = plan_within(scene, frame);
     layout->list = (Box){layout->page, layout->page};
-    if (!scene->row_count)
+    if (scene->bare || (!scene->row_count && !scene->panels))
         return false;
     Box left = frame, upper = frame;
-    left.high.x -= LIST_WIDTH;
-    upper.high.y -= list_height_below(scene);
-    Box beside = plan_within(left), above = plan_within(upper);
+    left.high.x -= scene->panels ? PANEL_WIDTH : LIST_WIDTH;
+    upper.high.y -= scene->panels ? PANEL_HEIGHT : list_height_below(scene);
+    Box beside = plan_within(scene, left), above = plan_within(scene, upper);
     bool below = metre_that_fits(scene, above) > BELOW_GAIN * metre_that_fits(scene, beside);
+    layout->frame = below ? upper : left;
     layout->plan = below ? above : beside;
     layout->list = (Box){below ? vec2(0, upper.high.y) : vec2(left.high.x, frame.low.y), layout->page};
     return below;
 }
 
+/* The panels share their place evenly, one below the other or, below the plan, side by side. */
+static void place_panels(Layout *layout, const Scene *scene, bool below) {
+    Box place = box_expand(layout->list, -PANEL_GAP);
+    double room = below ? box_width(place) : box_height(place);
+    double size = (room - (scene->panels - 1) * PANEL_GAP) / scene->panels;
+    for (int i = 0; i < scene->panels; i++) {
+        double from = i * (size + PANEL_GAP);
+        Box *panel = &layout->panels[i];
+        *panel = place;
+        if (below)
+            panel->high.x = (panel->low.x += from) + size;
+        else
+            panel->high.y = (panel->low.y += from) + size;
+    }
+}
+
 static void place_plan(Layout *layout, const Scene *scene) {
-    layout->metre = metre_that_fits(scene, layout->plan);
     Vec2 middle = vec2_scale(vec2_add(scene->box.low, scene->box.high), 0.5);
+    if (scene->camera.kind == VIEW_RAISED) {
+        layout->view = view_raised(scene->camera, scene->box, scene->top, layout->plan);
+        layout->metre = view_scale(&layout->view, middle, 0);
+        return;
+    }
+    double zoom = scene->camera.zoom > 0 ? scene->camera.zoom : 1;
+    layout->metre = zoom * metre_that_fits(scene, layout->plan);
     Vec2 centre = vec2_scale(vec2_add(layout->plan.low, layout->plan.high), 0.5);
-    layout->origin = vec2(centre.x - layout->metre * middle.x, centre.y + layout->metre * middle.y);
-    layout->grid = scene->grid > 0 ? scene->grid * round_step(scene->grid * layout->metre, GRID_CLOSEST) : 0;
+    layout->view =
+        view_plan(layout->metre, vec2(centre.x - layout->metre * middle.x, centre.y + layout->metre * middle.y));
+}
+
+static void add_grid_line(Layout *layout, Vec2 from, Vec2 to) {
+    layout->grid =
+        memory_reserve(layout->grid, &layout->grid_capacity, 2 * (layout->grid_count + 1), sizeof *layout->grid);
+    layout->grid[2 * layout->grid_count] = layout_point(layout, from);
+    layout->grid[2 * layout->grid_count + 1] = layout_point(layout, to);
+    layout->grid_count++;
+}
+
+/* On whole multiples of the scene's grid; over all of the frame, or over the floor of a raised view. */
+static void place_grid(Layout *layout, const Scene *scene) {
+    if (scene->grid <= 0)
+        return;
+    double step = scene->grid * round_step(scene->grid * layout->metre, GRID_CLOSEST);
+    Box box = scene->box;
+    if (!layout->view.raised) {
+        const double(*rows)[4] = layout->view.rows;
+        box.low = vec2((layout->frame.low.x - rows[0][3]) / layout->metre,
+                       (rows[1][3] - layout->frame.high.y) / layout->metre);
+        box.high = vec2((layout->frame.high.x - rows[0][3]) / layout->metre,
+                        (rows[1][3] - layout->frame.low.y) / layout->metre);
+    }
+    for (double x = ceil(box.low.x / step) * step; x <= box.high.x; x += step)
+        add_grid_line(layout, vec2(x, box.low.y), vec2(x, box.high.y));
+    for (double y = ceil(box.low.y / step) * step; y <= box.high.y; y += step)
+        add_grid_line(layout, vec2(box.low.x, y), vec2(box.high.x, y));
+}
+
+/* At the lower right; in perspective no length holds everywhere. */
+static void place_scale_bar(Layout *layout, double foot) {
+    if (layout->view.raised)
+        return;
+    double right = layout->plan.high.x, length = round_step(layout->metre, BAR_SHORTEST);
+    double left = right - length * layout->metre;
+    add_sample(layout,
+               (Sample){.from = {left, foot + 10}, .to = {right, foot + 10}, .role = ROLE_TEXT, .width = BAR_WIDTH});
+    char text[32];
+    snprintf(text, sizeof text, "%g m", length);
+    Caption *caption = layout_add_caption(layout, arena_text(&layout->arena, text), NAME_LETTERS, true,
+                                          vec2((left + right) / 2, foot - 6));
+    caption->halo = true;
+    caption->fill = ROLE_PAPER;
+}
+
+static void place_clock(Layout *layout, const Layout *under, const char *clock) {
+    if (clock)
+        add_words(layout, ROLE_TEXT, clock, CLOCK_LETTERS, true, MARGIN, under->plan.high.x,
+                  under->plan.high.y + FOOT_HEIGHT / 2);
 }
 
 /* The name and the note above the plan, the clock and the scale below. */
 static void place_margins(Layout *layout, const Scene *scene) {
-    double left = MARGIN, right = layout->plan.high.x, y = layout->plan.low.y - NOTE_HEIGHT / 2;
-    double end = add_words(layout, ROLE_DIM_TEXT, scene->name, NAME_LETTERS, true, left, right, y);
-    if (*scene->note)
+    double right = layout->plan.high.x, y = layout->plan.low.y - NOTE_HEIGHT / 2, end = MARGIN;
+    if (scene->name)
+        end = add_words(layout, ROLE_DIM_TEXT, scene->name, NAME_LETTERS, true, MARGIN, right, y);
+    if (scene->note && *scene->note)
         add_words(layout, ROLE_DIM_TEXT, scene->note, NAME_LETTERS, false, end + CELL_GAP, right, y);
-    double foot = layout->plan.high.y + FOOT_HEIGHT / 2;
-    add_words(layout, ROLE_TEXT, scene->clock, CLOCK_LETTERS, true, left, right, foot);
-    double length = round_step(layout->metre, BAR_SHORTEST), bar_left = right - length * layout->metre;
-    layout->bar = (Sample){.from = {bar_left, foot + 10}, .to = {right, foot + 10}, .role = ROLE_TEXT, .width = 5};
-    char text[32];
-    snprintf(text, sizeof text, "%g m", length);
-    const char *kept = arena_text(&layout->arena, text);
-    layout_add_caption(layout, kept, NAME_LETTERS, true, vec2((bar_left + right) / 2, foot - 6));
+    place_clock(layout, layout, scene->clock);
+    place_scale_bar(layout, layout->plan.high.y + FOOT_HEIGHT / 2);
 }
 
 void layout_make(Layout *layout, const Scene *scene, Vec2 page) {
@@ -283,15 +368,34 @@ void layout_make(Layout *layout, const Scene *scene, Vec2 page) {
     place_band(layout, scene);
     bool below = divide_page(layout, scene);
     place_plan(layout, scene);
-    place_margins(layout, scene);
-    if (below)
+    place_grid(layout, scene);
+    if (scene->bare)
+        place_scale_bar(layout, layout->plan.high.y - FOOT_HEIGHT / 2);
+    else
+        place_margins(layout, scene);
+    if (scene->panels && !scene->bare)
+        place_panels(layout, scene, below);
+    else if (below)
         place_list_below(layout, scene);
-    else if (scene->row_count)
+    else if (scene->row_count && !scene->bare)
         place_list_beside(layout, scene);
     labels_place(layout, scene);
 }
 
+void layout_make_over(Layout *layout, const Layout *under, const Scene *scene) {
+    layout->page = under->page;
+    layout->frame = under->frame;
+    layout->plan = under->plan;
+    layout->view = under->view;
+    layout->metre = under->metre;
+    layout->caption_count = 0;
+    arena_clear(&layout->arena);
+    place_clock(layout, under, scene->clock);
+    labels_place(layout, scene);
+}
+
 void layout_clear(Layout *layout) {
+    memory_free(layout->grid);
     memory_free(layout->captions);
     memory_free(layout->samples);
     arena_clear(&layout->arena);

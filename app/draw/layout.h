@@ -42,16 +42,28 @@ typedef struct Sample {
 
 typedef struct Layout {
     Vec2 page;
-    Box band, plan, list; /* the list's box is empty when the scene has no rows */
-    double metre;         /* design points a metre of the plan */
-    Vec2 origin;          /* where (0, 0) m is */
-    double grid;          /* m, between the lines; 0: none */
-    Sample bar;           /* the scale bar */
-    Caption *captions;    /* (caption_count) */
-    Sample *samples;      /* (sample_count) */
-    size_t caption_count, caption_capacity, sample_count, sample_capacity;
+    Box band, list; /* empty when the scene has no answer, no rows and no panels */
+    Box frame;      /* what is left; nothing of the scene is seen outside it */
+    Box plan;       /* within the frame, what holds the scene's box */
+    View view;
+    double metre;             /* design points a metre of the plan; of the raised view, in its middle */
+    Box panels[SCENE_PANELS]; /* (scene.panels) */
+    Vec2 *grid;               /* (2 grid_count) ends of the faint lines */
+    Caption *captions;        /* (caption_count) */
+    Sample *samples;          /* (sample_count) the list's, and the scale bar of a plan */
+    size_t grid_count, grid_capacity, caption_count, caption_capacity, sample_count, sample_capacity;
     Arena arena; /* holds shortened words */
 } Layout;
+
+/* A scene and where everything of it is on the page: painters are given one or several, one over the other. Captions of
+ * all layers are above all else. */
+typedef struct Layer {
+    const Scene *scene;
+    const Layout *layout;
+} Layer;
+
+/* Pixels a design point of a page of this size: letters and widths grow with the smaller of its sides. */
+double layout_unit(int width, int height);
 
 /* The smallest letters on a picture: their capitals are 11 pixels high at 1280 x 720. */
 #define LAYOUT_SMALLEST_LETTERS 15
@@ -60,10 +72,18 @@ typedef struct Layout {
 void layout_make(Layout *layout, const Scene *scene, Vec2 page);
 void layout_clear(Layout *layout);
 
+/* Lays out a layer over another one: its clock and its labels, which are all fixed. Zero is an empty layout; one that
+ * has been used is used again. */
+void layout_make_over(Layout *layout, const Layout *under, const Scene *scene);
+
 /* Adds words in the middle of a box of their own size; good until the next addition. */
 Caption *layout_add_caption(Layout *layout, const char *text, double size, bool bold, Vec2 centre);
 
-/* A place of the plan on the page. */
+/* A place on the floor, or so many m above it, on the page. */
 static inline Vec2 layout_point(const Layout *layout, Vec2 metres) {
-    return vec2(layout->origin.x + layout->metre * metres.x, layout->origin.y - layout->metre * metres.y);
+    return view_point(&layout->view, metres, 0);
+}
+
+static inline Vec2 layout_raised(const Layout *layout, Vec2 metres, double height) {
+    return view_point(&layout->view, metres, layout->view.raised ? height : 0);
 }

@@ -9,8 +9,6 @@
 #include "draw/text.h"
 
 /* Design points. */
-#define DESIGN_WIDTH 1280.0
-#define DESIGN_HEIGHT 720.0
 #define HATCH_GAP 9.0
 #define HATCH_WIDTH 1.3
 #define HEAD_LENGTH 11.0 /* of a dimension's arrow heads */
@@ -157,11 +155,33 @@ static void paint_dimension(const Painter *painter, const Primitive *dimension) 
     paint_head(painter, dimension, b, vec2_scale(way, outside ? -1 : 1));
 }
 
+static void path_point_disc(const Painter *painter, Vec2 metres, double radius) {
+    path_disc(painter, layout_point(painter->layout, metres), radius * painter->layout->metre);
+}
+
+static void paint_discs(const Painter *painter, const Primitive *discs) {
+    cairo_set_fill_rule(painter->cairo, CAIRO_FILL_RULE_WINDING);
+    for (size_t i = 0; i < discs->count; i++)
+        path_point_disc(painter, discs->points[i], discs->radius);
+    finish_path(painter, discs);
+}
+
+/* From above: as long as it is high, as wide as its axle is long. */
+static void paint_wheel(const Painter *painter, const Primitive *wheel) {
+    Vec2 from = wheel->points[0], to = wheel->points[1];
+    Vec2 way = vec2_scale(vec2_left(vec2_unit(vec2_sub(to, from))), wheel->radius);
+    Vec2 corners[] = {vec2_add(from, way), vec2_sub(from, way), vec2_sub(to, way), vec2_add(to, way)};
+    for (size_t i = 0; i < 4; i++)
+        path_point(painter, corners[i]);
+    cairo_close_path(painter->cairo);
+    finish_path(painter, wheel);
+}
+
 static void paint_primitive(const Painter *painter, const Primitive *primitive) {
-    static void (*const paint[])(const Painter *, const Primitive *) = {[PRIMITIVE_POLYGON] = paint_polygon,
-                                                                        [PRIMITIVE_LINE] = paint_line,
-                                                                        [PRIMITIVE_TICK] = paint_tick,
-                                                                        [PRIMITIVE_DIMENSION] = paint_dimension};
+    static void (*const paint[])(const Painter *, const Primitive *) = {
+        [PRIMITIVE_POLYGON] = paint_polygon,    [PRIMITIVE_LINE] = paint_line,  [PRIMITIVE_DISC] = paint_discs,
+        [PRIMITIVE_WHEEL] = paint_wheel,        [PRIMITIVE_BALL] = paint_discs, [PRIMITIVE_TICK] = paint_tick,
+        [PRIMITIVE_DIMENSION] = paint_dimension};
     if (primitive->kind != PRIMITIVE_LABEL)
         paint[primitive->kind](painter, primitive);
 }
@@ -271,49 +291,60 @@ static void paint_ground(const Painter *painter) {
     cairo_stroke(painter->cairo);
 }
 
-/* Over all of the plan's place, on whole multiples of the grid. */
 static void paint_grid(const Painter *painter) {
     const Layout *layout = painter->layout;
-    double step = layout->grid * layout->metre;
-    if (step <= 0)
-        return;
-    Box plan = layout->plan;
-    for (double x = layout->origin.x + ceil((plan.low.x - layout->origin.x) / step) * step; x <= plan.high.x; x += step)
-        path_segment(painter, vec2(x, plan.low.y), vec2(x, plan.high.y));
-    for (double y = layout->origin.y + ceil((plan.low.y - layout->origin.y) / step) * step; y <= plan.high.y; y += step)
-        path_segment(painter, vec2(plan.low.x, y), vec2(plan.high.x, y));
+    for (size_t i = 0; i < layout->grid_count; i++)
+        path_segment(painter, layout->grid[2 * i], layout->grid[2 * i + 1]);
     use_line(painter, LINE_SOLID, RULE_WIDTH);
     use_role(painter, ROLE_GRID, 1);
     cairo_stroke(painter->cairo);
 }
 
-static void paint_scene(const Painter *painter, const Scene *scene) {
-    const Layout *layout = painter->layout;
-    paint_ground(painter);
-    paint_grid(painter);
+static void paint_primitives(const Painter *painter, const Scene *scene) {
+    cairo_save(painter->cairo);
+    path_box(painter, painter->layout->frame);
+    cairo_clip(painter->cairo);
     for (size_t i = 0; i < scene->count; i++)
         paint_primitive(painter, &scene->primitives[i]);
+    cairo_restore(painter->cairo);
+}
+
+static void paint_captions(const Painter *painter) {
+    const Layout *layout = painter->layout;
     for (size_t i = 0; i < layout->caption_count; i++)
         if (layout->captions[i].leader)
             paint_leader(painter, &layout->captions[i]);
     for (size_t i = 0; i < layout->sample_count; i++)
         paint_sample(painter, &layout->samples[i]);
-    paint_sample(painter, &layout->bar);
     for (size_t i = 0; i < layout->caption_count; i++)
         paint_caption(painter, &layout->captions[i]);
 }
 
-/* Lays the scene out for a page of width x height pixels and paints it on the surface. */
-static int paint_surface(const Scene *scene, cairo_surface_t *surface, int width, int height, Theme theme) {
-    double unit = fmin(width / DESIGN_WIDTH, height / DESIGN_HEIGHT);
+void paint_cairo_layers(cairo_t *cairo, const Layer *layers, size_t count, Theme theme) {
+    Painter ground = {cairo, layers[0].layout, theme};
+    paint_ground(&ground);
+    paint_grid(&ground);
+    for (size_t i = 0; i < count; i++)
+        paint_primitives(&(Painter){cairo, layers[i].layout, theme}, layers[i].scene);
+    for (size_t i = 0; i < count; i++)
+        paint_captions(&(Painter){cairo, layers[i].layout, theme});
+}
+
+void paint_cairo_scene(cairo_t *cairo, const Scene *scene, Vec2 page, Theme theme) {
     Layout layout;
-    layout_make(&layout, scene, vec2(width / unit, height / unit));
+    layout_make(&layout, scene, page);
+    paint_cairo_layers(cairo, &(Layer){scene, &layout}, 1, theme);
+    layout_clear(&layout);
+}
+
+/* Paints the scene on a page of width x height pixels. */
+static int paint_surface(const Scene *scene, cairo_surface_t *surface, int width, int height, Theme theme) {
+    double unit = layout_unit(width, height);
     cairo_t *cairo = cairo_create(surface);
     cairo_scale(cairo, unit, unit);
-    paint_scene(&(Painter){cairo, &layout, theme}, scene);
+    paint_cairo_scene(cairo, scene, vec2(width / unit, height / unit), theme);
     cairo_status_t status = cairo_status(cairo);
     cairo_destroy(cairo);
-    layout_clear(&layout);
     return status == CAIRO_STATUS_SUCCESS ? 0 : status == CAIRO_STATUS_NO_MEMORY ? ENOMEM : EINVAL;
 }
 

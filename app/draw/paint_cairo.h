@@ -2,8 +2,19 @@
  * written beside and renamed. Both return 0, or errno: EINVAL for sizes that no picture has. */
 #pragma once
 
+#include "draw/layout.h"
 #include "draw/palette.h"
 #include "draw/scene.h"
+
+struct _cairo; /* cairo's own name of cairo_t */
+
+/* Paints layers on a cairo context whose unit is the design point. Of a raised view what is flat is painted. */
+void paint_cairo_layers(struct _cairo *cairo, const Layer *layers, size_t count, Theme theme);
+
+/* Lays a scene out for a page of this size, in design points, from the origin of the context on, and paints it. */
+void paint_cairo_scene(struct _cairo *cairo, const Scene *scene, Vec2 page, Theme theme);
+
+/* Files ------------------------------------------------------------------------------------------------------------ */
 
 enum { PAINT_LARGEST = 16384 /* pixels a side: cairo's coordinates end at twice that */ };
 

@@ -40,6 +40,27 @@ Primitive *scene_add_polygon(Scene *scene, Role fill, const Vec2 *points, size_t
     return scene_add_rings(scene, fill, points, (size_t[]){0, count}, 1);
 }
 
+static Primitive *scene_add_round(Scene *scene, PrimitiveKind kind, Role fill, double radius, const Vec2 *points,
+                                  size_t count) {
+    Primitive *round = scene_add(scene, kind, points, count);
+    round->fill = round->edge = fill;
+    round->fill_opacity = 1;
+    round->radius = radius;
+    return round;
+}
+
+Primitive *scene_add_discs(Scene *scene, Role fill, double radius, const Vec2 *centres, size_t count) {
+    return scene_add_round(scene, PRIMITIVE_DISC, fill, radius, centres, count);
+}
+
+Primitive *scene_add_wheel(Scene *scene, Role fill, double radius, Vec2 from, Vec2 to) {
+    return scene_add_round(scene, PRIMITIVE_WHEEL, fill, radius, (Vec2[]){from, to}, 2);
+}
+
+Primitive *scene_add_ball(Scene *scene, Role fill, double radius, Vec2 at) {
+    return scene_add_round(scene, PRIMITIVE_BALL, fill, radius, &at, 1);
+}
+
 static Primitive *scene_add_stroke(Scene *scene, PrimitiveKind kind, Role edge, double width, const Vec2 *points,
                                    size_t count) {
     Primitive *stroke = scene_add(scene, kind, points, count);

@@ -1,7 +1,10 @@
 /* What is to be seen, as data: a list of plain primitives in metres, in painting order, and the words around them. A
  * laboratory makes it from an observation, a painter consumes it, a test reads it. It knows no file, no window and no
  * pixel: widths of lines and sizes of letters are in design points, 1 = a pixel at 1280 x 720, and grow with the
- * picture. */
+ * picture.
+ *
+ * A still picture is one scene. A moving one has layers, painted one over the other in the first one's view: what
+ * stays, what comes and stays (loci), and what moves. */
 #pragma once
 
 #include <stdbool.h>
@@ -9,6 +12,7 @@
 
 #include "base/memory.h"
 #include "base/vec2.h"
+#include "draw/view.h"
 
 /* What a thing is decides how it looks: see palette.h. */
 typedef enum Role {
@@ -42,8 +46,11 @@ typedef enum Role {
 typedef enum LineStyle { LINE_SOLID, LINE_DASHED, LINE_DOTTED, LINE_DASH_DOT, LINE_STYLES } LineStyle;
 
 typedef enum PrimitiveKind {
-    PRIMITIVE_POLYGON,   /* closed rings */
-    PRIMITIVE_LINE,      /* from point to point */
+    PRIMITIVE_POLYGON,   /* closed rings; with a height, a prism */
+    PRIMITIVE_LINE,      /* from point to point; with a height, an upright sheet */
+    PRIMITIVE_DISC,      /* of `radius` round each point; with a height, an upright cylinder */
+    PRIMITIVE_WHEEL,     /* an upright disc of `radius` on an axle from points[0] to points[1], at `base` */
+    PRIMITIVE_BALL,      /* of `radius` round each point, its middle at `base` */
     PRIMITIVE_TICK,      /* a short line through points[0], across the direction to points[1] */
     PRIMITIVE_DIMENSION, /* arrow heads at points[0] and points[1]; from outside where there is no room between */
     PRIMITIVE_LABEL,     /* words near points[0]: the painter looks for a place where they hide nothing */
@@ -59,6 +66,8 @@ typedef struct Primitive {
     double fill_opacity; /* 0 to 1; 0: not filled */
     double edge_opacity; /* 0 to 1 */
     double width;        /* design points, of the edge; 0: none */
+    double base, height; /* m: from where it rises, and how far; seen in the raised view only */
+    double radius;       /* m, of discs, wheels and balls */
     LineStyle style;     /* of the edge */
     bool hatched;        /* polygons: thin lines in `edge` over the fill */
     bool united;         /* polygons: overlapping rings unite; otherwise even-odd, a ring within a ring is a hole */
@@ -70,6 +79,7 @@ typedef struct Primitive {
     double keep_clear; /* 1, how much labels avoid to cover it; 0: they may */
     LabelShape shape;
     bool bold;
+    bool fixed;    /* labels: exactly on their point, whatever they hide: what moves must not jump */
     bool optional; /* labels: better left out than put over something */
     bool close;    /* labels: left out where there is no room within the outline, or right beside the point */
     bool leader;   /* labels: a thin line to points[0] when they have to move away */
@@ -100,6 +110,8 @@ typedef struct SceneRow {
         *cells[ROW_CELLS]; /* or NULL; the first to the left and shortened where needed, the others to the right */
 } SceneRow;
 
+enum { SCENE_PANELS = 6 };
+
 /* Zero is an empty scene; scene_clear releases it. */
 typedef struct Scene {
     Primitive *primitives; /* (count) in painting order; among labels the earlier choose their places first */
@@ -107,11 +119,15 @@ typedef struct Scene {
     SceneRow *rows; /* (row_count) */
     size_t row_count, row_capacity;
     Box box;            /* m, what must be seen */
+    double top;         /* m, up to what height, in the raised view */
+    Camera camera;      /* from where; zero: the plan */
+    bool bare;          /* nothing round it but the scale: a detail of another picture */
+    int panels;         /* pictures beside it, for instance plots, in place of the rows; at most SCENE_PANELS */
     double grid;        /* m, between the faint lines; 0: none */
     const char *title;  /* the answer: the eye finds it first */
     Role title_role;    /* ROLE_TEXT, or ROLE_ERROR when the answer is no */
     const char *detail; /* one line more about it */
-    const char *name;   /* of what is shown */
+    const char *name;   /* of what is shown; texts that are NULL are not there */
     const char *note;   /* what must be said wherever it is shown, or "" */
     const char *clock;  /* the time, or the span of time, that is shown */
     Arena arena;        /* holds points and texts */
@@ -123,6 +139,9 @@ void scene_clear(Scene *scene);
 Primitive *scene_add_polygon(Scene *scene, Role fill, const Vec2 *points, size_t count);
 Primitive *scene_add_rings(Scene *scene, Role fill, const Vec2 *points, const size_t *starts, size_t ring_count);
 Primitive *scene_add_line(Scene *scene, Role edge, double width, const Vec2 *points, size_t count);
+Primitive *scene_add_discs(Scene *scene, Role fill, double radius, const Vec2 *centres, size_t count);
+Primitive *scene_add_wheel(Scene *scene, Role fill, double radius, Vec2 from, Vec2 to);
+Primitive *scene_add_ball(Scene *scene, Role fill, double radius, Vec2 at);
 Primitive *scene_add_tick(Scene *scene, Role edge, double width, double size, Vec2 at, Vec2 towards);
 Primitive *scene_add_dimension(Scene *scene, Role edge, double width, Vec2 from, Vec2 to);
 Primitive *scene_add_label(Scene *scene, Role role, double size, Vec2 at, const char *text);

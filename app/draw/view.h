@@ -1,0 +1,45 @@
+/* From where a scene is looked at, and where that puts each of its points on the page.
+ *
+ * The plan is looked at from above: a metre is as long everywhere. The raised view is a mild perspective,
+ *
+ *     X = F (p . right) / d        d = D - p . back
+ *     Y = -F (p . up) / d
+ *
+ * of a camera that looks at the middle of the house from the distance D; F is chosen so that the house fills its place.
+ * Both are one matrix in homogeneous coordinates, so that a painter, a label and a test compute the same. */
+#pragma once
+
+#include <stdbool.h>
+
+#include "base/vec2.h"
+
+typedef enum ViewKind { VIEW_PLAN, VIEW_RAISED } ViewKind;
+
+#define VIEW_WORDS "plan|raised"
+
+typedef struct Camera {
+    ViewKind kind;
+    double azimuth;   /* degrees, of the raised view: 0 looks up the plan, along +y; 90 from the right, along -x */
+    double elevation; /* degrees above the floor, more than 0, at most 90 */
+    double zoom;      /* 1: as large as fits; 0 counts as 1 */
+} Camera;
+
+/* Of the raised view, where nobody asks for another. */
+#define VIEW_AZIMUTH 20.0
+#define VIEW_ELEVATION 52.0
+
+typedef struct View {
+    bool raised;
+    double rows[4][4]; /* (x, y, z, 1) in m to page x W, page y W, depth W, W; depth from -1, near, to 1 */
+} View;
+
+View view_plan(double metre, Vec2 origin);
+
+/* Fits what stands in `box`, up to `top` m, into a place on the page. */
+View view_raised(Camera camera, Box box, double top, Box place);
+
+/* The page's point of one in the house, `height` m above the floor. */
+Vec2 view_point(const View *view, Vec2 at, double height);
+
+/* How long a metre across is there, in design points. */
+double view_scale(const View *view, Vec2 at, double height);
