@@ -184,3 +184,41 @@ TEST(routes_alone_do_not_meet) {
     observation_free(&all);
     house_free(&house);
 }
+
+/* A touch of some milliseconds between two rows of the trace is in it all the same. */
+TEST(the_trace_loses_no_extremes) {
+    House house;
+    case_house(&house, "corner-0.90-0.90", -1, (const char *[]){"run.sample=0.5", NULL});
+    Observation observation = case_run(&house, 1);
+    const PersonObservation *person = &observation.people[0];
+    double force = 0, clearance = HUGE_VAL, ring = 0;
+    Vec2 contact = {0, 0};
+    for (size_t r = 0; r < observation.trace.rows; r++) {
+        const double *row = trace_row(&observation.trace, r);
+        CHECK((row[TRACE_BODY_FORCE] > 0) == isfinite(row[TRACE_CONTACT_X]));
+        if (row[TRACE_BODY_FORCE] > force)
+            contact = vec2(row[TRACE_CONTACT_X], row[TRACE_CONTACT_Y]);
+        force = fmax(force, row[TRACE_BODY_FORCE]);
+        clearance = fmin(clearance, row[TRACE_CLEARANCE]);
+        ring = fmax(ring, row[TRACE_RING]);
+    }
+    CHECK(person->contacts > 0 && force == person->peak_force && ring == person->ring_peak);
+    CHECK(clearance == person->narrowest && vec2_distance(contact, person->peak_at) == 0);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+TEST(it_is_known_when_a_door_was_opened) {
+    House house;
+    case_house(&house, "closed-door", -1, NULL);
+    Observation observation = case_run(&house, 1);
+    CHECK(observation.door_opened[0] > 3 && observation.door_opened[0] < observation.time);
+    observation_free(&observation);
+    house_free(&house);
+    case_house(&house, "ube-techno-house", -1, NULL);
+    observation = case_run(&house, 1);
+    for (size_t d = 0; d < house.plan.door_count; d++)
+        CHECK(!isfinite(observation.door_opened[d]) || outline_door_moves(&house.plan.doors[d]));
+    observation_free(&observation);
+    house_free(&house);
+}

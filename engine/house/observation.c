@@ -11,6 +11,7 @@ const char *observation_reason(Reason reason) {
 void observation_free(Observation *observation) {
     memory_free(observation->people);
     memory_free(observation->hazards);
+    memory_free(observation->door_opened);
     trace_clear(&observation->trace);
     *observation = (Observation){0};
 }

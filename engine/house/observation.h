@@ -46,7 +46,8 @@ typedef struct PersonObservation {
     double lost_time;         /* s, against the free speed */
 } PersonObservation;
 
-/* The columns of the trace: one row a person and sample. */
+/* The columns of the trace: one row a person and sample. What comes and goes between two rows is not lost: clearance is
+ * the least since the row before, ring and forces are the greatest, the contact is the hardest. */
 enum {
     TRACE_TIME,
     TRACE_PERSON,      /* index into House.people */
@@ -60,6 +61,8 @@ enum {
     TRACE_RING_FORCE,  /* N, sum of the personal space's */
     TRACE_OFFSET,      /* m, to the left of the planned path */
     TRACE_OFFSET_RATE, /* m/s */
+    TRACE_CONTACT_X,   /* m, where the body was touched; NAN: nowhere */
+    TRACE_CONTACT_Y,   /* m */
     TRACE_COLUMNS,
 };
 
@@ -69,8 +72,9 @@ typedef struct Observation {
     Trace trace;
     Hazard *hazards; /* (hazard_count), worst first */
     size_t hazard_count;
-    bool completed; /* everybody who took part is out */
-    double time;    /* s, when the last one got out, or the run ended */
+    double *door_opened; /* (doors of the plan) s, when each was first opened; infinite: it was not */
+    bool completed;      /* everybody who took part is out */
+    double time;         /* s, when the last one got out, or the run ended */
     uint64_t steps;
     int wall_crossings; /* at any step, of a body's middle into a wall: more than none is a fault of the program */
     double dt;          /* s */

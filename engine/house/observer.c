@@ -17,9 +17,9 @@ enum { MOST_SQUARES = 1 << 21 };
 static const double MOST_ROWS = 2e7;
 
 static const TraceColumn columns[TRACE_COLUMNS] = {
-    {"time", "s"},       {"person", "1"},     {"x", "m"},         {"y", "m"},
-    {"heading", "rad"},  {"speed", "m/s"},    {"clearance", "m"}, {"ring", "m"},
-    {"body_force", "N"}, {"ring_force", "N"}, {"offset", "m"},    {"offset_rate", "m/s"},
+    {"time", "s"},    {"person", "1"},        {"x", "m"},         {"y", "m"},          {"heading", "rad"},
+    {"speed", "m/s"}, {"clearance", "m"},     {"ring", "m"},      {"body_force", "N"}, {"ring_force", "N"},
+    {"offset", "m"},  {"offset_rate", "m/s"}, {"contact_x", "m"}, {"contact_y", "m"},
 };
 
 static bool is_watched(const World *world, size_t i) {
@@ -31,9 +31,23 @@ static bool ended(const World *world, size_t i) {
     return world->phase[i] == PHASE_OUT || world->phase[i] == PHASE_STUCK;
 }
 
+static const Extremes no_extremes = {.clearance = HUGE_VAL, .contact = {NAN, NAN}};
+
+static void watch_extremes(Extremes *extremes, const Sense *sense) {
+    if (sense->body_force > extremes->body_force) {
+        extremes->body_force = sense->body_force;
+        extremes->contact = sense->contact_at;
+    }
+    extremes->clearance = real_min(extremes->clearance, sense->clearance);
+    extremes->ring = real_max(extremes->ring, sense->ring);
+    extremes->ring_force = real_max(extremes->ring_force, sense->ring_force);
+}
+
+/* A row of now, and of the extremes up to now. */
 static void add_row(Observer *observer, size_t i, double offset_rate) {
     const World *world = observer->world;
-    const Sense *sense = &world->sense[i];
+    Extremes *extremes = &observer->watched[i].extremes;
+    watch_extremes(extremes, &world->sense[i]);
     Vec2 at = world_reference(world, i);
     trace_add(&observer->trace,
               (double[TRACE_COLUMNS]){
@@ -43,13 +57,16 @@ static void add_row(Observer *observer, size_t i, double offset_rate) {
                   [TRACE_Y] = at.y,
                   [TRACE_HEADING] = world->heading[i],
                   [TRACE_SPEED] = vec2_dot(world->velocity[i], world->axis[i]),
-                  [TRACE_CLEARANCE] = sense->clearance,
-                  [TRACE_RING] = sense->ring,
-                  [TRACE_BODY_FORCE] = sense->body_force,
-                  [TRACE_RING_FORCE] = sense->ring_force,
+                  [TRACE_CLEARANCE] = extremes->clearance,
+                  [TRACE_RING] = extremes->ring,
+                  [TRACE_BODY_FORCE] = extremes->body_force,
+                  [TRACE_RING_FORCE] = extremes->ring_force,
                   [TRACE_OFFSET] = world->drive[i].offset,
                   [TRACE_OFFSET_RATE] = offset_rate,
+                  [TRACE_CONTACT_X] = extremes->contact.x,
+                  [TRACE_CONTACT_Y] = extremes->contact.y,
               });
+    *extremes = no_extremes;
 }
 
 size_t observer_sample_steps(const House *house) {
@@ -76,8 +93,12 @@ void observer_init(Observer *observer, const World *world, PersonObservation *pe
                            .people = people,
                            .watched = memory_allocate(world->count, sizeof *observer->watched),
                            .riders = memory_allocate(world->count, sizeof *observer->riders),
+                           .door_opened = memory_allocate(world->house->plan.door_count, sizeof(double)),
+                           .door_changes = world->door_changes,
                            .sample_steps = observer_sample_steps(world->house)};
     trace_init(&observer->trace, columns, TRACE_COLUMNS);
+    for (size_t d = 0; d < world->house->plan.door_count; d++)
+        observer->door_opened[d] = HUGE_VAL;
     for (size_t i = 0; i < world->count; i++) {
         if (!is_watched(world, i))
             continue;
@@ -86,7 +107,8 @@ void observer_init(Observer *observer, const World *world, PersonObservation *pe
             lay_floor(observer);
         if (world_rides(world, i))
             observer->riders[observer->rider_count++] = i;
-        observer->watched[i] = (Watched){.at = world_reference(world, i), .untouched = HUGE_VAL};
+        observer->watched[i] =
+            (Watched){.at = world_reference(world, i), .untouched = HUGE_VAL, .extremes = no_extremes};
         people[i] = (PersonObservation){.took_part = true,
                                         .exit = route->answer == ROUTE_NO_EXIT ? SIZE_MAX : route->exit,
                                         .reversals = route->reversals,
@@ -101,6 +123,7 @@ void observer_init(Observer *observer, const World *world, PersonObservation *pe
 void observer_clear(Observer *observer) {
     memory_free(observer->watched);
     memory_free(observer->riders);
+    memory_free(observer->door_opened);
     memory_free(observer->floor.stretch);
     memory_free(observer->stretches);
     trace_clear(&observer->trace);
@@ -185,6 +208,7 @@ static void watch_person(Observer *observer, size_t i) {
     person->path_length += moved;
     watch_clearance(person, stretch, world, i, at);
     watch_contact(person, stretch, watched, sense, elapsed);
+    watch_extremes(&watched->extremes, sense);
     person->ring_time += sense->ring > FELT ? elapsed : 0;
     person->ring_peak = real_max(person->ring_peak, sense->ring);
     if (world->phase[i] != PHASE_WAITING) {
@@ -206,8 +230,19 @@ static void watch_if_going(Observer *observer, size_t i) {
         watch_person(observer, i);
 }
 
+/* Doors that have been opened stay open. */
+static void watch_doors(Observer *observer) {
+    const World *world = observer->world;
+    const Plan *plan = &world->house->plan;
+    for (size_t d = 0; d < plan->door_count && world->door_changes != observer->door_changes; d++)
+        if (outline_door_moves(&plan->doors[d]) && world->door_open[d])
+            observer->door_opened[d] = real_min(observer->door_opened[d], clock_time(&world->clock));
+    observer->door_changes = world->door_changes;
+}
+
 void observer_watch(Observer *observer) {
     const World *world = observer->world;
+    watch_doors(observer);
     bool everybody = world->sensed || world->clock.step % observer->sample_steps == 0;
     for (size_t i = 0; everybody && i < world->count; i++)
         watch_if_going(observer, i);

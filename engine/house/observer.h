@@ -5,6 +5,14 @@
 #include "house/observation.h"
 #include "house/world.h"
 
+/* The extremes of a person since the last row of the trace. */
+typedef struct Extremes {
+    double clearance;              /* m, least */
+    double ring;                   /* m, and the greatest of these */
+    double body_force, ring_force; /* N */
+    Vec2 contact;                  /* m, of the hardest */
+} Extremes;
+
 /* What is remembered of a person between steps. */
 typedef struct Watched {
     Vec2 at;          /* m, the reference point one step ago */
@@ -13,6 +21,7 @@ typedef struct Watched {
     double ended;     /* m, path length at which the present stretch ends */
     size_t stretch;   /* the present one, plus 1; 0: none yet */
     double time;      /* s */
+    Extremes extremes;
     bool done;
 } Watched;
 
@@ -32,6 +41,8 @@ typedef struct Observer {
     size_t rider_count;
     size_t sample_steps; /* between two rows of the trace */
     Trace trace;
+    double *door_opened; /* (doors of the plan) s; infinite: not yet */
+    int door_changes;    /* of the world, seen so far */
     Floor floor;
     Stretch *stretches; /* (stretch_count) */
     size_t stretch_count, stretch_capacity;

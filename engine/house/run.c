@@ -115,6 +115,8 @@ static void merge_group(Observation *observation, Group *group, Stretch **stretc
     *count += observer->stretch_count;
     observation->steps = group->steps > observation->steps ? group->steps : observation->steps;
     observation->wall_crossings += group->wall_crossings;
+    for (size_t d = 0; d < group->house->plan.door_count; d++)
+        observation->door_opened[d] = fmin(observation->door_opened[d], observer->door_opened[d]);
     observation->digest = digest_chain(observation->digest, group->digest);
 }
 
@@ -135,9 +137,12 @@ void run_house(Observation *observation, const House *house, const RunOptions *o
         .people = memory_allocate(house->person_count, sizeof *observation->people),
         .person_count = house->person_count,
         .hazards = memory_allocate(HAZARDS_MOST, sizeof *observation->hazards),
+        .door_opened = memory_allocate(house->plan.door_count, sizeof *observation->door_opened),
         .dt = house->plan.run.dt,
         .sample = (double)observer_sample_steps(house) * house->plan.run.dt,
     };
+    for (size_t d = 0; d < house->plan.door_count; d++)
+        observation->door_opened[d] = HUGE_VAL;
     size_t group_count = make_groups(groups, house, options);
     for (size_t g = 0; g < group_count; g++) {
         groups[g].house = house;

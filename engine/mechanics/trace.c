@@ -1,5 +1,6 @@
 #include "mechanics/trace.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -34,8 +35,11 @@ int trace_write_csv(const Trace *trace, const char *path) {
         at += sprintf(at, "%s%s [%s]", c ? "," : "", trace->columns[c].name, trace->columns[c].unit);
     at += sprintf(at, "\r\n");
     for (size_t r = 0; r < trace->rows; r++) {
-        for (size_t c = 0; c < trace->width; c++)
-            at += snprintf(at, CELL_LONGEST, "%s%.9g", c ? "," : "", trace_row(trace, r)[c]);
+        for (size_t c = 0; c < trace->width; c++) {
+            double value = trace_row(trace, r)[c];
+            at += sprintf(at, "%s", c ? "," : "");
+            at += isnan(value) ? 0 : snprintf(at, CELL_LONGEST, "%.9g", value);
+        }
         at += sprintf(at, "\r\n");
     }
     int error = text_write_file(path, text, (size_t)(at - text));

@@ -24,5 +24,6 @@ static inline const double *trace_row(const Trace *trace, size_t row) {
     return trace->values + row * trace->width;
 }
 
-/* Writes CSV (RFC 4180) with a header `name [unit]`; the file is written beside and renamed. 0, or errno. */
+/* Writes CSV (RFC 4180) with a header `name [unit]`, NAN as an empty cell; the file is written beside and renamed. 0,
+ * or errno. */
 int trace_write_csv(const Trace *trace, const char *path);
