@@ -56,10 +56,10 @@ static double brute_distance(const Outline *outline, Vec2 at) {
 /* Even-odd over the solids' rings, by the angle that each edge is seen under. */
 static bool brute_inside(const Outline *outline, Vec2 at) {
     double turns = 0;
-    for (size_t r = 0; r < outline->ring_count; r++)
-        for (size_t i = outline->ring_starts[r], end = outline->ring_starts[r + 1]; i < end; i++) {
-            Vec2 a = vec2_sub(outline->ring_points[i], at);
-            Vec2 b = vec2_sub(outline->ring_points[i + 1 < end ? i + 1 : outline->ring_starts[r]], at);
+    for (size_t r = 0; r < outline->rings.count; r++)
+        for (size_t i = outline->rings.starts[r], end = outline->rings.starts[r + 1]; i < end; i++) {
+            Vec2 a = vec2_sub(outline->rings.points[i], at);
+            Vec2 b = vec2_sub(outline->rings.points[i + 1 < end ? i + 1 : outline->rings.starts[r]], at);
             turns += atan2(vec2_cross(a, b), vec2_dot(a, b)) / (2 * M_PI);
         }
     return (int64_t)llround(turns) % 2 != 0;

@@ -55,14 +55,18 @@ static double perimeter(const Outline *outline) {
     return sum;
 }
 
-static double area(const Outline *outline) {
+static double rings_area(const Rings *rings) {
     double sum = 0;
-    for (size_t r = 0; r < outline->ring_count; r++)
-        for (size_t i = outline->ring_starts[r]; i < outline->ring_starts[r + 1]; i++) {
-            size_t next = i + 1 < outline->ring_starts[r + 1] ? i + 1 : outline->ring_starts[r];
-            sum += vec2_cross(outline->ring_points[i], outline->ring_points[next]) / 2;
+    for (size_t r = 0; r < rings->count; r++)
+        for (size_t i = rings->starts[r]; i < rings->starts[r + 1]; i++) {
+            size_t next = i + 1 < rings->starts[r + 1] ? i + 1 : rings->starts[r];
+            sum += vec2_cross(rings->points[i], rings->points[next]) / 2;
         }
     return sum;
+}
+
+static double area(const Outline *outline) {
+    return rings_area(&outline->rings);
 }
 
 /* Every normal is a unit vector to the right of its face, every corner's faces turn to the left there. */
@@ -118,7 +122,7 @@ TEST(a_closed_wall_has_an_outside_and_an_inside) {
     Drawn drawn = draw("'walls': [{'id': 'w1', 'points': [[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]], 'thickness': 0.2}]");
     CHECK(drawn.outline.face_count == 8);
     CHECK(drawn.outline.corner_count == 4); /* the outer ones */
-    CHECK(drawn.outline.ring_count == 2);
+    CHECK(drawn.outline.rings.count == 2);
     CHECK_NEAR(area(&drawn.outline), 4.2 * 3.2 - 3.8 * 2.8, 1e-5);
     CHECK_NEAR(ray(&drawn, 2, 1.5, 1, 0), 1.9, GRID);
     CHECK_NEAR(ray(&drawn, 2, 1.5, 0, -1), 1.4, GRID);
@@ -146,7 +150,7 @@ TEST(nothing_of_a_junction_lies_hidden_in_a_wall) {
 TEST(a_cross_of_walls_is_one_solid) {
     Drawn drawn = draw("'walls': [{'id': 'w1', 'points': [[-2, 0], [2, 0]], 'thickness': 0.2}, "
                        "{'id': 'w2', 'points': [[0, -2], [0, 2]], 'thickness': 0.2}]");
-    CHECK(drawn.outline.ring_count == 1);
+    CHECK(drawn.outline.rings.count == 1);
     CHECK(drawn.outline.face_count == 12);
     CHECK(drawn.outline.corner_count == 8);
     CHECK_NEAR(area(&drawn.outline), 2 * 4 * 0.2 - 0.2 * 0.2, 1e-5);
@@ -157,7 +161,7 @@ TEST(furniture_against_a_wall_hides_the_wall_and_is_named_itself) {
     Drawn drawn = draw("'walls': [{'id': 'w1', 'points': [[0, 0], [4, 0]], 'thickness': 0.2}], "
                        "'furniture': [{'id': 'f1', 'name': 'wardrobe', 'centre': [2, 0.3], 'size': [1, 0.4]}]");
     const Outline *outline = &drawn.outline;
-    CHECK(outline->ring_count == 1);
+    CHECK(outline->rings.count == 1);
     CHECK_NEAR(area(outline), 4 * 0.2 + 1 * 0.4, 1e-5);
     CHECK(faces_between(outline, 2.5, 0.5, 1.5, 0.5) == 1);
     int face = -7;
@@ -185,7 +189,7 @@ static Drawn draw_door(const char *more) {
 
 TEST(a_door_cuts_its_wall_over_its_clear_width) {
     Drawn drawn = draw_door("");
-    CHECK(drawn.outline.ring_count == 2);
+    CHECK(drawn.outline.rings.count == 2);
     CHECK(drawn.outline.face_count == 8);
     CHECK(drawn.outline.corner_count == 8);
     CHECK_NEAR(ray(&drawn, 2, 0, 1, 0), 0.4, GRID);
@@ -200,7 +204,7 @@ TEST(a_door_cuts_its_wall_over_its_clear_width) {
 
 TEST(a_locked_door_is_wall) {
     Drawn drawn = draw_door(", 'kind': 'hinged', 'state': 'locked'");
-    CHECK(drawn.outline.ring_count == 1);
+    CHECK(drawn.outline.rings.count == 1);
     CHECK(drawn.outline.face_count == 4);
     CHECK_NEAR(ray(&drawn, 2, 3, 0, -1), 2.95, GRID);
     wipe(&drawn);
@@ -332,10 +336,10 @@ TEST(a_ray_that_meets_nothing_reaches_as_far_as_it_was_asked) {
 /* Is p inside a closed ring of the outline (even number of crossings: no)? */
 static bool inside_rings(const Outline *outline, Vec2 p) {
     bool inside = false;
-    for (size_t r = 0; r < outline->ring_count; r++)
-        for (size_t i = outline->ring_starts[r]; i < outline->ring_starts[r + 1]; i++) {
-            Vec2 a = outline->ring_points[i];
-            Vec2 b = outline->ring_points[i + 1 < outline->ring_starts[r + 1] ? i + 1 : outline->ring_starts[r]];
+    for (size_t r = 0; r < outline->rings.count; r++)
+        for (size_t i = outline->rings.starts[r]; i < outline->rings.starts[r + 1]; i++) {
+            Vec2 a = outline->rings.points[i];
+            Vec2 b = outline->rings.points[i + 1 < outline->rings.starts[r + 1] ? i + 1 : outline->rings.starts[r]];
             if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y))
                 inside = !inside;
         }
@@ -381,7 +385,7 @@ TEST(a_heap_of_furniture_is_solid_exactly_where_a_piece_is) {
 
 TEST(an_empty_plan_has_an_outline_of_nothing) {
     Drawn drawn = draw("'walls': []");
-    CHECK(drawn.outline.face_count == 0 && drawn.outline.corner_count == 0 && drawn.outline.ring_count == 0);
+    CHECK(drawn.outline.face_count == 0 && drawn.outline.corner_count == 0 && drawn.outline.rings.count == 0);
     CHECK(drawn.outline.box.low.x < drawn.outline.box.high.x);
     CHECK_NEAR(ray(&drawn, 0, 0, 1, 0), 20, 0);
     wipe(&drawn);
@@ -430,5 +434,27 @@ TEST(the_owner_of_a_face_is_found_among_any_number) {
     for (size_t f = 0; f < drawn.outline.face_count; f++)
         last += drawn.outline.faces[f].index == WALLS;
     CHECK(last > WALLS);
+    wipe(&drawn);
+}
+
+static double walls_area(const Plan *plan, double low, double high) {
+    Rings rings;
+    CHECK(outline_walls(plan, low, high, &rings));
+    double sum = rings_area(&rings);
+    outline_free_rings(&rings);
+    return sum;
+}
+
+/* A wall of 2.4 m with a door in it, a rail of 0.9 m that goes on from it, and a wardrobe against them. */
+TEST(walls_alone_are_without_furniture_and_sorted_by_height) {
+    Drawn drawn = draw("'walls': [{'id': 'w1', 'points': [[0, 0], [4, 0]], 'thickness': 0.2}, "
+                       "{'id': 'w2', 'points': [[4, 0], [6, 0]], 'thickness': 0.2, 'height': 0.9}], "
+                       "'doors': [{'id': 'd1', 'wall': 'w1', 'at': 1, 'width': 0.8}], "
+                       "'furniture': [{'id': 'f1', 'name': 'wardrobe', 'centre': [4, 0.35], 'size': [1, 0.6], "
+                       "'height': 1.8}]");
+    CHECK_NEAR(walls_area(&drawn.plan, 0, HUGE_VAL), 5.2 * 0.2, 1e-5);
+    CHECK_NEAR(walls_area(&drawn.plan, 0, 1), 2 * 0.2, 1e-5);
+    CHECK_NEAR(walls_area(&drawn.plan, 1, HUGE_VAL), 3.2 * 0.2, 1e-5);
+    CHECK_NEAR(walls_area(&drawn.plan, 3, HUGE_VAL), 0, 0);
     wipe(&drawn);
 }

@@ -24,26 +24,56 @@
 
 #define CROSS_HALF 0.11 /* m, of the x on a locked door: within a wall's depth of the opening */
 
+#define LEAF_SECONDS 0.8 /* that a leaf moves, of the time that a door takes to be opened */
+
 enum {
     ARC_PIECES = 16, /* of a quarter circle */
     RASTER = 24,     /* points each way that are tried for a room's middle */
 };
 
+/* Walls from so high up to less than `high`, shown as high as `shown`, m. */
+static void add_walls_between(Scene *scene, const Plan *plan, double low, double high, double shown) {
+    Rings rings;
+    if (outline_walls(plan, low, high, &rings) && rings.count) {
+        Primitive *walls = scene_add_rings(scene, ROLE_WALL, rings.points, rings.starts, rings.count);
+        walls->width = WALL_EDGE;
+        walls->keep_clear = KEEP_WALL;
+        walls->height = shown;
+    }
+    outline_free_rings(&rings);
+}
+
+/* The least height from `low` m on that a wall has, or PLAN_SCENE_CUT. */
+static double next_height(const Plan *plan, double low) {
+    double next = PLAN_SCENE_CUT;
+    for (size_t w = 0; w < plan->wall_count; w++)
+        if (plan->walls[w].height >= low)
+            next = fmin(next, plan->walls[w].height);
+    return next;
+}
+
 static void add_walls(Scene *scene, const House *house) {
     const Outline *outline = &house->outline;
-    if (outline->ring_count) {
-        Primitive *solids =
-            scene_add_rings(scene, ROLE_WALL, outline->ring_points, outline->ring_starts, outline->ring_count);
-        solids->width = WALL_EDGE;
-        solids->keep_clear = KEEP_WALL;
-    }
+    const Plan *plan = &house->plan;
+    double low = next_height(plan, 0);
+    for (; low < PLAN_SCENE_CUT; low = next_height(plan, nextafter(low, HUGE_VAL)))
+        add_walls_between(scene, plan, low, nextafter(low, HUGE_VAL), low);
+    add_walls_between(scene, plan, low, HUGE_VAL, PLAN_SCENE_CUT);
     for (size_t i = 0; i < outline->face_count; i++) {
         const Face *face = &outline->faces[i];
-        if (face->owner != OWNER_WALL || house->plan.walls[face->index].thickness > 0)
+        if (face->owner != OWNER_WALL || plan->walls[face->index].thickness > 0)
             continue;
         Primitive *wall = scene_add_line(scene, ROLE_WALL, THIN_WALL, (Vec2[]){face->a, face->b}, 2);
+        wall->height = fmin(plan->walls[face->index].height, PLAN_SCENE_CUT);
         wall->keep_clear = KEEP_WALL;
     }
+}
+
+/* How high a piece is as it stands, or as it lies on one of its sides. */
+static double furniture_height(const Furniture *piece) {
+    if (!piece->toppled)
+        return piece->height;
+    return piece->topples == TOPPLE_LEFT || piece->topples == TOPPLE_RIGHT ? piece->size.x : piece->size.y;
 }
 
 static void add_furniture(Scene *scene, const Furniture *piece) {
@@ -53,6 +83,7 @@ static void add_furniture(Scene *scene, const Furniture *piece) {
     body->edge = ROLE_FURNITURE_LINE;
     body->width = FURNITURE_EDGE;
     body->hatched = piece->toppled;
+    body->height = furniture_height(piece);
     body->keep_clear = KEEP_FURNITURE;
     if (!piece->toppled)
         return;
@@ -85,10 +116,19 @@ static Opening opening_of(const Plan *plan, const Door *door) {
     return opening;
 }
 
-static void add_door_line(Scene *scene, Vec2 from, Vec2 to, double width, LineStyle style) {
+static Primitive *add_door_line(Scene *scene, Vec2 from, Vec2 to, double width, LineStyle style) {
     Primitive *line = scene_add_line(scene, ROLE_DOOR, width, (Vec2[]){from, to}, 2);
     line->style = style;
     line->keep_clear = KEEP_DOOR;
+    return line;
+}
+
+/* A leaf with its free end so far towards open: 0 shut, 1 at a right angle. */
+static void add_leaf(Scene *scene, const Opening *opening, double width, double open) {
+    double turn = M_PI / 2 * open;
+    Vec2 root = vec2_along(opening->hinge, open * opening->half, opening->out);
+    Vec2 tip = vec2_along(vec2_along(root, width * cos(turn), opening->along), width * sin(turn), opening->out);
+    add_door_line(scene, open < 1 ? root : opening->hinge, tip, LEAF, LINE_SOLID)->height = PLAN_SCENE_CUT;
 }
 
 /* The quarter circle on which the leaf's edge goes from shut to open. */
@@ -103,41 +143,44 @@ static void add_swing(Scene *scene, const Opening *opening, double width, LineSt
     swing->keep_clear = KEEP_DOOR / 2;
 }
 
-/* The outline takes a locked door for wall: shows it as an opening again. */
-static void add_recess(Scene *scene, const Opening *opening) {
+/* A locked door is wall, with a sign on it. */
+static void add_locked(Scene *scene, const Opening *opening) {
     Vec2 side = vec2_scale(opening->out, opening->half);
     Vec2 corners[] = {vec2_sub(opening->hinge, side), vec2_sub(opening->latch, side), vec2_add(opening->latch, side),
                       vec2_add(opening->hinge, side)};
-    scene_add_polygon(scene, ROLE_PAPER, corners, 4)->width = WALL_EDGE;
-}
-
-static void add_cross(Scene *scene, const Opening *opening) {
+    Primitive *recess = scene_add_polygon(scene, ROLE_PAPER, corners, 4);
+    recess->width = WALL_EDGE;
+    recess->base = PLAN_SCENE_CUT;
+    add_door_line(scene, opening->hinge, opening->latch, LEAF, LINE_SOLID)->base = PLAN_SCENE_CUT;
     Vec2 middle = vec2_scale(vec2_add(opening->hinge, opening->latch), 0.5);
     for (int sign = -1; sign <= 1; sign += 2) {
         Vec2 arm = vec2_scale(vec2_along(opening->along, sign, opening->out), CROSS_HALF);
-        add_door_line(scene, vec2_sub(middle, arm), vec2_add(middle, arm), CROSS_EDGE, LINE_SOLID);
+        add_door_line(scene, vec2_sub(middle, arm), vec2_add(middle, arm), CROSS_EDGE, LINE_SOLID)->base =
+            PLAN_SCENE_CUT;
     }
 }
 
-static void add_door(Scene *scene, const Plan *plan, const Door *door) {
+/* A leaf slides along its wall, beside the opening. */
+static void add_sliding(Scene *scene, const Opening *opening, double width, double open) {
+    Vec2 root = vec2_along(opening->hinge, -open * width, opening->along);
+    Primitive *leaf = add_door_line(scene, root, vec2_along(root, width, opening->along), open > 0 ? LEAF / 2 : LEAF,
+                                    open > 0 ? LINE_DASHED : LINE_SOLID);
+    leaf->height = PLAN_SCENE_CUT;
+}
+
+/* `open` from 0, shut, to 1. */
+static void add_door(Scene *scene, const Plan *plan, const Door *door, double open) {
     Opening opening = opening_of(plan, door);
-    bool open = door->state == DOOR_OPEN;
-    if (open && door->kind == DOOR_OPENING)
-        return;
-    if (door->state == DOOR_LOCKED)
-        add_recess(scene, &opening);
-    if (!open)
-        add_door_line(scene, opening.hinge, opening.latch, LEAF, LINE_SOLID);
-    if (door->state == DOOR_LOCKED)
-        add_cross(scene, &opening);
-    if (door->kind == DOOR_HINGED && door->state != DOOR_LOCKED)
-        add_swing(scene, &opening, door->width, open ? LINE_SOLID : LINE_DASHED);
-    if (door->kind == DOOR_HINGED && open)
-        add_door_line(scene, opening.hinge, vec2_along(opening.hinge, opening.half + door->width, opening.out), LEAF,
-                      LINE_SOLID);
-    if (door->kind == DOOR_SLIDING && open)
-        add_door_line(scene, opening.hinge, vec2_along(opening.hinge, -door->width, opening.along), LEAF / 2,
-                      LINE_DASHED);
+    if (door->state == DOOR_LOCKED) {
+        add_locked(scene, &opening);
+    } else if (door->kind == DOOR_HINGED) {
+        add_swing(scene, &opening, door->width, open < 1 ? LINE_DASHED : LINE_SOLID);
+        add_leaf(scene, &opening, door->width, open);
+    } else if (door->kind == DOOR_SLIDING) {
+        add_sliding(scene, &opening, door->width, open);
+    } else if (door->state != DOOR_OPEN) {
+        add_leaf(scene, &opening, door->width, 0);
+    }
 }
 
 static void add_exit(Scene *scene, const Exit *exit) {
@@ -147,15 +190,35 @@ static void add_exit(Scene *scene, const Exit *exit) {
     band->keep_clear = KEEP_EXIT;
 }
 
-void plan_scene_solids(Scene *scene, const House *house) {
+static void add_solids(Scene *scene, const House *house, bool all_doors) {
     const Plan *plan = &house->plan;
     add_walls(scene, house);
     for (size_t i = 0; i < plan->furniture_count; i++)
         add_furniture(scene, &plan->furniture[i]);
     for (size_t i = 0; i < plan->door_count; i++)
-        add_door(scene, plan, &plan->doors[i]);
+        if (all_doors || !outline_door_moves(&plan->doors[i]))
+            add_door(scene, plan, &plan->doors[i], plan->doors[i].state == DOOR_OPEN);
     for (size_t i = 0; i < plan->exit_count; i++)
         add_exit(scene, &plan->exits[i]);
+}
+
+void plan_scene_solids(Scene *scene, const House *house) {
+    add_solids(scene, house, true);
+}
+
+void plan_scene_still(Scene *scene, const House *house) {
+    add_solids(scene, house, false);
+}
+
+/* A leaf has come to its end when its door counts as open. */
+void plan_scene_moving(Scene *scene, const House *house, const double *door_opened, double time) {
+    const Plan *plan = &house->plan;
+    for (size_t i = 0; i < plan->door_count; i++) {
+        const Door *door = &plan->doors[i];
+        double takes = fmax(1e-3, fmin(LEAF_SECONDS, door->opening_time));
+        if (outline_door_moves(door))
+            add_door(scene, plan, door, real_clamp(1 + (time - door_opened[i]) / takes, 0, 1));
+    }
 }
 
 static Primitive *add_tag(Scene *scene, Role fill, Vec2 at, const char *text) {

@@ -4,7 +4,14 @@
 #include "draw/scene.h"
 #include "house/house.h"
 
+/* m: walls and leaves are cut at this height in the raised view, so that one sees into the rooms. */
+#define PLAN_SCENE_CUT 1.1
+
 void plan_scene_solids(Scene *scene, const House *house);
+
+/* The same without the doors that can be opened, and those doors at a time: door_opened is as in an Observation. */
+void plan_scene_still(Scene *scene, const House *house);
+void plan_scene_moving(Scene *scene, const House *house, const double *door_opened, double time);
 
 enum { PLAN_SCENE_NAMES = 25 /* more pieces of furniture, or doors, have no names */ };
 

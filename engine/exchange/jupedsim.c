@@ -44,9 +44,9 @@ static GEOSGeometry *walkable(GEOSContextHandle_t geos, const Outline *outline) 
     Box box = box_expand(outline->box, FREESPACE_MARGIN);
     Vec2 corners[4] = {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
     GEOSGeometry *area = ring_polygon(geos, corners, 4);
-    for (size_t r = 0; r < outline->ring_count && area; r++) {
-        const Vec2 *points = outline->ring_points + outline->ring_starts[r];
-        size_t count = outline->ring_starts[r + 1] - outline->ring_starts[r];
+    for (size_t r = 0; r < outline->rings.count && area; r++) {
+        const Vec2 *points = outline->rings.points + outline->rings.starts[r];
+        size_t count = outline->rings.starts[r + 1] - outline->rings.starts[r];
         GEOSGeometry *ring = ring_polygon(geos, points, count);
         GEOSGeometry *next =
             ring_area(points, count) > 0 ? GEOSDifference_r(geos, area, ring) : GEOSUnion_r(geos, area, ring);

@@ -123,10 +123,10 @@ static void mark_edge(const FreeSpace *space, unsigned char *marks, Vec2 a, Vec2
 static void negate_inside(FreeSpace *space) {
     const Outline *outline = space->outline;
     unsigned char *marks = memory_allocate((size_t)space->nx * (size_t)space->ny, 1);
-    for (size_t r = 0; r < outline->ring_count; r++) {
-        size_t first = outline->ring_starts[r], end = outline->ring_starts[r + 1];
+    for (size_t r = 0; r < outline->rings.count; r++) {
+        size_t first = outline->rings.starts[r], end = outline->rings.starts[r + 1];
         for (size_t i = first; i < end; i++)
-            mark_edge(space, marks, outline->ring_points[i], outline->ring_points[i + 1 < end ? i + 1 : first]);
+            mark_edge(space, marks, outline->rings.points[i], outline->rings.points[i + 1 < end ? i + 1 : first]);
     }
     for (int j = 0; j < space->ny; j++) {
         size_t row = (size_t)j * (size_t)space->nx;

@@ -7,8 +7,6 @@
 #include "base/memory.h"
 #include "house/solids.h"
 
-/* 1: the sine of the turn below which two edges count as one straight face. */
-static const double STRAIGHT = 1e-5;
 /* 1: the sine of the angle below which a ray runs along a face rather than into it. */
 static const double GRAZING = 1e-5;
 
@@ -16,7 +14,7 @@ typedef struct Builder {
     Outline *outline;
     const Plan *plan;
     Solids solids;
-    size_t face_capacity, corner_capacity, ring_capacity, ring_point_capacity;
+    size_t face_capacity, corner_capacity;
 } Builder;
 
 /* Faces ------------------------------------------------------------------------------------------------------- */
@@ -36,27 +34,6 @@ static void add_corner(Builder *builder, Corner corner) {
     outline->corners[outline->corner_count++] = corner;
 }
 
-/* Drops repeated points and those on a straight line between their neighbours; returns how many are left. */
-static size_t straighten(Vec2 *ring, size_t count) {
-    bool changed = true;
-    while (changed && count > 2) {
-        changed = false;
-        for (size_t i = 0; i < count && count > 2;) {
-            Vec2 before = ring[(i + count - 1) % count], here = ring[i], after = ring[(i + 1) % count];
-            Vec2 in = vec2_unit(vec2_sub(here, before)), out = vec2_unit(vec2_sub(after, here));
-            bool straight = vec2_dot(in, out) > 0 && fabs(vec2_cross(in, out)) < STRAIGHT;
-            if (straight || vec2_distance(before, here) < 2 * SOLIDS_GRID) {
-                memmove(ring + i, ring + i + 1, (count - i - 1) * sizeof *ring);
-                count--;
-                changed = true;
-            } else {
-                i++;
-            }
-        }
-    }
-    return count;
-}
-
 /* Adds the faces and convex corners of a closed ring (its first point not repeated), the solid to its left. */
 static void add_ring(Builder *builder, const Vec2 *ring, size_t count) {
     size_t first = builder->outline->face_count;
@@ -73,66 +50,17 @@ static void add_ring(Builder *builder, const Vec2 *ring, size_t count) {
         const Face *face = &builder->outline->faces[first + i];
         const Face *before = &builder->outline->faces[first + (i + count - 1) % count];
         Vec2 in = vec2_unit(vec2_sub(before->b, before->a)), out = vec2_unit(vec2_sub(face->b, face->a));
-        bool end = fabs(vec2_cross(in, out)) <= STRAIGHT && vec2_dot(in, out) < 0; /* of a thin wall */
-        if (vec2_cross(in, out) > STRAIGHT || end)
+        bool end = fabs(vec2_cross(in, out)) <= SOLIDS_STRAIGHT && vec2_dot(in, out) < 0; /* of a thin wall */
+        if (vec2_cross(in, out) > SOLIDS_STRAIGHT || end)
             add_corner(
                 builder,
                 (Corner){.at = face->a, .in = in, .out = out, .owner = face->owner, .index = face->index, .door = -1});
     }
 }
 
-static void keep_ring(Builder *builder, const Vec2 *ring, size_t count) {
-    Outline *outline = builder->outline;
-    outline->ring_points = memory_reserve(outline->ring_points, &builder->ring_point_capacity,
-                                          outline->ring_point_count + count, sizeof *outline->ring_points);
-    memcpy(outline->ring_points + outline->ring_point_count, ring, count * sizeof *ring);
-    outline->ring_point_count += count;
-    outline->ring_count++;
-    outline->ring_starts = memory_reserve(outline->ring_starts, &builder->ring_capacity, outline->ring_count + 1,
-                                          sizeof *outline->ring_starts);
-    outline->ring_starts[outline->ring_count] = outline->ring_point_count;
-}
-
-static void add_geos_ring(Builder *builder, const GEOSGeometry *line, bool hole) {
-    const GEOSCoordSequence *sequence = GEOSGeom_getCoordSeq_r(builder->solids.geos, line);
-    unsigned size = 0;
-    GEOSCoordSeq_getSize_r(builder->solids.geos, sequence, &size);
-    if (size < 4)
-        return;
-    size_t count = size - 1;
-    Vec2 *ring = memory_allocate(count, sizeof *ring);
-    double area = 0;
-    for (unsigned i = 0; i < count; i++)
-        GEOSCoordSeq_getXY_r(builder->solids.geos, sequence, i, &ring[i].x, &ring[i].y);
-    for (size_t i = 0; i < count; i++)
-        area += vec2_cross(vec2_sub(ring[i], ring[0]), vec2_sub(ring[(i + 1) % count], ring[0]));
-    if ((area > 0) == hole)
-        for (size_t i = 0; i < count / 2; i++) {
-            Vec2 swapped = ring[i];
-            ring[i] = ring[count - 1 - i];
-            ring[count - 1 - i] = swapped;
-        }
-    count = straighten(ring, count);
-    if (count > 2) {
-        add_ring(builder, ring, count);
-        keep_ring(builder, ring, count);
-    }
-    memory_free(ring);
-}
-
-static void add_polygons(Builder *builder, const GEOSGeometry *geometry) {
-    GEOSContextHandle_t geos = builder->solids.geos;
-    if (GEOSGeomTypeId_r(geos, geometry) == GEOS_POLYGON) {
-        if (GEOSisEmpty_r(geos, geometry))
-            return;
-        add_geos_ring(builder, GEOSGetExteriorRing_r(geos, geometry), false);
-        for (int i = 0; i < GEOSGetNumInteriorRings_r(geos, geometry); i++)
-            add_geos_ring(builder, GEOSGetInteriorRingN_r(geos, geometry, i), true);
-        return;
-    }
-    for (int i = 0; i < GEOSGetNumGeometries_r(geos, geometry); i++)
-        if (GEOSGetGeometryN_r(geos, geometry, i) != geometry)
-            add_polygons(builder, GEOSGetGeometryN_r(geos, geometry, i));
+static void add_rings(Builder *builder, const Rings *rings) {
+    for (size_t r = 0; r < rings->count; r++)
+        add_ring(builder, rings->points + rings->starts[r], rings->starts[r + 1] - rings->starts[r]);
 }
 
 /* A thin wall's lines, there and back. */
@@ -239,7 +167,8 @@ static bool build(Builder *builder) {
     GEOSGeometry *united = solids_unite(&builder->solids);
     if (!united)
         return false;
-    add_polygons(builder, united);
+    solids_add_rings(&builder->solids, united, &builder->outline->rings);
+    add_rings(builder, &builder->outline->rings);
     add_thin_walls(builder, united);
     GEOSGeom_destroy_r(builder->solids.geos, united);
     for (size_t d = 0; d < plan->door_count; d++)
@@ -249,10 +178,9 @@ static bool build(Builder *builder) {
 }
 
 bool outline_build(Outline *outline, const Plan *plan, Fault *fault) {
-    Outline built = {.ring_starts = NULL};
+    Outline built = {.faces = NULL};
     Builder builder = {.outline = &built, .plan = plan};
     solids_init(&builder.solids, plan);
-    built.ring_starts = memory_reserve(NULL, &builder.ring_capacity, 1, sizeof *built.ring_starts);
     bool good = build(&builder);
     if (good) {
         built.box = plan_box(plan, &built);
@@ -267,11 +195,28 @@ bool outline_build(Outline *outline, const Plan *plan, Fault *fault) {
     return good;
 }
 
+bool outline_walls(const Plan *plan, double low, double high, Rings *rings) {
+    Solids solids;
+    solids_init(&solids, plan);
+    GEOSGeometry *walls = solids_unite_walls(&solids, low, high);
+    *rings = (Rings){.count = 0};
+    if (walls)
+        solids_add_rings(&solids, walls, rings);
+    GEOSGeom_destroy_r(solids.geos, walls);
+    solids_clear(&solids);
+    return walls;
+}
+
+void outline_free_rings(Rings *rings) {
+    memory_free(rings->points);
+    memory_free(rings->starts);
+    *rings = (Rings){.count = 0};
+}
+
 void outline_free(Outline *outline) {
     memory_free(outline->faces);
     memory_free(outline->corners);
-    memory_free(outline->ring_points);
-    memory_free(outline->ring_starts);
+    outline_free_rings(&outline->rings);
     if (outline->broadphase)
         broadphase_destroy(outline->broadphase);
     *outline = (Outline){0};

@@ -41,12 +41,18 @@ typedef struct Corner {
     int owner, index, door, presence;
 } Corner;
 
+/* Closed rings one after another, for filling: solids to the left, holes clockwise. Zero is none. */
+typedef struct Rings {
+    Vec2 *points;   /* (point_count) m; a ring's first point is not repeated */
+    size_t *starts; /* (count + 1) of each ring in points; NULL when there is none */
+    size_t count, point_count, start_capacity, point_capacity;
+} Rings;
+
 typedef struct Outline {
-    Face *faces;         /* (face_count) */
-    Corner *corners;     /* (corner_count) */
-    Vec2 *ring_points;   /* (ring_point_count) the solids' closed rings, one after another, for filling */
-    size_t *ring_starts; /* (ring_count + 1) */
-    size_t face_count, corner_count, ring_count, ring_point_count;
+    Face *faces;     /* (face_count) */
+    Corner *corners; /* (corner_count) */
+    size_t face_count, corner_count;
+    Rings rings;            /* of all solids that have a thickness */
     Box box;                /* of everything in the plan, solids, people and exits */
     Broadphase *broadphase; /* items: face i as i, corner j as face_count + j */
 } Outline;
@@ -56,6 +62,11 @@ typedef struct Outline {
 /* Builds the outline of a plan. False, with a fault, when GEOS cannot unite it. */
 bool outline_build(Outline *outline, const Plan *plan, Fault *fault);
 void outline_free(Outline *outline);
+
+/* The rings of those walls alone, doors cut out, that are at least `low` and less than `high` m high. False when GEOS
+ * cannot unite them. outline_free_rings releases what is filled. */
+bool outline_walls(const Plan *plan, double low, double high, Rings *rings);
+void outline_free_rings(Rings *rings);
 
 /* Is the face or corner there when every door that can be opened is open? That is what routes are planned on. */
 static inline bool outline_planned(int presence) {

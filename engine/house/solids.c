@@ -291,33 +291,122 @@ static bool few_meet(Solids *solids) {
     return few;
 }
 
+/* NULL, with a message, when GEOS could not make one of the parts or unite them. */
 static GEOSGeometry *unite_parts(Solids *solids) {
     GEOSGeometry *all =
         GEOSGeom_createCollection_r(solids->geos, GEOS_GEOMETRYCOLLECTION, solids->parts, (unsigned)solids->part_count);
     solids->part_count = 0; /* the collection owns them now */
     GEOSGeometry *united = all ? GEOSUnaryUnionPrec_r(solids->geos, all, SOLIDS_GRID) : NULL;
     GEOSGeom_destroy_r(solids->geos, all);
-    return united;
-}
-
-GEOSGeometry *solids_unite(Solids *solids) {
-    const Plan *plan = solids->plan;
-    sort_doors(solids);
-    for (size_t w = 0; w < plan->wall_count; w++)
-        add_wall_solids(solids, w);
-    size_t of_walls = solids->count;
-    add_standing_solids(solids);
-    if (!few_meet(solids))
-        return NULL;
-    for (size_t w = 0, solid = 0; w < plan->wall_count; solid += plan->walls[w].points.count - 1, w++)
-        add_wall(solids, w, solid);
-    for (size_t i = of_walls; i < solids->count; i++)
-        add_part(solids, polygon_of(solids, solids->list[i].corners));
-    GEOSGeometry *united = unite_parts(solids);
     if (united && !solids->failed)
         return united;
     GEOSGeom_destroy_r(solids->geos, united);
     return NULL;
+}
+
+static void add_all_walls_solids(Solids *solids) {
+    sort_doors(solids);
+    for (size_t w = 0; w < solids->plan->wall_count; w++)
+        add_wall_solids(solids, w);
+}
+
+static void add_walls(Solids *solids, double low, double high) {
+    const Plan *plan = solids->plan;
+    for (size_t w = 0, solid = 0; w < plan->wall_count; solid += plan->walls[w].points.count - 1, w++)
+        if (plan->walls[w].height >= low && plan->walls[w].height < high)
+            add_wall(solids, w, solid);
+}
+
+GEOSGeometry *solids_unite(Solids *solids) {
+    add_all_walls_solids(solids);
+    size_t of_walls = solids->count;
+    add_standing_solids(solids);
+    if (!few_meet(solids))
+        return NULL;
+    add_walls(solids, 0, HUGE_VAL);
+    for (size_t i = of_walls; i < solids->count; i++)
+        add_part(solids, polygon_of(solids, solids->list[i].corners));
+    return unite_parts(solids);
+}
+
+GEOSGeometry *solids_unite_walls(Solids *solids, double low, double high) {
+    add_all_walls_solids(solids);
+    if (!few_meet(solids))
+        return NULL;
+    add_walls(solids, low, high);
+    return unite_parts(solids);
+}
+
+/* Drops repeated points and those on a straight line between their neighbours; returns how many are left. */
+static size_t straighten(Vec2 *ring, size_t count) {
+    bool changed = true;
+    while (changed && count > 2) {
+        changed = false;
+        for (size_t i = 0; i < count && count > 2;) {
+            Vec2 before = ring[(i + count - 1) % count], here = ring[i], after = ring[(i + 1) % count];
+            Vec2 in = vec2_unit(vec2_sub(here, before)), out = vec2_unit(vec2_sub(after, here));
+            bool straight = vec2_dot(in, out) > 0 && fabs(vec2_cross(in, out)) < SOLIDS_STRAIGHT;
+            if (straight || vec2_distance(before, here) < 2 * SOLIDS_GRID) {
+                memmove(ring + i, ring + i + 1, (count - i - 1) * sizeof *ring);
+                count--;
+                changed = true;
+            } else {
+                i++;
+            }
+        }
+    }
+    return count;
+}
+
+static void add_ring(Rings *rings, const Vec2 *ring, size_t count) {
+    rings->points =
+        memory_reserve(rings->points, &rings->point_capacity, rings->point_count + count, sizeof *rings->points);
+    memcpy(rings->points + rings->point_count, ring, count * sizeof *ring);
+    rings->point_count += count;
+    rings->count++;
+    rings->starts = memory_reserve(rings->starts, &rings->start_capacity, rings->count + 1, sizeof *rings->starts);
+    rings->starts[0] = 0;
+    rings->starts[rings->count] = rings->point_count;
+}
+
+static void add_geos_ring(const Solids *solids, const GEOSGeometry *line, bool hole, Rings *rings) {
+    const GEOSCoordSequence *sequence = GEOSGeom_getCoordSeq_r(solids->geos, line);
+    unsigned size = 0;
+    GEOSCoordSeq_getSize_r(solids->geos, sequence, &size);
+    if (size < 4)
+        return;
+    size_t count = size - 1;
+    Vec2 *ring = memory_allocate(count, sizeof *ring);
+    double area = 0;
+    for (unsigned i = 0; i < count; i++)
+        GEOSCoordSeq_getXY_r(solids->geos, sequence, i, &ring[i].x, &ring[i].y);
+    for (size_t i = 0; i < count; i++)
+        area += vec2_cross(vec2_sub(ring[i], ring[0]), vec2_sub(ring[(i + 1) % count], ring[0]));
+    if ((area > 0) == hole)
+        for (size_t i = 0; i < count / 2; i++) {
+            Vec2 swapped = ring[i];
+            ring[i] = ring[count - 1 - i];
+            ring[count - 1 - i] = swapped;
+        }
+    count = straighten(ring, count);
+    if (count > 2)
+        add_ring(rings, ring, count);
+    memory_free(ring);
+}
+
+void solids_add_rings(const Solids *solids, const GEOSGeometry *geometry, Rings *rings) {
+    GEOSContextHandle_t geos = solids->geos;
+    if (GEOSGeomTypeId_r(geos, geometry) == GEOS_POLYGON) {
+        if (GEOSisEmpty_r(geos, geometry))
+            return;
+        add_geos_ring(solids, GEOSGetExteriorRing_r(geos, geometry), false, rings);
+        for (int i = 0; i < GEOSGetNumInteriorRings_r(geos, geometry); i++)
+            add_geos_ring(solids, GEOSGetInteriorRingN_r(geos, geometry, i), true, rings);
+        return;
+    }
+    for (int i = 0; i < GEOSGetNumGeometries_r(geos, geometry); i++)
+        if (GEOSGetGeometryN_r(geos, geometry, i) != geometry)
+            solids_add_rings(solids, GEOSGetGeometryN_r(geos, geometry, i), rings);
 }
 
 GEOSGeometry *solids_thin_wall(Solids *solids, size_t w, const GEOSGeometry *united) {

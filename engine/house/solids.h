@@ -15,6 +15,9 @@
 /* m: coordinates are united on a grid this fine, so that walls that nearly meet do meet. */
 #define SOLIDS_GRID 1e-6
 
+/* 1: the sine of the turn below which two edges count as one straight face. */
+#define SOLIDS_STRAIGHT 1e-5
+
 /* A solid before the union, to tell afterwards to whom a face belongs. */
 typedef struct Solid {
     Vec2 corners[4]; /* of a convex quadrangle, counter-clockwise */
@@ -43,6 +46,12 @@ void solids_clear(Solids *solids);
 
 /* All that has a thickness, united; the caller destroys it. NULL: solids->message says why not. */
 GEOSGeometry *solids_unite(Solids *solids);
+
+/* The same of the walls alone that are at least `low` and less than `high` m high. */
+GEOSGeometry *solids_unite_walls(Solids *solids, double low, double high);
+
+/* Adds the rings of all polygons of a geometry, straightened. */
+void solids_add_rings(const Solids *solids, const GEOSGeometry *geometry, Rings *rings);
 
 /* What of the line of wall `w`, which has no thickness, is neither door nor inside the united solids; the caller
  * destroys it. NULL: nothing, or GEOS could not tell. */
