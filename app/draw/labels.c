@@ -181,10 +181,15 @@ static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
     *caption = best.caption;
 }
 
+/* On its point, but not over the frame's edge. */
 static void place_fixed(Layout *layout, const Primitive *label) {
     Vec2 at = layout_raised(layout, label->points[0], label->base);
     Caption *caption = layout_add_caption(layout, label->text, label->size, label->bold, at);
     *caption = label_caption(label, at, label->size);
+    Box room = layout->frame;
+    Vec2 half = vec2_scale(caption->extent, 0.5);
+    caption->centre.x = fmin(fmax(at.x, room.low.x + half.x + AIR), room.high.x - half.x - AIR);
+    caption->centre.y = fmin(fmax(at.y, room.low.y + half.y + AIR), room.high.y - half.y - AIR);
 }
 
 static bool has_free_labels(const Scene *scene) {

@@ -43,17 +43,21 @@ static void use_role(const Painter *painter, Role role, double opacity) {
 }
 
 /* Lengths of ink and gap, design points, for a line 4 wide; they grow with wider lines. */
-static void use_line(const Painter *painter, LineStyle style, double width) {
+static void use_dashes(const Painter *painter, LineStyle style, double width, double begun) {
     static const double patterns[LINE_STYLES][4] = {
         [LINE_DASHED] = {14, 7, 14, 7}, [LINE_DOTTED] = {0.1, 9, 0.1, 9}, [LINE_DASH_DOT] = {16, 8, 0.1, 8}};
     double scale = fmax(0.5, width / 4), dashes[4];
     for (int i = 0; i < 4; i++)
         dashes[i] = patterns[style][i] * scale;
-    cairo_set_dash(painter->cairo, dashes, style == LINE_SOLID ? 0 : 4, 0);
+    cairo_set_dash(painter->cairo, dashes, style == LINE_SOLID ? 0 : 4, begun * painter->layout->metre);
     cairo_set_line_cap(painter->cairo,
                        style == LINE_SOLID || style == LINE_DASHED ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(painter->cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_width(painter->cairo, width);
+}
+
+static void use_line(const Painter *painter, LineStyle style, double width) {
+    use_dashes(painter, style, width, 0);
 }
 
 static void path_point(const Painter *painter, Vec2 metres) {
@@ -102,7 +106,7 @@ static void finish_path(const Painter *painter, const Primitive *primitive) {
     if (primitive->hatched)
         hatch(painter, primitive->edge);
     if (primitive->width > 0) {
-        use_line(painter, primitive->style, primitive->width);
+        use_dashes(painter, primitive->style, primitive->width, primitive->begun);
         use_role(painter, primitive->edge, primitive->edge_opacity);
         cairo_stroke_preserve(painter->cairo);
     }

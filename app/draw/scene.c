@@ -11,6 +11,14 @@ void scene_clear(Scene *scene) {
     *scene = (Scene){0};
 }
 
+void scene_reset(Scene *scene) {
+    arena_clear(&scene->arena);
+    *scene = (Scene){.primitives = scene->primitives,
+                     .capacity = scene->capacity,
+                     .rows = scene->rows,
+                     .row_capacity = scene->row_capacity};
+}
+
 static void *scene_copy(Scene *scene, const void *from, size_t count, size_t size) {
     return memcpy(arena_allocate(&scene->arena, count * size), from, count * size);
 }

@@ -69,6 +69,7 @@ typedef struct Primitive {
     double base, height; /* m: from where it rises, and how far; seen in the raised view only */
     double radius;       /* m, of discs, wheels and balls */
     LineStyle style;     /* of the edge */
+    double begun;        /* m, of a line that another one goes on from: its dashes go on, too */
     bool hatched;        /* polygons: thin lines in `edge` over the fill */
     bool united;         /* polygons: overlapping rings unite; otherwise even-odd, a ring within a ring is a hole */
     const Vec2 *points; /* (count) m; behind a label's first point, if any, the outline of what it names and stays in */
@@ -134,6 +135,9 @@ typedef struct Scene {
 } Scene;
 
 void scene_clear(Scene *scene);
+
+/* Empties a scene but keeps what memory it has: for layers that are made anew for every frame. */
+void scene_reset(Scene *scene);
 
 /* Each adds a copy of what it is given and returns the addition, to be adorned; good until the next one. */
 Primitive *scene_add_polygon(Scene *scene, Role fill, const Vec2 *points, size_t count);

@@ -29,6 +29,9 @@
 #define STEP_LEAST 0.3
 #define POINTS_MOST 60000.0
 
+#define CHAIR_LONG 1.1 /* m, about */
+#define CHAIR_HIGH 0.9 /* m, in the raised view */
+
 /* Design points that a plan has on the page, about: what is smaller than the eye sees is drawn larger. */
 #define PLAN_WIDTH 880.0
 #define PLAN_HEIGHT 560.0
@@ -41,14 +44,17 @@ enum {
     STUCK_FEW = 100,  /* signs of so many who are not out are larger than their bodies */
 };
 
-/* How long a design point is on the plan, m. */
-static double design_point(const Scene *scene) {
-    Vec2 size = vec2_sub(scene->box.high, scene->box.low);
+/* How long a design point is on the plan of what is in a box, m. */
+static double design_point(Box box) {
+    Vec2 size = vec2_sub(box.high, box.low);
     return fmax(size.x / PLAN_WIDTH, size.y / PLAN_HEIGHT);
 }
 
-/* Walkers are alike; chairs have a look for each profile. */
-static LocusLook look_of(const House *house, const Profile *profile) {
+bool crowd_scene_is_large(Box box) {
+    return CHAIR_LONG < CHAIR_LARGE * design_point(box);
+}
+
+LocusLook crowd_scene_look(const House *house, const Profile *profile) {
     if (census_walks(profile))
         return (LocusLook){ROLE_WALKER, LINE_SOLID, WALKER_WIDTH};
     size_t chairs = 0;
@@ -131,7 +137,7 @@ static void add_walkers_loci(Scene *scene, const House *house, const Observation
     double opacity = LOCUS_OPACITY * fmin(1, pow(FEW / fmax(1, (double)walkers), OPACITY_FALL));
     for (size_t i = 0; i < house->person_count; i++)
         if (census_walks(house->people[i].profile) && trails[i].count > 1)
-            add_locus(scene, &trails[i], look_of(house, house->people[i].profile), step, opacity);
+            add_locus(scene, &trails[i], crowd_scene_look(house, house->people[i].profile), step, opacity);
 }
 
 /* Many small figures of one look, as one primitive. */
@@ -181,9 +187,8 @@ static void add_walkers_starts(Scene *scene, const House *house, const Observati
     finish_figures(scene, &discs, ROLE_WALKER, START_OPACITY, 0);
 }
 
-/* A chair, as large as it is or as can be seen. */
-static Primitive *add_chair(Scene *scene, const Profile *profile, Pose pose, Role role) {
-    double grown = fmax(1, CHAIR_LEAST * design_point(scene) / profile->length);
+Primitive *crowd_scene_chair(Scene *scene, Box box, const Profile *profile, Pose pose, Role role) {
+    double grown = fmax(1, CHAIR_LEAST * design_point(box) / profile->length);
     Profile shown = {.driving = profile->driving,
                      .length = grown * profile->length,
                      .width = grown * profile->width,
@@ -195,6 +200,7 @@ static Primitive *add_chair(Scene *scene, const Profile *profile, Pose pose, Rol
     chair->edge = ROLE_PAPER;
     chair->width = CHAIR_EDGE;
     chair->keep_clear = KEEP_CHAIR;
+    chair->height = CHAIR_HIGH;
     return chair;
 }
 
@@ -203,7 +209,7 @@ static void add_chairs(Scene *scene, const House *house, const Observation *obse
         const Profile *profile = house->people[i].profile;
         if (census_walks(profile) || trails[i].count < 2)
             continue;
-        add_locus(scene, &trails[i], look_of(house, profile), 0, 1);
+        add_locus(scene, &trails[i], crowd_scene_look(house, profile), 0, 1);
         scene->primitives[scene->count - 1].keep_clear = KEEP_LOCUS;
     }
     for (size_t i = 0; i < house->person_count; i++) {
@@ -211,11 +217,11 @@ static void add_chairs(Scene *scene, const House *house, const Observation *obse
         const Profile *profile = person->profile;
         if (!observation->people[i].took_part || census_walks(profile))
             continue;
-        Role role = look_of(house, profile).role;
-        if (profile->length > CHAIR_LARGE * design_point(scene))
+        Role role = crowd_scene_look(house, profile).role;
+        if (!crowd_scene_is_large(scene->box))
             people_scene_start(scene, person, role);
         else
-            add_chair(scene, profile, (Pose){.at = person->at, .heading = person->heading}, role);
+            crowd_scene_chair(scene, scene->box, profile, (Pose){.at = person->at, .heading = person->heading}, role);
     }
 }
 
@@ -223,7 +229,7 @@ static void add_chairs(Scene *scene, const House *house, const Observation *obse
 static void add_stuck(Scene *scene, const House *house, const Observation *observation, const Census *census,
                       const Trail *trails, bool on_foot) {
     size_t stuck = census->people - census->out;
-    double least = design_point(scene) * (stuck > STUCK_FEW ? DIAMOND_LEAST : DIAMOND_SINGLE);
+    double least = design_point(scene->box) * (stuck > STUCK_FEW ? DIAMOND_LEAST : DIAMOND_SINGLE);
     Figures diamonds = {0};
     for (size_t i = 0; i < house->person_count; i++) {
         const Inhabitant *person = &house->people[i];
@@ -235,7 +241,7 @@ static void add_stuck(Scene *scene, const House *house, const Observation *obser
         if (trails[i].count)
             pose = trail_pose(&trails[i], trail_end(&trails[i]));
         if (!on_foot) {
-            Primitive *chair = add_chair(scene, profile, pose, ROLE_PAPER);
+            Primitive *chair = crowd_scene_chair(scene, scene->box, profile, pose, ROLE_PAPER);
             chair->edge = ROLE_ERROR;
             chair->width = 2 * CHAIR_EDGE;
         }
@@ -294,7 +300,7 @@ static Party sum_profile(const Census *census, const Profile *profile) {
 }
 
 static void list_profile(Scene *scene, const House *house, const Party *sum) {
-    LocusLook look = look_of(house, sum->profile);
+    LocusLook look = crowd_scene_look(house, sum->profile);
     const char *out = scene_text(scene, "%zu/%zu", sum->out, sum->people);
     const char *last = sum->out ? scene_text(scene, "%.0f", sum->last) : "-";
     SceneRow *row = scene_add_row(scene, ROW_LINE, sum->profile->name);

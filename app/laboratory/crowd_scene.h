@@ -5,11 +5,21 @@
 
 #include "draw/scene.h"
 #include "laboratory/census.h"
+#include "laboratory/people_scene.h"
 
 enum {
     CROWD_SCENE_HOLDS = 5,     /* markers of those that keep in most */
     CROWD_SCENE_PROFILES = 12, /* rows of the list */
 };
+
+/* Walkers are alike; chairs have a look for each profile. */
+LocusLook crowd_scene_look(const House *house, const Profile *profile);
+
+/* Is so much on a plan that chairs are too small for a likeness? */
+bool crowd_scene_is_large(Box box);
+
+/* A chair as a sign, as large as it is or as can be seen on a plan of what is in the box. */
+Primitive *crowd_scene_chair(Scene *scene, Box box, const Profile *profile, Pose pose, Role role);
 
 /* Title and detail: all are out, or how many are not and why. */
 void crowd_scene_answer(Scene *scene, const House *house, const Observation *observation, const Census *census);

@@ -192,12 +192,23 @@ static Box whole_box(const House *house, const Observation *observation) {
     return box_expand(box, PLAN_MARGIN);
 }
 
+bool house_scene_begin(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+    bool crowd = is_crowd(census);
+    *scene = (Scene){.grid = GRID, .top = PLAN_SCENE_CUT};
+    scene->box = whole_box(house, observation);
+    say_answer(scene, house, observation, census);
+    list_hazards(scene, house, observation, crowd);
+    if (crowd)
+        crowd_scene_list(scene, house, census);
+    else
+        list_people(scene, house, observation);
+    list_key(scene, house, observation);
+    return crowd;
+}
+
 void house_scene_make(Scene *scene, const House *house, const Observation *observation) {
     Census census = census_take(house, observation);
-    bool crowd = is_crowd(&census);
-    *scene = (Scene){.grid = GRID};
-    scene->box = whole_box(house, observation);
-    say_answer(scene, house, observation, &census);
+    bool crowd = house_scene_begin(scene, house, observation, &census);
     plan_scene_solids(scene, house);
     if (crowd)
         crowd_scene_ways(scene, house, observation, &census);
@@ -209,11 +220,5 @@ void house_scene_make(Scene *scene, const House *house, const Observation *obser
     else
         people_scene_labels(scene, house, observation);
     plan_scene_names(scene, house, !crowd);
-    list_hazards(scene, house, observation, crowd);
-    if (crowd)
-        crowd_scene_list(scene, house, &census);
-    else
-        list_people(scene, house, observation);
-    list_key(scene, house, observation);
     census_clear(&census);
 }

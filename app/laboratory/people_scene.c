@@ -30,15 +30,12 @@
 #define KEEP_RING 0.3
 #define KEEP_NARROWEST 6.0
 
-#define TICK_SECONDS 1.0  /* from tick to tick */
 #define NUMBER_SECONDS 5  /* ticks from number to number */
 #define GHOST_SECONDS 2.0 /* from body to body */
 #define GHOSTS_MOST 12    /* bodies on one way */
-#define GHOST_APART 0.75  /* of the body's length: nearer bodies are a blot */
 #define TICK_APART 0.05   /* m: ticks of somebody who stands still are one */
 #define SWEPT_STEP 0.05   /* m, from hull to hull; the rounding of the corners hides the rest */
 #define SWEPT_TURN 0.05   /* rad */
-#define COMPRESSED 0.02   /* m: a personal space pressed less than this is at rest */
 
 /* Scores, see hazard.h: 1 is no clearance left, or the threshold of force or lost time. */
 #define DANGER_MIDDLE 1.0
@@ -113,7 +110,7 @@ static void add_swept(Scene *scene, const Profile *profile, const Trail *trail, 
     memory_free(starts);
 }
 
-static void add_body(Scene *scene, const Profile *profile, Pose pose, Role role) {
+void people_scene_body(Scene *scene, const Profile *profile, Pose pose, Role role) {
     Vec2 outline[SILHOUETTE_POINTS];
     silhouette_outline(profile, pose.at, pose.heading, 0, outline);
     Primitive *body = scene_add_polygon(scene, role, outline, SILHOUETTE_POINTS);
@@ -134,8 +131,7 @@ static void add_ring(Scene *scene, const Profile *profile, Pose pose, Role role,
     ring->keep_clear = KEEP_RING;
 }
 
-/* The time from one body shown to the next: a multiple of 2 s that leaves the way to be seen. */
-static double body_interval(const Trail *trail, bool several) {
+double people_scene_interval(const Trail *trail, bool several) {
     double least = several ? 2 * GHOST_SECONDS : GHOST_SECONDS;
     double duration = trail_end(trail) - trail_begin(trail);
     return fmax(least, ceil(duration / (GHOSTS_MOST * GHOST_SECONDS)) * GHOST_SECONDS);
@@ -144,16 +140,16 @@ static double body_interval(const Trail *trail, bool several) {
 /* Bodies at regular times where there is room between them, every second one with its personal space; where several
  * ways overlap, fewer bodies and no personal space. */
 static void add_bodies(Scene *scene, const Profile *profile, const Trail *trail, Role role, bool several) {
-    double interval = body_interval(trail, several);
+    double interval = people_scene_interval(trail, several);
     Pose last = trail_pose(trail, trail_begin(trail));
     int shown = 0;
     for (double time = trail_begin(trail) + interval; time < trail_end(trail); time += interval) {
         Pose pose = trail_pose(trail, time);
-        if (vec2_distance(pose.at, last.at) < GHOST_APART * profile->length)
+        if (vec2_distance(pose.at, last.at) < PEOPLE_SCENE_APART * profile->length)
             continue;
-        add_body(scene, profile, pose, role);
+        people_scene_body(scene, profile, pose, role);
         if (++shown % 2 == 0 && !several)
-            add_ring(scene, profile, pose, role, trail_compression(trail, time, time) > COMPRESSED);
+            add_ring(scene, profile, pose, role, trail_compression(trail, time, time) > PEOPLE_SCENE_COMPRESSED);
         last = pose;
     }
 }
@@ -178,24 +174,26 @@ typedef struct Tick {
 
 static Tick first_tick(const Trail *trail) {
     double begin = trail_begin(trail);
-    return (Tick){.trail = trail, .pose = trail_pose(trail, begin), .time = floor(begin / TICK_SECONDS) * TICK_SECONDS};
+    return (Tick){
+        .trail = trail, .pose = trail_pose(trail, begin), .time = floor(begin / PEOPLE_SCENE_TICK) * PEOPLE_SCENE_TICK};
 }
 
 static bool next_tick(Tick *tick) {
     Vec2 last = tick->pose.at;
     do {
-        tick->time += TICK_SECONDS;
+        tick->time += PEOPLE_SCENE_TICK;
         tick->pose = trail_pose(tick->trail, tick->time);
     } while (tick->time < trail_end(tick->trail) && vec2_distance(tick->pose.at, last) < TICK_APART);
-    tick->numbered = fmod(round(tick->time / TICK_SECONDS), NUMBER_SECONDS) < 0.5;
+    tick->numbered = fmod(round(tick->time / PEOPLE_SCENE_TICK), NUMBER_SECONDS) < 0.5;
     return tick->time < trail_end(tick->trail);
 }
 
-static void add_ticks(Scene *scene, const Trail *trail, Role role) {
+void people_scene_ticks(Scene *scene, const Trail *trail, Role role, double from, double to) {
     Tick tick = first_tick(trail);
-    while (next_tick(&tick)) {
+    while (next_tick(&tick) && tick.time <= to) {
         Vec2 towards = vec2_add(tick.pose.at, vec2_heading(tick.pose.heading));
-        scene_add_tick(scene, role, TICK_WIDTH, tick.numbered ? TICK_LARGE : TICK_SMALL, tick.pose.at, towards);
+        if (tick.time > from)
+            scene_add_tick(scene, role, TICK_WIDTH, tick.numbered ? TICK_LARGE : TICK_SMALL, tick.pose.at, towards);
     }
 }
 
@@ -230,7 +228,7 @@ static void add_narrowest(Scene *scene, const House *house, const Observation *o
     Pose pose = {.at = observed->narrowest_at, .heading = observed->narrowest_heading};
     Vec2 outline[SILHOUETTE_POINTS];
     silhouette_outline(profile, pose.at, pose.heading, 0, outline);
-    add_body(scene, profile, pose, ROLE_TEXT);
+    people_scene_body(scene, profile, pose, ROLE_TEXT);
     scene_add_dimension(scene, ROLE_TEXT, DIMENSION_WIDTH, silhouette_nearest(outline, observed->narrowest_to),
                         observed->narrowest_to)
         ->keep_clear = KEEP_NARROWEST;
@@ -242,7 +240,7 @@ static void add_way(Scene *scene, const House *house, const Trail *trail, size_t
     add_swept(scene, profile, trail, look.role);
     add_bodies(scene, profile, trail, look.role, house->person_count > PEOPLE_SCENE_SEVERAL);
     add_locus(scene, trail, look);
-    add_ticks(scene, trail, look.role);
+    people_scene_ticks(scene, trail, look.role, -HUGE_VAL, HUGE_VAL);
 }
 
 void people_scene_ways(Scene *scene, const House *house, const Observation *observation) {
@@ -304,7 +302,7 @@ static void add_route_letter(Scene *scene, const House *house, const Trail *trai
     Vec2 start = trail_pose(trail, trail_begin(trail)).at;
     double time = trail_begin(trail);
     while (time < trail_end(trail) && vec2_distance(trail_pose(trail, time).at, start) < behind)
-        time += TICK_SECONDS / 4;
+        time += PEOPLE_SCENE_TICK / 4;
     add_tag(scene, people_scene_look(house, i).role, trail_pose(trail, time).at, house->people[i].route->id);
 }
 

@@ -4,12 +4,17 @@
 
 #include "draw/scene.h"
 #include "house/observation.h"
+#include "laboratory/trail.h"
 
 enum {
     PEOPLE_SCENE_INDIVIDUALS = 6, /* more people are a crowd, see crowd_scene.h */
     PEOPLE_SCENE_SEVERAL = 2,     /* more people share the corridors: fewer bodies, no personal spaces or seconds */
     PEOPLE_SCENE_HAZARDS = 5,     /* shown, of those that were found */
 };
+
+#define PEOPLE_SCENE_TICK 1.0        /* s, from tick to tick of a locus */
+#define PEOPLE_SCENE_APART 0.75      /* of a body's length: bodies nearer to one another are a blot */
+#define PEOPLE_SCENE_COMPRESSED 0.02 /* m: a personal space pressed less than this is at rest */
 
 /* How a person's locus looks: by route where there are routes, otherwise by person. */
 typedef struct LocusLook {
@@ -34,6 +39,17 @@ size_t people_scene_narrowest(const House *house, const Observation *observation
 
 /* The body of somebody at the start, with an arrow where it is a chair. */
 void people_scene_start(Scene *scene, const Inhabitant *person, Role role);
+
+/* A body that has been somewhere: faint. */
+void people_scene_body(Scene *scene, const Profile *profile, Pose pose, Role role);
+
+/* The time from one body shown to the next, s: a multiple of 2 s that leaves the way to be seen; `several` ways
+ * overlap.
+ */
+double people_scene_interval(const Trail *trail, bool several);
+
+/* The ticks of a locus after `from` s and up to `to` s. */
+void people_scene_ticks(Scene *scene, const Trail *trail, Role role, double from, double to);
 
 /* The discs of the worst dangerous points. */
 void people_scene_hazards(Scene *scene, const Observation *observation);

@@ -66,3 +66,35 @@ Vec2 silhouette_nearest(const Vec2 outline[SILHOUETTE_POINTS], Vec2 to) {
     }
     return best;
 }
+
+/* A quarter of the points round each corner and the side that follows it. */
+void silhouette_edge(const Profile *profile, Vec2 at, double heading, EdgePoint edge[SILHOUETTE_EDGE]) {
+    enum { QUARTER = SILHOUETTE_EDGE / 4, ARC = QUARTER / 2 };
+    bool round = profile->driving != DRIVING_DRIVER;
+    double radius = round ? profile->width / 2 : profile->corner_radius;
+    Vec2 axis = vec2_heading(heading), middle = silhouette_middle(profile, at, heading);
+    Vec2 core = vec2((round ? profile->width : profile->length) / 2 - radius, profile->width / 2 - radius);
+    for (int corner = 0; corner < 4; corner++) {
+        Vec2 here = vec2(corner == 0 || corner == 3 ? core.x : -core.x, corner < 2 ? core.y : -core.y);
+        Vec2 next = vec2(corner < 2 ? -core.x : core.x, corner == 0 || corner == 3 ? core.y : -core.y);
+        for (int i = 0; i < QUARTER; i++) {
+            double arc = fmin(1, (double)i / ARC), side = fmax(0, (double)(i - ARC) / (QUARTER - ARC));
+            Vec2 normal = vec2_heading(M_PI / 2 * (corner + arc));
+            Vec2 centre = vec2_along(here, side, vec2_sub(next, here));
+            edge[corner * QUARTER + i] =
+                (EdgePoint){.at = vec2_add(middle, vec2_turn(vec2_along(centre, radius, normal), axis)),
+                            .normal = vec2_turn(normal, axis)};
+        }
+    }
+}
+
+double silhouette_ray(const Vec2 *outline, size_t count, Vec2 from, Vec2 way, double reach) {
+    for (size_t i = 0, j = count - 1; i < count; j = i++) {
+        Vec2 side = vec2_sub(outline[i], outline[j]), to = vec2_sub(outline[j], from);
+        double across = vec2_cross(way, side), along = vec2_cross(to, side) / across;
+        double part = vec2_cross(to, way) / across;
+        if (part >= 0 && part <= 1 && along >= 0 && along < reach)
+            reach = along;
+    }
+    return reach;
+}

@@ -21,3 +21,16 @@ size_t silhouette_hull(const Vec2 first[SILHOUETTE_POINTS], const Vec2 second[SI
 
 /* The point of an outline that is nearest to `to`. */
 Vec2 silhouette_nearest(const Vec2 outline[SILHOUETTE_POINTS], Vec2 to);
+
+/* A point of a body's edge and the unit normal there, outwards. */
+typedef struct EdgePoint {
+    Vec2 at, normal;
+} EdgePoint;
+
+enum { SILHOUETTE_EDGE = 72 /* points of an edge: no farther apart than 0.11 m on a chair, 10 degrees in a corner */ };
+
+/* The body's edge, counter-clockwise: what looks out from it, all round. */
+void silhouette_edge(const Profile *profile, Vec2 at, double heading, EdgePoint edge[SILHOUETTE_EDGE]);
+
+/* How far along the unit vector `way` from `from` a closed outline is met; at most `reach`. */
+double silhouette_ray(const Vec2 *outline, size_t count, Vec2 from, Vec2 way, double reach);

@@ -67,3 +67,12 @@ double trail_compression(const Trail *trail, double from, double to) {
         most = fmax(most, trail->rows[i][TRACE_RING]);
     return most;
 }
+
+const double *trail_hardest(const Trail *trail, double from, double to) {
+    const double *hardest = NULL;
+    for (size_t i = trail_row(trail, from); i < trail->count && trail->rows[i][TRACE_TIME] <= to; i++)
+        if (trail->rows[i][TRACE_TIME] > from &&
+            trail->rows[i][TRACE_BODY_FORCE] > (hardest ? hardest[TRACE_BODY_FORCE] : 0))
+            hardest = trail->rows[i];
+    return hardest;
+}

@@ -18,5 +18,8 @@ Pose trail_pose(const Trail *trail, double time);
 /* The greatest compression of the personal space from one time to another, m. */
 double trail_compression(const Trail *trail, double from, double to);
 
+/* The row of the hardest touch after one time and up to another; NULL: none. */
+const double *trail_hardest(const Trail *trail, double from, double to);
+
 double trail_begin(const Trail *trail);
 double trail_end(const Trail *trail);

@@ -1,0 +1,43 @@
+/* An observation as a moving picture, in three layers: what stays (the plan, the answer, the dangerous points), what
+ * comes and stays (loci, the bodies that have been somewhere), and what moves. Any time of the run can be shown, in any
+ * order; shown in rising order, each time adds only what is new. */
+#pragma once
+
+#include "draw/scene.h"
+#include "house/observation.h"
+
+/* What is shown on demand. */
+enum {
+    FILM_CIRCLES = 1, /* discs that cover the chairs */
+    FILM_ROUTES = 2,  /* the planned ways */
+    FILM_WIDTHS = 4,  /* W1 and W2, the widths before and behind each corner of a way */
+};
+
+/* "circles,routes" and so on as FILM_... added up; -1: *unknown is where a word begins that is none. */
+int film_shown(const char *words, const char **unknown);
+
+#define FILM_WORDS "circles,routes,widths"
+
+typedef struct FilmOptions {
+    Camera camera;
+    int panels; /* places for plots beside the plan, in place of the list */
+    int shown;  /* FILM_..., added up */
+    const House *ghost_house;
+    const Observation *ghost; /* whose loci are shown as "before"; NULL: nobody's */
+} FilmOptions;
+
+typedef struct Film Film;
+
+/* House and observation must outlive it. film_destroy releases it. */
+Film *film_create(const House *house, const Observation *observation, const FilmOptions *options);
+void film_destroy(Film *film);
+
+/* The layer that stays. */
+const Scene *film_still(const Film *film);
+
+/* Moves to a time, s. False: back in time, what has been added must be forgotten; film_added then holds all. */
+bool film_show(Film *film, double time);
+
+/* What has come since the last film_show, and what is there only now; good until the next. */
+const Scene *film_added(const Film *film);
+const Scene *film_moving(const Film *film);
