@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -89,14 +90,14 @@ char *text_beside(const char *path) {
     return beside;
 }
 
-int text_write_file(const char *path, const char *text, size_t size) {
+static int write_beside(const char *path, const char *text, size_t size, bool to_disk) {
     char *beside = text_beside(path);
     int error = 0;
     FILE *file = fopen(beside, "wb");
     if (!file) {
         error = errno;
     } else {
-        if (fwrite(text, 1, size, file) != size || fflush(file) || fsync(fileno(file)))
+        if (fwrite(text, 1, size, file) != size || fflush(file) || (to_disk && fsync(fileno(file))))
             error = errno ? errno : EIO;
         if (fclose(file) && !error)
             error = errno;
@@ -107,4 +108,12 @@ int text_write_file(const char *path, const char *text, size_t size) {
     }
     memory_free(beside);
     return error;
+}
+
+int text_write_file(const char *path, const char *text, size_t size) {
+    return write_beside(path, text, size, true);
+}
+
+int text_write_quickly(const char *path, const char *text, size_t size) {
+    return write_beside(path, text, size, false);
 }

@@ -1,0 +1,131 @@
+#include "command/movie.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/memory.h"
+
+enum { PATH_ROOM = 4096 };
+
+struct Movie {
+    const char *path;
+    char beside[PATH_ROOM]; /* what ffmpeg writes; it takes the kind of film from the ending */
+    size_t picture;         /* bytes */
+    int pipe;               /* to write to */
+    pid_t ffmpeg;
+};
+
+/* A name in the same directory with the same ending. */
+static void name_beside(char beside[PATH_ROOM], const char *path) {
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    snprintf(beside, PATH_ROOM, "%.*s.%ld.%s", (int)(name - path), path, (long)getpid(), name);
+}
+
+extern char **environ;
+
+/* The pipe's reading end becomes ffmpeg's standard input. 0 or errno. */
+static int start(Movie *movie, int reading, int width, int height, double fps) {
+    char size[32], rate[32];
+    snprintf(size, sizeof size, "%dx%d", width, height);
+    snprintf(rate, sizeof rate, "%g", fps);
+    /* even sides, which the format asks for; nothing in the file of when it was made */
+    char *words[] = {"ffmpeg",
+                     "-hide_banner",
+                     "-loglevel",
+                     "error",
+                     "-y",
+                     "-f",
+                     "rawvideo",
+                     "-pix_fmt",
+                     "bgr0",
+                     "-s",
+                     size,
+                     "-r",
+                     rate,
+                     "-i",
+                     "-",
+                     "-vf",
+                     "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                     "-pix_fmt",
+                     "yuv420p",
+                     "-preset",
+                     "veryfast",
+                     "-crf",
+                     "18",
+                     "-movflags",
+                     "+faststart",
+                     "-fflags",
+                     "+bitexact",
+                     "-flags:v",
+                     "+bitexact",
+                     movie->beside,
+                     NULL};
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, reading, STDIN_FILENO);
+    posix_spawnattr_t
+        attributes; /* a group of its own: Ctrl-C ends the pictures, and ffmpeg finishes with those it has */
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    int error = posix_spawnp(&movie->ffmpeg, words[0], &actions, &attributes, words, environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    return error;
+}
+
+Movie *movie_begin(const char *path, int width, int height, double fps) {
+    Movie *movie = memory_allocate(1, sizeof *movie);
+    int ends[2];
+    *movie = (Movie){.path = path, .picture = (size_t)width * (size_t)height * 4};
+    name_beside(movie->beside, path);
+    int error = pipe2(ends, O_CLOEXEC) ? errno : 0;
+    if (!error) {
+        error = start(movie, ends[0], width, height, fps);
+        close(ends[0]);
+        movie->pipe = ends[1];
+        if (error)
+            close(ends[1]);
+    }
+    if (!error) {
+        signal(SIGPIPE, SIG_IGN); /* a film that cannot go on is reported, not died of */
+        return movie;
+    }
+    fprintf(stderr, "clearance: --movie needs ffmpeg%s%s\n",
+            error == ENOENT ? ", which is not installed: apt-get install ffmpeg" : ", which cannot be started: ",
+            error == ENOENT ? "" : strerror(error));
+    memory_free(movie);
+    return NULL;
+}
+
+int movie_add(Movie *movie, const unsigned char *pixels) {
+    for (size_t done = 0; done < movie->picture;) {
+        ssize_t now = write(movie->pipe, pixels + done, movie->picture - done);
+        if (now < 0 && errno != EINTR)
+            return errno;
+        done += now > 0 ? (size_t)now : 0;
+    }
+    return 0;
+}
+
+bool movie_end(Movie *movie) {
+    int status = 0, error = 0;
+    close(movie->pipe);
+    while (waitpid(movie->ffmpeg, &status, 0) < 0 && errno == EINTR)
+        continue;
+    bool whole = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (whole && rename(movie->beside, movie->path))
+        error = errno;
+    if (!whole || error) {
+        fprintf(stderr, "clearance: %s cannot be written%s%s\n", movie->path, error ? ": " : ", ffmpeg says why above",
+                error ? strerror(error) : "");
+        unlink(movie->beside);
+    }
+    memory_free(movie);
+    return whole && !error;
+}

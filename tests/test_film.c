@@ -1,0 +1,275 @@
+/* Films: what is shown at a time is where the record says, whatever was shown before; spaces end at what presses them.
+ */
+
+#include "laboratory/film.h"
+
+#include <string.h>
+
+#include "case.h"
+#include "check.h"
+#include "house/run.h"
+#include "laboratory/figure.h"
+#include "laboratory/plan_scene.h"
+#include "laboratory/silhouette.h"
+#include "laboratory/space_scene.h"
+#include "laboratory/trail.h"
+
+/* A house that has been run. */
+typedef struct Shown {
+    House house;
+    Observation observation;
+    Film *film;
+} Shown;
+
+static void show(Shown *shown, const char *name, FilmOptions options) {
+    *shown = (Shown){.film = NULL};
+    case_house(&shown->house, name, -1, NULL);
+    shown->observation = case_run(&shown->house, 1);
+    shown->film = film_create(&shown->house, &shown->observation, &options);
+}
+
+static void hide(Shown *shown) {
+    film_destroy(shown->film);
+    observation_free(&shown->observation);
+    house_free(&shown->house);
+}
+
+/* How many primitives of a kind and role there are; the last one's place in the scene is `*last`. */
+static size_t count_of(const Scene *scene, PrimitiveKind kind, Role edge, size_t *last) {
+    size_t count = 0;
+    for (size_t i = 0; i < scene->count; i++)
+        if (scene->primitives[i].kind == kind && scene->primitives[i].edge == edge) {
+            count++;
+            if (last)
+                *last = i;
+        }
+    return count;
+}
+
+static double line_length(const Primitive *line) {
+    double length = 0;
+    for (size_t i = 1; i < line->count; i++)
+        length += vec2_distance(line->points[i - 1], line->points[i]);
+    return length;
+}
+
+TEST(words_say_what_is_shown) {
+    const char *unknown;
+    CHECK(film_shown("", &unknown) == 0);
+    CHECK(film_shown("circles", &unknown) == FILM_CIRCLES);
+    CHECK(film_shown("widths,circles", &unknown) == (FILM_WIDTHS | FILM_CIRCLES));
+    CHECK(film_shown("routes,round,circles", &unknown) == -1);
+    CHECK(strncmp(unknown, "round", 5) == 0);
+    CHECK(film_shown("route", &unknown) == -1);
+}
+
+/* The locus that grows piece by piece is the one that comes at once, and as long as the record's. */
+TEST(a_locus_grows_into_the_whole) {
+    Shown shown;
+    show(&shown, "closed-door", (FilmOptions){.panels = 0});
+    double pieces = 0;
+    size_t ticks = 0, last;
+    for (double time = 0; time < shown.observation.time + 0.1; time += 0.0333) {
+        CHECK(film_show(shown.film, time));
+        const Scene *added = film_added(shown.film);
+        ticks += count_of(added, PRIMITIVE_TICK, ROLE_LOCUS, NULL);
+        if (count_of(added, PRIMITIVE_LINE, ROLE_LOCUS, &last)) {
+            CHECK_NEAR(added->primitives[last].begun, pieces, 1e-9);
+            pieces += line_length(&added->primitives[last]);
+        }
+    }
+    CHECK(!film_show(shown.film, shown.observation.time)); /* back: everything comes again */
+    const Scene *added = film_added(shown.film);
+    CHECK(count_of(added, PRIMITIVE_LINE, ROLE_LOCUS, &last) == 1);
+    CHECK_NEAR(line_length(&added->primitives[last]), pieces, 1e-9);
+    CHECK_NEAR(pieces, shown.observation.people[0].path_length, 0.01);
+    CHECK(count_of(added, PRIMITIVE_TICK, ROLE_LOCUS, NULL) == ticks);
+    CHECK(ticks > shown.observation.time / 2 && ticks <= shown.observation.time);
+    hide(&shown);
+}
+
+/* The same time shows the same, from wherever one comes. */
+TEST(any_time_can_be_shown_in_any_order) {
+    Shown shown;
+    show(&shown, "two-chairs-corridor", (FilmOptions){.shown = FILM_CIRCLES});
+    film_show(shown.film, 7);
+    size_t count = film_moving(shown.film)->count;
+    const Primitive *ring = &film_moving(shown.film)->primitives[0];
+    Vec2 first[SILHOUETTE_EDGE];
+    CHECK(ring->kind == PRIMITIVE_POLYGON && ring->count == SILHOUETTE_EDGE);
+    memcpy(first, ring->points, sizeof first);
+    film_show(shown.film, 12);
+    CHECK(memcmp(first, film_moving(shown.film)->primitives[0].points, sizeof first) != 0);
+    film_show(shown.film, 7);
+    CHECK(film_moving(shown.film)->count == count);
+    CHECK(memcmp(first, film_moving(shown.film)->primitives[0].points, sizeof first) == 0);
+    hide(&shown);
+}
+
+/* The leaf's free end: where the way into the corridor is barred, and out of it once the door has been opened. */
+TEST(a_door_is_seen_to_open) {
+    Shown shown;
+    show(&shown, "closed-door", (FilmOptions){.panels = 0});
+    double opened = shown.observation.door_opened[0];
+    static const struct { double after, angle; } times[] = {{-3, 0}, {-0.8, 0}, {-0.4, 45}, {0, 90}, {2, 90}};
+    for (size_t i = 0; i < sizeof times / sizeof *times; i++) {
+        film_show(shown.film, opened + times[i].after);
+        const Scene *moving = film_moving(shown.film);
+        size_t leaf = SIZE_MAX;
+        for (size_t p = 0; p < moving->count; p++)
+            if (moving->primitives[p].edge == ROLE_DOOR && moving->primitives[p].height > 0)
+                leaf = p;
+        CHECK(leaf != SIZE_MAX);
+        Vec2 way = vec2_sub(moving->primitives[leaf].points[1], moving->primitives[leaf].points[0]);
+        CHECK_NEAR(degrees(fabs(atan2(way.x, way.y))), times[i].angle, 4); /* the wall runs along y */
+    }
+    for (size_t p = 0; p < film_still(shown.film)->count; p++)
+        CHECK(film_still(shown.film)->primitives[p].edge != ROLE_DOOR || film_still(shown.film)->primitives[p].text[0]);
+    hide(&shown);
+}
+
+/* Touches are marked where and while they are felt, and a force is told. */
+TEST(a_touch_is_seen_where_it_is) {
+    Shown shown;
+    show(&shown, "corner-0.90-0.90", (FilmOptions){.panels = 0});
+    const PersonObservation *person = &shown.observation.people[0];
+    CHECK(person->contacts > 0);
+    Trail *trail = trail_list(&shown.observation);
+    const double *hardest = trail_hardest(trail, -1, shown.observation.time);
+    CHECK_NEAR(hardest[TRACE_BODY_FORCE], person->peak_force, 0);
+    film_show(shown.film, hardest[TRACE_TIME]);
+    size_t burst = 0;
+    CHECK(count_of(film_moving(shown.film), PRIMITIVE_POLYGON, ROLE_WALL, NULL) > 0);
+    for (size_t p = 0; p < film_moving(shown.film)->count; p++)
+        if (film_moving(shown.film)->primitives[p].fill == ROLE_DANGER_MIDDLE &&
+            film_moving(shown.film)->primitives[p].kind == PRIMITIVE_POLYGON)
+            burst = p;
+    const Primitive *star = &film_moving(shown.film)->primitives[burst];
+    Vec2 middle = {0, 0};
+    for (size_t i = 0; i < star->count; i++)
+        middle = vec2_along(middle, 1.0 / (double)star->count, star->points[i]);
+    CHECK_NEAR(vec2_distance(middle, person->peak_at), 0, 1e-9);
+    trail_free_list(trail);
+    hide(&shown);
+}
+
+/* A crowd: everybody who is still in is shown once, and the exits count the others. */
+TEST(a_crowd_is_counted_out) {
+    House house;
+    json_t *plan = case_corridor(3);
+    for (int i = 0; i < 40; i++)
+        case_add_person(plan, "adult", 1 + 0.5 * (i % 10), -1 + 0.6 * (i / 10), 0);
+    case_made(&house, plan, -1, NULL);
+    Observation observation = case_run(&house, 1);
+    CHECK(observation.completed);
+    Film *film = film_create(&house, &observation, &(FilmOptions){.panels = 0});
+    for (double time = 0; time <= observation.time; time += 1.7) {
+        size_t inside = 0, shown = 0;
+        for (size_t i = 0; i < house.person_count; i++)
+            inside += observation.people[i].time >= time;
+        film_show(film, time);
+        const char *text = "";
+        for (size_t p = 0; p < film_moving(film)->count; p++) {
+            const Primitive *primitive = &film_moving(film)->primitives[p];
+            shown += primitive->kind == PRIMITIVE_DISC ? primitive->count : 0;
+            text = primitive->kind == PRIMITIVE_LABEL ? primitive->text : text;
+        }
+        char expected[32];
+        snprintf(expected, sizeof expected, "EXIT e1: %zu", house.person_count - inside);
+        CHECK(shown == inside);
+        CHECK_TEXT(text, expected);
+    }
+    film_destroy(film);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+static Profile chair(void) {
+    return (Profile){.driving = DRIVING_DRIVER,
+                     .length = 1.1,
+                     .width = 0.63,
+                     .axle = 0.28,
+                     .corner_radius = 0.05,
+                     .space_reach = 0.3};
+}
+
+/* Points of the edge lie on the outline, and look straight out of it. */
+TEST(the_edge_is_the_outlines) {
+    Profile profiles[] = {chair(), chair()};
+    profiles[1].driving = DRIVING_MIURA;
+    for (int k = 0; k < 2; k++) {
+        EdgePoint edge[SILHOUETTE_EDGE];
+        Vec2 outline[SILHOUETTE_POINTS];
+        silhouette_edge(&profiles[k], vec2(3, 1), 0.7, edge);
+        silhouette_outline(&profiles[k], vec2(3, 1), 0.7, 0.3, outline);
+        for (int i = 0; i < SILHOUETTE_EDGE; i++) {
+            CHECK_NEAR(vec2_length(edge[i].normal), 1, 1e-12);
+            double out = silhouette_ray(outline, SILHOUETTE_POINTS, edge[i].at, edge[i].normal, 1);
+            CHECK(out <= 0.3 + 1e-9 && out > 0.3 - 0.02); /* the outline's corners are polygons */
+        }
+    }
+}
+
+/* In a corridor the space is as wide as the corridor, and in the open as wide as it reaches. */
+TEST(a_space_ends_at_the_wall) {
+    static const double widths[] = {0.7, 0.9, 1.1, 1.23, 1.5, 3};
+    for (size_t k = 0; k < sizeof widths / sizeof *widths; k++) {
+        House house;
+        case_made(&house, case_corridor(widths[k]), -1, NULL);
+        Profile profile = chair();
+        Scene scene = {0};
+        Standing standing = {.profile = &profile, .pose = {.at = {8, 0}}};
+        space_scene_add(&scene, &house, &standing, 1, 0, false);
+        Box box = box_empty();
+        for (size_t i = 0; i < scene.primitives[0].count; i++)
+            box = box_include(box, scene.primitives[0].points[i]);
+        CHECK_NEAR(box.high.y - box.low.y, fmin(widths[k], 0.63 + 0.6), 1e-6);
+        CHECK_NEAR(box.high.x - box.low.x, 1.1 + 0.6, 1e-6);
+        scene_clear(&scene);
+        house_free(&house);
+    }
+}
+
+/* Two side by side share the gap between them; people who run alone do not feel each other. */
+TEST(a_space_ends_at_somebody_elses_body) {
+    House house;
+    case_made(&house, case_corridor(5), -1, NULL);
+    Profile profile = chair();
+    for (size_t group = 0; group <= 1; group++) {
+        Scene scene = {0};
+        Standing all[] = {{.profile = &profile, .pose = {.at = {8, 0}}},
+                          {.profile = &profile, .pose = {.at = {8, 0.8}}, .group = group}};
+        space_scene_add(&scene, &house, all, 2, 0, false);
+        double highest = 0;
+        for (size_t i = 0; i < scene.primitives[0].count; i++)
+            if (fabs(scene.primitives[0].points[i].x - 8.2) < 0.3)
+                highest = fmax(highest, scene.primitives[0].points[i].y);
+        CHECK_NEAR(highest, group ? 0.315 + 0.3 : 0.8 - 0.315, 1e-6);
+        scene_clear(&scene);
+    }
+    house_free(&house);
+}
+
+/* Every part of a figure lies within the body that the simulation knows. */
+TEST(a_figure_stays_within_its_body) {
+    Profile profiles[] = {chair(), chair(), chair()};
+    profiles[1].driving = DRIVING_MIURA;
+    profiles[2].length = 1.4;
+    profiles[2].width = 0.7;
+    profiles[2].axle = 0.4;
+    for (int k = 0; k < 3; k++) {
+        Scene scene = {0};
+        Vec2 outline[SILHOUETTE_POINTS];
+        Pose pose = {.at = {2, 3}, .heading = 1.1};
+        figure_add_chair(&scene, &profiles[k], pose, ROLE_CHAIR);
+        silhouette_outline(&profiles[k], pose.at, pose.heading, 0.02, outline);
+        Vec2 middle = silhouette_middle(&profiles[k], pose.at, pose.heading);
+        for (size_t p = 0; p < scene.count; p++)
+            for (size_t i = 0; i < scene.primitives[p].count; i++) {
+                Vec2 way = vec2_sub(scene.primitives[p].points[i], middle);
+                double edge = silhouette_ray(outline, SILHOUETTE_POINTS, middle, vec2_unit(way), 5);
+                CHECK(edge < 5 && vec2_length(way) <= edge);
+            }
+        scene_clear(&scene);
+    }
+}
