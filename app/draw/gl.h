@@ -67,6 +67,7 @@
     X(TexSubImage2D)                                                                                                   \
     X(Uniform2f)                                                                                                       \
     X(Uniform3f)                                                                                                       \
+    X(Uniform4fv)                                                                                                      \
     X(UseProgram)                                                                                                      \
     X(VertexAttribIPointer)                                                                                            \
     X(VertexAttribPointer)                                                                                             \
