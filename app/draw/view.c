@@ -1,6 +1,7 @@
 #include "draw/view.h"
 
 #define DISTANCE 1.5 /* of the camera, in diagonals of the house: nearer is more dramatic, farther flatter */
+#define NEAREST 0.1  /* m before the camera: what is nearer is not seen */
 
 View view_plan(double metre, Vec2 origin) {
     const double depth = 1e-3; /* per m: what is higher is nearer */
@@ -64,6 +65,17 @@ static double row_value(const double row[4], Vec2 at, double height) {
 Vec2 view_point(const View *view, Vec2 at, double height) {
     double w = row_value(view->rows[3], at, height);
     return vec2(row_value(view->rows[0], at, height) / w, row_value(view->rows[1], at, height) / w);
+}
+
+double view_depth(const View *view, Vec2 at, double height) {
+    return row_value(view->rows[2], at, height) / row_value(view->rows[3], at, height);
+}
+
+bool view_sees(const View *view, const Vec2 *points, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        if (row_value(view->rows[3], points[i], 0) < NEAREST)
+            return false;
+    return true;
 }
 
 double view_scale(const View *view, Vec2 at, double height) {

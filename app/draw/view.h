@@ -10,6 +10,7 @@
 #pragma once
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "base/vec2.h"
 
@@ -40,6 +41,12 @@ View view_raised(Camera camera, Box box, double top, Box place);
 
 /* The page's point of one in the house, `height` m above the floor. */
 Vec2 view_point(const View *view, Vec2 at, double height);
+
+/* How near the point is, from -1, near, to 1. */
+double view_depth(const View *view, Vec2 at, double height);
+
+/* Are all these points of the floor before the camera? */
+bool view_sees(const View *view, const Vec2 *points, size_t count);
 
 /* How long a metre across is there, in design points. */
 double view_scale(const View *view, Vec2 at, double height);

@@ -1,0 +1,10 @@
+/* The programs of the graphics card, in GLSL 3.30. */
+#pragma once
+
+/* Shapes: see ink.h. Uniforms: `canvas`, its size in pixels; `dashes` of each line style, see paint_sizes.h; `light`,
+ * towards the light, of balls: x to the right, y down, z out of the page. */
+extern const char shaders_ink_vertex[], shaders_ink_fragment[];
+
+/* Words: rectangles out of a picture of them; their colour is the corner's, their opacity the picture's. Uniforms:
+ * `canvas` and `atlas`, sizes in pixels. */
+extern const char shaders_text_vertex[], shaders_text_fragment[];
