@@ -68,7 +68,7 @@ TEST(a_locus_grows_into_the_whole) {
     Shown shown;
     show(&shown, "closed-door", (FilmOptions){.panels = 0});
     double pieces = 0;
-    size_t ticks = 0, last;
+    size_t ticks = 0, last = 0;
     for (double time = 0; time < shown.observation.time + 0.1; time += 0.0333) {
         CHECK(film_show(shown.film, time));
         const Scene *added = film_added(shown.film);

@@ -1,6 +1,7 @@
 #include "command/command.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,13 +11,14 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "house/profile.h"
+#include "laboratory/film.h"
 
 volatile sig_atomic_t command_interrupted;
 
 /* Verbs ----------------------------------------------------------------------------------------------------------- */
 
 enum { FOR_RUN = 1, FOR_CHECK = 2, FOR_COMPARE = 4, FOR_LOCI = 8, FOR_SCHEMA = 16, FOR_CASES = 32 };
-enum { FOR_HOUSES = FOR_RUN | FOR_CHECK | FOR_COMPARE | FOR_LOCI };
+enum { FOR_HOUSES = FOR_RUN | FOR_CHECK | FOR_COMPARE | FOR_LOCI, FOR_FILMS = FOR_RUN | FOR_COMPARE };
 
 typedef struct Verb {
     const char *name;
@@ -135,6 +137,50 @@ static bool take_size(Options *options, const char *value) {
            options->height <= 16384;
 }
 
+/* A number of a range, alone. */
+static bool take_number(const char *value, double low, double high, double *number) {
+    char *end;
+    *number = strtod(value, &end);
+    return *value && !*end && *number >= low && *number <= high;
+}
+
+static bool take_frames(Options *options, const char *value) {
+    return take_number(value, 0.001, 1000, &options->frames);
+}
+
+static bool take_from(Options *options, const char *value) {
+    return take_number(value, 0, 1e9, &options->from);
+}
+
+static bool take_to(Options *options, const char *value) {
+    return take_number(value, 0, 1e9, &options->to);
+}
+
+static bool take_movie(Options *options, const char *value) {
+    options->movie = value;
+    return *value;
+}
+
+static bool take_view(Options *options, const char *value) {
+    options->camera.kind = strcmp(value, "raised") == 0 ? VIEW_RAISED : VIEW_PLAN;
+    return strcmp(value, "raised") == 0 || strcmp(value, "plan") == 0;
+}
+
+static bool take_camera(Options *options, const char *value) {
+    Camera *camera = &options->camera;
+    int used = 0,
+        numbers = sscanf(value, "%lf,%lf%n,%lf%n", &camera->azimuth, &camera->elevation, &used, &camera->zoom, &used);
+    bool good = numbers >= 2 && !value[used] && fabs(camera->azimuth) <= 360;
+    camera->kind = VIEW_RAISED;
+    return good && camera->elevation >= 5 && camera->elevation <= 90 && camera->zoom >= 0.1 && camera->zoom <= 100;
+}
+
+static bool take_show(Options *options, const char *value) {
+    const char *unknown;
+    options->show = film_shown(value, &unknown);
+    return options->show >= 0;
+}
+
 static bool take_theme(Options *options, const char *value) {
     options->theme = strcmp(value, "board") == 0 ? THEME_BOARD : THEME_PAPER;
     return strcmp(value, "board") == 0 || strcmp(value, "paper") == 0;
@@ -145,6 +191,7 @@ static const Option option_rows[] = {
      take_setting},
     {"--out", "DIR", FOR_RUN, "write summary.json, trace.csv, trajectory.sqlite, plan.png and plan.svg there",
      take_out},
+    {"--out", "DIR", FOR_COMPARE, "write pictures there, as --frames, --view and so on say", take_out},
     {"--out", "DIR", FOR_CASES, "write cases.html, cases.md and cases.json there", take_out},
     {"--json", NULL, FOR_HOUSES | FOR_CASES, "the answer as one JSON object and nothing else", take_json},
     {"--route", "ID", FOR_RUN, "only this route's people", take_route},
@@ -153,8 +200,21 @@ static const Option option_rows[] = {
     {"--seed", "N", FOR_HOUSES | FOR_CASES, "seed of all chance, from 0 (default 1)", take_seed},
     {"--jobs", "N", FOR_HOUSES | FOR_CASES, "threads, from 1 (default: one a processor); the answer is the same",
      take_jobs},
-    {"--size", "WxH", FOR_RUN, "size of the picture in pixels, from 320x200 (default 1280x720)", take_size},
-    {"--theme", THEME_WORDS, FOR_RUN, "light or dark picture", take_theme},
+    {"--frames", "FPS", FOR_FILMS, "write so many pictures of each second to DIR/frames/frame-00001.png and so on",
+     take_frames},
+    {"--movie", "FILE", FOR_FILMS, "make a film of them (30 a second where --frames does not say), by ffmpeg",
+     take_movie},
+    {"--from", "SECONDS", FOR_FILMS, "begin them at this time (default 0)", take_from},
+    {"--to", "SECONDS", FOR_FILMS, "end them at this time (default: when the last is out)", take_to},
+    {"--view", VIEW_WORDS, FOR_FILMS, "seen from above, or raised: then also DIR/raised.png, the end of the run",
+     take_view},
+    {"--camera", "AZ,EL[,ZOOM]", FOR_FILMS,
+     "raised from this azimuth (0: up the plan) and elevation, 5 to 90 degrees, so many times larger (default 10,60,1)",
+     take_camera},
+    {"--show", FILM_WORDS, FOR_FILMS, "show also discs that cover the chairs, planned ways, widths at corners; a list",
+     take_show},
+    {"--size", "WxH", FOR_FILMS, "size of the pictures in pixels, from 320x200 (default 1280x720)", take_size},
+    {"--theme", THEME_WORDS, FOR_FILMS, "light or dark pictures", take_theme},
     {"--quiet", NULL, FOR_HOUSES | FOR_CASES, "no progress", take_quiet},
 };
 enum { OPTIONS = sizeof option_rows / sizeof *option_rows };
@@ -178,7 +238,7 @@ static void print_verb_help(const Verb *verb) {
     for (size_t o = 0; o < OPTIONS; o++) {
         const Option *option = &option_rows[o];
         if (option->marks & verb->mark)
-            printf("  %-10s %-13s %s\n", option->name, option->argument ? option->argument : "", option->meaning);
+            printf("  %-10s %-22s %s\n", option->name, option->argument ? option->argument : "", option->meaning);
     }
 }
 
@@ -225,7 +285,14 @@ static int take_option(const Verb *verb, Options *options, int argc, char **argv
 }
 
 static int run_verb(const Verb *verb, int argc, char **argv) {
-    Options options = {.seed = 1, .driving = -1, .jobs = parallel_processors(), .width = 1280, .height = 720};
+    Options options = {.seed = 1,
+                       .driving = -1,
+                       .jobs = parallel_processors(),
+                       .width = 1280,
+                       .height = 720,
+                       .from = -1,
+                       .to = -1,
+                       .camera = {.azimuth = VIEW_AZIMUTH, .elevation = VIEW_ELEVATION, .zoom = 1}};
     options.settings = memory_allocate((size_t)argc, sizeof *options.settings);
     options.files = memory_allocate((size_t)argc, sizeof *options.files);
     int code = 0;

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "draw/palette.h"
+#include "draw/view.h"
 
 /* Exit codes, part of the contract. */
 typedef enum ExitCode {
@@ -30,6 +31,11 @@ typedef struct Options {
     bool json, quiet;
     int width, height; /* pixels */
     Theme theme;
+    double frames;     /* pictures a simulated s; 0: none */
+    const char *movie; /* file, or NULL */
+    double from, to;   /* s; negative: not said */
+    Camera camera;
+    int show; /* FILM_..., added up */
 } Options;
 
 /* Set by Ctrl-C; a second one ends at once. */

@@ -4,7 +4,9 @@
 
 #include "command/answer.h"
 #include "command/command.h"
+#include "command/frames.h"
 #include "command/house_file.h"
+#include "command/output.h"
 #include "command/report.h"
 #include "laboratory/census.h"
 
@@ -111,6 +113,8 @@ int command_compare(const Options *options) {
     House houses[2] = {{.seed = 0}};
     Observation observations[2];
     Fault fault = {0};
+    if (frames_check(options) || (options->out && !output_directory(options->out)))
+        return EXIT_WRONG_INPUT;
     bool first = house_file_read(&houses[0], options, 0, &fault);
     bool second = house_file_read(&houses[1], options, 1, &fault);
     if (!first || !second) {
@@ -127,9 +131,11 @@ int command_compare(const Options *options) {
     else
         print_comparison(houses, observations);
     bool all = observations[0].completed && observations[1].completed;
+    bool written =
+        !frames_wanted(options) || frames_write(&houses[1], &observations[1], &houses[0], &observations[0], options);
     for (int h = 0; h < 2; h++) {
         observation_free(&observations[h]);
         house_free(&houses[h]);
     }
-    return all ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    return !written ? EXIT_WRONG_INPUT : all ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }

@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "command/answer.h"
 #include "command/command.h"
+#include "command/frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/report.h"
@@ -74,7 +75,8 @@ static void report_divergence(const House *house, const Observation *observation
 int command_run(const Options *options) {
     House house = {0};
     Fault fault = {0};
-    if (options->out && !output_directory(options->out))
+    int wrong = frames_check(options);
+    if (wrong || (options->out && !output_directory(options->out)))
         return EXIT_WRONG_INPUT;
     if (!house_file_read(&house, options, 0, &fault))
         return house_file_report(&fault);
@@ -94,6 +96,8 @@ int command_run(const Options *options) {
         fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; what came before is kept\n",
                 observation.time);
     bool written = !options->out || write_results(&house, &observation, options);
+    if (written && frames_wanted(options))
+        written = frames_write(&house, &observation, NULL, NULL, options);
     if (options->json)
         answer_print(answer_house(&house, &observation));
     else

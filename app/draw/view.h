@@ -26,8 +26,8 @@ typedef struct Camera {
 } Camera;
 
 /* Of the raised view, where nobody asks for another. */
-#define VIEW_AZIMUTH 20.0
-#define VIEW_ELEVATION 52.0
+#define VIEW_AZIMUTH 10.0
+#define VIEW_ELEVATION 60.0
 
 typedef struct View {
     bool raised;

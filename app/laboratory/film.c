@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "laboratory/blockage_scene.h"
 #include "laboratory/crowd_scene.h"
 #include "laboratory/figure.h"
 #include "laboratory/house_scene.h"
@@ -117,6 +118,16 @@ static void keep_ways_clear(Film *film) {
     }
 }
 
+/* The bodies that do not pass, and how much is missing. */
+static void add_blockages(Film *film) {
+    const Observation *observation = film->observation;
+    for (size_t i = 0; i < film->house->person_count && !film->crowd; i++)
+        if (blockage_scene_has(&observation->people[i])) {
+            blockage_scene_add(&film->still, film->house, observation, i, &film->trails[i]);
+            blockage_scene_label(&film->still, &observation->people[i].blockage);
+        }
+}
+
 static void make_still(Film *film) {
     const House *house = film->house;
     Scene *scene = &film->still;
@@ -138,8 +149,9 @@ static void make_still(Film *film) {
         keep_ways_clear(film);
     if (!film->crowd)
         plan_scene_tags(scene, house, NULL);
+    add_blockages(film);
     people_scene_hazards(scene, film->observation);
-    plan_scene_names(scene, house, !film->crowd);
+    plan_scene_names(scene, house, !film->crowd && scene->camera.kind == VIEW_PLAN);
 }
 
 Film *film_create(const House *house, const Observation *observation, const FilmOptions *options) {

@@ -5,7 +5,7 @@
 #include "house/house.h"
 
 /* m: walls and leaves are cut at this height in the raised view, so that one sees into the rooms. */
-#define PLAN_SCENE_CUT 1.1
+#define PLAN_SCENE_CUT 0.9
 
 void plan_scene_solids(Scene *scene, const House *house);
 

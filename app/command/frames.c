@@ -1,0 +1,181 @@
+#include "command/frames.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "command/movie.h"
+#include "command/output.h"
+#include "draw/offscreen.h"
+#include "draw/paint_gl.h"
+#include "draw/png.h"
+#include "laboratory/film.h"
+
+enum { FRAMES_MOST = 1000000, PATH_ROOM = 4096 };
+
+#define FPS_USUAL 30.0
+
+/* All that a picture takes. */
+typedef struct Studio {
+    const Options *options;
+    Film *film;
+    Layout still, added, moving;
+    Offscreen *offscreen;
+    PaintGl *paint;
+} Studio;
+
+bool frames_wanted(const Options *options) {
+    return options->frames > 0 || options->movie || options->camera.kind == VIEW_RAISED;
+}
+
+int frames_check(const Options *options) {
+    if (options->frames > 0 && !options->out)
+        fprintf(stderr, "clearance: --frames needs --out DIR, where they are written\n");
+    else if (options->from >= 0 && options->to >= 0 && options->from > options->to)
+        fprintf(stderr, "clearance: --from %g is after --to %g\n", options->from, options->to);
+    else
+        return 0;
+    return EXIT_WRONG_INPUT;
+}
+
+static bool open_studio(Studio *studio, const House *house, const Observation *observation, const FilmOptions *film) {
+    const Options *options = studio->options;
+    char message[OFFSCREEN_MESSAGE];
+    studio->offscreen = offscreen_create(OFFSCREEN_ANY, message);
+    if (!studio->offscreen) {
+        fprintf(stderr, "clearance: no pictures: %s\n", message);
+        return false;
+    }
+    studio->paint = paint_gl_create(offscreen_gl(studio->offscreen), options->width, options->height, options->theme);
+    studio->film = film_create(house, observation, film);
+    double unit = layout_unit(options->width, options->height);
+    layout_make(&studio->still, film_still(studio->film), vec2(options->width / unit, options->height / unit));
+    paint_gl_still(studio->paint, (Layer){film_still(studio->film), &studio->still});
+    return true;
+}
+
+static void close_studio(Studio *studio) {
+    if (!studio->offscreen)
+        return;
+    film_destroy(studio->film);
+    layout_clear(&studio->still);
+    layout_clear(&studio->added);
+    layout_clear(&studio->moving);
+    paint_gl_destroy(studio->paint);
+    offscreen_destroy(studio->offscreen);
+}
+
+static void draw(Studio *studio, double time, unsigned char *pixels) {
+    film_show(studio->film, time);
+    layout_make_over(&studio->added, &studio->still, film_added(studio->film));
+    layout_make_over(&studio->moving, &studio->still, film_moving(studio->film));
+    paint_gl_add(studio->paint, (Layer){film_added(studio->film), &studio->added});
+    paint_gl_frame(studio->paint, (Layer){film_moving(studio->film), &studio->moving});
+    paint_gl_read(studio->paint, pixels);
+}
+
+/* The times that are shown: every 1 / fps s from the first on, and the end. */
+typedef struct Times {
+    double first, last, fps;
+    size_t count;
+} Times;
+
+static Times times_of(const Options *options, double end) {
+    Times times = {.first = fmin(fmax(options->from, 0), end),
+                   .fps = options->frames > 0 ? options->frames : FPS_USUAL};
+    times.last = options->to >= 0 ? fmin(options->to, end) : end;
+    times.count = (size_t)fmax(0, ceil((times.last - times.first) * times.fps - 1e-9)) + 1;
+    return times;
+}
+
+static void show_progress(size_t done, size_t count, bool shown) {
+    if (shown && done % 10 == 0)
+        fprintf(stderr, "\rpicture %zu of %zu ", done, count);
+    if (shown && done == count)
+        fprintf(stderr, "\r%*s\r", 40, "");
+}
+
+/* Those that an earlier, longer film has left: they would be taken for the end of this one. */
+static void remove_later_frames(const char *out, size_t count) {
+    char path[PATH_ROOM];
+    do
+        snprintf(path, sizeof path, "%s/frames/frame-%05zu.png", out, ++count);
+    while (unlink(path) == 0);
+}
+
+static bool write_frames(Studio *studio, Times times, PngWriter *writer, Movie *movie) {
+    const Options *options = studio->options;
+    bool shown = !options->quiet && isatty(STDERR_FILENO);
+    unsigned char *own = writer ? NULL : memory_allocate((size_t)options->width * (size_t)options->height, 4);
+    int error = 0;
+    size_t done = 0;
+    for (; done < times.count && !error && !command_interrupted; done++) {
+        unsigned char *pixels = writer ? png_writer_room(writer) : own;
+        draw(studio, fmin(times.first + (double)done / times.fps, times.last), pixels);
+        if (movie)
+            error = movie_add(movie, pixels);
+        if (writer) {
+            char path[PATH_ROOM];
+            snprintf(path, sizeof path, "%s/frames/frame-%05zu.png", options->out, done + 1);
+            png_writer_put(writer, path);
+            error = error ? error : png_writer_error(writer);
+        }
+        show_progress(done + 1, times.count, shown);
+    }
+    memory_free(own);
+    if (writer)
+        remove_later_frames(options->out, done);
+    return !error;
+}
+
+static bool write_all(Studio *studio, Times times) {
+    const Options *options = studio->options;
+    char path[PATH_ROOM];
+    snprintf(path, sizeof path, "%s/frames", options->out ? options->out : "");
+    if (options->frames > 0 && !output_directory(path))
+        return false;
+    Movie *movie = options->movie ? movie_begin(options->movie, options->width, options->height, times.fps) : NULL;
+    if (options->movie && !movie)
+        return false;
+    PngWriter *writer = options->frames > 0 ? png_writer_create(options->width, options->height, options->jobs) : NULL;
+    write_frames(studio, times, writer, movie);
+    int error = writer ? png_writer_finish(writer) : 0;
+    if (error)
+        fprintf(stderr, "clearance: %s/ cannot be written: %s\n", path, strerror(error));
+    bool filmed = !movie || movie_end(movie);
+    return filmed && !error;
+}
+
+/* The end of the run in the raised view, beside plan.png. */
+static bool write_raised(Studio *studio, double time) {
+    const Options *options = studio->options;
+    char path[PATH_ROOM];
+    snprintf(path, sizeof path, "%s/raised.png", options->out);
+    unsigned char *pixels = memory_allocate((size_t)options->width * (size_t)options->height, 4);
+    draw(studio, time, pixels);
+    int error = png_write(path, pixels, options->width, options->height);
+    if (error)
+        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+    memory_free(pixels);
+    return !error;
+}
+
+bool frames_write(const House *house, const Observation *observation, const House *ghost_house,
+                  const Observation *ghost, const Options *options) {
+    FilmOptions film = {.camera = options->camera, .shown = options->show, .ghost_house = ghost_house, .ghost = ghost};
+    Times times = times_of(options, observation->time);
+    if (times.count > FRAMES_MOST) {
+        fprintf(stderr, "clearance: these would be %zu pictures, at most %d: take fewer a second, or --from and --to\n",
+                times.count, FRAMES_MOST);
+        return false;
+    }
+    Studio studio = {.options = options};
+    bool good = open_studio(&studio, house, observation, &film);
+    if (good && (options->frames > 0 || options->movie))
+        good = write_all(&studio, times);
+    if (good && options->out && options->camera.kind == VIEW_RAISED)
+        good = write_raised(&studio, times.last);
+    close_studio(&studio);
+    return good;
+}

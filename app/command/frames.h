@@ -1,0 +1,17 @@
+/* `--frames`, `--movie` and the raised picture: a run drawn by OpenGL without a screen, picture by picture. */
+#pragma once
+
+#include "command/command.h"
+#include "house/observation.h"
+
+/* Do the options ask for any of it? */
+bool frames_wanted(const Options *options);
+
+/* Says on standard error what of the options does not go together, before anything is simulated; 0 or an exit code. */
+int frames_check(const Options *options);
+
+/* Writes --out's frames/frame-00001.png and so on, the film, and with --view raised the last picture as raised.png,
+ * with progress on standard error when that is a terminal; `ghost` (with its house) or NULL is shown as "before".
+ * Ctrl-C keeps what is complete. False: said on standard error. */
+bool frames_write(const House *house, const Observation *observation, const House *ghost_house,
+                  const Observation *ghost, const Options *options);
