@@ -391,7 +391,7 @@ void layout_make_over(Layout *layout, const Layout *under, const Scene *scene) {
     layout->plan = under->plan;
     layout->view = under->view;
     layout->metre = under->metre;
-    layout->caption_count = 0;
+    layout->caption_count = layout->sample_count = 0;
     arena_clear(&layout->arena);
     place_clock(layout, under, scene->clock);
     labels_place(layout, scene);

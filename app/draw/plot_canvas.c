@@ -83,6 +83,10 @@ void plot_canvas_restart(PlotCanvas *canvas) {
     reset_pens(canvas);
 }
 
+PlotPixels plot_canvas_all(const PlotCanvas *canvas) {
+    return (PlotPixels){0, 0, canvas->width, canvas->height};
+}
+
 const unsigned char *plot_canvas_pixels(const PlotCanvas *canvas) {
     return cairo_image_surface_get_data(canvas->surface);
 }

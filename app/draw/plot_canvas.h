@@ -24,6 +24,9 @@ PlotPixels plot_canvas_advance(PlotCanvas *canvas, size_t series, size_t count);
 /* Back to nothing drawn. */
 void plot_canvas_restart(PlotCanvas *canvas);
 
+/* All of it. */
+PlotPixels plot_canvas_all(const PlotCanvas *canvas);
+
 /* 32-bit words 0x00RRGGBB of this machine's byte order, row after row from the top, `plot_canvas_stride` bytes each. */
 const unsigned char *plot_canvas_pixels(const PlotCanvas *canvas);
 int plot_canvas_stride(const PlotCanvas *canvas);
