@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "draw/cairo_file.h"
 #include "draw/layout.h"
 #include "draw/mask.h"
 #include "draw/paint_cairo.h"
@@ -250,7 +251,7 @@ TEST(the_same_scene_gives_the_same_bytes) {
 TEST(a_picture_that_cannot_be_says_why) {
     Scene scene = plain_scene();
     CHECK(paint_cairo_png(&scene, "/tmp/clearance-never.png", 0, 720, THEME_PAPER) == EINVAL);
-    CHECK(paint_cairo_svg(&scene, "/tmp/clearance-never.svg", 1280, PAINT_LARGEST + 1, THEME_PAPER) == EINVAL);
+    CHECK(paint_cairo_svg(&scene, "/tmp/clearance-never.svg", 1280, CAIRO_FILE_LARGEST + 1, THEME_PAPER) == EINVAL);
     CHECK(paint_cairo_png(&scene, "/tmp/no-such-directory/a.png", 64, 36, THEME_PAPER) == ENOENT);
     CHECK(access("/tmp/clearance-never.png", F_OK) != 0);
     scene_clear(&scene);

@@ -181,6 +181,11 @@ static bool take_show(Options *options, const char *value) {
     return options->show >= 0;
 }
 
+static bool take_plots(Options *options, const char *value) {
+    char fault[HOUSE_PLOTS_FAULT];
+    return house_plots_choose(&options->plots, value, fault);
+}
+
 static bool take_theme(Options *options, const char *value) {
     options->theme = strcmp(value, "board") == 0 ? THEME_BOARD : THEME_PAPER;
     return strcmp(value, "board") == 0 || strcmp(value, "paper") == 0;
@@ -213,6 +218,8 @@ static const Option option_rows[] = {
      take_camera},
     {"--show", FILM_WORDS, FOR_FILMS, "show also discs that cover the chairs, planned ways, widths at corners; a list",
      take_show},
+    {"--plots", HOUSE_PLOTS_WORDS, FOR_FILMS,
+     "curves beside the house, in place of the list, and as DIR/plot-NAME.png, .svg and .csv; a list", take_plots},
     {"--size", "WxH", FOR_FILMS, "size of the pictures in pixels, from 320x200 (default 1280x720)", take_size},
     {"--theme", THEME_WORDS, FOR_FILMS, "light or dark pictures", take_theme},
     {"--quiet", NULL, FOR_HOUSES | FOR_CASES, "no progress", take_quiet},

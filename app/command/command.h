@@ -8,6 +8,7 @@
 
 #include "draw/palette.h"
 #include "draw/view.h"
+#include "laboratory/house_plots.h"
 
 /* Exit codes, part of the contract. */
 typedef enum ExitCode {
@@ -36,6 +37,7 @@ typedef struct Options {
     double from, to;   /* s; negative: not said */
     Camera camera;
     int show; /* FILM_..., added up */
+    HousePlotsChoice plots;
 } Options;
 
 /* Set by Ctrl-C; a second one ends at once. */

@@ -7,6 +7,7 @@
 
 #include "command/movie.h"
 #include "command/output.h"
+#include "command/plot_strip.h"
 #include "draw/offscreen.h"
 #include "draw/paint_gl.h"
 #include "draw/png.h"
@@ -23,15 +24,18 @@ typedef struct Studio {
     Layout still, added, moving;
     Offscreen *offscreen;
     PaintGl *paint;
+    PlotStrip strip;
 } Studio;
 
 bool frames_wanted(const Options *options) {
-    return options->frames > 0 || options->movie || options->camera.kind == VIEW_RAISED;
+    return options->frames > 0 || options->movie || options->camera.kind == VIEW_RAISED || options->plots.count;
 }
 
 int frames_check(const Options *options) {
     if (options->frames > 0 && !options->out)
         fprintf(stderr, "clearance: --frames needs --out DIR, where they are written\n");
+    else if (options->plots.count && !options->out && !options->movie)
+        fprintf(stderr, "clearance: --plots needs --out DIR, where they are written\n");
     else if (options->from >= 0 && options->to >= 0 && options->from > options->to)
         fprintf(stderr, "clearance: --from %g is after --to %g\n", options->from, options->to);
     else
@@ -39,7 +43,9 @@ int frames_check(const Options *options) {
     return EXIT_WRONG_INPUT;
 }
 
-static bool open_studio(Studio *studio, const House *house, const Observation *observation, const FilmOptions *film) {
+/* Takes the plots. */
+static bool open_studio(Studio *studio, const House *house, const Observation *observation, const FilmOptions *film,
+                        HousePlots plots) {
     const Options *options = studio->options;
     char message[OFFSCREEN_MESSAGE];
     studio->offscreen = offscreen_create(OFFSCREEN_ANY, message);
@@ -52,12 +58,12 @@ static bool open_studio(Studio *studio, const House *house, const Observation *o
     double unit = layout_unit(options->width, options->height);
     layout_make(&studio->still, film_still(studio->film), vec2(options->width / unit, options->height / unit));
     paint_gl_still(studio->paint, (Layer){film_still(studio->film), &studio->still});
+    plot_strip_open(&studio->strip, plots, &studio->still, studio->paint, options);
     return true;
 }
 
 static void close_studio(Studio *studio) {
-    if (!studio->offscreen)
-        return;
+    plot_strip_close(&studio->strip);
     film_destroy(studio->film);
     layout_clear(&studio->still);
     layout_clear(&studio->added);
@@ -71,6 +77,7 @@ static void draw(Studio *studio, double time, unsigned char *pixels) {
     layout_make_over(&studio->added, &studio->still, film_added(studio->film));
     layout_make_over(&studio->moving, &studio->still, film_moving(studio->film));
     paint_gl_add(studio->paint, (Layer){film_added(studio->film), &studio->added});
+    plot_strip_show(&studio->strip, time, studio->paint, &studio->moving);
     paint_gl_frame(studio->paint, (Layer){film_moving(studio->film), &studio->moving});
     paint_gl_read(studio->paint, pixels);
 }
@@ -161,21 +168,42 @@ static bool write_raised(Studio *studio, double time) {
     return !error;
 }
 
+/* All that is asked for and needs OpenGL; takes the plots. */
+static bool write_pictures(const House *house, const Observation *observation, const FilmOptions *film,
+                           HousePlots plots, const Options *options) {
+    Studio studio = {.options = options};
+    Times times = times_of(options, observation->time);
+    if (!open_studio(&studio, house, observation, film, plots))
+        return false;
+    bool good = true;
+    if (options->frames > 0 || options->movie)
+        good = write_all(&studio, times);
+    if (good && options->out && options->camera.kind == VIEW_RAISED)
+        good = write_raised(&studio, times.last);
+    close_studio(&studio);
+    return good;
+}
+
 bool frames_write(const House *house, const Observation *observation, const House *ghost_house,
                   const Observation *ghost, const Options *options) {
-    FilmOptions film = {.camera = options->camera, .shown = options->show, .ghost_house = ghost_house, .ghost = ghost};
+    FilmOptions film = {.camera = options->camera,
+                        .panels = (int)options->plots.count,
+                        .shown = options->show,
+                        .ghost_house = ghost_house,
+                        .ghost = ghost};
     Times times = times_of(options, observation->time);
     if (times.count > FRAMES_MOST) {
         fprintf(stderr, "clearance: these would be %zu pictures, at most %d: take fewer a second, or --from and --to\n",
                 times.count, FRAMES_MOST);
         return false;
     }
-    Studio studio = {.options = options};
-    bool good = open_studio(&studio, house, observation, &film);
-    if (good && (options->frames > 0 || options->movie))
-        good = write_all(&studio, times);
-    if (good && options->out && options->camera.kind == VIEW_RAISED)
-        good = write_raised(&studio, times.last);
-    close_studio(&studio);
-    return good;
+    HousePlots plots = house_plots_make(house, observation, ghost_house, ghost, &options->plots);
+    if (options->out && !plot_strip_write(&plots, options)) {
+        house_plots_free(&plots);
+        return false;
+    }
+    if (options->frames > 0 || options->movie || options->camera.kind == VIEW_RAISED)
+        return write_pictures(house, observation, &film, plots, options);
+    house_plots_free(&plots);
+    return true;
 }

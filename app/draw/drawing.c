@@ -74,7 +74,9 @@ static InkColour sheet_fill(const Sheet *sheet) {
 static InkPen sheet_pen(const Sheet *sheet) {
     const Primitive *primitive = sheet->primitive;
     InkColour colour = drawing_colour(sheet->drawing, primitive->edge, primitive->edge_opacity);
-    return drawing_pen(sheet->drawing, colour, primitive->style, primitive->width);
+    InkPen pen = drawing_pen(sheet->drawing, colour, primitive->style, primitive->width);
+    pen.begun = primitive->begun * sheet->layout->metre * sheet->drawing->unit;
+    return pen;
 }
 
 /* Room for the points of a line. */

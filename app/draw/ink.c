@@ -193,7 +193,7 @@ void ink_add_line(Ink *ink, const InkPoint *points, size_t count, bool closed, I
     vertex.kind[2] = (unsigned char)pen.style;
     int ends = paint_is_round(pen.style) ? INK_ROUND : 0;
     size_t last = walk.closed ? walk_last(&walk) : SIZE_MAX, previous = last;
-    double length = 0;
+    double length = pen.begun;
     for (size_t i = 0, next; (next = walk_next(&walk, i)) != SIZE_MAX; previous = i, i = next) {
         size_t after = next || !walk.closed ? walk_next(&walk, next) : walk_next(&walk, 0);
         vertex.size[2] = (float)length;

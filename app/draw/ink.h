@@ -43,7 +43,8 @@ typedef struct InkPen {
     InkColour colour;
     double width;
     LineStyle style;
-    double dash; /* pixels that a unit of the style's pattern is long, see paint_sizes.h */
+    double dash;  /* pixels that a unit of the style's pattern is long, see paint_sizes.h */
+    double begun; /* pixels of the line that have been drawn: its dashes go on */
 } InkPen;
 
 /* Thin lines over a fill, from the lower left to the upper right. */

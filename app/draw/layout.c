@@ -76,14 +76,13 @@ Caption *layout_add_caption(Layout *layout, const char *text, double size, bool 
     return caption;
 }
 
-static void add_sample(Layout *layout, Sample sample) {
+void layout_add_sample(Layout *layout, Sample sample) {
     layout->samples =
         memory_reserve(layout->samples, &layout->sample_capacity, layout->sample_count + 1, sizeof *layout->samples);
     layout->samples[layout->sample_count++] = sample;
 }
 
-/* The words, or as much of their beginning as `width` holds, and an ellipsis. */
-static const char *shortened(Layout *layout, const char *text, double size, bool bold, double width) {
+const char *layout_shortened(Layout *layout, const char *text, double size, bool bold, double width) {
     static const char ellipsis[] = "\u2026";
     if (text_extent(text, size, bold).x <= width)
         return text;
@@ -101,7 +100,7 @@ static const char *shortened(Layout *layout, const char *text, double size, bool
 /* Words from `left` on, as far as `right`; where they end. */
 static double add_words(Layout *layout, Role role, const char *text, double size, bool bold, double left, double right,
                         double y) {
-    const char *words = shortened(layout, text, size, bold, right - left);
+    const char *words = layout_shortened(layout, text, size, bold, right - left);
     Caption *caption = layout_add_caption(layout, words, size, bold, vec2(left, y));
     caption->centre.x += caption->extent.x / 2;
     caption->role = role;
@@ -161,7 +160,7 @@ static double place_mark(Layout *layout, const SceneRow *row, double left, doubl
         return left;
     double end = left + width, right = end - CELL_GAP;
     if (row->kind == ROW_LINE)
-        add_sample(layout, (Sample){{left, y}, {right, y}, row->role, row->style, row->width, row->symbol});
+        layout_add_sample(layout, (Sample){{left, y}, {right, y}, row->role, row->style, row->width, row->symbol});
     if (row->mark) {
         Caption *mark = layout_add_caption(layout, row->mark, DISC_LETTERS, true, vec2((left + right) / 2, y));
         labels_shape(mark, row->kind == ROW_DISC ? LABEL_DISC : LABEL_TAG, row->role);
@@ -303,12 +302,16 @@ static void place_plan(Layout *layout, const Scene *scene) {
         view_plan(layout->metre, vec2(centre.x - layout->metre * middle.x, centre.y + layout->metre * middle.y));
 }
 
-static void add_grid_line(Layout *layout, Vec2 from, Vec2 to) {
+void layout_add_grid_line(Layout *layout, Vec2 from, Vec2 to) {
     layout->grid =
         memory_reserve(layout->grid, &layout->grid_capacity, 2 * (layout->grid_count + 1), sizeof *layout->grid);
-    layout->grid[2 * layout->grid_count] = layout_point(layout, from);
-    layout->grid[2 * layout->grid_count + 1] = layout_point(layout, to);
+    layout->grid[2 * layout->grid_count] = from;
+    layout->grid[2 * layout->grid_count + 1] = to;
     layout->grid_count++;
+}
+
+static void add_metre_line(Layout *layout, Vec2 from, Vec2 to) {
+    layout_add_grid_line(layout, layout_point(layout, from), layout_point(layout, to));
 }
 
 /* On whole multiples of the scene's grid; over all of the frame, or over the floor of a raised view. */
@@ -325,9 +328,9 @@ static void place_grid(Layout *layout, const Scene *scene) {
                         (rows[1][3] - layout->frame.low.y) / layout->metre);
     }
     for (double x = ceil(box.low.x / step) * step; x <= box.high.x; x += step)
-        add_grid_line(layout, vec2(x, box.low.y), vec2(x, box.high.y));
+        add_metre_line(layout, vec2(x, box.low.y), vec2(x, box.high.y));
     for (double y = ceil(box.low.y / step) * step; y <= box.high.y; y += step)
-        add_grid_line(layout, vec2(box.low.x, y), vec2(box.high.x, y));
+        add_metre_line(layout, vec2(box.low.x, y), vec2(box.high.x, y));
 }
 
 /* At the lower right; in perspective no length holds everywhere. */
@@ -336,8 +339,8 @@ static void place_scale_bar(Layout *layout, double foot) {
         return;
     double right = layout->plan.high.x, length = round_step(layout->metre, BAR_SHORTEST);
     double left = right - length * layout->metre;
-    add_sample(layout,
-               (Sample){.from = {left, foot + 10}, .to = {right, foot + 10}, .role = ROLE_TEXT, .width = BAR_WIDTH});
+    layout_add_sample(
+        layout, (Sample){.from = {left, foot + 10}, .to = {right, foot + 10}, .role = ROLE_TEXT, .width = BAR_WIDTH});
     char text[32];
     snprintf(text, sizeof text, "%g m", length);
     Caption *caption = layout_add_caption(layout, arena_text(&layout->arena, text), NAME_LETTERS, true,
@@ -388,7 +391,7 @@ void layout_make_over(Layout *layout, const Layout *under, const Scene *scene) {
     layout->plan = under->plan;
     layout->view = under->view;
     layout->metre = under->metre;
-    layout->caption_count = 0;
+    layout->caption_count = layout->sample_count = 0;
     arena_clear(&layout->arena);
     place_clock(layout, under, scene->clock);
     labels_place(layout, scene);

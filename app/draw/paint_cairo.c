@@ -1,10 +1,8 @@
 #include "draw/paint_cairo.h"
 
-#include <cairo-svg.h>
-#include <errno.h>
-#include <string.h>
+#include <cairo.h>
 
-#include "base/text.h"
+#include "draw/cairo_file.h"
 #include "draw/layout.h"
 #include "draw/text.h"
 
@@ -43,21 +41,24 @@ static void use_role(const Painter *painter, Role role, double opacity) {
 }
 
 /* Lengths of ink and gap, design points, for a line 4 wide; they grow with wider lines. */
-static void use_dashes(const Painter *painter, LineStyle style, double width, double begun) {
+static void use_dashes(cairo_t *cairo, LineStyle style, double width, double begun) {
     static const double patterns[LINE_STYLES][4] = {
         [LINE_DASHED] = {14, 7, 14, 7}, [LINE_DOTTED] = {0.1, 9, 0.1, 9}, [LINE_DASH_DOT] = {16, 8, 0.1, 8}};
     double scale = fmax(0.5, width / 4), dashes[4];
     for (int i = 0; i < 4; i++)
         dashes[i] = patterns[style][i] * scale;
-    cairo_set_dash(painter->cairo, dashes, style == LINE_SOLID ? 0 : 4, begun * painter->layout->metre);
-    cairo_set_line_cap(painter->cairo,
-                       style == LINE_SOLID || style == LINE_DASHED ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
-    cairo_set_line_join(painter->cairo, CAIRO_LINE_JOIN_ROUND);
-    cairo_set_line_width(painter->cairo, width);
+    cairo_set_dash(cairo, dashes, style == LINE_SOLID ? 0 : 4, begun);
+}
+
+void paint_cairo_line(cairo_t *cairo, LineStyle style, double width) {
+    use_dashes(cairo, style, width, 0);
+    cairo_set_line_cap(cairo, style == LINE_SOLID || style == LINE_DASHED ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_width(cairo, width);
 }
 
 static void use_line(const Painter *painter, LineStyle style, double width) {
-    use_dashes(painter, style, width, 0);
+    paint_cairo_line(painter->cairo, style, width);
 }
 
 static void path_point(const Painter *painter, Vec2 metres) {
@@ -106,7 +107,8 @@ static void finish_path(const Painter *painter, const Primitive *primitive) {
     if (primitive->hatched)
         hatch(painter, primitive->edge);
     if (primitive->width > 0) {
-        use_dashes(painter, primitive->style, primitive->width, primitive->begun);
+        use_line(painter, primitive->style, primitive->width);
+        use_dashes(painter->cairo, primitive->style, primitive->width, primitive->begun * painter->layout->metre);
         use_role(painter, primitive->edge, primitive->edge_opacity);
         cairo_stroke_preserve(painter->cairo);
     }
@@ -295,13 +297,13 @@ static void paint_ground(const Painter *painter) {
     cairo_stroke(painter->cairo);
 }
 
-static void paint_grid(const Painter *painter) {
-    const Layout *layout = painter->layout;
+void paint_cairo_grid(cairo_t *cairo, const Layout *layout, Theme theme) {
+    Painter painter = {cairo, layout, theme};
     for (size_t i = 0; i < layout->grid_count; i++)
-        path_segment(painter, layout->grid[2 * i], layout->grid[2 * i + 1]);
-    use_line(painter, LINE_SOLID, RULE_WIDTH);
-    use_role(painter, ROLE_GRID, 1);
-    cairo_stroke(painter->cairo);
+        path_segment(&painter, layout->grid[2 * i], layout->grid[2 * i + 1]);
+    use_line(&painter, LINE_SOLID, RULE_WIDTH);
+    use_role(&painter, ROLE_GRID, 1);
+    cairo_stroke(cairo);
 }
 
 static void paint_primitives(const Painter *painter, const Scene *scene) {
@@ -313,25 +315,24 @@ static void paint_primitives(const Painter *painter, const Scene *scene) {
     cairo_restore(painter->cairo);
 }
 
-static void paint_captions(const Painter *painter) {
-    const Layout *layout = painter->layout;
+void paint_cairo_words(cairo_t *cairo, const Layout *layout, Theme theme) {
+    Painter painter = {cairo, layout, theme};
     for (size_t i = 0; i < layout->caption_count; i++)
         if (layout->captions[i].leader)
-            paint_leader(painter, &layout->captions[i]);
+            paint_leader(&painter, &layout->captions[i]);
     for (size_t i = 0; i < layout->sample_count; i++)
-        paint_sample(painter, &layout->samples[i]);
+        paint_sample(&painter, &layout->samples[i]);
     for (size_t i = 0; i < layout->caption_count; i++)
-        paint_caption(painter, &layout->captions[i]);
+        paint_caption(&painter, &layout->captions[i]);
 }
 
 void paint_cairo_layers(cairo_t *cairo, const Layer *layers, size_t count, Theme theme) {
-    Painter ground = {cairo, layers[0].layout, theme};
-    paint_ground(&ground);
-    paint_grid(&ground);
+    paint_ground(&(Painter){cairo, layers[0].layout, theme});
+    paint_cairo_grid(cairo, layers[0].layout, theme);
     for (size_t i = 0; i < count; i++)
         paint_primitives(&(Painter){cairo, layers[i].layout, theme}, layers[i].scene);
     for (size_t i = 0; i < count; i++)
-        paint_captions(&(Painter){cairo, layers[i].layout, theme});
+        paint_cairo_words(cairo, layers[i].layout, theme);
 }
 
 void paint_cairo_scene(cairo_t *cairo, const Scene *scene, Vec2 page, Theme theme) {
@@ -341,76 +342,23 @@ void paint_cairo_scene(cairo_t *cairo, const Scene *scene, Vec2 page, Theme them
     layout_clear(&layout);
 }
 
-/* Paints the scene on a page of width x height pixels. */
-static int paint_surface(const Scene *scene, cairo_surface_t *surface, int width, int height, Theme theme) {
-    double unit = layout_unit(width, height);
-    cairo_t *cairo = cairo_create(surface);
-    cairo_scale(cairo, unit, unit);
-    paint_cairo_scene(cairo, scene, vec2(width / unit, height / unit), theme);
-    cairo_status_t status = cairo_status(cairo);
-    cairo_destroy(cairo);
-    return status == CAIRO_STATUS_SUCCESS ? 0 : status == CAIRO_STATUS_NO_MEMORY ? ENOMEM : EINVAL;
-}
+/* A scene in its colours, for cairo_file_write. */
+typedef struct Picture {
+    const Scene *scene;
+    Theme theme;
+} Picture;
 
-/* What cairo has written so far. */
-typedef struct Bytes {
-    char *text;
-    size_t size, capacity;
-} Bytes;
-
-static cairo_status_t keep_bytes(void *context, const unsigned char *data, unsigned length) {
-    Bytes *bytes = context;
-    bytes->text = memory_reserve(bytes->text, &bytes->capacity, bytes->size + length + 1, 1);
-    memcpy(bytes->text + bytes->size, data, length);
-    bytes->size += length;
-    return CAIRO_STATUS_SUCCESS;
-}
-
-static bool size_is_sound(int width, int height) {
-    return width > 0 && height > 0 && width <= PAINT_LARGEST && height <= PAINT_LARGEST;
+static void paint_picture(cairo_t *cairo, Vec2 page, const void *what) {
+    const Picture *picture = what;
+    paint_cairo_scene(cairo, picture->scene, page, picture->theme);
 }
 
 int paint_cairo_png(const Scene *scene, const char *path, int width, int height, Theme theme) {
-    if (!size_is_sound(width, height))
-        return EINVAL;
-    Bytes bytes = {0};
-    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
-    int error = paint_surface(scene, surface, width, height, theme);
-    if (!error && cairo_surface_write_to_png_stream(surface, keep_bytes, &bytes) != CAIRO_STATUS_SUCCESS)
-        error = EIO;
-    cairo_surface_destroy(surface);
-    if (!error)
-        error = text_write_file(path, bytes.text, bytes.size);
-    memory_free(bytes.text);
-    return error;
-}
-
-/* cairo names a page by how many surfaces the process has made: without that number the same scene is the same file. */
-static void remove_surface_number(Bytes *bytes) {
-    static const char name[] = "<g id=\"surface";
-    char *found = bytes->size ? strstr(bytes->text, name) : NULL;
-    if (!found)
-        return;
-    char *number = found + sizeof name - 1;
-    size_t digits = strspn(number, "0123456789");
-    memmove(number, number + digits, bytes->size - (size_t)(number - bytes->text) - digits + 1);
-    bytes->size -= digits;
+    return cairo_file_write(CAIRO_FILE_PNG, path, width, height, layout_unit(width, height), paint_picture,
+                            &(Picture){scene, theme});
 }
 
 int paint_cairo_svg(const Scene *scene, const char *path, int width, int height, Theme theme) {
-    if (!size_is_sound(width, height))
-        return EINVAL;
-    Bytes bytes = {0};
-    cairo_surface_t *surface = cairo_svg_surface_create_for_stream(keep_bytes, &bytes, width, height);
-    cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PX);
-    int error = paint_surface(scene, surface, width, height, theme);
-    cairo_surface_finish(surface);
-    if (!error && cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS)
-        error = EIO;
-    cairo_surface_destroy(surface);
-    remove_surface_number(&bytes);
-    if (!error)
-        error = text_write_file(path, bytes.text, bytes.size);
-    memory_free(bytes.text);
-    return error;
+    return cairo_file_write(CAIRO_FILE_SVG, path, width, height, layout_unit(width, height), paint_picture,
+                            &(Picture){scene, theme});
 }

@@ -104,14 +104,19 @@ static void add_ghost(Scene *scene, const House *house, const Observation *ghost
     trail_free_list(trails);
 }
 
-/* Where people will go, labels would hide them: marked, not seen. */
+/* Where people will go, with their feet before them, labels would hide them: marked, not seen. */
 static void keep_ways_clear(Film *film) {
     for (size_t i = 0; i < film->house->person_count; i++) {
         const Trail *trail = &film->trails[i];
-        Vec2 *points = memory_allocate(trail->count, sizeof *points);
+        const Profile *profile = film->house->people[i].profile;
+        if (!trail->count)
+            continue;
+        Vec2 *points = memory_allocate(trail->count + 1, sizeof *points);
         for (size_t r = 0; r < trail->count; r++)
             points[r] = row_place(trail->rows[r]);
-        Primitive *way = scene_add_line(&film->still, ROLE_PAPER, WAY_WIDTH, points, trail->count);
+        Pose end = trail_pose(trail, trail_end(trail));
+        points[trail->count] = vec2_along(end.at, profile->length + profile->space_reach, vec2_heading(end.heading));
+        Primitive *way = scene_add_line(&film->still, ROLE_PAPER, WAY_WIDTH, points, trail->count + 1);
         way->edge_opacity = 0;
         way->keep_clear = KEEP_WAY;
         memory_free(points);

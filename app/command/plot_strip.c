@@ -1,0 +1,78 @@
+#include "command/plot_strip.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "draw/plot_write.h"
+
+static int pixels(double points, double unit) {
+    return (int)lround(points * unit);
+}
+
+static void give_pixels(const PlotStrip *strip, size_t plot, PlotPixels part, PaintGl *paint) {
+    const PlotCanvas *canvas = strip->canvases[plot];
+    PlotPixels all = plot_canvas_all(canvas);
+    if (part.width > 0)
+        paint_gl_panel(paint, (int)plot, plot_canvas_pixels(canvas), all.width, all.height, plot_canvas_stride(canvas),
+                       part.x, part.y, part.width, part.height);
+}
+
+void plot_strip_open(PlotStrip *strip, HousePlots plots, const Layout *still, PaintGl *paint, const Options *options) {
+    *strip = (PlotStrip){.plots = plots, .still = still, .unit = layout_unit(options->width, options->height)};
+    for (size_t i = 0; i < plots.choice.count; i++) {
+        Box panel = still->panels[i];
+        strip->canvases[i] =
+            plot_canvas_create(&strip->plots.plots[i], pixels(panel.high.x - panel.low.x, strip->unit),
+                               pixels(panel.high.y - panel.low.y, strip->unit), strip->unit, options->theme);
+        give_pixels(strip, i, plot_canvas_all(strip->canvases[i]), paint);
+    }
+}
+
+void plot_strip_close(PlotStrip *strip) {
+    for (size_t i = 0; i < strip->plots.choice.count; i++)
+        plot_canvas_destroy(strip->canvases[i]);
+    house_plots_free(&strip->plots);
+}
+
+/* A disc where the series has come to. */
+static void mark_present(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t count, Layout *moving) {
+    if (!count || series->role == ROLE_GHOST)
+        return;
+    Vec2 place = plot_canvas_place(strip->canvases[plot], plot_value(series, count - 1));
+    Vec2 at = vec2_along(strip->still->panels[plot].low, 1 / strip->unit, place);
+    if (isfinite(at.x) && isfinite(at.y))
+        layout_add_sample(moving, (Sample){.from = at, .to = at, .role = series->role, .symbol = SYMBOL_DISC});
+}
+
+void plot_strip_show(PlotStrip *strip, double time, PaintGl *paint, Layout *moving) {
+    for (size_t i = 0; i < strip->plots.choice.count; i++) {
+        const Plot *plot = &strip->plots.plots[i];
+        for (size_t s = 0; s < plot->series_count; s++) {
+            size_t count = house_plots_until(&strip->plots, i, s, time);
+            PlotPixels changed = plot_canvas_advance(strip->canvases[i], s, count);
+            give_pixels(strip, i, changed, paint);
+            mark_present(strip, i, &plot->series[s], count, moving);
+        }
+    }
+}
+
+bool plot_strip_write(const HousePlots *plots, const Options *options) {
+    static const char *const endings[] = {"png", "svg", "csv"};
+    char path[4096];
+    int error = 0;
+    for (size_t i = 0; i < plots->choice.count && !error; i++)
+        for (size_t e = 0; e < sizeof endings / sizeof *endings && !error; e++) {
+            snprintf(path, sizeof path, "%s/plot-%s.%s", options->out, house_plots_name(plots->choice.indices[i]),
+                     endings[e]);
+            const Plot *plot = &plots->plots[i];
+            if (e == 0)
+                error = plot_write_png(plot, path, options->width, options->height, options->theme);
+            else if (e == 1)
+                error = plot_write_svg(plot, path, options->width, options->height, options->theme);
+            else
+                error = plot_write_csv(plot, path);
+        }
+    if (error)
+        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+    return !error;
+}

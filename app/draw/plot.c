@@ -1,0 +1,16 @@
+#include "draw/plot.h"
+
+#include "draw/plot_ground.h"
+#include "draw/plot_layout.h"
+#include "draw/plot_pen.h"
+
+void plot_paint(const Plot *plot, struct _cairo *cairo, Vec2 size, Theme theme) {
+    PlotLayout layout;
+    plot_layout_make(&layout, plot, size, PLOT_NAMES_BESIDE);
+    plot_ground_paint(cairo, &layout, plot, theme);
+    for (size_t s = 0; s < plot->series_count; s++) {
+        PlotPen pen = plot_pen_make(cairo);
+        plot_pen_draw(&pen, cairo, &layout, &plot->series[s], plot->series[s].count, theme);
+    }
+    plot_layout_clear(&layout);
+}

@@ -1,0 +1,63 @@
+/* What a plot shows, as data: series of numbers over two axes, and lines across that say what a number means. It knows
+ * arrays and roles only. plot_canvas.h draws it bit by bit, plot_write.h makes files of it.
+ *
+ *        force, N   - A  -.- B               names of the series, when there are several and no room beside the lines
+ *          |         .
+ *       50 |- - - - / \- - - - warning - -   a guide, with its name
+ *          |   ____/   \___ A
+ *        0 +------------------
+ *          0      10      20   time, s                                                                               */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "draw/palette.h"
+#include "draw/scene.h"
+
+typedef struct PlotAxis {
+    const char *title;
+    const char *unit; /* "1" or NULL: a pure number */
+    double low, high; /* low == high: as far as the series and guides reach, and on to a round number */
+} PlotAxis;
+
+/* Points (x[i * stride], y[i * stride]). What is not finite breaks the line. */
+typedef struct PlotSeries {
+    const char *name;    /* or NULL: not named */
+    const double *x, *y; /* (count x stride) */
+    size_t count;
+    size_t stride; /* from one value to the next; 0 counts as 1 */
+    Role role;
+    LineStyle style;
+    double width;  /* design points, of the line from point to point; 0: none */
+    Symbol symbol; /* at each point */
+    double size;   /* design points, across a symbol */
+} PlotSeries;
+
+/* A line across the whole plot. */
+typedef struct PlotGuide {
+    bool upright; /* at a value of x; otherwise of y */
+    double at;
+    const char *name; /* or NULL */
+    Role role;
+    LineStyle style;
+} PlotGuide;
+
+typedef struct Plot {
+    const char *title; /* or NULL: the y axis' title stands in its place */
+    const char *note;  /* what must be said beside it, or NULL */
+    PlotAxis x, y;
+    PlotSeries *series; /* (series_count) in painting order */
+    PlotGuide *guides;  /* (guide_count), below the series */
+    size_t series_count, guide_count;
+} Plot;
+
+static inline Vec2 plot_value(const PlotSeries *series, size_t index) {
+    size_t at = index * (series->stride ? series->stride : 1);
+    return vec2(series->x[at], series->y[at]);
+}
+
+struct _cairo; /* cairo's own name of cairo_t */
+
+/* The whole plot, from the origin of the context on, whose unit is the design point. */
+void plot_paint(const Plot *plot, struct _cairo *cairo, Vec2 size, Theme theme);

@@ -1,0 +1,8 @@
+/* What of a plot stays as it is while its series are drawn: paper, faint lines, axes, guides and words. */
+#pragma once
+
+#include "draw/plot_layout.h"
+
+struct _cairo; /* cairo's own name of cairo_t */
+
+void plot_ground_paint(struct _cairo *cairo, const PlotLayout *layout, const Plot *plot, Theme theme);

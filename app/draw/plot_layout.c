@@ -1,0 +1,252 @@
+#include "draw/plot_layout.h"
+
+#include <string.h>
+
+#include "draw/plot_names.h"
+#include "draw/text.h"
+
+/* Design points. */
+#define TITLE_LETTERS 19.0
+#define AXIS_LETTERS 15.0
+#define NAME_LETTERS 15.0
+#define MARGIN 6.0
+#define ROW_HEIGHT 23.0 /* of titles and names */
+#define ROW_GAP 7.0     /* below them: half of the topmost label */
+#define LABEL_HEIGHT 18.0
+#define LABEL_GAP 7.0    /* between an axis and its labels: the tick is within */
+#define LABEL_APART 12.0 /* between the labels of the x axis */
+#define ITEM_GAP 11.0
+#define SAMPLE_LENGTH 26.0
+#define SAMPLE_GAP 5.0
+#define UPRIGHT_LEAST 33.0 /* from tick to tick of the y axis */
+#define ACROSS_LEAST 34.0  /* and of the x axis */
+#define LOW 200.0          /* a lower plot has its titles in shared rows */
+#define LEAST_FRAME 0.45   /* of the height: where the names leave less to the lines, they are left out */
+#define FAR 1e5            /* of a point beyond the page: cairo's coordinates end at some 8e6 pixels */
+
+static double box_width(Box box) {
+    return box.high.x - box.low.x;
+}
+
+static double box_height(Box box) {
+    return box.high.y - box.low.y;
+}
+
+Vec2 plot_layout_point(const PlotLayout *layout, Vec2 value) {
+    Box frame = layout->sheet.frame;
+    double right = (value.x - layout->x.low) / (layout->x.high - layout->x.low);
+    double up = (value.y - layout->y.low) / (layout->y.high - layout->y.low);
+    return vec2(real_clamp(frame.low.x + right * box_width(frame), -FAR, FAR),
+                real_clamp(frame.high.y - up * box_height(frame), -FAR, FAR));
+}
+
+/* What the series and the guides hold; what is not finite does not count. */
+static Box plot_reach(const Plot *plot) {
+    Box reach = box_empty();
+    for (size_t s = 0; s < plot->series_count; s++)
+        for (size_t i = 0; i < plot->series[s].count; i++) {
+            Vec2 value = plot_value(&plot->series[s], i);
+            if (isfinite(value.x) && isfinite(value.y))
+                reach = box_include(reach, value);
+        }
+    for (size_t g = 0; g < plot->guide_count; g++) {
+        double at = plot->guides[g].at;
+        reach = box_include(reach, plot->guides[g].upright ? vec2(at, NAN) : vec2(NAN, at));
+    }
+    return reach;
+}
+
+static PlotTicks axis_ticks(const PlotAxis *axis, double low, double high, int most) {
+    bool fitted = axis->low == axis->high;
+    return plot_ticks_make(fitted ? low : axis->low, fitted ? high : axis->high, most, fitted);
+}
+
+static double widest_label(const PlotTicks *ticks) {
+    double widest = 0;
+    for (int i = 0; i < ticks->count; i++) {
+        char label[PLOT_TICKS_LABEL];
+        plot_ticks_label(ticks, i, label);
+        widest = fmax(widest, text_extent(label, AXIS_LETTERS, false).x);
+    }
+    return widest;
+}
+
+/* The most ticks whose labels have room between them. */
+static PlotTicks ticks_across(const PlotAxis *axis, double low, double high, double width) {
+    PlotTicks ticks;
+    int most = (int)(width / ACROSS_LEAST) + 1;
+    do
+        ticks = axis_ticks(axis, low, high, most);
+    while (--most >= 2 && (widest_label(&ticks) + LABEL_APART) * (ticks.high - ticks.low) >
+                              width * (plot_ticks_at(&ticks, 1) - plot_ticks_at(&ticks, 0)));
+    return ticks;
+}
+
+static Caption *add_text(PlotLayout *layout, const char *text, double size, bool bold, Vec2 centre) {
+    Layout *sheet = &layout->sheet;
+    return layout_add_caption(sheet, arena_text(&sheet->arena, text), size, bold, centre);
+}
+
+/* Rows of words above the frame, filled from left to right. */
+typedef struct Rows {
+    PlotLayout *layout;
+    double left, middle; /* design points, where the next words begin */
+} Rows;
+
+static void begin_row(Rows *rows) {
+    rows->left = MARGIN;
+    rows->middle += ROW_HEIGHT;
+}
+
+/* Adds words, behind `before` of room for something else, in this row or the next. */
+static Caption *add_item(Rows *rows, const char *text, double size, bool bold, double before) {
+    Layout *sheet = &rows->layout->sheet;
+    double right = sheet->page.x - MARGIN;
+    const char *words = layout_shortened(sheet, text, size, bold, right - MARGIN - before);
+    double width = before + text_extent(words, size, bold).x;
+    if (rows->left > MARGIN && rows->left + width > right + 0.5)
+        begin_row(rows);
+    Caption *caption = add_text(rows->layout, words, size, bold, vec2(rows->left + before, rows->middle));
+    caption->centre.x += caption->extent.x / 2;
+    rows->left += width + ITEM_GAP;
+    return caption;
+}
+
+static double names_width(const Plot *plot) {
+    double width = 0;
+    for (size_t s = 0; s < plot->series_count; s++)
+        if (plot->series[s].name)
+            width += (width > 0 ? ITEM_GAP : 0) + SAMPLE_LENGTH + SAMPLE_GAP +
+                     text_extent(plot->series[s].name, NAME_LETTERS, false).x;
+    return width;
+}
+
+/* At the right end of a row if one holds them all. */
+static void add_names(Rows *rows, const Plot *plot) {
+    Layout *sheet = &rows->layout->sheet;
+    double right = sheet->page.x - MARGIN, width = names_width(plot);
+    if (rows->left > MARGIN && rows->left + width > right)
+        begin_row(rows);
+    rows->left = fmax(rows->left, right - width);
+    for (size_t s = 0; s < plot->series_count; s++) {
+        const PlotSeries *series = &plot->series[s];
+        if (!series->name)
+            continue;
+        Caption *name = add_item(rows, series->name, NAME_LETTERS, false, SAMPLE_LENGTH + SAMPLE_GAP);
+        Vec2 to = vec2(name->centre.x - name->extent.x / 2 - SAMPLE_GAP, name->centre.y);
+        layout_add_sample(sheet, (Sample){.from = vec2(to.x - SAMPLE_LENGTH, to.y),
+                                          .to = to,
+                                          .role = series->role,
+                                          .style = series->style,
+                                          .width = series->width,
+                                          .symbol = series->symbol});
+    }
+}
+
+/* The titles and, if they stand above, the names of the series; returns how far down they reach. */
+static double add_rows(PlotLayout *layout, const Plot *plot, bool names) {
+    char title[PLOT_TICKS_TITLE];
+    plot_ticks_title(&layout->y, plot->y.title, plot->y.unit, title);
+    Rows rows = {layout, MARGIN, ROW_HEIGHT / 2 + 2};
+    bool low = layout->sheet.page.y < LOW;
+    if (plot->title)
+        add_item(&rows, plot->title, TITLE_LETTERS, true, 0);
+    if (*title && (low || !plot->title))
+        add_item(&rows, title, plot->title ? AXIS_LETTERS : TITLE_LETTERS - 2, !plot->title, 0);
+    if (plot->note)
+        add_item(&rows, plot->note, AXIS_LETTERS, false, 0)->role = ROLE_DIM_TEXT;
+    if (names)
+        add_names(&rows, plot);
+    if (*title && !low && plot->title) {
+        begin_row(&rows);
+        add_item(&rows, title, AXIS_LETTERS, false, 0);
+    }
+    return rows.middle + ROW_HEIGHT / 2;
+}
+
+static void add_grid(PlotLayout *layout) {
+    Box frame = layout->sheet.frame;
+    for (int i = 0; i < layout->x.count; i++) {
+        double x = plot_layout_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
+        layout_add_grid_line(&layout->sheet, vec2(x, frame.low.y), vec2(x, frame.high.y));
+    }
+    for (int i = 0; i < layout->y.count; i++) {
+        double y = plot_layout_point(layout, vec2(0, plot_ticks_at(&layout->y, i))).y;
+        layout_add_grid_line(&layout->sheet, vec2(frame.low.x, y), vec2(frame.high.x, y));
+    }
+}
+
+static void add_upright_labels(PlotLayout *layout) {
+    double right = layout->sheet.frame.low.x - LABEL_GAP;
+    for (int i = 0; i < layout->y.count; i++) {
+        char label[PLOT_TICKS_LABEL];
+        plot_ticks_label(&layout->y, i, label);
+        double y = plot_layout_point(layout, vec2(0, plot_ticks_at(&layout->y, i))).y;
+        Caption *caption = add_text(layout, label, AXIS_LETTERS, false, vec2(right, y));
+        caption->centre.x -= caption->extent.x / 2;
+    }
+}
+
+/* In a low plot the title takes the end of the labels' row, and their place where it needs it. */
+static void add_across_labels(PlotLayout *layout, const Plot *plot) {
+    char title[PLOT_TICKS_TITLE];
+    Layout *sheet = &layout->sheet;
+    plot_ticks_title(&layout->x, plot->x.title, plot->x.unit, title);
+    double row = sheet->frame.high.y + LABEL_GAP + LABEL_HEIGHT / 2, end = sheet->page.x;
+    if (*title) {
+        bool low = sheet->page.y < LOW;
+        Caption *caption = add_text(layout, title, AXIS_LETTERS, false,
+                                    vec2((sheet->frame.low.x + sheet->frame.high.x) / 2, row + LABEL_HEIGHT));
+        if (low) {
+            caption->centre = vec2(sheet->page.x - MARGIN - caption->extent.x / 2, row);
+            end = caption->centre.x - caption->extent.x / 2 - LABEL_APART;
+        }
+    }
+    for (int i = 0; i < layout->x.count; i++) {
+        char label[PLOT_TICKS_LABEL];
+        plot_ticks_label(&layout->x, i, label);
+        double x = plot_layout_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
+        if (x + text_extent(label, AXIS_LETTERS, false).x / 2 <= end)
+            add_text(layout, label, AXIS_LETTERS, false, vec2(x, row));
+    }
+}
+
+/* The frame between the words around it. */
+static void place_frame(PlotLayout *layout, const Plot *plot, Box reach, bool names) {
+    Layout *sheet = &layout->sheet;
+    bool low = sheet->page.y < LOW;
+    double foot = LABEL_GAP + LABEL_HEIGHT * (low || !plot->x.title ? 1 : 2) + MARGIN / 2;
+    sheet->frame = (Box){{0, 0}, {sheet->page.x - MARGIN, sheet->page.y - foot}};
+    layout->y = axis_ticks(&plot->y, reach.low.y, reach.high.y, 2);
+    sheet->frame.low.y = add_rows(layout, plot, names) + ROW_GAP;
+    int most = (int)(fmax(0, box_height(sheet->frame)) / UPRIGHT_LEAST) + 1;
+    layout->y = axis_ticks(&plot->y, reach.low.y, reach.high.y, most);
+    sheet->frame.low.x = MARGIN + widest_label(&layout->y) + LABEL_GAP;
+    layout->x = ticks_across(&plot->x, reach.low.x, reach.high.x, box_width(sheet->frame));
+    sheet->frame.high.x -= widest_label(&layout->x) / 2;
+}
+
+static void lay_out(PlotLayout *layout, const Plot *plot, Vec2 page, bool names) {
+    plot_layout_clear(layout);
+    layout->sheet.page = page;
+    place_frame(layout, plot, plot_reach(plot), names);
+    add_grid(layout);
+    add_upright_labels(layout);
+    add_across_labels(layout, plot);
+    plot_names_guides(layout, plot);
+}
+
+void plot_layout_make(PlotLayout *layout, const Plot *plot, Vec2 page, PlotNames names) {
+    *layout = (PlotLayout){0};
+    bool several = plot->series_count > 1;
+    lay_out(layout, plot, page, several && names == PLOT_NAMES_ABOVE);
+    if (several && names == PLOT_NAMES_BESIDE && !plot_names_series(layout, plot))
+        lay_out(layout, plot, page, true);
+    if (box_height(layout->sheet.frame) < LEAST_FRAME * page.y)
+        lay_out(layout, plot, page, false);
+}
+
+void plot_layout_clear(PlotLayout *layout) {
+    layout_clear(&layout->sheet);
+    *layout = (PlotLayout){0};
+}

@@ -1,0 +1,25 @@
+/* Where everything of a plot is: all in design points, y down. A low plot keeps its height for the lines: its titles
+ * share rows with the names of the series and with the labels of the ticks. */
+#pragma once
+
+#include "draw/layout.h"
+#include "draw/plot.h"
+#include "draw/plot_ticks.h"
+
+typedef struct PlotLayout {
+    Layout sheet; /* its frame is what the axes enclose; words, pieces of line, faint lines */
+    PlotTicks x, y;
+} PlotLayout;
+
+/* How names of series find their place. */
+typedef enum PlotNames {
+    PLOT_NAMES_BESIDE, /* beside their lines if there is room for all of them, otherwise above the plot */
+    PLOT_NAMES_ABOVE,  /* for lines that are yet to come */
+} PlotNames;
+
+/* Lays out a plot, which must outlive the layout, on a page of that size. plot_layout_clear releases it. */
+void plot_layout_make(PlotLayout *layout, const Plot *plot, Vec2 page, PlotNames names);
+void plot_layout_clear(PlotLayout *layout);
+
+/* Where a value is. Values far outside of the axes are moved nearer, so that every painter can count with them. */
+Vec2 plot_layout_point(const PlotLayout *layout, Vec2 value);

@@ -1,0 +1,33 @@
+/* Round numbers along an axis: multiples of 1, 2 or 5 times a power of ten, and their labels. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct PlotTicks {
+    double low, high; /* of the axis, low < high */
+    double first;     /* of the ticks, in steps from nought */
+    int count;
+    int multiple, exponent; /* a step is multiple x 10^exponent */
+    int power;              /* labels count 10^power of the axis' unit: a multiple of 3 that keeps them short */
+    int digits;             /* of labels, behind the point */
+} PlotTicks;
+
+enum {
+    PLOT_TICKS_LABEL = 48,  /* room for a label */
+    PLOT_TICKS_TITLE = 192, /* room for an axis' title */
+};
+
+/* At most `most` ticks, at least 2, over an axis from low to high: the smallest step that does. `widened` moves the
+ * ends out to whole halves of a step. What is no range becomes one: equal ends reach from nought to their value, ends
+ * that are no numbers from 0 to 1; a span below a millionth of the values is widened to that. */
+PlotTicks plot_ticks_make(double low, double high, int most, bool widened);
+
+/* The value of tick `index`; exactly the number that its label says. */
+double plot_ticks_at(const PlotTicks *ticks, int index);
+
+/* "0", "-1.5" with a true minus, "20 000" with a thin space. */
+void plot_ticks_label(const PlotTicks *ticks, int index, char label[PLOT_TICKS_LABEL]);
+
+/* "force, 10^6 N" with a raised 6; "time, s"; "ratio" where the unit is NULL, "" or "1". */
+void plot_ticks_title(const PlotTicks *ticks, const char *title, const char *unit, char text[PLOT_TICKS_TITLE]);

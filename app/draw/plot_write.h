@@ -1,0 +1,18 @@
+/* Plots as files. The same plot gives the same bytes; files are written beside and renamed. All return 0, or errno:
+ * EINVAL for sizes that no picture has. */
+#pragma once
+
+#include "draw/plot.h"
+
+/* Pixels a design point of a plot that fills a picture of this size: twice what the same plot has beside a house, so
+ * that it is read from as far as a title, but never below 1. */
+double plot_write_unit(int width, int height);
+
+/* `width` and `height` in pixels; of a PDF in 1/72 inch. */
+int plot_write_png(const Plot *plot, const char *path, int width, int height, Theme theme);
+int plot_write_svg(const Plot *plot, const char *path, int width, int height, Theme theme);
+int plot_write_pdf(const Plot *plot, const char *path, int width, int height, Theme theme);
+
+/* CSV (RFC 4180): two columns a series, with a header `axis [unit]`, which names the series too when there are several;
+ * a series that ends earlier has empty fields. What is no number is empty, too. */
+int plot_write_csv(const Plot *plot, const char *path);

@@ -1,0 +1,40 @@
+/* What a run shows as curves: plots by name, made from the columns of the trace, one series a person who took part. Of
+ * many people the first chairs are shown. A second observation may be shown behind them, as what was before. */
+#pragma once
+
+#include "draw/plot.h"
+#include "house/observation.h"
+
+enum {
+    HOUSE_PLOTS_KNOWN = 5, /* plots */
+    HOUSE_PLOTS_FAULT = 256,
+};
+
+#define HOUSE_PLOTS_WORDS "speed|clearance|force|ring|phase"
+
+/* Some of the known plots, in some order. */
+typedef struct HousePlotsChoice {
+    size_t indices[HOUSE_PLOTS_KNOWN]; /* (count) each once */
+    size_t count;
+} HousePlotsChoice;
+
+/* "speed,clearance" as a choice. False: `fault` says which word is none, and which are. */
+bool house_plots_choose(HousePlotsChoice *choice, const char *words, char fault[HOUSE_PLOTS_FAULT]);
+
+/* "speed", "clearance" and so on. */
+const char *house_plots_name(size_t index);
+
+typedef struct HousePlots {
+    HousePlotsChoice choice;
+    Plot plots[HOUSE_PLOTS_KNOWN]; /* (choice.count) */
+    Arena arena;                   /* holds all they show */
+} HousePlots;
+
+/* The chosen plots; the house and, if there is one, the ghost of it must outlive them, the observations need not.
+ * `ghost_house` and `ghost` are NULL when nothing was before. house_plots_free releases them. */
+HousePlots house_plots_make(const House *house, const Observation *observation, const House *ghost_house,
+                            const Observation *ghost, const HousePlotsChoice *choice);
+void house_plots_free(HousePlots *plots);
+
+/* How many points of a series of a plot (index into `plots`) lie at or before a time, s. */
+size_t house_plots_until(const HousePlots *plots, size_t plot, size_t series, double time);
