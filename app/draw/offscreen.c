@@ -29,8 +29,7 @@
     X(eglGetPlatformDisplay)                                                                                           \
     X(eglGetProcAddress)                                                                                               \
     X(eglInitialize)                                                                                                   \
-    X(eglMakeCurrent)                                                                                                  \
-    X(eglTerminate)
+    X(eglMakeCurrent)
 
 #define OFFSCREEN_MEMBER(name_) __typeof__(name_) *name_;
 
@@ -106,13 +105,13 @@ static bool egl_load(Offscreen *offscreen) {
     return found;
 }
 
+/* The display is the process's own and stays open: closing it unloads the driver, whose threads may still run. */
 static void egl_end(Offscreen *offscreen) {
     if (!offscreen->egl.display)
         return;
     offscreen->egl.eglMakeCurrent(offscreen->egl.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (offscreen->egl.context)
         offscreen->egl.eglDestroyContext(offscreen->egl.display, offscreen->egl.context);
-    offscreen->egl.eglTerminate(offscreen->egl.display);
     offscreen->egl.display = NULL;
 }
 
