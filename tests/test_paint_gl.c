@@ -422,6 +422,17 @@ TEST(nothing_is_seen_outside_the_frame) {
     stage_end(&stage);
 }
 
+TEST(a_picture_that_is_too_large_has_no_painter) {
+    enum { TOO_LARGE = 1 << 20 /* pixels a side */ };
+    Stage stage = stage_begin(OFFSCREEN_ANY, WIDTH, HEIGHT, THEME_PAPER);
+    const Gl *gl = offscreen_gl(stage.offscreen);
+    CHECK(!paint_gl_create(gl, TOO_LARGE, TOO_LARGE, THEME_PAPER));
+    PaintGl *small = paint_gl_create(gl, 64, 36, THEME_PAPER);
+    CHECK(small);
+    paint_gl_destroy(small);
+    stage_end(&stage);
+}
+
 /* Layers ------------------------------------------------------------------------------------------------------------*/
 
 TEST(what_is_added_stays) {

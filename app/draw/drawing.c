@@ -3,9 +3,9 @@
 #include "draw/drawing_solid.h"
 #include "draw/paint_sizes.h"
 
-#define CIRCLE_ERROR 0.1 /* pixels that a polygon may miss of its circle */
+#define CIRCLE_ERROR 0.2 /* pixels that a polygon may miss of its circle */
 
-enum { CIRCLE_FEWEST = 16, CIRCLE_MOST = 96 /* corners */ };
+enum { CIRCLE_FEWEST = 8 /* corners */ };
 
 void drawing_clear(Drawing *drawing) {
     ink_clear(&drawing->floor);
@@ -200,7 +200,7 @@ static void add_dimension(const Sheet *sheet) {
 
 size_t drawing_circle_corners(double radius) {
     double turn = 2 * acos(1 - CIRCLE_ERROR / fmax(radius, 1));
-    return (size_t)real_clamp(ceil(2 * M_PI / turn), CIRCLE_FEWEST, CIRCLE_MOST);
+    return (size_t)real_clamp(ceil(2 * M_PI / turn), CIRCLE_FEWEST, DRAWING_CIRCLE_MOST);
 }
 
 /* Circles as rings of corners: where they are ellipses, unite, or have dashes. */

@@ -35,5 +35,6 @@ Box drawing_box(const Drawing *drawing, Box box);
 void drawing_add_segment(Drawing *drawing, Ink *ink, Vec2 from, Vec2 to, InkPen pen);
 
 /* Pieces, for solids: m; as many corners as make a circle of so many pixels round. */
+enum { DRAWING_CIRCLE_MOST = 96 };
 InkPoint drawing_point(const Drawing *drawing, const Layout *layout, Vec2 at, double height);
 size_t drawing_circle_corners(double radius);

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "draw/paint_sizes.h"
+
 /* Towards the light, along the floor to the left, along the floor to the viewer, and up. */
 #define LIGHT_LEFT 0.50
 #define LIGHT_NEAR 0.36
@@ -21,7 +23,6 @@ const float drawing_solid_light[3] = {-0.50f, -0.20f, 0.84f}; /* the same at an 
 #define EDGE_SHADE 0.62    /* of the face, for them */
 #define EDGE_NEARER 1e-3   /* of the depth: lines are seen on the faces that they bound */
 #define SHARP 0.5          /* rad: rounder corners have no edge */
-#define ROUND_FEWEST 10    /* sides of a cylinder */
 
 typedef struct Solid {
     Drawing *drawing;
@@ -139,6 +140,20 @@ static void add_level(const Solid *solid, const Triangle *triangle, double heigh
     ink_add_face(&solid->drawing->shadows, shadow, 3, shadow_colour(solid));
 }
 
+static void add_hatch(const Solid *solid, const Triangle *triangle, double height) {
+    const Primitive *primitive = solid->primitive;
+    double unit = solid->drawing->unit;
+    Vec2 begin = solid_point(solid, primitive->points[0], height).at;
+    InkHatch hatch = {PAINT_HATCH_WIDTH * unit, PAINT_HATCH_GAP * unit, begin.x + begin.y};
+    InkPoint corners[3];
+    for (int i = 0; i < 3; i++) {
+        corners[i] = solid_point(solid, triangle->corners[i], height);
+        corners[i].depth -= EDGE_NEARER;
+    }
+    ink_add_triangle(&solid->drawing->over, corners, (bool[3]){0}, drawing_colour(solid->drawing, primitive->edge, 1),
+                     &hatch);
+}
+
 /* The upright edges of a ring's sharp corners. */
 static void add_upright_edges(const Solid *solid, const Vec2 *ring, size_t count) {
     InkPen pen = thin_pen(solid);
@@ -168,6 +183,8 @@ static void add_prism_of(const Solid *solid, const Vec2 *points, const size_t *s
     for (size_t i = 0; i < tessellation->count; i++) {
         const Triangle *triangle = &tessellation->triangles[i];
         add_level(solid, triangle, top);
+        if (solid->primitive->hatched)
+            add_hatch(solid, triangle, top);
         for (int k = 0; k < 3; k++) {
             Vec2 a = triangle->corners[k], b = triangle->corners[(k + 1) % 3];
             if (!triangle->border[k])
@@ -216,23 +233,21 @@ static double page_length(const Solid *solid, Vec2 at, double height, double met
 }
 
 /* The shadow of what is round and upright: as wide as it is, as long as it is high. */
-static void add_round_shadow(const Solid *solid, Vec2 at, double base, double top) {
-    InkPoint line[] = {shadow_point(solid, at, base), shadow_point(solid, at, top)};
+static void add_round_shadow(const Solid *solid, Vec2 at) {
+    InkPoint line[] = {shadow_point(solid, at, solid->primitive->base), shadow_point(solid, at, solid_top(solid))};
     double width = 2 * page_length(solid, at, 0, solid->primitive->radius);
     InkPen pen = {.colour = shadow_colour(solid), .width = width};
     ink_add_capsule(&solid->drawing->shadows, line, pen);
 }
 
 static size_t round_corners(const Solid *solid, Vec2 at) {
-    size_t corners = drawing_circle_corners(page_length(solid, at, 0, solid->primitive->radius));
-    return corners > ROUND_FEWEST ? corners : ROUND_FEWEST;
+    return drawing_circle_corners(page_length(solid, at, 0, solid->primitive->radius));
 }
 
 static void add_cylinder(const Solid *solid, Vec2 at) {
-    enum { MOST = 96 };
     const Primitive *primitive = solid->primitive;
     size_t count = round_corners(solid, at);
-    InkPoint rim[MOST];
+    InkPoint rim[DRAWING_CIRCLE_MOST];
     Vec2 last = vec2_along(at, primitive->radius, vec2(1, 0));
     for (size_t i = 0; i < count; i++) {
         Vec2 next = vec2_along(at, primitive->radius, vec2_heading(2 * M_PI * (double)(i + 1) / (double)count));
@@ -242,7 +257,7 @@ static void add_cylinder(const Solid *solid, Vec2 at) {
     }
     ink_add_face(&solid->drawing->solids, rim, count, (InkColour){fill_colour(solid), primitive->fill_opacity});
     add_edge(solid, rim, count, true, edge_pen(solid));
-    add_round_shadow(solid, at, primitive->base, solid_top(solid));
+    add_round_shadow(solid, at);
 }
 
 static void add_cylinders(const Solid *solid) {
@@ -250,13 +265,13 @@ static void add_cylinders(const Solid *solid) {
         add_cylinder(solid, solid->primitive->points[i]);
 }
 
+/* They are heads: their shadows would lie in the bodies'. */
 static void add_balls(const Solid *solid) {
     const Primitive *balls = solid->primitive;
     Colour bright = mixed(fill_colour(solid), (Colour){1, 1, 1}, 0.15), dark = lit(fill_colour(solid), 0);
     for (size_t i = 0; i < balls->count; i++) {
         double radius = page_length(solid, balls->points[i], balls->base, balls->radius);
         ink_add_ball(&solid->drawing->solids, solid_point(solid, balls->points[i], balls->base), radius, bright, dark);
-        add_round_shadow(solid, balls->points[i], balls->base, balls->base);
     }
 }
 
@@ -281,11 +296,10 @@ static void add_tread(const Solid *solid, const InkPoint *left, const InkPoint *
 }
 
 static void add_wheel(const Solid *solid) {
-    enum { MOST = 96 };
     const Primitive *wheel = solid->primitive;
     Vec2 axle = vec2_unit(vec2_sub(wheel->points[1], wheel->points[0])), along = vec2_left(axle);
     size_t count = round_corners(solid, wheel->points[0]);
-    InkPoint rims[2][MOST];
+    InkPoint rims[2][DRAWING_CIRCLE_MOST];
     for (int side = 0; side < 2; side++)
         wheel_side(solid, wheel->points[side], along, rims[side], count);
     add_tread(solid, rims[0], rims[1], count);

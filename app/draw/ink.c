@@ -7,10 +7,10 @@
 #include "base/memory.h"
 #include "draw/paint_sizes.h"
 
-#define FAR_INSIDE 1e4   /* pixels: no edge is near */
-#define FRINGE 0.5       /* pixels that a smooth edge reaches out */
-#define REACH 1.0        /* pixels that a rectangle is larger than its shape */
-#define LEAST_STEP 0.3   /* pixels: nearer points of a line are one */
+#define FAR_INSIDE 1e4 /* pixels: no edge is near */
+#define FRINGE 0.5     /* pixels that a smooth edge reaches out */
+#define REACH 0.51     /* pixels that a rectangle is larger than its shape: middles of pixels that have a part of it */
+#define LEAST_STEP 0.3 /* pixels: nearer points of a line are one */
 #define LEAST_APART 1e-3 /* pixels: and of its ends */
 
 void ink_clear(Ink *ink) {

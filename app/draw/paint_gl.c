@@ -82,6 +82,8 @@ PaintGl *paint_gl_create(const Gl *gl, int width, int height, Theme theme) {
     if (good && gl->GetError() == GL_NO_ERROR)
         return paint;
     paint_gl_destroy(paint);
+    while (gl->GetError() != GL_NO_ERROR) /* the next painter begins without */
+        continue;
     return NULL;
 }
 
