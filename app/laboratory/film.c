@@ -376,6 +376,13 @@ static void add_name(Film *film, const Standing *standing) {
     tag->fixed = tag->bold = true;
 }
 
+/* Across an exit and away from the middle of the house. */
+static Vec2 outwards(const Film *film, const Exit *exit, Vec2 at) {
+    Box box = film->house->outline.box;
+    Vec2 middle = vec2_scale(vec2_add(box.low, box.high), 0.5), across = vec2_left(vec2_sub(exit->to, exit->from));
+    return vec2_dot(across, vec2_sub(at, middle)) < 0 ? vec2_scale(across, -1) : across;
+}
+
 /* Of a crowd: how many have left by each exit so far. */
 static void add_exits(Film *film) {
     const Plan *plan = &film->house->plan;
@@ -389,6 +396,8 @@ static void add_exits(Film *film) {
         Vec2 middle = vec2_scale(vec2_add(plan->exits[e].from, plan->exits[e].to), 0.5);
         const char *text = scene_text(&film->moving, "EXIT %s: %zu", plan->exits[e].id, left[e]);
         Primitive *tag = scene_add_label(&film->moving, ROLE_TEXT, EXIT_LETTERS, middle, text);
+        Vec2 beside = vec2_add(middle, outwards(film, &plan->exits[e], middle));
+        scene_bind_label(&film->moving, tag, &beside, 1);
         tag->fill = ROLE_EXIT_TAG;
         tag->shape = LABEL_TAG;
         tag->fixed = tag->bold = true;
