@@ -1,7 +1,7 @@
 # Sourced by app/start.sh and tests/run.sh: installs the Debian packages that are missing, and says so.
 
 build_packages="meson ninja-build pkg-config gcc g++ libc6-dev libcairo2-dev libpango1.0-dev libbox2d-dev \
-libjansson-dev libsqlite3-dev libgeos-dev fonts-dejavu-core"
+libjansson-dev libsqlite3-dev libgeos-dev libcsv-dev fonts-dejavu-core"
 
 # install_packages NAME ...
 install_packages() {

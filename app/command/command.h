@@ -30,6 +30,10 @@ typedef struct Options {
     bool json, quiet;
     int width, height; /* pixels */
     Theme theme;
+    bool report;          /* write one */
+    const char *observed; /* file of measured loci, or NULL */
+    char **arguments;     /* (argument_count) the command line, as given */
+    int argument_count;
 } Options;
 
 /* Set by Ctrl-C; a second one ends at once. */

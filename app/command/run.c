@@ -5,10 +5,11 @@
 
 #include "base/text.h"
 #include "command/answer.h"
+#include "command/answer_text.h"
 #include "command/command.h"
 #include "command/house_file.h"
 #include "command/output.h"
-#include "command/report.h"
+#include "command/report_files.h"
 #include "draw/paint_cairo.h"
 #include "exchange/jupedsim.h"
 #include "laboratory/house_scene.h"
@@ -74,7 +75,7 @@ static void report_divergence(const House *house, const Observation *observation
 int command_run(const Options *options) {
     House house = {0};
     Fault fault = {0};
-    if (options->out && !output_directory(options->out))
+    if (!report_files_possible(options) || (options->out && !output_directory(options->out)))
         return EXIT_WRONG_INPUT;
     if (!house_file_read(&house, options, 0, &fault))
         return house_file_report(&fault);
@@ -87,21 +88,29 @@ int command_run(const Options *options) {
         house_free(&house);
         return EXIT_WRONG_INPUT;
     }
+    ObservedLoci observed = {0};
+    if (!report_files_read_observed(&observed, &house, options, &fault)) {
+        observed_free(&observed);
+        house_free(&house);
+        return house_file_report(&fault);
+    }
     Observation observation;
     house_file_run(&observation, &house, options, route);
     report_divergence(&house, &observation);
     if (command_interrupted)
         fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; what came before is kept\n",
                 observation.time);
-    bool written = !options->out || write_results(&house, &observation, options);
+    bool written = !options->out || (write_results(&house, &observation, options) &&
+                                     report_files_write_run(&house, &observation, &observed, options, route));
     if (options->json)
         answer_print(answer_house(&house, &observation));
     else
-        report_print(&house, &observation);
+        answer_text_print(&house, &observation);
     if (options->out && written && !options->json)
         printf("\npictures and data are in %s\n", options->out);
     int code = !written ? EXIT_WRONG_INPUT : observation.completed ? EXIT_ANSWERED : EXIT_ANSWER_NO;
     observation_free(&observation);
+    observed_free(&observed);
     house_free(&house);
     return code;
 }

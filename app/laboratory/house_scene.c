@@ -192,23 +192,28 @@ static Box whole_box(const House *house, const Observation *observation) {
     return box_expand(box, PLAN_MARGIN);
 }
 
-void house_scene_make(Scene *scene, const House *house, const Observation *observation) {
-    Census census = census_take(house, observation);
-    bool crowd = is_crowd(&census);
-    *scene = (Scene){.grid = GRID};
-    scene->box = whole_box(house, observation);
-    say_answer(scene, house, observation, &census);
+/* All that belongs to the plan and to what came of it, without words around it. */
+static void add_house(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+    bool crowd = is_crowd(census);
     plan_scene_solids(scene, house);
     if (crowd)
-        crowd_scene_ways(scene, house, observation, &census);
+        crowd_scene_ways(scene, house, observation, census);
     else
         people_scene_ways(scene, house, observation);
-    plan_scene_tags(scene, house, crowd ? census.left : NULL);
+    plan_scene_tags(scene, house, crowd ? census->left : NULL);
     if (crowd)
-        crowd_scene_labels(scene, observation, &census);
+        crowd_scene_labels(scene, observation, census);
     else
         people_scene_labels(scene, house, observation);
     plan_scene_names(scene, house, !crowd);
+}
+
+void house_scene_make(Scene *scene, const House *house, const Observation *observation) {
+    Census census = census_take(house, observation);
+    bool crowd = is_crowd(&census);
+    *scene = (Scene){.grid = GRID, .box = whole_box(house, observation)};
+    say_answer(scene, house, observation, &census);
+    add_house(scene, house, observation, &census);
     list_hazards(scene, house, observation, crowd);
     if (crowd)
         crowd_scene_list(scene, house, &census);
@@ -216,4 +221,26 @@ void house_scene_make(Scene *scene, const House *house, const Observation *obser
         list_people(scene, house, observation);
     list_key(scene, house, observation);
     census_clear(&census);
+}
+
+static bool is_elsewhere(const Primitive *primitive, Box box) {
+    if (primitive->kind == PRIMITIVE_LABEL)
+        return !box_holds(box, primitive->points[0]);
+    Box own = box_empty();
+    for (size_t i = 0; i < primitive->count; i++)
+        own = box_include(own, primitive->points[i]);
+    own = box_expand(own, primitive->radius);
+    return own.high.x < box.low.x || own.low.x > box.high.x || own.high.y < box.low.y || own.low.y > box.high.y;
+}
+
+void house_scene_make_detail(Scene *scene, const House *house, const Observation *observation, Box box) {
+    Census census = census_take(house, observation);
+    *scene = (Scene){.grid = GRID, .box = box, .bare = true};
+    add_house(scene, house, observation, &census);
+    census_clear(&census);
+    size_t kept = 0;
+    for (size_t i = 0; i < scene->count; i++)
+        if (!is_elsewhere(&scene->primitives[i], box))
+            scene->primitives[kept++] = scene->primitives[i];
+    scene->count = kept;
 }
