@@ -8,6 +8,8 @@
 #include "base/text.h"
 #include "document/picture.h"
 
+#define POINTS_A_REM 16.4 /* design points: letters of pictures are as large as those around them */
+
 /* Sizes follow the reader's own letters, so that 200 % is as good as 100 %. */
 static const char style[] =
     "*{box-sizing:border-box}\n"
@@ -28,7 +30,7 @@ static const char style[] =
     "pre{background:var(--panel);border:1px solid var(--line);padding:.7rem 1rem;white-space:pre-wrap;"
     "overflow-wrap:anywhere;font:.9rem/1.5 'DejaVu Sans Mono',ui-monospace,monospace}\n"
     ".scroll{overflow-x:auto;margin:1rem 0}\n"
-    "table{border-collapse:collapse;width:100%;font-size:.9rem;line-height:1.35}\n"
+    "table{border-collapse:collapse;min-width:min(100%,34rem);font-size:.9rem;line-height:1.35}\n"
     "caption{text-align:left;color:var(--dim);padding:0 0 .4rem}\n"
     "th,td{text-align:left;padding:.4rem .6rem;vertical-align:top;border-bottom:1px solid var(--line)}\n"
     "th:first-child,td:first-child{padding-left:0}\n"
@@ -44,7 +46,7 @@ static const char style[] =
     "@page{size:A4;margin:18mm 17mm}\n"
     "@media print{html{font-size:62.5%}main{max-width:none;padding:0}.scroll{overflow:visible}"
     "h1,h2,h3,caption{break-after:avoid}tr,figure,.note,pre{break-inside:avoid}thead{display:table-header-group}"
-    "p,.note,pre{orphans:2;widows:2}.newpage{break-before:page}}\n";
+    "h2+p,h3+p{break-after:avoid}p,.note,pre{orphans:2;widows:2}.newpage{break-before:page}}\n";
 
 static void add(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
@@ -151,8 +153,8 @@ static void add_table(Text *text, const Table *table) {
 static void add_picture(Text *text, const Picture *picture, Theme theme) {
     PictureFile file = picture_file(picture, theme);
     char *encoded = g_base64_encode(file.bytes, file.size);
-    add(text, "<figure style=\"max-width:%.0fpx\"><img width=\"%.0f\" height=\"%.0f\" alt=\"", 1.25 * picture->size.x,
-        picture->size.x, picture->size.y);
+    add(text, "<figure style=\"max-width:%.1frem\"><img width=\"%.0f\" height=\"%.0f\" alt=\"",
+        picture->size.x / POINTS_A_REM, picture->size.x, picture->size.y);
     add_escaped(text, picture->alternative);
     add(text, "\" src=\"data:%s;base64,", file.type);
     text_add(text, encoded);

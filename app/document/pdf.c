@@ -19,8 +19,9 @@
 #define CAPTION_HIGHEST 200.0
 #define FIGURES_HIGHEST 560.0 /* of the pictures alone: heading and caption have room beside them */
 #define ENTRY_GAP 14.0
+#define ANNOUNCEMENT_HIGHEST 60.0
 
-#define PICTURE_SCALE 0.54 /* pt a design point at most: the smallest letters are as large as those of the text */
+#define PICTURE_SCALE 0.47 /* pt a design point at most: the smallest letters are as large as those of the text */
 #define PICTURE_EDGE 0.5
 
 static const Letters BODY = {9.4, 1.3, false, false, ROLE_TEXT};
@@ -179,6 +180,19 @@ static void set_contents(Press *press) {
 /* Headings ----------------------------------------------------------------------------------------------------------
  */
 
+static double least_height(const Document *document, size_t index);
+
+/* A short paragraph announces the table or the pictures below it, a long one may be broken. */
+static double paragraph_least(const Document *document, size_t index) {
+    double height = height_of(document->blocks[index].text, BODY);
+    bool announces = index + 1 < document->count && (document->blocks[index + 1].kind == BLOCK_TABLE ||
+                                                     document->blocks[index + 1].kind == BLOCK_FIGURES ||
+                                                     document->blocks[index + 1].kind == BLOCK_COMMAND);
+    if (!announces || height > ANNOUNCEMENT_HIGHEST)
+        return fmin(height, 2 * BODY.size * BODY.spacing);
+    return height + least_height(document, index + 1);
+}
+
 /* pt, of a block from `index` on that must stand together: a heading does with what it heads. */
 static double least_height(const Document *document, size_t index) {
     if (index >= document->count)
@@ -194,8 +208,8 @@ static double least_height(const Document *document, size_t index) {
         return BLOCK_GAP + figures_height(block);
     case BLOCK_PAGE:
         return 0;
-    case BLOCK_PARAGRAPH: /* what a paragraph announces should be seen with it */
-        return height_of(block->text, BODY) + BLOCK_GAP;
+    case BLOCK_PARAGRAPH:
+        return PARAGRAPH_GAP + paragraph_least(document, index);
     case BLOCK_CONTENTS:
     case BLOCK_NOTE:
     case BLOCK_COMMAND:
@@ -256,6 +270,7 @@ static void set_block(Press *press, size_t index) {
             sheet_break(sheet);
         return;
     case BLOCK_PARAGRAPH:
+        sheet_need(sheet, least_height(press->document, index));
         sheet_tag(sheet, "P", NULL);
         set_words(sheet, block->text, BODY);
         sheet_untag(sheet, "P");

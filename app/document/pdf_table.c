@@ -3,8 +3,10 @@
 #include <math.h>
 #include <stdint.h>
 
-#define CELL_GAP 10.0 /* pt, between columns */
-#define CELL_PAD 2.6  /* pt, above and below words */
+#define CELL_GAP 9.0     /* pt, between columns */
+#define SHORT 62.0       /* pt, of a column */
+#define CELL_PAD 2.6     /* pt, above and below words */
+#define STRETCH_MOST 1.7 /* 1, of columns that need less than the page has */
 #define CAPTION_GAP 4.0
 #define CELL_HIGHEST 500.0 /* pt: a cell that is higher is cut */
 
@@ -16,6 +18,7 @@ typedef struct Setting {
     const Table *table;
     double *widths; /* (column_count) pt */
     double *lefts;  /* (column_count) pt */
+    double width;   /* pt, of the whole */
 } Setting;
 
 /* The width of words on one line, or of the longest of them. */
@@ -33,6 +36,7 @@ static const char *cell_text(const Table *table, size_t row, size_t column) {
     return table->cells[row * table->column_count + column];
 }
 
+/* How wide a column must be for its longest word, and for the longest of its cells on one line. */
 static void measure_column(const Table *table, size_t column, double *least, double *most) {
     *least = natural_width(table->columns[column].head, HEAD, true);
     *most = natural_width(table->columns[column].head, HEAD, false);
@@ -42,7 +46,17 @@ static void measure_column(const Table *table, size_t column, double *least, dou
     }
 }
 
-/* Where all fit, what is left is shared by need; where not, each has its longest word and a share of the rest. */
+/* Cells of short columns are not broken, unless there are too many of them. */
+static void keep_short(double *least, const double *most, size_t count, double room) {
+    double sum = 0;
+    for (size_t c = 0; c < count; c++)
+        sum += most[c] < SHORT ? most[c] : least[c];
+    for (size_t c = 0; c < count && sum < room; c++)
+        least[c] = most[c] < SHORT ? most[c] : least[c];
+}
+
+/* Where all fit, what is left is shared by need, so far that the eye still follows a row; where not, each has its
+ * longest word and a share of the rest. */
 static void set_columns(Setting *setting) {
     const Table *table = setting->table;
     size_t count = table->column_count;
@@ -50,17 +64,20 @@ static void set_columns(Setting *setting) {
     double room = SHEET_WIDTH - CELL_GAP * (double)(count - 1), sum_least = 0, sum_most = 0;
     for (size_t c = 0; c < count; c++) {
         measure_column(table, c, &least[c], &most[c]);
-        sum_least += least[c];
         sum_most += most[c];
     }
+    keep_short(least, most, count, room);
+    for (size_t c = 0; c < count; c++)
+        sum_least += least[c];
+    double part = sum_most > sum_least ? fmax(0, fmin(1, (room - sum_least) / (sum_most - sum_least))) : 1;
+    double stretch = sum_least > room ? room / sum_least : fmax(1, fmin(room / sum_most, STRETCH_MOST));
     double left = SHEET_LEFT;
     for (size_t c = 0; c < count; c++) {
-        double part = sum_most > sum_least ? fmin(1, (room - sum_least) / (sum_most - sum_least)) : 1;
-        double width = least[c] + fmax(0, part) * (most[c] - least[c]);
-        setting->widths[c] = width * (sum_least > room ? room / sum_least : sum_most < room ? room / sum_most : 1);
+        setting->widths[c] = stretch * (least[c] + part * (most[c] - least[c]));
         setting->lefts[c] = left;
         left += setting->widths[c] + CELL_GAP;
     }
+    setting->width = left - CELL_GAP - SHEET_LEFT;
     memory_free(least);
     memory_free(most);
 }
@@ -99,7 +116,7 @@ static void set_row(Sheet *sheet, const Setting *setting, size_t row, double hei
     }
     sheet_untag(sheet, "TR");
     sheet->y += height;
-    sheet_rule(sheet, SHEET_LEFT, SHEET_WIDTH, sheet->y, head ? 1 : 0.5, head ? ROLE_TEXT : ROLE_GRID);
+    sheet_rule(sheet, SHEET_LEFT, setting->width, sheet->y, head ? 1 : 0.5, head ? ROLE_TEXT : ROLE_GRID);
 }
 
 static void set_caption(Sheet *sheet, const Table *table) {

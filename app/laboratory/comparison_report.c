@@ -8,12 +8,10 @@
 #include "laboratory/house_scene.h"
 #include "laboratory/report_basis.h"
 #include "laboratory/report_people.h"
+#include "laboratory/report_pictures.h"
 #include "laboratory/report_places.h"
 #include "laboratory/report_plans.h"
 #include "laboratory/wording.h"
-
-#define PICTURE_WIDTH 540.0 /* design points, of one of two */
-#define PICTURE_MOST 1000.0
 
 static const char *const letters[] = {"A", "B"};
 
@@ -35,7 +33,10 @@ static const char *say_answer(Document *document, const Reported runs[2]) {
 }
 
 static const char *difference(Document *document, double a, double b, int digits) {
-    return isfinite(a) && isfinite(b) ? document_text(document, "%+.*f", digits, b - a) : NULL;
+    if (!isfinite(a) || !isfinite(b))
+        return NULL;
+    bool same = fabs(b - a) < 0.5 * pow(10, -digits);
+    return same ? "0" : document_text(document, "%+.*f", digits, b - a);
 }
 
 static void add_numbers(Document *document, const char *what, double a, double b, int digits, bool comparable) {
@@ -69,24 +70,16 @@ static void add_answers(Document *document, const Reported runs[2], const Census
                 (double)runs[1].observation->hazard_count, 0, true);
 }
 
-/* Both in one box, so that a metre is as long in both. */
 static void add_pictures(Document *document, const Reported runs[2]) {
     Scene scenes[2];
-    for (int r = 0; r < 2; r++) {
-        house_scene_make(&scenes[r], runs[r].house, runs[r].observation);
-        scenes[r].bare = true;
-    }
-    Box box = box_include(box_include(scenes[0].box, scenes[1].box.low), scenes[1].box.high);
-    double height = PICTURE_WIDTH * (box.high.y - box.low.y) / (box.high.x - box.low.x);
-    document_add_figures(document);
+    const char *captions[2];
     for (int r = 0; r < 2; r++) {
         char headline[WORDING_HEADLINE];
         wording_headline(runs[r].house, runs[r].observation, headline, sizeof headline);
-        const char *caption =
-            document_text(document, "%s: %s. %s", letters[r], house_report_name(runs[r].house), headline);
-        scenes[r].box = box;
-        document_add_scene(document, &scenes[r], vec2(PICTURE_WIDTH, fmin(height, PICTURE_MOST)), caption, caption);
+        captions[r] = document_text(document, "%s: %s. %s.", letters[r], house_report_name(runs[r].house), headline);
+        house_scene_make(&scenes[r], runs[r].house, runs[r].observation);
     }
+    report_pictures_add_beside(document, scenes, 2, report_pictures_box(scenes[0].box, scenes[1].box), captions);
 }
 
 static void add_notes(Document *document, const Reported runs[2]) {

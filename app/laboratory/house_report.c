@@ -1,49 +1,43 @@
 #include "laboratory/house_report.h"
 
 #include <ctype.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "laboratory/house_scene.h"
+#include "laboratory/people_scene.h"
 #include "laboratory/report_basis.h"
 #include "laboratory/report_loci.h"
 #include "laboratory/report_people.h"
+#include "laboratory/report_pictures.h"
 #include "laboratory/report_places.h"
 #include "laboratory/wording.h"
-
-/* Design points: as wide as a page, and as high as the plan needs. */
-#define PICTURE_WIDTH 900.0
-#define PICTURE_LEAST 320.0
-#define PICTURE_MOST 1000.0
-#define PICTURE_MARGINS 32.0
-#define PICTURE_FOOT 76.0 /* name above the plan, clock and scale below it */
 
 const char *house_report_name(const House *house) {
     return *house->plan.name ? house->plan.name : house->plan.path;
 }
 
-Vec2 house_report_picture_size(Box box) {
-    double metre = (PICTURE_WIDTH - PICTURE_MARGINS) / (box.high.x - box.low.x);
-    double height = metre * (box.high.y - box.low.y) + PICTURE_FOOT;
-    return vec2(PICTURE_WIDTH, fmin(fmax(height, PICTURE_LEAST), PICTURE_MOST));
+/* What is seen, and what the signs mean that are there. */
+static const char *caption_of(Document *document, const Reported *run) {
+    bool moved = run->observation->time > 0;
+    bool dangers = run->observation->hazard_count > 0;
+    bool rings = moved && run->house->person_count <= PEOPLE_SCENE_SEVERAL;
+    return document_text(document, "%s, seen from above%s.%s%s", house_report_name(run->house),
+                         moved ? ", and the ways that people took" : "", dangers ? " Numbers: dangerous points." : "",
+                         rings ? " Dashed outlines: personal space, thick where it is pressed." : "");
 }
 
 /* The answer stands above the picture in the document: the picture is the plan and what happened in it. */
 static void add_house(Document *document, const Reported *run, const char *headline) {
     Scene scene;
     house_scene_make(&scene, run->house, run->observation);
-    const char *detail = scene.detail && *scene.detail ? scene.detail : "";
-    if (*detail)
+    const char *detail = scene.detail ? scene.detail : "";
+    if (*detail && run->observation->completed) /* otherwise the headline has said it */
         document_add_paragraph(document, document_text(document, "%c%s.", toupper((unsigned char)*detail), detail + 1));
     if (*run->house->plan.note)
         document_add_note(document, run->house->plan.note);
     document_add_contents(document);
-    scene.title = NULL;
-    scene.row_count = 0;
-    document_add_figures(document);
-    document_add_scene(document, &scene, house_report_picture_size(scene.box),
-                       "The plan, seen from above, and the ways that people took in it; numbers mark dangerous points.",
-                       document_text(document, "Plan of %s. %s.", house_report_name(run->house), headline));
+    report_pictures_add(document, &scene, caption_of(document, run),
+                        document_text(document, "Plan of %s. %s.", house_report_name(run->house), headline));
 }
 
 Document house_report_make(const HouseReport *report) {

@@ -23,8 +23,5 @@ typedef struct HouseReport {
 /* document_clear releases what is made; house and observations may go before it. */
 Document house_report_make(const HouseReport *report);
 
-/* Design points, of the picture of a plan as wide as a page. */
-Vec2 house_report_picture_size(Box box);
-
 /* The name, or the file's where there is none. */
 const char *house_report_name(const House *house);

@@ -60,8 +60,10 @@ static const char *kept_words(Document *document, const Parameter *row, const vo
     return kept;
 }
 
-static const char *plain_unit(const Parameter *row) {
-    return strcmp(row->unit, "1") == 0 ? "" : row->unit;
+/* "N s/m", which stays on one line. */
+static const char *unit_words(Document *document, const Parameter *row) {
+    const char *unit = strcmp(row->unit, "1") == 0 ? "" : row->unit, *space = strchr(unit, ' ');
+    return space ? document_text(document, "%.*s\u00a0%s", (int)(space - unit), unit, space + 1) : unit;
 }
 
 void report_basis_add_settings(Document *document, const House *house) {
@@ -78,7 +80,8 @@ void report_basis_add_settings(Document *document, const House *house) {
         const Parameter *row = &plan_tables_run.rows[r];
         const char *value = kept_words(document, row, &house->plan.run);
         bool changed = strcmp(value, kept_words(document, row, &usual)) != 0;
-        const char *cells[] = {document_text(document, "run.%s", row->name), value, plain_unit(row), row->meaning,
+        const char *cells[] = {document_text(document, "run.%s", row->name), value, unit_words(document, row),
+                               row->meaning,
                                changed           ? "set for this house or this run"
                                : row->provenance ? row->provenance
                                                  : "the usual"};
@@ -104,10 +107,10 @@ static void add_number(Document *document, const House *house, const Profile *pr
     const Override *override = find_override(house, profile, row);
     const char *provenance = profile->provenance[index];
     if (override)
-        provenance = strncmp(override->place, "--set", strlen("--set")) == 0
-                         ? "changed here, on the command line (--set)"
-                         : "changed here, in the house's file";
-    const char *cells[] = {row->name, kept_words(document, row, profile), plain_unit(row), row->meaning, provenance};
+        provenance = strncmp(override->place, "--set", strlen("--set")) == 0 ? "changed here, on the command line"
+                                                                             : "changed here, in the house's file";
+    const char *cells[] = {row->name, kept_words(document, row, profile), unit_words(document, row), row->meaning,
+                           provenance};
     document_add_row(document, cells);
 }
 

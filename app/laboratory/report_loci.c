@@ -10,14 +10,12 @@
 #include "laboratory/people_scene.h"
 #include "laboratory/plan_scene.h"
 #include "laboratory/report_people.h"
+#include "laboratory/report_pictures.h"
 
 #define TICK_WIDTH 2.0 /* design points, as those of simulated loci */
 #define TICK_LENGTH 11.0
 #define NAME_LETTERS 17.0
 #define TICK_SECONDS 1.0
-#define NARROW 540.0    /* design points, the width of a picture of two */
-#define NARROWEST 430.0 /* of three */
-#define HIGHEST 1000.0
 
 static const char *const way_names[] = {[DRIVING_DRIVER] = "driver", [DRIVING_MIURA] = "miura"};
 
@@ -66,10 +64,15 @@ bool report_loci_make_sense(const House *house) {
 /* Pictures -----------------------------------------------------------------------------------------------------------
  */
 
+/* Small pictures: tags stay, names and numbers would cover what is to be compared. */
 static Scene way_scene(const Reported *way) {
     Scene scene = {0};
     house_scene_make(&scene, way->house, way->observation);
-    scene.bare = true;
+    size_t kept = 0;
+    for (size_t i = 0; i < scene.count; i++)
+        if (scene.primitives[i].kind != PRIMITIVE_LABEL || scene.primitives[i].shape == LABEL_TAG)
+            scene.primitives[kept++] = scene.primitives[i];
+    scene.count = kept;
     return scene;
 }
 
@@ -84,7 +87,7 @@ static void add_ticks(Scene *scene, const Locus *locus, Role role) {
 }
 
 static Scene observed_scene(const House *house, const ObservedLoci *observed, Box box) {
-    Scene scene = {.grid = 1, .box = box, .bare = true};
+    Scene scene = {.grid = 1, .box = box};
     plan_scene_solids(&scene, house);
     for (size_t i = 0; i < observed->count; i++) {
         const Locus *locus = &observed->loci[i].locus;
@@ -105,29 +108,20 @@ static Scene observed_scene(const House *house, const ObservedLoci *observed, Bo
         tag->shape = LABEL_TAG;
         tag->bold = tag->leader = true;
     }
-    plan_scene_names(&scene, house, false);
     return scene;
 }
 
 static void add_pictures(Document *document, const HouseReport *report) {
-    static const char *const captions[] = {"miura: the paper's way, a disc on straight legs and corners",
-                                           "driver: ours, the true rectangle of the chair on a planned path",
-                                           "observed: what was measured, ticks every second"};
+    static const char *const captions[] = {"miura: the paper's way, a disc on straight legs and corners.",
+                                           "driver: ours, the true rectangle of the chair on a planned path.",
+                                           "observed: what was measured, with a tick each second."};
     Scene scenes[3] = {way_scene(&report->ways[DRIVING_MIURA]), way_scene(&report->ways[DRIVING_DRIVER])};
-    Box box = box_include(box_include(scenes[0].box, scenes[1].box.low), scenes[1].box.high);
-    size_t count = 2;
+    Box box = report_pictures_box(scenes[0].box, scenes[1].box);
     if (report->observed) {
-        scenes[count++] = observed_scene(report->run.house, report->observed, box);
+        scenes[2] = observed_scene(report->run.house, report->observed, box);
         box = scenes[2].box;
     }
-    double width = count == 2 ? NARROW : NARROWEST;
-    double height = width * (box.high.y - box.low.y) / (box.high.x - box.low.x);
-    document_add_figures(document);
-    for (size_t s = 0; s < count; s++) {
-        scenes[s].box = box;
-        document_add_scene(document, &scenes[s], vec2(width, fmin(height, HIGHEST)), captions[s],
-                           document_text(document, "Plan with loci, %s", captions[s]));
-    }
+    report_pictures_add_beside(document, scenes, report->observed ? 3 : 2, box, captions);
 }
 
 /* Tables -------------------------------------------------------------------------------------------------------------

@@ -102,7 +102,7 @@ static const char *say_hazard(Document *document, const House *house, const Haza
                  run->loss_warning);
         add_words(&text, words);
     }
-    const char *said = document_text(document, "%zu  %s: %s.", rank, hazard->what, text.text ? text.text : "");
+    const char *said = document_text(document, "%zu. %s: %s.", rank, hazard->what, text.text ? text.text : "");
     memory_free(text.text);
     return said;
 }
@@ -132,6 +132,10 @@ void report_places_add_table(Document *document, const Observation *observation,
 void report_places_add_hazards(Document *document, const House *house, const Observation *observation) {
     const RunSettings *run = &house->plan.run;
     document_add_heading(document, 2, "Dangerous points");
+    if (observation->time <= 0) {
+        document_add_paragraph(document, "None is known: nobody could set off.");
+        return;
+    }
     if (!observation->hazard_count) {
         document_add_paragraph(document,
                                document_text(document,
