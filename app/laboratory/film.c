@@ -18,8 +18,6 @@
 #define CONTACT_LETTERS 17.0
 #define ID_LETTERS 15.0
 #define EXIT_LETTERS 17.0
-#define GHOST_WIDTH 4.0
-#define GHOST_LETTERS 17.0
 #define WAY_WIDTH 44.0 /* about a chair's, where a house fills a screen */
 #define KEEP_WAY 2.0   /* how much labels avoid it */
 
@@ -88,22 +86,6 @@ static Vec2 row_place(const double *row) {
 /* What stays ---------------------------------------------------------------------------------------------------------
  */
 
-static void add_ghost(Scene *scene, const House *house, const Observation *ghost) {
-    Trail *trails = trail_list(ghost);
-    for (size_t i = 0; i < house->person_count; i++) {
-        if (trails[i].count < 2)
-            continue;
-        Vec2 *points = memory_allocate(trails[i].count, sizeof *points);
-        for (size_t r = 0; r < trails[i].count; r++)
-            points[r] = row_place(trails[i].rows[r]);
-        scene_add_line(scene, ROLE_GHOST, GHOST_WIDTH, points, trails[i].count)->style = LINE_DASHED;
-        Vec2 middle = points[trails[i].count / 2];
-        scene_add_label(scene, ROLE_GHOST, GHOST_LETTERS, middle, "before")->optional = true;
-        memory_free(points);
-    }
-    trail_free_list(trails);
-}
-
 /* Where people will go, with their feet before them, labels would hide them: marked, not seen. */
 static void keep_ways_clear(Film *film) {
     for (size_t i = 0; i < film->house->person_count; i++) {
@@ -147,7 +129,7 @@ static void make_still(Film *film) {
         scene->name = scene_text(scene, "%s, walls cut at %.1f m", scene->name, PLAN_SCENE_CUT);
     plan_scene_still(scene, house);
     if (film->options.ghost)
-        add_ghost(scene, film->options.ghost_house, film->options.ghost);
+        people_scene_ghost(scene, film->options.ghost);
     route_scene_add(scene, house, film->observation, film->options.shown & FILM_ROUTES,
                     film->options.shown & FILM_WIDTHS);
     if (!film->crowd)
