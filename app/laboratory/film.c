@@ -31,8 +31,9 @@
 #define CONTACT_FORCE 100.0
 #define CONTACT_MOST 0.25
 
-#define STEP_FEW 0.0 /* m, from point to point of a locus */
-#define STEP_MANY 0.3
+#define STEP_MANY 0.3 /* m, from point to point of a locus among many */
+#define SEAM 0.015    /* m, that two pieces of a locus have in common */
+#define ROUNDING 1e-6 /* samples: times of the record are sums of steps */
 #define WALKER_OPACITY 0.10
 
 enum { BURST_POINTS = 16 };
@@ -54,8 +55,9 @@ struct Film {
     Standing *standing; /* (person_count) room for who is there */
     Pose *poses;        /* (person_count) room for walkers of one profile */
     bool crowd;
-    bool small;  /* a house so large that chairs are signs rather than likenesses */
-    double time; /* s, shown last; -1: none */
+    bool small;     /* a house so large that chairs are signs rather than likenesses */
+    double time;    /* s, shown last; -1: none */
+    size_t samples; /* of the record, that have been added */
     Scene still, added, moving;
 };
 
@@ -178,38 +180,35 @@ const Scene *film_moving(const Film *film) {
 /* What comes and stays -----------------------------------------------------------------------------------------------
  */
 
-/* The locus from the last row that has been added to the last one before the time, or nothing when that is not far. */
-static void add_locus(Film *film, size_t i, LocusLook look) {
+/* The locus from the last row that has been added to the last one up to `time`; of many people only when that is some
+ * way on. A piece begins a little before the end of the one before, so that no seam is seen between them. */
+static void add_locus(Film *film, size_t i, LocusLook look, double time) {
     const Trail *trail = &film->trails[i];
     Progress *progress = &film->progress[i];
-    size_t first = progress->row, last = first;
-    while (last + 1 < trail->count && trail->rows[last + 1][TRACE_TIME] <= film->time)
+    size_t last = progress->row;
+    while (last + 1 < trail->count && trail->rows[last + 1][TRACE_TIME] <= time)
         last++;
     bool many = film->crowd && walks(film, i);
-    double step = many ? STEP_MANY : STEP_FEW;
-    if (last == first || vec2_distance(row_place(trail->rows[first]), row_place(trail->rows[last])) < step)
+    Vec2 from = row_place(trail->rows[progress->row]), to = row_place(trail->rows[last]);
+    double length = vec2_distance(from, to), seam = many ? 0 : fmin(SEAM, progress->length);
+    if (length <= (many ? STEP_MANY : 0))
         return;
-    size_t count = many ? 2 : last - first + 1;
-    Vec2 *points = memory_allocate(count, sizeof *points);
-    for (size_t k = 0; k < count; k++)
-        points[k] = row_place(trail->rows[many && k ? last : first + k]);
-    Primitive *locus = scene_add_line(&film->added, look.role, look.width, points, count);
+    Vec2 ends[] = {vec2_along(from, -seam / length, vec2_sub(to, from)), to};
+    Primitive *locus = scene_add_line(&film->added, look.role, look.width, ends, 2);
     locus->style = look.style;
-    locus->begun = progress->length;
+    locus->begun = progress->length - seam;
     locus->edge_opacity = many ? WALKER_OPACITY : 1;
-    for (size_t k = 1; k < count; k++)
-        progress->length += vec2_distance(points[k - 1], points[k]);
+    progress->length += length;
     progress->row = last;
-    memory_free(points);
 }
 
 /* Bodies at regular times where there is room between them. */
-static void add_bodies(Film *film, size_t i, Role role) {
+static void add_bodies(Film *film, size_t i, Role role, double time) {
     const Trail *trail = &film->trails[i];
     const Profile *profile = film->house->people[i].profile;
     Progress *progress = &film->progress[i];
     double interval = people_scene_interval(trail, film->house->person_count > PEOPLE_SCENE_SEVERAL);
-    for (; progress->body <= fmin(film->time, trail_end(trail)); progress->body += interval) {
+    for (; progress->body <= fmin(time, trail_end(trail)); progress->body += interval) {
         Pose pose = trail_pose(trail, progress->body);
         if (vec2_distance(pose.at, progress->last_body.at) < PEOPLE_SCENE_APART * profile->length)
             continue;
@@ -218,18 +217,33 @@ static void add_bodies(Film *film, size_t i, Role role) {
     }
 }
 
-static void add_way(Film *film, size_t i, double before) {
+/* What has come of a person after `before` s, up to `time`. */
+static void add_way(Film *film, size_t i, double before, double time) {
     LocusLook look =
         film->crowd ? crowd_scene_look(film->house, film->house->people[i].profile) : people_scene_look(film->house, i);
     if (!film->crowd && !walks(film, i))
-        add_bodies(film, i, look.role);
-    add_locus(film, i, look);
+        add_bodies(film, i, look.role, time);
+    add_locus(film, i, look, time);
     if (!film->crowd)
-        people_scene_ticks(&film->added, &film->trails[i], look.role, before, film->time);
+        people_scene_ticks(&film->added, &film->trails[i], look.role, before, time);
+}
+
+/* All that has come since the last time, sample by sample, so that in the end it does not matter at which times the
+ * film was looked at. */
+static void add_ways(Film *film) {
+    double sample = film->observation->sample;
+    double until = film->time < film->observation->time ? film->time : film->observation->time + sample;
+    for (; ((double)film->samples + ROUNDING) * sample <= until; film->samples++) {
+        double time = ((double)film->samples + ROUNDING) * sample;
+        for (size_t i = 0; i < film->house->person_count; i++)
+            if (film->observation->people[i].took_part && film->trails[i].count)
+                add_way(film, i, time - sample, time);
+    }
 }
 
 /* From nothing. */
 static void begin_again(Film *film) {
+    film->samples = 0;
     for (size_t i = 0; i < film->house->person_count; i++) {
         const Trail *trail = &film->trails[i];
         film->progress[i] = (Progress){.row = 0};
@@ -403,18 +417,13 @@ static void make_moving(Film *film) {
 }
 
 bool film_show(Film *film, double time) {
-    double before = film->time;
-    bool onwards = time >= before;
-    if (!onwards || before < 0) {
+    bool onwards = time >= film->time;
+    if (!onwards || film->time < 0)
         begin_again(film);
-        before = -1;
-    }
     film->time = time;
     scene_reset(&film->added);
     scene_reset(&film->moving);
-    for (size_t i = 0; i < film->house->person_count; i++)
-        if (film->observation->people[i].took_part && film->trails[i].count)
-            add_way(film, i, before);
+    add_ways(film);
     make_moving(film);
     return onwards;
 }
