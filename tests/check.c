@@ -48,6 +48,11 @@ void check_text(const char *got, const char *expected, const char *what, const c
         printf("%s:%d: %s is\n  \"%s\"\nexpected\n  \"%s\"\n", file, line, what, got ? got : "(none)", expected);
 }
 
+void check_skip(const char *why) {
+    printf("skipped: %s\n", why);
+    exit(77);
+}
+
 const char *check_source(void) {
     const char *source = getenv("CLEARANCE_SOURCE");
     return source ? source : ".";

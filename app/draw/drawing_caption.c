@@ -39,11 +39,12 @@ void drawing_caption_add_leader(Drawing *drawing, Ink *ink, const Caption *capti
 }
 
 static void add_diamond(Drawing *drawing, Ink *ink, Vec2 at, InkColour colour) {
-    static const Vec2 ways[] = {{-1, 0}, {0, -1}, {1, 0}, {0, 1}};
     static const bool borders[] = {true, true, false};
+    Vec2 places[4];
     InkPoint corners[4];
+    paint_diamond_corners(at, places);
     for (int i = 0; i < 4; i++)
-        corners[i] = drawing_page(drawing, vec2_along(at, PAINT_SYMBOL_DIAMOND_HALF, ways[i]));
+        corners[i] = drawing_page(drawing, places[i]);
     ink_add_triangle(ink, corners, borders, colour, NULL);
     ink_add_triangle(ink, (InkPoint[]){corners[2], corners[3], corners[0]}, borders, colour, NULL);
 }

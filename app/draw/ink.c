@@ -191,7 +191,7 @@ void ink_add_line(Ink *ink, const InkPoint *points, size_t count, bool closed, I
     vertex.size[0] = (float)(pen.width / 2);
     vertex.size[3] = (float)pen.dash;
     vertex.kind[2] = (unsigned char)pen.style;
-    int ends = paint_is_round(pen.style) ? INK_ROUND : 0;
+    int ends = paint_is_round(pen.style) ? INK_ROUND_BEGIN | INK_ROUND_END : pen.begun > 0 ? INK_ROUND_BEGIN : 0;
     size_t last = walk.closed ? walk_last(&walk) : SIZE_MAX, previous = last;
     double length = pen.begun;
     for (size_t i = 0, next; (next = walk_next(&walk, i)) != SIZE_MAX; previous = i, i = next) {
@@ -212,7 +212,7 @@ static InkVertex round_vertex(int kind, double half, double radius, InkColour co
     InkVertex vertex = vertex_of(kind, colour);
     vertex.size[0] = (float)half;
     vertex.size[1] = (float)radius;
-    vertex.kind[1] = INK_ROUND;
+    vertex.kind[1] = INK_ROUND_BEGIN | INK_ROUND_END;
     return vertex;
 }
 

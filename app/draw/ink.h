@@ -10,7 +10,7 @@
 
 /* What the shader makes of a vertex: see shaders.c. */
 enum { INK_FILL, INK_STROKE, INK_BALL };
-enum { INK_PREVIOUS = 1, INK_NEXT = 2, INK_ROUND = 4 };
+enum { INK_PREVIOUS = 1, INK_NEXT = 2, INK_ROUND_BEGIN = 4, INK_ROUND_END = 8 };
 
 typedef struct InkVertex {
     float at[3];           /* pixels, and depth from -1, near, to 1 */
@@ -65,7 +65,8 @@ void ink_add_triangle(Ink *ink, const InkPoint corners[3], const bool border[3],
 /* An upright rectangle, its edges smooth. */
 void ink_add_box(Ink *ink, Box box, InkColour colour);
 
-/* A line through points: ends cut off square, round joints; a closed one joins its last point with its first. */
+/* A line through points: ends cut off square, round joints; a closed one joins its last point with its first. One that
+ * goes on from another, `begun`, begins round, so that it covers the joint. */
 void ink_add_line(Ink *ink, const InkPoint *points, size_t count, bool closed, InkPen pen);
 
 /* A disc, or the ring of that width whose middle is a circle. */

@@ -4,24 +4,8 @@
 
 #include "draw/cairo_file.h"
 #include "draw/layout.h"
+#include "draw/paint_sizes.h"
 #include "draw/text.h"
-
-/* Design points. */
-#define HATCH_GAP 9.0
-#define HATCH_WIDTH 1.3
-#define HEAD_LENGTH 11.0 /* of a dimension's arrow heads */
-#define HEAD_WIDTH 8.0
-#define HEAD_SHAFT 20.0 /* of the arrows that come from outside */
-#define TAG_ROUNDING 3.0
-#define DISC_RIM 2.0
-#define LEADER_WIDTH 1.5
-#define LEADER_DOT 3.0
-#define HALO_WIDTH 4.0
-#define HALO_OPACITY 0.85
-#define RULE_WIDTH 1.0
-#define SYMBOL_HALF 5.0 /* of the list's symbols: a disc's radius, half a box's width */
-#define SYMBOL_BOX_LENGTH 17.0
-#define SYMBOL_DIAMOND_HALF 7.0
 
 typedef struct Painter {
     cairo_t *cairo;
@@ -40,13 +24,10 @@ static void use_role(const Painter *painter, Role role, double opacity) {
     use_colour(painter, palette_colour(painter->theme, role), opacity);
 }
 
-/* Lengths of ink and gap, design points, for a line 4 wide; they grow with wider lines. */
 static void use_dashes(cairo_t *cairo, LineStyle style, double width, double begun) {
-    static const double patterns[LINE_STYLES][4] = {
-        [LINE_DASHED] = {14, 7, 14, 7}, [LINE_DOTTED] = {0.1, 9, 0.1, 9}, [LINE_DASH_DOT] = {16, 8, 0.1, 8}};
-    double scale = fmax(0.5, width / 4), dashes[4];
+    double scale = paint_dash_scale(width), dashes[4];
     for (int i = 0; i < 4; i++)
-        dashes[i] = patterns[style][i] * scale;
+        dashes[i] = paint_dashes[style][i] * scale;
     cairo_set_dash(cairo, dashes, style == LINE_SOLID ? 0 : 4, begun);
 }
 
@@ -88,9 +69,9 @@ static void hatch(const Painter *painter, Role role) {
     cairo_clip_preserve(painter->cairo);
     cairo_path_t *outline = cairo_copy_path(painter->cairo);
     cairo_new_path(painter->cairo);
-    for (double x = left - (bottom - top); x < right; x += HATCH_GAP)
+    for (double x = left - (bottom - top); x < right; x += PAINT_HATCH_GAP)
         path_segment(painter, vec2(x, bottom), vec2(x + bottom - top, top));
-    use_line(painter, LINE_SOLID, HATCH_WIDTH);
+    use_line(painter, LINE_SOLID, PAINT_HATCH_WIDTH);
     use_role(painter, role, 1);
     cairo_stroke(painter->cairo);
     cairo_restore(painter->cairo);
@@ -133,18 +114,22 @@ static void paint_line(const Painter *painter, const Primitive *line) {
 }
 
 static void paint_tick(const Painter *painter, const Primitive *tick) {
-    Vec2 at = layout_point(painter->layout, tick->points[0]), to = layout_point(painter->layout, tick->points[1]);
-    Vec2 half = vec2_scale(vec2_left(vec2_unit(vec2_sub(to, at))), tick->size / 2);
-    path_segment(painter, vec2_sub(at, half), vec2_add(at, half));
+    Vec2 ends[2];
+    paint_tick_ends(painter->layout, tick, ends);
+    path_segment(painter, ends[0], ends[1]);
     finish_path(painter, tick);
 }
 
-static void paint_head(const Painter *painter, const Primitive *dimension, Vec2 tip, Vec2 way) {
-    Vec2 foot = vec2_along(tip, -HEAD_LENGTH, way), side = vec2_scale(vec2_left(way), HEAD_WIDTH / 2);
-    cairo_move_to(painter->cairo, tip.x, tip.y);
-    cairo_line_to(painter->cairo, foot.x + side.x, foot.y + side.y);
-    cairo_line_to(painter->cairo, foot.x - side.x, foot.y - side.y);
+static void path_corners(const Painter *painter, const Vec2 *corners, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        cairo_line_to(painter->cairo, corners[i].x, corners[i].y);
     cairo_close_path(painter->cairo);
+}
+
+static void paint_head(const Painter *painter, const Primitive *dimension, Vec2 tip, Vec2 way) {
+    Vec2 corners[3];
+    paint_head_corners(tip, way, corners);
+    path_corners(painter, corners, 3);
     use_role(painter, dimension->edge, 1);
     cairo_fill(painter->cairo);
 }
@@ -153,8 +138,8 @@ static void paint_dimension(const Painter *painter, const Primitive *dimension) 
     Vec2 a = layout_point(painter->layout, dimension->points[0]),
          b = layout_point(painter->layout, dimension->points[1]);
     Vec2 way = vec2_unit(vec2_sub(b, a));
-    bool outside = vec2_distance(a, b) < 3 * HEAD_LENGTH;
-    double shaft = outside ? HEAD_SHAFT : 0;
+    bool outside = vec2_distance(a, b) < 3 * PAINT_HEAD_LENGTH;
+    double shaft = outside ? PAINT_HEAD_SHAFT : 0;
     path_segment(painter, vec2_along(a, -shaft, way), vec2_along(b, shaft, way));
     finish_path(painter, dimension);
     paint_head(painter, dimension, a, vec2_scale(way, outside ? 1 : -1));
@@ -172,14 +157,12 @@ static void paint_discs(const Painter *painter, const Primitive *discs) {
     finish_path(painter, discs);
 }
 
-/* From above: as long as it is high, as wide as its axle is long. */
 static void paint_wheel(const Painter *painter, const Primitive *wheel) {
-    Vec2 from = wheel->points[0], to = wheel->points[1];
-    Vec2 way = vec2_scale(vec2_left(vec2_unit(vec2_sub(to, from))), wheel->radius);
-    Vec2 corners[] = {vec2_add(from, way), vec2_sub(from, way), vec2_sub(to, way), vec2_add(to, way)};
+    Vec2 corners[4];
+    paint_wheel_corners(wheel, corners);
     for (size_t i = 0; i < 4; i++)
-        path_point(painter, corners[i]);
-    cairo_close_path(painter->cairo);
+        corners[i] = layout_point(painter->layout, corners[i]);
+    path_corners(painter, corners, 4);
     finish_path(painter, wheel);
 }
 
@@ -197,41 +180,35 @@ static void paint_tag(const Painter *painter, const Caption *caption) {
     path_box(painter, (Box){low, vec2_scale(low, -1)});
     use_role(painter, caption->fill, 1);
     cairo_fill_preserve(painter->cairo);
-    use_line(painter, LINE_SOLID, TAG_ROUNDING); /* round joins round the corners */
+    use_line(painter, LINE_SOLID, PAINT_TAG_ROUNDING); /* round joins round the corners */
     cairo_stroke(painter->cairo);
 }
 
 static void paint_disc(const Painter *painter, const Caption *caption) {
-    path_disc(painter, vec2(0, 0), caption->extent.x / 2 - DISC_RIM / 2);
+    path_disc(painter, vec2(0, 0), caption->extent.x / 2 - PAINT_DISC_RIM / 2);
     use_role(painter, caption->fill, 1);
     cairo_fill_preserve(painter->cairo);
-    use_line(painter, LINE_SOLID, DISC_RIM);
+    use_line(painter, LINE_SOLID, PAINT_DISC_RIM);
     use_role(painter, ROLE_WALL, 1);
     cairo_stroke(painter->cairo);
 }
 
 static void paint_halo(const Painter *painter, const Caption *caption) {
     text_path(painter->cairo, caption->text, caption->size, caption->bold, vec2(0, 0));
-    use_line(painter, LINE_SOLID, HALO_WIDTH);
-    use_role(painter, caption->fill, HALO_OPACITY);
+    use_line(painter, LINE_SOLID, PAINT_HALO_WIDTH);
+    use_role(painter, caption->fill, PAINT_HALO_OPACITY);
     cairo_stroke(painter->cairo);
-}
-
-/* Where the way from the place that a caption points at meets the caption's box. */
-static Vec2 caption_edge(const Caption *caption) {
-    Vec2 way = vec2_sub(caption->pointed, caption->centre), half = vec2_scale(caption->extent, 0.5);
-    return vec2_along(caption->centre, 1 / fmax(1, fmax(fabs(way.x) / half.x, fabs(way.y) / half.y)), way);
 }
 
 static void paint_leader(const Painter *painter, const Caption *caption) {
-    path_segment(painter, caption->pointed, caption_edge(caption));
-    use_line(painter, LINE_SOLID, LEADER_WIDTH + HALO_WIDTH);
-    use_role(painter, ROLE_PAPER, HALO_OPACITY);
+    path_segment(painter, caption->pointed, paint_caption_edge(caption));
+    use_line(painter, LINE_SOLID, PAINT_LEADER_WIDTH + PAINT_HALO_WIDTH);
+    use_role(painter, ROLE_PAPER, PAINT_HALO_OPACITY);
     cairo_stroke_preserve(painter->cairo);
-    use_line(painter, LINE_SOLID, LEADER_WIDTH);
+    use_line(painter, LINE_SOLID, PAINT_LEADER_WIDTH);
     use_role(painter, ROLE_WALL, 1);
     cairo_stroke(painter->cairo);
-    path_disc(painter, caption->pointed, LEADER_DOT);
+    path_disc(painter, caption->pointed, PAINT_LEADER_DOT);
     cairo_fill(painter->cairo);
 }
 
@@ -255,16 +232,14 @@ static void paint_caption(const Painter *painter, const Caption *caption) {
 
 static void path_symbol(const Painter *painter, Symbol symbol, Vec2 at) {
     if (symbol == SYMBOL_DISC)
-        path_disc(painter, at, SYMBOL_HALF);
+        path_disc(painter, at, PAINT_SYMBOL_HALF);
     if (symbol == SYMBOL_BOX)
-        path_box(painter, (Box){{at.x - SYMBOL_BOX_LENGTH / 2, at.y - SYMBOL_HALF},
-                                {at.x + SYMBOL_BOX_LENGTH / 2, at.y + SYMBOL_HALF}});
+        path_box(painter, (Box){{at.x - PAINT_SYMBOL_BOX_LENGTH / 2, at.y - PAINT_SYMBOL_HALF},
+                                {at.x + PAINT_SYMBOL_BOX_LENGTH / 2, at.y + PAINT_SYMBOL_HALF}});
     if (symbol == SYMBOL_DIAMOND) {
-        cairo_move_to(painter->cairo, at.x - SYMBOL_DIAMOND_HALF, at.y);
-        cairo_line_to(painter->cairo, at.x, at.y - SYMBOL_DIAMOND_HALF);
-        cairo_line_to(painter->cairo, at.x + SYMBOL_DIAMOND_HALF, at.y);
-        cairo_line_to(painter->cairo, at.x, at.y + SYMBOL_DIAMOND_HALF);
-        cairo_close_path(painter->cairo);
+        Vec2 corners[4];
+        paint_diamond_corners(at, corners);
+        path_corners(painter, corners, 4);
     }
 }
 
@@ -290,7 +265,7 @@ static void paint_ground(const Painter *painter) {
     use_role(painter, ROLE_PANEL, 1);
     path_box(painter, layout->list);
     cairo_fill(painter->cairo);
-    use_line(painter, LINE_SOLID, RULE_WIDTH);
+    use_line(painter, LINE_SOLID, PAINT_RULE_WIDTH);
     use_role(painter, ROLE_GRID, 1);
     path_box(painter, layout->list);
     path_segment(painter, vec2(0, layout->band.high.y), vec2(layout->page.x, layout->band.high.y));
@@ -301,7 +276,7 @@ void paint_cairo_grid(cairo_t *cairo, const Layout *layout, Theme theme) {
     Painter painter = {cairo, layout, theme};
     for (size_t i = 0; i < layout->grid_count; i++)
         path_segment(&painter, layout->grid[2 * i], layout->grid[2 * i + 1]);
-    use_line(&painter, LINE_SOLID, RULE_WIDTH);
+    use_line(&painter, LINE_SOLID, PAINT_RULE_WIDTH);
     use_role(&painter, ROLE_GRID, 1);
     cairo_stroke(cairo);
 }

@@ -59,6 +59,12 @@ static inline void paint_wheel_corners(const Primitive *wheel, Vec2 corners[4]) 
     corners[3] = vec2_add(to, way);
 }
 
+static inline void paint_diamond_corners(Vec2 at, Vec2 corners[4]) {
+    static const Vec2 ways[] = {{-1, 0}, {0, -1}, {1, 0}, {0, 1}};
+    for (int i = 0; i < 4; i++)
+        corners[i] = vec2_along(at, PAINT_SYMBOL_DIAMOND_HALF, ways[i]);
+}
+
 /* Where the way from the place that a caption points at meets the caption's box. */
 static inline Vec2 paint_caption_edge(const Caption *caption) {
     Vec2 way = vec2_sub(caption->pointed, caption->centre), half = vec2_scale(caption->extent, 0.5);

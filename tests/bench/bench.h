@@ -5,6 +5,9 @@
 /* s of processor time of this thread, since some moment. */
 double bench_now(void);
 
+/* s by the clock, since some moment: for what takes several threads. */
+double bench_clock(void);
+
 /* A fixed piece of arithmetic and memory work, the reference: its seconds are what a bench's ratios are made with. */
 double bench_reference(void);
 

@@ -2,15 +2,12 @@
  * second thread brings, and the memory each takes. Discs are in each other's personal space at every step; the step is
  * 1 ms, lists of neighbours are exact to WALKERS_SKIN, nothing is left out beyond. */
 
-#include <jansson.h>
 #include <malloc.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
-#include <unistd.h>
 
 #include "bench.h"
+#include "hall.h"
 #include "house/observer.h"
 #include "house/world.h"
 
@@ -29,59 +26,6 @@ static const Scene scenes[] = {
     {"10,000 adults at 3 per m2, queueing", "adult", 57.74, 3, 300},
     {"100 manual chairs at 0.1 per m2", "manual-chair", 31.63, 0.1, 2000},
 };
-
-/* A square hall with a 2 m exit in the middle of each side. */
-static json_t *hall(const Scene *scene) {
-    double a = scene->side, half = a / 2;
-    json_t *plan = json_pack("{s:s, s:i, s:s, s:[{s:s, s:[[i,i],[f,i],[f,f],[i,f],[i,i]], s:f}], s:[], s:[]}", "format",
-                             "clearance-house", "version", 1, "name", scene->name, "walls", "id", "w", "points", 0, 0,
-                             a, 0, a, a, 0, a, 0, 0, "thickness", 0.2, "doors", "exits");
-    const double out[4][4] = {{half - 1, -0.1, half + 1, -0.1},
-                              {a + 0.1, half - 1, a + 0.1, half + 1},
-                              {half - 1, a + 0.1, half + 1, a + 0.1},
-                              {-0.1, half - 1, -0.1, half + 1}};
-    for (int side = 0; side < 4; side++) {
-        char id[8];
-        snprintf(id, sizeof id, "d%d", side);
-        json_array_append_new(json_object_get(plan, "doors"),
-                              json_pack("{s:s, s:s, s:i, s:f, s:f, s:s}", "id", id, "wall", "w", "segment", side, "at",
-                                        half, "width", 2.0, "kind", "opening"));
-        id[0] = 'e';
-        json_array_append_new(json_object_get(plan, "exits"),
-                              json_pack("{s:s, s:[f,f], s:[f,f]}", "id", id, "from", out[side][0], out[side][1], "to",
-                                        out[side][2], out[side][3]));
-    }
-    int count = (int)(scene->density * a * a);
-    json_object_set_new(plan, "crowds",
-                        json_pack("[{s:s, s:s, s:i, s:[[f,f],[f,f],[f,f],[f,f]]}]", "id", "c", "profile",
-                                  scene->profile, "count", count, "area", 0.2, 0.2, a - 0.2, 0.2, a - 0.2, a - 0.2, 0.2,
-                                  a - 0.2));
-    return plan;
-}
-
-static void read_hall(House *house, const Scene *scene, const char *source) {
-    char path[] = "/tmp/clearance-bench-XXXXXX", profiles[4096];
-    int file = mkstemp(path);
-    json_t *plan = hall(scene);
-    Fault fault = {0};
-    snprintf(profiles, sizeof profiles, "%s/assets/profiles", source);
-    *house = (House){.seed = 0};
-    json_dumpfd(plan, file, 0);
-    close(file);
-    json_decref(plan);
-    bool good = house_read(house, path, &(HouseOptions){.profiles = profiles, .seed = 1, .driving = -1}, &fault);
-    unlink(path);
-    if (!good) {
-        printf("%s\n", fault.lines[0]);
-        exit(1);
-    }
-}
-
-static double wall_clock(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static size_t memory_used(void) {
     struct mallinfo2 info = mallinfo2();
@@ -102,7 +46,7 @@ static double walk_on(World *world, int steps, Observer *observer) {
 
 static void measure(const Scene *scene, const char *source) {
     House house;
-    read_hall(&house, scene, source);
+    hall_read(&house, source, scene->profile, scene->side, scene->density);
     Journeys journeys = journey_plan_all(&house, NULL, parallel_processors(), NULL);
     size_t before = memory_used();
     World world = world_create(&house, journeys.of, NULL);
@@ -112,14 +56,14 @@ static void measure(const Scene *scene, const char *source) {
     ParallelTeam *team = parallel_team_create(2);
     for (int turn = 0; turn < TURNS; turn++) {
         World one = world_copy(&world), two = world_copy(&world), seen = world_copy(&world);
-        double begin = bench_now(), clock = wall_clock();
+        double begin = bench_now(), clock = bench_clock();
         double agents = walk_on(&one, scene->steps, NULL);
         alone[turn] = agents / (bench_now() - begin);
-        single[turn] = wall_clock() - clock;
+        single[turn] = bench_clock() - clock;
         two.team = team;
-        clock = wall_clock();
+        clock = bench_clock();
         walk_on(&two, scene->steps, NULL);
-        together[turn] = single[turn] / (wall_clock() - clock);
+        together[turn] = single[turn] / (bench_clock() - clock);
         PersonObservation *people = memory_allocate(house.person_count, sizeof *people);
         Observer observer;
         observer_init(&observer, &seen, people);

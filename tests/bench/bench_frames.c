@@ -1,0 +1,114 @@
+/* Films: frames per second by the clock, of drawing alone (static layer, what moves, words, and the pixels read back)
+ * and with making the scene and its layout; a house with four chairs, and a hall of 1,000. */
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "bench.h"
+#include "draw/offscreen.h"
+#include "draw/paint_gl.h"
+#include "hall.h"
+#include "house/run.h"
+#include "laboratory/film.h"
+
+enum { TURNS = 7, FRAMES = 20 /* a turn */, SIZES = 2 };
+
+static const int sizes[SIZES][2] = {{1280, 720}, {1920, 1080}};
+
+typedef struct Show {
+    const char *name;
+    House house;
+    Observation observation;
+} Show;
+
+static void read_ube(House *house, const char *source) {
+    char path[4096], profiles[4096];
+    Fault fault = {0};
+    snprintf(path, sizeof path, "%s/houses/ube-techno-house.json", source);
+    snprintf(profiles, sizeof profiles, "%s/assets/profiles", source);
+    if (!house_read(house, path, &(HouseOptions){.profiles = profiles, .seed = 1, .driving = -1}, &fault)) {
+        printf("%s\n", fault.lines[0]);
+        exit(1);
+    }
+}
+
+/* One picture on its way. */
+typedef struct Screen {
+    Film *film;
+    PaintGl *paint;
+    Layout still, added, moving;
+    unsigned char *pixels;
+} Screen;
+
+/* Seconds of making a frame and of drawing it. */
+static void show_frame(Screen *screen, double time, double *making, double *drawing) {
+    double begin = bench_clock();
+    film_show(screen->film, time);
+    layout_make_over(&screen->added, &screen->still, film_added(screen->film));
+    layout_make_over(&screen->moving, &screen->still, film_moving(screen->film));
+    double made = bench_clock();
+    paint_gl_add(screen->paint, (Layer){film_added(screen->film), &screen->added});
+    paint_gl_frame(screen->paint, (Layer){film_moving(screen->film), &screen->moving});
+    paint_gl_read(screen->paint, screen->pixels);
+    *making += made - begin;
+    *drawing += bench_clock() - made;
+}
+
+static void measure(const Show *show, const Gl *gl, ViewKind view, int width, int height) {
+    FilmOptions options = {.camera = {.kind = view, .azimuth = VIEW_AZIMUTH, .elevation = VIEW_ELEVATION}};
+    double unit = layout_unit(width, height), drawing[TURNS] = {0}, making[TURNS] = {0}, whole[TURNS];
+    Screen screen = {.film = film_create(&show->house, &show->observation, &options),
+                     .paint = paint_gl_create(gl, width, height, THEME_PAPER),
+                     .pixels = memory_allocate((size_t)width * (size_t)height, 4)};
+    layout_make(&screen.still, film_still(screen.film), vec2(width / unit, height / unit));
+    double begin = bench_clock();
+    paint_gl_still(screen.paint, (Layer){film_still(screen.film), &screen.still});
+    double first = bench_clock() - begin, step = show->observation.time / (TURNS * FRAMES + 1);
+    show_frame(&screen, step, &(double){0}, &(double){0}); /* shaders are compiled when they are first used */
+    for (int turn = 0; turn < TURNS; turn++) {
+        for (int frame = 0; frame < FRAMES; frame++)
+            show_frame(&screen, step * (turn * FRAMES + frame + 1), &making[turn], &drawing[turn]);
+        making[turn] /= FRAMES;
+        drawing[turn] /= FRAMES;
+        whole[turn] = making[turn] + drawing[turn];
+    }
+    double alone = bench_median(drawing, TURNS), both = bench_median(whole, TURNS);
+    printf("%-22s %-6s %4d x %-4d  %8.1f %9.0f   %8.1f %9.0f   %8.0f\n", show->name,
+           view == VIEW_RAISED ? "raised" : "plan", width, height, 1000 * alone, 1 / alone, 1000 * both, 1 / both,
+           1000 * first);
+    layout_clear(&screen.still);
+    layout_clear(&screen.added);
+    layout_clear(&screen.moving);
+    film_destroy(screen.film);
+    paint_gl_destroy(screen.paint);
+    memory_free(screen.pixels);
+}
+
+int main(int argc, char **argv) {
+    const char *source = argc > 1 ? argv[1] : ".";
+    char message[OFFSCREEN_MESSAGE];
+    Offscreen *offscreen = offscreen_create(OFFSCREEN_ANY, message);
+    if (!offscreen) {
+        printf("%s\n", message);
+        return 77;
+    }
+    Show shows[] = {{.name = "house, four chairs"}, {.name = "hall of 1,000 adults"}};
+    read_ube(&shows[0].house, source);
+    hall_read(&shows[1].house, source, "adult", 31.63, 1);
+    shows[1].house.plan.run.until = 3;
+    printf("software rendering by %s, %ld processors; median of %d turns of %d frames, by the clock\n\n",
+           offscreen_kind(offscreen) == OFFSCREEN_OSMESA ? "OSMesa" : "EGL", sysconf(_SC_NPROCESSORS_ONLN), TURNS,
+           FRAMES);
+    printf("%-42s %8s %9s   %8s %9s   %8s\n", "", "drawn ms", "frames/s", "made too", "frames/s", "static ms");
+    for (size_t i = 0; i < sizeof shows / sizeof *shows; i++) {
+        run_house(&shows[i].observation, &shows[i].house, &(RunOptions){.route = SIZE_MAX, .jobs = 2});
+        for (ViewKind view = VIEW_PLAN; view <= VIEW_RAISED; view++)
+            for (int size = 0; size < SIZES; size++)
+                measure(&shows[i], offscreen_gl(offscreen), view, sizes[size][0], sizes[size][1]);
+        observation_free(&shows[i].observation);
+        house_free(&shows[i].house);
+    }
+    offscreen_destroy(offscreen);
+    return 0;
+}
