@@ -32,7 +32,6 @@
 #define CONTACT_MOST 0.25
 
 #define STEP_MANY 0.3 /* m, from point to point of a locus among many */
-#define SEAM 0.015    /* m, that two pieces of a locus have in common */
 #define ROUNDING 1e-6 /* samples: times of the record are sums of steps */
 #define WALKER_OPACITY 0.10
 
@@ -181,7 +180,7 @@ const Scene *film_moving(const Film *film) {
  */
 
 /* The locus from the last row that has been added to the last one up to `time`; of many people only when that is some
- * way on. A piece begins a little before the end of the one before, so that no seam is seen between them. */
+ * way on. */
 static void add_locus(Film *film, size_t i, LocusLook look, double time) {
     const Trail *trail = &film->trails[i];
     Progress *progress = &film->progress[i];
@@ -190,13 +189,12 @@ static void add_locus(Film *film, size_t i, LocusLook look, double time) {
         last++;
     bool many = film->crowd && walks(film, i);
     Vec2 from = row_place(trail->rows[progress->row]), to = row_place(trail->rows[last]);
-    double length = vec2_distance(from, to), seam = many ? 0 : fmin(SEAM, progress->length);
+    double length = vec2_distance(from, to);
     if (length <= (many ? STEP_MANY : 0))
         return;
-    Vec2 ends[] = {vec2_along(from, -seam / length, vec2_sub(to, from)), to};
-    Primitive *locus = scene_add_line(&film->added, look.role, look.width, ends, 2);
+    Primitive *locus = scene_add_line(&film->added, look.role, look.width, (Vec2[]){from, to}, 2);
     locus->style = look.style;
-    locus->begun = progress->length - seam;
+    locus->begun = progress->length;
     locus->edge_opacity = many ? WALKER_OPACITY : 1;
     progress->length += length;
     progress->row = last;
