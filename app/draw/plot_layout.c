@@ -21,7 +21,7 @@
 #define UPRIGHT_LEAST 33.0 /* from tick to tick of the y axis */
 #define ACROSS_LEAST 34.0  /* and of the x axis */
 #define LOW 200.0          /* a lower plot has its titles in shared rows */
-#define LEAST_FRAME 0.45   /* of the height: where the names leave less to the lines, they are left out */
+#define LEAST_FRAME 0.4    /* of the height: where the names leave less to the lines, they are left out */
 #define FAR 1e5            /* of a point beyond the page: cairo's coordinates end at some 8e6 pixels */
 
 static double box_width(Box box) {
@@ -40,6 +40,15 @@ Vec2 plot_layout_point(const PlotLayout *layout, Vec2 value) {
                 real_clamp(frame.high.y - up * box_height(frame), -FAR, FAR));
 }
 
+bool plot_layout_guide(const PlotLayout *layout, const PlotGuide *guide, Vec2 ends[2]) {
+    Box frame = layout->sheet.frame;
+    const PlotTicks *axis = guide->upright ? &layout->x : &layout->y;
+    Vec2 at = plot_layout_point(layout, vec2(guide->at, guide->at));
+    ends[0] = guide->upright ? vec2(at.x, frame.high.y) : vec2(frame.low.x, at.y);
+    ends[1] = guide->upright ? vec2(at.x, frame.low.y) : vec2(frame.high.x, at.y);
+    return guide->at >= axis->low && guide->at <= axis->high;
+}
+
 /* What the series and the guides hold; what is not finite does not count. */
 static Box plot_reach(const Plot *plot) {
     Box reach = box_empty();
@@ -50,7 +59,7 @@ static Box plot_reach(const Plot *plot) {
                 reach = box_include(reach, value);
         }
     for (size_t g = 0; g < plot->guide_count; g++) {
-        double at = plot->guides[g].at;
+        double at = isfinite(plot->guides[g].at) ? plot->guides[g].at : NAN;
         reach = box_include(reach, plot->guides[g].upright ? vec2(at, NAN) : vec2(NAN, at));
     }
     return reach;
