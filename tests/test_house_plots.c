@@ -133,6 +133,17 @@ TEST(of_many_people_chairs_are_shown_first_and_it_is_said_of_how_many) {
     house_free(&house);
 }
 
+TEST(a_run_in_which_nobody_sets_off_says_so) {
+    House house;
+    case_house(&house, "flat-0.910-module", -1, NULL);
+    Observation observation = case_run(&house, 1);
+    HousePlots plots = house_plots_make(&house, &observation, NULL, NULL, &ALL);
+    CHECK_TEXT(plots.plots[0].note, "nobody sets off");
+    house_plots_free(&plots);
+    observation_free(&observation);
+    house_free(&house);
+}
+
 static bool has_guide(const Plot *plot, const char *name, double at) {
     for (size_t g = 0; g < plot->guide_count; g++)
         if (plot->guides[g].name && strcmp(plot->guides[g].name, name) == 0 && plot->guides[g].at == at)

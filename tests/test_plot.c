@@ -139,6 +139,13 @@ TEST(labels_say_exactly_where_their_ticks_are) {
     }
 }
 
+TEST(the_power_in_the_title_does_not_depend_on_the_number_of_ticks) {
+    static const double highs[] = {60000, 99999, 100000, 5e-4, 9.99e-4, 7e8};
+    for (size_t i = 0; i < sizeof highs / sizeof *highs; i++)
+        for (int most = 2; most < 12; most++)
+            CHECK(plot_ticks_make(0, highs[i], most, true).power == plot_ticks_make(0, highs[i], 20, true).power);
+}
+
 TEST(a_pure_number_has_no_unit) {
     PlotTicks plain = plot_ticks_make(0, 1, 5, true), large = plot_ticks_make(0, 1e6, 5, true);
     char title[PLOT_TICKS_TITLE];
@@ -193,7 +200,10 @@ TEST(no_words_overlap_or_leave_the_page_whatever_the_numbers) {
     for (size_t i = 0; i < sizeof values / sizeof *values; i++)
         for (size_t p = 0; p < sizeof PAGES / sizeof *PAGES; p++) {
             double numbers[] = {values[i].low, values[i].high}, turned[] = {values[i].high, values[i].low};
+            double plain[] = {0, 1};
             PlotSeries series[] = {line_of("before", numbers, numbers, 2), line_of("p1", numbers, turned, 2)};
+            if (p % 2)
+                series[0].y = series[1].y = plain;
             PlotGuide guide = {.at = values[i].high, .name = "danger below", .role = ROLE_ERROR};
             Plot plot = plot_of(series, 2);
             plot.note = "6 of 40 people";
@@ -252,6 +262,9 @@ TEST(an_empty_plot_has_axes) {
         CHECK_NEAR(layout.x.high, 1, 0);
         CHECK(layout.x.count >= 2 && layout.y.count >= 2);
         plot_layout_clear(&layout);
+        PlotCanvas *canvas = plot_canvas_create(&plots[i], 384, 150, 1, THEME_PAPER);
+        plot_canvas_restart(canvas);
+        plot_canvas_destroy(canvas);
     }
 }
 

@@ -221,6 +221,19 @@ static void add_spaces(Plot *plot, const HousePlot *definition, const Subjects *
     }
 }
 
+static const char *note_of(const Subjects *subjects, Arena *arena) {
+    char note[64];
+    bool moving = false;
+    for (size_t i = 0; i < subjects->count; i++)
+        moving = moving || subjects->list[i].count > 1;
+    if (!moving)
+        return "nobody sets off";
+    if (subjects->count == subjects->people)
+        return NULL;
+    snprintf(note, sizeof note, "%zu of %zu people", subjects->count, subjects->people);
+    return arena_text(arena, note);
+}
+
 static Plot make_plot(const HousePlot *definition, const Subjects *subjects, const Subjects *ghosts, Arena *arena) {
     const TraceColumn *columns = subjects->observation->trace.columns;
     Plot plot = {.x = {.title = definition->x_title, .unit = columns[definition->x].unit},
@@ -233,11 +246,7 @@ static Plot make_plot(const HousePlot *definition, const Subjects *subjects, con
     if (definition->y == TRACE_BODY_FORCE && subjects->count <= FEW)
         add_spaces(&plot, definition, subjects, arena);
     definition->add_guides(&plot, subjects);
-    if (subjects->count < subjects->people) {
-        char note[64];
-        snprintf(note, sizeof note, "%zu of %zu people", subjects->count, subjects->people);
-        plot.note = arena_text(arena, note);
-    }
+    plot.note = note_of(subjects, arena);
     return plot;
 }
 
