@@ -83,9 +83,10 @@ TEST(plots_show_the_columns_of_the_trace_and_live_without_it) {
         CHECK_NEAR(plot_value(series, last).x, row[columns[p][0]], 0);
         CHECK_NEAR(plot_value(series, last).y, row[columns[p][1]], 0);
     }
-    const PlotSeries *space = find_series(&plots.plots[2], "personal space");
-    CHECK(space && space->width < plots.plots[2].series[0].width);
-    CHECK(space && plot_value(space, last).y == row[TRACE_RING_FORCE]);
+    const PlotSeries *ring = find_series(&plots.plots[2], "ring");
+    CHECK(ring && ring->width < plots.plots[2].series[0].width);
+    CHECK(ring && plot_value(ring, last).y == row[TRACE_RING_FORCE]);
+    CHECK(find_series(&plots.plots[2], "body") == &plots.plots[2].series[0]);
     house_plots_free(&plots);
     house_free(&house);
 }
@@ -161,6 +162,8 @@ TEST(what_was_before_lies_below_dashed_and_has_one_name) {
     CHECK(clearance->series_count == 4);
     CHECK_TEXT(clearance->series[0].name, "before");
     CHECK(!clearance->series[1].name);
+    CHECK_TEXT(clearance->series[0].heading, "eastwards before");
+    CHECK_TEXT(clearance->series[1].heading, "westwards before");
     for (int s = 0; s < 2; s++)
         CHECK(clearance->series[s].role == ROLE_GHOST && clearance->series[s].style == LINE_DASHED);
     CHECK(clearance->series[2].role != ROLE_GHOST && clearance->series[3].role != ROLE_GHOST);

@@ -322,8 +322,11 @@ static cairo_surface_t *painted_whole(const Plot *plot, int width, int height, d
 }
 
 /* A canvas advanced by steps of at most `most` points against the same plot painted at once. */
-static void check_bit_by_bit(const Plot *plot, int most) {
+static void check_bit_by_bit(Plot *plot, int most) {
     enum { WIDTH = 576, HEIGHT = 225 };
+    PlotGuide guide = {.at = 0.4, .name = "danger below", .role = ROLE_ERROR, .style = LINE_DASHED};
+    plot->guides = &guide;
+    plot->guide_count = 1;
     cairo_surface_t *whole = painted_whole(plot, WIDTH, HEIGHT, 1.5);
     PlotCanvas *canvas = plot_canvas_create(plot, WIDTH, HEIGHT, 1.5, THEME_PAPER);
     advance_in_steps(canvas, 0, plot->series->count, most, (uint64_t)most);
@@ -504,6 +507,8 @@ TEST(a_table_has_two_columns_a_series_and_names_them) {
     double rows[][3] = {{0, 7, 0.1}, {1, 7, NAN}, {2.5, 7, 1e-12}}, x[] = {-1}, y[] = {1234567.25};
     PlotSeries series[] = {line_of("p1", &rows[0][0], &rows[0][2], 3), line_of("a \"b\", c", x, y, 1)};
     series[0].stride = 3;
+    series[1].heading = series[1].name;
+    series[1].name = NULL;
     Plot plot = plot_of(series, 2);
     size_t size;
     char *two = written(&plot, NULL, &size);

@@ -23,6 +23,7 @@ struct PlotCanvas {
     cairo_t *cairo;         /* on the sheet */
     unsigned char *ink;     /* (pen_count x height x width) */
     uint32_t *ground;       /* (height x width) */
+    uint32_t *words;        /* (height x width) above all; multiplied by how opaque they are, the highest byte */
     uint32_t *pixels;       /* (height x width) */
 };
 
@@ -30,14 +31,23 @@ static size_t pixel_count(const PlotCanvas *canvas) {
     return (size_t)canvas->width * (size_t)canvas->height;
 }
 
-static void paint_ground(PlotCanvas *canvas) {
-    cairo_surface_t *surface = cairo_image_surface_create_for_data(
-        (unsigned char *)canvas->ground, CAIRO_FORMAT_RGB24, canvas->width, canvas->height, plot_canvas_stride(canvas));
+/* A context on pixels of the canvas. */
+static cairo_t *begin_painting(const PlotCanvas *canvas, uint32_t *pixels, cairo_format_t format) {
+    cairo_surface_t *surface = cairo_image_surface_create_for_data((unsigned char *)pixels, format, canvas->width,
+                                                                   canvas->height, plot_canvas_stride(canvas));
     cairo_t *cairo = cairo_create(surface);
+    cairo_surface_destroy(surface);
     cairo_scale(cairo, canvas->unit, canvas->unit);
+    return cairo;
+}
+
+static void paint_ground(PlotCanvas *canvas) {
+    cairo_t *cairo = begin_painting(canvas, canvas->ground, CAIRO_FORMAT_RGB24);
     plot_ground_paint(cairo, &canvas->layout, canvas->plot, canvas->theme);
     cairo_destroy(cairo);
-    cairo_surface_destroy(surface);
+    cairo = begin_painting(canvas, canvas->words, CAIRO_FORMAT_ARGB32);
+    plot_ground_paint_words(cairo, &canvas->layout, canvas->theme);
+    cairo_destroy(cairo);
 }
 
 PlotCanvas *plot_canvas_create(const Plot *plot, int width, int height, double unit, Theme theme) {
@@ -48,6 +58,7 @@ PlotCanvas *plot_canvas_create(const Plot *plot, int width, int height, double u
     canvas->pens = memory_allocate(canvas->pen_count, sizeof *canvas->pens);
     canvas->ink = memory_allocate(canvas->pen_count * pixel_count(canvas), 1);
     canvas->ground = memory_allocate(pixel_count(canvas), sizeof *canvas->ground);
+    canvas->words = memory_allocate(pixel_count(canvas), sizeof *canvas->words);
     canvas->pixels = memory_allocate(pixel_count(canvas), sizeof *canvas->pixels);
     canvas->sheet = cairo_image_surface_create(CAIRO_FORMAT_A8, width, height);
     canvas->cairo = cairo_create(canvas->sheet);
@@ -67,6 +78,7 @@ void plot_canvas_destroy(PlotCanvas *canvas) {
     memory_free(canvas->pens);
     memory_free(canvas->ink);
     memory_free(canvas->ground);
+    memory_free(canvas->words);
     memory_free(canvas->pixels);
     memory_free(canvas);
 }
@@ -96,10 +108,12 @@ static void join_ink(PlotCanvas *canvas, size_t series, PlotPixels part) {
     cairo_surface_mark_dirty(canvas->sheet);
 }
 
-/* So much of 255 of a channel of `over` on that of `under`. */
-static uint32_t mixed(uint32_t under, uint32_t over, uint32_t ink, int shift) {
-    uint32_t below = under >> shift & 255, above = over >> shift & 255;
-    return (below * (255 - ink) + above * ink + 127) / 255 << shift;
+/* `ink` of 255 of one colour on another, channel by channel. */
+static uint32_t mixed(uint32_t under, uint32_t over, uint32_t ink) {
+    uint32_t result = 0;
+    for (int shift = 0; shift < 24; shift += 8)
+        result |= ((under >> shift & 255) * (255 - ink) + (over >> shift & 255) * ink + 127) / 255 << shift;
+    return result;
 }
 
 static uint32_t pixel_of(Colour colour) {
@@ -115,9 +129,18 @@ static void lay_over(PlotCanvas *canvas, size_t series, PlotPixels part) {
         uint32_t *pixels = canvas->pixels + row;
         for (int x = part.x; x < part.x + part.width; x++)
             if (ink[x])
-                pixels[x] = mixed(pixels[x], over, ink[x], 16) | mixed(pixels[x], over, ink[x], 8) |
-                            mixed(pixels[x], over, ink[x], 0);
+                pixels[x] = mixed(pixels[x], over, ink[x]);
     }
+}
+
+static void lay_words_over(PlotCanvas *canvas, PlotPixels part) {
+    for (int y = part.y; y < part.y + part.height; y++)
+        for (int x = part.x; x < part.x + part.width; x++) {
+            size_t i = (size_t)y * (size_t)canvas->width + (size_t)x;
+            uint32_t word = canvas->words[i];
+            if (word >> 24)
+                canvas->pixels[i] = (word & 0xFFFFFF) + mixed(canvas->pixels[i], 0, word >> 24);
+        }
 }
 
 static void compose(PlotCanvas *canvas, PlotPixels part) {
@@ -127,6 +150,7 @@ static void compose(PlotCanvas *canvas, PlotPixels part) {
     }
     for (size_t s = 0; s < canvas->pen_count; s++)
         lay_over(canvas, s, part);
+    lay_words_over(canvas, part);
 }
 
 PlotPixels plot_canvas_advance(PlotCanvas *canvas, size_t series, size_t count) {
@@ -149,7 +173,7 @@ void plot_canvas_restart(PlotCanvas *canvas) {
         canvas->pens[s] = plot_pen_make(canvas->cairo);
     }
     memset(canvas->ink, 0, canvas->pen_count * pixel_count(canvas));
-    memcpy(canvas->pixels, canvas->ground, pixel_count(canvas) * sizeof *canvas->pixels);
+    compose(canvas, (PlotPixels){0, 0, canvas->width, canvas->height});
 }
 
 const unsigned char *plot_canvas_pixels(const PlotCanvas *canvas) {

@@ -55,5 +55,8 @@ void plot_ground_paint(cairo_t *cairo, const PlotLayout *layout, const Plot *plo
     for (size_t g = 0; g < plot->guide_count; g++)
         paint_guide(cairo, layout, &plot->guides[g], theme);
     paint_axes(cairo, layout, theme);
+}
+
+void plot_ground_paint_words(cairo_t *cairo, const PlotLayout *layout, Theme theme) {
     paint_cairo_words(cairo, &layout->sheet, theme);
 }
