@@ -25,7 +25,8 @@ sources() {
     forbid 'base knows what is above it' '#include "(mechanics|house|beam|crank|study|exchange)/' $(sources engine/base)
     forbid 'mechanics knows what is above it' '#include "(house|beam|crank|study|exchange)/' $(sources engine/mechanics)
     forbid 'house knows a neighbour' '#include "(beam|crank|study|exchange)/' $(sources engine/house)
-    forbid 'draw knows a laboratory or a command' '#include "(command|laboratory|house)/' $(sources app/draw)
+    forbid 'draw knows a laboratory or a command' '#include "(command|laboratory|document|house)/' $(sources app/draw)
+    forbid 'a document knows more than draw and base' '#include "(command|laboratory|house|exchange|mechanics)/' $(sources app/document)
     forbid 'a laboratory knows a command' '#include "command/' $(sources app/laboratory)
     forbid 'Box2D outside its adaptor' 'box2d/' $(sources engine app | grep -v house/broadphase.cpp)
     forbid 'memory outside memory.c' '(^|[^a-z_])(malloc|calloc|realloc) *\(' $(sources engine app | grep -v base/memory.c)
@@ -35,7 +36,7 @@ sources() {
 for object in $(find "${1:-build-test}" -path '*clearance_*.a.p/*.c.o'); do
     module=$(basename "$object" .c.o)
     case $object in
-    *clearance_app*) module=$(echo "$module" | sed 's/^\(draw\|laboratory\|command\)_//') ;;
+    *clearance_app*) module=$(echo "$module" | sed 's/^\(document\|draw\|laboratory\|command\)_//') ;;
     *) module=$(echo "$module" | sed 's/^\(base\|mechanics\|house\|exchange\)_//') ;;
     esac
     nm --defined-only -g "$object" | awk '$2 == "T" { print $3 }' | while read -r name; do

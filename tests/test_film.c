@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+#include "base/text.h"
 #include "case.h"
 #include "check.h"
 #include "house/run.h"
@@ -63,27 +64,67 @@ TEST(words_say_what_is_shown) {
     CHECK(film_shown("route", &unknown) == -1);
 }
 
-/* The locus that grows piece by piece is the one that comes at once, and as long as the record's. */
-TEST(a_locus_grows_into_the_whole) {
+/* What a painter is given to add, as text. */
+static void list_added(Text *text, const Scene *added) {
+    char line[128];
+    for (size_t i = 0; i < added->count; i++) {
+        const Primitive *primitive = &added->primitives[i];
+        snprintf(line, sizeof line, "%d %d %zu %.9f %.9f %.9f\n", primitive->kind, primitive->edge, primitive->count,
+                 primitive->points[0].x, primitive->points[0].y, primitive->begun);
+        text_add(text, line);
+    }
+}
+
+/* Whatever the times at which it is looked at, a film adds the same, in the same order. */
+TEST(what_comes_does_not_depend_on_when_one_looks) {
+    static const double steps[] = {1.0 / 60, 1.0 / 30, 0.04, 0.37, 5, 100};
+    static const char *const houses[] = {"closed-door", "two-chairs-corridor", "ube-techno-house"};
+    for (size_t h = 0; h < sizeof houses / sizeof *houses; h++) {
+        Text first = {0};
+        Shown shown;
+        show(&shown, houses[h], (FilmOptions){.panels = 0});
+        for (size_t s = 0; s < sizeof steps / sizeof *steps; s++) {
+            Text now = {0};
+            CHECK(film_show(shown.film, 0) == (s == 0)); /* back to the beginning */
+            list_added(&now, film_added(shown.film));
+            for (double time = steps[s]; time < shown.observation.time; time += steps[s]) {
+                CHECK(film_show(shown.film, time));
+                list_added(&now, film_added(shown.film));
+            }
+            CHECK(film_show(shown.film, shown.observation.time));
+            list_added(&now, film_added(shown.film));
+            if (s == 0)
+                first = now;
+            else
+                CHECK(strcmp(first.text, now.text) == 0);
+            if (s > 0)
+                memory_free(now.text);
+        }
+        memory_free(first.text);
+        hide(&shown);
+    }
+}
+
+/* The pieces of a locus are as long as the way, and each goes on where the one before ended. */
+TEST(a_locus_grows_into_the_whole_way) {
     Shown shown;
     show(&shown, "closed-door", (FilmOptions){.panels = 0});
-    double pieces = 0;
-    size_t ticks = 0, last = 0;
-    for (double time = 0; time < shown.observation.time + 0.1; time += 0.0333) {
-        CHECK(film_show(shown.film, time));
-        const Scene *added = film_added(shown.film);
-        ticks += count_of(added, PRIMITIVE_TICK, ROLE_LOCUS, NULL);
-        if (count_of(added, PRIMITIVE_LINE, ROLE_LOCUS, &last)) {
-            CHECK_NEAR(added->primitives[last].begun, pieces, 1e-9);
-            pieces += line_length(&added->primitives[last]);
-        }
-    }
-    CHECK(!film_show(shown.film, shown.observation.time)); /* back: everything comes again */
+    film_show(shown.film, shown.observation.time);
     const Scene *added = film_added(shown.film);
-    CHECK(count_of(added, PRIMITIVE_LINE, ROLE_LOCUS, &last) == 1);
-    CHECK_NEAR(line_length(&added->primitives[last]), pieces, 1e-9);
-    CHECK_NEAR(pieces, shown.observation.people[0].path_length, 0.01);
-    CHECK(count_of(added, PRIMITIVE_TICK, ROLE_LOCUS, NULL) == ticks);
+    double length = 0;
+    Vec2 end = added->primitives[0].points[0];
+    for (size_t i = 0; i < added->count; i++) {
+        const Primitive *piece = &added->primitives[i];
+        if (piece->kind != PRIMITIVE_LINE || piece->edge != ROLE_LOCUS)
+            continue;
+        if (length > 0)
+            CHECK(vec2_distance(end, piece->points[0]) == 0);
+        CHECK_NEAR(piece->begun, length, 1e-9);
+        length = piece->begun + line_length(piece);
+        end = piece->points[1];
+    }
+    size_t ticks = count_of(added, PRIMITIVE_TICK, ROLE_LOCUS, NULL);
+    CHECK_NEAR(length, shown.observation.people[0].path_length, 0.01);
     CHECK(ticks > shown.observation.time / 2 && ticks <= shown.observation.time);
     hide(&shown);
 }

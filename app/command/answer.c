@@ -56,27 +56,13 @@ static json_t *answer_person(const House *house, size_t i, const PersonObservati
     return answer;
 }
 
-double answer_route_time(const House *house, const Observation *observation, const PlanRoute *route) {
-    double sum = 0;
-    size_t count = 0;
-    for (size_t i = 0; i < house->person_count; i++) {
-        if (house->people[i].route != route)
-            continue;
-        if (!observation->people[i].completed)
-            return -1;
-        sum += observation->people[i].time;
-        count++;
-    }
-    return count ? sum / (double)count : -1;
-}
-
 /* The table of routes: (a) mean of the measured, (b) their deviation, (c) simulation, error ((c) - (a)) / (a). */
 static json_t *answer_routes(const House *house, const Observation *observation) {
     json_t *routes = json_array();
     for (size_t r = 0; r < house->plan.route_count; r++) {
         const PlanRoute *route = &house->plan.routes[r];
         const Observed *observed = &route->observed;
-        double time = answer_route_time(house, observation, route);
+        double time = census_route_time(house, observation, route);
         bool measured = observed->mean > 0;
         json_array_append_new(
             routes, json_pack("{s:s, s:o, s:o, s:o, s:o}", "id", route->id, "mean",

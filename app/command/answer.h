@@ -17,6 +17,3 @@ json_t *answer_blockage(const Blockage *blockage);
 
 /* Prints one JSON object on standard output. */
 void answer_print(json_t *answer);
-
-/* The mean time of a route's people, s; less than 0 when somebody did not get out or took no part. */
-double answer_route_time(const House *house, const Observation *observation, const PlanRoute *route);

@@ -34,6 +34,7 @@ static const Verb verbs[] = {
     {"run", FOR_RUN, 1, 1, "HOUSE", "simulate one evacuation to the end: the answer, and with --out pictures and data",
      "  clearance run houses/ube-techno-house.json --out out\n"
      "  clearance run houses/ube-techno-house.json --route C --driving miura --json\n"
+     "  clearance run houses/ube-techno-house.json --report --out out\n"
      "  clearance run houses/corner-0.90-0.90.json --set profile.manual-chair.width=0.70\n",
      command_run},
     {"check", FOR_CHECK, 1, 1, "HOUSE",
@@ -42,7 +43,9 @@ static const Verb verbs[] = {
      "  clearance check houses/flat-0.910-module.json --set door.d1.width=0.90 --json\n",
      command_check},
     {"compare", FOR_COMPARE, 2, 2, "HOUSE_A HOUSE_B", "run both and show what differs",
-     "  clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json\n", command_compare},
+     "  clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json\n"
+     "  clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json --report --out out\n",
+     command_compare},
     {"loci", FOR_LOCI, 1, SIZE_MAX, "HOUSE ...",
      "drive each house both ways, miura and driver: times, and how far apart the loci are",
      "  clearance loci houses/corner-*.json\n", command_loci},
@@ -106,6 +109,16 @@ static bool take_json(Options *options, const char *value) {
 static bool take_quiet(Options *options, const char *value) {
     (void)value;
     return options->quiet = true;
+}
+
+static bool take_report(Options *options, const char *value) {
+    (void)value;
+    return options->report = true;
+}
+
+static bool take_observed(Options *options, const char *value) {
+    options->observed = value;
+    return *value;
 }
 
 static bool take_route(Options *options, const char *value) {
@@ -196,8 +209,13 @@ static const Option option_rows[] = {
      take_setting},
     {"--out", "DIR", FOR_RUN, "write summary.json, trace.csv, trajectory.sqlite, plan.png and plan.svg there",
      take_out},
-    {"--out", "DIR", FOR_COMPARE, "write pictures there, as --frames, --view and so on say", take_out},
+    {"--out", "DIR", FOR_COMPARE, "write plan.png, B with the ways in A as \"before\", and what other options ask for",
+     take_out},
     {"--out", "DIR", FOR_CASES, "write cases.html, cases.md and cases.json there", take_out},
+    {"--report", NULL, FOR_RUN | FOR_COMPARE, "write report.html and report.pdf to --out, to be handed on",
+     take_report},
+    {"--observed", "FILE", FOR_RUN, "measured loci for the report: CSV with columns time, x, y and person",
+     take_observed},
     {"--json", NULL, FOR_HOUSES | FOR_CASES, "the answer as one JSON object and nothing else", take_json},
     {"--route", "ID", FOR_RUN, "only this route's people", take_route},
     {"--driving", "miura|driver", FOR_HOUSES, "drive everybody this way", take_driving},
@@ -300,6 +318,8 @@ static int run_verb(const Verb *verb, int argc, char **argv) {
                        .from = -1,
                        .to = -1,
                        .camera = {.azimuth = VIEW_AZIMUTH, .elevation = VIEW_ELEVATION, .zoom = 1}};
+    options.arguments = argv;
+    options.argument_count = argc;
     options.settings = memory_allocate((size_t)argc, sizeof *options.settings);
     options.files = memory_allocate((size_t)argc, sizeof *options.files);
     int code = 0;

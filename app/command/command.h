@@ -38,6 +38,10 @@ typedef struct Options {
     Camera camera;
     int show; /* FILM_..., added up */
     HousePlotsChoice plots;
+    bool report;          /* write one */
+    const char *observed; /* file of measured loci, or NULL */
+    char **arguments;     /* (argument_count) the command line, as given */
+    int argument_count;
 } Options;
 
 /* Set by Ctrl-C; a second one ends at once. */

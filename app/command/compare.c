@@ -7,29 +7,14 @@
 #include "command/frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
-#include "command/report.h"
+#include "command/report_files.h"
 #include "laboratory/census.h"
-
-/* The person with this id, or NULL. */
-static const PersonObservation *find_person(const House *house, const Observation *observation, const char *id) {
-    for (size_t i = 0; i < house->person_count; i++)
-        if (strcmp(house->people[i].id, id) == 0)
-            return &observation->people[i];
-    return NULL;
-}
+#include "laboratory/house_scene.h"
+#include "laboratory/wording.h"
 
 static void print_row(const char *name, const char *id, const PersonObservation *person) {
     printf("%-12s %-8s %9.2f %11.3f %9d %8.0f %8.1f  %s\n", id, name, person->time, person->narrowest, person->contacts,
            person->peak_force, person->lost_time, person->completed ? "out" : observation_reason(person->reason));
-}
-
-/* What a party of `a` is in b, or NULL. */
-static const Party *find_party(const House *house, const Census *census, const char *name, const char *profile) {
-    for (size_t p = 0; p < census->party_count; p++)
-        if (strcmp(census_party_name(house, &census->parties[p]), name) == 0 &&
-            strcmp(census->parties[p].profile->name, profile) == 0)
-            return &census->parties[p];
-    return NULL;
 }
 
 static void print_party(const char *name, const char *id, const Party *party) {
@@ -49,7 +34,7 @@ static void print_parties(const House houses[2], const Census census[2]) {
     for (size_t p = 0; p < census[0].party_count; p++) {
         const Party *a = &census[0].parties[p];
         const char *id = census_party_name(&houses[0], a);
-        const Party *b = find_party(&houses[1], &census[1], id, a->profile->name);
+        const Party *b = census_find_party(&houses[1], &census[1], id, a->profile->name);
         if (!b) {
             printf("%-20s is not in b\n", id);
             continue;
@@ -68,7 +53,8 @@ static void print_people(const House houses[2], const Observation observations[2
            "lost s");
     for (size_t i = 0; i < houses[0].person_count; i++) {
         const char *id = houses[0].people[i].id;
-        const PersonObservation *a = &observations[0].people[i], *b = find_person(&houses[1], &observations[1], id);
+        const PersonObservation *a = &observations[0].people[i],
+                                *b = observation_of_person(&houses[1], &observations[1], id);
         if (!b) {
             printf("%-12s is not in b\n", id);
             continue;
@@ -84,9 +70,9 @@ static void print_people(const House houses[2], const Observation observations[2
 }
 
 static void print_comparison(const House houses[2], const Observation observations[2]) {
-    char headline[REPORT_HEADLINE];
+    char headline[WORDING_HEADLINE];
     for (int h = 0; h < 2; h++) {
-        report_headline(&houses[h], &observations[h], headline, sizeof headline);
+        wording_headline(&houses[h], &observations[h], headline, sizeof headline);
         printf("%c: %s: %s\n", "ab"[h], houses[h].plan.name, headline);
     }
     Census census[2] = {census_take(&houses[0], &observations[0]), census_take(&houses[1], &observations[1])};
@@ -102,18 +88,33 @@ static json_t *differences(const House houses[2], const Observation observations
     json_t *rows = json_array();
     for (size_t i = 0; i < houses[0].person_count; i++) {
         const char *id = houses[0].people[i].id;
-        const PersonObservation *b = find_person(&houses[1], &observations[1], id);
+        const PersonObservation *b = observation_of_person(&houses[1], &observations[1], id);
         if (b)
             json_array_append_new(rows, answer_difference(id, &observations[0].people[i], b));
     }
     return rows;
 }
 
+/* B's pictures, with what was in A as "before", and the report on both. */
+static bool write_results(const House houses[2], const Observation observations[2], const Options *options) {
+    if (options->out) {
+        Scene scene = {0};
+        house_scene_make_compared(&scene, &houses[1], &observations[1], &observations[0]);
+        bool written = output_stills(&scene, options);
+        scene_clear(&scene);
+        if (!written)
+            return false;
+    }
+    return report_files_write_comparison(houses, observations, options) &&
+           (!frames_wanted(options) ||
+            frames_write(&houses[1], &observations[1], &houses[0], &observations[0], options));
+}
+
 int command_compare(const Options *options) {
     House houses[2] = {{.seed = 0}};
     Observation observations[2];
     Fault fault = {0};
-    if (frames_check(options) || (options->out && !output_directory(options->out)))
+    if (frames_check(options) || !report_files_possible(options) || (options->out && !output_directory(options->out)))
         return EXIT_WRONG_INPUT;
     bool first = house_file_read(&houses[0], options, 0, &fault);
     bool second = house_file_read(&houses[1], options, 1, &fault);
@@ -124,15 +125,16 @@ int command_compare(const Options *options) {
     }
     for (int h = 0; h < 2; h++)
         house_file_run(&observations[h], &houses[h], options, SIZE_MAX);
+    bool written = write_results(houses, observations, options);
     if (options->json)
         answer_print(
             json_pack("{s:s, s:o, s:o, s:o}", "kind", "compare", "a", answer_house(&houses[0], &observations[0]), "b",
                       answer_house(&houses[1], &observations[1]), "differences", differences(houses, observations)));
     else
         print_comparison(houses, observations);
+    if (options->out && written && !options->json)
+        printf("\npictures are in %s\n", options->out);
     bool all = observations[0].completed && observations[1].completed;
-    bool written =
-        !frames_wanted(options) || frames_write(&houses[1], &observations[1], &houses[0], &observations[0], options);
     for (int h = 0; h < 2; h++) {
         observation_free(&observations[h]);
         house_free(&houses[h]);

@@ -163,7 +163,7 @@ static bool write_raised(Studio *studio, double time) {
     draw(studio, time, pixels);
     int error = png_write(path, pixels, options->width, options->height);
     if (error)
-        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+        output_failed(path, error);
     memory_free(pixels);
     return !error;
 }
@@ -186,11 +186,8 @@ static bool write_pictures(const House *house, const Observation *observation, c
 
 bool frames_write(const House *house, const Observation *observation, const House *ghost_house,
                   const Observation *ghost, const Options *options) {
-    FilmOptions film = {.camera = options->camera,
-                        .panels = (int)options->plots.count,
-                        .shown = options->show,
-                        .ghost_house = ghost_house,
-                        .ghost = ghost};
+    FilmOptions film = {
+        .camera = options->camera, .panels = (int)options->plots.count, .shown = options->show, .ghost = ghost};
     Times times = times_of(options, observation->time);
     if (times.count > FRAMES_MOST) {
         fprintf(stderr, "clearance: these would be %zu pictures, at most %d: take fewer a second, or --from and --to\n",

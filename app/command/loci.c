@@ -7,54 +7,15 @@
 #include "command/answer.h"
 #include "command/command.h"
 #include "command/house_file.h"
+#include "house/locus.h"
 
 /* One house, driven both ways; of its first person. */
 typedef struct Comparison {
     char name[128];
     PersonObservation miura, driver;
-    double largest, mean; /* m, from the driver's locus to the paper's */
-    double floor;         /* m/s, the paper's slowest speed on the way, after it has started */
+    LocusDistance apart; /* from the driver's locus to the paper's */
+    double floor;        /* m/s, the paper's slowest speed on the way, after it has started */
 } Comparison;
-
-/* The places of the body's middle, of the first person. */
-static size_t locus(const House *house, const Observation *observation, Vec2 **points) {
-    const Profile *profile = house->people[0].profile;
-    double ahead = profile->driving == DRIVING_DRIVER ? profile->length / 2 - profile->axle : 0;
-    size_t count = 0;
-    *points = memory_allocate(observation->trace.rows, sizeof **points);
-    for (size_t r = 0; r < observation->trace.rows; r++) {
-        const double *row = trace_row(&observation->trace, r);
-        if (row[TRACE_PERSON] == 0)
-            (*points)[count++] = vec2_along(vec2(row[TRACE_X], row[TRACE_Y]), ahead, vec2_heading(row[TRACE_HEADING]));
-    }
-    return count;
-}
-
-static double distance_to(const Vec2 *points, size_t count, Vec2 at) {
-    double least = HUGE_VAL;
-    for (size_t i = 0; i + 1 < count; i++)
-        least = fmin(least, vec2_distance(at, vec2_nearest_on_segment(at, points[i], points[i + 1])));
-    return least;
-}
-
-/* The ends are left out, where one body's middle has not been or the other's no longer is. */
-static void compare_loci(Comparison *comparison, const Vec2 *miura, size_t miura_count, const Vec2 *driver,
-                         size_t driver_count) {
-    size_t counted = 0;
-    double sum = 0;
-    for (size_t i = 0; i < driver_count; i++) {
-        double to_begin = vec2_dot(vec2_sub(driver[i], miura[0]), vec2_sub(miura[1], miura[0]));
-        double to_end = vec2_dot(vec2_sub(driver[i], miura[miura_count - 1]),
-                                 vec2_sub(miura[miura_count - 1], miura[miura_count - 2]));
-        if (to_begin < 0 || to_end > 0)
-            continue;
-        double distance = distance_to(miura, miura_count, driver[i]);
-        comparison->largest = fmax(comparison->largest, distance);
-        sum += distance;
-        counted++;
-    }
-    comparison->mean = counted ? sum / (double)counted : 0;
-}
 
 static double slowest(const Observation *observation) {
     double floor = HUGE_VAL, before = 0;
@@ -73,8 +34,7 @@ static double slowest(const Observation *observation) {
 
 static bool compare_house(Comparison *comparison, const Options *options, size_t file, Fault *fault) {
     Observation observations[2] = {{.people = NULL}};
-    Vec2 *points[2] = {NULL};
-    size_t counts[2] = {0};
+    Locus loci[2] = {{.count = 0}};
     bool good = true;
     for (int driving = 0; driving < 2 && good; driving++) {
         House house = {0};
@@ -87,7 +47,7 @@ static bool compare_house(Comparison *comparison, const Options *options, size_t
         }
         if (good) {
             house_file_run(&observations[driving], &house, options, SIZE_MAX);
-            counts[driving] = locus(&house, &observations[driving], &points[driving]);
+            loci[driving] = locus_of(&house, &observations[driving], 0);
             snprintf(comparison->name, sizeof comparison->name, "%s", house.plan.name);
         }
         house_free(&house);
@@ -97,12 +57,11 @@ static bool compare_house(Comparison *comparison, const Options *options, size_t
         comparison->miura = observations[DRIVING_MIURA].people[0];
         comparison->floor = slowest(&observations[DRIVING_MIURA]);
         if (comparison->driver.completed && comparison->miura.completed)
-            compare_loci(comparison, points[DRIVING_MIURA], counts[DRIVING_MIURA], points[DRIVING_DRIVER],
-                         counts[DRIVING_DRIVER]);
+            comparison->apart = locus_distance(&loci[DRIVING_DRIVER], &loci[DRIVING_MIURA]);
     }
     for (int driving = 0; driving < 2; driving++) {
         observation_free(&observations[driving]);
-        memory_free(points[driving]);
+        locus_free(&loci[driving]);
     }
     return good;
 }
@@ -131,8 +90,8 @@ static void print_comparison(const Comparison *comparison) {
     print_number(miura->narrowest, miura->completed);
     print_number(driver->narrowest, driver->completed);
     print_number(comparison->floor, miura->completed && comparison->floor > 0 && comparison->floor < HUGE_VAL);
-    print_number(comparison->largest, both);
-    print_number(comparison->mean, both);
+    print_number(comparison->apart.largest, both);
+    print_number(comparison->apart.mean, both);
     printf("\n");
 }
 
@@ -163,8 +122,8 @@ static json_t *answer_comparison(const Comparison *comparison) {
                             json_pack("{s:b, s:f, s:f, s:f}", "completed", people[p]->completed, "time",
                                       people[p]->time, "narrowest", people[p]->narrowest, "peak_force",
                                       people[p]->peak_force));
-    json_object_set_new(answer, "locus_largest", both ? json_real(comparison->largest) : json_null());
-    json_object_set_new(answer, "locus_mean", both ? json_real(comparison->mean) : json_null());
+    json_object_set_new(answer, "locus_largest", both ? json_real(comparison->apart.largest) : json_null());
+    json_object_set_new(answer, "locus_mean", both ? json_real(comparison->apart.mean) : json_null());
     return answer;
 }
 
@@ -175,7 +134,7 @@ int command_loci(const Options *options) {
     if (!options->json)
         print_head();
     for (size_t f = 0; f < options->file_count && !fault.count; f++) {
-        Comparison comparison = {.largest = 0};
+        Comparison comparison = {.floor = 0};
         if (!compare_house(&comparison, options, f, &fault))
             continue;
         all &= comparison.miura.completed && comparison.driver.completed;

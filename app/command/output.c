@@ -6,6 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "draw/paint_cairo.h"
+
 bool output_directory(const char *path) {
     char part[4096];
     snprintf(part, sizeof part, "%s", path);
@@ -22,6 +24,23 @@ bool output_directory(const char *path) {
     if (!error && access(part, W_OK | X_OK))
         error = errno;
     if (error)
-        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+        output_failed(path, error);
+    return !error;
+}
+
+void output_failed(const char *path, int error) {
+    fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+}
+
+bool output_stills(const Scene *scene, const Options *options) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/plan.png", options->out);
+    int error = paint_cairo_png(scene, path, options->width, options->height, options->theme);
+    if (!error) {
+        snprintf(path, sizeof path, "%s/plan.svg", options->out);
+        error = paint_cairo_svg(scene, path, options->width, options->height, options->theme);
+    }
+    if (error)
+        output_failed(path, error);
     return !error;
 }

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "command/output.h"
 #include "draw/plot_write.h"
 
 static int pixels(double points, double unit) {
@@ -73,6 +74,6 @@ bool plot_strip_write(const HousePlots *plots, const Options *options) {
                 error = plot_write_csv(plot, path);
         }
     if (error)
-        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+        output_failed(path, error);
     return !error;
 }

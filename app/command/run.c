@@ -5,12 +5,12 @@
 
 #include "base/text.h"
 #include "command/answer.h"
+#include "command/answer_text.h"
 #include "command/command.h"
 #include "command/frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
-#include "command/report.h"
-#include "draw/paint_cairo.h"
+#include "command/report_files.h"
 #include "exchange/jupedsim.h"
 #include "laboratory/house_scene.h"
 
@@ -23,37 +23,36 @@ static int write_summary(const House *house, const Observation *observation, con
     return error;
 }
 
-/* Writes everything a run leaves behind; the first file that cannot be written ends it. */
-static bool write_results(const House *house, const Observation *observation, const Options *options) {
-    static const char *const names[] = {"summary.json", "trace.csv", "trajectory.sqlite", "plan.png", "plan.svg"};
-    Scene scene = {0};
+/* Writes what every run leaves behind; the first file that cannot be written ends it. */
+static bool write_data(const House *house, const Observation *observation, const Options *options) {
+    static const char *const names[] = {"summary.json", "trace.csv", "trajectory.sqlite"};
     int error = 0;
     char path[4096];
-    house_scene_make(&scene, house, observation);
     for (size_t f = 0; f < sizeof names / sizeof *names && !error; f++) {
         snprintf(path, sizeof path, "%s/%s", options->out, names[f]);
-        switch (f) {
-        case 0:
+        if (f == 0)
             error = write_summary(house, observation, path);
-            break;
-        case 1:
+        else if (f == 1)
             error = trace_write_csv(&observation->trace, path);
-            break;
-        case 2:
+        else
             error = jupedsim_write(house, observation, path);
-            break;
-        case 3:
-            error = paint_cairo_png(&scene, path, options->width, options->height, options->theme);
-            break;
-        case 4:
-            error = paint_cairo_svg(&scene, path, options->width, options->height, options->theme);
-            break;
-        }
     }
-    scene_clear(&scene);
     if (error)
-        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+        output_failed(path, error);
     return !error;
+}
+
+static bool write_results(const House *house, const Observation *observation, const ObservedLoci *observed,
+                          const Options *options, size_t route) {
+    if (options->out) {
+        Scene scene = {0};
+        house_scene_make(&scene, house, observation);
+        bool written = write_data(house, observation, options) && output_stills(&scene, options);
+        scene_clear(&scene);
+        if (!written || !report_files_write_run(house, observation, observed, options, route))
+            return false;
+    }
+    return !frames_wanted(options) || frames_write(house, observation, NULL, NULL, options);
 }
 
 static size_t find_route(const House *house, const Options *options) {
@@ -75,8 +74,7 @@ static void report_divergence(const House *house, const Observation *observation
 int command_run(const Options *options) {
     House house = {0};
     Fault fault = {0};
-    int wrong = frames_check(options);
-    if (wrong || (options->out && !output_directory(options->out)))
+    if (frames_check(options) || !report_files_possible(options) || (options->out && !output_directory(options->out)))
         return EXIT_WRONG_INPUT;
     if (!house_file_read(&house, options, 0, &fault))
         return house_file_report(&fault);
@@ -89,23 +87,28 @@ int command_run(const Options *options) {
         house_free(&house);
         return EXIT_WRONG_INPUT;
     }
+    ObservedLoci observed = {0};
+    if (!report_files_read_observed(&observed, &house, options, &fault)) {
+        observed_free(&observed);
+        house_free(&house);
+        return house_file_report(&fault);
+    }
     Observation observation;
     house_file_run(&observation, &house, options, route);
     report_divergence(&house, &observation);
     if (command_interrupted)
         fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; what came before is kept\n",
                 observation.time);
-    bool written = !options->out || write_results(&house, &observation, options);
-    if (written && frames_wanted(options))
-        written = frames_write(&house, &observation, NULL, NULL, options);
+    bool written = write_results(&house, &observation, &observed, options, route);
     if (options->json)
         answer_print(answer_house(&house, &observation));
     else
-        report_print(&house, &observation);
+        answer_text_print(&house, &observation);
     if (options->out && written && !options->json)
         printf("\npictures and data are in %s\n", options->out);
     int code = !written ? EXIT_WRONG_INPUT : observation.completed ? EXIT_ANSWERED : EXIT_ANSWER_NO;
     observation_free(&observation);
+    observed_free(&observed);
     house_free(&house);
     return code;
 }

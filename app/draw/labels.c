@@ -181,15 +181,19 @@ static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
     *caption = best.caption;
 }
 
-/* On its point, but not over the frame's edge. */
+/* On its point or beside it, but not over the frame's edge. */
 static void place_fixed(Layout *layout, const Primitive *label) {
     Vec2 at = layout_raised(layout, label->points[0], label->base);
     Caption *caption = layout_add_caption(layout, label->text, label->size, label->bold, at);
     *caption = label_caption(label, at, label->size);
-    Box room = layout->frame;
     Vec2 half = vec2_scale(caption->extent, 0.5);
-    caption->centre.x = fmin(fmax(at.x, room.low.x + half.x + AIR), room.high.x - half.x - AIR);
-    caption->centre.y = fmin(fmax(at.y, room.low.y + half.y + AIR), room.high.y - half.y - AIR);
+    if (label->count > 1) {
+        Vec2 way = vec2_unit(vec2_sub(layout_raised(layout, label->points[1], label->base), at));
+        caption->centre = vec2_add(at, vec2(way.x * (half.x + GAP), way.y * (half.y + GAP)));
+    }
+    Box room = layout->frame;
+    caption->centre.x = real_clamp(caption->centre.x, room.low.x + half.x + AIR, room.high.x - half.x - AIR);
+    caption->centre.y = real_clamp(caption->centre.y, room.low.y + half.y + AIR, room.high.y - half.y - AIR);
 }
 
 static bool has_free_labels(const Scene *scene) {

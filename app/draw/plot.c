@@ -11,6 +11,8 @@ void plot_paint(const Plot *plot, struct _cairo *cairo, Vec2 size, Theme theme) 
     for (size_t s = 0; s < plot->series_count; s++) {
         PlotPen pen = plot_pen_make(cairo);
         plot_pen_draw(&pen, cairo, &layout, &plot->series[s], plot->series[s].count, theme);
+        plot_pen_clear(&pen);
     }
+    plot_ground_paint_words(cairo, &layout, theme);
     plot_layout_clear(&layout);
 }

@@ -24,6 +24,7 @@ typedef struct PlotAxis {
 /* Points (x[i * stride], y[i * stride]). What is not finite breaks the line. */
 typedef struct PlotSeries {
     const char *name;    /* or NULL: not named */
+    const char *heading; /* in a table; NULL: the name */
     const double *x, *y; /* (count x stride) */
     size_t count;
     size_t stride; /* from one value to the next; 0 counts as 1 */

@@ -1,5 +1,5 @@
 /* A plot that is drawn bit by bit, in pixels: the live strip beside a film. What stays is painted once; a new segment
- * costs microseconds. Where two series cross, whichever came last is above. */
+ * costs microseconds. What comes in pieces looks as if drawn at once, but for single pixels at the edges of a line. */
 #pragma once
 
 #include "draw/plot.h"

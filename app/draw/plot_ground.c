@@ -38,14 +38,10 @@ static void paint_axes(cairo_t *cairo, const PlotLayout *layout, Theme theme) {
 }
 
 static void paint_guide(cairo_t *cairo, const PlotLayout *layout, const PlotGuide *guide, Theme theme) {
-    Box frame = layout->sheet.frame;
-    Vec2 at = plot_layout_point(layout, vec2(guide->at, guide->at));
-    if (guide->upright ? at.x < frame.low.x || at.x > frame.high.x : at.y < frame.low.y || at.y > frame.high.y)
+    Vec2 ends[2];
+    if (!plot_layout_guide(layout, guide, ends))
         return;
-    if (guide->upright)
-        path_segment(cairo, vec2(at.x, frame.low.y), vec2(at.x, frame.high.y));
-    else
-        path_segment(cairo, vec2(frame.low.x, at.y), vec2(frame.high.x, at.y));
+    path_segment(cairo, ends[0], ends[1]);
     paint_cairo_line(cairo, guide->style, GUIDE_WIDTH);
     use_role(cairo, theme, guide->role);
     cairo_stroke(cairo);
@@ -59,5 +55,8 @@ void plot_ground_paint(cairo_t *cairo, const PlotLayout *layout, const Plot *plo
     for (size_t g = 0; g < plot->guide_count; g++)
         paint_guide(cairo, layout, &plot->guides[g], theme);
     paint_axes(cairo, layout, theme);
+}
+
+void plot_ground_paint_words(cairo_t *cairo, const PlotLayout *layout, Theme theme) {
     paint_cairo_words(cairo, &layout->sheet, theme);
 }

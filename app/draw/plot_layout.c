@@ -21,7 +21,7 @@
 #define UPRIGHT_LEAST 33.0 /* from tick to tick of the y axis */
 #define ACROSS_LEAST 34.0  /* and of the x axis */
 #define LOW 200.0          /* a lower plot has its titles in shared rows */
-#define LEAST_FRAME 0.45   /* of the height: where the names leave less to the lines, they are left out */
+#define LEAST_FRAME 0.4    /* of the height: where the names leave less to the lines, they are left out */
 #define FAR 1e5            /* of a point beyond the page: cairo's coordinates end at some 8e6 pixels */
 
 static double box_width(Box box) {
@@ -40,6 +40,15 @@ Vec2 plot_layout_point(const PlotLayout *layout, Vec2 value) {
                 real_clamp(frame.high.y - up * box_height(frame), -FAR, FAR));
 }
 
+bool plot_layout_guide(const PlotLayout *layout, const PlotGuide *guide, Vec2 ends[2]) {
+    Box frame = layout->sheet.frame;
+    const PlotTicks *axis = guide->upright ? &layout->x : &layout->y;
+    Vec2 at = plot_layout_point(layout, vec2(guide->at, guide->at));
+    ends[0] = guide->upright ? vec2(at.x, frame.high.y) : vec2(frame.low.x, at.y);
+    ends[1] = guide->upright ? vec2(at.x, frame.low.y) : vec2(frame.high.x, at.y);
+    return guide->at >= axis->low && guide->at <= axis->high;
+}
+
 /* What the series and the guides hold; what is not finite does not count. */
 static Box plot_reach(const Plot *plot) {
     Box reach = box_empty();
@@ -50,7 +59,7 @@ static Box plot_reach(const Plot *plot) {
                 reach = box_include(reach, value);
         }
     for (size_t g = 0; g < plot->guide_count; g++) {
-        double at = plot->guides[g].at;
+        double at = isfinite(plot->guides[g].at) ? plot->guides[g].at : NAN;
         reach = box_include(reach, plot->guides[g].upright ? vec2(at, NAN) : vec2(NAN, at));
     }
     return reach;
@@ -71,12 +80,12 @@ static double widest_label(const PlotTicks *ticks) {
     return widest;
 }
 
-/* The most ticks whose labels have room between them. */
-static PlotTicks ticks_across(const PlotAxis *axis, double low, double high, double width) {
+/* The most ticks of the x axis whose labels have room between them. */
+static PlotTicks ticks_across(const PlotAxis *axis, Box reach, double width) {
     PlotTicks ticks;
-    int most = (int)(width / ACROSS_LEAST) + 1;
+    int most = (int)(fmax(0, width) / ACROSS_LEAST) + 1;
     do
-        ticks = axis_ticks(axis, low, high, most);
+        ticks = axis_ticks(axis, reach.low.x, reach.high.x, most);
     while (--most >= 2 && (widest_label(&ticks) + LABEL_APART) * (ticks.high - ticks.low) >
                               width * (plot_ticks_at(&ticks, 1) - plot_ticks_at(&ticks, 0)));
     return ticks;
@@ -101,10 +110,10 @@ static void begin_row(Rows *rows) {
 /* Adds words, behind `before` of room for something else, in this row or the next. */
 static Caption *add_item(Rows *rows, const char *text, double size, bool bold, double before) {
     Layout *sheet = &rows->layout->sheet;
-    double right = sheet->page.x - MARGIN;
+    double right = sheet->page.x - MARGIN, rounding = 0.5;
     const char *words = layout_shortened(sheet, text, size, bold, right - MARGIN - before);
     double width = before + text_extent(words, size, bold).x;
-    if (rows->left > MARGIN && rows->left + width > right + 0.5)
+    if (rows->left > MARGIN && rows->left + width > right + rounding)
         begin_row(rows);
     Caption *caption = add_text(rows->layout, words, size, bold, vec2(rows->left + before, rows->middle));
     caption->centre.x += caption->extent.x / 2;
@@ -222,8 +231,11 @@ static void place_frame(PlotLayout *layout, const Plot *plot, Box reach, bool na
     int most = (int)(fmax(0, box_height(sheet->frame)) / UPRIGHT_LEAST) + 1;
     layout->y = axis_ticks(&plot->y, reach.low.y, reach.high.y, most);
     sheet->frame.low.x = MARGIN + widest_label(&layout->y) + LABEL_GAP;
-    layout->x = ticks_across(&plot->x, reach.low.x, reach.high.x, box_width(sheet->frame));
-    sheet->frame.high.x -= widest_label(&layout->x) / 2;
+    layout->x = ticks_across(&plot->x, reach, box_width(sheet->frame));
+    double half = widest_label(&layout->x) / 2; /* of a label below either end */
+    sheet->frame.low.x = fmax(sheet->frame.low.x, MARGIN + half);
+    sheet->frame.high.x -= half;
+    layout->x = ticks_across(&plot->x, reach, box_width(sheet->frame));
 }
 
 static void lay_out(PlotLayout *layout, const Plot *plot, Vec2 page, bool names) {

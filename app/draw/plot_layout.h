@@ -23,3 +23,6 @@ void plot_layout_clear(PlotLayout *layout);
 
 /* Where a value is. Values far outside of the axes are moved nearer, so that every painter can count with them. */
 Vec2 plot_layout_point(const PlotLayout *layout, Vec2 value);
+
+/* The ends of a guide; false: it is outside of the axes. */
+bool plot_layout_guide(const PlotLayout *layout, const PlotGuide *guide, Vec2 ends[2]);

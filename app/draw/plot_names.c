@@ -51,15 +51,10 @@ static void mark_series(Mask *mask, const PlotLayout *layout, const PlotSeries *
 }
 
 static void mark_guides(Mask *mask, const PlotLayout *layout, const Plot *plot) {
-    Box frame = layout->sheet.frame;
-    for (size_t g = 0; g < plot->guide_count; g++) {
-        const PlotGuide *guide = &plot->guides[g];
-        Vec2 at = plot_layout_point(layout, vec2(guide->at, guide->at));
-        if (guide->upright)
-            mask_mark_line(mask, vec2(at.x, frame.low.y), vec2(at.x, frame.high.y), 1, SERIES_WEIGHT);
-        else
-            mask_mark_line(mask, vec2(frame.low.x, at.y), vec2(frame.high.x, at.y), 1, SERIES_WEIGHT);
-    }
+    Vec2 ends[2];
+    for (size_t g = 0; g < plot->guide_count; g++)
+        if (plot_layout_guide(layout, &plot->guides[g], ends))
+            mask_mark_line(mask, ends[0], ends[1], 1, SERIES_WEIGHT);
 }
 
 /* What must stay visible of the plot. */
@@ -163,10 +158,13 @@ static Vec2 best_beside_guide(const Mask *mask, const PlotLayout *layout, const 
 
 void plot_names_guides(PlotLayout *layout, const Plot *plot) {
     Mask mask;
+    if (!plot->guide_count)
+        return;
     mark_plot(&mask, layout, plot);
     for (size_t g = 0; g < plot->guide_count; g++) {
         const PlotGuide *guide = &plot->guides[g];
-        if (!guide->name)
+        Vec2 ends[2];
+        if (!guide->name || !plot_layout_guide(layout, guide, ends))
             continue;
         Caption *caption = layout_add_caption(&layout->sheet, guide->name, LETTERS, false, vec2(0, 0));
         caption->centre = best_beside_guide(&mask, layout, guide, caption->extent);

@@ -1,6 +1,7 @@
 #include "draw/plot_pen.h"
 
 #include <cairo.h>
+#include <string.h>
 
 #include "draw/paint_cairo.h"
 
@@ -16,13 +17,19 @@ typedef struct Piece {
     const PlotSeries *series;
     double begin; /* design points, of the line where the path begins */
     size_t points;
-    Box box; /* design points */
+    bool first; /* nothing has been drawn yet */
+    Box box;    /* design points */
 } Piece;
 
 PlotPen plot_pen_make(cairo_t *cairo) {
     double grain = GRAIN, across = 0;
     cairo_device_to_user_distance(cairo, &grain, &across);
     return (PlotPen){.grain = grain};
+}
+
+void plot_pen_clear(PlotPen *pen) {
+    memory_free(pen->taken);
+    pen->taken = NULL;
 }
 
 /* Dashes with round ends, as long as flat ones: a piece that begins within a dash joins the last one without a gap. */
@@ -40,6 +47,7 @@ static void use_line(cairo_t *cairo, const PlotSeries *series) {
 
 static void stroke(Piece *piece) {
     if (piece->points) {
+        piece->first = false;
         double dashes[4], offset;
         cairo_get_dash(piece->cairo, dashes, &offset);
         cairo_set_dash(piece->cairo, dashes, cairo_get_dash_count(piece->cairo), piece->begin);
@@ -48,22 +56,36 @@ static void stroke(Piece *piece) {
     piece->points = 0;
 }
 
+static void begin_at(Piece *piece, size_t first) {
+    const PlotPen *pen = piece->pen;
+    piece->begin = pen->tail[first].travelled;
+    for (size_t i = first; i < pen->tail_count; i++) {
+        cairo_line_to(piece->cairo, pen->tail[i].at.x, pen->tail[i].at.y);
+        piece->box = box_include(piece->box, pen->tail[i].at);
+    }
+}
+
+static void remember(PlotPen *pen, Vec2 at) {
+    PlotDrawn drawn = {.at = at};
+    if (pen->tail_count) {
+        PlotDrawn last = pen->tail[pen->tail_count - 1];
+        drawn.travelled = last.travelled + vec2_distance(last.at, at);
+    }
+    if (pen->tail_count == PLOT_PEN_TAIL)
+        memmove(pen->tail, pen->tail + 1, --pen->tail_count * sizeof *pen->tail);
+    pen->tail[pen->tail_count++] = drawn;
+}
+
 static void draw_to(Piece *piece, Vec2 to) {
     PlotPen *pen = piece->pen;
-    if (!piece->points) {
-        Vec2 from = pen->down ? pen->at : to;
-        cairo_move_to(piece->cairo, from.x, from.y);
-        piece->begin = pen->travelled;
-        piece->box = box_include(piece->box, from);
-    }
-    if (pen->down) {
-        cairo_line_to(piece->cairo, to.x, to.y);
-        pen->travelled += vec2_distance(pen->at, to);
-    }
+    pen->dot = !pen->tail_count;
+    if (pen->dot)
+        piece->begin = 0;
+    else if (!piece->points)
+        begin_at(piece, piece->first ? 0 : pen->tail_count - 1);
+    remember(pen, to);
+    cairo_line_to(piece->cairo, to.x, to.y);
     piece->box = box_include(piece->box, to);
-    pen->dot = !pen->down;
-    pen->down = true;
-    pen->at = to;
     if (++piece->points == PIECE)
         stroke(piece);
 }
@@ -93,13 +115,16 @@ static void hold(PlotPen *pen, PlotHeld point) {
 }
 
 /* A line of one point is a dot. */
+static void draw_dot(Piece *piece) {
+    if (piece->pen->dot && piece->pen->tail_count)
+        draw_to(piece, piece->pen->tail[0].at);
+}
+
 static void lift(Piece *piece) {
     draw_held(piece);
-    if (piece->pen->dot)
-        draw_to(piece, piece->pen->at);
+    draw_dot(piece);
     stroke(piece);
-    piece->pen->down = piece->pen->dot = false;
-    piece->pen->travelled = 0;
+    piece->pen->tail_count = 0;
 }
 
 static void draw_line(Piece *piece, const PlotLayout *layout, size_t count) {
@@ -113,7 +138,7 @@ static void draw_line(Piece *piece, const PlotLayout *layout, size_t count) {
         }
         Vec2 at = plot_layout_point(layout, value);
         double strip = floor(at.x / pen->grain);
-        if (pen->down && strip == pen->strip) {
+        if (pen->tail_count && strip == pen->strip) {
             hold(pen, (PlotHeld){i, at});
             continue;
         }
@@ -121,10 +146,10 @@ static void draw_line(Piece *piece, const PlotLayout *layout, size_t count) {
         draw_to(piece, at);
         pen->strip = strip;
     }
-    if (count == piece->series->count)
+    if (count == piece->series->count) {
         draw_held(piece);
-    if (pen->dot && count == piece->series->count)
-        draw_to(piece, pen->at);
+        draw_dot(piece);
+    }
     stroke(piece);
 }
 
@@ -149,6 +174,23 @@ static void path_symbol(cairo_t *cairo, Symbol symbol, Vec2 at, double half) {
     }
 }
 
+/* Takes a place for a symbol; false: it is taken already, or outside of the frame. */
+static bool take_place(PlotPen *pen, const Layout *sheet, Vec2 at, double size) {
+    Box frame = box_expand(sheet->frame, size);
+    Vec2 extent = vec2_sub(frame.high, frame.low);
+    if (!(at.x > frame.low.x && at.x < frame.high.x && at.y > frame.low.y && at.y < frame.high.y))
+        return false;
+    size_t columns = (size_t)(extent.x / pen->grain) + 1, rows = (size_t)(extent.y / pen->grain) + 1;
+    if (!pen->taken)
+        pen->taken = memory_allocate(columns * rows / 8 + 1, 1);
+    size_t column = (size_t)((at.x - frame.low.x) / pen->grain), row = (size_t)((at.y - frame.low.y) / pen->grain);
+    size_t place = row * columns + column;
+    unsigned char bit = (unsigned char)(1 << place % 8);
+    bool free = !(pen->taken[place / 8] & bit);
+    pen->taken[place / 8] |= bit;
+    return free;
+}
+
 static void draw_symbols(Piece *piece, const PlotLayout *layout, size_t count) {
     cairo_set_fill_rule(piece->cairo, CAIRO_FILL_RULE_WINDING);
     for (size_t i = piece->pen->next; i < count; i++) {
@@ -156,6 +198,8 @@ static void draw_symbols(Piece *piece, const PlotLayout *layout, size_t count) {
         if (!isfinite(value.x) || !isfinite(value.y))
             continue;
         Vec2 at = plot_layout_point(layout, value);
+        if (!take_place(piece->pen, &layout->sheet, at, piece->series->size))
+            continue;
         path_symbol(piece->cairo, piece->series->symbol, at, piece->series->size / 2);
         piece->box = box_include(piece->box, at);
     }
@@ -164,8 +208,8 @@ static void draw_symbols(Piece *piece, const PlotLayout *layout, size_t count) {
 
 Box plot_pen_draw(PlotPen *pen, cairo_t *cairo, const PlotLayout *layout, const PlotSeries *series, size_t count,
                   Theme theme) {
-    Piece piece = {.pen = pen, .cairo = cairo, .series = series, .box = box_empty()};
-    Box frame = box_expand(layout->sheet.frame, series->width / 2);
+    Piece piece = {.pen = pen, .cairo = cairo, .series = series, .first = true, .box = box_empty()};
+    Box frame = box_expand(layout->sheet.frame, fmax(series->width, series->size) / 2);
     Colour colour = palette_colour(theme, series->role);
     cairo_save(cairo);
     cairo_rectangle(cairo, frame.low.x, frame.low.y, frame.high.x - frame.low.x, frame.high.y - frame.low.y);

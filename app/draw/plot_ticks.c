@@ -73,7 +73,7 @@ PlotTicks plot_ticks_make(double low, double high, int most, bool widened) {
         ticks = with_step(low, high, multiples[step - 3 * (int)floor(step / 3.0)], (int)floor(step / 3.0), widened);
         step++;
     } while (ticks.count > (most > 2 ? most : 2));
-    ticks.power = label_power(fmax(fabs(ticks.low), fabs(ticks.high)));
+    ticks.power = label_power(fmax(fabs(low), fabs(high)));
     ticks.digits = ticks.power > ticks.exponent ? ticks.power - ticks.exponent : 0;
     return ticks;
 }

@@ -9,7 +9,8 @@ typedef struct PlotTicks {
     double first;     /* of the ticks, in steps from nought */
     int count;
     int multiple, exponent; /* a step is multiple x 10^exponent */
-    int power;              /* labels count 10^power of the axis' unit: a multiple of 3 that keeps them short */
+    int power;              /* labels count 10^power of the axis' unit: a multiple of 3 that keeps them short; the same
+                             * for any number of ticks */
     int digits;             /* of labels, behind the point */
 } PlotTicks;
 

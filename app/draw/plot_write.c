@@ -86,7 +86,8 @@ int plot_write_csv(const Plot *plot, const char *path) {
     size_t rows = 0;
     text_add(&text, "");
     for (size_t s = 0; s < plot->series_count; s++) {
-        const char *name = plot->series_count > 1 ? plot->series[s].name : NULL;
+        const char *heading = plot->series[s].heading ? plot->series[s].heading : plot->series[s].name;
+        const char *name = plot->series_count > 1 ? heading : NULL;
         text_add(&text, s ? "," : "");
         add_heading(&text, name, &plot->x);
         text_add(&text, ",");

@@ -80,7 +80,8 @@ typedef struct Primitive {
     double keep_clear; /* 1, how much labels avoid to cover it; 0: they may */
     LabelShape shape;
     bool bold;
-    bool fixed;    /* labels: exactly on their point, whatever they hide: what moves must not jump */
+    bool fixed; /* labels: exactly on their point, or beside it towards points[1], whatever they hide: what moves must
+                   not jump */
     bool optional; /* labels: better left out than put over something */
     bool close;    /* labels: left out where there is no room within the outline, or right beside the point */
     bool leader;   /* labels: a thin line to points[0] when they have to move away */

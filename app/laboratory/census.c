@@ -208,3 +208,25 @@ void census_reasons(const House *house, const Census *census, bool with_widths, 
     if (rest && used < size)
         snprintf(text + used, size - used, ", %zu elsewhere", rest);
 }
+
+const Party *census_find_party(const House *house, const Census *census, const char *name, const char *profile) {
+    for (size_t p = 0; p < census->party_count; p++)
+        if (strcmp(census_party_name(house, &census->parties[p]), name) == 0 &&
+            strcmp(census->parties[p].profile->name, profile) == 0)
+            return &census->parties[p];
+    return NULL;
+}
+
+double census_route_time(const House *house, const Observation *observation, const PlanRoute *route) {
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = 0; i < house->person_count; i++) {
+        if (house->people[i].route != route)
+            continue;
+        if (!observation->people[i].completed)
+            return -1;
+        sum += observation->people[i].time;
+        count++;
+    }
+    return count ? sum / (double)count : -1;
+}

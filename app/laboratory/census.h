@@ -52,5 +52,11 @@ void census_reasons(const House *house, const Census *census, bool with_widths, 
 /* The crowd's id, the person's who has no like, or "single people". */
 const char *census_party_name(const House *house, const Party *party);
 
+/* The party with this name and profile, or NULL. */
+const Party *census_find_party(const House *house, const Census *census, const char *name, const char *profile);
+
 /* On foot, not in a chair? */
 bool census_walks(const Profile *profile);
+
+/* The mean time of a route's people, s; less than 0 when somebody did not get out or took no part. */
+double census_route_time(const House *house, const Observation *observation, const PlanRoute *route);

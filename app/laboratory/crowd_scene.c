@@ -14,6 +14,7 @@
 #define CHAIR_LARGE 28.0   /* from here on there is room for its arrow */
 #define DIAMOND_LEAST 2.0  /* half, of many who are not out, at least */
 #define DIAMOND_SINGLE 6.0 /* half, of few */
+#define DOT_LARGEST 8.0    /* radius */
 #define LETTERS 17.0
 
 #define START_OPACITY 0.28
@@ -39,7 +40,7 @@
 enum {
     FEW = 20,         /* loci do not hide each other yet */
     DISC_POINTS = 24, /* of a start */
-    DOT_POINTS = 6,   /* of one of many: it is some pixels large */
+    DOT_POINTS = 6,   /* of one of many, where it is some pixels large */
     DOTS_FROM = 500,  /* people */
     STUCK_FEW = 100,  /* signs of so many who are not out are larger than their bodies */
 };
@@ -180,9 +181,10 @@ static void add_walkers_starts(Scene *scene, const House *house, const Observati
     Figures discs = {0};
     for (size_t i = 0; i < house->person_count; i++) {
         const Inhabitant *person = &house->people[i];
+        double radius = person->profile->width / 2;
+        bool dot = house->person_count >= DOTS_FROM && radius < DOT_LARGEST * design_point(scene->box);
         if (observation->people[i].took_part && census_walks(person->profile))
-            add_polygon(&discs, person->at, person->profile->width / 2,
-                        house->person_count < DOTS_FROM ? DISC_POINTS : DOT_POINTS);
+            add_polygon(&discs, person->at, radius, dot ? DOT_POINTS : DISC_POINTS);
     }
     finish_figures(scene, &discs, ROLE_WALKER, START_OPACITY, 0);
 }

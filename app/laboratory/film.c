@@ -18,8 +18,6 @@
 #define CONTACT_LETTERS 17.0
 #define ID_LETTERS 15.0
 #define EXIT_LETTERS 17.0
-#define GHOST_WIDTH 4.0
-#define GHOST_LETTERS 17.0
 #define WAY_WIDTH 44.0 /* about a chair's, where a house fills a screen */
 #define KEEP_WAY 2.0   /* how much labels avoid it */
 
@@ -33,8 +31,8 @@
 #define CONTACT_FORCE 100.0
 #define CONTACT_MOST 0.25
 
-#define STEP_FEW 0.0 /* m, from point to point of a locus */
-#define STEP_MANY 0.3
+#define STEP_MANY 0.3 /* m, from point to point of a locus among many */
+#define ROUNDING 1e-6 /* samples: times of the record are sums of steps */
 #define WALKER_OPACITY 0.10
 
 enum { BURST_POINTS = 16 };
@@ -56,8 +54,9 @@ struct Film {
     Standing *standing; /* (person_count) room for who is there */
     Pose *poses;        /* (person_count) room for walkers of one profile */
     bool crowd;
-    bool small;  /* a house so large that chairs are signs rather than likenesses */
-    double time; /* s, shown last; -1: none */
+    bool small;     /* a house so large that chairs are signs rather than likenesses */
+    double time;    /* s, shown last; -1: none */
+    size_t samples; /* of the record, that have been added */
     Scene still, added, moving;
 };
 
@@ -87,22 +86,6 @@ static Vec2 row_place(const double *row) {
 
 /* What stays ---------------------------------------------------------------------------------------------------------
  */
-
-static void add_ghost(Scene *scene, const House *house, const Observation *ghost) {
-    Trail *trails = trail_list(ghost);
-    for (size_t i = 0; i < house->person_count; i++) {
-        if (trails[i].count < 2)
-            continue;
-        Vec2 *points = memory_allocate(trails[i].count, sizeof *points);
-        for (size_t r = 0; r < trails[i].count; r++)
-            points[r] = row_place(trails[i].rows[r]);
-        scene_add_line(scene, ROLE_GHOST, GHOST_WIDTH, points, trails[i].count)->style = LINE_DASHED;
-        Vec2 middle = points[trails[i].count / 2];
-        scene_add_label(scene, ROLE_GHOST, GHOST_LETTERS, middle, "before")->optional = true;
-        memory_free(points);
-    }
-    trail_free_list(trails);
-}
 
 /* Where people will go, with their feet before them, labels would hide them: marked, not seen. */
 static void keep_ways_clear(Film *film) {
@@ -147,7 +130,7 @@ static void make_still(Film *film) {
         scene->name = scene_text(scene, "%s, walls cut at %.1f m", scene->name, PLAN_SCENE_CUT);
     plan_scene_still(scene, house);
     if (film->options.ghost)
-        add_ghost(scene, film->options.ghost_house, film->options.ghost);
+        people_scene_ghost(scene, film->options.ghost);
     route_scene_add(scene, house, film->observation, film->options.shown & FILM_ROUTES,
                     film->options.shown & FILM_WIDTHS);
     if (!film->crowd)
@@ -196,38 +179,34 @@ const Scene *film_moving(const Film *film) {
 /* What comes and stays -----------------------------------------------------------------------------------------------
  */
 
-/* The locus from the last row that has been added to the last one before the time, or nothing when that is not far. */
-static void add_locus(Film *film, size_t i, LocusLook look) {
+/* The locus from the last row that has been added to the last one up to `time`; of many people only when that is some
+ * way on. */
+static void add_locus(Film *film, size_t i, LocusLook look, double time) {
     const Trail *trail = &film->trails[i];
     Progress *progress = &film->progress[i];
-    size_t first = progress->row, last = first;
-    while (last + 1 < trail->count && trail->rows[last + 1][TRACE_TIME] <= film->time)
+    size_t last = progress->row;
+    while (last + 1 < trail->count && trail->rows[last + 1][TRACE_TIME] <= time)
         last++;
     bool many = film->crowd && walks(film, i);
-    double step = many ? STEP_MANY : STEP_FEW;
-    if (last == first || vec2_distance(row_place(trail->rows[first]), row_place(trail->rows[last])) < step)
+    Vec2 from = row_place(trail->rows[progress->row]), to = row_place(trail->rows[last]);
+    double length = vec2_distance(from, to);
+    if (length <= (many ? STEP_MANY : 0))
         return;
-    size_t count = many ? 2 : last - first + 1;
-    Vec2 *points = memory_allocate(count, sizeof *points);
-    for (size_t k = 0; k < count; k++)
-        points[k] = row_place(trail->rows[many && k ? last : first + k]);
-    Primitive *locus = scene_add_line(&film->added, look.role, look.width, points, count);
+    Primitive *locus = scene_add_line(&film->added, look.role, look.width, (Vec2[]){from, to}, 2);
     locus->style = look.style;
     locus->begun = progress->length;
     locus->edge_opacity = many ? WALKER_OPACITY : 1;
-    for (size_t k = 1; k < count; k++)
-        progress->length += vec2_distance(points[k - 1], points[k]);
+    progress->length += length;
     progress->row = last;
-    memory_free(points);
 }
 
 /* Bodies at regular times where there is room between them. */
-static void add_bodies(Film *film, size_t i, Role role) {
+static void add_bodies(Film *film, size_t i, Role role, double time) {
     const Trail *trail = &film->trails[i];
     const Profile *profile = film->house->people[i].profile;
     Progress *progress = &film->progress[i];
     double interval = people_scene_interval(trail, film->house->person_count > PEOPLE_SCENE_SEVERAL);
-    for (; progress->body <= fmin(film->time, trail_end(trail)); progress->body += interval) {
+    for (; progress->body <= fmin(time, trail_end(trail)); progress->body += interval) {
         Pose pose = trail_pose(trail, progress->body);
         if (vec2_distance(pose.at, progress->last_body.at) < PEOPLE_SCENE_APART * profile->length)
             continue;
@@ -236,18 +215,33 @@ static void add_bodies(Film *film, size_t i, Role role) {
     }
 }
 
-static void add_way(Film *film, size_t i, double before) {
+/* What has come of a person after `before` s, up to `time`. */
+static void add_way(Film *film, size_t i, double before, double time) {
     LocusLook look =
         film->crowd ? crowd_scene_look(film->house, film->house->people[i].profile) : people_scene_look(film->house, i);
     if (!film->crowd && !walks(film, i))
-        add_bodies(film, i, look.role);
-    add_locus(film, i, look);
+        add_bodies(film, i, look.role, time);
+    add_locus(film, i, look, time);
     if (!film->crowd)
-        people_scene_ticks(&film->added, &film->trails[i], look.role, before, film->time);
+        people_scene_ticks(&film->added, &film->trails[i], look.role, before, time);
+}
+
+/* All that has come since the last time, sample by sample, so that in the end it does not matter at which times the
+ * film was looked at. */
+static void add_ways(Film *film) {
+    double sample = film->observation->sample;
+    double until = film->time < film->observation->time ? film->time : film->observation->time + sample;
+    for (; ((double)film->samples + ROUNDING) * sample <= until; film->samples++) {
+        double time = ((double)film->samples + ROUNDING) * sample;
+        for (size_t i = 0; i < film->house->person_count; i++)
+            if (film->observation->people[i].took_part && film->trails[i].count)
+                add_way(film, i, time - sample, time);
+    }
 }
 
 /* From nothing. */
 static void begin_again(Film *film) {
+    film->samples = 0;
     for (size_t i = 0; i < film->house->person_count; i++) {
         const Trail *trail = &film->trails[i];
         film->progress[i] = (Progress){.row = 0};
@@ -376,6 +370,13 @@ static void add_name(Film *film, const Standing *standing) {
     tag->fixed = tag->bold = true;
 }
 
+/* Across an exit and away from the middle of the house. */
+static Vec2 outwards(const Film *film, const Exit *exit, Vec2 at) {
+    Box box = film->house->outline.box;
+    Vec2 middle = vec2_scale(vec2_add(box.low, box.high), 0.5), across = vec2_left(vec2_sub(exit->to, exit->from));
+    return vec2_dot(across, vec2_sub(at, middle)) < 0 ? vec2_scale(across, -1) : across;
+}
+
 /* Of a crowd: how many have left by each exit so far. */
 static void add_exits(Film *film) {
     const Plan *plan = &film->house->plan;
@@ -389,6 +390,8 @@ static void add_exits(Film *film) {
         Vec2 middle = vec2_scale(vec2_add(plan->exits[e].from, plan->exits[e].to), 0.5);
         const char *text = scene_text(&film->moving, "EXIT %s: %zu", plan->exits[e].id, left[e]);
         Primitive *tag = scene_add_label(&film->moving, ROLE_TEXT, EXIT_LETTERS, middle, text);
+        Vec2 beside = vec2_add(middle, outwards(film, &plan->exits[e], middle));
+        scene_bind_label(&film->moving, tag, &beside, 1);
         tag->fill = ROLE_EXIT_TAG;
         tag->shape = LABEL_TAG;
         tag->fixed = tag->bold = true;
@@ -412,18 +415,13 @@ static void make_moving(Film *film) {
 }
 
 bool film_show(Film *film, double time) {
-    double before = film->time;
-    bool onwards = time >= before;
-    if (!onwards || before < 0) {
+    bool onwards = time >= film->time;
+    if (!onwards || film->time < 0)
         begin_again(film);
-        before = -1;
-    }
     film->time = time;
     scene_reset(&film->added);
     scene_reset(&film->moving);
-    for (size_t i = 0; i < film->house->person_count; i++)
-        if (film->observation->people[i].took_part && film->trails[i].count)
-            add_way(film, i, before);
+    add_ways(film);
     make_moving(film);
     return onwards;
 }

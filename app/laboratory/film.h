@@ -20,9 +20,8 @@ int film_shown(const char *words, const char **unknown);
 
 typedef struct FilmOptions {
     Camera camera;
-    int panels; /* places for plots beside the plan, in place of the list */
-    int shown;  /* FILM_..., added up */
-    const House *ghost_house;
+    int panels;               /* places for plots beside the plan, in place of the list */
+    int shown;                /* FILM_..., added up */
     const Observation *ghost; /* whose loci are shown as "before"; NULL: nobody's */
 } FilmOptions;
 

@@ -187,19 +187,6 @@ static PlotSeries *add_series(Plot *plot, const HousePlot *definition, const Sub
     return series;
 }
 
-/* The same people as they were before, below the others; one name for all of them. */
-static void add_ghosts(Plot *plot, const HousePlot *definition, const Subjects *subjects, const Subjects *ghosts) {
-    for (size_t g = 0; g < ghosts->count; g++)
-        for (size_t i = 0; i < subjects->count; i++)
-            if (strcmp(ghosts->house->people[ghosts->list[g].person].id,
-                       subjects->house->people[subjects->list[i].person].id) == 0) {
-                PlotSeries *ghost = add_series(plot, definition, &ghosts->list[g]);
-                ghost->name = plot->series_count == 1 ? "before" : NULL;
-                ghost->role = ROLE_GHOST;
-                ghost->style = LINE_DASHED;
-            }
-}
-
 static const char *joined(Arena *arena, const char *first, const char *second) {
     size_t room = strlen(first) + strlen(second) + 2;
     char *text = arena_allocate(arena, room);
@@ -207,18 +194,46 @@ static const char *joined(Arena *arena, const char *first, const char *second) {
     return text;
 }
 
-/* The forces of the personal space, beside those of the body, of a few people. */
-static void add_spaces(Plot *plot, const HousePlot *definition, const Subjects *subjects, Arena *arena) {
-    size_t bodies = plot->series_count - subjects->count;
-    bool alone = subjects->count == 1;
+/* The same people as they were before, below the others; one name for all of them. */
+static void add_ghosts(Plot *plot, const HousePlot *definition, const Subjects *subjects, const Subjects *ghosts,
+                       Arena *arena) {
+    for (size_t g = 0; g < ghosts->count; g++)
+        for (size_t i = 0; i < subjects->count; i++)
+            if (strcmp(ghosts->house->people[ghosts->list[g].person].id,
+                       subjects->house->people[subjects->list[i].person].id) == 0) {
+                PlotSeries *ghost = add_series(plot, definition, &ghosts->list[g]);
+                ghost->heading = joined(arena, ghosts->list[g].name, "before");
+                ghost->name = plot->series_count == 1 ? "before" : NULL;
+                ghost->role = ROLE_GHOST;
+                ghost->style = LINE_DASHED;
+                ghost->width = THIN_WIDTH;
+            }
+}
+
+/* The forces of the personal space, beside those of the body, of a few people; one name for all of them. */
+static void add_rings(Plot *plot, const HousePlot *definition, const Subjects *subjects, Arena *arena) {
+    if (subjects->count == 1)
+        plot->series[plot->series_count - 1].name = "body";
     for (size_t i = 0; i < subjects->count; i++) {
-        const Subject *subject = &subjects->list[i];
-        PlotSeries *space = add_series(plot, definition, subject);
-        space->y = subject->rows + TRACE_RING_FORCE;
-        space->width = THIN_WIDTH;
-        space->name = alone ? "personal space" : joined(arena, subject->name, "space");
-        plot->series[bodies + i].name = alone ? "body" : joined(arena, subject->name, "body");
+        PlotSeries *ring = add_series(plot, definition, &subjects->list[i]);
+        ring->y = subjects->list[i].rows + TRACE_RING_FORCE;
+        ring->width = THIN_WIDTH;
+        ring->heading = joined(arena, subjects->list[i].name, "ring");
+        ring->name = i == 0 ? "ring" : NULL;
     }
+}
+
+static const char *note_of(const Subjects *subjects, Arena *arena) {
+    char note[64];
+    bool moving = false;
+    for (size_t i = 0; i < subjects->count; i++)
+        moving = moving || subjects->list[i].count > 1;
+    if (!moving)
+        return "nobody sets off";
+    if (subjects->count == subjects->people)
+        return NULL;
+    snprintf(note, sizeof note, "%zu of %zu people", subjects->count, subjects->people);
+    return arena_text(arena, note);
 }
 
 static Plot make_plot(const HousePlot *definition, const Subjects *subjects, const Subjects *ghosts, Arena *arena) {
@@ -227,17 +242,13 @@ static Plot make_plot(const HousePlot *definition, const Subjects *subjects, con
                  .y = {.title = definition->y_title, .unit = columns[definition->y].unit}};
     plot.series = arena_allocate(arena, 3 * PEOPLE_SCENE_INDIVIDUALS * sizeof *plot.series);
     plot.guides = arena_allocate(arena, (PEOPLE_SCENE_INDIVIDUALS + 1) * sizeof *plot.guides);
-    add_ghosts(&plot, definition, subjects, ghosts);
+    add_ghosts(&plot, definition, subjects, ghosts, arena);
     for (size_t i = 0; i < subjects->count; i++)
         add_series(&plot, definition, &subjects->list[i]);
     if (definition->y == TRACE_BODY_FORCE && subjects->count <= FEW)
-        add_spaces(&plot, definition, subjects, arena);
+        add_rings(&plot, definition, subjects, arena);
     definition->add_guides(&plot, subjects);
-    if (subjects->count < subjects->people) {
-        char note[64];
-        snprintf(note, sizeof note, "%zu of %zu people", subjects->count, subjects->people);
-        plot.note = arena_text(arena, note);
-    }
+    plot.note = note_of(subjects, arena);
     return plot;
 }
 

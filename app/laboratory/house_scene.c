@@ -206,19 +206,55 @@ bool house_scene_begin(Scene *scene, const House *house, const Observation *obse
     return crowd;
 }
 
-void house_scene_make(Scene *scene, const House *house, const Observation *observation) {
-    Census census = census_take(house, observation);
-    bool crowd = house_scene_begin(scene, house, observation, &census);
+/* All that belongs to the plan and to what came of it, without words around it; and what was before, or NULL. */
+static void add_house(Scene *scene, const House *house, const Observation *observation, const Census *census,
+                      const Observation *before) {
+    bool crowd = is_crowd(census);
     plan_scene_solids(scene, house);
+    if (before)
+        people_scene_ghost(scene, before);
     if (crowd)
-        crowd_scene_ways(scene, house, observation, &census);
+        crowd_scene_ways(scene, house, observation, census);
     else
         people_scene_ways(scene, house, observation);
-    plan_scene_tags(scene, house, crowd ? census.left : NULL);
+    plan_scene_tags(scene, house, crowd ? census->left : NULL);
     if (crowd)
-        crowd_scene_labels(scene, observation, &census);
+        crowd_scene_labels(scene, observation, census);
     else
         people_scene_labels(scene, house, observation);
     plan_scene_names(scene, house, !crowd);
+}
+
+void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation,
+                               const Observation *before) {
+    Census census = census_take(house, observation);
+    house_scene_begin(scene, house, observation, &census);
+    add_house(scene, house, observation, &census, before);
     census_clear(&census);
+}
+
+void house_scene_make(Scene *scene, const House *house, const Observation *observation) {
+    house_scene_make_compared(scene, house, observation, NULL);
+}
+
+static bool is_elsewhere(const Primitive *primitive, Box box) {
+    if (primitive->kind == PRIMITIVE_LABEL)
+        return !box_holds(box, primitive->points[0]);
+    Box own = box_empty();
+    for (size_t i = 0; i < primitive->count; i++)
+        own = box_include(own, primitive->points[i]);
+    own = box_expand(own, primitive->radius);
+    return own.high.x < box.low.x || own.low.x > box.high.x || own.high.y < box.low.y || own.low.y > box.high.y;
+}
+
+void house_scene_make_detail(Scene *scene, const House *house, const Observation *observation, Box box) {
+    Census census = census_take(house, observation);
+    *scene = (Scene){.grid = GRID, .box = box, .bare = true};
+    add_house(scene, house, observation, &census, NULL);
+    census_clear(&census);
+    size_t kept = 0;
+    for (size_t i = 0; i < scene->count; i++)
+        if (!is_elsewhere(&scene->primitives[i], box))
+            scene->primitives[kept++] = scene->primitives[i];
+    scene->count = kept;
 }

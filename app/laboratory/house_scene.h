@@ -1,4 +1,5 @@
-/* The still picture of a house after a run: the answer in words, the plan, the ways, and the list beside them. */
+/* The still picture of a house after a run: the answer in words, the plan, the ways, and the list beside them; or a
+ * detail of it, without words around it. */
 #pragma once
 
 #include "draw/scene.h"
@@ -7,6 +8,14 @@
 
 /* Fills an empty scene; scene_clear releases it. House and observation belong together and may go before the scene. */
 void house_scene_make(Scene *scene, const House *house, const Observation *observation);
+
+/* The same with the ways of another observation, of this house as it was before or of another one, behind. */
+void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation,
+                               const Observation *before);
+
+/* The same as house_scene_make, of a part of the plan (m): what lies elsewhere is left out, and so are answer and list.
+ */
+void house_scene_make_detail(Scene *scene, const House *house, const Observation *observation, Box box);
 
 /* What stills and films have in common: the answer, what has to be seen, and the list beside it. Is it a crowd? */
 bool house_scene_begin(Scene *scene, const House *house, const Observation *observation, const Census *census);

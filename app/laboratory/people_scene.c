@@ -164,6 +164,19 @@ static void add_locus(Scene *scene, const Trail *trail, LocusLook look) {
     memory_free(points);
 }
 
+void people_scene_ghost(Scene *scene, const Observation *before) {
+    static const LocusLook look = {ROLE_GHOST, LINE_DASHED, LOCUS_WIDTH};
+    Trail *trails = trail_list(before);
+    for (size_t i = 0; i < before->person_count; i++) {
+        if (trails[i].count < 2)
+            continue;
+        add_locus(scene, &trails[i], look);
+        Pose middle = trail_pose(&trails[i], (trail_begin(&trails[i]) + trail_end(&trails[i])) / 2);
+        scene_add_label(scene, look.role, LETTERS, middle.at, "before")->optional = true;
+    }
+    trail_free_list(trails);
+}
+
 /* The whole seconds at which somebody has moved on. */
 typedef struct Tick {
     const Trail *trail;

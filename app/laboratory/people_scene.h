@@ -48,6 +48,9 @@ void people_scene_body(Scene *scene, const Profile *profile, Pose pose, Role rol
  */
 double people_scene_interval(const Trail *trail, bool several);
 
+/* The loci of an observation that is not the one shown: dashed, "before". */
+void people_scene_ghost(Scene *scene, const Observation *before);
+
 /* The ticks of a locus after `from` s and up to `to` s. */
 void people_scene_ticks(Scene *scene, const Trail *trail, Role role, double from, double to);
 

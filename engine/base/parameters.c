@@ -332,6 +332,20 @@ json_t *parameters_write(const ParameterTable *table, const void *object) {
     return written;
 }
 
+static char *copy(const char *text) {
+    return strcpy(memory_allocate(strlen(text) + 1, 1), text);
+}
+
+char *parameters_words(const Parameter *row, const void *object) {
+    json_t *value = write_value(row, object);
+    char *words = !value                   ? copy("never") /* infinite: JSON has no such number */
+                  : json_is_boolean(value) ? copy(json_is_true(value) ? "yes" : "no")
+                  : json_is_string(value)  ? copy(json_string_value(value))
+                                           : json_line(value);
+    json_decref(value);
+    return words;
+}
+
 static const char *leaf(const char *name) {
     const char *dot = strrchr(name, '.');
     return dot ? dot + 1 : name;

@@ -71,6 +71,10 @@ bool parameters_read_value(const Parameter *row, void *object, const JsonNode *n
 /* A new JSON object of the fields that differ from their fallbacks, in the table's order. */
 json_t *parameters_write(const ParameterTable *table, const void *object);
 
+/* The value in words: "0.9", "open", "[1, 2]", "yes", or "never" for a time without end;
+ * memory_free it. */
+char *parameters_words(const Parameter *row, const void *object);
+
 /* The row called `name`: the whole name or, when only one row ends so, what follows its last dot. NULL: none. */
 const Parameter *parameters_find(const ParameterTable *table, const char *name);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <math.h>
+#include <stdbool.h>
 
 typedef struct Vec2 {
     double x, y;
@@ -129,4 +130,8 @@ static inline Box box_include(Box box, Vec2 p) {
 
 static inline Box box_expand(Box box, double by) {
     return (Box){{box.low.x - by, box.low.y - by}, {box.high.x + by, box.high.y + by}};
+}
+
+static inline bool box_holds(Box box, Vec2 p) {
+    return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }

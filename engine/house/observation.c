@@ -1,5 +1,7 @@
 #include "house/observation.h"
 
+#include <string.h>
+
 #include "base/memory.h"
 
 const char *observation_reason(Reason reason) {
@@ -14,4 +16,11 @@ void observation_free(Observation *observation) {
     memory_free(observation->door_opened);
     trace_clear(&observation->trace);
     *observation = (Observation){0};
+}
+
+const PersonObservation *observation_of_person(const House *house, const Observation *observation, const char *id) {
+    for (size_t i = 0; i < house->person_count; i++)
+        if (strcmp(house->people[i].id, id) == 0)
+            return &observation->people[i];
+    return NULL;
 }

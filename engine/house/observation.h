@@ -83,3 +83,6 @@ typedef struct Observation {
 } Observation;
 
 void observation_free(Observation *observation);
+
+/* Of the person with this id, or NULL. */
+const PersonObservation *observation_of_person(const House *house, const Observation *observation, const char *id);

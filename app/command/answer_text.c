@@ -1,57 +1,16 @@
-#include "command/report.h"
+#include "command/answer_text.h"
 
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "command/answer.h"
 #include "laboratory/census.h"
+#include "laboratory/wording.h"
 
 enum {
     NAME_LEAST = 12, /* characters for a name's column */
     STUCK_ROWS = 10, /* of many people who are not out, listed one by one */
 };
-
-/* "p1 is blocked at door d2 after 18.4 s" */
-static void say_stuck(const House *house, const Observation *observation, size_t i, char *text, size_t size) {
-    const PersonObservation *person = &observation->people[i];
-    const Blockage *blockage = &person->blockage;
-    const char *id = house->people[i].id;
-    char widths[64];
-    route_widths(blockage, widths, sizeof widths);
-    if (person->reason == REASON_CANNOT_PASS)
-        snprintf(text, size, "%s cannot pass %s%s%s", id, blockage->what, *widths ? ": " : "", widths);
-    else if (person->reason == REASON_BLOCKED)
-        snprintf(text, size, "%s is blocked at %s after %.1f s", id, blockage->what, person->time);
-    else
-        snprintf(text, size, "%s is not out: %s at %.1f s", id, observation_reason(person->reason), person->time);
-}
-
-void report_headline(const House *house, const Observation *observation, char *text, size_t size) {
-    Census census = census_take(house, observation);
-    size_t stuck = census.people - census.out;
-    if (!census.people) {
-        snprintf(text, size, "Nobody takes part");
-    } else if (!stuck && census.people == 1) {
-        snprintf(text, size, "Out in %.1f s", observation->time);
-    } else if (!stuck) {
-        bool alone = house->plan.run.routes == ROUTES_ALONE && house->plan.route_count > 1;
-        snprintf(text, size, alone ? "All %zu out, each route alone, in at most %.1f s" : "All %zu out in %.1f s",
-                 census.people, observation->time);
-    } else {
-        char why[REPORT_HEADLINE / 2], others[64] = "";
-        if (census.out)
-            snprintf(others, sizeof others, "; the other%s out in %.1f s", census.out > 1 ? "s" : "", census.last);
-        if (stuck == 1) {
-            say_stuck(house, observation, census.stuck, why, sizeof why);
-            snprintf(text, size, "%s%s", why, others);
-        } else {
-            census_reasons(house, &census, true, why, sizeof why);
-            snprintf(text, size, "%zu of %zu are not out: %s%s", stuck, census.people, why, others);
-        }
-    }
-    census_clear(&census);
-}
 
 static int wider(int width, const char *name) {
     int length = (int)strlen(name);
@@ -139,7 +98,7 @@ static void print_routes(const House *house, const Observation *observation) {
            "((c)-(a))/(a)");
     for (size_t r = 0; r < house->plan.route_count; r++) {
         const PlanRoute *route = &house->plan.routes[r];
-        double time = answer_route_time(house, observation, route), mean = route->observed.mean;
+        double time = census_route_time(house, observation, route), mean = route->observed.mean;
         char simulated[32] = "-", error[32] = "-";
         if (time >= 0)
             snprintf(simulated, sizeof simulated, "%.2f", time);
@@ -168,9 +127,9 @@ static void print_hazards(const Observation *observation) {
     }
 }
 
-void report_print(const House *house, const Observation *observation) {
-    char headline[REPORT_HEADLINE];
-    report_headline(house, observation, headline, sizeof headline);
+void answer_text_print(const House *house, const Observation *observation) {
+    char headline[WORDING_HEADLINE];
+    wording_headline(house, observation, headline, sizeof headline);
     printf("%s\n%s%s%s\n\n", headline, house->plan.name, *house->plan.note ? ": " : "", house->plan.note);
     Census census = census_take(house, observation);
     if (census.people > CENSUS_ROWS)

@@ -1,0 +1,8 @@
+/* The answer about a house in words and tables, for people to read. */
+#pragma once
+
+#include "house/house.h"
+#include "house/observation.h"
+
+/* Prints answer, people (of many the sums, and some of those who are not out), routes and dangerous points. */
+void answer_text_print(const House *house, const Observation *observation);

@@ -1,0 +1,166 @@
+#include "command/report_files.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "base/text.h"
+#include "command/house_file.h"
+#include "document/html.h"
+#include "document/pdf.h"
+#include "laboratory/comparison_report.h"
+#include "laboratory/house_report.h"
+#include "laboratory/report_loci.h"
+
+static const char PROGRAM[] = "clearance " CLEARANCE_VERSION;
+
+enum { LINE_MOST = 88 /* characters of a command's line: as many as a page has */ };
+
+bool report_files_possible(const Options *options) {
+    const char *missing = options->report && !options->out        ? "--report needs --out DIR: where to write it"
+                          : options->observed && !options->report ? "--observed needs --report: only that shows it"
+                                                                  : NULL;
+    if (missing)
+        fprintf(stderr, "clearance: %s\n", missing);
+    return !missing;
+}
+
+bool report_files_read_observed(ObservedLoci *observed, const House *house, const Options *options, Fault *fault) {
+    if (!options->observed)
+        return true;
+    if (!report_loci_make_sense(house)) {
+        fault_add(fault, "%s:1:1: observed loci are shown of a few people in chairs, not of the %zu in this house",
+                  options->observed, house->person_count);
+        return false;
+    }
+    return observed_read(observed, options->observed, fault) && report_loci_check(house, observed, fault);
+}
+
+/* The command ------------------------------------------------------------------------------------------------------ */
+
+/* As a shell reads it back. */
+static void add_quoted(Text *text, const char *word) {
+    static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./=:,@%+-";
+    if (*word && !word[strspn(word, plain)]) {
+        text_add(text, word);
+        return;
+    }
+    text_add(text, "'");
+    for (const char *at = word; *at; at++) {
+        const char one[] = {*at, 0};
+        text_add(text, *at == '\'' ? "'\\''" : one);
+    }
+    text_add(text, "'");
+}
+
+/* On as many lines as it takes, each of which says that it goes on. */
+static char *command_line(const Options *options) {
+    Text text = {0};
+    size_t begin = 0;
+    for (int a = 0; a < options->argument_count; a++) {
+        Text word = {0};
+        add_quoted(&word, options->arguments[a]);
+        if (a && text.used - begin + word.used + 3 > LINE_MOST) {
+            text_add(&text, " \\\n   ");
+            begin = text.used - 3;
+        }
+        text_add(&text, a ? " " : "");
+        text_add(&text, word.text);
+        memory_free(word.text);
+    }
+    return text.text;
+}
+
+/* The files -------------------------------------------------------------------------------------------------------- */
+
+/* Now, or when whoever builds packages or compares files says it is. */
+static time_t created(void) {
+    const char *given = getenv("SOURCE_DATE_EPOCH");
+    char *end = NULL;
+    long long seconds = given ? strtoll(given, &end, 10) : 0;
+    bool good = given && *given && !*end && seconds >= 0 && seconds < 253402300800; /* the year 10000 */
+    return good ? (time_t)seconds : time(NULL);
+}
+
+static bool write_files(const Document *document, const Options *options) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/report.html", options->out);
+    int error = html_write(document, path, options->theme);
+    if (!error) {
+        snprintf(path, sizeof path, "%s/report.pdf", options->out);
+        error = pdf_write(document, path, created());
+    }
+    if (error)
+        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+    return !error;
+}
+
+static bool drives_only(const House *house, int driving) {
+    for (size_t i = 0; i < house->profile_count; i++)
+        if (house->profiles[i].driving != DRIVING_WALKER && house->profiles[i].driving != driving)
+            return false;
+    return true;
+}
+
+/* The house once more, driven another way; nothing where that cannot be. */
+typedef struct Another {
+    House house;
+    Observation observation;
+    bool run;
+} Another;
+
+static void run_another(Another *another, const Options *options, int driving, size_t route) {
+    Fault fault = {0};
+    Options chosen = *options;
+    chosen.driving = driving;
+    another->run = house_file_read(&another->house, &chosen, 0, &fault);
+    fault_clear(&fault);
+    if (another->run)
+        house_file_run(&another->observation, &another->house, options, route);
+}
+
+static void clear_another(Another *another) {
+    if (another->run)
+        observation_free(&another->observation);
+    house_free(&another->house);
+}
+
+bool report_files_write_run(const House *house, const Observation *observation, const ObservedLoci *observed,
+                            const Options *options, size_t route) {
+    if (!options->report)
+        return true;
+    Another others[2] = {{.run = false}};
+    char *command = command_line(options);
+    HouseReport report = {.run = {house, observation},
+                          .observed = options->observed ? observed : NULL,
+                          .command = command,
+                          .program = PROGRAM};
+    for (int driving = 0; driving < 2 && report_loci_make_sense(house); driving++) {
+        report.ways[driving] = report.run;
+        if (drives_only(house, driving))
+            continue;
+        run_another(&others[driving], options, driving, route);
+        report.ways[driving] = others[driving].run ? (Reported){&others[driving].house, &others[driving].observation}
+                                                   : (Reported){NULL, NULL};
+    }
+    Document document = house_report_make(&report);
+    bool written = write_files(&document, options);
+    document_clear(&document);
+    for (int driving = 0; driving < 2; driving++)
+        clear_another(&others[driving]);
+    memory_free(command);
+    return written;
+}
+
+bool report_files_write_comparison(const House houses[2], const Observation observations[2], const Options *options) {
+    if (!options->report)
+        return true;
+    char *command = command_line(options);
+    const Reported runs[2] = {{&houses[0], &observations[0]}, {&houses[1], &observations[1]}};
+    Document document = comparison_report_make(runs, command, PROGRAM);
+    bool written = write_files(&document, options);
+    document_clear(&document);
+    memory_free(command);
+    return written;
+}

@@ -1,0 +1,19 @@
+/* What --report writes: report.html and report.pdf. */
+#pragma once
+
+#include "command/command.h"
+#include "exchange/observed.h"
+#include "house/house.h"
+#include "house/observation.h"
+
+/* Do --report, --out and --observed go together? Otherwise says so on standard error. */
+bool report_files_possible(const Options *options);
+
+/* Reads --observed, if there is one, and holds it against the house. False: the faults. */
+bool report_files_read_observed(ObservedLoci *observed, const House *house, const Options *options, Fault *fault);
+
+/* Writes what was asked for, after a run of `route` (SIZE_MAX: all) and after a comparison; says on standard error what
+ * cannot be written. */
+bool report_files_write_run(const House *house, const Observation *observation, const ObservedLoci *observed,
+                            const Options *options, size_t route);
+bool report_files_write_comparison(const House houses[2], const Observation observations[2], const Options *options);

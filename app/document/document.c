@@ -1,0 +1,155 @@
+#include "document/document.h"
+
+#include <assert.h>
+#include <glib.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "draw/paint_cairo.h"
+
+Document document_begin(const char *creator) {
+    Document document = {.title = "", .subject = ""};
+    document.creator = arena_text(&document.arena, creator);
+    return document;
+}
+
+void document_clear(Document *document) {
+    for (size_t b = 0; b < document->count; b++) {
+        Block *block = &document->blocks[b];
+        for (size_t p = 0; p < block->picture_count; p++)
+            if (block->pictures[p].release)
+                block->pictures[p].release(block->pictures[p].context);
+        memory_free(block->pictures);
+        memory_free(block->table.cells);
+    }
+    memory_free(document->blocks);
+    arena_clear(&document->arena);
+    *document = (Document){0};
+}
+
+/* Neither XML nor a page has a place for control characters and for codes that are none. */
+static bool is_plain(gunichar code) {
+    return code == '\n' || (code >= 0x20 && code < 0x7f) || (code >= 0xa0 && (code & 0xfffe) != 0xfffe);
+}
+
+static const char *plain(Document *document, const char *text) {
+    char *valid = g_utf8_make_valid(text, -1);
+    char *copy = arena_allocate(&document->arena, 3 * strlen(valid) + 1),
+         *to = copy; /* a replacement has three bytes */
+    for (const char *at = valid; *at; at = g_utf8_next_char(at)) {
+        gunichar code = g_utf8_get_char(at);
+        to += g_unichar_to_utf8(is_plain(code) ? code : code == '\t' ? ' ' : 0xfffd, to);
+    }
+    g_free(valid);
+    return copy;
+}
+
+const char *document_text(Document *document, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vsnprintf(NULL, 0, format, arguments);
+    va_end(arguments);
+    char *text = memory_allocate((size_t)length + 1, 1);
+    va_start(arguments, format);
+    vsnprintf(text, (size_t)length + 1, format, arguments);
+    va_end(arguments);
+    const char *kept = plain(document, text);
+    memory_free(text);
+    return kept;
+}
+
+static Block *add_block(Document *document, BlockKind kind, const char *text) {
+    document->blocks =
+        memory_reserve(document->blocks, &document->capacity, document->count + 1, sizeof *document->blocks);
+    Block *block = &document->blocks[document->count++];
+    *block = (Block){.kind = kind, .text = plain(document, text)};
+    return block;
+}
+
+static Block *last_block(Document *document, BlockKind kind) {
+    assert(document->count && document->blocks[document->count - 1].kind == kind);
+    (void)kind;
+    return &document->blocks[document->count - 1];
+}
+
+void document_add_title(Document *document, const char *subject, const char *title) {
+    Block *block = add_block(document, BLOCK_HEADING, title);
+    block->level = 1;
+    document->title = block->text;
+    document->subject = plain(document, subject);
+}
+
+void document_add_heading(Document *document, int level, const char *text) {
+    add_block(document, BLOCK_HEADING, text)->level = level;
+}
+
+void document_add_contents(Document *document) {
+    add_block(document, BLOCK_CONTENTS, "");
+}
+
+void document_add_paragraph(Document *document, const char *text) {
+    add_block(document, BLOCK_PARAGRAPH, text);
+}
+
+void document_add_note(Document *document, const char *text) {
+    add_block(document, BLOCK_NOTE, text);
+}
+
+void document_add_command(Document *document, const char *text) {
+    add_block(document, BLOCK_COMMAND, text);
+}
+
+void document_add_page(Document *document) {
+    add_block(document, BLOCK_PAGE, "");
+}
+
+void document_add_table(Document *document, const char *caption, const Column *columns, size_t count) {
+    Column *copies = arena_allocate(&document->arena, count * sizeof *copies);
+    for (size_t c = 0; c < count; c++)
+        copies[c] = (Column){plain(document, columns[c].head), columns[c].align};
+    Table *table = &add_block(document, BLOCK_TABLE, "")->table;
+    *table = (Table){.caption = caption ? plain(document, caption) : NULL, .columns = copies, .column_count = count};
+}
+
+void document_add_row(Document *document, const char *const *cells) {
+    Table *table = &last_block(document, BLOCK_TABLE)->table;
+    size_t used = table->row_count++ * table->column_count;
+    table->cells = memory_reserve(table->cells, &table->capacity, used + table->column_count, sizeof *table->cells);
+    for (size_t c = 0; c < table->column_count; c++)
+        table->cells[used + c] = cells[c] ? plain(document, cells[c]) : "-";
+}
+
+void document_add_figures(Document *document) {
+    add_block(document, BLOCK_FIGURES, "");
+}
+
+Picture *document_add_picture(Document *document, DocumentPaint *paint, void *context, Vec2 size, const char *caption,
+                              const char *alternative) {
+    Block *block = last_block(document, BLOCK_FIGURES);
+    block->pictures =
+        memory_reserve(block->pictures, &block->picture_capacity, block->picture_count + 1, sizeof *block->pictures);
+    Picture *picture = &block->pictures[block->picture_count++];
+    *picture = (Picture){.paint = paint,
+                         .context = context,
+                         .size = size,
+                         .caption = caption ? plain(document, caption) : NULL,
+                         .alternative = plain(document, alternative)};
+    return picture;
+}
+
+static void paint_scene(const void *context, struct _cairo *cairo, Vec2 size, Theme theme) {
+    paint_cairo_scene(cairo, context, size, theme);
+}
+
+static void release_scene(void *context) {
+    scene_clear(context);
+    memory_free(context);
+}
+
+void document_add_scene(Document *document, Scene *scene, Vec2 size, const char *caption, const char *alternative) {
+    Scene *kept = memory_allocate(1, sizeof *kept);
+    *kept = *scene;
+    *scene = (Scene){0};
+    document_add_picture(document, paint_scene, kept, size, caption, alternative)->release = release_scene;
+}

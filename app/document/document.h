@@ -1,0 +1,100 @@
+/* A page to be read and handed on, as data: headings, paragraphs, tables and pictures in reading order. Whoever has
+ * something to report makes one; html.h and pdf.h write it. It knows neither houses nor files.
+ *
+ * All texts are copied and made plain: what is no UTF-8 or no character is replaced, so that every writer may rely on
+ * it. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/memory.h"
+#include "base/vec2.h"
+#include "draw/palette.h"
+#include "draw/scene.h"
+
+struct _cairo; /* cairo's own name of cairo_t */
+
+typedef enum BlockKind {
+    BLOCK_HEADING,
+    BLOCK_CONTENTS, /* links to the headings of the second level */
+    BLOCK_PARAGRAPH,
+    BLOCK_NOTE,    /* what must not be overlooked */
+    BLOCK_COMMAND, /* what is typed, line by line */
+    BLOCK_TABLE,
+    BLOCK_FIGURES, /* pictures side by side */
+    BLOCK_PAGE,    /* what follows begins a page where there are pages */
+} BlockKind;
+
+typedef enum Align { ALIGN_LEFT, ALIGN_RIGHT } Align;
+
+typedef struct Column {
+    const char *head;
+    Align align;
+} Column;
+
+typedef struct Table {
+    const char *caption;   /* or NULL */
+    const Column *columns; /* (column_count) the first one names the row */
+    size_t column_count;
+    const char **cells; /* (row_count x column_count) */
+    size_t row_count, capacity;
+} Table;
+
+/* Paints a picture of a size in design points from the origin of the context on, whose unit is the design point. */
+typedef void DocumentPaint(const void *context, struct _cairo *cairo, Vec2 size, Theme theme);
+
+typedef struct Picture {
+    DocumentPaint *paint;
+    void *context;
+    void (*release)(void *context); /* or NULL */
+    Vec2 size;                      /* design points: its shape, and how large its letters are to it */
+    const char *caption;            /* or NULL */
+    const char *alternative;        /* what it shows, for those who do not see it */
+} Picture;
+
+typedef struct Block {
+    BlockKind kind;
+    int level;         /* of a heading: 1, once, 2 or 3 */
+    const char *text;  /* "" where there is none */
+    Table table;       /* of a table */
+    Picture *pictures; /* (picture_count) of figures */
+    size_t picture_count, picture_capacity;
+} Block;
+
+/* document_begin makes an empty one; document_clear releases it and what its pictures hold. */
+typedef struct Document {
+    const char *title;   /* of the window, and of the file's properties */
+    const char *subject; /* what this is: the line above the title, and at the foot of every page */
+    const char *creator; /* the program and its version */
+    Block *blocks;       /* (count) */
+    size_t count, capacity;
+    Arena arena;
+} Document;
+
+Document document_begin(const char *creator);
+void document_clear(Document *document);
+
+/* A text made as by printf, plain, as long as the document lives. */
+const char *document_text(Document *document, const char *format, ...) __attribute__((format(printf, 2, 3), nonnull));
+
+/* The heading of the first level, once, with the subject above it. */
+void document_add_title(Document *document, const char *subject, const char *title);
+void document_add_heading(Document *document, int level, const char *text);
+void document_add_contents(Document *document);
+void document_add_paragraph(Document *document, const char *text);
+void document_add_note(Document *document, const char *text);
+void document_add_command(Document *document, const char *text);
+void document_add_page(Document *document);
+
+/* A table, to which rows of as many cells as it has columns are then added. A cell that is NULL is "-". */
+void document_add_table(Document *document, const char *caption, const Column *columns, size_t count);
+void document_add_row(Document *document, const char *const *cells);
+
+/* A row of pictures, to which pictures are then added. Those of one size are as large as each other on the page. */
+void document_add_figures(Document *document);
+Picture *document_add_picture(Document *document, DocumentPaint *paint, void *context, Vec2 size, const char *caption,
+                              const char *alternative);
+
+/* Takes the scene over and leaves an empty one. */
+void document_add_scene(Document *document, Scene *scene, Vec2 size, const char *caption, const char *alternative);

@@ -1,0 +1,173 @@
+#include "document/sheet.h"
+
+#include <pango/pangocairo.h>
+#include <stdio.h>
+
+#include "draw/palette.h"
+
+#define FOOT_Y 800.0
+
+static const Letters FOOT = {8, 1, false, false, ROLE_DIM_TEXT};
+
+enum { LEAST_LINES = 2 /* of a paragraph, kept together at the end of a page */ };
+
+static void use_role(const Sheet *sheet, Role role) {
+    Colour colour = palette_colour(THEME_PAPER, role);
+    cairo_set_source_rgb(sheet->cairo, colour.red, colour.green, colour.blue);
+}
+
+static void show_foot(const Sheet *sheet) {
+    char number[64];
+    snprintf(number, sizeof number, "page %d of %d", sheet->page, sheet->pages);
+    PangoLayout *right = sheet_words(number, FOOT, SHEET_WIDTH, ALIGN_RIGHT, 0);
+    PangoLayout *left = sheet_words(sheet->foot, FOOT, 0.8 * SHEET_WIDTH, ALIGN_LEFT, FOOT.size);
+    sheet_rule(sheet, SHEET_LEFT, SHEET_WIDTH, FOOT_Y - 6, 0.5, ROLE_GRID);
+    sheet_show(sheet, left, FOOT, SHEET_LEFT, FOOT_Y);
+    sheet_show(sheet, right, FOOT, SHEET_LEFT, FOOT_Y);
+    g_object_unref(left);
+    g_object_unref(right);
+}
+
+void sheet_begin(Sheet *sheet) {
+    sheet->page++;
+    sheet->y = SHEET_TOP;
+}
+
+void sheet_end(Sheet *sheet) {
+    if (!sheet->cairo)
+        return;
+    show_foot(sheet);
+    cairo_show_page(sheet->cairo);
+}
+
+void sheet_break(Sheet *sheet) {
+    sheet_end(sheet);
+    sheet_begin(sheet);
+}
+
+bool sheet_need(Sheet *sheet, double height) {
+    bool full = sheet->y + height > SHEET_BOTTOM && sheet->y > SHEET_TOP;
+    if (full)
+        sheet_break(sheet);
+    return full;
+}
+
+void sheet_gap(Sheet *sheet, double height) {
+    if (sheet->y > SHEET_TOP)
+        sheet->y += height;
+}
+
+PangoLayout *sheet_words(const char *text, Letters letters, double width, Align align, double height) {
+    PangoContext *context = pango_font_map_create_context(pango_cairo_font_map_get_default());
+    cairo_font_options_t *options = cairo_font_options_create();
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    pango_context_set_round_glyph_positions(context, FALSE);
+    pango_cairo_context_set_font_options(context, options);
+    cairo_font_options_destroy(options);
+    PangoFontDescription *font = pango_font_description_new();
+    pango_font_description_set_family_static(font, letters.typed ? "DejaVu Sans Mono" : "DejaVu Sans");
+    pango_font_description_set_absolute_size(font, letters.size * PANGO_SCALE);
+    pango_font_description_set_weight(font, letters.bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
+    PangoLayout *words = pango_layout_new(context);
+    g_object_unref(context);
+    pango_layout_set_font_description(words, font);
+    pango_font_description_free(font);
+    pango_layout_set_line_spacing(words, (float)letters.spacing);
+    pango_layout_set_width(words, (int)(width * PANGO_SCALE));
+    pango_layout_set_wrap(words, PANGO_WRAP_WORD_CHAR);
+    pango_layout_set_alignment(words, align == ALIGN_RIGHT ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT);
+    if (height > 0) {
+        pango_layout_set_height(words, (int)(height * PANGO_SCALE));
+        pango_layout_set_ellipsize(words, PANGO_ELLIPSIZE_END);
+    }
+    pango_layout_set_text(words, text, -1);
+    return words;
+}
+
+double sheet_words_height(PangoLayout *words) {
+    PangoRectangle logical;
+    pango_layout_get_extents(words, NULL, &logical);
+    return (double)logical.height / PANGO_SCALE;
+}
+
+void sheet_show(const Sheet *sheet, PangoLayout *words, Letters letters, double x, double y) {
+    if (!sheet->cairo)
+        return;
+    use_role(sheet, letters.role);
+    cairo_move_to(sheet->cairo, x, y);
+    pango_cairo_show_layout(sheet->cairo, words);
+    cairo_new_path(sheet->cairo);
+}
+
+/* How many lines from `first` on fit on the page, and how high they are. */
+static int lines_that_fit(const Sheet *sheet, PangoLayout *words, int first, double *height) {
+    int count = pango_layout_get_line_count(words), fit = 0;
+    *height = 0;
+    for (int l = first; l < count; l++, fit++) {
+        PangoRectangle logical;
+        pango_layout_line_get_extents(pango_layout_get_line_readonly(words, l), NULL, &logical);
+        double line = (double)logical.height / PANGO_SCALE;
+        if (sheet->y + *height + line > SHEET_BOTTOM && (fit || sheet->y > SHEET_TOP))
+            break;
+        *height += line;
+    }
+    return fit;
+}
+
+static void show_lines(const Sheet *sheet, PangoLayout *words, Letters letters, int first, int count, double x) {
+    double top = sheet->y;
+    use_role(sheet, letters.role);
+    for (int l = first; l < first + count; l++) {
+        PangoLayoutLine *line = pango_layout_get_line_readonly(words, l);
+        PangoRectangle logical;
+        pango_layout_line_get_extents(line, NULL, &logical);
+        cairo_move_to(sheet->cairo, x, top - (double)logical.y / PANGO_SCALE);
+        pango_cairo_show_layout_line(sheet->cairo, line);
+        top += (double)logical.height / PANGO_SCALE;
+    }
+    cairo_new_path(sheet->cairo);
+}
+
+void sheet_flow(Sheet *sheet, PangoLayout *words, Letters letters, double x,
+                void (*under)(const Sheet *sheet, double top, double bottom)) {
+    int count = pango_layout_get_line_count(words);
+    for (int first = 0, fit; first < count; first += fit) {
+        double height;
+        fit = lines_that_fit(sheet, words, first, &height);
+        if (fit < LEAST_LINES && fit < count - first && sheet->y > SHEET_TOP) {
+            sheet_break(sheet);
+            fit = lines_that_fit(sheet, words, first, &height);
+        }
+        if (sheet->cairo) {
+            if (under)
+                under(sheet, sheet->y, sheet->y + height);
+            show_lines(sheet, words, letters, first, fit, x);
+        }
+        sheet->y += height;
+        if (first + fit < count)
+            sheet_break(sheet);
+    }
+}
+
+void sheet_rule(const Sheet *sheet, double x, double width, double y, double weight, Role role) {
+    sheet_fill(sheet, x, y - weight / 2, width, weight, role);
+}
+
+void sheet_fill(const Sheet *sheet, double x, double y, double width, double height, Role role) {
+    if (!sheet->cairo)
+        return;
+    use_role(sheet, role);
+    cairo_rectangle(sheet->cairo, x, y, width, height);
+    cairo_fill(sheet->cairo);
+}
+
+void sheet_tag(const Sheet *sheet, const char *tag, const char *attributes) {
+    if (sheet->cairo)
+        cairo_tag_begin(sheet->cairo, tag, attributes);
+}
+
+void sheet_untag(const Sheet *sheet, const char *tag) {
+    if (sheet->cairo)
+        cairo_tag_end(sheet->cairo, tag);
+}

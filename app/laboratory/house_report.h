@@ -1,0 +1,27 @@
+/* Reports about houses, as documents to be handed on: the answer first, then what it rests on. For whoever writes about
+ * accessibility or safety, for engineers and for teachers: nothing is said that was not simulated or given. */
+#pragma once
+
+#include "document/document.h"
+#include "exchange/observed.h"
+#include "house/observation.h"
+
+/* A house and what came of it; nothing when `house` is NULL. Not owned. */
+typedef struct Reported {
+    const House *house;
+    const Observation *observation;
+} Reported;
+
+typedef struct HouseReport {
+    Reported run;
+    Reported ways[2];             /* the same, by Driving: everybody driven this way; or nothing */
+    const ObservedLoci *observed; /* loci that somebody measured, or NULL */
+    const char *command;          /* that makes the report, to be pasted */
+    const char *program;          /* with its version */
+} HouseReport;
+
+/* document_clear releases what is made; house and observations may go before it. */
+Document house_report_make(const HouseReport *report);
+
+/* The name, or the file's where there is none. */
+const char *house_report_name(const House *house);

@@ -1,0 +1,175 @@
+#include "laboratory/report_basis.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "house/plan_tables.h"
+#include "laboratory/census.h"
+
+/* How ----------------------------------------------------------------------------------------------------------------
+ */
+
+static bool has_driving(const House *house, int driving) {
+    for (size_t i = 0; i < house->profile_count; i++)
+        if (house->profiles[i].driving == driving)
+            return true;
+    return false;
+}
+
+void report_basis_add_method(Document *document, const House *house) {
+    document_add_heading(document, 3, "How it is computed");
+    document_add_paragraph(
+        document, "Everybody is a distinct element: a rigid body with a mass. Where a body meets a wall, a "
+                  "piece of furniture or another body, a spring and a dashpot push them apart, along the "
+                  "surface too, as far as Coulomb friction allows (the method of Cundall and Strack, as Miura, "
+                  "Takimoto and Kubodera use it for wheelchairs). A second, softer law of the same form acts in "
+                  "the personal space around the body.");
+    if (has_driving(house, DRIVING_DRIVER))
+        document_add_paragraph(
+            document, "driver: a chair is its true rounded rectangle, rolls and turns about its drive axle and "
+                      "does not slip sideways. Its way is searched for the least time among all that can be "
+                      "driven, changes of direction included, and is then steered along with a limited push.");
+    if (has_driving(house, DRIVING_MIURA))
+        document_add_paragraph(document,
+                               "miura: a chair is a disc on straight legs and corners, after the paper. It has "
+                               "no length, and therefore passes where a chair may not.");
+    if (has_driving(house, DRIVING_WALKER))
+        document_add_paragraph(
+            document, "On foot: a disc that goes where the time to the exit falls fastest, keeps its distance to "
+                      "whoever is ahead, and steps aside where that makes more way good.");
+    document_add_paragraph(document,
+                           document_text(document,
+                                         "\"Cannot pass\" is found before anything moves: to the geometry of the plan, "
+                                         "there is no way that can be driven. \"Blocked\" is what happens in the run: "
+                                         "there is a way, but whoever is on it has not got on for %g s.",
+                                         house->plan.run.patience));
+    document_add_paragraph(
+        document, "What the model does not know: fatigue, fear, helpers, smoke, darkness, slopes, stairs, lifts, "
+                  "thresholds and wet floors. This is one run with one seed: how much times scatter, it does "
+                  "not say. It is no substitute for a trial with the people who live there.");
+}
+
+/* Numbers ------------------------------------------------------------------------------------------------------------
+ */
+
+static const char *kept_words(Document *document, const Parameter *row, const void *object) {
+    char *words = parameters_words(row, object);
+    const char *kept = document_text(document, "%s", words);
+    memory_free(words);
+    return kept;
+}
+
+/* "N s/m", which stays on one line. */
+static const char *unit_words(Document *document, const Parameter *row) {
+    const char *unit = strcmp(row->unit, "1") == 0 ? "" : row->unit, *space = strchr(unit, ' ');
+    return space ? document_text(document, "%.*s\u00a0%s", (int)(space - unit), unit, space + 1) : unit;
+}
+
+void report_basis_add_settings(Document *document, const House *house) {
+    static const Column columns[] = {{"Setting", ALIGN_LEFT},
+                                     {"Value", ALIGN_RIGHT},
+                                     {"Unit", ALIGN_LEFT},
+                                     {"Meaning", ALIGN_LEFT},
+                                     {"Where it comes from", ALIGN_LEFT}};
+    RunSettings usual;
+    parameters_reset(&plan_tables_run, &usual);
+    document_add_heading(document, 3, "Settings of the run");
+    document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
+    for (size_t r = 0; r < plan_tables_run.count; r++) {
+        const Parameter *row = &plan_tables_run.rows[r];
+        const char *value = kept_words(document, row, &house->plan.run);
+        bool changed = strcmp(value, kept_words(document, row, &usual)) != 0;
+        const char *cells[] = {document_text(document, "run.%s", row->name), value, unit_words(document, row),
+                               row->meaning,
+                               changed           ? "set for this house or this run"
+                               : row->provenance ? row->provenance
+                                                 : "the usual"};
+        document_add_row(document, cells);
+    }
+}
+
+/* The change that this house or the command line makes to a number of a profile, or NULL. */
+static const Override *find_override(const House *house, const Profile *profile, const Parameter *row) {
+    const Override *last = NULL;
+    size_t length = strlen(profile->name);
+    for (size_t i = 0; i < house->plan.override_count; i++) {
+        const char *name = house->plan.overrides[i].name + strlen("profile.");
+        if (strncmp(name, profile->name, length) == 0 && name[length] == '.' &&
+            parameters_find(profile_table(), name + length + 1) == row)
+            last = &house->plan.overrides[i];
+    }
+    return last;
+}
+
+static void add_number(Document *document, const House *house, const Profile *profile, size_t index) {
+    const Parameter *row = &profile_table()->rows[index];
+    const Override *override = find_override(house, profile, row);
+    const char *provenance = profile->provenance[index];
+    if (override)
+        provenance = strncmp(override->place, "--set", strlen("--set")) == 0 ? "changed here, on the command line"
+                                                                             : "changed here, in the house's file";
+    const char *cells[] = {row->name, kept_words(document, row, profile), unit_words(document, row), row->meaning,
+                           provenance};
+    document_add_row(document, cells);
+}
+
+/* "Of 38 numbers 9 are reconstructed, 3 from the literature and 26 assumed." */
+static const char *say_kinds(Document *document, const House *house, const Profile *profile) {
+    static const char *const kinds[] = {"paper", "reconstructed", "literature", "assumed"};
+    enum { KINDS = sizeof kinds / sizeof *kinds };
+    size_t counts[KINDS] = {0}, changed = 0, all = 0;
+    for (size_t i = 0; i < profile_table()->count; i++) {
+        if (!profile_row_matters(i, profile->driving))
+            continue;
+        all++;
+        bool here = find_override(house, profile, &profile_table()->rows[i]);
+        changed += here;
+        for (size_t k = 0; k < KINDS && !here; k++)
+            counts[k] += strncmp(profile->provenance[i], kinds[k], strlen(kinds[k])) == 0;
+    }
+    return document_text(
+        document,
+        "%s Of its %zu numbers, %zu are the paper's, %zu reconstructed from it, %zu from the literature, "
+        "%zu assumed and %zu changed here.",
+        profile->note, all, counts[0], counts[1], counts[2], counts[3], changed);
+}
+
+void report_basis_add_profile(Document *document, const House *house, const Profile *profile) {
+    static const Column columns[] = {{"Number", ALIGN_LEFT},
+                                     {"Value", ALIGN_RIGHT},
+                                     {"Unit", ALIGN_LEFT},
+                                     {"Meaning", ALIGN_LEFT},
+                                     {"Where it comes from", ALIGN_LEFT}};
+    document_add_heading(
+        document, 3, document_text(document, "Profile %s (%s)", profile->name, profile_driving_name(profile->driving)));
+    document_add_table(document, say_kinds(document, house, profile), columns, sizeof columns / sizeof *columns);
+    for (size_t i = 0; i < profile_table()->count; i++)
+        if (profile_row_matters(i, profile->driving))
+            add_number(document, house, profile, i);
+}
+
+/* Making -------------------------------------------------------------------------------------------------------------
+ */
+
+void report_basis_add_making(Document *document, const char *command, const char *program, const House *const *houses,
+                             const Observation *const *observations, size_t count) {
+    static const Column columns[] = {{"House", ALIGN_LEFT},
+                                     {"Seed", ALIGN_RIGHT},
+                                     {"Step, s", ALIGN_RIGHT},
+                                     {"Steps", ALIGN_RIGHT},
+                                     {"Digest of all states", ALIGN_LEFT}};
+    document_add_heading(document, 2, "How this report was made");
+    document_add_paragraph(document, document_text(document, "By %s, with this command:", program));
+    document_add_command(document, command);
+    document_add_paragraph(document, "The same files, command and version give the same numbers to the last bit; the "
+                                     "digest tells whether they did.");
+    document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
+    for (size_t h = 0; h < count; h++) {
+        const char *cells[] = {houses[h]->plan.path, document_text(document, "%" PRIu64, houses[h]->seed),
+                               document_text(document, "%g", observations[h]->dt),
+                               document_text(document, "%" PRIu64, observations[h]->steps),
+                               document_text(document, "%016" PRIx64, observations[h]->digest)};
+        document_add_row(document, cells);
+    }
+}

@@ -1,0 +1,239 @@
+#include "laboratory/report_loci.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "house/locus.h"
+#include "laboratory/census.h"
+#include "laboratory/house_scene.h"
+#include "laboratory/people_scene.h"
+#include "laboratory/plan_scene.h"
+#include "laboratory/report_people.h"
+#include "laboratory/report_pictures.h"
+
+#define TICK_WIDTH 2.0 /* design points, as those of simulated loci */
+#define TICK_LENGTH 11.0
+#define NAME_LETTERS 17.0
+#define TICK_SECONDS 1.0
+
+static const char *const way_names[] = {[DRIVING_DRIVER] = "driver", [DRIVING_MIURA] = "miura"};
+
+/* Who is observed ----------------------------------------------------------------------------------------------------
+ */
+
+static size_t find_person(const House *house, const char *name) {
+    if (!*name)
+        return house->person_count == 1 ? 0 : SIZE_MAX;
+    for (size_t i = 0; i < house->person_count; i++)
+        if (strcmp(house->people[i].id, name) == 0)
+            return i;
+    for (size_t i = 0; i < house->person_count; i++)
+        if (house->people[i].route && strcmp(house->people[i].route->id, name) == 0)
+            return i;
+    return SIZE_MAX;
+}
+
+bool report_loci_check(const House *house, const ObservedLoci *observed, Fault *fault) {
+    size_t before = fault->total;
+    for (size_t i = 0; i < observed->count; i++) {
+        const ObservedLocus *locus = &observed->loci[i];
+        if (find_person(house, locus->person) < house->person_count)
+            continue;
+        if (*locus->person)
+            fault_add(fault, "%s:%d:1: there is no person or route \"%s\" in the house", observed->path, locus->line,
+                      locus->person);
+        else
+            fault_add(fault, "%s:1:1: there is no column \"person\", must say who of %zu people is meant",
+                      observed->path, house->person_count);
+    }
+    return fault->total == before;
+}
+
+static size_t count_chairs(const House *house) {
+    size_t chairs = 0;
+    for (size_t i = 0; i < house->person_count; i++)
+        chairs += !census_walks(house->people[i].profile);
+    return chairs;
+}
+
+bool report_loci_make_sense(const House *house) {
+    return house->person_count <= PEOPLE_SCENE_INDIVIDUALS && count_chairs(house) > 0;
+}
+
+/* Pictures -----------------------------------------------------------------------------------------------------------
+ */
+
+/* Small pictures: tags stay, names and numbers would cover what is to be compared. */
+static Scene way_scene(const Reported *way) {
+    Scene scene = {0};
+    house_scene_make(&scene, way->house, way->observation);
+    size_t kept = 0;
+    for (size_t i = 0; i < scene.count; i++)
+        if (scene.primitives[i].kind != PRIMITIVE_LABEL || scene.primitives[i].shape == LABEL_TAG)
+            scene.primitives[kept++] = scene.primitives[i];
+    scene.count = kept;
+    return scene;
+}
+
+static void add_ticks(Scene *scene, const Locus *locus, Role role) {
+    double last = locus->times[0];
+    for (size_t i = 1; i + 1 < locus->count; i++) {
+        if (locus->times[i] < last + TICK_SECONDS)
+            continue;
+        last += TICK_SECONDS;
+        scene_add_tick(scene, role, TICK_WIDTH, TICK_LENGTH, locus->points[i], locus->points[i + 1]);
+    }
+}
+
+static Scene observed_scene(const House *house, const ObservedLoci *observed, Box box) {
+    Scene scene = {.grid = 1, .box = box};
+    plan_scene_solids(&scene, house);
+    for (size_t i = 0; i < observed->count; i++) {
+        const Locus *locus = &observed->loci[i].locus;
+        LocusLook look = people_scene_look(house, find_person(house, observed->loci[i].person));
+        Primitive *line = scene_add_line(&scene, look.role, look.width, locus->points, locus->count);
+        line->style = look.style;
+        line->keep_clear = 1;
+        add_ticks(&scene, locus, look.role);
+        for (size_t p = 0; p < locus->count; p++)
+            scene.box = box_include(scene.box, locus->points[p]);
+    }
+    plan_scene_tags(&scene, house, NULL);
+    for (size_t i = 0; i < observed->count; i++) {
+        size_t person = find_person(house, observed->loci[i].person);
+        Primitive *tag = scene_add_label(&scene, ROLE_TEXT, NAME_LETTERS, observed->loci[i].locus.points[0],
+                                         house->people[person].id);
+        tag->fill = people_scene_look(house, person).role;
+        tag->shape = LABEL_TAG;
+        tag->bold = tag->leader = true;
+    }
+    return scene;
+}
+
+static void add_pictures(Document *document, const HouseReport *report) {
+    static const char *const captions[] = {"miura: the paper's way, a disc on straight legs and corners.",
+                                           "driver: ours, the true rectangle of the chair on a planned path.",
+                                           "observed: what was measured, with a tick each second."};
+    Scene scenes[3] = {way_scene(&report->ways[DRIVING_MIURA]), way_scene(&report->ways[DRIVING_DRIVER])};
+    Box box = report_pictures_box(scenes[0].box, scenes[1].box);
+    if (report->observed) {
+        scenes[2] = observed_scene(report->run.house, report->observed, box);
+        box = scenes[2].box;
+    }
+    report_pictures_add_beside(document, scenes, report->observed ? 3 : 2, box, captions);
+}
+
+/* Tables -------------------------------------------------------------------------------------------------------------
+ */
+
+static void add_way(Document *document, const HouseReport *report, size_t person, int driving,
+                    const LocusDistance *apart) {
+    const Reported *way = &report->ways[driving];
+    const PersonObservation *observed = &way->observation->people[person];
+    bool moved = observed->time > 0;
+    const char *cells[] = {way->house->people[person].id,
+                           way_names[driving],
+                           observed->completed ? report_people_number(document, observed->time, 2)
+                                               : observation_reason(observed->reason),
+                           report_people_number(document, moved ? observed->narrowest : NAN, 3),
+                           moved ? document_text(document, "%d", observed->contacts) : NULL,
+                           report_people_number(document, moved ? observed->lost_time : NAN, 1),
+                           report_people_number(document, apart && apart->counted ? apart->mean : NAN, 3),
+                           report_people_number(document, apart && apart->counted ? apart->largest : NAN, 3)};
+    document_add_row(document, cells);
+}
+
+static LocusDistance ways_apart(const HouseReport *report, size_t person) {
+    const Reported *ways = report->ways;
+    LocusDistance apart = {.counted = 0};
+    if (!ways[0].observation->people[person].completed || !ways[1].observation->people[person].completed)
+        return apart;
+    Locus driver = locus_of(ways[DRIVING_DRIVER].house, ways[DRIVING_DRIVER].observation, person);
+    Locus miura = locus_of(ways[DRIVING_MIURA].house, ways[DRIVING_MIURA].observation, person);
+    apart = locus_distance(&driver, &miura);
+    locus_free(&driver);
+    locus_free(&miura);
+    return apart;
+}
+
+static void add_ways(Document *document, const HouseReport *report) {
+    static const Column columns[] = {{"Person", ALIGN_LEFT},          {"Driven", ALIGN_LEFT},
+                                     {"Time, s", ALIGN_RIGHT},        {"Narrowest, m", ALIGN_RIGHT},
+                                     {"Contacts", ALIGN_RIGHT},       {"Lost, s", ALIGN_RIGHT},
+                                     {"Apart, mean, m", ALIGN_RIGHT}, {"Apart, most, m", ALIGN_RIGHT}};
+    const House *house = report->run.house;
+    document_add_table(document,
+                       "Apart: from the driver's locus to the paper's, both of the body's middle, where both get out.",
+                       columns, sizeof columns / sizeof *columns);
+    for (size_t i = 0; i < house->person_count; i++) {
+        if (!report->run.observation->people[i].took_part || census_walks(house->people[i].profile))
+            continue;
+        LocusDistance apart = ways_apart(report, i);
+        add_way(document, report, i, DRIVING_MIURA, &apart);
+        add_way(document, report, i, DRIVING_DRIVER, NULL);
+    }
+}
+
+/* An observed locus held against one that was simulated. */
+static void add_agreement(Document *document, const Reported *way, int driving, const ObservedLocus *observed) {
+    size_t person = find_person(way->house, observed->person);
+    const PersonObservation *simulated = &way->observation->people[person];
+    Locus locus = locus_of(way->house, way->observation, person);
+    LocusDistance apart = locus_distance(&observed->locus, &locus);
+    double taken = observed->locus.times[observed->locus.count - 1] - observed->locus.times[0];
+    bool both = simulated->completed && taken > 0;
+    const char *cells[] = {way->house->people[person].id,
+                           way_names[driving],
+                           report_people_number(document, taken, 2),
+                           simulated->completed ? report_people_number(document, simulated->time, 2)
+                                                : observation_reason(simulated->reason),
+                           both ? document_text(document, "%+.1f %%", 100 * (simulated->time - taken) / taken) : NULL,
+                           report_people_number(document, apart.counted ? apart.mean : NAN, 3),
+                           report_people_number(document, apart.counted ? apart.largest : NAN, 3)};
+    document_add_row(document, cells);
+    locus_free(&locus);
+}
+
+static void add_agreements(Document *document, const HouseReport *report) {
+    static const Column columns[] = {{"Person", ALIGN_LEFT},         {"Driven", ALIGN_LEFT},
+                                     {"Observed, s", ALIGN_RIGHT},   {"Simulated, s", ALIGN_RIGHT},
+                                     {"Error", ALIGN_RIGHT},         {"Apart, mean, m", ALIGN_RIGHT},
+                                     {"Apart, most, m", ALIGN_RIGHT}};
+    document_add_table(
+        document,
+        document_text(document,
+                      "Observed (%s) against simulated. Apart: from the observed places to the simulated "
+                      "locus of the body's middle.",
+                      report->observed->path),
+        columns, sizeof columns / sizeof *columns);
+    for (size_t i = 0; i < report->observed->count; i++) {
+        add_agreement(document, &report->ways[DRIVING_MIURA], DRIVING_MIURA, &report->observed->loci[i]);
+        add_agreement(document, &report->ways[DRIVING_DRIVER], DRIVING_DRIVER, &report->observed->loci[i]);
+    }
+}
+
+void report_loci_add(Document *document, const HouseReport *report) {
+    document_add_heading(document, 2, "Loci side by side");
+    if (!report_loci_make_sense(report->run.house)) {
+        document_add_paragraph(
+            document, count_chairs(report->run.house)
+                          ? document_text(document,
+                                          "Left out: the loci of more than %d people cover each other, and in a "
+                                          "crowd they follow from the others more than from the way of driving.",
+                                          PEOPLE_SCENE_INDIVIDUALS)
+                          : "Left out: nobody is in a chair, and for people on foot there is one way only.");
+        return;
+    }
+    if (!report->ways[0].house || !report->ways[1].house) {
+        document_add_paragraph(document, "Left out: the run was interrupted.");
+        return;
+    }
+    document_add_paragraph(document,
+                           "The same people in the same house, driven both ways that the program knows. Where "
+                           "the two differ, the answer depends on how the driver is modelled.");
+    add_pictures(document, report);
+    add_ways(document, report);
+    if (report->observed)
+        add_agreements(document, report);
+}

@@ -1,0 +1,14 @@
+/* The part of a report that says who gets out, in what time, and how that agrees with what was measured. */
+#pragma once
+
+#include "document/document.h"
+#include "house/observation.h"
+
+/* A table of everybody who took part or, of many, of the groups they are; why those stay who are not out. */
+void report_people_add(Document *document, const House *house, const Observation *observation);
+
+/* The table of routes: mean (a) and deviation (b) of the measured times, simulation (c), error ((c) - (a)) / (a). */
+void report_people_add_routes(Document *document, const House *house, const Observation *observation);
+
+/* Numbers in cells; NULL for one that is not there (not a number or, of a force, nought). */
+const char *report_people_number(Document *document, double value, int digits);

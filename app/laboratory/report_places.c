@@ -1,0 +1,158 @@
+#include "laboratory/report_places.h"
+
+#include <stdio.h>
+
+#include "base/text.h"
+#include "laboratory/census.h"
+#include "laboratory/house_scene.h"
+#include "laboratory/report_people.h"
+
+#define DETAIL_WIDTH 3.2 /* m, across a picture of a place */
+#define DETAIL_HEIGHT 2.5
+
+enum {
+    PICTURES_MOST = 5,
+    IN_A_ROW = 2,
+};
+
+static const Vec2 DETAIL_SIZE = {500, 390}; /* design points */
+
+static void add_detail(Document *document, const House *house, const Observation *observation, size_t index, Vec2 at,
+                       const char *caption, const char *alternative) {
+    Vec2 half = vec2(DETAIL_WIDTH / 2, DETAIL_HEIGHT / 2);
+    Scene scene;
+    house_scene_make_detail(&scene, house, observation, (Box){vec2_sub(at, half), vec2_add(at, half)});
+    if (index % IN_A_ROW == 0)
+        document_add_figures(document);
+    document_add_scene(document, &scene, DETAIL_SIZE, caption, alternative);
+}
+
+/* Where somebody is stopped ------------------------------------------------------------------------------------------
+ */
+
+static const char *say_hold(Document *document, const House *house, const Hold *hold) {
+    const Blockage *blockage = &hold->blockage;
+    char widths[64], who[96];
+    route_widths(blockage, widths, sizeof widths);
+    snprintf(who, sizeof who, "%zu people", hold->people);
+    if (hold->people == 1)
+        snprintf(who, sizeof who, "%s", house->people[hold->first].id);
+    if (hold->reason == REASON_BLOCKED)
+        return document_text(document, "%s: on the way, but stuck at %s, and no longer getting on.", who,
+                             blockage->what);
+    return document_text(document,
+                         "%s cannot pass %s%s%s. There is no way to drive; that is known before anything "
+                         "moves.",
+                         who, blockage->what, *widths ? ": " : "", widths);
+}
+
+static bool has_place(const Hold *hold) {
+    return hold->reason == REASON_CANNOT_PASS || hold->reason == REASON_BLOCKED;
+}
+
+void report_places_add_stops(Document *document, const House *house, const Observation *observation) {
+    Census census = census_take(house, observation);
+    size_t shown = 0;
+    if (census.out < census.people)
+        document_add_heading(document, 2, "Who is not out, and why");
+    for (size_t h = 0; h < census.hold_count; h++)
+        if (!has_place(&census.holds[h])) {
+            const Hold *hold = &census.holds[h];
+            document_add_paragraph(document, document_text(document, "%zu of %zu: %s.", hold->people, census.people,
+                                                           observation_reason(hold->reason)));
+        }
+    for (size_t h = 0; h < census.hold_count && shown < PICTURES_MOST; h++) {
+        const Hold *hold = &census.holds[h];
+        if (!has_place(hold))
+            continue;
+        Vec2 at = hold->blockage.at;
+        add_detail(
+            document, house, observation, shown++, at, say_hold(document, house, hold),
+            document_text(document, "Detail of the plan round (%.2f, %.2f): %s", at.x, at.y, hold->blockage.what));
+    }
+    census_clear(&census);
+}
+
+/* Dangerous points ---------------------------------------------------------------------------------------------------
+ */
+
+static void add_words(Text *text, const char *words) {
+    text_add(text, text->used ? "; " : "");
+    text_add(text, words);
+}
+
+/* "clearance 0.04 m, below the 0.05 m of run.clearance_warning; 2.1 s lost, ..." */
+static const char *say_hazard(Document *document, const House *house, const Hazard *hazard, size_t rank) {
+    const RunSettings *run = &house->plan.run;
+    char words[160];
+    Text text = {0};
+    if (hazard->clearance < run->clearance_warning) {
+        snprintf(words, sizeof words, "clearance %.3f m%s, below the %g m of run.clearance_warning", hazard->clearance,
+                 hazard->clearance <= 0 ? " (it touches)" : "", run->clearance_warning);
+        add_words(&text, words);
+    }
+    if (hazard->peak_force > 0) {
+        bool hard = hazard->peak_force > run->force_warning;
+        snprintf(words, sizeof words, "contact of up to %.0f N, %s the %g N of run.force_warning", hazard->peak_force,
+                 hard ? "above" : "not above", run->force_warning);
+        add_words(&text, words);
+    }
+    if (hazard->lost_time > run->loss_warning) {
+        snprintf(words, sizeof words, "%.1f s lost here, above the %g s of run.loss_warning", hazard->lost_time,
+                 run->loss_warning);
+        add_words(&text, words);
+    }
+    const char *said = document_text(document, "%zu. %s: %s.", rank, hazard->what, text.text ? text.text : "");
+    memory_free(text.text);
+    return said;
+}
+
+void report_places_add_table(Document *document, const Observation *observation, const char *caption) {
+    static const Column columns[] = {{"Rank", ALIGN_LEFT},
+                                     {"Place", ALIGN_LEFT},
+                                     {"At, m", ALIGN_LEFT},
+                                     {"Clearance, m", ALIGN_RIGHT},
+                                     {"Hardest contact, N", ALIGN_RIGHT},
+                                     {"Lost time, s", ALIGN_RIGHT},
+                                     {"Score", ALIGN_RIGHT}};
+    document_add_table(document, caption, columns, sizeof columns / sizeof *columns);
+    for (size_t h = 0; h < observation->hazard_count; h++) {
+        const Hazard *hazard = &observation->hazards[h];
+        const char *cells[] = {document_text(document, "%zu", h + 1),
+                               hazard->what,
+                               document_text(document, "(%.2f, %.2f)", hazard->at.x, hazard->at.y),
+                               report_people_number(document, hazard->clearance, 3),
+                               report_people_number(document, hazard->peak_force > 0 ? hazard->peak_force : NAN, 0),
+                               report_people_number(document, hazard->lost_time, 1),
+                               report_people_number(document, hazard->score, 1)};
+        document_add_row(document, cells);
+    }
+}
+
+void report_places_add_hazards(Document *document, const House *house, const Observation *observation) {
+    const RunSettings *run = &house->plan.run;
+    document_add_heading(document, 2, "Dangerous points");
+    if (observation->time <= 0) {
+        document_add_paragraph(document, "None is known: nobody could set off.");
+        return;
+    }
+    if (!observation->hazard_count) {
+        document_add_paragraph(document,
+                               document_text(document,
+                                             "None: nobody came nearer than %g m to anything, touched anything harder "
+                                             "than %g N or lost more than %g s at one place.",
+                                             run->clearance_warning, run->force_warning, run->loss_warning));
+        return;
+    }
+    report_places_add_table(document, observation,
+                            document_text(document,
+                                          "Worst first. The score adds how far the clearance falls short of %g m, the "
+                                          "force over %g N and the lost time over %g s; 1 is one threshold's worth. "
+                                          "Lost time: of all who pass, together.",
+                                          run->clearance_warning, run->force_warning, run->loss_warning));
+    for (size_t h = 0; h < observation->hazard_count && h < PICTURES_MOST; h++) {
+        const Hazard *hazard = &observation->hazards[h];
+        add_detail(document, house, observation, h, hazard->at, say_hazard(document, house, hazard, h + 1),
+                   document_text(document, "Detail of the plan round dangerous point %zu, %s", h + 1, hazard->what));
+    }
+}

@@ -1,0 +1,7 @@
+/* The part of a report that says what is different in two plans: what only one of them has, and changed numbers. */
+#pragma once
+
+#include "document/document.h"
+#include "house/plan.h"
+
+void report_plans_add(Document *document, const Plan *a, const Plan *b);

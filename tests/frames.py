@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""Frames, films, plots and raised pictures as scripts rely on them: files, sizes, messages, the same bytes twice.
+
+frames.py CLEARANCE
+"""
+
+import os
+import pathlib
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+
+source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", "."))
+program = pathlib.Path(sys.argv[1]).resolve()
+failures = 0
+
+
+def house(name):
+    return str(source / "houses" / f"{name}.json")
+
+
+def run(*arguments, **environment):
+    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=300,
+                          env={**os.environ, **environment})
+
+
+def check(good, what, detail=""):
+    global failures
+    if not good:
+        failures += 1
+        print(f"FAIL {what} {detail}")
+
+
+def expect(code, *arguments, says="", **environment):
+    done = run(*arguments, **environment)
+    check(done.returncode == code, f"{arguments}: exit code {done.returncode}, expected {code}", done.stderr)
+    check(says in done.stderr, f"{arguments}: standard error lacks {says!r}", done.stderr)
+    return done
+
+
+def size_of(png):
+    data = png.read_bytes()
+    check(data[:8] == b"\x89PNG\r\n\x1a\n" and data[-8:-4] == b"IEND", f"{png} is a whole PNG file")
+    return struct.unpack(">II", data[16:24])
+
+
+def frames_of(out):
+    return sorted((out / "frames").glob("*"))
+
+
+def check_frames(out):
+    name = house("straight-corridor")
+    expect(0, "run", name, "--frames", "4", "--to", "5", "--size", "320x200", "--out", str(out))
+    frames = frames_of(out)
+    check([f.name for f in frames] == [f"frame-{i:05d}.png" for i in range(1, 22)], "21 frames of 5 s, 4 a second")
+    check(all(size_of(f) == (320, 200) for f in frames), "frames have their size")
+    check(len({f.read_bytes() for f in frames}) == 21, "no two frames are alike")
+    before = {f.name: f.read_bytes() for f in frames}
+    expect(0, "run", name, "--frames", "4", "--from", "3", "--to", "5", "--size", "320x200", "--out", str(out), "--jobs", "1")
+    frames = frames_of(out)
+    check(len(frames) == 9, "frames of a longer film before are taken away")
+    check(all(f.read_bytes() == before[f"frame-{i + 13:05d}.png"] for i, f in enumerate(frames)),
+          "a part of a film is that part, whatever the number of threads")
+
+
+def check_contexts(out):
+    pictures = []
+    for kind in ("osmesa", "egl"):
+        done = run("run", house("closed-door"), "--frames", "1", "--to", "4", "--view", "raised", "--size", "640x360",
+                   "--out", str(out / kind), CLEARANCE_GL=kind)
+        if done.returncode == 0:
+            pictures.append([f.read_bytes() for f in frames_of(out / kind)] + [(out / kind / "raised.png").read_bytes()])
+        else:
+            check("libosmesa6" in done.stderr or "libegl" in done.stderr, f"{kind}: says what is missing", done.stderr)
+    check(pictures and all(p == pictures[0] for p in pictures), "OSMesa and EGL draw the same")
+
+
+def check_plots(out):
+    expect(0, "run", house("corner-1.00-1.00"), "--plots", "speed,phase", "--frames", "1", "--size", "640x360", "--out",
+           str(out))
+    for name in ("plot-speed", "plot-phase"):
+        check(size_of(out / f"{name}.png") == (640, 360), name)
+        check((out / f"{name}.svg").read_text().startswith("<?xml"), name)
+        check("[" in (out / f"{name}.csv").read_text().splitlines()[0], f"{name}.csv has units")
+    check(not (out / "plot-force.png").exists(), "plots that were not asked for")
+
+
+def check_films(out):
+    film = out / "film.mp4"
+    out.mkdir()
+    expect(2, "run", house("straight-corridor"), "--movie", str(film), says="apt-get install ffmpeg", PATH="/nonexistent")
+    check(not film.exists(), "no film without ffmpeg")
+    if shutil.which("ffmpeg"):
+        expect(0, "run", house("straight-corridor"), "--movie", str(film), "--frames", "5", "--to", "4", "--size", "321x201",
+               "--out", str(out))
+        check(b"ftyp" in film.read_bytes()[:16], "a film")
+        expect(2, "run", house("straight-corridor"), "--movie", str(out / "film.nonsense"), "--to", "1",
+               says="cannot be written")
+        check(sorted(p.name for p in out.glob("*film*")) == ["film.mp4"], "nothing lies beside the film")
+
+
+def check_comparison(out):
+    expect(0, "compare", house("corner-1.00-1.00"), house("corner-1.20-1.20"), "--frames", "1", "--size", "640x360", "--out",
+           str(out))
+    check(len(frames_of(out)) > 5 and size_of(out / "plan.png") == (640, 360), "pictures of a comparison")
+
+
+def check_wrong_use(out):
+    corridor = house("straight-corridor")
+    expect(2, "run", corridor, "--frames", "10", says="--frames needs --out")
+    expect(2, "run", corridor, "--plots", "speed", says="--plots needs --out")
+    expect(2, "run", corridor, "--from", "9", "--to", "3", "--frames", "2", "--out", str(out), says="--from 9 is after --to 3")
+    for option, value in (("--frames", "0"), ("--frames", "-1"), ("--frames", "nan"), ("--frames", "many"), ("--view", "side"),
+                          ("--camera", "10"), ("--camera", "10,2"), ("--camera", "10,91"), ("--camera", "10,50,0"),
+                          ("--camera", "10,50,1,7"), ("--camera", "nan,50"), ("--show", "everything"), ("--plots", "colour"),
+                          ("--plots", ""), ("--from", "-1"), ("--to", "soon"), ("--movie", "")):
+        expect(2, "run", corridor, option, value, "--out", str(out), says=option)
+    expect(2, "run", corridor, "--frames", "1000", "--set", "exit.e1.opens=9000", "--until", "5000", "--out", str(out),
+           says="at most 1000000")
+    expect(2, "run", corridor, "--frames", "2", "--out", str(out), says="libosmesa6", CLEARANCE_GL="nonsense")
+
+
+def check_interrupt(out):
+    process = subprocess.Popen([program, "run", house("straight-corridor"), "--frames", "1000", "--out", str(out)],
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    while process.poll() is None and len(frames_of(out)) < 5:
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    process.communicate(timeout=60)
+    frames = frames_of(out)
+    check(process.returncode in (0, 1) and len(frames) >= 5, f"interrupted: {process.returncode}, {len(frames)} frames")
+    check(all(size_of(f) == (1280, 720) for f in frames), "interrupted: every frame is whole")
+
+
+with tempfile.TemporaryDirectory() as directory:
+    for part in (check_frames, check_contexts, check_plots, check_films, check_comparison, check_wrong_use, check_interrupt):
+        part(pathlib.Path(directory) / part.__name__)
+print(f"{failures} failures")
+sys.exit(failures != 0)

@@ -1,0 +1,163 @@
+/* Pictures as they were when somebody last looked at them: tests/golden. They are compared by tolerance, since another
+ * version of Mesa, cairo or pango rounds otherwise; the letters' font is asked for first, since without it everything
+ * is different. With CLEARANCE_GOLDEN=write in the environment the pictures are made anew: look at each before it is
+ * kept. */
+
+#include <cairo.h>
+#include <pango/pangocairo.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "case.h"
+#include "check.h"
+#include "draw/offscreen.h"
+#include "draw/paint_cairo.h"
+#include "draw/paint_gl.h"
+#include "draw/png.h"
+#include "house/run.h"
+#include "laboratory/film.h"
+#include "laboratory/house_scene.h"
+
+enum { WIDTH = 960, HEIGHT = 540 };
+
+/* Of 255: a difference that the eye would see, and how much of a picture may show it. */
+enum { SEEN = 40 };
+#define SHARE_MOST 0.002
+#define MEAN_MOST 0.5
+
+typedef struct Golden {
+    const char *name; /* of the file */
+    const char *house;
+    const char *route; /* or NULL: everybody */
+    ViewKind view;
+    Theme theme;
+    double time; /* s; negative: the still picture by cairo */
+    int shown;   /* FILM_... */
+} Golden;
+
+static const Golden goldens[] = {
+    {"ube-plan", "ube-techno-house", "C", VIEW_PLAN, THEME_PAPER, 6, 0},
+    {"ube-raised", "ube-techno-house", "C", VIEW_RAISED, THEME_BOARD, 6, 0},
+    {"flat-raised", "flat-0.910-module", NULL, VIEW_RAISED, THEME_PAPER, 0, 0},
+    {"meeting-raised", "two-chairs-corridor", NULL, VIEW_RAISED, THEME_PAPER, 7, FILM_CIRCLES},
+    {"touch-plan", "corner-0.90-0.90", NULL, VIEW_PLAN, THEME_BOARD, 13.5, FILM_ROUTES | FILM_WIDTHS},
+    {"bedroom-still", "bedroom-after-earthquake", NULL, VIEW_PLAN, THEME_PAPER, -1, 0},
+};
+enum { GOLDENS = sizeof goldens / sizeof *goldens };
+
+static void paint_film(const Golden *golden, const House *house, const Observation *observation,
+                       unsigned char *pixels) {
+    char message[OFFSCREEN_MESSAGE];
+    Offscreen *offscreen = offscreen_create(OFFSCREEN_ANY, message);
+    CHECK(offscreen);
+    if (!offscreen)
+        return;
+    FilmOptions options = {.camera = {golden->view, VIEW_AZIMUTH, VIEW_ELEVATION, 1}, .shown = golden->shown};
+    Film *film = film_create(house, observation, &options);
+    double unit = layout_unit(WIDTH, HEIGHT);
+    Layout still, added = {0}, moving = {0};
+    layout_make(&still, film_still(film), vec2(WIDTH / unit, HEIGHT / unit));
+    film_show(film, golden->time);
+    layout_make_over(&added, &still, film_added(film));
+    layout_make_over(&moving, &still, film_moving(film));
+    PaintGl *paint = paint_gl_create(offscreen_gl(offscreen), WIDTH, HEIGHT, golden->theme);
+    paint_gl_still(paint, (Layer){film_still(film), &still});
+    paint_gl_add(paint, (Layer){film_added(film), &added});
+    paint_gl_frame(paint, (Layer){film_moving(film), &moving});
+    paint_gl_read(paint, pixels);
+    paint_gl_destroy(paint);
+    layout_clear(&still);
+    layout_clear(&added);
+    layout_clear(&moving);
+    film_destroy(film);
+    offscreen_destroy(offscreen);
+}
+
+static void paint_still(const Golden *golden, const House *house, const Observation *observation,
+                        unsigned char *pixels) {
+    Scene scene = {0};
+    double unit = layout_unit(WIDTH, HEIGHT);
+    house_scene_make(&scene, house, observation);
+    cairo_surface_t *surface =
+        cairo_image_surface_create_for_data(pixels, CAIRO_FORMAT_RGB24, WIDTH, HEIGHT, 4 * WIDTH);
+    cairo_t *cairo = cairo_create(surface);
+    cairo_scale(cairo, unit, unit);
+    paint_cairo_scene(cairo, &scene, vec2(WIDTH / unit, HEIGHT / unit), golden->theme);
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
+    scene_clear(&scene);
+}
+
+/* The mean difference of a channel, of 255, and the share of pixels in which one is seen; 255 and 1 for another size.
+ */
+static void compare(const unsigned char *pixels, cairo_surface_t *surface, double *mean, double *share) {
+    *mean = 255;
+    *share = 1;
+    if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS || cairo_image_surface_get_width(surface) != WIDTH ||
+        cairo_image_surface_get_height(surface) != HEIGHT)
+        return;
+    const unsigned char *kept = cairo_image_surface_get_data(surface);
+    int stride = cairo_image_surface_get_stride(surface);
+    double sum = 0, seen = 0;
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            int most = 0;
+            for (int c = 0; c < 3; c++) {
+                int difference = abs(pixels[4 * (y * WIDTH + x) + c] - kept[y * stride + 4 * x + c]);
+                sum += difference;
+                most = difference > most ? difference : most;
+            }
+            seen += most > SEEN;
+        }
+    *mean = sum / (3.0 * WIDTH * HEIGHT);
+    *share = seen / (1.0 * WIDTH * HEIGHT);
+}
+
+static void check_golden(const Golden *golden) {
+    static unsigned char pixels[4 * WIDTH * HEIGHT];
+    char path[4096], made[4096];
+    House house;
+    Observation observation;
+    case_house(&house, golden->house, -1, NULL);
+    size_t route = golden->route ? plan_find_route(&house.plan, golden->route) : SIZE_MAX;
+    run_house(&observation, &house, &(RunOptions){.route = route, .jobs = 1});
+    if (golden->time >= 0)
+        paint_film(golden, &house, &observation, pixels);
+    else
+        paint_still(golden, &house, &observation, pixels);
+    observation_free(&observation);
+    house_free(&house);
+    snprintf(path, sizeof path, "%s/tests/golden/%s.png", check_source(), golden->name);
+    const char *wish = getenv("CLEARANCE_GOLDEN");
+    if (wish && strcmp(wish, "write") == 0)
+        CHECK(png_write(path, pixels, WIDTH, HEIGHT) == 0);
+    double mean, share;
+    cairo_surface_t *kept = cairo_image_surface_create_from_png(path);
+    compare(pixels, kept, &mean, &share);
+    cairo_surface_destroy(kept);
+    CHECK(mean <= MEAN_MOST && share <= SHARE_MOST);
+    if (mean > MEAN_MOST || share > SHARE_MOST) {
+        snprintf(made, sizeof made, "/tmp/clearance-golden-%s.png", golden->name);
+        png_write(made, pixels, WIDTH, HEIGHT);
+        printf("%s: differs by %.2f of 255, seen in %.2f %% of the picture; now it is %s\n", path, mean, 100 * share,
+               made);
+    }
+}
+
+TEST(the_letters_are_the_pinned_ones) {
+    PangoContext *context = pango_font_map_create_context(pango_cairo_font_map_get_default());
+    PangoFontDescription *wanted = pango_font_description_from_string("DejaVu Sans 12");
+    PangoFont *font = pango_context_load_font(context, wanted);
+    PangoFontDescription *got = pango_font_describe(font);
+    CHECK_TEXT(pango_font_description_get_family(got), "DejaVu Sans");
+    pango_font_description_free(got);
+    g_object_unref(font);
+    pango_font_description_free(wanted);
+    g_object_unref(context);
+}
+
+TEST(pictures_are_as_they_were) {
+    for (int i = 0; i < GOLDENS; i++)
+        check_golden(&goldens[i]);
+}
