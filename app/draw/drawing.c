@@ -10,7 +10,8 @@ enum { CIRCLE_FEWEST = 8 /* corners */ };
 void drawing_clear(Drawing *drawing) {
     ink_clear(&drawing->floor);
     ink_clear(&drawing->shadows);
-    ink_clear(&drawing->solids);
+    ink_clear(&drawing->faces);
+    ink_clear(&drawing->balls);
     ink_clear(&drawing->over);
     tessellation_clear(&drawing->tessellation);
     memory_free(drawing->line);
@@ -18,7 +19,7 @@ void drawing_clear(Drawing *drawing) {
 }
 
 void drawing_reset(Drawing *drawing) {
-    Ink *const inks[] = {&drawing->floor, &drawing->shadows, &drawing->solids, &drawing->over};
+    Ink *const inks[] = {&drawing->floor, &drawing->shadows, &drawing->faces, &drawing->balls, &drawing->over};
     for (size_t i = 0; i < sizeof inks / sizeof *inks; i++)
         inks[i]->count = inks[i]->index_count = 0;
 }

@@ -10,7 +10,8 @@
 typedef struct Drawing {
     Ink floor;   /* flat things on the floor, in painting order: they hide nothing by depth */
     Ink shadows; /* on the floor: each place is darkened once */
-    Ink solids;  /* things with height: they hide and are hidden */
+    Ink faces;   /* of things with height: they hide and are hidden; nothing but ink_add_face */
+    Ink balls;   /* likewise */
     Ink over;    /* on solids: their edges, and what lies flat above the floor */
     Tessellation tessellation;
     InkPoint *line; /* (line_capacity) a line on its way */

@@ -118,7 +118,7 @@ static void add_side(const Solid *solid, Vec2 a, Vec2 b, double base, double top
     if (!outside && !both)
         return;
     Vec2 normal = vec2_scale(vec2_left(vec2_unit(vec2_sub(b, a))), outside ? -1 : 1);
-    ink_add_face(&solid->drawing->solids, corners, 4, side_colour(solid, fill_colour(solid), normal));
+    ink_add_face(&solid->drawing->faces, corners, 4, side_colour(solid, fill_colour(solid), normal));
 }
 
 static void add_side_shadow(const Solid *solid, Vec2 a, Vec2 b, double base, double top) {
@@ -136,7 +136,7 @@ static void add_level(const Solid *solid, const Triangle *triangle, double heigh
         shadow[i] = shadow_point(solid, triangle->corners[i], height);
     }
     InkColour colour = {fill_colour(solid), solid->primitive->fill_opacity};
-    ink_add_face(&solid->drawing->solids, corners, 3, colour);
+    ink_add_face(&solid->drawing->faces, corners, 3, colour);
     ink_add_face(&solid->drawing->shadows, shadow, 3, shadow_colour(solid));
 }
 
@@ -255,7 +255,7 @@ static void add_cylinder(const Solid *solid, Vec2 at) {
         add_side(solid, last, next, primitive->base, solid_top(solid), false);
         last = next;
     }
-    ink_add_face(&solid->drawing->solids, rim, count, (InkColour){fill_colour(solid), primitive->fill_opacity});
+    ink_add_face(&solid->drawing->faces, rim, count, (InkColour){fill_colour(solid), primitive->fill_opacity});
     add_edge(solid, rim, count, true, edge_pen(solid));
     add_round_shadow(solid, at);
 }
@@ -271,7 +271,7 @@ static void add_balls(const Solid *solid) {
     Colour bright = mixed(fill_colour(solid), (Colour){1, 1, 1}, 0.15), dark = lit(fill_colour(solid), 0);
     for (size_t i = 0; i < balls->count; i++) {
         double radius = page_length(solid, balls->points[i], balls->base, balls->radius);
-        ink_add_ball(&solid->drawing->solids, solid_point(solid, balls->points[i], balls->base), radius, bright, dark);
+        ink_add_ball(&solid->drawing->balls, solid_point(solid, balls->points[i], balls->base), radius, bright, dark);
     }
 }
 
@@ -291,7 +291,7 @@ static void add_tread(const Solid *solid, const InkPoint *left, const InkPoint *
     for (size_t i = 0; i < count; i++) {
         size_t next = (i + 1) % count;
         InkPoint corners[] = {left[i], left[next], right[next], right[i]};
-        ink_add_face(&solid->drawing->solids, corners, 4, colour);
+        ink_add_face(&solid->drawing->faces, corners, 4, colour);
     }
 }
 
@@ -307,7 +307,7 @@ static void add_wheel(const Solid *solid) {
     const InkPoint *shown = rims[second];
     InkColour colour = side_colour(solid, fill_colour(solid), vec2_scale(axle, second ? 1 : -1));
     colour.opacity = 1;
-    ink_add_face(&solid->drawing->solids, shown, count, colour);
+    ink_add_face(&solid->drawing->faces, shown, count, colour);
     add_edge(solid, shown, count, true, edge_pen(solid));
 }
 

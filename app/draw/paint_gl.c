@@ -16,7 +16,7 @@ struct PaintGl {
     const Gl *gl;
     int width, height;
     PaintGlTarget still, frame;
-    GLuint program, array, buffers[2];
+    GLuint shapes_program, faces_program, array, buffers[2];
     Drawing drawing; /* used again for each layer */
     Ink shapes;      /* around words */
     PaintGlText *text;
@@ -54,18 +54,26 @@ static void make_buffers(PaintGl *paint) {
     gl->EnableVertexAttribArray(5);
 }
 
-static void make_program(PaintGl *paint) {
+/* The program is the current one afterwards. */
+static void set_canvas(const PaintGl *paint, GLuint program) {
+    paint->gl->UseProgram(program);
+    paint->gl->Uniform2f(paint->gl->GetUniformLocation(program, "canvas"), (GLfloat)paint->width,
+                         (GLfloat)paint->height);
+}
+
+static void make_programs(PaintGl *paint) {
     static const char *const attributes[] = {"at", "shape", "beside", "size", "rgba", "kind", NULL};
     const Gl *gl = paint->gl;
     GLfloat dashes[LINE_STYLES][4];
     for (int style = 0; style < LINE_STYLES; style++)
         for (int i = 0; i < 4; i++)
             dashes[style][i] = (GLfloat)paint_dashes[style][i];
-    paint->program = gl_program(gl, shaders_ink_vertex, shaders_ink_fragment, attributes);
-    gl->UseProgram(paint->program);
-    gl->Uniform2f(gl->GetUniformLocation(paint->program, "canvas"), (GLfloat)paint->width, (GLfloat)paint->height);
-    gl->Uniform4fv(gl->GetUniformLocation(paint->program, "dashes"), LINE_STYLES, dashes[0]);
-    gl->Uniform3f(gl->GetUniformLocation(paint->program, "light"), drawing_solid_light[0], drawing_solid_light[1],
+    paint->faces_program = gl_program(gl, shaders_face_vertex, shaders_face_fragment, attributes);
+    set_canvas(paint, paint->faces_program);
+    GLuint program = paint->shapes_program = gl_program(gl, shaders_ink_vertex, shaders_ink_fragment, attributes);
+    set_canvas(paint, program);
+    gl->Uniform4fv(gl->GetUniformLocation(program, "dashes"), LINE_STYLES, dashes[0]);
+    gl->Uniform3f(gl->GetUniformLocation(program, "light"), drawing_solid_light[0], drawing_solid_light[1],
                   drawing_solid_light[2]);
 }
 
@@ -76,7 +84,7 @@ PaintGl *paint_gl_create(const Gl *gl, int width, int height, Theme theme) {
     paint->drawing.unit = layout_unit(width, height);
     bool good = paint_gl_target_make(&paint->still, gl, width, height, 0);
     good = paint_gl_target_make(&paint->frame, gl, width, height, 0) && good;
-    make_program(paint);
+    make_programs(paint);
     make_buffers(paint);
     paint->text = paint_gl_text_create(gl, width, height, paint->drawing.unit);
     if (good && gl->GetError() == GL_NO_ERROR)
@@ -92,7 +100,8 @@ void paint_gl_destroy(PaintGl *paint) {
     paint_gl_text_destroy(paint->text);
     paint_gl_target_clear(&paint->still, gl);
     paint_gl_target_clear(&paint->frame, gl);
-    gl->DeleteProgram(paint->program);
+    gl->DeleteProgram(paint->shapes_program);
+    gl->DeleteProgram(paint->faces_program);
     gl->DeleteVertexArrays(1, &paint->array);
     gl->DeleteBuffers(2, paint->buffers);
     drawing_clear(&paint->drawing);
@@ -116,11 +125,11 @@ static void begin(const PaintGl *paint, const PaintGlTarget *target) {
     gl->Disable(GL_STENCIL_TEST);
 }
 
-static void draw_ink(const PaintGl *paint, const Ink *ink) {
+static void draw_ink(const PaintGl *paint, const Ink *ink, GLuint program) {
     const Gl *gl = paint->gl;
     if (!ink->index_count)
         return;
-    gl->UseProgram(paint->program);
+    gl->UseProgram(program);
     gl->BindVertexArray(paint->array);
     gl->BindBuffer(GL_ARRAY_BUFFER, paint->buffers[0]);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(ink->count * sizeof *ink->vertices), ink->vertices, GL_STREAM_DRAW);
@@ -147,23 +156,24 @@ static void draw_layer(PaintGl *paint, Layer layer) {
         gl->Enable(GL_DEPTH_TEST);
     gl->DepthFunc(GL_LEQUAL);
     gl->DepthMask(GL_FALSE);
-    draw_ink(paint, &paint->drawing.floor);
+    draw_ink(paint, &paint->drawing.floor, paint->shapes_program);
     gl->Enable(GL_STENCIL_TEST);
     gl->StencilFunc(GL_EQUAL, 0, 0xFF);
     gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-    draw_ink(paint, &paint->drawing.shadows);
+    draw_ink(paint, &paint->drawing.shadows, paint->shapes_program);
     gl->Disable(GL_STENCIL_TEST);
     gl->DepthMask(GL_TRUE);
-    draw_ink(paint, &paint->drawing.solids);
+    draw_ink(paint, &paint->drawing.faces, paint->faces_program);
+    draw_ink(paint, &paint->drawing.balls, paint->shapes_program);
     gl->DepthMask(GL_FALSE);
-    draw_ink(paint, &paint->drawing.over);
+    draw_ink(paint, &paint->drawing.over, paint->shapes_program);
     gl->DepthMask(GL_TRUE);
     gl->Disable(GL_DEPTH_TEST);
     gl->Disable(GL_SCISSOR_TEST);
 }
 
 static void flush_shapes(PaintGl *paint) {
-    draw_ink(paint, &paint->shapes);
+    draw_ink(paint, &paint->shapes, paint->shapes_program);
     paint->shapes.count = paint->shapes.index_count = 0;
 }
 

@@ -96,6 +96,25 @@ const char shaders_ink_fragment[] = //
     "    ink = vec4(rgb * opacity, opacity);\n"
     "}\n";
 
+const char shaders_face_vertex[] = //
+    "#version 330 core\n"
+    "uniform vec2 canvas;\n"
+    "in vec3 at;\n"
+    "in vec4 rgba;\n"
+    "flat out vec4 colour;\n"
+    "void main() {\n"
+    "    gl_Position = vec4(at.xy / canvas * 2.0 - 1.0, at.z, 1.0);\n"
+    "    colour = vec4(rgba.rgb * rgba.a, rgba.a);\n"
+    "}\n";
+
+const char shaders_face_fragment[] = //
+    "#version 330 core\n"
+    "flat in vec4 colour;\n"
+    "out vec4 ink;\n"
+    "void main() {\n"
+    "    ink = colour;\n"
+    "}\n";
+
 const char shaders_text_vertex[] = //
     "#version 330 core\n"
     "uniform vec2 canvas, atlas;\n"

@@ -5,6 +5,9 @@
  * towards the light, of balls: x to the right, y down, z out of the page. */
 extern const char shaders_ink_vertex[], shaders_ink_fragment[];
 
+/* Shapes that are nothing but triangles of one colour: with less to compute in every pixel. Uniform: `canvas`. */
+extern const char shaders_face_vertex[], shaders_face_fragment[];
+
 /* Words: rectangles out of a picture of them; their colour is the corner's, their opacity the picture's. Uniforms:
  * `canvas` and `atlas`, sizes in pixels. */
 extern const char shaders_text_vertex[], shaders_text_fragment[];
