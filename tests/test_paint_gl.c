@@ -391,6 +391,28 @@ TEST(osmesa_and_egl_give_the_same_bytes) {
     }
 }
 
+TEST(the_environment_chooses_the_renderer) {
+    static const struct {
+        const char *name;
+        OffscreenKind kind; /* ANY: none */
+    } choices[] = {{"osmesa", OFFSCREEN_OSMESA}, {"egl", OFFSCREEN_EGL}, {"vulkan", OFFSCREEN_ANY}};
+    char message[OFFSCREEN_MESSAGE] = "", *before = getenv("CLEARANCE_GL");
+    if (!both_kinds())
+        return;
+    for (size_t i = 0; i < sizeof choices / sizeof *choices; i++) {
+        setenv("CLEARANCE_GL", choices[i].name, 1);
+        Offscreen *offscreen = offscreen_create(OFFSCREEN_ANY, message);
+        CHECK((offscreen ? offscreen_kind(offscreen) : OFFSCREEN_ANY) == choices[i].kind);
+        if (offscreen)
+            offscreen_destroy(offscreen);
+    }
+    CHECK(strstr(message, "osmesa or egl"));
+    if (before)
+        setenv("CLEARANCE_GL", before, 1);
+    else
+        unsetenv("CLEARANCE_GL");
+}
+
 TEST(an_empty_scene_is_paper) {
     Stage stage = stage_begin(OFFSCREEN_ANY, WIDTH, HEIGHT, THEME_BOARD);
     Scene scene = GROUND, nothing = {0};

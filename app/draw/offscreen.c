@@ -14,6 +14,7 @@
 
 #define OSMESA_LIBRARY "libOSMesa.so.8"
 #define EGL_LIBRARY "libEGL.so.1"
+#define OFFSCREEN_VARIABLE "CLEARANCE_GL"
 
 /* The functions of each library, by the names of its header; they are found when the program runs. */
 #define OSMESA_FUNCTIONS(X)                                                                                            \
@@ -139,12 +140,15 @@ static bool egl_begin(Offscreen *offscreen) {
     return false;
 }
 
-/* What the environment asks for, in place of any. */
-static OffscreenKind wanted_kind(OffscreenKind kind) {
-    const char *name = getenv("CLEARANCE_GL");
-    if (kind != OFFSCREEN_ANY || !name)
-        return kind;
-    return strcmp(name, "osmesa") == 0 ? OFFSCREEN_OSMESA : strcmp(name, "egl") == 0 ? OFFSCREEN_EGL : OFFSCREEN_ANY;
+/* What the environment asks for, in place of any; false: it is none of them. */
+static bool choose_kind(OffscreenKind *kind, const char *name) {
+    static const char *const names[] = {[OFFSCREEN_OSMESA] = "osmesa", [OFFSCREEN_EGL] = "egl"};
+    if (*kind != OFFSCREEN_ANY || !name)
+        return true;
+    for (*kind = OFFSCREEN_OSMESA; *kind <= OFFSCREEN_EGL; (*kind)++)
+        if (strcmp(name, names[*kind]) == 0)
+            return true;
+    return false;
 }
 
 static const char *kind_need(OffscreenKind kind) {
@@ -158,8 +162,12 @@ static const char *kind_need(OffscreenKind kind) {
 }
 
 Offscreen *offscreen_create(OffscreenKind kind, char message[OFFSCREEN_MESSAGE]) {
+    const char *name = getenv(OFFSCREEN_VARIABLE);
+    if (!choose_kind(&kind, name)) {
+        snprintf(message, OFFSCREEN_MESSAGE, "cannot draw: %s is \"%.40s\": osmesa or egl", OFFSCREEN_VARIABLE, name);
+        return NULL;
+    }
     Offscreen *offscreen = memory_allocate(1, sizeof *offscreen);
-    kind = wanted_kind(kind);
     if (kind != OFFSCREEN_EGL && osmesa_begin(offscreen)) {
         offscreen->kind = OFFSCREEN_OSMESA;
         return offscreen;
