@@ -138,7 +138,7 @@ static bool take_until(Options *options, const char *value) {
     if (!*value || *end || !(seconds >= 0))
         return false;
     size_t size = strlen("run.until=") + strlen(value) + 1;
-    char *setting = memory_allocate(size, 1); /* lives as long as the program */
+    char *setting = arena_allocate(&options->arena, size);
     snprintf(setting, size, "run.until=%s", value);
     return take_setting(options, setting);
 }
@@ -309,6 +309,12 @@ static int take_option(const Verb *verb, Options *options, int argc, char **argv
     return 0;
 }
 
+static void free_options(Options *options) {
+    memory_free(options->settings);
+    memory_free(options->files);
+    arena_clear(&options->arena);
+}
+
 static int run_verb(const Verb *verb, int argc, char **argv) {
     Options options = {.seed = 1,
                        .driving = -1,
@@ -326,8 +332,7 @@ static int run_verb(const Verb *verb, int argc, char **argv) {
     for (int i = 2; i < argc && !code; i++) {
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
             print_verb_help(verb);
-            memory_free(options.settings);
-            memory_free(options.files);
+            free_options(&options);
             return 0;
         }
         if (argv[i][0] == '-' && argv[i][1])
@@ -343,8 +348,7 @@ static int run_verb(const Verb *verb, int argc, char **argv) {
     }
     if (!code)
         code = verb->act(&options);
-    memory_free(options.settings);
-    memory_free(options.files);
+    free_options(&options);
     return code;
 }
 
