@@ -207,7 +207,7 @@ static bool take_theme(Options *options, const char *value) {
 static const Option option_rows[] = {
     {"--set", "NAME=VALUE", FOR_HOUSES, "change a parameter, for instance door.d1.width=0.8 (repeatable)",
      take_setting},
-    {"--out", "DIR", FOR_RUN, "write summary.json, trace.csv, trajectory.sqlite, plan.png and plan.svg there",
+    {"--out", "DIR", FOR_RUN, "write summary.json, trace.csv, trajectory.sqlite and plan.png, .svg and .pdf there",
      take_out},
     {"--out", "DIR", FOR_COMPARE, "write plan.png, B with the ways in A as \"before\", and what other options ask for",
      take_out},
