@@ -129,7 +129,7 @@ def check_wrong_use():
 def check_files():
     with tempfile.TemporaryDirectory(prefix="clearance out ä ") as out:
         expect(0, "run", house("two-chairs-corridor"), "--out", out, "--size", "800x450", "--theme", "board")
-        names = {"summary.json", "trace.csv", "trajectory.sqlite", "plan.png", "plan.svg"}
+        names = {"summary.json", "trace.csv", "trajectory.sqlite", "plan.png", "plan.svg", "plan.pdf"}
         check(set(os.listdir(out)) == names, f"--out holds {os.listdir(out)}")
         summary = json.loads(pathlib.Path(out, "summary.json").read_text())
         answer = json.loads(run("run", house("two-chairs-corridor"), "--json").stdout)

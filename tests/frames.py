@@ -89,18 +89,39 @@ def check_plots(out):
     check(not (out / "plot-force.png").exists(), "plots that were not asked for")
 
 
+FFMPEG = """#!/bin/sh
+# Stands in for ffmpeg: counts the bytes that come, or fails when the film's name asks for it.
+for last; do :; done
+case $last in *broken*) echo "no such format" >&2; exit 1 ;; *hasty*) exit 1 ;; esac
+echo "$*" | sed "s|$last||" >"$last"
+wc -c >>"$last"
+"""
+
+
 def check_films(out):
-    film = out / "film.mp4"
+    """Our end of the pipe, by a stand-in; and the real one where it is installed."""
     out.mkdir()
-    expect(2, "run", house("straight-corridor"), "--movie", str(film), says="apt-get install ffmpeg", PATH="/nonexistent")
+    stand_in = out / "bin"
+    stand_in.mkdir()
+    (stand_in / "ffmpeg").write_text(FFMPEG)
+    (stand_in / "ffmpeg").chmod(0o755)
+    path = f"{stand_in}:{os.environ['PATH']}"
+    corridor, film = house("straight-corridor"), out / "film.mp4"
+    expect(2, "run", corridor, "--movie", str(film), says="apt-get install ffmpeg", PATH="/nonexistent")
     check(not film.exists(), "no film without ffmpeg")
+    expect(0, "run", corridor, "--movie", str(film), "--frames", "5", "--to", "4", "--size", "321x201", "--out", str(out),
+           PATH=path)
+    words, size = film.read_text().splitlines()
+    check(int(size) == 21 * 321 * 201 * 4, "ffmpeg is given every picture", size)
+    check("-s 321x201 -r 5 " in words, "and how large and how many", words)
+    film.write_text("old")
+    for name in ("broken.mp4", "hasty.mp4"):
+        expect(2, "run", corridor, "--movie", str(out / name), "--to", "2", says=f"{name} cannot be written", PATH=path)
+        check(not (out / name).exists(), f"{name}: nothing is left of it")
+    check(film.read_text() == "old" and not list(out.glob(".*")), "nothing lies beside the films")
     if shutil.which("ffmpeg"):
-        expect(0, "run", house("straight-corridor"), "--movie", str(film), "--frames", "5", "--to", "4", "--size", "321x201",
-               "--out", str(out))
-        check(b"ftyp" in film.read_bytes()[:16], "a film")
-        expect(2, "run", house("straight-corridor"), "--movie", str(out / "film.nonsense"), "--to", "1",
-               says="cannot be written")
-        check(sorted(p.name for p in out.glob("*film*")) == ["film.mp4"], "nothing lies beside the film")
+        expect(0, "run", corridor, "--movie", str(film), "--to", "2", "--size", "321x201")
+        check(b"ftyp" in film.read_bytes()[:16], "a film by the real one")
 
 
 def check_comparison(out):

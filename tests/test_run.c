@@ -196,6 +196,7 @@ TEST(the_trace_loses_no_extremes) {
     for (size_t r = 0; r < observation.trace.rows; r++) {
         const double *row = trace_row(&observation.trace, r);
         CHECK((row[TRACE_BODY_FORCE] > 0) == isfinite(row[TRACE_CONTACT_X]));
+        CHECK(isnan(row[TRACE_OFFSET_RATE]) || fabs(row[TRACE_OFFSET_RATE]) <= house.people[0].speed);
         if (row[TRACE_BODY_FORCE] > force)
             contact = vec2(row[TRACE_CONTACT_X], row[TRACE_CONTACT_Y]);
         force = fmax(force, row[TRACE_BODY_FORCE]);

@@ -221,25 +221,25 @@ TEST(a_name_stays_inside_what_it_names_and_turns_when_it_must) {
 }
 
 /* Writes a picture under /tmp and returns its bytes. */
-static char *painted(const Scene *scene, int (*paint)(const Scene *, const char *, int, int, Theme), size_t *size) {
+static char *painted(const Scene *scene, CairoFileKind kind, size_t *size) {
     char path[] = "/tmp/clearance-scene-XXXXXX";
     int file = mkstemp(path);
     CHECK(file >= 0);
     close(file);
-    CHECK(paint(scene, path, 640, 360, THEME_PAPER) == 0);
+    CHECK(paint_cairo_file(kind, scene, path, 640, 360, THEME_PAPER) == 0);
     char *bytes = text_read_file(path, 1 << 24, size);
     unlink(path);
     return bytes;
 }
 
 TEST(the_same_scene_gives_the_same_bytes) {
-    int (*const painters[])(const Scene *, const char *, int, int, Theme) = {paint_cairo_png, paint_cairo_svg};
-    static const char *const beginnings[] = {"\x89PNG", "<?xml"};
-    for (int i = 0; i < 2; i++) {
+    static const char *const beginnings[] = {
+        [CAIRO_FILE_PNG] = "\x89PNG", [CAIRO_FILE_SVG] = "<?xml", [CAIRO_FILE_PDF] = "%PDF"};
+    for (int i = 0; i < 3; i++) {
         Scene scene = plain_scene();
         scene_add_label(&scene, ROLE_TEXT, 17, vec2(1, 1), "bed");
         size_t first_size = 0, second_size = 1;
-        char *first = painted(&scene, painters[i], &first_size), *second = painted(&scene, painters[i], &second_size);
+        char *first = painted(&scene, i, &first_size), *second = painted(&scene, i, &second_size);
         CHECK(first && second && first_size == second_size && memcmp(first, second, first_size) == 0);
         CHECK(first && memcmp(first, beginnings[i], strlen(beginnings[i])) == 0);
         memory_free(first);
@@ -250,9 +250,10 @@ TEST(the_same_scene_gives_the_same_bytes) {
 
 TEST(a_picture_that_cannot_be_says_why) {
     Scene scene = plain_scene();
-    CHECK(paint_cairo_png(&scene, "/tmp/clearance-never.png", 0, 720, THEME_PAPER) == EINVAL);
-    CHECK(paint_cairo_svg(&scene, "/tmp/clearance-never.svg", 1280, CAIRO_FILE_LARGEST + 1, THEME_PAPER) == EINVAL);
-    CHECK(paint_cairo_png(&scene, "/tmp/no-such-directory/a.png", 64, 36, THEME_PAPER) == ENOENT);
+    CHECK(paint_cairo_file(CAIRO_FILE_PNG, &scene, "/tmp/clearance-never.png", 0, 720, THEME_PAPER) == EINVAL);
+    CHECK(paint_cairo_file(CAIRO_FILE_SVG, &scene, "/tmp/clearance-never.svg", 1280, CAIRO_FILE_LARGEST + 1,
+                           THEME_PAPER) == EINVAL);
+    CHECK(paint_cairo_file(CAIRO_FILE_PNG, &scene, "/tmp/no-such-directory/a.png", 64, 36, THEME_PAPER) == ENOENT);
     CHECK(access("/tmp/clearance-never.png", F_OK) != 0);
     scene_clear(&scene);
 }

@@ -138,7 +138,7 @@ static bool take_until(Options *options, const char *value) {
     if (!*value || *end || !(seconds >= 0))
         return false;
     size_t size = strlen("run.until=") + strlen(value) + 1;
-    char *setting = memory_allocate(size, 1); /* lives as long as the program */
+    char *setting = arena_allocate(&options->arena, size);
     snprintf(setting, size, "run.until=%s", value);
     return take_setting(options, setting);
 }
@@ -207,7 +207,7 @@ static bool take_theme(Options *options, const char *value) {
 static const Option option_rows[] = {
     {"--set", "NAME=VALUE", FOR_HOUSES, "change a parameter, for instance door.d1.width=0.8 (repeatable)",
      take_setting},
-    {"--out", "DIR", FOR_RUN, "write summary.json, trace.csv, trajectory.sqlite, plan.png and plan.svg there",
+    {"--out", "DIR", FOR_RUN, "write summary.json, trace.csv, trajectory.sqlite and plan.png, .svg and .pdf there",
      take_out},
     {"--out", "DIR", FOR_COMPARE, "write plan.png, B with the ways in A as \"before\", and what other options ask for",
      take_out},
@@ -309,6 +309,12 @@ static int take_option(const Verb *verb, Options *options, int argc, char **argv
     return 0;
 }
 
+static void free_options(Options *options) {
+    memory_free(options->settings);
+    memory_free(options->files);
+    arena_clear(&options->arena);
+}
+
 static int run_verb(const Verb *verb, int argc, char **argv) {
     Options options = {.seed = 1,
                        .driving = -1,
@@ -326,8 +332,7 @@ static int run_verb(const Verb *verb, int argc, char **argv) {
     for (int i = 2; i < argc && !code; i++) {
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
             print_verb_help(verb);
-            memory_free(options.settings);
-            memory_free(options.files);
+            free_options(&options);
             return 0;
         }
         if (argv[i][0] == '-' && argv[i][1])
@@ -343,8 +348,7 @@ static int run_verb(const Verb *verb, int argc, char **argv) {
     }
     if (!code)
         code = verb->act(&options);
-    memory_free(options.settings);
-    memory_free(options.files);
+    free_options(&options);
     return code;
 }
 

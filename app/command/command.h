@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/memory.h"
 #include "draw/palette.h"
 #include "draw/view.h"
 #include "laboratory/house_plots.h"
@@ -42,6 +43,7 @@ typedef struct Options {
     const char *observed; /* file of measured loci, or NULL */
     char **arguments;     /* (argument_count) the command line, as given */
     int argument_count;
+    Arena arena; /* holds what was made of the words */
 } Options;
 
 /* Set by Ctrl-C; a second one ends at once. */

@@ -33,12 +33,12 @@ void output_failed(const char *path, int error) {
 }
 
 bool output_stills(const Scene *scene, const Options *options) {
+    static const char *const endings[] = {[CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", [CAIRO_FILE_PDF] = "pdf"};
     char path[4096];
-    snprintf(path, sizeof path, "%s/plan.png", options->out);
-    int error = paint_cairo_png(scene, path, options->width, options->height, options->theme);
-    if (!error) {
-        snprintf(path, sizeof path, "%s/plan.svg", options->out);
-        error = paint_cairo_svg(scene, path, options->width, options->height, options->theme);
+    int error = 0;
+    for (CairoFileKind kind = CAIRO_FILE_PNG; kind <= CAIRO_FILE_PDF && !error; kind++) {
+        snprintf(path, sizeof path, "%s/plan.%s", options->out, endings[kind]);
+        error = paint_cairo_file(kind, scene, path, options->width, options->height, options->theme);
     }
     if (error)
         output_failed(path, error);

@@ -9,7 +9,7 @@
 /* Makes the directory and those above it, before the work is done; says so on standard error when that cannot be. */
 bool output_directory(const char *path);
 
-/* Writes plan.png and plan.svg there. False: said on standard error. */
+/* Writes plan.png, plan.svg and plan.pdf there. False: said on standard error. */
 bool output_stills(const Scene *scene, const Options *options);
 
 /* Says on standard error that a file cannot be written, and why. */

@@ -314,11 +314,16 @@ static void add_metre_line(Layout *layout, Vec2 from, Vec2 to) {
     layout_add_grid_line(layout, layout_point(layout, from), layout_point(layout, to));
 }
 
+/* m, from line to line. */
+static double grid_step(const Layout *layout, const Scene *scene) {
+    return scene->grid * round_step(scene->grid * layout->metre, GRID_CLOSEST);
+}
+
 /* On whole multiples of the scene's grid; over all of the frame, or over the floor of a raised view. */
 static void place_grid(Layout *layout, const Scene *scene) {
     if (scene->grid <= 0)
         return;
-    double step = scene->grid * round_step(scene->grid * layout->metre, GRID_CLOSEST);
+    double step = grid_step(layout, scene);
     Box box = scene->box;
     if (!layout->view.raised) {
         const double(*rows)[4] = layout->view.rows;
@@ -333,15 +338,22 @@ static void place_grid(Layout *layout, const Scene *scene) {
         add_metre_line(layout, vec2(box.low.x, y), vec2(box.high.x, y));
 }
 
-/* At the lower right; in perspective no length holds everywhere. */
-static void place_scale_bar(Layout *layout, double foot) {
-    if (layout->view.raised)
-        return;
+/* At the lower right; in perspective no length holds everywhere, and the grid has to do. */
+static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
     double right = layout->plan.high.x, length = round_step(layout->metre, BAR_SHORTEST);
     double left = right - length * layout->metre;
+    char text[32];
+    if (layout->view.raised) {
+        if (scene->grid <= 0)
+            return;
+        snprintf(text, sizeof text, "squares of %g m", grid_step(layout, scene));
+        const char *words = arena_text(&layout->arena, text);
+        left = right - text_extent(words, NAME_LETTERS, false).x;
+        add_words(layout, ROLE_DIM_TEXT, words, NAME_LETTERS, false, left, right, foot);
+        return;
+    }
     layout_add_sample(
         layout, (Sample){.from = {left, foot + 10}, .to = {right, foot + 10}, .role = ROLE_TEXT, .width = BAR_WIDTH});
-    char text[32];
     snprintf(text, sizeof text, "%g m", length);
     Caption *caption = layout_add_caption(layout, arena_text(&layout->arena, text), NAME_LETTERS, true,
                                           vec2((left + right) / 2, foot - 6));
@@ -363,7 +375,7 @@ static void place_margins(Layout *layout, const Scene *scene) {
     if (scene->note && *scene->note)
         add_words(layout, ROLE_DIM_TEXT, scene->note, NAME_LETTERS, false, end + CELL_GAP, right, y);
     place_clock(layout, layout, scene->clock);
-    place_scale_bar(layout, layout->plan.high.y + FOOT_HEIGHT / 2);
+    place_scale_bar(layout, scene, layout->plan.high.y + FOOT_HEIGHT / 2);
 }
 
 void layout_make(Layout *layout, const Scene *scene, Vec2 page) {
@@ -373,7 +385,7 @@ void layout_make(Layout *layout, const Scene *scene, Vec2 page) {
     place_plan(layout, scene);
     place_grid(layout, scene);
     if (scene->bare)
-        place_scale_bar(layout, layout->plan.high.y - FOOT_HEIGHT / 2);
+        place_scale_bar(layout, scene, layout->plan.high.y - FOOT_HEIGHT / 2);
     else
         place_margins(layout, scene);
     if (scene->panels && !scene->bare)

@@ -328,12 +328,7 @@ static void paint_picture(cairo_t *cairo, Vec2 page, const void *what) {
     paint_cairo_scene(cairo, picture->scene, page, picture->theme);
 }
 
-int paint_cairo_png(const Scene *scene, const char *path, int width, int height, Theme theme) {
-    return cairo_file_write(CAIRO_FILE_PNG, path, width, height, layout_unit(width, height), paint_picture,
-                            &(Picture){scene, theme});
-}
-
-int paint_cairo_svg(const Scene *scene, const char *path, int width, int height, Theme theme) {
-    return cairo_file_write(CAIRO_FILE_SVG, path, width, height, layout_unit(width, height), paint_picture,
+int paint_cairo_file(CairoFileKind kind, const Scene *scene, const char *path, int width, int height, Theme theme) {
+    return cairo_file_write(kind, path, width, height, layout_unit(width, height), paint_picture,
                             &(Picture){scene, theme});
 }

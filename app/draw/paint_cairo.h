@@ -2,6 +2,7 @@
  * written beside and renamed. Both return 0, or errno: EINVAL for sizes that no picture has. */
 #pragma once
 
+#include "draw/cairo_file.h"
 #include "draw/layout.h"
 #include "draw/palette.h"
 #include "draw/scene.h"
@@ -21,9 +22,6 @@ void paint_cairo_line(struct _cairo *cairo, LineStyle style, double width);
 /* Lays a scene out for a page of this size, in design points, from the origin of the context on, and paints it. */
 void paint_cairo_scene(struct _cairo *cairo, const Scene *scene, Vec2 page, Theme theme);
 
-/* Files ------------------------------------------------------------------------------------------------------------ */
-
-/* `width` and `height` in pixels; widths of lines and letters grow with the smaller of width / 1280 and height / 720.
- */
-int paint_cairo_png(const Scene *scene, const char *path, int width, int height, Theme theme);
-int paint_cairo_svg(const Scene *scene, const char *path, int width, int height, Theme theme);
+/* Lays a scene out for a picture of that size and makes a file of it, see cairo_file.h; widths of lines and letters
+ * grow with the smaller of width / 1280 and height / 720. 0 or errno. */
+int paint_cairo_file(CairoFileKind kind, const Scene *scene, const char *path, int width, int height, Theme theme);

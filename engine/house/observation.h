@@ -60,7 +60,7 @@ enum {
     TRACE_BODY_FORCE,  /* N, sum of the body's contact forces */
     TRACE_RING_FORCE,  /* N, sum of the personal space's */
     TRACE_OFFSET,      /* m, to the left of the planned path */
-    TRACE_OFFSET_RATE, /* m/s */
+    TRACE_OFFSET_RATE, /* m/s; NAN when the offset is from another part of the way than in the row before */
     TRACE_CONTACT_X,   /* m, where the body was touched; NAN: nowhere */
     TRACE_CONTACT_Y,   /* m */
     TRACE_COLUMNS,

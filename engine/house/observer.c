@@ -8,6 +8,8 @@
 
 /* s: the body has to be free for so long before touching counts as a new contact. */
 static const double NEW_CONTACT = 0.1;
+/* m: in one step. */
+static const double OFFSET_ROUNDING = 1e-6;
 /* m: of the personal space; less is not felt as compressed. */
 static const double FELT = 1e-3;
 
@@ -67,6 +69,7 @@ static void add_row(Observer *observer, size_t i, double offset_rate) {
                   [TRACE_CONTACT_Y] = extremes->contact.y,
               });
     *extremes = no_extremes;
+    observer->watched[i].leapt = false;
 }
 
 size_t observer_sample_steps(const House *house) {
@@ -203,12 +206,13 @@ static void watch_person(Observer *observer, size_t i) {
     double time = ended(world, i) ? world->ended[i] : clock_time(&world->clock);
     double elapsed = real_max(time - watched->time, 0), free_speed = world->house->people[i].speed;
     Vec2 at = world_reference(world, i);
-    double moved = vec2_distance(watched->at, at);
+    double moved = vec2_distance(watched->at, at), change = world->drive[i].offset - watched->offset;
     Stretch *stretch = stretch_of(observer, i, at);
     person->path_length += moved;
     watch_clearance(person, stretch, world, i, at);
     watch_contact(person, stretch, watched, sense, elapsed);
     watch_extremes(&watched->extremes, sense);
+    watched->leapt |= fabs(change) > moved + OFFSET_ROUNDING;
     person->ring_time += sense->ring > FELT ? elapsed : 0;
     person->ring_peak = real_max(person->ring_peak, sense->ring);
     if (world->phase[i] != PHASE_WAITING) {
@@ -217,7 +221,7 @@ static void watch_person(Observer *observer, size_t i) {
         stretch->lost_time += lost;
     }
     if (world->clock.step % observer->sample_steps == 0 || world->phase[i] == PHASE_OUT)
-        add_row(observer, i, elapsed > 0 ? (world->drive[i].offset - watched->offset) / elapsed : 0);
+        add_row(observer, i, watched->leapt ? (double)NAN : elapsed > 0 ? change / elapsed : 0);
     watched->at = at;
     watched->time = time;
     watched->offset = world->drive[i].offset;

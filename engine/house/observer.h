@@ -22,6 +22,8 @@ typedef struct Watched {
     size_t stretch;   /* the present one, plus 1; 0: none yet */
     double time;      /* s */
     Extremes extremes;
+    bool leapt; /* since the last row the offset has changed faster than the person moved: it is from another part of
+                   the way */
     bool done;
 } Watched;
 
