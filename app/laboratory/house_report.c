@@ -18,12 +18,15 @@ const char *house_report_name(const House *house) {
 
 /* What is seen, and what the signs mean that are there. */
 static const char *caption_of(Document *document, const Reported *run) {
-    bool moved = run->observation->time > 0;
-    bool dangers = run->observation->hazard_count > 0;
+    const Observation *observation = run->observation;
+    bool moved = observation->time > 0, crowd = run->house->person_count > PEOPLE_SCENE_INDIVIDUALS;
     bool rings = moved && run->house->person_count <= PEOPLE_SCENE_SEVERAL;
-    return document_text(document, "%s, seen from above%s.%s%s", house_report_name(run->house),
-                         moved ? ", and the ways that people took" : "", dangers ? " Numbers: dangerous points." : "",
-                         rings ? " Dashed outlines: personal space, thick where it is pressed." : "");
+    return document_text(document, "%s, seen from above%s.%s%s%s%s", house_report_name(run->house),
+                         moved ? ", and the ways that people took" : "",
+                         observation->hazard_count ? " Numbers: dangerous points." : "",
+                         rings ? " Dashed outlines: personal space, thick where it is pressed." : "",
+                         crowd ? " Grey discs: where people on foot began; lines in colour: chairs, by profile." : "",
+                         crowd && !observation->completed ? " Diamonds: who is not out, in the end." : "");
 }
 
 /* The answer stands above the picture in the document: the picture is the plan and what happened in it. */
@@ -57,7 +60,7 @@ Document house_report_make(const HouseReport *report) {
     document_add_heading(&document, 2, "What the model assumes");
     if (*house->plan.note)
         document_add_note(&document, house->plan.note);
-    report_basis_add_method(&document, house);
+    report_basis_add_method(&document, house, report_loci_make_sense(house));
     report_basis_add_settings(&document, house);
     for (size_t p = 0; p < house->profile_count; p++)
         report_basis_add_profile(&document, house, &house->profiles[p]);

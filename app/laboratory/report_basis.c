@@ -17,7 +17,7 @@ static bool has_driving(const House *house, int driving) {
     return false;
 }
 
-void report_basis_add_method(Document *document, const House *house) {
+void report_basis_add_method(Document *document, const House *house, bool both_ways) {
     document_add_heading(document, 3, "How it is computed");
     document_add_paragraph(
         document, "Everybody is a distinct element: a rigid body with a mass. Where a body meets a wall, a "
@@ -25,12 +25,12 @@ void report_basis_add_method(Document *document, const House *house) {
                   "surface too, as far as Coulomb friction allows (the method of Cundall and Strack, as Miura, "
                   "Takimoto and Kubodera use it for wheelchairs). A second, softer law of the same form acts in "
                   "the personal space around the body.");
-    if (has_driving(house, DRIVING_DRIVER))
+    if (both_ways || has_driving(house, DRIVING_DRIVER))
         document_add_paragraph(
             document, "driver: a chair is its true rounded rectangle, rolls and turns about its drive axle and "
                       "does not slip sideways. Its way is searched for the least time among all that can be "
                       "driven, changes of direction included, and is then steered along with a limited push.");
-    if (has_driving(house, DRIVING_MIURA))
+    if (both_ways || has_driving(house, DRIVING_MIURA))
         document_add_paragraph(document,
                                "miura: a chair is a disc on straight legs and corners, after the paper. It has "
                                "no length, and therefore passes where a chair may not.");

@@ -5,7 +5,8 @@
 #include "document/document.h"
 #include "house/observation.h"
 
-void report_basis_add_method(Document *document, const House *house);
+/* With the ways of getting about that there are in the house, or both of driving. */
+void report_basis_add_method(Document *document, const House *house, bool both_ways);
 void report_basis_add_settings(Document *document, const House *house);
 void report_basis_add_profile(Document *document, const House *house, const Profile *profile);
 
