@@ -177,6 +177,18 @@ def check_crowd():
     check(all("svg" in i.get("src")[:30] or "png" in i.get("src")[:30] for i in root.iter(html + "img")), "pictures of a crowd")
 
 
+def check_nobody():
+    """A house in which nobody lives, called what no page may take for its own."""
+    with tempfile.TemporaryDirectory() as place:
+        file = pathlib.Path(place, "empty.json")
+        file.write_text(json.dumps({
+            "format": "clearance-house", "version": 1, "name": "<nobody & 'nothing'>",
+            "walls": [{"id": "w", "points": [[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]}]}))
+        root, words, paper = report(0, "run", str(file))
+        check("<nobody & 'nothing'>" in words and "<nobody & 'nothing'>" in paper, "a name is a name")
+        check("Nobody takes part" in words, "nobody takes part")
+
+
 def check_wrong_use():
     expect(2, "run", house("straight-corridor"), "--report", says="--report needs --out DIR")
     expect(2, "compare", house("straight-corridor"), house("straight-corridor"), "--report", says="--report needs --out DIR")
@@ -189,7 +201,7 @@ def check_wrong_use():
         expect(2, "run", house("straight-corridor"), "--report", "--out", out, says="report.pdf cannot be written: Is a directory")
 
 
-for part in (check_run, check_no_way, check_comparison, check_observed, check_crowd, check_wrong_use):
+for part in (check_run, check_no_way, check_comparison, check_observed, check_crowd, check_nobody, check_wrong_use):
     part()
 print(f"{failures} failures")
 sys.exit(failures != 0)

@@ -137,12 +137,14 @@ bool report_files_write_run(const House *house, const Observation *observation, 
                           .command = command,
                           .program = PROGRAM};
     for (int driving = 0; driving < 2 && report_loci_make_sense(house); driving++) {
-        report.ways[driving] = report.run;
-        if (drives_only(house, driving))
+        Another *another = &others[driving];
+        if (drives_only(house, driving)) {
+            report.ways[driving] = report.run;
             continue;
-        run_another(&others[driving], options, driving, route);
-        report.ways[driving] = others[driving].run ? (Reported){&others[driving].house, &others[driving].observation}
-                                                   : (Reported){NULL, NULL};
+        }
+        run_another(another, options, driving, route);
+        if (another->run && !command_interrupted)
+            report.ways[driving] = (Reported){&another->house, &another->observation};
     }
     Document document = house_report_make(&report);
     bool written = write_files(&document, options);
