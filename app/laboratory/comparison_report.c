@@ -241,9 +241,9 @@ static void add_basis(Document *document, const Reported runs[2]) {
             report_basis_add_profile(document, runs[1].house, &runs[1].house->profiles[p]);
 }
 
-Document comparison_report_make(const Reported runs[2], const char *command, const char *program) {
+Document comparison_report_make(const Reported runs[2], const Making *making) {
     Census census[2];
-    Document document = document_begin(program);
+    Document document = document_begin(making->program);
     for (int r = 0; r < 2; r++)
         census[r] = census_take(runs[r].house, runs[r].observation);
     document_add_title(&document,
@@ -253,6 +253,7 @@ Document comparison_report_make(const Reported runs[2], const char *command, con
     add_pictures(&document, runs);
     add_answers(&document, runs, census);
     add_notes(&document, runs);
+    report_basis_add_changes(&document, making);
     document_add_contents(&document);
     report_plans_add(&document, &runs[0].house->plan, &runs[1].house->plan);
     document_add_heading(&document, 2, "Who gets out");
@@ -263,8 +264,7 @@ Document comparison_report_make(const Reported runs[2], const char *command, con
     add_routes(&document, runs);
     add_hazards(&document, runs);
     add_basis(&document, runs);
-    report_basis_add_making(&document, command, program, (const House *const[]){runs[0].house, runs[1].house},
-                            (const Observation *const[]){runs[0].observation, runs[1].observation}, 2);
+    report_basis_add_making(&document, making, runs, 2);
     for (int r = 0; r < 2; r++)
         census_clear(&census[r]);
     return document;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "house/plan_tables.h"
 #include "laboratory/census.h"
 
@@ -152,24 +153,35 @@ void report_basis_add_profile(Document *document, const House *house, const Prof
 /* Making -------------------------------------------------------------------------------------------------------------
  */
 
-void report_basis_add_making(Document *document, const char *command, const char *program, const House *const *houses,
-                             const Observation *const *observations, size_t count) {
+void report_basis_add_changes(Document *document, const Making *making) {
+    Text text = {0};
+    for (size_t s = 0; s < making->setting_count; s++) {
+        text_add(&text, s ? ", " : "");
+        text_add(&text, making->settings[s]);
+    }
+    if (text.used)
+        document_add_note(document, document_text(document, "Changed on the command line: %s.", text.text));
+    memory_free(text.text);
+}
+
+void report_basis_add_making(Document *document, const Making *making, const Reported *runs, size_t count) {
     static const Column columns[] = {{"House", ALIGN_LEFT},
                                      {"Seed", ALIGN_RIGHT},
                                      {"Step, s", ALIGN_RIGHT},
                                      {"Steps", ALIGN_RIGHT},
                                      {"Digest of all states", ALIGN_LEFT}};
     document_add_heading(document, 2, "How this report was made");
-    document_add_paragraph(document, document_text(document, "By %s, with this command:", program));
-    document_add_command(document, command);
+    document_add_paragraph(document, document_text(document, "By %s, with this command:", making->program));
+    document_add_command(document, making->command);
     document_add_paragraph(document, "The same files, command and version give the same numbers to the last bit; the "
                                      "digest tells whether they did.");
     document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
-    for (size_t h = 0; h < count; h++) {
-        const char *cells[] = {houses[h]->plan.path, document_text(document, "%" PRIu64, houses[h]->seed),
-                               document_text(document, "%g", observations[h]->dt),
-                               document_text(document, "%" PRIu64, observations[h]->steps),
-                               document_text(document, "%016" PRIx64, observations[h]->digest)};
+    for (size_t r = 0; r < count; r++) {
+        const Observation *observation = runs[r].observation;
+        const char *cells[] = {runs[r].house->plan.path, document_text(document, "%" PRIu64, runs[r].house->seed),
+                               document_text(document, "%g", observation->dt),
+                               document_text(document, "%" PRIu64, observation->steps),
+                               document_text(document, "%016" PRIx64, observation->digest)};
         document_add_row(document, cells);
     }
 }

@@ -2,7 +2,7 @@
 
 /* Design points: with these widths letters are as large in all pictures of a page. */
 #define WIDTH 1027.0
-#define WIDTH_OF_TWO 540.0
+#define WIDTH_OF_TWO 498.0
 #define HIGHEST 1000.0
 #define NARROWEST 360.0
 
