@@ -95,12 +95,21 @@ TEST(texts_are_made_plain) {
     document_clear(&document);
 }
 
+TEST(a_number_stays_with_its_unit_but_in_commands) {
+    Document document = document_begin("");
+    document_add_paragraph(&document, "18.4 s, 2 metres, 3 m, 5 %");
+    document_add_command(&document, "echo 3 m");
+    CHECK_TEXT(document.blocks[0].text, "18.4\u00a0s, 2 metres, 3\u00a0m, 5\u00a0%");
+    CHECK_TEXT(document.blocks[1].text, "echo 3 m");
+    document_clear(&document);
+}
+
 TEST(html_holds_texts_as_texts_and_closes_what_it_opens) {
     Document document = nasty_document();
     char *html = html_of(&document);
     CHECK(is_well_formed(html));
     CHECK(!strstr(html, "<b>"));
-    CHECK(count_of(html, strlen(html), "&lt;b&gt;&amp;&quot;&#39;&lt;/b&gt; ]]&gt; --&gt;") == 14);
+    CHECK(count_of(html, strlen(html), "&lt;b&gt;&amp;&quot;&#39;&lt;/b&gt; ]]&gt; --&gt;") == 15);
     CHECK(strstr(html, "<th scope=\"row\">") && strstr(html, "<th scope=\"col\">") &&
           strstr(html, "<td class=\"right\">-</td>"));
     CHECK(!is_well_formed("<p><b></p></b>") && !is_well_formed("<p>") && is_well_formed("<p a='b'><br/></p>"));
