@@ -35,14 +35,14 @@ void draft_plan(Plan *plan, const char *members) {
     memory_free(text);
 }
 
-static int is_json(const struct dirent *entry) {
+static int is_data(const struct dirent *entry) {
     const char *end = strrchr(entry->d_name, '.');
-    return end && strcmp(end, ".json") == 0;
+    return end && (strcmp(end, ".json") == 0 || strcmp(end, ".csv") == 0);
 }
 
 char **draft_list(const char *directory, size_t *count) {
     struct dirent **entries = NULL;
-    int found = scandir(draft_source(directory), &entries, is_json, alphasort);
+    int found = scandir(draft_source(directory), &entries, is_data, alphasort);
     *count = found > 0 ? (size_t)found : 0;
     CHECK(*count > 0);
     char **paths = memory_allocate(*count, sizeof *paths);
@@ -72,4 +72,29 @@ char *draft_read(const char *path) {
     size_t size;
     char *text = text_read_file(path, 1 << 24, &size);
     return text ? text : memory_allocate(1, 1);
+}
+
+void draft_check_faults(const char *directory, void (*read)(const char *path, Fault *fault)) {
+    CHECK(chdir(check_source()) == 0); /* the expected lines name files from there */
+    size_t count, size = strlen(directory) + sizeof "/expected.txt";
+    char **paths = draft_list(directory, &count), *list = memory_allocate(size, 1);
+    snprintf(list, size, "%s/expected.txt", directory);
+    char *expected = draft_read(list);
+    Text found = {0};
+    text_add(&found, "");
+    for (size_t i = 0; i < count; i++) {
+        Fault fault = {0};
+        read(paths[i], &fault);
+        CHECK(fault.count);
+        for (size_t l = 0; l < fault.count; l++) {
+            text_add(&found, fault.lines[l]);
+            text_add(&found, "\n");
+        }
+        fault_clear(&fault);
+    }
+    CHECK_TEXT(found.text, expected);
+    memory_free(found.text);
+    memory_free(expected);
+    memory_free(list);
+    draft_free_list(paths, count);
 }

@@ -13,7 +13,7 @@ void draft_write(char path[DRAFT_PATH], const char *text);
 /* Reads a house of `members` besides format and version, in the same way. Faults are printed and fail the test. */
 void draft_plan(Plan *plan, const char *members);
 
-/* The paths of the .json files of a directory below the project's, sorted; draft_free_list releases them. */
+/* The paths of the .json and .csv files of a directory below the project's, sorted; draft_free_list releases them. */
 char **draft_list(const char *directory, size_t *count);
 void draft_free_list(char **paths, size_t count);
 
@@ -22,3 +22,6 @@ const char *draft_source(const char *path);
 
 /* The whole file, "" if there is none; memory_free it. */
 char *draft_read(const char *path);
+
+/* Reads every file of a directory; what is wrong with them must be its expected.txt, no line more or less. */
+void draft_check_faults(const char *directory, void (*read)(const char *path, Fault *fault));

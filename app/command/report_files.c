@@ -13,8 +13,6 @@
 #include "laboratory/house_report.h"
 #include "laboratory/report_loci.h"
 
-static const char PROGRAM[] = "clearance " CLEARANCE_VERSION;
-
 enum { LINE_MOST = 88 /* characters of a command's line: as many as a page has */ };
 
 bool report_files_possible(const Options *options) {
@@ -34,7 +32,10 @@ bool report_files_read_observed(ObservedLoci *observed, const House *house, cons
                   options->observed, house->person_count);
         return false;
     }
-    return observed_read(observed, options->observed, fault) && report_loci_check(house, observed, fault);
+    bool good = observed_read(observed, options->observed, fault) && report_loci_check(house, observed, fault);
+    if (!good)
+        observed_free(observed);
+    return good;
 }
 
 /* The command ------------------------------------------------------------------------------------------------------ */
@@ -70,6 +71,13 @@ static char *command_line(const Options *options) {
         memory_free(word.text);
     }
     return text.text;
+}
+
+static Making making_of(const Options *options, const char *command) {
+    return (Making){.command = command,
+                    .program = "clearance " CLEARANCE_VERSION,
+                    .settings = options->settings,
+                    .setting_count = options->setting_count};
 }
 
 /* The files -------------------------------------------------------------------------------------------------------- */
@@ -132,17 +140,18 @@ bool report_files_write_run(const House *house, const Observation *observation, 
         return true;
     Another others[2] = {{.run = false}};
     char *command = command_line(options);
-    HouseReport report = {.run = {house, observation},
-                          .observed = options->observed ? observed : NULL,
-                          .command = command,
-                          .program = PROGRAM};
+    const Making making = making_of(options, command);
+    HouseReport report = {
+        .run = {house, observation}, .observed = options->observed ? observed : NULL, .making = &making};
     for (int driving = 0; driving < 2 && report_loci_make_sense(house); driving++) {
-        report.ways[driving] = report.run;
-        if (drives_only(house, driving))
+        Another *another = &others[driving];
+        if (drives_only(house, driving)) {
+            report.ways[driving] = report.run;
             continue;
-        run_another(&others[driving], options, driving, route);
-        report.ways[driving] = others[driving].run ? (Reported){&others[driving].house, &others[driving].observation}
-                                                   : (Reported){NULL, NULL};
+        }
+        run_another(another, options, driving, route);
+        if (another->run && !command_interrupted)
+            report.ways[driving] = (Reported){&another->house, &another->observation};
     }
     Document document = house_report_make(&report);
     bool written = write_files(&document, options);
@@ -157,8 +166,9 @@ bool report_files_write_comparison(const House houses[2], const Observation obse
     if (!options->report)
         return true;
     char *command = command_line(options);
+    const Making making = making_of(options, command);
     const Reported runs[2] = {{&houses[0], &observations[0]}, {&houses[1], &observations[1]}};
-    Document document = comparison_report_make(runs, command, PROGRAM);
+    Document document = comparison_report_make(runs, &making);
     bool written = write_files(&document, options);
     document_clear(&document);
     memory_free(command);

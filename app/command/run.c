@@ -89,7 +89,6 @@ int command_run(const Options *options) {
     }
     ObservedLoci observed = {0};
     if (!report_files_read_observed(&observed, &house, options, &fault)) {
-        observed_free(&observed);
         house_free(&house);
         return house_file_report(&fault);
     }

@@ -45,6 +45,30 @@ static const char *plain(Document *document, const char *text) {
     return copy;
 }
 
+/* Does a unit begin here, and nothing longer? */
+static bool is_unit(const char *text) {
+    static const char *const units[] = {"s", "m", "N", "kg", "%"};
+    for (size_t u = 0; u < sizeof units / sizeof *units; u++) {
+        size_t length = strlen(units[u]);
+        if (strncmp(text, units[u], length) == 0 && !g_ascii_isalnum(text[length]))
+            return true;
+    }
+    return false;
+}
+
+/* Plain words, in which no line is broken between a number and its unit. */
+static const char *prose(Document *document, const char *text) {
+    const char *words = plain(document, text);
+    char *copy = arena_allocate(&document->arena, 2 * strlen(words) + 1), *to = copy;
+    for (const char *at = words; *at; at++) {
+        bool joined = *at == ' ' && at > words && g_ascii_isdigit(at[-1]) && is_unit(at + 1);
+        to += joined ? g_unichar_to_utf8(0xa0, to) : 1;
+        if (!joined)
+            to[-1] = *at;
+    }
+    return copy;
+}
+
 const char *document_text(Document *document, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
@@ -63,7 +87,7 @@ static Block *add_block(Document *document, BlockKind kind, const char *text) {
     document->blocks =
         memory_reserve(document->blocks, &document->capacity, document->count + 1, sizeof *document->blocks);
     Block *block = &document->blocks[document->count++];
-    *block = (Block){.kind = kind, .text = plain(document, text)};
+    *block = (Block){.kind = kind, .text = kind == BLOCK_COMMAND ? plain(document, text) : prose(document, text)};
     return block;
 }
 
@@ -77,7 +101,7 @@ void document_add_title(Document *document, const char *subject, const char *tit
     Block *block = add_block(document, BLOCK_HEADING, title);
     block->level = 1;
     document->title = block->text;
-    document->subject = plain(document, subject);
+    document->subject = prose(document, subject);
 }
 
 void document_add_heading(Document *document, int level, const char *text) {
@@ -107,9 +131,9 @@ void document_add_page(Document *document) {
 void document_add_table(Document *document, const char *caption, const Column *columns, size_t count) {
     Column *copies = arena_allocate(&document->arena, count * sizeof *copies);
     for (size_t c = 0; c < count; c++)
-        copies[c] = (Column){plain(document, columns[c].head), columns[c].align};
+        copies[c] = (Column){prose(document, columns[c].head), columns[c].align};
     Table *table = &add_block(document, BLOCK_TABLE, "")->table;
-    *table = (Table){.caption = caption ? plain(document, caption) : NULL, .columns = copies, .column_count = count};
+    *table = (Table){.caption = caption ? prose(document, caption) : NULL, .columns = copies, .column_count = count};
 }
 
 void document_add_row(Document *document, const char *const *cells) {
@@ -117,7 +141,7 @@ void document_add_row(Document *document, const char *const *cells) {
     size_t used = table->row_count++ * table->column_count;
     table->cells = memory_reserve(table->cells, &table->capacity, used + table->column_count, sizeof *table->cells);
     for (size_t c = 0; c < table->column_count; c++)
-        table->cells[used + c] = cells[c] ? plain(document, cells[c]) : "-";
+        table->cells[used + c] = cells[c] ? prose(document, cells[c]) : "-";
 }
 
 void document_add_figures(Document *document) {
@@ -133,8 +157,8 @@ Picture *document_add_picture(Document *document, DocumentPaint *paint, void *co
     *picture = (Picture){.paint = paint,
                          .context = context,
                          .size = size,
-                         .caption = caption ? plain(document, caption) : NULL,
-                         .alternative = plain(document, alternative)};
+                         .caption = caption ? prose(document, caption) : NULL,
+                         .alternative = prose(document, alternative)};
     return picture;
 }
 

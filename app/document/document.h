@@ -2,7 +2,7 @@
  * something to report makes one; html.h and pdf.h write it. It knows neither houses nor files.
  *
  * All texts are copied and made plain: what is no UTF-8 or no character is replaced, so that every writer may rely on
- * it. */
+ * it; in all but commands, no line is broken between a number and its unit. */
 #pragma once
 
 #include <stdbool.h>

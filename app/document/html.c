@@ -87,7 +87,8 @@ static void add_head(Text *text, const Document *document, Theme theme) {
     text_add(text, "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n"
                    "<meta charset=\"utf-8\"/>\n"
                    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>");
-    add_element(text, "", document->title, "</title>\n<meta name=\"generator\" content=\"");
+    add_element(text, "", document->title, " - ");
+    add_element(text, "", document->subject, "</title>\n<meta name=\"generator\" content=\"");
     add_element(text, "", document->creator, "\"/>\n<style>\n:root{");
     add_colour(text, "paper", theme, ROLE_PAPER);
     add_colour(text, "panel", theme, ROLE_PANEL);

@@ -3,9 +3,9 @@
 #include <cairo-pdf.h>
 #include <errno.h>
 #include <stdio.h>
-#include <unistd.h>
 
 #include "base/text.h"
+#include "document/bytes.h"
 #include "document/pdf_table.h"
 #include "document/sheet.h"
 
@@ -298,8 +298,10 @@ static void set_block(Press *press, size_t index) {
 
 static void set_all(Press *press) {
     sheet_begin(&press->sheet);
+    sheet_tag(&press->sheet, "Document", NULL);
     for (size_t b = 0; b < press->document->count; b++)
         set_block(press, b);
+    sheet_untag(&press->sheet, "Document");
     sheet_end(&press->sheet);
 }
 
@@ -315,10 +317,11 @@ static void describe(cairo_surface_t *surface, const Document *document, time_t 
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, date);
 }
 
-static cairo_status_t write_beside(const Document *document, const char *path, time_t created) {
+/* The first time pages are counted and headings found, the second time they are painted. */
+static int paint_pages(Bytes *bytes, const Document *document, time_t created) {
     Press press = {.document = document, .page_of = memory_allocate(document->count, sizeof *press.page_of)};
-    set_all(&press); /* counts */
-    press.surface = cairo_pdf_surface_create(path, SHEET_PAPER_WIDTH, SHEET_PAPER_HEIGHT);
+    set_all(&press);
+    press.surface = cairo_pdf_surface_create_for_stream(bytes_keep, bytes, SHEET_PAPER_WIDTH, SHEET_PAPER_HEIGHT);
     describe(press.surface, document, created);
     press.sheet = (Sheet){.cairo = cairo_create(press.surface), .foot = document->subject, .pages = press.sheet.page};
     set_all(&press);
@@ -328,18 +331,14 @@ static cairo_status_t write_beside(const Document *document, const char *path, t
     status = status ? status : cairo_surface_status(press.surface);
     cairo_surface_destroy(press.surface);
     memory_free(press.page_of);
-    return status;
+    return status == CAIRO_STATUS_SUCCESS ? 0 : status == CAIRO_STATUS_NO_MEMORY ? ENOMEM : EINVAL;
 }
 
 int pdf_write(const Document *document, const char *path, time_t created) {
-    char *beside = text_beside(path);
-    errno = 0;
-    cairo_status_t status = write_beside(document, beside, created);
-    int error = status == CAIRO_STATUS_SUCCESS ? 0 : errno ? errno : EIO;
-    if (!error && rename(beside, path))
-        error = errno;
-    if (error)
-        unlink(beside);
-    memory_free(beside);
+    Bytes bytes = {0};
+    int error = paint_pages(&bytes, document, created);
+    if (!error)
+        error = text_write_file(path, bytes.at, bytes.size);
+    memory_free(bytes.at);
     return error;
 }

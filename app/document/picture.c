@@ -3,22 +3,11 @@
 #include <cairo-svg.h>
 #include <string.h>
 
+#include "document/bytes.h"
+
 #define PNG_SCALE 2.0 /* pixels a design point: sharp also where letters are shown at 200 % */
 
 enum { LARGEST_SVG = 1 << 20 /* bytes: many thousand lines, which a browser draws anew at every scroll */ };
-
-typedef struct Bytes {
-    unsigned char *at;
-    size_t size, capacity;
-} Bytes;
-
-static cairo_status_t keep_bytes(void *context, const unsigned char *data, unsigned length) {
-    Bytes *bytes = context;
-    bytes->at = memory_reserve(bytes->at, &bytes->capacity, bytes->size + length + 1, 1);
-    memcpy(bytes->at + bytes->size, data, length);
-    bytes->size += length;
-    return CAIRO_STATUS_SUCCESS;
-}
 
 static void paint(const Picture *picture, cairo_surface_t *surface, double scale, Theme theme) {
     cairo_t *cairo = cairo_create(surface);
@@ -31,19 +20,19 @@ static void paint(const Picture *picture, cairo_surface_t *surface, double scale
  * bytes. */
 static void remove_surface_number(Bytes *bytes) {
     static const char name[] = "<g id=\"surface";
-    char *found = bytes->size ? strstr((char *)bytes->at, name) : NULL;
+    char *found = bytes->size ? strstr(bytes->at, name) : NULL;
     if (!found)
         return;
     char *number = found + sizeof name - 1;
     size_t digits = strspn(number, "0123456789");
-    memmove(number, number + digits, bytes->size - (size_t)(number - (char *)bytes->at) - digits + 1);
+    memmove(number, number + digits, bytes->size - (size_t)(number - bytes->at) - digits + 1);
     bytes->size -= digits;
 }
 
 static Bytes as_svg(const Picture *picture, Theme theme) {
     Bytes bytes = {0};
     cairo_surface_t *surface =
-        cairo_svg_surface_create_for_stream(keep_bytes, &bytes, picture->size.x, picture->size.y);
+        cairo_svg_surface_create_for_stream(bytes_keep, &bytes, picture->size.x, picture->size.y);
     cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PX);
     paint(picture, surface, 1, theme);
     cairo_surface_destroy(surface);
@@ -56,7 +45,7 @@ static Bytes as_png(const Picture *picture, Theme theme) {
     Vec2 size = vec2_scale(picture->size, PNG_SCALE);
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)ceil(size.x), (int)ceil(size.y));
     paint(picture, surface, PNG_SCALE, theme);
-    cairo_surface_write_to_png_stream(surface, keep_bytes, &bytes);
+    cairo_surface_write_to_png_stream(surface, bytes_keep, &bytes);
     cairo_surface_destroy(surface);
     return bytes;
 }
@@ -69,7 +58,7 @@ PictureFile picture_file(const Picture *picture, Theme theme) {
         bytes = as_png(picture, theme);
         type = "image/png";
     }
-    return (PictureFile){type, bytes.at, bytes.size};
+    return (PictureFile){type, (unsigned char *)bytes.at, bytes.size};
 }
 
 void picture_clear(PictureFile *file) {

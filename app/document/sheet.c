@@ -73,6 +73,10 @@ PangoLayout *sheet_words(const char *text, Letters letters, double width, Align 
     g_object_unref(context);
     pango_layout_set_font_description(words, font);
     pango_font_description_free(font);
+    PangoAttrList *attributes = pango_attr_list_new(); /* who reads a page aloud stumbles over ligatures */
+    pango_attr_list_insert(attributes, pango_attr_font_features_new("liga 0, clig 0"));
+    pango_layout_set_attributes(words, attributes);
+    pango_attr_list_unref(attributes);
     pango_layout_set_line_spacing(words, (float)letters.spacing);
     pango_layout_set_width(words, (int)(width * PANGO_SCALE));
     pango_layout_set_wrap(words, PANGO_WRAP_WORD_CHAR);

@@ -53,21 +53,27 @@ static double narrowest(const Observation *observation) {
     return least;
 }
 
-/* Times and clearances of different ways have no difference: there is one only where everybody gets out of both. */
+/* Times and clearances of different ways have no difference: there is one only where everybody gets out of both. Of
+ * those who never set off nothing is known. */
 static void add_answers(Document *document, const Reported runs[2], const Census census[2]) {
     static const Column columns[] = {{"", ALIGN_LEFT}, {"A", ALIGN_RIGHT}, {"B", ALIGN_RIGHT}, {"B - A", ALIGN_RIGHT}};
     bool both = runs[0].observation->completed && runs[1].observation->completed;
+    double last[2], contacts[2], hardest[2], dangers[2];
+    for (int r = 0; r < 2; r++) {
+        bool moved = runs[r].observation->time > 0;
+        last[r] = census[r].out ? census[r].last : NAN;
+        contacts[r] = moved ? census[r].contacts : NAN;
+        hardest[r] = census[r].contacts ? census[r].peak_force : NAN;
+        dangers[r] = moved ? (double)runs[r].observation->hazard_count : NAN;
+    }
     document_add_table(document, NULL, columns, 4);
     add_numbers(document, "People", (double)census[0].people, (double)census[1].people, 0, true);
     add_numbers(document, "of them out", (double)census[0].out, (double)census[1].out, 0, true);
-    add_numbers(document, "Last out, s", census[0].out ? census[0].last : NAN, census[1].out ? census[1].last : NAN, 2,
-                both);
+    add_numbers(document, "Last out, s", last[0], last[1], 2, both);
     add_numbers(document, "Narrowest, m", narrowest(runs[0].observation), narrowest(runs[1].observation), 3, both);
-    add_numbers(document, "Contacts", census[0].contacts, census[1].contacts, 0, true);
-    add_numbers(document, "Hardest contact, N", census[0].contacts ? census[0].peak_force : NAN,
-                census[1].contacts ? census[1].peak_force : NAN, 0, true);
-    add_numbers(document, "Dangerous points", (double)runs[0].observation->hazard_count,
-                (double)runs[1].observation->hazard_count, 0, true);
+    add_numbers(document, "Contacts", contacts[0], contacts[1], 0, true);
+    add_numbers(document, "Hardest contact, N", hardest[0], hardest[1], 0, true);
+    add_numbers(document, "Dangerous points", dangers[0], dangers[1], 0, true);
 }
 
 static void add_pictures(Document *document, const Reported runs[2]) {
@@ -201,7 +207,10 @@ static void add_hazards(Document *document, const Reported runs[2]) {
                 document, runs[r].observation,
                 document_text(document, "%s: %s, worst first", letters[r], house_report_name(runs[r].house)));
         else
-            document_add_paragraph(document, document_text(document, "%s: none.", letters[r]));
+            document_add_paragraph(
+                document,
+                document_text(document, "%s: %s.", letters[r],
+                              runs[r].observation->time > 0 ? "none" : "none is known, since nobody could set off"));
 }
 
 static bool same_numbers(const Profile *a, const Profile *b) {
@@ -223,7 +232,7 @@ static bool is_in(const House *house, const Profile *profile) {
 /* What both have is told once. */
 static void add_basis(Document *document, const Reported runs[2]) {
     document_add_heading(document, 2, "What the model assumes");
-    report_basis_add_method(document, runs[0].house);
+    report_basis_add_method(document, runs[0].house, false);
     report_basis_add_settings(document, runs[0].house);
     for (size_t p = 0; p < runs[0].house->profile_count; p++)
         report_basis_add_profile(document, runs[0].house, &runs[0].house->profiles[p]);
@@ -232,9 +241,9 @@ static void add_basis(Document *document, const Reported runs[2]) {
             report_basis_add_profile(document, runs[1].house, &runs[1].house->profiles[p]);
 }
 
-Document comparison_report_make(const Reported runs[2], const char *command, const char *program) {
+Document comparison_report_make(const Reported runs[2], const Making *making) {
     Census census[2];
-    Document document = document_begin(program);
+    Document document = document_begin(making->program);
     for (int r = 0; r < 2; r++)
         census[r] = census_take(runs[r].house, runs[r].observation);
     document_add_title(&document,
@@ -244,6 +253,7 @@ Document comparison_report_make(const Reported runs[2], const char *command, con
     add_pictures(&document, runs);
     add_answers(&document, runs, census);
     add_notes(&document, runs);
+    report_basis_add_changes(&document, making);
     document_add_contents(&document);
     report_plans_add(&document, &runs[0].house->plan, &runs[1].house->plan);
     document_add_heading(&document, 2, "Who gets out");
@@ -254,8 +264,7 @@ Document comparison_report_make(const Reported runs[2], const char *command, con
     add_routes(&document, runs);
     add_hazards(&document, runs);
     add_basis(&document, runs);
-    report_basis_add_making(&document, command, program, (const House *const[]){runs[0].house, runs[1].house},
-                            (const Observation *const[]){runs[0].observation, runs[1].observation}, 2);
+    report_basis_add_making(&document, making, runs, 2);
     for (int r = 0; r < 2; r++)
         census_clear(&census[r]);
     return document;

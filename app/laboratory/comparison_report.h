@@ -4,4 +4,4 @@
 #include "laboratory/house_report.h"
 
 /* document_clear releases what is made. */
-Document comparison_report_make(const Reported runs[2], const char *command, const char *program);
+Document comparison_report_make(const Reported runs[2], const Making *making);

@@ -18,16 +18,19 @@ const char *house_report_name(const House *house) {
 
 /* What is seen, and what the signs mean that are there. */
 static const char *caption_of(Document *document, const Reported *run) {
-    bool moved = run->observation->time > 0;
-    bool dangers = run->observation->hazard_count > 0;
+    const Observation *observation = run->observation;
+    bool moved = observation->time > 0, crowd = run->house->person_count > PEOPLE_SCENE_INDIVIDUALS;
     bool rings = moved && run->house->person_count <= PEOPLE_SCENE_SEVERAL;
-    return document_text(document, "%s, seen from above%s.%s%s", house_report_name(run->house),
-                         moved ? ", and the ways that people took" : "", dangers ? " Numbers: dangerous points." : "",
-                         rings ? " Dashed outlines: personal space, thick where it is pressed." : "");
+    return document_text(document, "%s, seen from above%s.%s%s%s%s", house_report_name(run->house),
+                         moved ? ", and the ways that people took" : "",
+                         observation->hazard_count ? " Numbers: dangerous points." : "",
+                         rings ? " Dashed outlines: personal space, thick where it is pressed." : "",
+                         crowd ? " Grey discs: where people on foot began; lines in colour: chairs, by profile." : "",
+                         crowd && !observation->completed ? " Diamonds: who is not out, in the end." : "");
 }
 
 /* The answer stands above the picture in the document: the picture is the plan and what happened in it. */
-static void add_house(Document *document, const Reported *run, const char *headline) {
+static void add_house(Document *document, const Reported *run, const Making *making, const char *headline) {
     Scene scene;
     house_scene_make(&scene, run->house, run->observation);
     const char *detail = scene.detail ? scene.detail : "";
@@ -35,6 +38,7 @@ static void add_house(Document *document, const Reported *run, const char *headl
         document_add_paragraph(document, document_text(document, "%c%s.", toupper((unsigned char)*detail), detail + 1));
     if (*run->house->plan.note)
         document_add_note(document, run->house->plan.note);
+    report_basis_add_changes(document, making);
     document_add_contents(document);
     report_pictures_add(document, &scene, caption_of(document, run),
                         document_text(document, "Plan of %s. %s.", house_report_name(run->house), headline));
@@ -44,11 +48,11 @@ Document house_report_make(const HouseReport *report) {
     const House *house = report->run.house;
     const Observation *observation = report->run.observation;
     char headline[WORDING_HEADLINE];
-    Document document = document_begin(report->program);
+    Document document = document_begin(report->making->program);
     wording_headline(house, observation, headline, sizeof headline);
     document_add_title(&document, document_text(&document, "Evacuation report: %s", house_report_name(house)),
                        headline);
-    add_house(&document, &report->run, headline);
+    add_house(&document, &report->run, report->making, headline);
     report_people_add(&document, house, observation);
     report_places_add_stops(&document, house, observation);
     report_people_add_routes(&document, house, observation);
@@ -57,10 +61,10 @@ Document house_report_make(const HouseReport *report) {
     document_add_heading(&document, 2, "What the model assumes");
     if (*house->plan.note)
         document_add_note(&document, house->plan.note);
-    report_basis_add_method(&document, house);
+    report_basis_add_method(&document, house, report_loci_make_sense(house));
     report_basis_add_settings(&document, house);
     for (size_t p = 0; p < house->profile_count; p++)
         report_basis_add_profile(&document, house, &house->profiles[p]);
-    report_basis_add_making(&document, report->command, report->program, &house, &observation, 1);
+    report_basis_add_making(&document, report->making, &report->run, 1);
     return document;
 }

@@ -4,20 +4,13 @@
 
 #include "document/document.h"
 #include "exchange/observed.h"
-#include "house/observation.h"
-
-/* A house and what came of it; nothing when `house` is NULL. Not owned. */
-typedef struct Reported {
-    const House *house;
-    const Observation *observation;
-} Reported;
+#include "laboratory/report_basis.h"
 
 typedef struct HouseReport {
     Reported run;
     Reported ways[2];             /* the same, by Driving: everybody driven this way; or nothing */
     const ObservedLoci *observed; /* loci that somebody measured, or NULL */
-    const char *command;          /* that makes the report, to be pasted */
-    const char *program;          /* with its version */
+    const Making *making;
 } HouseReport;
 
 /* document_clear releases what is made; house and observations may go before it. */

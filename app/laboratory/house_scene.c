@@ -237,14 +237,40 @@ void house_scene_make(Scene *scene, const House *house, const Observation *obser
     house_scene_make_compared(scene, house, observation, NULL);
 }
 
+static bool boxes_meet(Box a, Box b) {
+    return a.high.x >= b.low.x && a.low.x <= b.high.x && a.high.y >= b.low.y && a.low.y <= b.high.y;
+}
+
+static Box box_of(const Vec2 *points, size_t count) {
+    Box box = box_empty();
+    for (size_t i = 0; i < count; i++)
+        box = box_include(box, points[i]);
+    return box;
+}
+
 static bool is_elsewhere(const Primitive *primitive, Box box) {
     if (primitive->kind == PRIMITIVE_LABEL)
         return !box_holds(box, primitive->points[0]);
-    Box own = box_empty();
-    for (size_t i = 0; i < primitive->count; i++)
-        own = box_include(own, primitive->points[i]);
-    own = box_expand(own, primitive->radius);
-    return own.high.x < box.low.x || own.low.x > box.high.x || own.high.y < box.low.y || own.low.y > box.high.y;
+    return !boxes_meet(box_expand(box_of(primitive->points, primitive->count), primitive->radius), box);
+}
+
+/* Of many rings that unite, thousands of bodies or of places along a way, only those that are seen. */
+static void drop_rings(Scene *scene, Primitive *polygon, Box box) {
+    Vec2 *points = arena_allocate(&scene->arena, polygon->count * sizeof *points);
+    size_t *starts = arena_allocate(&scene->arena, (polygon->ring_count + 1) * sizeof *starts), kept = 0;
+    for (size_t r = 0; r < polygon->ring_count; r++) {
+        const Vec2 *ring = polygon->points + polygon->starts[r];
+        size_t count = polygon->starts[r + 1] - polygon->starts[r];
+        if (!boxes_meet(box_of(ring, count), box))
+            continue;
+        memcpy(points + starts[kept], ring, count * sizeof *points);
+        starts[kept + 1] = starts[kept] + count;
+        kept++;
+    }
+    polygon->points = points;
+    polygon->count = starts[kept];
+    polygon->starts = starts;
+    polygon->ring_count = kept;
 }
 
 void house_scene_make_detail(Scene *scene, const House *house, const Observation *observation, Box box) {
@@ -253,8 +279,13 @@ void house_scene_make_detail(Scene *scene, const House *house, const Observation
     add_house(scene, house, observation, &census, NULL);
     census_clear(&census);
     size_t kept = 0;
-    for (size_t i = 0; i < scene->count; i++)
-        if (!is_elsewhere(&scene->primitives[i], box))
-            scene->primitives[kept++] = scene->primitives[i];
+    for (size_t i = 0; i < scene->count; i++) {
+        Primitive *primitive = &scene->primitives[i];
+        if (is_elsewhere(primitive, box))
+            continue;
+        if (primitive->kind == PRIMITIVE_POLYGON && primitive->united)
+            drop_rings(scene, primitive, box);
+        scene->primitives[kept++] = *primitive;
+    }
     scene->count = kept;
 }

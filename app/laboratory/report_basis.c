@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "house/plan_tables.h"
 #include "laboratory/census.h"
 
@@ -17,7 +18,7 @@ static bool has_driving(const House *house, int driving) {
     return false;
 }
 
-void report_basis_add_method(Document *document, const House *house) {
+void report_basis_add_method(Document *document, const House *house, bool both_ways) {
     document_add_heading(document, 3, "How it is computed");
     document_add_paragraph(
         document, "Everybody is a distinct element: a rigid body with a mass. Where a body meets a wall, a "
@@ -25,12 +26,12 @@ void report_basis_add_method(Document *document, const House *house) {
                   "surface too, as far as Coulomb friction allows (the method of Cundall and Strack, as Miura, "
                   "Takimoto and Kubodera use it for wheelchairs). A second, softer law of the same form acts in "
                   "the personal space around the body.");
-    if (has_driving(house, DRIVING_DRIVER))
+    if (both_ways || has_driving(house, DRIVING_DRIVER))
         document_add_paragraph(
             document, "driver: a chair is its true rounded rectangle, rolls and turns about its drive axle and "
                       "does not slip sideways. Its way is searched for the least time among all that can be "
                       "driven, changes of direction included, and is then steered along with a limited push.");
-    if (has_driving(house, DRIVING_MIURA))
+    if (both_ways || has_driving(house, DRIVING_MIURA))
         document_add_paragraph(document,
                                "miura: a chair is a disc on straight legs and corners, after the paper. It has "
                                "no length, and therefore passes where a chair may not.");
@@ -152,24 +153,35 @@ void report_basis_add_profile(Document *document, const House *house, const Prof
 /* Making -------------------------------------------------------------------------------------------------------------
  */
 
-void report_basis_add_making(Document *document, const char *command, const char *program, const House *const *houses,
-                             const Observation *const *observations, size_t count) {
+void report_basis_add_changes(Document *document, const Making *making) {
+    Text text = {0};
+    for (size_t s = 0; s < making->setting_count; s++) {
+        text_add(&text, s ? ", " : "");
+        text_add(&text, making->settings[s]);
+    }
+    if (text.used)
+        document_add_note(document, document_text(document, "Changed on the command line: %s.", text.text));
+    memory_free(text.text);
+}
+
+void report_basis_add_making(Document *document, const Making *making, const Reported *runs, size_t count) {
     static const Column columns[] = {{"House", ALIGN_LEFT},
                                      {"Seed", ALIGN_RIGHT},
                                      {"Step, s", ALIGN_RIGHT},
                                      {"Steps", ALIGN_RIGHT},
                                      {"Digest of all states", ALIGN_LEFT}};
     document_add_heading(document, 2, "How this report was made");
-    document_add_paragraph(document, document_text(document, "By %s, with this command:", program));
-    document_add_command(document, command);
+    document_add_paragraph(document, document_text(document, "By %s, with this command:", making->program));
+    document_add_command(document, making->command);
     document_add_paragraph(document, "The same files, command and version give the same numbers to the last bit; the "
                                      "digest tells whether they did.");
     document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
-    for (size_t h = 0; h < count; h++) {
-        const char *cells[] = {houses[h]->plan.path, document_text(document, "%" PRIu64, houses[h]->seed),
-                               document_text(document, "%g", observations[h]->dt),
-                               document_text(document, "%" PRIu64, observations[h]->steps),
-                               document_text(document, "%016" PRIx64, observations[h]->digest)};
+    for (size_t r = 0; r < count; r++) {
+        const Observation *observation = runs[r].observation;
+        const char *cells[] = {runs[r].house->plan.path, document_text(document, "%" PRIu64, runs[r].house->seed),
+                               document_text(document, "%g", observation->dt),
+                               document_text(document, "%" PRIu64, observation->steps),
+                               document_text(document, "%016" PRIx64, observation->digest)};
         document_add_row(document, cells);
     }
 }

@@ -5,10 +5,27 @@
 #include "document/document.h"
 #include "house/observation.h"
 
-void report_basis_add_method(Document *document, const House *house);
+/* How a report came about. */
+typedef struct Making {
+    const char *command;         /* that makes it, to be pasted */
+    const char *program;         /* with its version */
+    const char *const *settings; /* (setting_count) NAME=VALUE, what the command changes in the files */
+    size_t setting_count;
+} Making;
+
+/* A house and what came of it; nothing when `house` is NULL. Not owned. */
+typedef struct Reported {
+    const House *house;
+    const Observation *observation;
+} Reported;
+
+/* What is not as the files have it: to be said where the answer is. */
+void report_basis_add_changes(Document *document, const Making *making);
+
+/* With the ways of getting about that there are in the house, or both of driving. */
+void report_basis_add_method(Document *document, const House *house, bool both_ways);
 void report_basis_add_settings(Document *document, const House *house);
 void report_basis_add_profile(Document *document, const House *house, const Profile *profile);
 
-/* Command, version, seed, step and digests; `observations` of as many houses. */
-void report_basis_add_making(Document *document, const char *command, const char *program, const House *const *houses,
-                             const Observation *const *observations, size_t count);
+/* Command, version, seed, step and digests of as many houses. */
+void report_basis_add_making(Document *document, const Making *making, const Reported *runs, size_t count);

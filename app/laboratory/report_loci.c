@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "house/locus.h"
+#include "laboratory/blockage_scene.h"
 #include "laboratory/census.h"
-#include "laboratory/house_scene.h"
 #include "laboratory/people_scene.h"
 #include "laboratory/plan_scene.h"
 #include "laboratory/report_people.h"
@@ -16,6 +16,9 @@
 #define TICK_LENGTH 11.0
 #define NAME_LETTERS 17.0
 #define TICK_SECONDS 1.0
+#define KEEP_LOCUS 1.5  /* how much labels avoid it */
+#define GRID 1.0        /* m */
+#define PLAN_MARGIN 0.4 /* m */
 
 static const char *const way_names[] = {[DRIVING_DRIVER] = "driver", [DRIVING_MIURA] = "miura"};
 
@@ -64,15 +67,9 @@ bool report_loci_make_sense(const House *house) {
 /* Pictures -----------------------------------------------------------------------------------------------------------
  */
 
-/* Small pictures: tags stay, names and numbers would cover what is to be compared. */
-static Scene way_scene(const Reported *way) {
-    Scene scene = {0};
-    house_scene_make(&scene, way->house, way->observation);
-    size_t kept = 0;
-    for (size_t i = 0; i < scene.count; i++)
-        if (scene.primitives[i].kind != PRIMITIVE_LABEL || scene.primitives[i].shape == LABEL_TAG)
-            scene.primitives[kept++] = scene.primitives[i];
-    scene.count = kept;
+static Scene empty_scene(const House *house) {
+    Scene scene = {.grid = GRID, .box = box_expand(house->outline.box, PLAN_MARGIN)};
+    plan_scene_solids(&scene, house);
     return scene;
 }
 
@@ -86,40 +83,71 @@ static void add_ticks(Scene *scene, const Locus *locus, Role role) {
     }
 }
 
-static Scene observed_scene(const House *house, const ObservedLoci *observed, Box box) {
-    Scene scene = {.grid = 1, .box = box};
-    plan_scene_solids(&scene, house);
-    for (size_t i = 0; i < observed->count; i++) {
-        const Locus *locus = &observed->loci[i].locus;
-        LocusLook look = people_scene_look(house, find_person(house, observed->loci[i].person));
-        Primitive *line = scene_add_line(&scene, look.role, look.width, locus->points, locus->count);
-        line->style = look.style;
-        line->keep_clear = 1;
-        add_ticks(&scene, locus, look.role);
-        for (size_t p = 0; p < locus->count; p++)
-            scene.box = box_include(scene.box, locus->points[p]);
+static void add_locus(Scene *scene, const House *house, size_t person, const Locus *locus) {
+    LocusLook look = people_scene_look(house, person);
+    if (locus->count < 2)
+        return;
+    Primitive *line = scene_add_line(scene, look.role, look.width, locus->points, locus->count);
+    line->style = look.style;
+    line->keep_clear = KEEP_LOCUS;
+    add_ticks(scene, locus, look.role);
+    for (size_t p = 0; p < locus->count; p++)
+        scene->box = box_include(scene->box, locus->points[p]);
+}
+
+static void add_name(Scene *scene, const House *house, size_t person, Vec2 at) {
+    Primitive *tag = scene_add_label(scene, ROLE_TEXT, NAME_LETTERS, at, house->people[person].id);
+    tag->fill = people_scene_look(house, person).role;
+    tag->shape = LABEL_TAG;
+    tag->bold = tag->leader = true;
+}
+
+/* Nothing but loci, where they begin, and what ends them: names and bodies would cover what is to be compared. */
+static Scene way_scene(const Reported *way) {
+    const House *house = way->house;
+    const PersonObservation *people = way->observation->people;
+    Scene scene = empty_scene(house);
+    Trail *trails = trail_list(way->observation);
+    for (size_t i = 0; i < house->person_count; i++) {
+        if (!people[i].took_part)
+            continue;
+        Locus locus = locus_of(house, way->observation, i);
+        add_locus(&scene, house, i, &locus);
+        people_scene_start(&scene, &house->people[i], ROLE_CHAIR);
+        locus_free(&locus);
+        if (blockage_scene_has(&people[i]))
+            blockage_scene_add(&scene, house, way->observation, i, &trails[i]);
     }
     plan_scene_tags(&scene, house, NULL);
-    for (size_t i = 0; i < observed->count; i++) {
-        size_t person = find_person(house, observed->loci[i].person);
-        Primitive *tag = scene_add_label(&scene, ROLE_TEXT, NAME_LETTERS, observed->loci[i].locus.points[0],
-                                         house->people[person].id);
-        tag->fill = people_scene_look(house, person).role;
-        tag->shape = LABEL_TAG;
-        tag->bold = tag->leader = true;
+    for (size_t i = 0; i < house->person_count; i++) {
+        if (people[i].took_part)
+            add_name(&scene, house, i, house->people[i].at);
+        if (blockage_scene_has(&people[i]))
+            blockage_scene_label(&scene, &people[i].blockage);
     }
+    trail_free_list(trails);
+    return scene;
+}
+
+static Scene observed_scene(const House *house, const ObservedLoci *observed) {
+    Scene scene = empty_scene(house);
+    for (size_t i = 0; i < observed->count; i++)
+        add_locus(&scene, house, find_person(house, observed->loci[i].person), &observed->loci[i].locus);
+    plan_scene_tags(&scene, house, NULL);
+    for (size_t i = 0; i < observed->count; i++)
+        add_name(&scene, house, find_person(house, observed->loci[i].person), observed->loci[i].locus.points[0]);
     return scene;
 }
 
 static void add_pictures(Document *document, const HouseReport *report) {
     static const char *const captions[] = {"miura: the paper's way, a disc on straight legs and corners.",
                                            "driver: ours, the true rectangle of the chair on a planned path.",
-                                           "observed: what was measured, with a tick each second."};
+                                           "observed: what was measured."};
     Scene scenes[3] = {way_scene(&report->ways[DRIVING_MIURA]), way_scene(&report->ways[DRIVING_DRIVER])};
     Box box = report_pictures_box(scenes[0].box, scenes[1].box);
     if (report->observed) {
-        scenes[2] = observed_scene(report->run.house, report->observed, box);
-        box = scenes[2].box;
+        scenes[2] = observed_scene(report->run.house, report->observed);
+        box = report_pictures_box(box, scenes[2].box);
     }
     report_pictures_add_beside(document, scenes, report->observed ? 3 : 2, box, captions);
 }
@@ -229,9 +257,10 @@ void report_loci_add(Document *document, const HouseReport *report) {
         document_add_paragraph(document, "Left out: the run was interrupted.");
         return;
     }
-    document_add_paragraph(document,
-                           "The same people in the same house, driven both ways that the program knows. Where "
-                           "the two differ, the answer depends on how the driver is modelled.");
+    document_add_paragraph(
+        document, "The same people in the same house, driven both ways that the program knows: the ways of "
+                  "their bodies' middles, with a tick each second. Where the two differ, the answer depends on "
+                  "how the driver is modelled.");
     add_pictures(document, report);
     add_ways(document, report);
     if (report->observed)

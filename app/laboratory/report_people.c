@@ -127,8 +127,8 @@ void report_people_add_routes(Document *document, const House *house, const Obse
     document_add_heading(document, 2, "Routes, measured and simulated");
     if (!measured)
         document_add_paragraph(document,
-                               "Nobody has measured these routes: there is nothing yet to hold the simulation "
-                               "against. Whoever does adds \"observed\" to the route in the house's file.");
+                               "The house's file has no measured times of these routes: there is nothing to hold "
+                               "the simulated ones against. Whoever measures adds \"observed\" to a route.");
     document_add_table(document, "Simulation: mean of the route's people, when all of them get out.", columns,
                        sizeof columns / sizeof *columns);
     for (size_t r = 0; r < house->plan.route_count; r++)

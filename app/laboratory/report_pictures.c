@@ -2,11 +2,21 @@
 
 /* Design points: with these widths letters are as large in all pictures of a page. */
 #define WIDTH 1027.0
-#define WIDTH_OF_TWO 540.0
+#define WIDTH_OF_TWO 498.0
 #define HIGHEST 1000.0
 #define NARROWEST 360.0
+#define FOOT 48.0 /* kept for the scale */
+
+#define PLAN_MARGIN 0.4 /* m, that plans have round them */
 
 #define FAR_WIDER 2.2 /* 1, width by height from which on pictures stand one below the other */
+
+/* With room for the scale below the plan, as far as its margin is none. */
+static Box with_foot(Box box, double width) {
+    double metre = width / (box.high.x - box.low.x);
+    box.low.y -= fmax(0, FOOT / metre - PLAN_MARGIN);
+    return box;
+}
 
 static Vec2 size_of(Box box, double width) {
     double ratio = (box.high.y - box.low.y) / (box.high.x - box.low.x);
@@ -14,15 +24,18 @@ static Vec2 size_of(Box box, double width) {
 }
 
 void report_pictures_add(Document *document, Scene *scene, const char *caption, const char *alternative) {
-    Vec2 size = size_of(scene->box, WIDTH);
+    scene->box = with_foot(scene->box, WIDTH);
     scene->bare = true;
+    Vec2 size = size_of(scene->box, WIDTH);
     document_add_figures(document);
     document_add_scene(document, scene, size, caption, alternative);
 }
 
 void report_pictures_add_beside(Document *document, Scene *scenes, size_t count, Box box, const char *const *captions) {
     bool below = box.high.x - box.low.x > FAR_WIDER * (box.high.y - box.low.y);
-    Vec2 size = size_of(box, below ? WIDTH : WIDTH_OF_TWO);
+    double width = below ? WIDTH : WIDTH_OF_TWO;
+    box = with_foot(box, width);
+    Vec2 size = size_of(box, width);
     for (size_t s = 0; s < count; s++) {
         if (below || s % 2 == 0)
             document_add_figures(document);

@@ -37,13 +37,12 @@ static const char *say_hold(Document *document, const House *house, const Hold *
     snprintf(who, sizeof who, "%zu people", hold->people);
     if (hold->people == 1)
         snprintf(who, sizeof who, "%s", house->people[hold->first].id);
+    const char *what = *blockage->what ? blockage->what : "a place on the way";
     if (hold->reason == REASON_BLOCKED)
-        return document_text(document, "%s: on the way, but stuck at %s, and no longer getting on.", who,
-                             blockage->what);
+        return document_text(document, "%s: on the way, but stuck at %s, and no longer getting on.", who, what);
     return document_text(document,
-                         "%s cannot pass %s%s%s. There is no way to drive; that is known before anything "
-                         "moves.",
-                         who, blockage->what, *widths ? ": " : "", widths);
+                         "%s cannot pass %s%s%s. That is known before anything moves: there is no way through.", who,
+                         what, *widths ? ": " : "", widths);
 }
 
 static bool has_place(const Hold *hold) {

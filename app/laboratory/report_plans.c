@@ -39,7 +39,7 @@ static void compare_rows(Differences *differences, const ParameterTable *table, 
         bool shown = strlen(words[0]) < WORDS_MOST && strlen(words[1]) < WORDS_MOST;
         if (!same)
             add_difference(differences, name_of(differences->document, table->what, id, row),
-                           shown ? words[0] : "one way", shown ? words[1] : "another way");
+                           shown ? words[0] : "differs", shown ? words[1] : "differs");
         memory_free(words[0]);
         memory_free(words[1]);
     }

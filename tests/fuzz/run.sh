@@ -5,7 +5,7 @@ set -eu
 cd "$(dirname "$0")/../.."
 . app/packages.sh
 seconds=${1:-60}
-targets="plan profile parameters set"
+targets="plan profile parameters set observed"
 build=build-fuzz
 
 install_packages $build_packages clang libclang-rt-14-dev
@@ -31,6 +31,7 @@ for t in $targets; do
 done
 cp houses/*.json tests/data/bad/houses/*.json $build/seeds/plan/
 cp assets/profiles/*.json tests/data/bad/profiles/*.json $build/seeds/profile/
+cp tests/data/bad-observed/*.csv $build/seeds/observed/
 split -l 1 -a 3 tests/fuzz/values.txt $build/seeds/parameters/
 split -l 2 -a 3 tests/fuzz/settings.txt $build/seeds/set/
 
