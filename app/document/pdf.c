@@ -5,9 +5,9 @@
 #include <stdio.h>
 
 #include "base/text.h"
-#include "document/bytes.h"
 #include "document/pdf_table.h"
 #include "document/sheet.h"
+#include "draw/bytes.h"
 
 /* pt */
 #define PARAGRAPH_GAP 6.0
@@ -318,10 +318,15 @@ static void describe(cairo_surface_t *surface, const Document *document, time_t 
 }
 
 /* The first time pages are counted and headings found, the second time they are painted. */
+static cairo_status_t keep_bytes(void *context, const unsigned char *data, unsigned length) {
+    bytes_add(context, data, length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
 static int paint_pages(Bytes *bytes, const Document *document, time_t created) {
     Press press = {.document = document, .page_of = memory_allocate(document->count, sizeof *press.page_of)};
     set_all(&press);
-    press.surface = cairo_pdf_surface_create_for_stream(bytes_keep, bytes, SHEET_PAPER_WIDTH, SHEET_PAPER_HEIGHT);
+    press.surface = cairo_pdf_surface_create_for_stream(keep_bytes, bytes, SHEET_PAPER_WIDTH, SHEET_PAPER_HEIGHT);
     describe(press.surface, document, created);
     press.sheet = (Sheet){.cairo = cairo_create(press.surface), .foot = document->subject, .pages = press.sheet.page};
     set_all(&press);

@@ -8,29 +8,20 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-/* What cairo has written so far. */
-typedef struct Bytes {
-    char *text;
-    size_t size, capacity;
-} Bytes;
-
 static cairo_status_t keep_bytes(void *context, const unsigned char *data, unsigned length) {
-    Bytes *bytes = context;
-    bytes->text = memory_reserve(bytes->text, &bytes->capacity, bytes->size + length + 1, 1);
-    memcpy(bytes->text + bytes->size, data, length);
-    bytes->size += length;
+    bytes_add(context, data, length);
     return CAIRO_STATUS_SUCCESS;
 }
 
 /* cairo names a page by how many surfaces the process has made. */
 static void remove_surface_number(Bytes *bytes) {
     static const char name[] = "<g id=\"surface";
-    char *found = bytes->size ? strstr(bytes->text, name) : NULL;
+    char *found = bytes->size ? strstr(bytes->at, name) : NULL;
     if (!found)
         return;
     char *number = found + sizeof name - 1;
     size_t digits = strspn(number, "0123456789");
-    memmove(number, number + digits, bytes->size - (size_t)(number - bytes->text) - digits + 1);
+    memmove(number, number + digits, bytes->size - (size_t)(number - bytes->at) - digits + 1);
     bytes->size -= digits;
 }
 
@@ -69,18 +60,24 @@ static int paint_surface(CairoFileKind kind, cairo_surface_t *surface, Bytes *by
     return error ? error : status_error(cairo_surface_status(surface));
 }
 
-int cairo_file_write(CairoFileKind kind, const char *path, int width, int height, double unit, CairoFilePaint *paint,
+int cairo_file_bytes(CairoFileKind kind, Bytes *bytes, int width, int height, double unit, CairoFilePaint *paint,
                      const void *what) {
     if (width <= 0 || height <= 0 || width > CAIRO_FILE_LARGEST || height > CAIRO_FILE_LARGEST)
         return EINVAL;
-    Bytes bytes = {0};
-    cairo_surface_t *surface = create_surface(kind, &bytes, width, height);
-    int error = paint_surface(kind, surface, &bytes, vec2(width / unit, height / unit), unit, paint, what);
+    cairo_surface_t *surface = create_surface(kind, bytes, width, height);
+    int error = paint_surface(kind, surface, bytes, vec2(width / unit, height / unit), unit, paint, what);
     cairo_surface_destroy(surface);
     if (kind == CAIRO_FILE_SVG)
-        remove_surface_number(&bytes);
+        remove_surface_number(bytes);
+    return error;
+}
+
+int cairo_file_write(CairoFileKind kind, const char *path, int width, int height, double unit, CairoFilePaint *paint,
+                     const void *what) {
+    Bytes bytes = {0};
+    int error = cairo_file_bytes(kind, &bytes, width, height, unit, paint, what);
     if (!error)
-        error = text_write_file(path, bytes.text, bytes.size);
-    memory_free(bytes.text);
+        error = text_write_file(path, bytes.at, bytes.size);
+    memory_free(bytes.at);
     return error;
 }

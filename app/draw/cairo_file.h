@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/vec2.h"
+#include "draw/bytes.h"
 
 typedef enum CairoFileKind { CAIRO_FILE_PNG, CAIRO_FILE_SVG, CAIRO_FILE_PDF } CairoFileKind;
 
@@ -16,4 +17,8 @@ typedef void CairoFilePaint(struct _cairo *cairo, Vec2 page, const void *what);
 /* A picture of `width` x `height` pixels, of 1/72 inch for a PDF; `unit` of them are a design point. 0, or errno:
  * EINVAL for sizes that no picture has. */
 int cairo_file_write(CairoFileKind kind, const char *path, int width, int height, double unit, CairoFilePaint *paint,
+                     const void *what);
+
+/* The same into empty bytes. */
+int cairo_file_bytes(CairoFileKind kind, Bytes *bytes, int width, int height, double unit, CairoFilePaint *paint,
                      const void *what);

@@ -8,6 +8,7 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "draw/bytes.h"
 
 enum { SLOTS_PER_THREAD = 2, PATH_ROOM = 4096 };
 
@@ -30,17 +31,8 @@ struct PngWriter {
     int error; /* errno of the first file that could not be written */
 };
 
-/* What libpng has written so far. */
-typedef struct Bytes {
-    char *text;
-    size_t size, capacity;
-} Bytes;
-
 static void keep_bytes(png_structp png, png_bytep data, png_size_t size) {
-    Bytes *bytes = png_get_io_ptr(png);
-    bytes->text = memory_reserve(bytes->text, &bytes->capacity, bytes->size + size, 1);
-    memcpy(bytes->text + bytes->size, data, size);
-    bytes->size += size;
+    bytes_add(png_get_io_ptr(png), data, size);
 }
 
 static void keep_nothing(png_structp png) {
@@ -72,8 +64,8 @@ int png_write(const char *path, const unsigned char *pixels, int width, int heig
     }
     png_destroy_write_struct(&png, &info);
     if (!error)
-        error = text_write_quickly(path, bytes.text, bytes.size);
-    memory_free(bytes.text);
+        error = text_write_quickly(path, bytes.at, bytes.size);
+    memory_free(bytes.at);
     return error;
 }
 
