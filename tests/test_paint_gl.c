@@ -574,6 +574,24 @@ TEST(a_wall_hides_what_is_behind_it) {
     stage_end(&stage);
 }
 
+TEST(what_is_behind_the_camera_is_not_seen) {
+    Stage stage = stage_begin(OFFSCREEN_ANY, WIDTH, HEIGHT, THEME_PAPER);
+    Scene still = raised_scene(), moving = {0}, nothing = {0};
+    stage_show(&stage, &still, &nothing);
+    Picture ground = stage.picture;
+    stage.picture = picture_make(WIDTH, HEIGHT);
+    scene_add_line(&moving, ROLE_LOCUS, 4, (Vec2[]){{3, -50}, {3, -60}}, 2);
+    scene_add_polygon(&moving, ROLE_WALL, (Vec2[]){{2, -2}, {4, -2}, {3, -3}}, 3)->height = 50;
+    scene_add_polygon(&moving, ROLE_WALL, block, 4)->fill_opacity = 0;
+    moving.primitives[moving.count - 1].height = 1;
+    scene_add_discs(&moving, ROLE_WALL, 0.2, &(Vec2){3, 2}, 1)->fill_opacity = 0;
+    stage_show(&stage, &still, &moving);
+    CHECK(pictures_equal(&stage.picture, &ground));
+    memory_free(ground.pixels);
+    scene_clear(&moving);
+    stage_end(&stage);
+}
+
 /* Long films --------------------------------------------------------------------------------------------------------*/
 
 static size_t memory_used(void) {
