@@ -1,5 +1,6 @@
-/* Films: frames per second by the clock, of drawing alone (static layer, what moves, words, and the pixels read back)
- * and with making the scene and its layout; a house with four chairs, and a hall of 1,000. */
+/* Films: frames per second by the clock, of drawing alone (static layer, what moves, words, and the pixels read back),
+ * with making the scene and its layout, and with writing PNG files too; a house with four chairs, and a hall of 1,000.
+ */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,6 +9,7 @@
 #include "bench.h"
 #include "draw/offscreen.h"
 #include "draw/paint_gl.h"
+#include "draw/png.h"
 #include "hall.h"
 #include "house/run.h"
 #include "laboratory/film.h"
@@ -55,9 +57,38 @@ static void show_frame(Screen *screen, double time, double *making, double *draw
     *drawing += bench_clock() - made;
 }
 
+/* Seconds a frame, from the scene to its PNG file in a directory. */
+static double write_frames(Screen *screen, const char *directory, int width, int height, double first, double step) {
+    char path[64];
+    unsigned char *own = screen->pixels;
+    double begin = bench_clock();
+    PngWriter *writer = png_writer_create(width, height, (int)sysconf(_SC_NPROCESSORS_ONLN));
+    for (int frame = 0; frame < FRAMES; frame++) {
+        screen->pixels = png_writer_room(writer);
+        show_frame(screen, first + step * frame, &(double){0}, &(double){0});
+        snprintf(path, sizeof path, "%s/%d.png", directory, frame);
+        png_writer_put(writer, path);
+    }
+    png_writer_finish(writer);
+    double seconds = (bench_clock() - begin) / FRAMES;
+    screen->pixels = own;
+    return seconds;
+}
+
+static void remove_frames(const char *directory) {
+    char path[64];
+    for (int frame = 0; frame < FRAMES; frame++) {
+        snprintf(path, sizeof path, "%s/%d.png", directory, frame);
+        unlink(path);
+    }
+    rmdir(directory);
+}
+
 static void measure(const Show *show, const Gl *gl, ViewKind view, int width, int height) {
     FilmOptions options = {.camera = {.kind = view, .azimuth = VIEW_AZIMUTH, .elevation = VIEW_ELEVATION}};
     double unit = layout_unit(width, height), drawing[TURNS] = {0}, making[TURNS] = {0}, whole[TURNS];
+    double writing[TURNS] = {0};
+    char directory[] = "/tmp/clearance-frames-XXXXXX";
     Screen screen = {.film = film_create(&show->house, &show->observation, &options),
                      .paint = paint_gl_create(gl, width, height, THEME_PAPER),
                      .pixels = memory_allocate((size_t)width * (size_t)height, 4)};
@@ -73,10 +104,15 @@ static void measure(const Show *show, const Gl *gl, ViewKind view, int width, in
         drawing[turn] /= FRAMES;
         whole[turn] = making[turn] + drawing[turn];
     }
-    double alone = bench_median(drawing, TURNS), both = bench_median(whole, TURNS);
-    printf("%-22s %-6s %4d x %-4d  %8.1f %9.0f   %8.1f %9.0f   %8.0f\n", show->name,
+    for (int turn = 0; turn < TURNS && (turn || mkdtemp(directory)); turn++) {
+        paint_gl_still(screen.paint, (Layer){film_still(screen.film), &screen.still});
+        writing[turn] = write_frames(&screen, directory, width, height, step * (turn * FRAMES + 1), step);
+    }
+    remove_frames(directory);
+    double alone = bench_median(drawing, TURNS), both = bench_median(whole, TURNS), all = bench_median(writing, TURNS);
+    printf("%-22s %-6s %4d x %-4d  %8.1f %9.0f   %8.1f %9.0f   %8.1f %9.0f   %8.0f\n", show->name,
            view == VIEW_RAISED ? "raised" : "plan", width, height, 1000 * alone, 1 / alone, 1000 * both, 1 / both,
-           1000 * first);
+           1000 * all, 1 / all, 1000 * first);
     layout_clear(&screen.still);
     layout_clear(&screen.added);
     layout_clear(&screen.moving);
@@ -100,7 +136,8 @@ int main(int argc, char **argv) {
     printf("software rendering by %s, %ld processors; median of %d turns of %d frames, by the clock\n\n",
            offscreen_kind(offscreen) == OFFSCREEN_OSMESA ? "OSMesa" : "EGL", sysconf(_SC_NPROCESSORS_ONLN), TURNS,
            FRAMES);
-    printf("%-42s %8s %9s   %8s %9s   %8s\n", "", "drawn ms", "frames/s", "made too", "frames/s", "static ms");
+    printf("%-42s %8s %9s   %8s %9s   %8s %9s   %8s\n", "", "drawn ms", "frames/s", "made too", "frames/s", "PNG too",
+           "frames/s", "static ms");
     for (size_t i = 0; i < sizeof shows / sizeof *shows; i++) {
         run_house(&shows[i].observation, &shows[i].house, &(RunOptions){.route = SIZE_MAX, .jobs = 2});
         for (ViewKind view = VIEW_PLAN; view <= VIEW_RAISED; view++)
