@@ -155,7 +155,7 @@ def check_observed():
     with tempfile.TemporaryDirectory() as out:
         expect(0, "run", house("straight-corridor"), "--out", out)
         lines = pathlib.Path(out, "trace.csv").read_text().splitlines()[1:]
-        rows = [[float(cell) for cell in line.split(",")] for line in lines]
+        rows = [[float(cell or "nan") for cell in line.split(",")] for line in lines]
         file = pathlib.Path(out, "measured.csv")
         middle = 1.1 / 2 - 0.28 # ahead of the drive axle, along +x
         file.write_text("x;y;time [s]\n" + "".join(f"{r[2] + middle};{r[3] + 0.05};{1.1 * r[0]}\n" for r in reversed(rows)))
@@ -192,7 +192,6 @@ def check_nobody():
 def check_wrong_use():
     expect(2, "run", house("straight-corridor"), "--report", says="--report needs --out DIR")
     expect(2, "compare", house("straight-corridor"), house("straight-corridor"), "--report", says="--report needs --out DIR")
-    expect(2, "compare", house("straight-corridor"), house("straight-corridor"), "--out", "/tmp", says="--out needs --report")
     expect(2, "compare", house("straight-corridor"), house("straight-corridor"), "--observed", "x", says="unknown option")
     with tempfile.TemporaryDirectory() as out:
         expect(2, "run", house("straight-corridor"), "--report", "--out", out, "--observed", "nowhere.csv",

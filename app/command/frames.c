@@ -50,7 +50,7 @@ static bool open_studio(Studio *studio, const House *house, const Observation *o
     char message[OFFSCREEN_MESSAGE];
     studio->offscreen = offscreen_create(OFFSCREEN_ANY, message);
     if (!studio->offscreen) {
-        fprintf(stderr, "clearance: no pictures: %s\n", message);
+        fprintf(stderr, "clearance: %s\n", message);
         return false;
     }
     studio->paint = paint_gl_create(offscreen_gl(studio->offscreen), options->width, options->height, options->theme);

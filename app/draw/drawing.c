@@ -256,7 +256,9 @@ static bool is_solid(const Layout *layout, const Primitive *primitive) {
 void drawing_add(Drawing *drawing, Layer layer) {
     for (size_t i = 0; i < layer.scene->count; i++) {
         const Primitive *primitive = &layer.scene->primitives[i];
-        if (primitive->kind == PRIMITIVE_LABEL || !view_sees(&layer.layout->view, primitive->points, primitive->count))
+        double top = primitive->base + primitive->height;
+        if (primitive->kind == PRIMITIVE_LABEL ||
+            !view_sees(&layer.layout->view, primitive->points, primitive->count, top))
             continue;
         if (is_solid(layer.layout, primitive))
             drawing_solid_add(drawing, layer.layout, primitive);

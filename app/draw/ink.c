@@ -75,6 +75,8 @@ static InkVertex fill_vertex(InkColour colour, const InkHatch *hatch) {
 }
 
 void ink_add_face(Ink *ink, const InkPoint *corners, size_t count, InkColour colour) {
+    if (colour.opacity <= 0)
+        return; /* it would hide others all the same */
     unsigned first = reserve(ink, count, 3 * count);
     for (size_t i = 0; i < count; i++) {
         ink->vertices[ink->count] = fill_vertex(colour, NULL);

@@ -116,10 +116,11 @@ static void place_band(Layout *layout, const Scene *scene) {
     double width = text_extent(scene->title, TITLE_LETTERS, true).x;
     double size = width > room ? fmax(TITLE_LETTERS * room / width, DETAIL_LETTERS) : TITLE_LETTERS;
     double end = add_words(layout, scene->title_role, scene->title, size, true, MARGIN, right, BAND_HEIGHT / 2);
-    double detail = text_extent(scene->detail, DETAIL_LETTERS, false).x;
+    const char *words = scene->detail ? scene->detail : "";
+    double detail = text_extent(words, DETAIL_LETTERS, false).x;
     bool beside = end + 2 * CELL_GAP + detail <= right;
     layout->band = (Box){{0, 0}, {layout->page.x, BAND_HEIGHT + (beside ? 0 : DETAIL_HEIGHT)}};
-    add_words(layout, ROLE_TEXT, scene->detail, DETAIL_LETTERS, false, beside ? end + 2 * CELL_GAP : MARGIN, right,
+    add_words(layout, ROLE_TEXT, words, DETAIL_LETTERS, false, beside ? end + 2 * CELL_GAP : MARGIN, right,
               beside ? BAND_HEIGHT / 2 + 4 : BAND_HEIGHT + DETAIL_HEIGHT / 2 - 8);
 }
 

@@ -71,9 +71,9 @@ double view_depth(const View *view, Vec2 at, double height) {
     return row_value(view->rows[2], at, height) / row_value(view->rows[3], at, height);
 }
 
-bool view_sees(const View *view, const Vec2 *points, size_t count) {
+bool view_sees(const View *view, const Vec2 *points, size_t count, double height) {
     for (size_t i = 0; i < count; i++)
-        if (row_value(view->rows[3], points[i], 0) < NEAREST)
+        if (row_value(view->rows[3], points[i], height) < NEAREST)
             return false;
     return true;
 }

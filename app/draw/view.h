@@ -45,8 +45,8 @@ Vec2 view_point(const View *view, Vec2 at, double height);
 /* How near the point is, from -1, near, to 1. */
 double view_depth(const View *view, Vec2 at, double height);
 
-/* Are all these points of the floor before the camera? */
-bool view_sees(const View *view, const Vec2 *points, size_t count);
+/* Is all before the camera that stands on these points, up to `height` m? */
+bool view_sees(const View *view, const Vec2 *points, size_t count, double height);
 
 /* How long a metre across is there, in design points. */
 double view_scale(const View *view, Vec2 at, double height);
