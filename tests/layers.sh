@@ -19,15 +19,18 @@ sources() {
 
 # shellcheck disable=SC2046 # file names have no spaces
 {
-    forbid 'engine knows the app' '#include "(command|laboratory|draw|window)/' $(sources engine)
+    forbid 'engine knows the app' '#include "(command|report|document|laboratory|draw|window)/' $(sources engine)
     forbid 'engine draws or has a window' '#include *<(SDL|cairo|pango|GL|EGL|glib)' $(sources engine)
     forbid 'engine prints or exits' '(^|[^a-z_])(printf|puts|putchar|exit|abort) *\(' $(sources engine)
     forbid 'base knows what is above it' '#include "(mechanics|house|beam|crank|study|exchange)/' $(sources engine/base)
     forbid 'mechanics knows what is above it' '#include "(house|beam|crank|study|exchange)/' $(sources engine/mechanics)
     forbid 'house knows a neighbour' '#include "(beam|crank|study|exchange)/' $(sources engine/house)
-    forbid 'draw knows a laboratory or a command' '#include "(command|laboratory|document|house)/' $(sources app/draw)
-    forbid 'a document knows more than draw and base' '#include "(command|laboratory|house|exchange|mechanics)/' $(sources app/document)
-    forbid 'a laboratory knows a command' '#include "command/' $(sources app/laboratory)
+    forbid 'draw knows a laboratory or a command' '#include "(command|report|document|laboratory|house)/' $(sources app/draw)
+    forbid 'a document knows more than draw and base' '#include "(command|report|laboratory|house|exchange|mechanics)/' $(sources app/document)
+    forbid 'a laboratory knows a report or a command' '#include "(command|report|document)/' $(sources app/laboratory)
+    forbid 'a report knows a command' '#include "command/' $(sources app/report)
+    forbid 'OpenGL outside its painter' '#include "draw/(gl|shaders)\.h"' \
+        $(sources engine app | grep -vE 'app/draw/(gl|offscreen|paint_gl[a-z_]*|shaders)\.[ch]')
     forbid 'Box2D outside its adaptor' 'box2d/' $(sources engine app | grep -v house/broadphase.cpp)
     forbid 'memory outside memory.c' '(^|[^a-z_])(malloc|calloc|realloc) *\(' $(sources engine app | grep -v base/memory.c)
 }
@@ -36,7 +39,7 @@ sources() {
 for object in $(find "${1:-build-test}" -path '*clearance_*.a.p/*.c.o'); do
     module=$(basename "$object" .c.o)
     case $object in
-    *clearance_app*) module=$(echo "$module" | sed 's/^\(document\|draw\|laboratory\|command\)_//') ;;
+    *clearance_app*) module=$(echo "$module" | sed 's/^\(document\|draw\|laboratory\|report\|command\)_//') ;;
     *) module=$(echo "$module" | sed 's/^\(base\|mechanics\|house\|exchange\)_//') ;;
     esac
     nm --defined-only -g "$object" | awk '$2 == "T" { print $3 }' | while read -r name; do

@@ -9,9 +9,9 @@
 #include "command/house_file.h"
 #include "document/html.h"
 #include "document/pdf.h"
-#include "laboratory/comparison_report.h"
-#include "laboratory/house_report.h"
-#include "laboratory/report_loci.h"
+#include "report/comparison_report.h"
+#include "report/house_report.h"
+#include "report/report_loci.h"
 
 enum { LINE_MOST = 88 /* characters of a command's line: as many as a page has */ };
 

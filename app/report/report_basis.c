@@ -1,4 +1,4 @@
-#include "laboratory/report_basis.h"
+#include "report/report_basis.h"
 
 #include <inttypes.h>
 #include <stdio.h>

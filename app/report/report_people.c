@@ -1,4 +1,4 @@
-#include "laboratory/report_people.h"
+#include "report/report_people.h"
 
 #include <stdio.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/fault.h"
-#include "laboratory/house_report.h"
+#include "report/house_report.h"
 
 /* Has everybody who is observed a namesake in the house, a person or the route of one? Otherwise faults say who has
  * not. Without names the house must have one person. */

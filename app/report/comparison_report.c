@@ -1,4 +1,4 @@
-#include "laboratory/comparison_report.h"
+#include "report/comparison_report.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -6,11 +6,11 @@
 #include "house/plan_tables.h"
 #include "laboratory/census.h"
 #include "laboratory/house_scene.h"
-#include "laboratory/report_basis.h"
-#include "laboratory/report_people.h"
-#include "laboratory/report_pictures.h"
-#include "laboratory/report_places.h"
-#include "laboratory/report_plans.h"
+#include "report/report_basis.h"
+#include "report/report_people.h"
+#include "report/report_pictures.h"
+#include "report/report_places.h"
+#include "report/report_plans.h"
 #include "laboratory/wording.h"
 
 static const char *const letters[] = {"A", "B"};

@@ -1,4 +1,4 @@
-#include "laboratory/report_pictures.h"
+#include "report/report_pictures.h"
 
 /* Design points: with these widths letters are as large in all pictures of a page. */
 #define WIDTH 1027.0

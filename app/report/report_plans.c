@@ -1,4 +1,4 @@
-#include "laboratory/report_plans.h"
+#include "report/report_plans.h"
 
 #include <stdint.h>
 #include <string.h>

@@ -1,15 +1,15 @@
-#include "laboratory/house_report.h"
+#include "report/house_report.h"
 
 #include <ctype.h>
 #include <string.h>
 
 #include "laboratory/house_scene.h"
 #include "laboratory/people_scene.h"
-#include "laboratory/report_basis.h"
-#include "laboratory/report_loci.h"
-#include "laboratory/report_people.h"
-#include "laboratory/report_pictures.h"
-#include "laboratory/report_places.h"
+#include "report/report_basis.h"
+#include "report/report_loci.h"
+#include "report/report_people.h"
+#include "report/report_pictures.h"
+#include "report/report_places.h"
 #include "laboratory/wording.h"
 
 const char *house_report_name(const House *house) {

@@ -4,7 +4,7 @@
 
 #include "document/document.h"
 #include "exchange/observed.h"
-#include "laboratory/report_basis.h"
+#include "report/report_basis.h"
 
 typedef struct HouseReport {
     Reported run;

@@ -1,11 +1,11 @@
-#include "laboratory/report_places.h"
+#include "report/report_places.h"
 
 #include <stdio.h>
 
 #include "base/text.h"
 #include "laboratory/census.h"
 #include "laboratory/house_scene.h"
-#include "laboratory/report_people.h"
+#include "report/report_people.h"
 
 #define DETAIL_WIDTH 3.2 /* m, across a picture of a place */
 #define DETAIL_HEIGHT 2.5

@@ -1,4 +1,4 @@
-#include "laboratory/report_loci.h"
+#include "report/report_loci.h"
 
 #include <stdint.h>
 #include <stdio.h>
@@ -9,8 +9,8 @@
 #include "laboratory/census.h"
 #include "laboratory/people_scene.h"
 #include "laboratory/plan_scene.h"
-#include "laboratory/report_people.h"
-#include "laboratory/report_pictures.h"
+#include "report/report_people.h"
+#include "report/report_pictures.h"
 
 #define TICK_WIDTH 2.0 /* design points, as those of simulated loci */
 #define TICK_LENGTH 11.0
