@@ -13,7 +13,12 @@
 #include "draw/png.h"
 #include "laboratory/film.h"
 
-enum { FRAMES_MOST = 1000000, PATH_ROOM = 4096 };
+enum {
+    FRAMES_MOST = 1000000,
+    PATH_ROOM = 4096,
+    RAISED_WIDTH = 1920, /* pixels, of a report's picture */
+    RAISED_HEIGHT = 1200,
+};
 
 #define FPS_USUAL 30.0
 
@@ -202,5 +207,23 @@ bool frames_write(const House *house, const Observation *observation, const Hous
     if (options->frames > 0 || options->movie || options->camera.kind == VIEW_RAISED)
         return write_pictures(house, observation, &film, plots, options);
     house_plots_free(&plots);
+    return true;
+}
+
+bool frames_draw_raised(const House *house, const Observation *observation, const Options *options,
+                        RaisedPicture *picture) {
+    Options own = *options;
+    own.width = RAISED_WIDTH;
+    own.height = RAISED_HEIGHT;
+    own.theme = THEME_PAPER;
+    own.camera.kind = VIEW_RAISED;
+    own.plots.count = 0;
+    Studio studio = {.options = &own};
+    FilmOptions film = {.camera = own.camera, .bare = true, .shown = own.show};
+    if (!open_studio(&studio, house, observation, &film, (HousePlots){.choice.count = 0}))
+        return false;
+    *picture = (RaisedPicture){memory_allocate((size_t)own.width * (size_t)own.height, 4), own.width, own.height};
+    draw(&studio, observation->time, picture->pixels);
+    close_studio(&studio);
     return true;
 }

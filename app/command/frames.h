@@ -3,6 +3,7 @@
 
 #include "command/command.h"
 #include "house/observation.h"
+#include "report/report_motion.h"
 
 /* Do the options ask for any of it? */
 bool frames_wanted(const Options *options);
@@ -15,3 +16,8 @@ int frames_check(const Options *options);
  * Ctrl-C keeps what is complete. False: said on standard error. */
 bool frames_write(const House *house, const Observation *observation, const House *ghost_house,
                   const Observation *ghost, const Options *options);
+
+/* Draws the end of the run in the raised view, the house alone, on paper; memory_free(picture->pixels). False: said on
+ * standard error. */
+bool frames_draw_raised(const House *house, const Observation *observation, const Options *options,
+                        RaisedPicture *picture);

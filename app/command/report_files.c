@@ -6,6 +6,7 @@
 #include <time.h>
 
 #include "base/text.h"
+#include "command/frames.h"
 #include "command/house_file.h"
 #include "document/html.h"
 #include "document/pdf.h"
@@ -153,9 +154,13 @@ bool report_files_write_run(const House *house, const Observation *observation, 
         if (another->run && !command_interrupted)
             report.ways[driving] = (Reported){&another->house, &another->observation};
     }
+    RaisedPicture raised = {.pixels = NULL};
+    if (observation->time > 0 && frames_draw_raised(house, observation, options, &raised))
+        report.raised = &raised;
     Document document = house_report_make(&report);
     bool written = write_files(&document, options);
     document_clear(&document);
+    memory_free(raised.pixels);
     for (int driving = 0; driving < 2; driving++)
         clear_another(&others[driving]);
     memory_free(command);

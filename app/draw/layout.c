@@ -33,6 +33,7 @@
 #define DISC_LETTERS 16.0
 #define BAR_SHORTEST 64.0 /* of the scale bar: room for "10 m" */
 #define BAR_WIDTH 5.0
+#define BAR_RIM 3.0       /* of paper round it: it may lie on something */
 #define GRID_CLOSEST 14.0 /* closer lines are a grey */
 
 /* A list below the plan is only worth its unusual place when the plan becomes larger by this factor. */
@@ -353,8 +354,11 @@ static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
         add_words(layout, ROLE_DIM_TEXT, words, NAME_LETTERS, false, left, right, foot);
         return;
     }
-    layout_add_sample(
-        layout, (Sample){.from = {left, foot + 10}, .to = {right, foot + 10}, .role = ROLE_TEXT, .width = BAR_WIDTH});
+    double y = foot + 10;
+    Sample rim = {{left - BAR_RIM, y}, {right + BAR_RIM, y},    ROLE_PAPER,
+                  LINE_SOLID,          BAR_WIDTH + 2 * BAR_RIM, SYMBOL_NONE};
+    layout_add_sample(layout, rim);
+    layout_add_sample(layout, (Sample){.from = {left, y}, .to = {right, y}, .role = ROLE_TEXT, .width = BAR_WIDTH});
     snprintf(text, sizeof text, "%g m", length);
     Caption *caption = layout_add_caption(layout, arena_text(&layout->arena, text), NAME_LETTERS, true,
                                           vec2((left + right) / 2, foot - 6));

@@ -126,6 +126,7 @@ static void make_still(Film *film) {
     scene->clock = NULL;
     scene->camera = film->options.camera;
     scene->panels = film->options.panels;
+    scene->bare = film->options.bare;
     if (scene->camera.kind == VIEW_RAISED)
         scene->name = scene_text(scene, "%s, walls cut at %.1f m", scene->name, PLAN_SCENE_CUT);
     plan_scene_still(scene, house);

@@ -20,6 +20,7 @@ int film_shown(const char *words, const char **unknown);
 
 typedef struct FilmOptions {
     Camera camera;
+    bool bare;                /* the house alone, without answer and list */
     int panels;               /* places for plots beside the plan, in place of the list */
     int shown;                /* FILM_..., added up */
     const Observation *ghost; /* whose loci are shown as "before"; NULL: nobody's */

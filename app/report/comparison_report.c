@@ -7,6 +7,7 @@
 #include "laboratory/census.h"
 #include "laboratory/house_scene.h"
 #include "report/report_basis.h"
+#include "report/report_motion.h"
 #include "report/report_people.h"
 #include "report/report_pictures.h"
 #include "report/report_places.h"
@@ -263,6 +264,10 @@ Document comparison_report_make(const Reported runs[2], const Making *making) {
         add_people(&document, runs);
     add_routes(&document, runs);
     add_hazards(&document, runs);
+    if (runs[1].observation->time > 0) {
+        document_add_heading(&document, 2, "Motion in B, and in A before");
+        report_motion_add_curves(&document, &runs[1], &runs[0]);
+    }
     add_basis(&document, runs);
     report_basis_add_making(&document, making, runs, 2);
     for (int r = 0; r < 2; r++)

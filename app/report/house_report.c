@@ -5,12 +5,13 @@
 
 #include "laboratory/house_scene.h"
 #include "laboratory/people_scene.h"
+#include "laboratory/wording.h"
 #include "report/report_basis.h"
 #include "report/report_loci.h"
+#include "report/report_motion.h"
 #include "report/report_people.h"
 #include "report/report_pictures.h"
 #include "report/report_places.h"
-#include "laboratory/wording.h"
 
 const char *house_report_name(const House *house) {
     return *house->plan.name ? house->plan.name : house->plan.path;
@@ -44,6 +45,13 @@ static void add_house(Document *document, const Reported *run, const Making *mak
                         document_text(document, "Plan of %s. %s.", house_report_name(run->house), headline));
 }
 
+static void add_motion(Document *document, const HouseReport *report) {
+    document_add_heading(document, 2, "Motion");
+    if (report->raised)
+        report_motion_add_raised(document, report->raised, house_report_name(report->run.house));
+    report_motion_add_curves(document, &report->run, &(Reported){.house = NULL});
+}
+
 Document house_report_make(const HouseReport *report) {
     const House *house = report->run.house;
     const Observation *observation = report->run.observation;
@@ -57,6 +65,8 @@ Document house_report_make(const HouseReport *report) {
     report_places_add_stops(&document, house, observation);
     report_people_add_routes(&document, house, observation);
     report_places_add_hazards(&document, house, observation);
+    if (observation->time > 0)
+        add_motion(&document, report);
     report_loci_add(&document, report);
     document_add_heading(&document, 2, "What the model assumes");
     if (*house->plan.note)

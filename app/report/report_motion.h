@@ -1,0 +1,20 @@
+/* What moved, in a report: the end of the run in the raised view, and curves over time. */
+#pragma once
+
+#include "document/document.h"
+#include "report/report_basis.h"
+
+/* A picture somebody else has drawn: rows from the top, four bytes a pixel, blue, green, red and one that does not
+ * matter.
+ */
+typedef struct RaisedPicture {
+    unsigned char *pixels;
+    int width, height;
+} RaisedPicture;
+
+/* Copies the picture; it was drawn for a page of that size over `unit` pixels a design point. */
+void report_motion_add_raised(Document *document, const RaisedPicture *picture, const char *name);
+
+/* Speed, clearance, contact force and lateral motion; `before` may hold nothing, otherwise it is shown behind. The
+ * houses must outlive the document. */
+void report_motion_add_curves(Document *document, const Reported *run, const Reported *before);
