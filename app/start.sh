@@ -17,6 +17,6 @@ house=houses/ube-techno-house.json
 echo "running $house"
 echo
 # 1 is an answer too: somebody does not get out
-build/app/clearance run "$house" --out out || [ $? -eq 1 ]
+build/app/clearance run "$house" --view raised --report --out out || [ $? -eq 1 ]
 echo
-echo "look at out/plan.png; other houses: build/app/clearance run houses/NAME.json --out out"
+echo "look at out/report.html, out/plan.png and out/raised.png; other houses: build/app/clearance run houses/NAME.json --out out"

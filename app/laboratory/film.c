@@ -340,10 +340,9 @@ static void add_burst(Scene *scene, Vec2 at, double force) {
     burst->base = ID_HEIGHT / 2;
 }
 
-/* The hardest touch of a person within the last moments. */
-static void add_contact(Film *film, size_t i) {
-    const Trail *trail = &film->trails[i];
-    const double *hardest = trail_hardest(trail, film->time - CONTACT_STAY, film->time);
+/* The hardest touch of a person within the last moments; its force stands outside the body. */
+static void add_contact(Film *film, const Standing *standing) {
+    const double *hardest = trail_hardest(&film->trails[standing->person], film->time - CONTACT_STAY, film->time);
     if (!hardest)
         return;
     Vec2 at = vec2(hardest[TRACE_CONTACT_X], hardest[TRACE_CONTACT_Y]);
@@ -351,8 +350,10 @@ static void add_contact(Film *film, size_t i) {
     if (film->crowd)
         return;
     const char *text = scene_text(&film->moving, "%.0f N", hardest[TRACE_BODY_FORCE]);
-    Primitive *tag =
-        scene_add_label(&film->moving, ROLE_TEXT, CONTACT_LETTERS, vec2_add(at, vec2(0, -ID_BESIDE / 2)), text);
+    Primitive *tag = scene_add_label(&film->moving, ROLE_TEXT, CONTACT_LETTERS, at, text);
+    Vec2 middle = silhouette_middle(standing->profile, standing->pose.at, standing->pose.heading);
+    Vec2 beside = vec2_add(at, vec2_sub(at, middle));
+    scene_bind_label(&film->moving, tag, &beside, 1);
     tag->fill = ROLE_DANGER_MIDDLE;
     tag->shape = LABEL_TAG;
     tag->fixed = tag->bold = true;
@@ -407,7 +408,7 @@ static void make_moving(Film *film) {
     add_walkers(film, count);
     add_chairs(film, count);
     for (size_t i = 0; i < count; i++)
-        add_contact(film, film->standing[i].person);
+        add_contact(film, &film->standing[i]);
     for (size_t i = 0; i < count && !film->crowd; i++)
         add_name(film, &film->standing[i]);
     if (film->crowd)

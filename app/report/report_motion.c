@@ -34,10 +34,7 @@ void report_motion_add_raised(Document *document, const RaisedPicture *picture, 
                picture->pixels + (size_t)y * row, row);
     cairo_surface_mark_dirty(image);
     const char *caption =
-        document_text(document,
-                      "%s at the end of the run, walls and doors cut at %.1f m; squares of the floor are "
-                      "1 m where not said otherwise.",
-                      name, PLAN_SCENE_CUT);
+        document_text(document, "%s at the end of the run; walls and doors are cut at %.1f m.", name, PLAN_SCENE_CUT);
     document_add_figures(document);
     Vec2 size = vec2(RAISED_WIDTH, RAISED_WIDTH * picture->height / picture->width);
     document_add_picture(document, paint_image, image, size, caption,
