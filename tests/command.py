@@ -9,34 +9,9 @@ import os
 import pathlib
 import signal
 import subprocess
-import sys
 import tempfile
 
-source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", "."))
-program = pathlib.Path(sys.argv[1]).resolve()
-failures = 0
-
-
-def house(name):
-    return str(source / "houses" / f"{name}.json")
-
-
-def run(*arguments, cwd=None):
-    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=120, cwd=cwd)
-
-
-def check(good, what, detail=""):
-    global failures
-    if not good:
-        failures += 1
-        print(f"FAIL {what} {detail}")
-
-
-def expect(code, *arguments, says=""):
-    done = run(*arguments)
-    check(done.returncode == code, f"{arguments}: exit code {done.returncode}, expected {code}", done.stderr)
-    check(says in done.stderr, f"{arguments}: standard error lacks {says!r}", done.stderr)
-    return done
+from program import check, end, expect, house, program, run, source
 
 
 def check_answers():
@@ -197,5 +172,4 @@ def check_interrupt():
 
 for part in (check_answers, check_crowds, check_options, check_wrong_use, check_files, check_cases, check_interrupt):
     part()
-print(f"{failures} failures")
-sys.exit(failures != 0)
+end()

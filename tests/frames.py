@@ -10,36 +10,10 @@ import shutil
 import signal
 import struct
 import subprocess
-import sys
 import tempfile
 import time
 
-source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", "."))
-program = pathlib.Path(sys.argv[1]).resolve()
-failures = 0
-
-
-def house(name):
-    return str(source / "houses" / f"{name}.json")
-
-
-def run(*arguments, **environment):
-    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=300,
-                          env={**os.environ, **environment})
-
-
-def check(good, what, detail=""):
-    global failures
-    if not good:
-        failures += 1
-        print(f"FAIL {what} {detail}")
-
-
-def expect(code, *arguments, says="", **environment):
-    done = run(*arguments, **environment)
-    check(done.returncode == code, f"{arguments}: exit code {done.returncode}, expected {code}", done.stderr)
-    check(says in done.stderr, f"{arguments}: standard error lacks {says!r}", done.stderr)
-    return done
+from program import check, end, expect, house, program, run
 
 
 def size_of(png):
@@ -160,5 +134,4 @@ def check_interrupt(out):
 with tempfile.TemporaryDirectory() as directory:
     for part in (check_frames, check_contexts, check_plots, check_films, check_comparison, check_wrong_use, check_interrupt):
         part(pathlib.Path(directory) / part.__name__)
-print(f"{failures} failures")
-sys.exit(failures != 0)
+end()

@@ -10,37 +10,13 @@ import os
 import pathlib
 import re
 import subprocess
-import sys
 import tempfile
 import xml.etree.ElementTree as tree
 
-source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", "."))
-program = pathlib.Path(sys.argv[1]).resolve()
+from program import check, end, expect, house
+
+os.environ["SOURCE_DATE_EPOCH"] = "1700000000"
 html = "{http://www.w3.org/1999/xhtml}"
-failures = 0
-
-
-def house(name):
-    return str(source / "houses" / f"{name}.json")
-
-
-def run(*arguments, **environment):
-    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=120,
-                          env={**os.environ, "SOURCE_DATE_EPOCH": "1700000000", **environment})
-
-
-def check(good, what, detail=""):
-    global failures
-    if not good:
-        failures += 1
-        print(f"FAIL {what} {detail}")
-
-
-def expect(code, *arguments, says=""):
-    done = run(*arguments)
-    check(done.returncode == code, f"{arguments}: exit code {done.returncode}, expected {code}", done.stderr)
-    check(says in done.stderr, f"{arguments}: standard error lacks {says!r}", done.stderr)
-    return done
 
 
 def words_of(element):
@@ -202,5 +178,4 @@ def check_wrong_use():
 
 for part in (check_run, check_no_way, check_comparison, check_observed, check_crowd, check_nobody, check_wrong_use):
     part()
-print(f"{failures} failures")
-sys.exit(failures != 0)
+end()

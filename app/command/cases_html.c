@@ -1,11 +1,11 @@
 #include "command/cases_html.h"
 
 #include <inttypes.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "command/cases_words.h"
+#include "document/html.h"
 #include "house/trial.h"
 
 /* The colours are the palette's: blue for what passed, orange-brown for what did not; 4.5:1 and more on their ground.
@@ -41,24 +41,6 @@ static const char head[] =
     "@media print{details{display:block}}\n"
     "</style></head><body>\n";
 
-static void add(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-static void add(Text *text, const char *format, ...) {
-    char part[1024];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(part, sizeof part, format, arguments);
-    va_end(arguments);
-    text_add(text, part);
-}
-
-static void add_escaped(Text *text, const char *words) {
-    for (const char *at = words; *at; at++) {
-        const char one[2] = {*at, 0};
-        text_add(text, *at == '<' ? "&lt;" : *at == '>' ? "&gt;" : *at == '&' ? "&amp;" : *at == '"' ? "&quot;" : one);
-    }
-}
-
 static const char *verdict_class(Verdict verdict) {
     return verdict == VERDICT_PASSED ? "yes" : verdict == VERDICT_FAILED ? "no" : "rest";
 }
@@ -73,7 +55,8 @@ static void add_sign(Text *text, Verdict verdict) {
         [VERDICT_FAILED] = "<rect x=\"1\" y=\"1\" width=\"22\" height=\"22\" fill=\"currentColor\"/><path d=\"M7 7l10 "
                            "10M17 7L7 17\" stroke=\"var(--paper)\" stroke-width=\"3\"/>",
         [VERDICT_DOES_NOT_APPLY] = "<path d=\"M3 12h18\" stroke=\"currentColor\" stroke-width=\"4\"/>"};
-    add(text,
+    text_format(
+        text,
         "<span class=\"verdict %s\"><svg class=\"sign\" viewBox=\"0 0 24 24\" aria-hidden=\"true\">%s</svg>%s</span>",
         verdict_class(verdict), signs[verdict], cases_words_verdict(verdict));
 }
@@ -90,25 +73,26 @@ static void add_ruler(Text *text, const VerificationCheck *check) {
     double scale = 240 / (to - from);
     double left = has_low ? (low - from) * scale : 0, right = has_high ? (high - from) * scale : 240;
     double at = (check->value - from) * scale;
-    add(text,
+    text_format(
+        text,
         "<svg class=\"ruler\" viewBox=\"0 0 240 48\" role=\"img\" aria-label=\"the value on a ruler with its limits\">"
         "<path d=\"M0 20h240\" stroke=\"var(--line)\" stroke-width=\"2\"/>");
-    add(text, "<rect x=\"%.1f\" y=\"12\" width=\"%.1f\" height=\"16\" fill=\"var(--band)\"/>", left,
-        fmax(right - left, 3));
+    text_format(text, "<rect x=\"%.1f\" y=\"12\" width=\"%.1f\" height=\"16\" fill=\"var(--band)\"/>", left,
+                fmax(right - left, 3));
     const double limits[2] = {left, right}, numbers[2] = {check->low, check->high};
     const bool has[2] = {has_low, has_high && check->high > check->low};
     for (int l = 0; l < 2; l++)
         if (has[l])
-            add(text,
-                "<path d=\"M%.1f 8v24\" stroke=\"var(--text)\" stroke-width=\"2\"/><text x=\"%.1f\" y=\"46\" "
-                "font-size=\"14\" text-anchor=\"%s\" fill=\"var(--dim)\">%g</text>",
-                limits[l], limits[l], has[0] && has[1] && right - left < 50 ? l ? "start" : "end" : "middle",
-                numbers[l]);
+            text_format(text,
+                        "<path d=\"M%.1f 8v24\" stroke=\"var(--text)\" stroke-width=\"2\"/><text x=\"%.1f\" y=\"46\" "
+                        "font-size=\"14\" text-anchor=\"%s\" fill=\"var(--dim)\">%g</text>",
+                        limits[l], limits[l], has[0] && has[1] && right - left < 50 ? l ? "start" : "end" : "middle",
+                        numbers[l]);
     bool passed = check->verdict == VERDICT_PASSED;
     if (passed)
-        add(text, "<circle cx=\"%.1f\" cy=\"20\" r=\"8\" fill=\"var(--yes)\"/>", at);
+        text_format(text, "<circle cx=\"%.1f\" cy=\"20\" r=\"8\" fill=\"var(--yes)\"/>", at);
     else
-        add(text, "<rect x=\"%.1f\" y=\"12\" width=\"16\" height=\"16\" fill=\"var(--no)\"/>", at - 8);
+        text_format(text, "<rect x=\"%.1f\" y=\"12\" width=\"16\" height=\"16\" fill=\"var(--no)\"/>", at - 8);
     text_add(text, "</svg>");
 }
 
@@ -116,21 +100,21 @@ static void add_check(Text *text, const VerificationCheck *check) {
     char words[CASES_WORDS_SIZE], why[3 * CASES_WORDS_SIZE];
     text_add(text, "<tr><td>");
     cases_words_question(check, words);
-    add_escaped(text, words);
+    html_add_escaped(text, words);
     if (check->seeds > 1)
-        add(text, " <span class=\"note\">(mean of %d seeds)</span>", check->seeds);
+        text_format(text, " <span class=\"note\">(mean of %d seeds)</span>", check->seeds);
     if (check->verdict == VERDICT_FAILED) {
         cases_words_why(check, why);
         text_add(text, "<div class=\"why\">");
-        add_escaped(text, why);
+        html_add_escaped(text, why);
         text_add(text, "</div>");
     }
     text_add(text, "</td><td>");
     cases_words_limits(check, words);
-    add_escaped(text, words);
+    html_add_escaped(text, words);
     text_add(text, "</td><td class=\"ours\">");
     cases_words_value(check, words);
-    add_escaped(text, words);
+    html_add_escaped(text, words);
     text_add(text, "</td><td class=\"wide\">");
     if (isfinite(check->value))
         add_ruler(text, check);
@@ -141,12 +125,12 @@ static void add_check(Text *text, const VerificationCheck *check) {
 
 static void add_case(Text *text, const Verification *verification) {
     text_add(text, "<tr class=\"case\"><td colspan=\"5\"><b>");
-    add_escaped(text, verification->suite);
+    html_add_escaped(text, verification->suite);
     text_add(text, "</b> ");
-    add_escaped(text, verification->title);
+    html_add_escaped(text, verification->title);
     if (*verification->note) {
         text_add(text, "<details><summary>source and assumptions</summary><div class=\"note\">");
-        add_escaped(text, verification->note);
+        html_add_escaped(text, verification->note);
         text_add(text, "</div></details>");
     }
     text_add(text, "</td></tr>\n");
@@ -161,11 +145,11 @@ static void add_not_applying(Text *text, const Verification *cases, size_t count
         if (cases[i].applies)
             continue;
         text_add(text, "<tr><td><b>");
-        add_escaped(text, cases[i].suite);
+        html_add_escaped(text, cases[i].suite);
         text_add(text, "</b> ");
-        add_escaped(text, cases[i].title);
+        html_add_escaped(text, cases[i].title);
         text_add(text, "</td><td>");
-        add_escaped(text, cases[i].reason);
+        html_add_escaped(text, cases[i].reason);
         text_add(text, "</td></tr>\n");
     }
     text_add(text, "</tbody></table>\n");
@@ -176,8 +160,9 @@ void cases_html_add(Text *text, const Verification *cases, size_t count, uint64_
     bool some_do_not_apply = false;
     cases_words_summary(cases, count, summary);
     text_add(text, head);
-    add(text, "<h1>%s</h1>\n", summary);
-    add(text,
+    text_format(text, "<h1>%s</h1>\n", summary);
+    text_format(
+        text,
         "<p>Tests that others published for programs like this one, run by <code>clearance cases</code> %s with seeds "
         "from %" PRIu64 ". The band is what a test allows; a disc lies in it, a square does not.</p>\n",
         CLEARANCE_VERSION, seed);

@@ -1,7 +1,6 @@
 #include "document/html.h"
 
 #include <glib.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -48,18 +47,7 @@ static const char style[] =
     "h1,h2,h3,caption{break-after:avoid}tr,figure,.note,pre{break-inside:avoid}thead{display:table-header-group}"
     "h2+p,h3+p{break-after:avoid}p,.note,pre{orphans:2;widows:2}.newpage{break-before:page}}\n";
 
-static void add(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-static void add(Text *text, const char *format, ...) {
-    char part[512];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(part, sizeof part, format, arguments);
-    va_end(arguments);
-    text_add(text, part);
-}
-
-static void add_escaped(Text *text, const char *words) {
+void html_add_escaped(Text *text, const char *words) {
     for (const char *at = words; *at; at++) {
         const char one[2] = {*at, 0};
         text_add(text, *at == '<'    ? "&lt;"
@@ -73,14 +61,14 @@ static void add_escaped(Text *text, const char *words) {
 
 static void add_element(Text *text, const char *open, const char *words, const char *close) {
     text_add(text, open);
-    add_escaped(text, words);
+    html_add_escaped(text, words);
     text_add(text, close);
 }
 
 static void add_colour(Text *text, const char *name, Theme theme, Role role) {
     Colour colour = palette_colour(theme, role);
-    add(text, "--%s:#%02X%02X%02X;", name, (unsigned)lround(255 * colour.red), (unsigned)lround(255 * colour.green),
-        (unsigned)lround(255 * colour.blue));
+    text_format(text, "--%s:#%02X%02X%02X;", name, (unsigned)lround(255 * colour.red),
+                (unsigned)lround(255 * colour.green), (unsigned)lround(255 * colour.blue));
 }
 
 static void add_head(Text *text, const Document *document, Theme theme) {
@@ -97,7 +85,7 @@ static void add_head(Text *text, const Document *document, Theme theme) {
     add_colour(text, "line", theme, ROLE_GRID);
     add_colour(text, "link", theme, ROLE_LOCUS);
     add_colour(text, "mark", theme, ROLE_DANGER_MIDDLE);
-    add(text, "color-scheme:%s}\n", theme == THEME_BOARD ? "dark" : "light");
+    text_format(text, "color-scheme:%s}\n", theme == THEME_BOARD ? "dark" : "light");
     text_add(text, style);
     text_add(text, "</style>\n</head>\n<body>\n<main>\n");
 }
@@ -107,9 +95,9 @@ static void add_heading(Text *text, const Document *document, size_t index) {
     bool new_page = index > 0 && document->blocks[index - 1].kind == BLOCK_PAGE;
     if (block->level == 1)
         add_element(text, "<p class=\"above\">", document->subject, "</p>\n");
-    add(text, "<h%d id=\"s%zu\"%s>", block->level, index, new_page ? " class=\"newpage\"" : "");
-    add_escaped(text, block->text);
-    add(text, "</h%d>\n", block->level);
+    text_format(text, "<h%d id=\"s%zu\"%s>", block->level, index, new_page ? " class=\"newpage\"" : "");
+    html_add_escaped(text, block->text);
+    text_format(text, "</h%d>\n", block->level);
 }
 
 static void add_contents(Text *text, const Document *document) {
@@ -118,7 +106,7 @@ static void add_contents(Text *text, const Document *document) {
         const Block *block = &document->blocks[b];
         if (block->kind != BLOCK_HEADING || block->level != 2)
             continue;
-        add(text, "<li><a href=\"#s%zu\">", b);
+        text_format(text, "<li><a href=\"#s%zu\">", b);
         add_element(text, "", block->text, "</a></li>\n");
     }
     text_add(text, "</ul></nav>\n");
@@ -128,7 +116,7 @@ static void add_row(Text *text, const Table *table, const char *const *cells) {
     text_add(text, "<tr>");
     for (size_t c = 0; c < table->column_count; c++) {
         const char *right = table->columns[c].align == ALIGN_RIGHT ? " class=\"right\"" : "";
-        add(text, c ? "<td%s>" : "<th scope=\"row\"%s>", right);
+        text_format(text, c ? "<td%s>" : "<th scope=\"row\"%s>", right);
         add_element(text, "", cells[c], c ? "</td>" : "</th>");
     }
     text_add(text, "</tr>\n");
@@ -142,7 +130,7 @@ static void add_table(Text *text, const Table *table) {
         add_element(text, "<caption>", table->caption, "</caption>\n");
     text_add(text, "<thead><tr>");
     for (size_t c = 0; c < table->column_count; c++) {
-        add(text, "<th scope=\"col\"%s>", table->columns[c].align == ALIGN_RIGHT ? " class=\"right\"" : "");
+        text_format(text, "<th scope=\"col\"%s>", table->columns[c].align == ALIGN_RIGHT ? " class=\"right\"" : "");
         add_element(text, "", table->columns[c].head, "</th>");
     }
     text_add(text, "</tr></thead>\n<tbody>\n");
@@ -154,10 +142,10 @@ static void add_table(Text *text, const Table *table) {
 static void add_picture(Text *text, const Picture *picture, Theme theme) {
     PictureFile file = picture_file(picture, theme);
     char *encoded = g_base64_encode(file.bytes, file.size);
-    add(text, "<figure style=\"max-width:%.1frem\"><img width=\"%.0f\" height=\"%.0f\" alt=\"",
-        picture->size.x / POINTS_A_REM, picture->size.x, picture->size.y);
-    add_escaped(text, picture->alternative);
-    add(text, "\" src=\"data:%s;base64,", file.type);
+    text_format(text, "<figure style=\"max-width:%.1frem\"><img width=\"%.0f\" height=\"%.0f\" alt=\"",
+                picture->size.x / POINTS_A_REM, picture->size.x, picture->size.y);
+    html_add_escaped(text, picture->alternative);
+    text_format(text, "\" src=\"data:%s;base64,", file.type);
     text_add(text, encoded);
     text_add(text, "\"/>\n");
     if (picture->caption)

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -81,6 +82,18 @@ void text_add(Text *text, const char *more) {
     text->text = memory_reserve(text->text, &text->capacity, text->used + length + 1, 1);
     memcpy(text->text + text->used, more, length + 1);
     text->used += length;
+}
+
+void text_format(Text *text, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vsnprintf(NULL, 0, format, arguments);
+    va_end(arguments);
+    text->text = memory_reserve(text->text, &text->capacity, text->used + (size_t)length + 1, 1);
+    va_start(arguments, format);
+    vsnprintf(text->text + text->used, (size_t)length + 1, format, arguments);
+    va_end(arguments);
+    text->used += (size_t)length;
 }
 
 char *text_beside(const char *path) {

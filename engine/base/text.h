@@ -18,6 +18,9 @@ typedef struct Text {
 
 void text_add(Text *text, const char *more);
 
+/* Adds what printf would print. */
+void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 /* The name of a file beside `path`, of this process, to be renamed to it when it is whole; memory_free it. */
 char *text_beside(const char *path);
 

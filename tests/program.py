@@ -1,0 +1,37 @@
+"""What the tests of the command line share: running the program, and saying what was expected of it."""
+
+import os
+import pathlib
+import subprocess
+import sys
+
+source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", "."))
+program = pathlib.Path(sys.argv[1]).resolve()
+failed = []
+
+
+def house(name):
+    return str(source / "houses" / f"{name}.json")
+
+
+def run(*arguments, cwd=None, **environment):
+    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=300, cwd=cwd,
+                          env={**os.environ, **environment})
+
+
+def check(good, what, detail=""):
+    if not good:
+        failed.append(what)
+        print(f"FAIL {what} {detail}")
+
+
+def expect(code, *arguments, says="", **environment):
+    done = run(*arguments, **environment)
+    check(done.returncode == code, f"{arguments}: exit code {done.returncode}, expected {code}", done.stderr)
+    check(says in done.stderr, f"{arguments}: standard error lacks {says!r}", done.stderr)
+    return done
+
+
+def end():
+    print(f"{len(failed)} failures")
+    sys.exit(len(failed) != 0)
