@@ -13,7 +13,7 @@ import subprocess
 import tempfile
 import xml.etree.ElementTree as tree
 
-from program import check, end, expect, house
+from program import check, end, expect, house, run, source
 
 os.environ["SOURCE_DATE_EPOCH"] = "1700000000"
 html = "{http://www.w3.org/1999/xhtml}"
