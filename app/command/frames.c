@@ -48,17 +48,33 @@ int frames_check(const Options *options) {
     return EXIT_WRONG_INPUT;
 }
 
-/* Takes the plots. */
-static bool open_studio(Studio *studio, const House *house, const Observation *observation, const FilmOptions *film,
-                        HousePlots plots) {
+/* A painter for pictures of the options' size; NULL: said on standard error. */
+static PaintGl *create_painter(Studio *studio) {
     const Options *options = studio->options;
     char message[OFFSCREEN_MESSAGE];
     studio->offscreen = offscreen_create(OFFSCREEN_ANY, message);
     if (!studio->offscreen) {
         fprintf(stderr, "clearance: %s\n", message);
+        return NULL;
+    }
+    PaintGl *paint = paint_gl_create(offscreen_gl(studio->offscreen), options->width, options->height, options->theme);
+    if (!paint) {
+        fprintf(stderr, "clearance: OpenGL has no room for pictures of %d x %d pixels: smaller ones would do\n",
+                options->width, options->height);
+        offscreen_destroy(studio->offscreen);
+    }
+    return paint;
+}
+
+/* Takes the plots. */
+static bool open_studio(Studio *studio, const House *house, const Observation *observation, const FilmOptions *film,
+                        HousePlots plots) {
+    const Options *options = studio->options;
+    studio->paint = create_painter(studio);
+    if (!studio->paint) {
+        house_plots_free(&plots);
         return false;
     }
-    studio->paint = paint_gl_create(offscreen_gl(studio->offscreen), options->width, options->height, options->theme);
     studio->film = film_create(house, observation, film);
     double unit = layout_unit(options->width, options->height);
     layout_make(&studio->still, film_still(studio->film), vec2(options->width / unit, options->height / unit));
