@@ -8,7 +8,7 @@ install_packages $build_packages
 
 if [ ! -f build/build.ninja ]; then
     echo "configuring in build/"
-    configure meson setup build --buildtype=release -Db_lto=true
+    configure meson setup build --buildtype=release -Db_lto=true -Db_lto_threads=2
 fi
 echo "building"
 ninja -C build --quiet app/clearance
