@@ -107,6 +107,8 @@ def check_comparison(out):
 def check_wrong_use(out):
     corridor = house("straight-corridor")
     expect(2, "run", corridor, "--frames", "10", says="--frames needs --out")
+    expect(2, "run", corridor, "--movie", str(out / "film.gif"), says="must end in .mp4")
+    expect(0, "run", corridor, "--frames", "1", "--from", "900", "--out", str(out), says="after the end of the run")
     expect(2, "run", corridor, "--plots", "speed", says="--plots needs --out")
     expect(2, "run", corridor, "--from", "9", "--to", "3", "--frames", "2", "--out", str(out), says="--from 9 is after --to 3")
     for option, value in (("--frames", "0"), ("--frames", "-1"), ("--frames", "nan"), ("--frames", "many"), ("--view", "side"),

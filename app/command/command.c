@@ -302,8 +302,9 @@ static int take_option(const Verb *verb, Options *options, int argc, char **argv
     if (option->argument && !value && *at + 1 < argc)
         value = argv[++*at];
     if ((option->argument && !value) || (!option->argument && value) || !option->take(options, value)) {
-        fprintf(stderr, "clearance: %s takes %s: %s\n", option->name, option->argument ? option->argument : "no value",
-                option->meaning);
+        fprintf(stderr, "clearance: %s takes %s%s%s%s: %s\n", option->name,
+                option->argument ? option->argument : "no value", value ? ", not \"" : "", value ? value : "",
+                value ? "\"" : "", option->meaning);
         return EXIT_WRONG_INPUT;
     }
     return 0;

@@ -36,11 +36,23 @@ bool frames_wanted(const Options *options) {
     return options->frames > 0 || options->movie || options->camera.kind == VIEW_RAISED || options->plots.count;
 }
 
+/* Kinds of film that are small and that everything plays. */
+static bool is_film(const char *path) {
+    static const char *const endings[] = {".mp4", ".mkv", ".mov", ".webm"};
+    const char *dot = strrchr(path, '.');
+    for (size_t i = 0; dot && i < sizeof endings / sizeof *endings; i++)
+        if (strcmp(dot, endings[i]) == 0)
+            return true;
+    return false;
+}
+
 int frames_check(const Options *options) {
     if (options->frames > 0 && !options->out)
         fprintf(stderr, "clearance: --frames needs --out DIR, where they are written\n");
     else if (options->plots.count && !options->out && !options->movie)
         fprintf(stderr, "clearance: --plots needs --out DIR, where they are written\n");
+    else if (options->movie && !is_film(options->movie))
+        fprintf(stderr, "clearance: --movie %s: its name must end in .mp4, .mkv, .mov or .webm\n", options->movie);
     else if (options->from >= 0 && options->to >= 0 && options->from > options->to)
         fprintf(stderr, "clearance: --from %g is after --to %g\n", options->from, options->to);
     else
@@ -205,17 +217,19 @@ static bool write_pictures(const House *house, const Observation *observation, c
     return good;
 }
 
-bool frames_write(const House *house, const Observation *observation, const House *ghost_house,
-                  const Observation *ghost, const Options *options) {
+bool frames_write(const House *house, const Observation *observation, Before before, const Options *options) {
     FilmOptions film = {
-        .camera = options->camera, .panels = (int)options->plots.count, .shown = options->show, .ghost = ghost};
+        .camera = options->camera, .panels = (int)options->plots.count, .shown = options->show, .before = before};
     Times times = times_of(options, observation->time);
+    if (options->from > observation->time)
+        fprintf(stderr, "clearance: --from %g is after the end of the run at %.1f s: the end is shown\n", options->from,
+                observation->time);
     if (times.count > FRAMES_MOST) {
         fprintf(stderr, "clearance: these would be %zu pictures, at most %d: take fewer a second, or --from and --to\n",
                 times.count, FRAMES_MOST);
         return false;
     }
-    HousePlots plots = house_plots_make(house, observation, ghost_house, ghost, &options->plots);
+    HousePlots plots = house_plots_make(house, observation, before.house, before.observation, &options->plots);
     if (options->out && !plot_strip_write(&plots, options)) {
         house_plots_free(&plots);
         return false;

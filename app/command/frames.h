@@ -2,7 +2,7 @@
 #pragma once
 
 #include "command/command.h"
-#include "house/observation.h"
+#include "laboratory/house_scene.h"
 #include "report/report_motion.h"
 
 /* Do the options ask for any of it? */
@@ -12,10 +12,9 @@ bool frames_wanted(const Options *options);
 int frames_check(const Options *options);
 
 /* Writes --out's frames/frame-00001.png and so on, the film, and with --view raised the last picture as raised.png,
- * with progress on standard error when that is a terminal; `ghost` (with its house) or NULL is shown as "before".
- * Ctrl-C keeps what is complete. False: said on standard error. */
-bool frames_write(const House *house, const Observation *observation, const House *ghost_house,
-                  const Observation *ghost, const Options *options);
+ * with progress on standard error when that is a terminal. Ctrl-C keeps what is complete. False: said on standard
+ * error. */
+bool frames_write(const House *house, const Observation *observation, Before before, const Options *options);
 
 /* Draws the end of the run in the raised view, the house alone, on paper; memory_free(picture->pixels). False: said on
  * standard error. */

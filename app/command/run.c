@@ -52,7 +52,7 @@ static bool write_results(const House *house, const Observation *observation, co
         if (!written || !report_files_write_run(house, observation, observed, options, route))
             return false;
     }
-    return !frames_wanted(options) || frames_write(house, observation, NULL, NULL, options);
+    return !frames_wanted(options) || frames_write(house, observation, (Before){.house = NULL}, options);
 }
 
 static size_t find_route(const House *house, const Options *options) {
@@ -104,7 +104,7 @@ int command_run(const Options *options) {
     else
         answer_text_print(&house, &observation);
     if (options->out && written && !options->json)
-        printf("\npictures and data are in %s\n", options->out);
+        printf("\n%spictures and data are in %s\n", options->report ? "report.html, report.pdf, " : "", options->out);
     int code = !written ? EXIT_WRONG_INPUT : observation.completed ? EXIT_ANSWERED : EXIT_ANSWER_NO;
     observation_free(&observation);
     observed_free(&observed);

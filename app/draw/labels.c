@@ -204,6 +204,7 @@ static bool has_free_labels(const Scene *scene) {
 }
 
 void labels_place(Layout *layout, const Scene *scene) {
+    size_t fixed = layout->caption_count;
     for (size_t i = 0; i < scene->count; i++)
         if (scene->primitives[i].kind == PRIMITIVE_LABEL && scene->primitives[i].fixed)
             place_fixed(layout, &scene->primitives[i]);
@@ -211,6 +212,8 @@ void labels_place(Layout *layout, const Scene *scene) {
         return;
     Mask mask;
     mask_init(&mask, layout->plan);
+    for (size_t i = fixed; i < layout->caption_count; i++)
+        mask_mark_box(&mask, caption_box(&layout->captions[i]), LABEL_WEIGHT);
     for (size_t i = 0; i < scene->count; i++)
         if (scene->primitives[i].keep_clear > 0)
             mark_primitive(&mask, layout, &scene->primitives[i]);

@@ -5,7 +5,6 @@
 #include "laboratory/blockage_scene.h"
 #include "laboratory/crowd_scene.h"
 #include "laboratory/figure.h"
-#include "laboratory/house_scene.h"
 #include "laboratory/people_scene.h"
 #include "laboratory/plan_scene.h"
 #include "laboratory/route_scene.h"
@@ -17,7 +16,6 @@
 #define CONTACT_EDGE 3.0
 #define CONTACT_LETTERS 17.0
 #define ID_LETTERS 15.0
-#define EXIT_LETTERS 17.0
 #define WAY_WIDTH 44.0 /* about a chair's, where a house fills a screen */
 #define KEEP_WAY 2.0   /* how much labels avoid it */
 
@@ -54,6 +52,7 @@ struct Film {
     Standing *standing; /* (person_count) room for who is there */
     Pose *poses;        /* (person_count) room for walkers of one profile */
     bool crowd;
+    bool several;   /* routes have people who take part */
     bool small;     /* a house so large that chairs are signs rather than likenesses */
     double time;    /* s, shown last; -1: none */
     size_t samples; /* of the record, that have been added */
@@ -86,6 +85,18 @@ static Vec2 row_place(const double *row) {
 
 /* What stays ---------------------------------------------------------------------------------------------------------
  */
+
+/* Do people of more than one route take part? */
+static bool has_several_routes(const Film *film) {
+    const PlanRoute *first = NULL;
+    bool several = false;
+    for (size_t i = 0; i < film->house->person_count; i++)
+        if (film->observation->people[i].took_part) {
+            several |= first && film->house->people[i].route != first;
+            first = film->house->people[i].route;
+        }
+    return several;
+}
 
 /* Where people will go, with their feet before them, labels would hide them: marked, not seen. */
 static void keep_ways_clear(Film *film) {
@@ -122,6 +133,8 @@ static void make_still(Film *film) {
     Census census = census_take(house, film->observation);
     film->crowd = house_scene_begin(scene, house, film->observation, &census);
     census_clear(&census);
+    house_scene_say_before(scene, film->options.before);
+    film->several = has_several_routes(film);
     film->small = film->crowd && crowd_scene_is_large(scene->box);
     scene->clock = NULL;
     scene->camera = film->options.camera;
@@ -130,14 +143,14 @@ static void make_still(Film *film) {
     if (scene->camera.kind == VIEW_RAISED)
         scene->name = scene_text(scene, "%s, walls cut at %.1f m", scene->name, PLAN_SCENE_CUT);
     plan_scene_still(scene, house);
-    if (film->options.ghost)
-        people_scene_ghost(scene, film->options.ghost);
+    if (film->options.before.observation)
+        people_scene_ghost(scene, film->options.before.observation);
     route_scene_add(scene, house, film->observation, film->options.shown & FILM_ROUTES,
                     film->options.shown & FILM_WIDTHS);
     if (!film->crowd)
         keep_ways_clear(film);
     if (!film->crowd)
-        plan_scene_tags(scene, house, NULL);
+        plan_scene_signs(scene, house);
     add_blockages(film);
     people_scene_hazards(scene, film->observation);
     plan_scene_names(scene, house, !film->crowd && scene->camera.kind == VIEW_PLAN);
@@ -372,13 +385,6 @@ static void add_name(Film *film, const Standing *standing) {
     tag->fixed = tag->bold = true;
 }
 
-/* Across an exit and away from the middle of the house. */
-static Vec2 outwards(const Film *film, const Exit *exit, Vec2 at) {
-    Box box = film->house->outline.box;
-    Vec2 middle = vec2_scale(vec2_add(box.low, box.high), 0.5), across = vec2_left(vec2_sub(exit->to, exit->from));
-    return vec2_dot(across, vec2_sub(at, middle)) < 0 ? vec2_scale(across, -1) : across;
-}
-
 /* Of a crowd: how many have left by each exit so far. */
 static void add_exits(Film *film) {
     const Plan *plan = &film->house->plan;
@@ -389,14 +395,8 @@ static void add_exits(Film *film) {
             left[person->exit]++;
     }
     for (size_t e = 0; e < plan->exit_count; e++) {
-        Vec2 middle = vec2_scale(vec2_add(plan->exits[e].from, plan->exits[e].to), 0.5);
         const char *text = scene_text(&film->moving, "EXIT %s: %zu", plan->exits[e].id, left[e]);
-        Primitive *tag = scene_add_label(&film->moving, ROLE_TEXT, EXIT_LETTERS, middle, text);
-        Vec2 beside = vec2_add(middle, outwards(film, &plan->exits[e], middle));
-        scene_bind_label(&film->moving, tag, &beside, 1);
-        tag->fill = ROLE_EXIT_TAG;
-        tag->shape = LABEL_TAG;
-        tag->fixed = tag->bold = true;
+        plan_scene_sign(&film->moving, film->house, &plan->exits[e], text);
     }
     memory_free(left);
 }
@@ -413,7 +413,8 @@ static void make_moving(Film *film) {
         add_name(film, &film->standing[i]);
     if (film->crowd)
         add_exits(film);
-    scene->clock = scene_text(scene, "%.1f s", film->time);
+    bool alone = film->house->plan.run.routes == ROUTES_ALONE && film->several;
+    scene->clock = scene_text(scene, alone ? "%.1f s of separate runs, one over the other" : "%.1f s", film->time);
 }
 
 bool film_show(Film *film, double time) {

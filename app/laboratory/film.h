@@ -4,7 +4,7 @@
 #pragma once
 
 #include "draw/scene.h"
-#include "house/observation.h"
+#include "laboratory/house_scene.h"
 
 /* What is shown on demand. */
 enum {
@@ -20,10 +20,10 @@ int film_shown(const char *words, const char **unknown);
 
 typedef struct FilmOptions {
     Camera camera;
-    bool bare;                /* the house alone, without answer and list */
-    int panels;               /* places for plots beside the plan, in place of the list */
-    int shown;                /* FILM_..., added up */
-    const Observation *ghost; /* whose loci are shown as "before"; NULL: nobody's */
+    bool bare;     /* the house alone, without answer and list */
+    int panels;    /* places for plots beside the plan, in place of the list */
+    int shown;     /* FILM_..., added up */
+    Before before; /* whose loci are shown as "before" */
 } FilmOptions;
 
 typedef struct Film Film;

@@ -210,26 +210,15 @@ static void add_ghosts(Plot *plot, const HousePlot *definition, const Subjects *
             }
 }
 
-/* The forces of the personal space, beside those of the body, of a few people; one name for all of them. */
-static void add_rings(Plot *plot, const HousePlot *definition, const Subjects *subjects, Arena *arena) {
-    if (subjects->count == 1)
-        plot->series[plot->series_count - 1].name = "body";
-    for (size_t i = 0; i < subjects->count; i++) {
-        PlotSeries *ring = add_series(plot, definition, &subjects->list[i]);
-        ring->y = subjects->list[i].rows + TRACE_RING_FORCE;
-        ring->width = THIN_WIDTH;
-        ring->heading = joined(arena, subjects->list[i].name, "ring");
-        ring->name = i == 0 ? "ring" : NULL;
-    }
-}
-
-static const char *note_of(const Subjects *subjects, Arena *arena) {
+static const char *note_of(const HousePlot *definition, const Subjects *subjects, Arena *arena) {
     char note[64];
-    bool moving = false;
-    for (size_t i = 0; i < subjects->count; i++)
+    bool moving = false, touching = definition->y != TRACE_BODY_FORCE;
+    for (size_t i = 0; i < subjects->count; i++) {
         moving = moving || subjects->list[i].count > 1;
-    if (!moving)
-        return "nobody sets off";
+        touching = touching || subjects->observation->people[subjects->list[i].person].peak_force > 0;
+    }
+    if (!moving || !touching)
+        return moving ? "no contact" : "nobody sets off";
     if (subjects->count == subjects->people)
         return NULL;
     snprintf(note, sizeof note, "%zu of %zu people", subjects->count, subjects->people);
@@ -245,10 +234,8 @@ static Plot make_plot(const HousePlot *definition, const Subjects *subjects, con
     add_ghosts(&plot, definition, subjects, ghosts, arena);
     for (size_t i = 0; i < subjects->count; i++)
         add_series(&plot, definition, &subjects->list[i]);
-    if (definition->y == TRACE_BODY_FORCE && subjects->count <= FEW)
-        add_rings(&plot, definition, subjects, arena);
     definition->add_guides(&plot, subjects);
-    plot.note = note_of(subjects, arena);
+    plot.note = note_of(definition, subjects, arena);
     return plot;
 }
 

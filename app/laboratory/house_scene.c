@@ -9,6 +9,7 @@
 #include "laboratory/crowd_scene.h"
 #include "laboratory/people_scene.h"
 #include "laboratory/plan_scene.h"
+#include "laboratory/wording.h"
 
 #define GRID 1.0        /* m */
 #define PLAN_MARGIN 0.4 /* m, round walls and ways: room for the exits' bands */
@@ -225,16 +226,25 @@ static void add_house(Scene *scene, const House *house, const Observation *obser
     plan_scene_names(scene, house, !crowd);
 }
 
-void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation,
-                               const Observation *before) {
+void house_scene_say_before(Scene *scene, Before before) {
+    char headline[WORDING_HEADLINE];
+    if (!before.observation)
+        return;
+    wording_headline(before.house, before.observation, headline, sizeof headline);
+    *headline = (char)tolower((unsigned char)*headline);
+    scene->detail = scene_text(scene, "before: %s%s%s", headline, *scene->detail ? "; now: " : "", scene->detail);
+}
+
+void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation, Before before) {
     Census census = census_take(house, observation);
     house_scene_begin(scene, house, observation, &census);
-    add_house(scene, house, observation, &census, before);
+    house_scene_say_before(scene, before);
+    add_house(scene, house, observation, &census, before.observation);
     census_clear(&census);
 }
 
 void house_scene_make(Scene *scene, const House *house, const Observation *observation) {
-    house_scene_make_compared(scene, house, observation, NULL);
+    house_scene_make_compared(scene, house, observation, (Before){.house = NULL});
 }
 
 static bool boxes_meet(Box a, Box b) {

@@ -9,9 +9,17 @@
 /* Fills an empty scene; scene_clear releases it. House and observation belong together and may go before the scene. */
 void house_scene_make(Scene *scene, const House *house, const Observation *observation);
 
-/* The same with the ways of another observation, of this house as it was before or of another one, behind. */
-void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation,
-                               const Observation *before);
+/* What was before, in this house or in another one; nothing when `observation` is NULL. */
+typedef struct Before {
+    const House *house;
+    const Observation *observation;
+} Before;
+
+/* The same with what was before: its ways behind, its answer beside the own. */
+void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation, Before before);
+
+/* Adds that answer to a scene that has been begun. */
+void house_scene_say_before(Scene *scene, Before before);
 
 /* The same as house_scene_make, of a part of the plan (m): what lies elsewhere is left out, and so are answer and list.
  */

@@ -58,7 +58,7 @@ LocusLook people_scene_look(const House *house, size_t person) {
 }
 
 const char *people_scene_clearance(Scene *scene, double clearance) {
-    const double fine = 0.01; /* m: below it a third digit is worth reading */
+    const double fine = 0.1; /* m: below it millimetres are worth reading */
     if (clearance <= 0)
         return "touches";
     return scene_text(scene, clearance < fine ? "%.3f m" : "%.2f m", clearance);

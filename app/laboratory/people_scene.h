@@ -29,7 +29,7 @@ extern const LocusLook PEOPLE_SCENE_SPACE, PEOPLE_SCENE_PRESSED;
 LocusLook people_scene_look(const House *house, size_t person);
 LocusLook people_scene_nth_look(size_t index);
 
-/* "0.06 m", "0.004 m" below a centimetre, or "touches" from nought down. */
+/* "0.26 m", "0.064 m" below a decimetre, or "touches" from nought down. */
 const char *people_scene_clearance(Scene *scene, double clearance);
 
 Role people_scene_danger(const Hazard *hazard);

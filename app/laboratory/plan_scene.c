@@ -249,21 +249,45 @@ static void bind_to_furniture(Scene *scene, Primitive *label, const Furniture *p
     scene_bind_label(scene, label, corners, 4);
 }
 
-void plan_scene_tags(Scene *scene, const House *house, const size_t *left) {
-    const Plan *plan = &house->plan;
-    for (size_t i = 0; i < plan->exit_count; i++) {
-        const Exit *exit = &plan->exits[i];
-        const char *text = plan->exit_count > 1 ? scene_text(scene, "EXIT %s", exit->id) : "EXIT";
-        if (left)
-            text = scene_text(scene, "%s: %zu", text, left[i]);
-        add_tag(scene, ROLE_EXIT_TAG, vec2_scale(vec2_add(exit->from, exit->to), 0.5), text)->leader = left;
-    }
+static const char *exit_name(Scene *scene, const Plan *plan, const Exit *exit) {
+    return plan->exit_count > 1 ? scene_text(scene, "EXIT %s", exit->id) : "EXIT";
+}
+
+static void add_toppled_tags(Scene *scene, const Plan *plan) {
     for (size_t i = 0; i < plan->furniture_count; i++) {
         if (!plan->furniture[i].toppled)
             continue;
         Furniture fallen = fallen_part(&plan->furniture[i]);
         bind_to_furniture(scene, add_tag(scene, ROLE_PAPER, fallen.centre, "toppled"), &fallen);
     }
+}
+
+void plan_scene_tags(Scene *scene, const House *house, const size_t *left) {
+    const Plan *plan = &house->plan;
+    for (size_t i = 0; i < plan->exit_count; i++) {
+        const Exit *exit = &plan->exits[i];
+        const char *text = exit_name(scene, plan, exit);
+        if (left)
+            text = scene_text(scene, "%s: %zu", text, left[i]);
+        add_tag(scene, ROLE_EXIT_TAG, vec2_scale(vec2_add(exit->from, exit->to), 0.5), text)->leader = left;
+    }
+    add_toppled_tags(scene, plan);
+}
+
+void plan_scene_sign(Scene *scene, const House *house, const Exit *exit, const char *text) {
+    Vec2 middle = vec2_scale(vec2_add(house->outline.box.low, house->outline.box.high), 0.5);
+    Vec2 along = vec2_sub(exit->to, exit->from), across = vec2_left(along);
+    double outwards = vec2_dot(across, vec2_sub(exit->to, middle)) < 0 ? -1 : 1;
+    Vec2 beside = vec2_add(exit->to, vec2_along(along, outwards, across));
+    Primitive *sign = add_tag(scene, ROLE_EXIT_TAG, exit->to, text);
+    scene_bind_label(scene, sign, &beside, 1);
+    sign->fixed = true;
+}
+
+void plan_scene_signs(Scene *scene, const House *house) {
+    for (size_t i = 0; i < house->plan.exit_count; i++)
+        plan_scene_sign(scene, house, &house->plan.exits[i], exit_name(scene, &house->plan, &house->plan.exits[i]));
+    add_toppled_tags(scene, &house->plan);
 }
 
 static double edge_distance(const Points *outline, Vec2 p) {

@@ -19,4 +19,9 @@ enum { PLAN_SCENE_NAMES = 25 /* more pieces of furniture, or doors, have no name
  * `left` (exit_count) tells how many left by each exit, or is NULL. Where names are not `needed`, those that find no
  * room are left out. */
 void plan_scene_tags(Scene *scene, const House *house, const size_t *left);
+
+/* The same for pictures in which somebody moves: signs stand fixed at the ends of the exits, beside the way of those
+ * who leave. And one such sign with words of its own. */
+void plan_scene_signs(Scene *scene, const House *house);
+void plan_scene_sign(Scene *scene, const House *house, const Exit *exit, const char *text);
 void plan_scene_names(Scene *scene, const House *house, bool needed);

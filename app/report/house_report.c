@@ -37,6 +37,10 @@ static void add_house(Document *document, const Reported *run, const Making *mak
     const char *detail = scene.detail ? scene.detail : "";
     if (*detail && run->observation->completed) /* otherwise the headline has said it */
         document_add_paragraph(document, document_text(document, "%c%s.", toupper((unsigned char)*detail), detail + 1));
+    if (run->observation->time > 0)
+        document_add_paragraph(document,
+                               "Times are of moving only: alarm, waking and the transfer into the chair are not in "
+                               "them.");
     if (*run->house->plan.note)
         document_add_note(document, run->house->plan.note);
     report_basis_add_changes(document, making);

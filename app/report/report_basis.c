@@ -18,8 +18,29 @@ static bool has_driving(const House *house, int driving) {
     return false;
 }
 
+/* "Doors that are shut at first ...: door d7 4 s." */
+static void add_doors(Document *document, const Plan *plan) {
+    const char *doors = "";
+    for (size_t d = 0; d < plan->door_count; d++)
+        if (outline_door_moves(&plan->doors[d]))
+            doors = document_text(document, "%s%s%s %g s", doors, *doors ? ", " : "", plan->doors[d].id,
+                                  plan->doors[d].opening_time);
+    if (*doors)
+        document_add_paragraph(document,
+                               document_text(document,
+                                             "Doors that are shut at first take time to be opened, which is "
+                                             "lost there and counts as such (opening_time of the house's file; "
+                                             "assumed where that does not say it): %s.",
+                                             doors));
+}
+
 void report_basis_add_method(Document *document, const House *house, bool both_ways) {
     document_add_heading(document, 3, "How it is computed");
+    document_add_paragraph(document,
+                           "Times are of moving only: from when everybody may set off until their drive axle (on "
+                           "foot: their middle) has crossed the exit's line. Alarm, waking and the transfer into "
+                           "the chair are not in them. Single people have the mean free speed of their profile, "
+                           "or one of their own; only in crowds do speeds vary.");
     document_add_paragraph(
         document, "Everybody is a distinct element: a rigid body with a mass. Where a body meets a wall, a "
                   "piece of furniture or another body, a spring and a dashpot push them apart, along the "
@@ -39,6 +60,7 @@ void report_basis_add_method(Document *document, const House *house, bool both_w
         document_add_paragraph(
             document, "On foot: a disc that goes where the time to the exit falls fastest, keeps its distance to "
                       "whoever is ahead, and steps aside where that makes more way good.");
+    add_doors(document, &house->plan);
     document_add_paragraph(document,
                            document_text(document,
                                          "\"Cannot pass\" is found before anything moves: to the geometry of the plan, "

@@ -80,25 +80,25 @@ static void add_words(Text *text, const char *words) {
     text_add(text, words);
 }
 
-/* "clearance 0.04 m, below the 0.05 m of run.clearance_warning; 2.1 s lost, ..." */
+/* "clearance 0.04 m, below the 0.05 m from which on this report warns; 2.1 s lost, ..." */
 static const char *say_hazard(Document *document, const House *house, const Hazard *hazard, size_t rank) {
     const RunSettings *run = &house->plan.run;
     char words[160];
     Text text = {0};
     if (hazard->clearance < run->clearance_warning) {
-        snprintf(words, sizeof words, "clearance %.3f m%s, below the %g m of run.clearance_warning", hazard->clearance,
-                 hazard->clearance <= 0 ? " (it touches)" : "", run->clearance_warning);
+        snprintf(words, sizeof words, "clearance %.3f m%s, below the %g m from which on this report warns",
+                 hazard->clearance, hazard->clearance <= 0 ? " (it touches)" : "", run->clearance_warning);
         add_words(&text, words);
     }
     if (hazard->peak_force > 0) {
         bool hard = hazard->peak_force > run->force_warning;
-        snprintf(words, sizeof words, "contact of up to %.0f N, %s the %g N of run.force_warning", hazard->peak_force,
-                 hard ? "above" : "not above", run->force_warning);
+        snprintf(words, sizeof words, "contact of up to %.0f N, %s the %g N from which on this report warns",
+                 hazard->peak_force, hard ? "above" : "not above", run->force_warning);
         add_words(&text, words);
     }
     if (hazard->lost_time > run->loss_warning) {
-        snprintf(words, sizeof words, "%.1f s lost here, above the %g s of run.loss_warning", hazard->lost_time,
-                 run->loss_warning);
+        snprintf(words, sizeof words, "%.1f s lost here, above the %g s from which on this report warns",
+                 hazard->lost_time, run->loss_warning);
         add_words(&text, words);
     }
     const char *said = document_text(document, "%zu. %s: %s.", rank, hazard->what, text.text ? text.text : "");
@@ -143,12 +143,15 @@ void report_places_add_hazards(Document *document, const House *house, const Obs
                                              run->clearance_warning, run->force_warning, run->loss_warning));
         return;
     }
-    report_places_add_table(document, observation,
-                            document_text(document,
-                                          "Worst first. The score adds how far the clearance falls short of %g m, the "
-                                          "force over %g N and the lost time over %g s; 1 is one threshold's worth. "
-                                          "Lost time: of all who pass, together.",
-                                          run->clearance_warning, run->force_warning, run->loss_warning));
+    report_places_add_table(
+        document, observation,
+        document_text(
+            document,
+            "Worst first. How near a body came is what its driver did, on the quickest way: it may pass close "
+            "although there is room. The score adds how far the clearance falls short of %g m, "
+            "the force over %g N and the lost time over %g s; reaching one of these is 1. "
+            "Lost time: of all who pass, together.",
+            run->clearance_warning, run->force_warning, run->loss_warning));
     for (size_t h = 0; h < observation->hazard_count && h < PICTURES_MOST; h++) {
         const Hazard *hazard = &observation->hazards[h];
         add_detail(document, house, observation, h, hazard->at, say_hazard(document, house, hazard, h + 1),

@@ -11,11 +11,19 @@ static double score_of(const RunSettings *run, double clearance, double peak_for
     return fmax(near, 0) + force + loss; /* no clearance known is an infinite one */
 }
 
+/* What a hazard would be whose middle is a certain stretch, and which of its stretches is the worst by itself: there it
+ * is shown, and after that it is named. */
+typedef struct Candidate {
+    Hazard hazard;
+    size_t worst;
+    double worst_score;
+} Candidate;
+
 /* The stretches and, for each that no hazard has taken yet, the hazard that it would be the middle of. */
 typedef struct Ranking {
     const RunSettings *run;
     const Stretch *stretches; /* (count) */
-    Hazard *hazards;          /* (count) */
+    Candidate *candidates;    /* (count) */
     bool *taken;              /* (count) */
     size_t count;
     Broadphase *places; /* of the stretches: who is near is not looked for among all */
@@ -24,7 +32,7 @@ typedef struct Ranking {
 typedef struct Gathering {
     Ranking *ranking;
     Vec2 at;
-    Hazard *hazard;
+    Candidate *candidate;
 } Gathering;
 
 static bool is_near(const Gathering *gathering, int item) {
@@ -36,19 +44,29 @@ static bool gather_stretch(void *context, int item) {
     const Stretch *stretch = &gathering->ranking->stretches[item];
     if (gathering->ranking->taken[item] || !is_near(gathering, item))
         return true;
-    Hazard *hazard = gathering->hazard;
+    Candidate *candidate = gathering->candidate;
+    Hazard *hazard = &candidate->hazard;
     hazard->clearance = fmin(hazard->clearance, stretch->clearance);
     hazard->peak_force = fmax(hazard->peak_force, stretch->peak_force);
     hazard->lost_time += fmax(stretch->lost_time, 0);
+    double score = score_of(gathering->ranking->run, stretch->clearance, stretch->peak_force, stretch->lost_time);
+    bool worse = score > candidate->worst_score || (score == candidate->worst_score && (size_t)item < candidate->worst);
+    if (worse) {
+        candidate->worst = (size_t)item;
+        candidate->worst_score = score;
+    }
     return true;
 }
 
 /* Gathers everything near stretch i that no other hazard has taken. */
 static void gather(Ranking *ranking, size_t i) {
-    Hazard *hazard = &ranking->hazards[i];
-    *hazard = (Hazard){.at = ranking->stretches[i].at, .clearance = HUGE_VAL};
-    broadphase_visit(ranking->places, box_around(hazard->at, HAZARD_RADIUS), gather_stretch,
-                     &(Gathering){ranking, hazard->at, hazard});
+    Candidate *candidate = &ranking->candidates[i];
+    Hazard *hazard = &candidate->hazard;
+    Vec2 middle = ranking->stretches[i].at;
+    *candidate = (Candidate){.hazard.clearance = HUGE_VAL, .worst = i, .worst_score = -HUGE_VAL};
+    broadphase_visit(ranking->places, box_around(middle, HAZARD_RADIUS), gather_stretch,
+                     &(Gathering){ranking, middle, candidate});
+    hazard->at = ranking->stretches[candidate->worst].at;
     hazard->score = score_of(ranking->run, hazard->clearance, hazard->peak_force, hazard->lost_time);
 }
 
@@ -74,8 +92,8 @@ static bool is_dangerous(const Hazard *hazard, const RunSettings *run) {
 static size_t find_worst(const Ranking *ranking) {
     size_t worst = ranking->count;
     for (size_t i = 0; i < ranking->count; i++)
-        if (!ranking->taken[i] && is_dangerous(&ranking->hazards[i], ranking->run) &&
-            (worst == ranking->count || ranking->hazards[i].score > ranking->hazards[worst].score))
+        if (!ranking->taken[i] && is_dangerous(&ranking->candidates[i].hazard, ranking->run) &&
+            (worst == ranking->count || ranking->candidates[i].hazard.score > ranking->candidates[worst].hazard.score))
             worst = i;
     return worst;
 }
@@ -83,7 +101,7 @@ static size_t find_worst(const Ranking *ranking) {
 size_t hazard_rank(Hazard hazards[HAZARDS_MOST], const Stretch *stretches, size_t count, const House *house) {
     Ranking ranking = {.run = &house->plan.run,
                        .stretches = stretches,
-                       .hazards = memory_allocate(count, sizeof *ranking.hazards),
+                       .candidates = memory_allocate(count, sizeof *ranking.candidates),
                        .taken = memory_allocate(count, sizeof *ranking.taken),
                        .count = count,
                        .places = broadphase_create()};
@@ -94,17 +112,19 @@ size_t hazard_rank(Hazard hazards[HAZARDS_MOST], const Stretch *stretches, size_
     size_t found = 0, worst;
     while (found < HAZARDS_MOST && (worst = find_worst(&ranking)) < count) {
         Hazard *hazard = &hazards[found++];
-        *hazard = ranking.hazards[worst];
-        if (stretches[worst].other >= 0)
-            snprintf(hazard->what, sizeof hazard->what, "person %s", house->people[stretches[worst].other].id);
+        *hazard = ranking.candidates[worst].hazard;
+        int other = stretches[ranking.candidates[worst].worst].other;
+        if (other >= 0)
+            snprintf(hazard->what, sizeof hazard->what, "person %s", house->people[other].id);
         else
             outline_place_name(&house->outline, &house->plan, hazard->at, hazard->what, sizeof hazard->what);
-        Gathering taking = {.ranking = &ranking, .at = hazard->at};
-        broadphase_visit(ranking.places, box_around(hazard->at, HAZARD_RADIUS), take_stretch, &taking);
-        broadphase_visit(ranking.places, box_around(hazard->at, 2 * HAZARD_RADIUS), gather_again, &taking);
+        Vec2 middle = stretches[worst].at;
+        Gathering taking = {.ranking = &ranking, .at = middle};
+        broadphase_visit(ranking.places, box_around(middle, HAZARD_RADIUS), take_stretch, &taking);
+        broadphase_visit(ranking.places, box_around(middle, 2 * HAZARD_RADIUS), gather_again, &taking);
     }
     broadphase_destroy(ranking.places);
     memory_free(ranking.taken);
-    memory_free(ranking.hazards);
+    memory_free(ranking.candidates);
     return found;
 }
