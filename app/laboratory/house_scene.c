@@ -207,9 +207,10 @@ bool house_scene_begin(Scene *scene, const House *house, const Observation *obse
     return crowd;
 }
 
-/* All that belongs to the plan and to what came of it, without words around it; and what was before, or NULL. */
+/* All that belongs to the plan and to what came of it, without words around it; and what was before, or
+ * NULL; with the names of rooms, doors and furniture or without. */
 static void add_house(Scene *scene, const House *house, const Observation *observation, const Census *census,
-                      const Observation *before) {
+                      const Observation *before, bool names) {
     bool crowd = is_crowd(census);
     plan_scene_solids(scene, house);
     if (before)
@@ -223,7 +224,8 @@ static void add_house(Scene *scene, const House *house, const Observation *obser
         crowd_scene_labels(scene, observation, census);
     else
         people_scene_labels(scene, house, observation);
-    plan_scene_names(scene, house, !crowd);
+    if (names)
+        plan_scene_names(scene, house, !crowd);
 }
 
 void house_scene_say_before(Scene *scene, Before before) {
@@ -239,7 +241,14 @@ void house_scene_make_compared(Scene *scene, const House *house, const Observati
     Census census = census_take(house, observation);
     house_scene_begin(scene, house, observation, &census);
     house_scene_say_before(scene, before);
-    add_house(scene, house, observation, &census, before.observation);
+    add_house(scene, house, observation, &census, before.observation, true);
+    census_clear(&census);
+}
+
+void house_scene_make_small(Scene *scene, const House *house, const Observation *observation, Before before) {
+    Census census = census_take(house, observation);
+    house_scene_begin(scene, house, observation, &census);
+    add_house(scene, house, observation, &census, before.observation, false);
     census_clear(&census);
 }
 
@@ -286,7 +295,7 @@ static void drop_rings(Scene *scene, Primitive *polygon, Box box) {
 void house_scene_make_detail(Scene *scene, const House *house, const Observation *observation, Box box) {
     Census census = census_take(house, observation);
     *scene = (Scene){.grid = GRID, .box = box, .bare = true};
-    add_house(scene, house, observation, &census, NULL);
+    add_house(scene, house, observation, &census, NULL, true);
     census_clear(&census);
     size_t kept = 0;
     for (size_t i = 0; i < scene->count; i++) {

@@ -18,6 +18,9 @@ typedef struct Before {
 /* The same with what was before: its ways behind, its answer beside the own. */
 void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation, Before before);
 
+/* The same for small pictures: no names but those of people, exits and places. */
+void house_scene_make_small(Scene *scene, const House *house, const Observation *observation, Before before);
+
 /* Adds that answer to a scene that has been begun. */
 void house_scene_say_before(Scene *scene, Before before);
 

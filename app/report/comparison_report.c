@@ -84,7 +84,8 @@ static void add_pictures(Document *document, const Reported runs[2]) {
         char headline[WORDING_HEADLINE];
         wording_headline(runs[r].house, runs[r].observation, headline, sizeof headline);
         captions[r] = document_text(document, "%s: %s. %s.", letters[r], house_report_name(runs[r].house), headline);
-        house_scene_make(&scenes[r], runs[r].house, runs[r].observation);
+        Before before = {.house = r ? runs[0].house : NULL, .observation = r ? runs[0].observation : NULL};
+        house_scene_make_small(&scenes[r], runs[r].house, runs[r].observation, before);
     }
     report_pictures_add_beside(document, scenes, 2, report_pictures_box(scenes[0].box, scenes[1].box), captions);
 }
