@@ -6,6 +6,7 @@ frames.py CLEARANCE
 
 import os
 import pathlib
+import resource
 import shutil
 import signal
 import struct
@@ -23,8 +24,10 @@ def house(name):
     return str(source / "houses" / f"{name}.json")
 
 
-def run(*arguments, **environment):
-    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=300,
+def run(*arguments, cwd=None, limit=None, **environment):
+    """`limit` is the most bytes that a file may have."""
+    size = limit and (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=300, cwd=cwd, preexec_fn=size,
                           env={**os.environ, **environment})
 
 
@@ -121,6 +124,9 @@ def check_films(out):
     check(film.read_text() == "old" and not list(out.glob(".*")), "nothing lies beside the films")
     if shutil.which("ffmpeg"):
         expect(0, "run", corridor, "--movie", str(film), "--to", "2", "--size", "321x201")
+        expect(0, "run", str(pathlib.Path(corridor).resolve()), "--movie", "11:45.mp4", "--to", "1", "--size", "320x200",
+               cwd=out)
+        check((out / "11:45.mp4").exists() and not list(out.glob(".*")), "a film whose name looks like a protocol")
         check(b"ftyp" in film.read_bytes()[:16], "a film by the real one")
 
 
@@ -143,6 +149,8 @@ def check_wrong_use(out):
     expect(2, "run", corridor, "--frames", "1000", "--set", "exit.e1.opens=9000", "--until", "5000", "--out", str(out),
            says="at most 1000000")
     expect(2, "run", corridor, "--frames", "2", "--out", str(out), says="osmesa or egl", CLEARANCE_GL="nonsense")
+    done = expect(2, "run", corridor, "--frames", "2", "--out", str(out), says="File too large", limit=1000)
+    check(len(done.stderr.splitlines()) == 1, "a file that is too large is told of in one line", done.stderr)
 
 
 def check_interrupt(out):
