@@ -159,9 +159,10 @@ def check_interrupt(out):
     while process.poll() is None and len(frames_of(out)) < 5:
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)
-    process.communicate(timeout=60)
+    _, error = process.communicate(timeout=60)
     frames = frames_of(out)
-    check(process.returncode in (0, 1) and len(frames) >= 5, f"interrupted: {process.returncode}, {len(frames)} frames")
+    check(process.returncode == 1 and len(frames) >= 5, f"interrupted: {process.returncode}, {len(frames)} frames")
+    check("interrupted" in error and len(error.splitlines()) == 1, "interrupted: says so", error)
     check(all(size_of(f) == (1280, 720) for f in frames), "interrupted: every frame is whole")
 
 
