@@ -95,6 +95,9 @@ def check_films(out):
     check(film.read_text() == "old" and not list(out.glob(".*")), "nothing lies beside the films")
     if shutil.which("ffmpeg"):
         expect(0, "run", corridor, "--movie", str(film), "--to", "2", "--size", "321x201")
+        expect(0, "run", str(pathlib.Path(corridor).resolve()), "--movie", "11:45.mp4", "--to", "1", "--size", "320x200",
+               cwd=out)
+        check((out / "11:45.mp4").exists() and not list(out.glob(".*")), "a film whose name looks like a protocol")
         check(b"ftyp" in film.read_bytes()[:16], "a film by the real one")
 
 
@@ -119,6 +122,8 @@ def check_wrong_use(out):
     expect(2, "run", corridor, "--frames", "1000", "--set", "exit.e1.opens=9000", "--until", "5000", "--out", str(out),
            says="at most 1000000")
     expect(2, "run", corridor, "--frames", "2", "--out", str(out), says="osmesa or egl", CLEARANCE_GL="nonsense")
+    done = expect(2, "run", corridor, "--frames", "2", "--out", str(out), says="File too large", limit=1000)
+    check(len(done.stderr.splitlines()) == 1, "a file that is too large is told of in one line", done.stderr)
 
 
 def check_interrupt(out):
@@ -127,9 +132,10 @@ def check_interrupt(out):
     while process.poll() is None and len(frames_of(out)) < 5:
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)
-    process.communicate(timeout=60)
+    _, error = process.communicate(timeout=60)
     frames = frames_of(out)
-    check(process.returncode in (0, 1) and len(frames) >= 5, f"interrupted: {process.returncode}, {len(frames)} frames")
+    check(process.returncode == 1 and len(frames) >= 5, f"interrupted: {process.returncode}, {len(frames)} frames")
+    check("interrupted" in error and len(error.splitlines()) == 1, "interrupted: says so", error)
     check(all(size_of(f) == (1280, 720) for f in frames), "interrupted: every frame is whole")
 
 

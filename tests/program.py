@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 
@@ -14,8 +15,10 @@ def house(name):
     return str(source / "houses" / f"{name}.json")
 
 
-def run(*arguments, cwd=None, **environment):
-    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=300, cwd=cwd,
+def run(*arguments, cwd=None, limit=None, **environment):
+    """`limit` is the most bytes that a file may have."""
+    size = limit and (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+    return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=300, cwd=cwd, preexec_fn=size,
                           env={**os.environ, **environment})
 
 

@@ -91,6 +91,7 @@ TEST(texts_are_made_plain) {
     CHECK_TEXT(document_text(&document, "a\x01\tb\x7f"), "a\xef\xbf\xbd b\xef\xbf\xbd");
     CHECK_TEXT(document_text(&document, "%s", "\xff\xc3"), "\xef\xbf\xbd\xef\xbf\xbd");
     CHECK_TEXT(document_text(&document, "%s", "\xef\xbf\xbe"), "\xef\xbf\xbd");
+    CHECK_TEXT(document_text(&document, "%s", "\xef\xb7\x90"), "\xef\xbf\xbd");
     CHECK_TEXT(document_text(&document, "%s", "日本\n2 m\xc2\xb2"), "日本\n2 m\xc2\xb2");
     document_clear(&document);
 }

@@ -169,6 +169,15 @@ TEST(a_door_is_seen_to_open) {
     hide(&shown);
 }
 
+/* The ring of the chair that is the `own`-th in the picture. */
+static const Primitive *find_ring(const Scene *moving, size_t own) {
+    for (size_t p = 0; p < moving->count; p++)
+        if (moving->primitives[p].kind == PRIMITIVE_POLYGON && moving->primitives[p].count == SILHOUETTE_EDGE &&
+            own-- == 0)
+            return &moving->primitives[p];
+    return NULL;
+}
+
 /* Touches are marked where and while they are felt, and a force is told. */
 TEST(a_touch_is_seen_where_it_is) {
     Shown shown;
@@ -260,7 +269,7 @@ TEST(a_space_ends_at_the_wall) {
         Profile profile = chair();
         Scene scene = {0};
         Standing standing = {.profile = &profile, .pose = {.at = {8, 0}}};
-        space_scene_add(&scene, &house, &standing, 1, 0, false);
+        space_scene_add(&scene, &house, NULL, &standing, 1, 0, false);
         Box box = box_empty();
         for (size_t i = 0; i < scene.primitives[0].count; i++)
             box = box_include(box, scene.primitives[0].points[i]);
@@ -276,19 +285,44 @@ TEST(a_space_ends_at_somebody_elses_body) {
     House house;
     case_made(&house, case_corridor(5), -1, NULL);
     Profile profile = chair();
-    for (size_t group = 0; group <= 1; group++) {
+    static const struct {
+        double apart, edge;
+        size_t group;
+    } cases[] = {{0.8, 0.8 - 0.315, 0}, {0.8, 0.315 + 0.3, 1}, {0.62, 0.315, 0} /* one presses the other */};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         Scene scene = {0};
         Standing all[] = {{.profile = &profile, .pose = {.at = {8, 0}}},
-                          {.profile = &profile, .pose = {.at = {8, 0.8}}, .group = group}};
-        space_scene_add(&scene, &house, all, 2, 0, false);
+                          {.profile = &profile, .pose = {.at = {8, cases[k].apart}}, .group = cases[k].group}};
+        space_scene_add(&scene, &house, NULL, all, 2, 0, false);
         double highest = 0;
         for (size_t i = 0; i < scene.primitives[0].count; i++)
             if (fabs(scene.primitives[0].points[i].x - 8.2) < 0.3)
                 highest = fmax(highest, scene.primitives[0].points[i].y);
-        CHECK_NEAR(highest, group ? 0.315 + 0.3 : 0.8 - 0.315, 1e-6);
+        CHECK_NEAR(highest, cases[k].edge, 1e-6);
         scene_clear(&scene);
     }
     house_free(&house);
+}
+
+/* At a door that is shut, and no longer there when it is open. */
+TEST(a_space_ends_at_a_shut_door) {
+    Shown shown;
+    show(&shown, "closed-door", (FilmOptions){.panels = 0});
+    const Plan *plan = &shown.house.plan;
+    const Wall *wall = &plan->walls[plan->doors[0].wall_index];
+    Vec2 from = wall->points.at[plan->doors[0].segment], to = wall->points.at[plan->doors[0].segment + 1];
+    for (int open = 0; open <= 1; open++) {
+        double beyond = 0;
+        film_show(shown.film, shown.observation.door_opened[0] + (open ? 0.5 : -0.5));
+        const Primitive *ring = find_ring(film_moving(shown.film), 0);
+        double own = vec2_cross(vec2_sub(to, from), vec2_sub(shown.house.people[0].at, from));
+        for (size_t i = 0; i < ring->count; i++) {
+            double across = vec2_cross(vec2_sub(to, from), vec2_sub(ring->points[i], from)) / vec2_distance(from, to);
+            beyond = fmax(beyond, own < 0 ? across : -across);
+        }
+        CHECK(open ? beyond > 0.1 : beyond <= 1e-9);
+    }
+    hide(&shown);
 }
 
 /* Every part of a figure lies within the body that the simulation knows. */

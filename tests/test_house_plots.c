@@ -174,3 +174,19 @@ TEST(what_was_before_lies_below_dashed_and_has_one_name) {
     house_free(&now);
     house_free(&before);
 }
+
+TEST(a_house_without_people_has_empty_plots_and_a_record_with_its_columns) {
+    House house;
+    case_made(&house, case_corridor(2), -1, NULL);
+    Observation observation = case_run(&house, 1);
+    CHECK(observation.trace.width == TRACE_COLUMNS && observation.trace.rows == 0);
+    HousePlots plots = house_plots_make(&house, &observation, NULL, NULL, &ALL);
+    for (size_t p = 0; p < plots.choice.count; p++) {
+        CHECK(plots.plots[p].series_count == 0);
+        CHECK_TEXT(plots.plots[p].x.unit, p < 4 ? "s" : "m");
+        CHECK_TEXT(plots.plots[p].note, "nobody sets off");
+    }
+    house_plots_free(&plots);
+    observation_free(&observation);
+    house_free(&house);
+}

@@ -204,6 +204,20 @@ TEST(labels_keep_off_lines_and_off_each_other) {
     scene_clear(&scene);
 }
 
+TEST(a_fixed_label_at_the_upper_edge_leaves_the_house_s_name_readable) {
+    Scene scene = plain_scene();
+    Primitive *tag = scene_add_label(&scene, ROLE_TEXT, 17, vec2(0.5, 4), "EXIT e1: 25");
+    scene_bind_label(&scene, tag, &(Vec2){0.5, 5}, 1);
+    tag->fixed = true;
+    Layout layout = {0};
+    layout_make(&layout, &scene, PAGE);
+    Box box = caption_box(find_caption(&layout, "EXIT e1: 25"));
+    CHECK(!boxes_overlap(box, caption_box(find_caption(&layout, "a house"))));
+    CHECK(!boxes_overlap(box, caption_box(find_caption(&layout, "assumed plan: not measured"))));
+    layout_clear(&layout);
+    scene_clear(&scene);
+}
+
 TEST(a_name_stays_inside_what_it_names_and_turns_when_it_must) {
     Scene scene = plain_scene();
     Vec2 wide[] = {{0.5, 0.5}, {2.5, 0.5}, {2.5, 1.5}, {0.5, 1.5}}, tall[] = {{4, 1}, {4.3, 1}, {4.3, 3}, {4, 3}};
@@ -255,6 +269,16 @@ TEST(a_picture_that_cannot_be_says_why) {
                            THEME_PAPER) == EINVAL);
     CHECK(paint_cairo_file(CAIRO_FILE_PNG, &scene, "/tmp/no-such-directory/a.png", 64, 36, THEME_PAPER) == ENOENT);
     CHECK(access("/tmp/clearance-never.png", F_OK) != 0);
+    scene_clear(&scene);
+}
+
+TEST(codes_that_are_no_letters_do_no_harm) {
+    static const char path[] = "/tmp/clearance-codes.pdf";
+    Scene scene = plain_scene();
+    scene.name = "a\x01\xef\xbf\xbf\xef\xb7\x90\xff";
+    scene_add_label(&scene, ROLE_TEXT, 17, vec2(3, 2), scene.name);
+    CHECK(paint_cairo_file(CAIRO_FILE_PDF, &scene, path, 1280, 720, THEME_PAPER) == 0);
+    unlink(path);
     scene_clear(&scene);
 }
 

@@ -362,6 +362,7 @@ static void interrupt(int signal_number) {
 static int dispatch(int argc, char **argv) {
     signal(SIGINT, interrupt);
     signal(SIGTERM, interrupt);
+    signal(SIGXFSZ, SIG_IGN); /* a file that would be too large is told of as any other that cannot be written */
     if (argc < 2 || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
         print_help();
         return argc < 2 ? EXIT_WRONG_INPUT : 0;

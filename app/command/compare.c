@@ -126,6 +126,7 @@ int command_compare(const Options *options) {
     for (int h = 0; h < 2; h++)
         house_file_run(&observations[h], &houses[h], options, SIZE_MAX);
     bool written = write_results(houses, observations, options);
+    output_tell_interrupted(false);
     if (options->json)
         answer_print(
             json_pack("{s:s, s:o, s:o, s:o}", "kind", "compare", "a", answer_house(&houses[0], &observations[0]), "b",
@@ -134,7 +135,7 @@ int command_compare(const Options *options) {
         print_comparison(houses, observations);
     if (options->out && written && !options->json)
         printf("\npictures are in %s\n", options->out);
-    bool all = observations[0].completed && observations[1].completed;
+    bool all = observations[0].completed && observations[1].completed && !command_interrupted;
     for (int h = 0; h < 2; h++) {
         observation_free(&observations[h]);
         house_free(&houses[h]);

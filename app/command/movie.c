@@ -21,10 +21,11 @@ struct Movie {
     pid_t ffmpeg;
 };
 
-/* A name in the same directory with the same ending. */
+/* A name in the same directory with the same ending; one that begins with "word:" ffmpeg would take for a protocol. */
 static void name_beside(char beside[PATH_ROOM], const char *path) {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    snprintf(beside, PATH_ROOM, "%.*s.%ld.%s", (int)(name - path), path, (long)getpid(), name);
+    snprintf(beside, PATH_ROOM, "%s%.*s.%ld.%s", *path == '/' ? "" : "./", (int)(name - path), path, (long)getpid(),
+             name);
 }
 
 extern char **environ;

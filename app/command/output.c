@@ -32,6 +32,11 @@ void output_failed(const char *path, int error) {
     fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
 }
 
+void output_tell_interrupted(bool told) {
+    if (command_interrupted && !told)
+        fprintf(stderr, "clearance: interrupted; what is written is whole, but not all that was asked for is there\n");
+}
+
 bool output_stills(const Scene *scene, const Options *options) {
     static const char *const endings[] = {[CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", [CAIRO_FILE_PDF] = "pdf"};
     char path[4096];

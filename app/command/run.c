@@ -95,17 +95,20 @@ int command_run(const Options *options) {
     Observation observation;
     house_file_run(&observation, &house, options, route);
     report_divergence(&house, &observation);
-    if (command_interrupted)
+    bool told = command_interrupted;
+    if (told)
         fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; what came before is kept\n",
                 observation.time);
     bool written = write_results(&house, &observation, &observed, options, route);
+    output_tell_interrupted(told);
     if (options->json)
         answer_print(answer_house(&house, &observation));
     else
         answer_text_print(&house, &observation);
     if (options->out && written && !options->json)
         printf("\n%spictures and data are in %s\n", options->report ? "report.html, report.pdf, " : "", options->out);
-    int code = !written ? EXIT_WRONG_INPUT : observation.completed ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    bool whole = observation.completed && !command_interrupted;
+    int code = !written ? EXIT_WRONG_INPUT : whole ? EXIT_ANSWERED : EXIT_ANSWER_NO;
     observation_free(&observation);
     observed_free(&observed);
     house_free(&house);

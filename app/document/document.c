@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "draw/paint_cairo.h"
+#include "draw/text.h"
 
 Document document_begin(const char *creator) {
     Document document = {.title = "", .subject = ""};
@@ -28,20 +29,10 @@ void document_clear(Document *document) {
     *document = (Document){0};
 }
 
-/* Neither XML nor a page has a place for control characters and for codes that are none. */
-static bool is_plain(gunichar code) {
-    return code == '\n' || (code >= 0x20 && code < 0x7f) || (code >= 0xa0 && (code & 0xfffe) != 0xfffe);
-}
-
 static const char *plain(Document *document, const char *text) {
-    char *valid = g_utf8_make_valid(text, -1);
-    char *copy = arena_allocate(&document->arena, 3 * strlen(valid) + 1),
-         *to = copy; /* a replacement has three bytes */
-    for (const char *at = valid; *at; at = g_utf8_next_char(at)) {
-        gunichar code = g_utf8_get_char(at);
-        to += g_unichar_to_utf8(is_plain(code) ? code : code == '\t' ? ' ' : 0xfffd, to);
-    }
-    g_free(valid);
+    char *words = text_plain(text);
+    const char *copy = arena_text(&document->arena, words);
+    memory_free(words);
     return copy;
 }
 

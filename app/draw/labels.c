@@ -181,7 +181,7 @@ static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
     *caption = best.caption;
 }
 
-/* On its point or beside it, but not over the frame's edge. */
+/* On its point or beside it, but neither over the frame's edge nor over the words above the plan. */
 static void place_fixed(Layout *layout, const Primitive *label) {
     Vec2 at = layout_raised(layout, label->points[0], label->base);
     Caption *caption = layout_add_caption(layout, label->text, label->size, label->bold, at);
@@ -191,7 +191,7 @@ static void place_fixed(Layout *layout, const Primitive *label) {
         Vec2 way = vec2_unit(vec2_sub(layout_raised(layout, label->points[1], label->base), at));
         caption->centre = vec2_add(at, vec2(way.x * (half.x + GAP), way.y * (half.y + GAP)));
     }
-    Box room = layout->frame;
+    Box room = {{layout->frame.low.x, layout->plan.low.y - AIR}, layout->frame.high};
     caption->centre.x = real_clamp(caption->centre.x, room.low.x + half.x + AIR, room.high.x - half.x - AIR);
     caption->centre.y = real_clamp(caption->centre.y, room.low.y + half.y + AIR, room.high.y - half.y - AIR);
 }

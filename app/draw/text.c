@@ -1,8 +1,28 @@
 #include "draw/text.h"
 
 #include <pango/pangocairo.h>
+#include <string.h>
+
+#include "base/memory.h"
 
 #define TEXT_FAMILY "DejaVu Sans"
+
+static bool is_plain(gunichar code) {
+    bool control = (code < 0x20 && code != '\n') || (code >= 0x7f && code < 0xa0);
+    bool none = (code & 0xfffe) == 0xfffe || (code >= 0xfdd0 && code <= 0xfdef);
+    return !control && !none;
+}
+
+char *text_plain(const char *words) {
+    char *valid = g_utf8_make_valid(words, -1);
+    char *copy = memory_allocate(3 * strlen(valid) + 1, 1), *to = copy; /* a replacement has three bytes */
+    for (const char *at = valid; *at; at = g_utf8_next_char(at)) {
+        gunichar code = g_utf8_get_char(at);
+        to += g_unichar_to_utf8(is_plain(code) ? code : code == '\t' ? ' ' : 0xfffd, to);
+    }
+    g_free(valid);
+    return copy;
+}
 
 static PangoLayout *text_layout(const char *words, double size, bool bold) {
     PangoContext *context = pango_font_map_create_context(pango_cairo_font_map_get_default());
@@ -22,7 +42,9 @@ static PangoLayout *text_layout(const char *words, double size, bool bold) {
     pango_layout_set_font_description(layout, font);
     pango_font_description_free(font);
     pango_layout_set_single_paragraph_mode(layout, TRUE);
-    pango_layout_set_text(layout, words, -1);
+    char *plain = text_plain(words);
+    pango_layout_set_text(layout, plain, -1);
+    memory_free(plain);
     return layout;
 }
 

@@ -6,6 +6,10 @@
 
 #include "base/vec2.h"
 
+/* The words with a sign of replacement for each code that neither XML nor a page has a place for: control characters
+ * but the end of a line, and codes that are none. New; memory_free it. */
+char *text_plain(const char *words);
+
 /* Width and height of one line of words with letters of `size`, in the unit of `size`. */
 Vec2 text_extent(const char *words, double size, bool bold);
 

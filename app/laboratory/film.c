@@ -51,6 +51,7 @@ struct Film {
     Progress *progress; /* (person_count) */
     Standing *standing; /* (person_count) room for who is there */
     Pose *poses;        /* (person_count) room for walkers of one profile */
+    bool *door_open;    /* (doors of the plan) at the time that is shown */
     bool crowd;
     bool several;   /* routes have people who take part */
     bool small;     /* a house so large that chairs are signs rather than likenesses */
@@ -163,6 +164,7 @@ Film *film_create(const House *house, const Observation *observation, const Film
     film->progress = memory_allocate(house->person_count, sizeof *film->progress);
     film->standing = memory_allocate(house->person_count, sizeof *film->standing);
     film->poses = memory_allocate(house->person_count, sizeof *film->poses);
+    film->door_open = memory_allocate(house->plan.door_count, sizeof *film->door_open);
     make_still(film);
     return film;
 }
@@ -175,6 +177,7 @@ void film_destroy(Film *film) {
     memory_free(film->progress);
     memory_free(film->standing);
     memory_free(film->poses);
+    memory_free(film->door_open);
     memory_free(film);
 }
 
@@ -319,7 +322,8 @@ static void add_space(Film *film, size_t count, size_t i) {
     const Standing *standing = &film->standing[i];
     double compression = trail_compression(&film->trails[standing->person], film->time, film->time);
     if (standing->profile->space_reach > 0)
-        space_scene_add(&film->moving, film->house, film->standing, count, i, compression > PEOPLE_SCENE_COMPRESSED);
+        space_scene_add(&film->moving, film->house, film->door_open, film->standing, count, i,
+                        compression > PEOPLE_SCENE_COMPRESSED);
 }
 
 static void add_chair(Film *film, const Standing *standing) {
@@ -404,6 +408,8 @@ static void add_exits(Film *film) {
 static void make_moving(Film *film) {
     Scene *scene = &film->moving;
     size_t count = find_standing(film);
+    for (size_t d = 0; d < film->house->plan.door_count; d++)
+        film->door_open[d] = film->observation->door_opened[d] <= film->time;
     plan_scene_moving(scene, film->house, film->observation->door_opened, film->time);
     add_walkers(film, count);
     add_chairs(film, count);

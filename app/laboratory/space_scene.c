@@ -9,38 +9,39 @@
 /* m: a body reaches so far from its reference point, more than any profile's. */
 #define BODY_MOST 2.0
 
-/* m: rays begin so far inside the body, or one that touches a wall would look out from within the wall. */
+/* m: rays begin so far inside the body, or one that touches something would look out from within it. */
 #define BODY_DEPTH 0.02
 
 /* 1: covering circles are at most this much wider than the body. */
 #define CIRCLE_SLACK 1.1
 
-/* Shortens the rays from the edge that meet somebody else's body. */
-static void meet_other(const Standing *other, const EdgePoint *edge, double *reach) {
+/* Shortens the rays that meet somebody else's body. */
+static void meet_other(const Standing *other, const EdgePoint *rays, double *reach) {
     Vec2 outline[SILHOUETTE_POINTS];
     silhouette_outline(other->profile, other->pose.at, other->pose.heading, 0, outline);
     for (int i = 0; i < SILHOUETTE_EDGE; i++)
-        reach[i] = silhouette_ray(outline, SILHOUETTE_POINTS, edge[i].at, edge[i].normal, reach[i]);
+        reach[i] = silhouette_ray(outline, SILHOUETTE_POINTS, rays[i].at, rays[i].normal, reach[i]);
 }
 
-void space_scene_add(Scene *scene, const House *house, const Standing *all, size_t count, size_t own, bool pressed) {
+void space_scene_add(Scene *scene, const House *house, const bool *door_open, const Standing *all, size_t count,
+                     size_t own, bool pressed) {
     const Profile *profile = all[own].profile;
     Pose pose = all[own].pose;
-    EdgePoint edge[SILHOUETTE_EDGE];
+    EdgePoint rays[SILHOUETTE_EDGE];
     double reach[SILHOUETTE_EDGE];
-    silhouette_edge(profile, pose.at, pose.heading, edge);
+    silhouette_edge(profile, pose.at, pose.heading, rays);
     for (int i = 0; i < SILHOUETTE_EDGE; i++) {
-        Vec2 inside = vec2_along(edge[i].at, -BODY_DEPTH, edge[i].normal);
-        double met = outline_ray(&house->outline, inside, edge[i].normal, BODY_DEPTH + profile->space_reach, NULL);
-        reach[i] = fmax(0, met - BODY_DEPTH);
+        rays[i].at = vec2_along(rays[i].at, -BODY_DEPTH, rays[i].normal);
+        reach[i] =
+            outline_ray_past(&house->outline, door_open, rays[i].at, rays[i].normal, BODY_DEPTH + profile->space_reach);
     }
     for (size_t i = 0; i < count; i++)
         if (i != own && all[i].group == all[own].group &&
             vec2_distance(all[i].pose.at, pose.at) < 2 * BODY_MOST + profile->space_reach)
-            meet_other(&all[i], edge, reach);
+            meet_other(&all[i], rays, reach);
     Vec2 outline[SILHOUETTE_EDGE];
     for (int i = 0; i < SILHOUETTE_EDGE; i++)
-        outline[i] = vec2_along(edge[i].at, reach[i], edge[i].normal);
+        outline[i] = vec2_along(rays[i].at, fmax(BODY_DEPTH, reach[i]), rays[i].normal);
     LocusLook look = pressed ? PEOPLE_SCENE_PRESSED : PEOPLE_SCENE_SPACE;
     Primitive *ring = scene_add_polygon(scene, look.role, outline, SILHOUETTE_EDGE);
     ring->fill_opacity = SPACE_OPACITY;

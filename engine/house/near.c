@@ -47,10 +47,6 @@ typedef struct Gathering {
     int count;
 } Gathering;
 
-static bool is_present(int door, int presence, const bool *door_open) {
-    return presence == PRESENT_ALWAYS || door_open[door] == (presence == PRESENT_OPEN);
-}
-
 static bool is_nearer(Candidate a, Candidate b) {
     return a.distance < b.distance || (a.distance == b.distance && a.item < b.item);
 }
@@ -62,13 +58,13 @@ static bool gather(void *context, int item) {
     Candidate candidate = {.item = item};
     if ((size_t)item < outline->face_count) {
         const Face *face = &outline->faces[item];
-        if (!is_present(face->door, face->presence, gathering->door_open))
+        if (!outline_present(face->door, face->presence, gathering->door_open))
             return true;
         candidate.distance =
             vec2_distance(gathering->centre, vec2_nearest_on_segment(gathering->centre, face->a, face->b));
     } else {
         const Corner *corner = &outline->corners[(size_t)item - outline->face_count];
-        if (!is_present(corner->door, corner->presence, gathering->door_open))
+        if (!outline_present(corner->door, corner->presence, gathering->door_open))
             return true;
         candidate.distance = vec2_distance(gathering->centre, corner->at);
     }

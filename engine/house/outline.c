@@ -226,12 +226,18 @@ void outline_free(Outline *outline) {
 
 typedef struct RayContext {
     const Outline *outline;
-    int face; /* the one met */
+    const bool *door_open; /* NULL: as planned */
+    int face;              /* the one met */
 } RayContext;
+
+static bool meets(const RayContext *ray, const Face *face) {
+    return ray->door_open ? outline_present(face->door, face->presence, ray->door_open)
+                          : outline_planned(face->presence);
+}
 
 static double ray_hit(void *context, int item, Vec2 from, Vec2 to, double best) {
     RayContext *ray = context;
-    if ((size_t)item >= ray->outline->face_count || !outline_planned(ray->outline->faces[item].presence))
+    if ((size_t)item >= ray->outline->face_count || !meets(ray, &ray->outline->faces[item]))
         return best;
     const Face *face = &ray->outline->faces[item];
     Vec2 along = vec2_sub(to, from), side = vec2_sub(face->b, face->a), offset = vec2_sub(face->a, from);
@@ -246,11 +252,16 @@ static double ray_hit(void *context, int item, Vec2 from, Vec2 to, double best) 
 }
 
 double outline_ray(const Outline *outline, Vec2 from, Vec2 direction, double reach, int *face) {
-    RayContext context = {outline, -1};
+    RayContext context = {.outline = outline, .face = -1};
     double fraction = broadphase_ray(outline->broadphase, from, vec2_along(from, reach, direction), ray_hit, &context);
     if (face)
         *face = context.face;
     return fraction * reach;
+}
+
+double outline_ray_past(const Outline *outline, const bool *door_open, Vec2 from, Vec2 direction, double reach) {
+    RayContext context = {.outline = outline, .door_open = door_open, .face = -1};
+    return reach * broadphase_ray(outline->broadphase, from, vec2_along(from, reach, direction), ray_hit, &context);
 }
 
 void outline_name(const Plan *plan, int owner, int index, char *name, size_t size) {

@@ -73,6 +73,11 @@ static inline bool outline_planned(int presence) {
     return presence != PRESENT_SHUT;
 }
 
+/* Is the face or corner there when of the doors (each of the plan) those are open? */
+static inline bool outline_present(int door, int presence, const bool *door_open) {
+    return presence == PRESENT_ALWAYS || door_open[door] == (presence == PRESENT_OPEN);
+}
+
 /* Can this door be shut and opened again? */
 static inline bool outline_door_moves(const Door *door) {
     return door->kind != DOOR_OPENING && door->state == DOOR_CLOSED;
@@ -81,6 +86,9 @@ static inline bool outline_door_moves(const Door *door) {
 /* Where the ray from `from` along the unit vector `direction` first meets a planned face: its distance, at most
  * `reach` m, and that face in `*face` (-1: none; may be NULL). */
 double outline_ray(const Outline *outline, Vec2 from, Vec2 direction, double reach, int *face);
+
+/* The same distance when of the doors those are open. */
+double outline_ray_past(const Outline *outline, const bool *door_open, Vec2 from, Vec2 direction, double reach);
 
 /* "door d2", "wall w1", "wardrobe (f3)": what a face belongs to. */
 void outline_name(const Plan *plan, int owner, int index, char *name, size_t size);
