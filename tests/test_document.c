@@ -4,7 +4,6 @@
 #include <errno.h>
 #include <glib.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 

@@ -1,6 +1,5 @@
 #include "command/frames.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>

@@ -1,8 +1,6 @@
 #include "document/html.h"
 
 #include <glib.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "base/text.h"
 #include "document/picture.h"

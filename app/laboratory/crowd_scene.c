@@ -1,7 +1,5 @@
 #include "laboratory/crowd_scene.h"
 
-#include <stdio.h>
-
 #include "laboratory/people_scene.h"
 #include "laboratory/silhouette.h"
 #include "laboratory/trail.h"

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "laboratory/census.h"
 #include "laboratory/people_scene.h"
 #include "laboratory/trail.h"

@@ -1,18 +1,17 @@
 #include "report/comparison_report.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "house/plan_tables.h"
 #include "laboratory/census.h"
 #include "laboratory/house_scene.h"
+#include "laboratory/wording.h"
 #include "report/report_basis.h"
 #include "report/report_motion.h"
 #include "report/report_people.h"
 #include "report/report_pictures.h"
 #include "report/report_places.h"
 #include "report/report_plans.h"
-#include "laboratory/wording.h"
 
 static const char *const letters[] = {"A", "B"};
 

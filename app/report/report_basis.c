@@ -1,7 +1,6 @@
 #include "report/report_basis.h"
 
 #include <inttypes.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/text.h"

@@ -1,7 +1,6 @@
 #include "report/report_loci.h"
 
 #include <stdint.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "house/locus.h"
