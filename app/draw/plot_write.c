@@ -9,7 +9,7 @@
 
 enum { CELL_LONGEST = 32 /* characters of a number */ };
 
-double plot_write_unit(int width, int height) {
+static double picture_unit(int width, int height) {
     return fmax(1, 2 * layout_unit(width, height));
 }
 
@@ -25,7 +25,7 @@ static void paint_picture(struct _cairo *cairo, Vec2 page, const void *what) {
 }
 
 static int write_picture(CairoFileKind kind, const Plot *plot, const char *path, int width, int height, Theme theme) {
-    return cairo_file_write(kind, path, width, height, plot_write_unit(width, height), paint_picture,
+    return cairo_file_write(kind, path, width, height, picture_unit(width, height), paint_picture,
                             &(Picture){plot, theme});
 }
 

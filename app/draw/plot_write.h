@@ -4,11 +4,8 @@
 
 #include "draw/plot.h"
 
-/* Pixels a design point of a plot that fills a picture of this size: twice what the same plot has beside a house, so
- * that it is read from as far as a title, but never below 1. */
-double plot_write_unit(int width, int height);
-
-/* `width` and `height` in pixels; of a PDF in 1/72 inch. */
+/* `width` and `height` in pixels; of a PDF in 1/72 inch. A design point is at least 1 of them, and twice as large as
+ * that of a house in a picture of this size: read from as far as a title. */
 int plot_write_png(const Plot *plot, const char *path, int width, int height, Theme theme);
 int plot_write_svg(const Plot *plot, const char *path, int width, int height, Theme theme);
 int plot_write_pdf(const Plot *plot, const char *path, int width, int height, Theme theme);
