@@ -58,20 +58,18 @@ void plot_strip_show(PlotStrip *strip, double time, PaintGl *paint, Layout *movi
 }
 
 bool plot_strip_write(const HousePlots *plots, const Options *options) {
-    static const char *const endings[] = {"png", "svg", "csv"};
+    static const char *const endings[] = {[CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", "csv"};
     char path[4096];
     int error = 0;
     for (size_t i = 0; i < plots->choice.count && !error; i++)
         for (size_t e = 0; e < sizeof endings / sizeof *endings && !error; e++) {
+            const Plot *plot = &plots->plots[i];
             snprintf(path, sizeof path, "%s/plot-%s.%s", options->out, house_plots_name(plots->choice.indices[i]),
                      endings[e]);
-            const Plot *plot = &plots->plots[i];
-            if (e == 0)
-                error = plot_write_png(plot, path, options->width, options->height, options->theme);
-            else if (e == 1)
-                error = plot_write_svg(plot, path, options->width, options->height, options->theme);
-            else
+            if (e > CAIRO_FILE_SVG)
                 error = plot_write_csv(plot, path);
+            else
+                error = plot_write_picture(e, plot, path, options->width, options->height, options->theme);
         }
     if (error)
         output_failed(path, error);
