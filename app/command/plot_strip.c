@@ -22,9 +22,8 @@ void plot_strip_open(PlotStrip *strip, HousePlots plots, const Layout *still, Pa
     *strip = (PlotStrip){.plots = plots, .still = still, .unit = layout_unit(options->width, options->height)};
     for (size_t i = 0; i < plots.choice.count; i++) {
         Box panel = still->panels[i];
-        strip->canvases[i] =
-            plot_canvas_create(&strip->plots.plots[i], pixels(panel.high.x - panel.low.x, strip->unit),
-                               pixels(panel.high.y - panel.low.y, strip->unit), strip->unit, options->theme);
+        strip->canvases[i] = plot_canvas_create(&strip->plots.plots[i], pixels(box_width(panel), strip->unit),
+                                                pixels(box_height(panel), strip->unit), strip->unit, options->theme);
         give_pixels(strip, i, plot_canvas_all(strip->canvases[i]), paint);
     }
 }

@@ -13,13 +13,13 @@
 
 /* With room for the scale below the plan, as far as its margin is none. */
 static Box with_foot(Box box, double width) {
-    double metre = width / (box.high.x - box.low.x);
+    double metre = width / box_width(box);
     box.low.y -= fmax(0, FOOT / metre - PLAN_MARGIN);
     return box;
 }
 
 static Vec2 size_of(Box box, double width) {
-    double ratio = (box.high.y - box.low.y) / (box.high.x - box.low.x);
+    double ratio = box_height(box) / box_width(box);
     return width * ratio <= HIGHEST ? vec2(width, width * ratio) : vec2(fmax(HIGHEST / ratio, NARROWEST), HIGHEST);
 }
 
@@ -32,7 +32,7 @@ void report_pictures_add(Document *document, Scene *scene, const char *caption, 
 }
 
 void report_pictures_add_beside(Document *document, Scene *scenes, size_t count, Box box, const char *const *captions) {
-    bool below = box.high.x - box.low.x > FAR_WIDER * (box.high.y - box.low.y);
+    bool below = box_width(box) > FAR_WIDER * box_height(box);
     double width = below ? WIDTH : WIDTH_OF_TWO;
     box = with_foot(box, width);
     Vec2 size = size_of(box, width);

@@ -83,7 +83,7 @@ size_t observer_sample_steps(const House *house) {
 static void lay_floor(Observer *observer) {
     Floor *floor = &observer->floor;
     Box box = observer->world->bounds;
-    double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
+    double width = box_width(box), height = box_height(box);
     floor->low = box.low;
     floor->side = fmax(2 * HAZARD_STRETCH, sqrt(width * height / MOST_SQUARES));
     floor->nx = (int)fmin(width / floor->side, MOST_SQUARES) + 1;
