@@ -122,7 +122,7 @@ static bool write_tables(const Verification *cases, size_t count, const Options 
         const char *name;
         void (*add)(Text *text, const Verification *cases, size_t count, uint64_t seed);
     } files[] = {{"cases.html", cases_html_add}, {"cases.md", cases_table_markdown}, {"cases.json", add_json}};
-    char path[4096];
+    char path[OUTPUT_PATH];
     int error = 0;
     for (size_t f = 0; f < sizeof files / sizeof *files && !error; f++) {
         Text text = {0};
@@ -132,7 +132,7 @@ static bool write_tables(const Verification *cases, size_t count, const Options 
         memory_free(text.text);
     }
     if (error)
-        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+        output_failed(path, error);
     return !error;
 }
 

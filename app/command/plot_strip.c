@@ -58,7 +58,7 @@ void plot_strip_show(PlotStrip *strip, double time, PaintGl *paint, Layout *movi
 
 bool plot_strip_write(const HousePlots *plots, const Options *options) {
     static const char *const endings[] = {[CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", "csv"};
-    char path[4096];
+    char path[OUTPUT_PATH];
     int error = 0;
     for (size_t i = 0; i < plots->choice.count && !error; i++)
         for (size_t e = 0; e < sizeof endings / sizeof *endings && !error; e++) {
