@@ -20,8 +20,7 @@
 #include "command/output.h"
 #include "house/trial.h"
 
-/* Case files --------------------------------------------------------------------------------------------------------
- */
+/* Case files --------------------------------------------------------------------------------------------------------*/
 
 typedef struct Paths {
     char **at; /* (count) */
@@ -74,8 +73,7 @@ static Verification *read_cases(const Paths *paths, Fault *fault) {
     return cases;
 }
 
-/* Running -----------------------------------------------------------------------------------------------------------
- */
+/* Running -----------------------------------------------------------------------------------------------------------*/
 
 typedef struct Progress {
     time_t begin;
@@ -105,8 +103,7 @@ static void run_cases(Verification *cases, size_t count, const Options *options,
         fprintf(stderr, "\r                         \r");
 }
 
-/* Writing -----------------------------------------------------------------------------------------------------------
- */
+/* Writing -----------------------------------------------------------------------------------------------------------*/
 
 static void add_json(Text *text, const Verification *cases, size_t count, uint64_t seed) {
     json_t *answer = cases_table_json(cases, count, seed);

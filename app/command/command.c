@@ -275,8 +275,7 @@ static int wrong_use(const char *what, const char *word, const char *const *know
     return EXIT_WRONG_INPUT;
 }
 
-/* Reading argv ------------------------------------------------------------------------------------------------------
- */
+/* Reading argv ------------------------------------------------------------------------------------------------------*/
 
 static const Option *find_option(const Verb *verb, const char *name, size_t length) {
     for (size_t o = 0; o < OPTIONS; o++)

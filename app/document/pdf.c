@@ -53,8 +53,7 @@ static double height_of(const char *text, Letters letters) {
     return height;
 }
 
-/* Figures -----------------------------------------------------------------------------------------------------------
- */
+/* Figures -----------------------------------------------------------------------------------------------------------*/
 
 /* pt a design point, of all pictures of a row. */
 static double figures_scale(const Block *block) {
@@ -116,8 +115,7 @@ static void set_figures(Sheet *sheet, const Block *block) {
     sheet->y += height;
 }
 
-/* Words -------------------------------------------------------------------------------------------------------------
- */
+/* Words -------------------------------------------------------------------------------------------------------------*/
 
 static void set_words(Sheet *sheet, const char *text, Letters letters) {
     PangoLayout *words = words_of(text, letters);
@@ -177,8 +175,7 @@ static void set_contents(Press *press) {
     sheet->y += height;
 }
 
-/* Headings ----------------------------------------------------------------------------------------------------------
- */
+/* Headings ----------------------------------------------------------------------------------------------------------*/
 
 static double least_height(const Document *document, size_t index);
 
@@ -253,8 +250,7 @@ static void set_heading(Press *press, size_t index) {
     sheet->y += BELOW_HEADING[block->level];
 }
 
-/* Pages -------------------------------------------------------------------------------------------------------------
- */
+/* Pages -------------------------------------------------------------------------------------------------------------*/
 
 static void set_block(Press *press, size_t index) {
     Sheet *sheet = &press->sheet;

@@ -13,8 +13,7 @@ void house_scene_make(Scene *scene, const House *house, const Observation *obser
 void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation,
                                const Observation *before);
 
-/* The same as house_scene_make, of a part of the plan (m): what lies elsewhere is left out, and so are answer and list.
- */
+/* The same as house_scene_make, of a part of the plan (m), without what lies elsewhere, and without answer and list. */
 void house_scene_make_detail(Scene *scene, const House *house, const Observation *observation, Box box);
 
 /* What stills and films have in common: the answer, what has to be seen, and the list beside it. Is it a crowd? */

@@ -15,8 +15,7 @@
 
 static const char *const letters[] = {"A", "B"};
 
-/* The answer ----------------------------------------------------------------------------------------------------------
- */
+/* The answer --------------------------------------------------------------------------------------------------------*/
 
 static const char *say_answer(Document *document, const Reported runs[2]) {
     const Observation *a = runs[0].observation, *b = runs[1].observation;
@@ -96,8 +95,7 @@ static void add_notes(Document *document, const Reported runs[2]) {
                 document, document_text(document, "%s: %s", same ? "A and B" : letters[r], runs[r].house->plan.note));
 }
 
-/* People --------------------------------------------------------------------------------------------------------------
- */
+/* People ------------------------------------------------------------------------------------------------------------*/
 
 static void add_person(Document *document, const char *id, const char *letter, const PersonObservation *person) {
     bool moved = person->time > 0;
@@ -196,8 +194,7 @@ static void add_routes(Document *document, const Reported runs[2]) {
     }
 }
 
-/* The rest -----------------------------------------------------------------------------------------------------------
- */
+/* The rest ----------------------------------------------------------------------------------------------------------*/
 
 static void add_hazards(Document *document, const Reported runs[2]) {
     document_add_heading(document, 2, "Dangerous points");
