@@ -173,7 +173,7 @@ static bool write_all(Studio *studio, Times times) {
     return drawn && filmed && !error;
 }
 
-/* The end of the run in the raised view, beside plan.png. */
+/* The last picture, in the raised view, beside plan.png. */
 static bool write_raised(Studio *studio, double time) {
     const Options *options = studio->options;
     char path[OUTPUT_PATH];
