@@ -6,6 +6,9 @@
 #include "house/observation.h"
 #include "laboratory/census.h"
 
+#define HOUSE_SCENE_GRID 1.0   /* m, between the faint lines of a plan */
+#define HOUSE_SCENE_MARGIN 0.4 /* m, round walls and ways: room for the exits' bands */
+
 /* Fills an empty scene; scene_clear releases it. House and observation belong together and may go before the scene. */
 void house_scene_make(Scene *scene, const House *house, const Observation *observation);
 

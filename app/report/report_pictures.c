@@ -1,5 +1,7 @@
 #include "report/report_pictures.h"
 
+#include "laboratory/house_scene.h"
+
 /* Design points: with these widths letters are as large in all pictures of a page. */
 #define WIDTH 1027.0
 #define WIDTH_OF_TWO 498.0
@@ -7,14 +9,12 @@
 #define NARROWEST 360.0
 #define FOOT 48.0 /* kept for the scale */
 
-#define PLAN_MARGIN 0.4 /* m, that plans have round them */
-
 #define FAR_WIDER 2.2 /* 1, width by height from which on pictures stand one below the other */
 
 /* With room for the scale below the plan, as far as its margin is none. */
 static Box with_foot(Box box, double width) {
     double metre = width / box_width(box);
-    box.low.y -= fmax(0, FOOT / metre - PLAN_MARGIN);
+    box.low.y -= fmax(0, FOOT / metre - HOUSE_SCENE_MARGIN);
     return box;
 }
 
