@@ -31,6 +31,7 @@ def check_answers():
     check(answer["kind"] == "compare" and len(answer["differences"]) == 1, "compare --json")
     answer = json.loads(expect(0, "loci", house("corner-1.20-1.20"), "--json").stdout)
     check(answer["houses"][0]["locus_largest"] > 0, "loci --json")
+    expect(2, "loci", house("corner-1.20-1.20"), "--driving", "miura", says="unknown option")
     answer = json.loads(expect(2, "check", str(source / "tests/data/bad/houses/many-faults.json"), "--json").stdout)
     check(len(answer["faults"]) > 1, "check --json lists several faults")
 

@@ -1,5 +1,4 @@
-/* Films: what is shown at a time is where the record says, whatever was shown before; spaces end at what presses them.
- */
+/* Films: what is shown at a time is where the record says, whatever was shown before; spaces end at what presses. */
 
 #include "laboratory/film.h"
 

@@ -9,8 +9,7 @@
 #include "house/run.h"
 #include "house/world.h"
 
-/* A turned, shifted or mirrored copy of a plan ----------------------------------------------------------------------
- */
+/* A turned, shifted or mirrored copy of a plan ----------------------------------------------------------------------*/
 
 typedef struct Placement {
     double angle; /* degree */
@@ -130,8 +129,7 @@ TEST(a_mirrored_house_has_the_mirrored_locus) {
     }
 }
 
-/* The paper's findings ------------------------------------------------------------------------------------------------
- */
+/* The paper's findings ----------------------------------------------------------------------------------------------*/
 
 static double greatest_distance(const House *houses, const Observation *observations) {
     double greatest = 0;

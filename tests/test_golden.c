@@ -89,8 +89,7 @@ static void paint_still(const Golden *golden, const House *house, const Observat
     scene_clear(&scene);
 }
 
-/* The mean difference of a channel, of 255, and the share of pixels in which one is seen; 255 and 1 for another size.
- */
+/* The mean difference of a channel, of 255, the share of pixels in which one is seen; 255 and 1 for another size. */
 static void compare(const unsigned char *pixels, cairo_surface_t *surface, double *mean, double *share) {
     *mean = 255;
     *share = 1;

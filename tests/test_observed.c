@@ -1,7 +1,6 @@
 #include "check.h"
 
 #include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "draft.h"

@@ -2,7 +2,6 @@
 
 #include <cairo.h>
 #include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -461,32 +460,33 @@ TEST(what_is_no_number_breaks_the_line_and_a_single_point_is_a_dot) {
 
 /* Files ------------------------------------------------------------------------------------------------------------ */
 
-typedef int WritePicture(const Plot *, const char *, int, int, Theme);
+enum { CSV = CAIRO_FILE_PDF + 1 /* beside CairoFileKind */ };
 
-/* Writes a picture of 800 x 500 under /tmp and returns its bytes, ended by 0. */
-static char *written(const Plot *plot, WritePicture *write, size_t *size) {
+/* Writes a picture of 800 x 500, or a table, under /tmp and returns its bytes, ended by 0. */
+static char *written(const Plot *plot, int kind, size_t *size) {
     char path[] = "/tmp/clearance-plot-XXXXXX";
     int file = mkstemp(path);
     CHECK(file >= 0);
     close(file);
-    CHECK((write ? write(plot, path, 800, 500, THEME_PAPER) : plot_write_csv(plot, path)) == 0);
+    CHECK((kind == CSV ? plot_write_csv(plot, path)
+                       : plot_write_picture((CairoFileKind)kind, plot, path, 800, 500, THEME_PAPER)) == 0);
     char *bytes = text_read_file(path, 1 << 26, size);
     unlink(path);
     return bytes;
 }
 
 TEST(the_same_plot_gives_the_same_bytes) {
-    WritePicture *const writers[] = {plot_write_png, plot_write_svg, plot_write_pdf};
-    static const char *const beginnings[] = {"\x89PNG", "<?xml", "%PDF"};
+    static const char *const beginnings[] = {
+        [CAIRO_FILE_PNG] = "\x89PNG", [CAIRO_FILE_SVG] = "<?xml", [CAIRO_FILE_PDF] = "%PDF"};
     double x[200], y[200];
     fill_wave(x, y, 200);
     PlotSeries series[] = {line_of("p1", x, y, 200), line_of("p2", y, x, 200)};
     Plot plot = plot_of(series, 2);
-    for (int i = 0; i < 3; i++) {
+    for (int i = CAIRO_FILE_PNG; i <= CAIRO_FILE_PDF; i++) {
         size_t first_size = 0, second_size = 1;
-        char *first = written(&plot, writers[i], &first_size);
-        sleep(i == 2); /* a date would be another one */
-        char *second = written(&plot, writers[i], &second_size);
+        char *first = written(&plot, i, &first_size);
+        sleep(i == CAIRO_FILE_PDF); /* a date would be another one */
+        char *second = written(&plot, i, &second_size);
         CHECK(first && second && first_size == second_size && memcmp(first, second, first_size) == 0);
         CHECK(first && memcmp(first, beginnings[i], strlen(beginnings[i])) == 0);
         memory_free(first);
@@ -496,9 +496,10 @@ TEST(the_same_plot_gives_the_same_bytes) {
 
 TEST(a_plot_that_cannot_be_written_says_why) {
     Plot plot = plot_of(NULL, 0);
-    CHECK(plot_write_png(&plot, "/tmp/clearance-never.png", 0, 100, THEME_PAPER) == EINVAL);
-    CHECK(plot_write_pdf(&plot, "/tmp/clearance-never.pdf", 100, CAIRO_FILE_LARGEST + 1, THEME_PAPER) == EINVAL);
-    CHECK(plot_write_svg(&plot, "/tmp/no-such-directory/a.svg", 100, 100, THEME_PAPER) == ENOENT);
+    CHECK(plot_write_picture(CAIRO_FILE_PNG, &plot, "/tmp/clearance-never.png", 0, 100, THEME_PAPER) == EINVAL);
+    CHECK(plot_write_picture(CAIRO_FILE_PDF, &plot, "/tmp/clearance-never.pdf", 100, CAIRO_FILE_LARGEST + 1,
+                             THEME_PAPER) == EINVAL);
+    CHECK(plot_write_picture(CAIRO_FILE_SVG, &plot, "/tmp/no-such-directory/a.svg", 100, 100, THEME_PAPER) == ENOENT);
     CHECK(plot_write_csv(&plot, "/tmp/no-such-directory/a.csv") == ENOENT);
     CHECK(access("/tmp/clearance-never.png", F_OK) != 0);
 }
@@ -511,12 +512,12 @@ TEST(a_table_has_two_columns_a_series_and_names_them) {
     series[1].name = NULL;
     Plot plot = plot_of(series, 2);
     size_t size;
-    char *two = written(&plot, NULL, &size);
+    char *two = written(&plot, CSV, &size);
     CHECK_TEXT(two, "p1 time [s],p1 clearance [m],\"a \"\"b\"\", c time [s]\",\"a \"\"b\"\", c clearance [m]\"\r\n"
                     "0,0.1,-1,1234567.25\r\n1,,,\r\n2.5,1e-12,,\r\n");
     plot.series_count = 1;
     plot.y.unit = NULL;
-    char *one = written(&plot, NULL, &size);
+    char *one = written(&plot, CSV, &size);
     CHECK_TEXT(one, "time [s],clearance [1]\r\n0,0.1\r\n1,\r\n2.5,1e-12\r\n");
     memory_free(two);
     memory_free(one);
@@ -546,8 +547,8 @@ TEST(a_hundred_thousand_points_are_drawn_with_few_operations) {
         .x = orbit[0], .y = orbit[1], .count = MANY, .role = ROLE_LOCUS, .symbol = SYMBOL_BOX, .size = 2};
     Plot lines = plot_of(&line, 1), map = plot_of(&points, 1), empty = plot_of(NULL, 0);
     size_t size;
-    char *svg[] = {written(&lines, plot_write_svg, &size), written(&map, plot_write_svg, &size),
-                   written(&empty, plot_write_svg, &size)};
+    char *svg[] = {written(&lines, CAIRO_FILE_SVG, &size), written(&map, CAIRO_FILE_SVG, &size),
+                   written(&empty, CAIRO_FILE_SVG, &size)};
     size_t words = path_operations(svg[2]) + 500; /* letters of the axes */
     size_t columns = 2 * 800;                     /* of half a pixel */
     CHECK(path_operations(svg[0]) < words + 4 * columns + columns / 100);

@@ -3,7 +3,6 @@
 #include "house/run.h"
 
 #include <stdint.h>
-#include <string.h>
 
 #include "case.h"
 #include "check.h"

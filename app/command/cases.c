@@ -20,8 +20,7 @@
 #include "command/output.h"
 #include "house/trial.h"
 
-/* Case files --------------------------------------------------------------------------------------------------------
- */
+/* Case files --------------------------------------------------------------------------------------------------------*/
 
 typedef struct Paths {
     char **at; /* (count) */
@@ -74,8 +73,7 @@ static Verification *read_cases(const Paths *paths, Fault *fault) {
     return cases;
 }
 
-/* Running -----------------------------------------------------------------------------------------------------------
- */
+/* Running -----------------------------------------------------------------------------------------------------------*/
 
 typedef struct Progress {
     time_t begin;
@@ -105,8 +103,7 @@ static void run_cases(Verification *cases, size_t count, const Options *options,
         fprintf(stderr, "\r                         \r");
 }
 
-/* Writing -----------------------------------------------------------------------------------------------------------
- */
+/* Writing -----------------------------------------------------------------------------------------------------------*/
 
 static void add_json(Text *text, const Verification *cases, size_t count, uint64_t seed) {
     json_t *answer = cases_table_json(cases, count, seed);
@@ -122,7 +119,7 @@ static bool write_tables(const Verification *cases, size_t count, const Options 
         const char *name;
         void (*add)(Text *text, const Verification *cases, size_t count, uint64_t seed);
     } files[] = {{"cases.html", cases_html_add}, {"cases.md", cases_table_markdown}, {"cases.json", add_json}};
-    char path[4096];
+    char path[OUTPUT_PATH];
     int error = 0;
     for (size_t f = 0; f < sizeof files / sizeof *files && !error; f++) {
         Text text = {0};
@@ -132,7 +129,7 @@ static bool write_tables(const Verification *cases, size_t count, const Options 
         memory_free(text.text);
     }
     if (error)
-        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+        output_failed(path, error);
     return !error;
 }
 

@@ -1,7 +1,6 @@
 #include "command/cases_html.h"
 
 #include <inttypes.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "command/cases_words.h"

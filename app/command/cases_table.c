@@ -7,8 +7,7 @@
 #include "command/cases_words.h"
 #include "house/trial.h"
 
-/* Terminal ----------------------------------------------------------------------------------------------------------
- */
+/* Terminal ----------------------------------------------------------------------------------------------------------*/
 
 /* A column of `width` characters, of which UTF-8 may need more bytes than one each. */
 static void print_column(const char *words, int width) {
@@ -58,8 +57,7 @@ void cases_table_print(const Verification *cases, size_t count) {
         print_reasons(&cases[i]);
 }
 
-/* Markdown ----------------------------------------------------------------------------------------------------------
- */
+/* Markdown ----------------------------------------------------------------------------------------------------------*/
 
 /* A cell: what would end it is replaced. */
 static void add_cell(Text *text, const char *words) {
@@ -115,8 +113,7 @@ void cases_table_markdown(Text *text, const Verification *cases, size_t count, u
     }
 }
 
-/* JSON --------------------------------------------------------------------------------------------------------------
- */
+/* JSON --------------------------------------------------------------------------------------------------------------*/
 
 static json_t *number_or_null(double value) {
     return isfinite(value) ? json_real(round(value * 1e6) / 1e6) : json_null();

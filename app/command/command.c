@@ -209,8 +209,8 @@ static const Option option_rows[] = {
      take_setting},
     {"--out", "DIR", FOR_RUN, "write summary.json, trace.csv, trajectory.sqlite and plan.png, .svg and .pdf there",
      take_out},
-    {"--out", "DIR", FOR_COMPARE, "write plan.png, B with the ways in A as \"before\", and what other options ask for",
-     take_out},
+    {"--out", "DIR", FOR_COMPARE,
+     "write plan.png, .svg and .pdf, B with the ways in A as \"before\", and what other options ask for", take_out},
     {"--out", "DIR", FOR_CASES, "write cases.html, cases.md and cases.json there", take_out},
     {"--report", NULL, FOR_RUN | FOR_COMPARE, "write report.html and report.pdf to --out, to be handed on",
      take_report},
@@ -218,7 +218,7 @@ static const Option option_rows[] = {
      take_observed},
     {"--json", NULL, FOR_HOUSES | FOR_CASES, "the answer as one JSON object and nothing else", take_json},
     {"--route", "ID", FOR_RUN, "only this route's people", take_route},
-    {"--driving", "miura|driver", FOR_HOUSES, "drive everybody this way", take_driving},
+    {"--driving", "miura|driver", FOR_HOUSES & ~FOR_LOCI, "drive everybody this way", take_driving},
     {"--until", "SECONDS", FOR_RUN | FOR_COMPARE, "give up at this simulated time", take_until},
     {"--seed", "N", FOR_HOUSES | FOR_CASES, "seed of all chance, from 0 (default 1)", take_seed},
     {"--jobs", "N", FOR_HOUSES | FOR_CASES, "threads, from 1 (default: one a processor); the answer is the same",
@@ -229,7 +229,7 @@ static const Option option_rows[] = {
      take_movie},
     {"--from", "SECONDS", FOR_FILMS, "begin them at this time (default 0)", take_from},
     {"--to", "SECONDS", FOR_FILMS, "end them at this time (default: when the last is out)", take_to},
-    {"--view", VIEW_WORDS, FOR_FILMS, "seen from above, or raised: then also DIR/raised.png, the end of the run",
+    {"--view", VIEW_WORDS, FOR_FILMS, "seen from above, or raised: then also DIR/raised.png, the last picture",
      take_view},
     {"--camera", "AZ,EL[,ZOOM]", FOR_FILMS,
      "raised from this azimuth (0: up the plan) and elevation, 5 to 90 degrees, so many times larger (default 10,60,1)",
@@ -238,11 +238,15 @@ static const Option option_rows[] = {
      take_show},
     {"--plots", HOUSE_PLOTS_WORDS, FOR_FILMS,
      "curves beside the house, in place of the list, and as DIR/plot-NAME.png, .svg and .csv; a list", take_plots},
-    {"--size", "WxH", FOR_FILMS, "size of the pictures in pixels, from 320x200 (default 1280x720)", take_size},
+    {"--size", "WxH", FOR_FILMS, "size of the pictures in pixels, 320x200 to 16384x16384 (default 1280x720)",
+     take_size},
     {"--theme", THEME_WORDS, FOR_FILMS, "light or dark pictures", take_theme},
     {"--quiet", NULL, FOR_HOUSES | FOR_CASES, "no progress", take_quiet},
 };
-enum { OPTIONS = sizeof option_rows / sizeof *option_rows };
+enum {
+    OPTIONS = sizeof option_rows / sizeof *option_rows,
+    ARGUMENT_WIDTH = 22, /* characters: what is longer has a line of its own */
+};
 
 /* Help ------------------------------------------------------------------------------------------------------------ */
 
@@ -262,8 +266,13 @@ static void print_verb_help(const Verb *verb) {
     printf("%s\nclearance %s %s [options]: %s\n\n", verb->examples, verb->name, verb->usage, verb->meaning);
     for (size_t o = 0; o < OPTIONS; o++) {
         const Option *option = &option_rows[o];
-        if (option->marks & verb->mark)
-            printf("  %-10s %-22s %s\n", option->name, option->argument ? option->argument : "", option->meaning);
+        const char *argument = option->argument ? option->argument : "";
+        if (!(option->marks & verb->mark))
+            continue;
+        printf("  %-10s %-*s", option->name, ARGUMENT_WIDTH, argument);
+        if (strlen(argument) > ARGUMENT_WIDTH)
+            printf("\n%*s", ARGUMENT_WIDTH + 13, "");
+        printf(" %s\n", option->meaning);
     }
 }
 
@@ -274,8 +283,7 @@ static int wrong_use(const char *what, const char *word, const char *const *know
     return EXIT_WRONG_INPUT;
 }
 
-/* Reading argv ------------------------------------------------------------------------------------------------------
- */
+/* Reading argv ------------------------------------------------------------------------------------------------------*/
 
 static const Option *find_option(const Verb *verb, const char *name, size_t length) {
     for (size_t o = 0; o < OPTIONS; o++)

@@ -1,6 +1,5 @@
 #include "command/frames.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -15,7 +14,6 @@
 
 enum {
     FRAMES_MOST = 1000000,
-    PATH_ROOM = 4096,
     RAISED_WIDTH = 1920, /* pixels, of a report's picture */
     RAISED_HEIGHT = 1200,
 };
@@ -138,12 +136,13 @@ static void show_progress(size_t done, size_t count, bool shown) {
 
 /* Those that an earlier, longer film has left: they would be taken for the end of this one. */
 static void remove_later_frames(const char *out, size_t count) {
-    char path[PATH_ROOM];
+    char path[OUTPUT_PATH];
     do
         snprintf(path, sizeof path, "%s/frames/frame-%05zu.png", out, ++count);
     while (unlink(path) == 0);
 }
 
+/* False: a file could not be written; whoever ends writer and film says why. */
 static bool write_frames(Studio *studio, Times times, PngWriter *writer, Movie *movie) {
     const Options *options = studio->options;
     bool shown = !options->quiet && isatty(STDERR_FILENO);
@@ -156,7 +155,7 @@ static bool write_frames(Studio *studio, Times times, PngWriter *writer, Movie *
         if (movie)
             error = movie_add(movie, pixels);
         if (writer) {
-            char path[PATH_ROOM];
+            char path[OUTPUT_PATH];
             snprintf(path, sizeof path, "%s/frames/frame-%05zu.png", options->out, done + 1);
             png_writer_put(writer, path);
             error = error ? error : png_writer_error(writer);
@@ -171,7 +170,7 @@ static bool write_frames(Studio *studio, Times times, PngWriter *writer, Movie *
 
 static bool write_all(Studio *studio, Times times) {
     const Options *options = studio->options;
-    char path[PATH_ROOM];
+    char path[OUTPUT_PATH];
     snprintf(path, sizeof path, "%s/frames", options->out ? options->out : "");
     if (options->frames > 0 && !output_directory(path))
         return false;
@@ -179,18 +178,18 @@ static bool write_all(Studio *studio, Times times) {
     if (options->movie && !movie)
         return false;
     PngWriter *writer = options->frames > 0 ? png_writer_create(options->width, options->height, options->jobs) : NULL;
-    write_frames(studio, times, writer, movie);
+    bool drawn = write_frames(studio, times, writer, movie);
     int error = writer ? png_writer_finish(writer) : 0;
     if (error)
-        fprintf(stderr, "clearance: %s/ cannot be written: %s\n", path, strerror(error));
+        output_failed(path, error);
     bool filmed = !movie || movie_end(movie);
-    return filmed && !error;
+    return drawn && filmed && !error;
 }
 
-/* The end of the run in the raised view, beside plan.png. */
+/* The last picture, in the raised view, beside plan.png. */
 static bool write_raised(Studio *studio, double time) {
     const Options *options = studio->options;
-    char path[PATH_ROOM];
+    char path[OUTPUT_PATH];
     snprintf(path, sizeof path, "%s/raised.png", options->out);
     unsigned char *pixels = memory_allocate((size_t)options->width * (size_t)options->height, 4);
     draw(studio, time, pixels);

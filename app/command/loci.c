@@ -3,7 +3,6 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "base/memory.h"
 #include "command/answer.h"
 #include "command/command.h"
 #include "command/house_file.h"

@@ -10,21 +10,20 @@
 #include <unistd.h>
 
 #include "base/memory.h"
-
-enum { PATH_ROOM = 4096 };
+#include "command/output.h"
 
 struct Movie {
     const char *path;
-    char beside[PATH_ROOM]; /* what ffmpeg writes; it takes the kind of film from the ending */
-    size_t picture;         /* bytes */
-    int pipe;               /* to write to */
+    char beside[OUTPUT_PATH]; /* what ffmpeg writes; it takes the kind of film from the ending */
+    size_t picture;           /* bytes */
+    int pipe;                 /* to write to */
     pid_t ffmpeg;
 };
 
 /* A name in the same directory with the same ending; one that begins with "word:" ffmpeg would take for a protocol. */
-static void name_beside(char beside[PATH_ROOM], const char *path) {
+static void name_beside(char beside[OUTPUT_PATH], const char *path) {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    snprintf(beside, PATH_ROOM, "%s%.*s.%ld.%s", *path == '/' ? "" : "./", (int)(name - path), path, (long)getpid(),
+    snprintf(beside, OUTPUT_PATH, "%s%.*s.%ld.%s", *path == '/' ? "" : "./", (int)(name - path), path, (long)getpid(),
              name);
 }
 

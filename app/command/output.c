@@ -9,9 +9,10 @@
 #include "draw/paint_cairo.h"
 
 bool output_directory(const char *path) {
-    char part[4096];
-    snprintf(part, sizeof part, "%s", path);
-    int error = 0;
+    char part[OUTPUT_PATH];
+    int length = snprintf(part, sizeof part, "%s", path), error = 0;
+    if (length + OUTPUT_NAME >= OUTPUT_PATH)
+        error = ENAMETOOLONG;
     for (char *slash = part + 1; !error && *slash; slash++) {
         if (*slash != '/')
             continue;
@@ -39,7 +40,7 @@ void output_tell_interrupted(bool told) {
 
 bool output_stills(const Scene *scene, const Options *options) {
     static const char *const endings[] = {[CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", [CAIRO_FILE_PDF] = "pdf"};
-    char path[4096];
+    char path[OUTPUT_PATH];
     int error = 0;
     for (CairoFileKind kind = CAIRO_FILE_PNG; kind <= CAIRO_FILE_PDF && !error; kind++) {
         snprintf(path, sizeof path, "%s/plan.%s", options->out, endings[kind]);

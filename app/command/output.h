@@ -6,6 +6,11 @@
 #include "command/command.h"
 #include "draw/scene.h"
 
+enum {
+    OUTPUT_PATH = 4096, /* room for a path there: as much as the system takes */
+    OUTPUT_NAME = 64,   /* of it for the names of files */
+};
+
 /* Makes the directory and those above it, before the work is done; says so on standard error when that cannot be. */
 bool output_directory(const char *path);
 

@@ -22,9 +22,8 @@ void plot_strip_open(PlotStrip *strip, HousePlots plots, const Layout *still, Pa
     *strip = (PlotStrip){.plots = plots, .still = still, .unit = layout_unit(options->width, options->height)};
     for (size_t i = 0; i < plots.choice.count; i++) {
         Box panel = still->panels[i];
-        strip->canvases[i] =
-            plot_canvas_create(&strip->plots.plots[i], pixels(panel.high.x - panel.low.x, strip->unit),
-                               pixels(panel.high.y - panel.low.y, strip->unit), strip->unit, options->theme);
+        strip->canvases[i] = plot_canvas_create(&strip->plots.plots[i], pixels(box_width(panel), strip->unit),
+                                                pixels(box_height(panel), strip->unit), strip->unit, options->theme);
         give_pixels(strip, i, plot_canvas_all(strip->canvases[i]), paint);
     }
 }
@@ -58,20 +57,18 @@ void plot_strip_show(PlotStrip *strip, double time, PaintGl *paint, Layout *movi
 }
 
 bool plot_strip_write(const HousePlots *plots, const Options *options) {
-    static const char *const endings[] = {"png", "svg", "csv"};
-    char path[4096];
+    static const char *const endings[] = {[CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", "csv"};
+    char path[OUTPUT_PATH];
     int error = 0;
     for (size_t i = 0; i < plots->choice.count && !error; i++)
         for (size_t e = 0; e < sizeof endings / sizeof *endings && !error; e++) {
+            const Plot *plot = &plots->plots[i];
             snprintf(path, sizeof path, "%s/plot-%s.%s", options->out, house_plots_name(plots->choice.indices[i]),
                      endings[e]);
-            const Plot *plot = &plots->plots[i];
-            if (e == 0)
-                error = plot_write_png(plot, path, options->width, options->height, options->theme);
-            else if (e == 1)
-                error = plot_write_svg(plot, path, options->width, options->height, options->theme);
-            else
+            if (e > CAIRO_FILE_SVG)
                 error = plot_write_csv(plot, path);
+            else
+                error = plot_write_picture(e, plot, path, options->width, options->height, options->theme);
         }
     if (error)
         output_failed(path, error);

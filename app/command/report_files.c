@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "command/frames.h"
 #include "command/house_file.h"
+#include "command/output.h"
 #include "document/html.h"
 #include "document/pdf.h"
 #include "report/comparison_report.h"
@@ -93,7 +94,7 @@ static time_t created(void) {
 }
 
 static bool write_files(const Document *document, const Options *options) {
-    char path[4096];
+    char path[OUTPUT_PATH];
     snprintf(path, sizeof path, "%s/report.html", options->out);
     int error = html_write(document, path, options->theme);
     if (!error) {
@@ -101,7 +102,7 @@ static bool write_files(const Document *document, const Options *options) {
         error = pdf_write(document, path, created());
     }
     if (error)
-        fprintf(stderr, "clearance: %s cannot be written: %s\n", path, strerror(error));
+        output_failed(path, error);
     return !error;
 }
 

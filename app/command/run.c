@@ -27,7 +27,7 @@ static int write_summary(const House *house, const Observation *observation, con
 static bool write_data(const House *house, const Observation *observation, const Options *options) {
     static const char *const names[] = {"summary.json", "trace.csv", "trajectory.sqlite"};
     int error = 0;
-    char path[4096];
+    char path[OUTPUT_PATH];
     for (size_t f = 0; f < sizeof names / sizeof *names && !error; f++) {
         snprintf(path, sizeof path, "%s/%s", options->out, names[f]);
         if (f == 0)

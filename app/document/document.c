@@ -115,10 +115,6 @@ void document_add_command(Document *document, const char *text) {
     add_block(document, BLOCK_COMMAND, text);
 }
 
-void document_add_page(Document *document) {
-    add_block(document, BLOCK_PAGE, "");
-}
-
 void document_add_table(Document *document, const char *caption, const Column *columns, size_t count) {
     Column *copies = arena_allocate(&document->arena, count * sizeof *copies);
     for (size_t c = 0; c < count; c++)

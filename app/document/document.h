@@ -23,7 +23,6 @@ typedef enum BlockKind {
     BLOCK_COMMAND, /* what is typed, line by line */
     BLOCK_TABLE,
     BLOCK_FIGURES, /* pictures side by side */
-    BLOCK_PAGE,    /* what follows begins a page where there are pages */
 } BlockKind;
 
 typedef enum Align { ALIGN_LEFT, ALIGN_RIGHT } Align;
@@ -85,7 +84,6 @@ void document_add_contents(Document *document);
 void document_add_paragraph(Document *document, const char *text);
 void document_add_note(Document *document, const char *text);
 void document_add_command(Document *document, const char *text);
-void document_add_page(Document *document);
 
 /* A table, to which rows of as many cells as it has columns are then added. A cell that is NULL is "-". */
 void document_add_table(Document *document, const char *caption, const Column *columns, size_t count);

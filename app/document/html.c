@@ -1,8 +1,6 @@
 #include "document/html.h"
 
 #include <glib.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "base/text.h"
 #include "document/picture.h"
@@ -45,7 +43,7 @@ static const char style[] =
     "@page{size:A4;margin:18mm 17mm}\n"
     "@media print{html{font-size:62.5%}main{max-width:none;padding:0}.scroll{overflow:visible}"
     "h1,h2,h3,caption{break-after:avoid}tr,figure,.note,pre{break-inside:avoid}thead{display:table-header-group}"
-    "h2+p,h3+p{break-after:avoid}p,.note,pre{orphans:2;widows:2}.newpage{break-before:page}}\n";
+    "h2+p,h3+p{break-after:avoid}p,.note,pre{orphans:2;widows:2}}\n";
 
 void html_add_escaped(Text *text, const char *words) {
     for (const char *at = words; *at; at++) {
@@ -92,10 +90,9 @@ static void add_head(Text *text, const Document *document, Theme theme) {
 
 static void add_heading(Text *text, const Document *document, size_t index) {
     const Block *block = &document->blocks[index];
-    bool new_page = index > 0 && document->blocks[index - 1].kind == BLOCK_PAGE;
     if (block->level == 1)
         add_element(text, "<p class=\"above\">", document->subject, "</p>\n");
-    text_format(text, "<h%d id=\"s%zu\"%s>", block->level, index, new_page ? " class=\"newpage\"" : "");
+    text_format(text, "<h%d id=\"s%zu\">", block->level, index);
     html_add_escaped(text, block->text);
     text_format(text, "</h%d>\n", block->level);
 }
@@ -185,8 +182,6 @@ static void add_block(Text *text, const Document *document, size_t index, Theme 
         break;
     case BLOCK_FIGURES:
         add_figures(text, block, theme);
-        break;
-    case BLOCK_PAGE:
         break;
     }
 }

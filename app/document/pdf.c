@@ -53,8 +53,7 @@ static double height_of(const char *text, Letters letters) {
     return height;
 }
 
-/* Figures -----------------------------------------------------------------------------------------------------------
- */
+/* Figures -----------------------------------------------------------------------------------------------------------*/
 
 /* pt a design point, of all pictures of a row. */
 static double figures_scale(const Block *block) {
@@ -116,8 +115,7 @@ static void set_figures(Sheet *sheet, const Block *block) {
     sheet->y += height;
 }
 
-/* Words -------------------------------------------------------------------------------------------------------------
- */
+/* Words -------------------------------------------------------------------------------------------------------------*/
 
 static void set_words(Sheet *sheet, const char *text, Letters letters) {
     PangoLayout *words = words_of(text, letters);
@@ -177,8 +175,7 @@ static void set_contents(Press *press) {
     sheet->y += height;
 }
 
-/* Headings ----------------------------------------------------------------------------------------------------------
- */
+/* Headings ----------------------------------------------------------------------------------------------------------*/
 
 static double least_height(const Document *document, size_t index);
 
@@ -206,8 +203,6 @@ static double least_height(const Document *document, size_t index) {
         return BLOCK_GAP + pdf_table_least(&block->table);
     case BLOCK_FIGURES:
         return BLOCK_GAP + figures_height(block);
-    case BLOCK_PAGE:
-        return 0;
     case BLOCK_PARAGRAPH:
         return PARAGRAPH_GAP + paragraph_least(document, index);
     case BLOCK_CONTENTS:
@@ -255,8 +250,7 @@ static void set_heading(Press *press, size_t index) {
     sheet->y += BELOW_HEADING[block->level];
 }
 
-/* Pages -------------------------------------------------------------------------------------------------------------
- */
+/* Pages -------------------------------------------------------------------------------------------------------------*/
 
 static void set_block(Press *press, size_t index) {
     Sheet *sheet = &press->sheet;
@@ -264,10 +258,6 @@ static void set_block(Press *press, size_t index) {
     switch (block->kind) {
     case BLOCK_HEADING:
         set_heading(press, index);
-        return;
-    case BLOCK_PAGE:
-        if (sheet->y > SHEET_TOP)
-            sheet_break(sheet);
         return;
     case BLOCK_PARAGRAPH:
         sheet_need(sheet, least_height(press->document, index));
@@ -317,12 +307,12 @@ static void describe(cairo_surface_t *surface, const Document *document, time_t 
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, date);
 }
 
-/* The first time pages are counted and headings found, the second time they are painted. */
 static cairo_status_t keep_bytes(void *context, const unsigned char *data, unsigned length) {
     bytes_add(context, data, length);
     return CAIRO_STATUS_SUCCESS;
 }
 
+/* The first time pages are counted and headings found, the second time they are painted. */
 static int paint_pages(Bytes *bytes, const Document *document, time_t created) {
     Press press = {.document = document, .page_of = memory_allocate(document->count, sizeof *press.page_of)};
     set_all(&press);

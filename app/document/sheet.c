@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "draw/palette.h"
+#include "draw/text.h"
 
 #define FOOT_Y 800.0
 
@@ -40,7 +41,7 @@ void sheet_end(Sheet *sheet) {
     cairo_show_page(sheet->cairo);
 }
 
-void sheet_break(Sheet *sheet) {
+static void begin_next(Sheet *sheet) {
     sheet_end(sheet);
     sheet_begin(sheet);
 }
@@ -48,7 +49,7 @@ void sheet_break(Sheet *sheet) {
 bool sheet_need(Sheet *sheet, double height) {
     bool full = sheet->y + height > SHEET_BOTTOM && sheet->y > SHEET_TOP;
     if (full)
-        sheet_break(sheet);
+        begin_next(sheet);
     return full;
 }
 
@@ -58,21 +59,7 @@ void sheet_gap(Sheet *sheet, double height) {
 }
 
 PangoLayout *sheet_words(const char *text, Letters letters, double width, Align align, double height) {
-    PangoContext *context = pango_font_map_create_context(pango_cairo_font_map_get_default());
-    cairo_font_options_t *options = cairo_font_options_create();
-    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
-    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
-    pango_context_set_round_glyph_positions(context, FALSE);
-    pango_cairo_context_set_font_options(context, options);
-    cairo_font_options_destroy(options);
-    PangoFontDescription *font = pango_font_description_new();
-    pango_font_description_set_family_static(font, letters.typed ? "DejaVu Sans Mono" : "DejaVu Sans");
-    pango_font_description_set_absolute_size(font, letters.size * PANGO_SCALE);
-    pango_font_description_set_weight(font, letters.bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
-    PangoLayout *words = pango_layout_new(context);
-    g_object_unref(context);
-    pango_layout_set_font_description(words, font);
-    pango_font_description_free(font);
+    PangoLayout *words = text_layout(letters.size, letters.bold, letters.typed);
     PangoAttrList *attributes = pango_attr_list_new(); /* who reads a page aloud stumbles over ligatures */
     pango_attr_list_insert(attributes, pango_attr_font_features_new("liga 0, clig 0"));
     pango_layout_set_attributes(words, attributes);
@@ -140,7 +127,7 @@ void sheet_flow(Sheet *sheet, PangoLayout *words, Letters letters, double x,
         double height;
         fit = lines_that_fit(sheet, words, first, &height);
         if (fit < LEAST_LINES && fit < count - first && sheet->y > SHEET_TOP) {
-            sheet_break(sheet);
+            begin_next(sheet);
             fit = lines_that_fit(sheet, words, first, &height);
         }
         if (sheet->cairo) {
@@ -150,7 +137,7 @@ void sheet_flow(Sheet *sheet, PangoLayout *words, Letters letters, double x,
         }
         sheet->y += height;
         if (first + fit < count)
-            sheet_break(sheet);
+            begin_next(sheet);
     }
 }
 

@@ -33,8 +33,7 @@ typedef struct Sheet {
 void sheet_begin(Sheet *sheet);
 void sheet_end(Sheet *sheet);
 
-/* Begins the next page, or does so where there is no room for so much, pt; false: it fits here. */
-void sheet_break(Sheet *sheet);
+/* Begins the next page where there is no room for so much, pt; false: it fits here. */
 bool sheet_need(Sheet *sheet, double height);
 
 /* Leaves room between two things, but not at the top of a page. */

@@ -117,7 +117,7 @@ static void cover(const Sheet *sheet, InkColour colour, const InkHatch *hatch, b
     }
 }
 
-/* As paint_cairo.c counts them: from the lower left corner of the outline's box. */
+/* As paint_cairo.c counts them: from the upper left corner of the outline's box. */
 static InkHatch hatch_of(const Sheet *sheet) {
     Box box = box_empty();
     for (size_t i = 0; i < sheet->primitive->count; i++)

@@ -3,8 +3,7 @@
 #include "draw/paint_sizes.h"
 
 static void add_tag(Drawing *drawing, Ink *ink, const Caption *caption) {
-    Vec2 half = vec2_scale(caption->turned ? vec2(caption->extent.y, caption->extent.x) : caption->extent, 0.5);
-    Box box = {vec2_sub(caption->centre, half), vec2_add(caption->centre, half)};
+    Box box = layout_caption_box(caption);
     InkColour fill = drawing_colour(drawing, caption->fill, 1);
     InkPoint corners[] = {drawing_page(drawing, box.low), drawing_page(drawing, vec2(box.high.x, box.low.y)),
                           drawing_page(drawing, box.high), drawing_page(drawing, vec2(box.low.x, box.high.y))};

@@ -4,10 +4,9 @@
 
 #include "draw/paint_sizes.h"
 
-/* Towards the light, along the floor to the left, along the floor to the viewer, and up. */
+/* Towards the light, along the floor to the left and to the viewer; the rest of the unit vector, 0.79, is up. */
 #define LIGHT_LEFT 0.50
 #define LIGHT_NEAR 0.36
-#define LIGHT_UP 0.79
 
 const float drawing_solid_light[3] = {-0.50f, -0.20f, 0.84f}; /* the same at an elevation of some 52 degrees */
 

@@ -30,11 +30,6 @@ void labels_shape(Caption *caption, LabelShape shape, Role fill) {
         caption->extent.x = caption->extent.y = 2 * fmax(DISC_LEAST, caption->extent.x / 2 + TAG_PADDING);
 }
 
-static Box caption_box(const Caption *caption) {
-    Vec2 half = vec2_scale(caption->turned ? vec2(caption->extent.y, caption->extent.x) : caption->extent, 0.5);
-    return (Box){vec2_sub(caption->centre, half), vec2_add(caption->centre, half)};
-}
-
 /* The points of a primitive at its highest. */
 static Vec2 *to_page(const Layout *layout, const Primitive *primitive) {
     Vec2 *page = memory_allocate(primitive->count, sizeof *page);
@@ -94,7 +89,7 @@ typedef struct Choice {
 } Choice;
 
 static void consider(Choice *best, const Mask *mask, Caption caption, double extra) {
-    double cost = mask_cost(mask, box_expand(caption_box(&caption), AIR)) + extra;
+    double cost = mask_cost(mask, box_expand(layout_caption_box(&caption), AIR)) + extra;
     if (cost < best->cost)
         *best = (Choice){caption, cost};
 }
@@ -109,10 +104,9 @@ static void consider_inside(Choice *best, const Mask *mask, Caption caption, con
         for (int i = -1; i < RASTER * RASTER; i++) {
             Vec2 part = vec2((i % RASTER + 0.5) / RASTER, (double)(i / RASTER) / RASTER + 0.5 / RASTER);
             caption.turned = turned;
-            caption.centre = i < 0 ? at
-                                   : vec2(box.low.x + part.x * (box.high.x - box.low.x),
-                                          box.low.y + part.y * (box.high.y - box.low.y));
-            if (outline_holds_box(outline, count, box_expand(caption_box(&caption), AIR)))
+            caption.centre =
+                i < 0 ? at : vec2(box.low.x + part.x * box_width(box), box.low.y + part.y * box_height(box));
+            if (outline_holds_box(outline, count, box_expand(layout_caption_box(&caption), AIR)))
                 consider(best, mask, caption,
                          extra + turned * TURNED_COST + DISTANCE_COST * vec2_distance(caption.centre, at));
         }
@@ -169,8 +163,8 @@ static Choice choose_place(const Mask *mask, const Layout *layout, const Primiti
 
 static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
     Choice best = choose_place(mask, layout, label);
-    Box box = caption_box(&best.caption);
-    double most = OPTIONAL_MOST * (box.high.x - box.low.x) * (box.high.y - box.low.y);
+    Box box = layout_caption_box(&best.caption);
+    double most = OPTIONAL_MOST * box_width(box) * box_height(box);
     if (best.cost == HUGE_VAL || (label->optional && mask_cost(mask, box) > most))
         return;
     best.caption.leader &= vec2_distance(best.caption.centre, best.caption.pointed) > 1;
@@ -213,7 +207,7 @@ void labels_place(Layout *layout, const Scene *scene) {
     Mask mask;
     mask_init(&mask, layout->plan);
     for (size_t i = fixed; i < layout->caption_count; i++)
-        mask_mark_box(&mask, caption_box(&layout->captions[i]), LABEL_WEIGHT);
+        mask_mark_box(&mask, layout_caption_box(&layout->captions[i]), LABEL_WEIGHT);
     for (size_t i = 0; i < scene->count; i++)
         if (scene->primitives[i].keep_clear > 0)
             mark_primitive(&mask, layout, &scene->primitives[i]);

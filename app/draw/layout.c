@@ -56,14 +56,6 @@ static double round_step(double unit, double least) {
     return steps[i];
 }
 
-static double box_width(Box box) {
-    return box.high.x - box.low.x;
-}
-
-static double box_height(Box box) {
-    return box.high.y - box.low.y;
-}
-
 Caption *layout_add_caption(Layout *layout, const char *text, double size, bool bold, Vec2 centre) {
     layout->captions = memory_reserve(layout->captions, &layout->caption_capacity, layout->caption_count + 1,
                                       sizeof *layout->captions);
@@ -75,6 +67,11 @@ Caption *layout_add_caption(Layout *layout, const char *text, double size, bool 
                          .bold = bold,
                          .role = ROLE_TEXT};
     return caption;
+}
+
+Box layout_caption_box(const Caption *caption) {
+    Vec2 half = vec2_scale(caption->turned ? vec2(caption->extent.y, caption->extent.x) : caption->extent, 0.5);
+    return (Box){vec2_sub(caption->centre, half), vec2_add(caption->centre, half)};
 }
 
 void layout_add_sample(Layout *layout, Sample sample) {

@@ -79,6 +79,9 @@ void layout_make_over(Layout *layout, const Layout *under, const Scene *scene);
 /* Adds words in the middle of a box of their own size; good until the next addition. */
 Caption *layout_add_caption(Layout *layout, const char *text, double size, bool bold, Vec2 centre);
 
+/* The box that holds the words, turned as they are. */
+Box layout_caption_box(const Caption *caption);
+
 /* A piece of line among the words, and one of the faint lines; all on the page. */
 void layout_add_sample(Layout *layout, Sample sample);
 void layout_add_grid_line(Layout *layout, Vec2 from, Vec2 to);

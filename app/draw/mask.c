@@ -9,8 +9,8 @@
 
 void mask_init(Mask *mask, Box box) {
     mask->box = box;
-    mask->nx = (int)fmax(1, ceil((box.high.x - box.low.x) / CELL));
-    mask->ny = (int)fmax(1, ceil((box.high.y - box.low.y) / CELL));
+    mask->nx = (int)fmax(1, ceil(box_width(box) / CELL));
+    mask->ny = (int)fmax(1, ceil(box_height(box) / CELL));
     mask->weights = memory_allocate((size_t)mask->nx * (size_t)mask->ny, sizeof *mask->weights);
 }
 

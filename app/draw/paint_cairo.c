@@ -48,7 +48,7 @@ static void path_point(const Painter *painter, Vec2 metres) {
 }
 
 static void path_box(const Painter *painter, Box box) {
-    cairo_rectangle(painter->cairo, box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y);
+    cairo_rectangle(painter->cairo, box.low.x, box.low.y, box_width(box), box_height(box));
 }
 
 static void path_segment(const Painter *painter, Vec2 from, Vec2 to) {

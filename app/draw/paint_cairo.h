@@ -1,5 +1,4 @@
-/* Still pictures: a scene as PNG or SVG, by cairo. The same scene, size and theme give the same bytes. Files are
- * written beside and renamed. Both return 0, or errno: EINVAL for sizes that no picture has. */
+/* Still pictures: scenes by cairo, as vectors or pixels. The same scene, size and theme give the same bytes. */
 #pragma once
 
 #include "draw/cairo_file.h"
@@ -23,5 +22,5 @@ void paint_cairo_line(struct _cairo *cairo, LineStyle style, double width);
 void paint_cairo_scene(struct _cairo *cairo, const Scene *scene, Vec2 page, Theme theme);
 
 /* Lays a scene out for a picture of that size and makes a file of it, see cairo_file.h; widths of lines and letters
- * grow with the smaller of width / 1280 and height / 720. 0 or errno. */
+ * grow with the smaller of width / 1280 and height / 720. 0, or errno. */
 int paint_cairo_file(CairoFileKind kind, const Scene *scene, const char *path, int width, int height, Theme theme);

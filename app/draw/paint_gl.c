@@ -222,10 +222,6 @@ static void draw_ground(PaintGl *paint, const Layout *layout) {
 
 /* The static layer ------------------------------------------------------------------------------------------------- */
 
-static bool holds(Box box, Vec2 p) {
-    return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
-}
-
 static void forget_captions(PaintGl *paint) {
     paint->caption_count = paint->sample_count = 0;
     arena_clear(&paint->arena);
@@ -239,13 +235,13 @@ static void keep_captions(PaintGl *paint, const Layout *layout, bool inside) {
         Caption *kept = &paint->captions[paint->caption_count];
         *kept = layout->captions[i];
         kept->text = arena_text(&paint->arena, kept->text);
-        paint->caption_count += holds(paint->inside, kept->centre) == inside;
+        paint->caption_count += box_holds(paint->inside, kept->centre) == inside;
     }
     for (size_t i = 0; i < layout->sample_count; i++) {
         paint->samples =
             memory_reserve(paint->samples, &paint->sample_capacity, paint->sample_count + 1, sizeof *paint->samples);
         paint->samples[paint->sample_count] = layout->samples[i];
-        paint->sample_count += holds(paint->inside, layout->samples[i].from) == inside;
+        paint->sample_count += box_holds(paint->inside, layout->samples[i].from) == inside;
     }
 }
 

@@ -36,8 +36,6 @@ struct PaintGlText {
     unsigned *indices;
     size_t quad_count, corner_capacity, index_capacity;
     GLuint program, texture, array, buffers[2];
-    GLint canvas_uniform;
-    Vec2 canvas;
 };
 
 static void make_buffers(PaintGlText *text) {
@@ -67,7 +65,6 @@ PaintGlText *paint_gl_text_create(const Gl *gl, int width, int height, double un
     PaintGlText *text = memory_allocate(1, sizeof *text);
     *text = (PaintGlText){.gl = gl,
                           .unit = unit,
-                          .canvas = {width, height},
                           .width = width > SMALLEST ? width : SMALLEST,
                           .height = height > SMALLEST ? height : SMALLEST};
     text->program = gl_program(gl, shaders_text_vertex, shaders_text_fragment, attributes);

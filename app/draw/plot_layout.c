@@ -24,14 +24,6 @@
 #define LEAST_FRAME 0.4    /* of the height: where the names leave less to the lines, they are left out */
 #define FAR 1e5            /* of a point beyond the page: cairo's coordinates end at some 8e6 pixels */
 
-static double box_width(Box box) {
-    return box.high.x - box.low.x;
-}
-
-static double box_height(Box box) {
-    return box.high.y - box.low.y;
-}
-
 Vec2 plot_layout_point(const PlotLayout *layout, Vec2 value) {
     Box frame = layout->sheet.frame;
     double right = (value.x - layout->x.low) / (layout->x.high - layout->x.low);

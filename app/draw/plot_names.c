@@ -16,11 +16,6 @@
 
 enum { GUIDE_PLACES = 13 /* that are tried along a guide, on either side */ };
 
-static Box caption_box(const Caption *caption) {
-    Vec2 half = vec2_scale(caption->extent, 0.5);
-    return (Box){vec2_sub(caption->centre, half), vec2_add(caption->centre, half)};
-}
-
 /* The points of a series on the page, about STRIDE apart; where it is broken there is a NAN. `*count` of them. */
 static Vec2 *series_points(const PlotLayout *layout, const PlotSeries *series, size_t *count) {
     Vec2 *points = memory_allocate(series->count + 1, sizeof *points);
@@ -64,7 +59,7 @@ static void mark_plot(Mask *mask, const PlotLayout *layout, const Plot *plot) {
         mark_series(mask, layout, &plot->series[s]);
     mark_guides(mask, layout, plot);
     for (size_t i = 0; i < layout->sheet.caption_count; i++)
-        mask_mark_box(mask, caption_box(&layout->sheet.captions[i]), WORDS_WEIGHT);
+        mask_mark_box(mask, layout_caption_box(&layout->sheet.captions[i]), WORDS_WEIGHT);
 }
 
 static Role text_role(Role role) {
@@ -112,7 +107,7 @@ static bool add_name(PlotLayout *layout, Mask *mask, const Plot *plot, const Plo
     Caption *caption = layout_add_caption(&layout->sheet, series->name, LETTERS, true, vec2(0, 0));
     caption->role = text_role(series->role);
     bool found = find_place(mask, &others, layout, series, caption->extent, &caption->centre);
-    mask_mark_box(mask, caption_box(caption), WORDS_WEIGHT);
+    mask_mark_box(mask, layout_caption_box(caption), WORDS_WEIGHT);
     mask_clear(&others);
     return found;
 }
@@ -135,7 +130,7 @@ bool plot_names_series(PlotLayout *layout, const Plot *plot) {
 static Vec2 beside_guide(const PlotLayout *layout, const PlotGuide *guide, Vec2 extent, int side, double part) {
     Box frame = box_expand(layout->sheet.frame, -AIR);
     Vec2 at = plot_layout_point(layout, vec2(guide->at, guide->at)), half = vec2_scale(extent, 0.5);
-    Vec2 room = vec2(frame.high.x - frame.low.x - extent.x, frame.high.y - frame.low.y - extent.y);
+    Vec2 room = vec2(box_width(frame) - extent.x, box_height(frame) - extent.y);
     if (guide->upright)
         return vec2(at.x + side * (half.x + AIR), frame.low.y + half.y + part * fmax(0, room.y));
     return vec2(frame.high.x - half.x - part * fmax(0, room.x), at.y - side * (half.y + 1));
@@ -171,7 +166,7 @@ void plot_names_guides(PlotLayout *layout, const Plot *plot) {
         caption->role = text_role(guide->role);
         caption->halo = true;
         caption->fill = ROLE_PAPER;
-        mask_mark_box(&mask, caption_box(caption), WORDS_WEIGHT);
+        mask_mark_box(&mask, layout_caption_box(caption), WORDS_WEIGHT);
     }
     mask_clear(&mask);
 }

@@ -212,7 +212,7 @@ Box plot_pen_draw(PlotPen *pen, cairo_t *cairo, const PlotLayout *layout, const 
     Box frame = box_expand(layout->sheet.frame, fmax(series->width, series->size) / 2);
     Colour colour = palette_colour(theme, series->role);
     cairo_save(cairo);
-    cairo_rectangle(cairo, frame.low.x, frame.low.y, frame.high.x - frame.low.x, frame.high.y - frame.low.y);
+    cairo_rectangle(cairo, frame.low.x, frame.low.y, box_width(frame), box_height(frame));
     cairo_clip(cairo);
     cairo_set_source_rgb(cairo, colour.red, colour.green, colour.blue);
     if (series->width > 0)

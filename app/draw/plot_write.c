@@ -4,12 +4,11 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "draw/cairo_file.h"
 #include "draw/layout.h"
 
 enum { CELL_LONGEST = 32 /* characters of a number */ };
 
-double plot_write_unit(int width, int height) {
+static double picture_unit(int width, int height) {
     return fmax(1, 2 * layout_unit(width, height));
 }
 
@@ -24,21 +23,9 @@ static void paint_picture(struct _cairo *cairo, Vec2 page, const void *what) {
     plot_paint(picture->plot, cairo, page, picture->theme);
 }
 
-static int write_picture(CairoFileKind kind, const Plot *plot, const char *path, int width, int height, Theme theme) {
-    return cairo_file_write(kind, path, width, height, plot_write_unit(width, height), paint_picture,
+int plot_write_picture(CairoFileKind kind, const Plot *plot, const char *path, int width, int height, Theme theme) {
+    return cairo_file_write(kind, path, width, height, picture_unit(width, height), paint_picture,
                             &(Picture){plot, theme});
-}
-
-int plot_write_png(const Plot *plot, const char *path, int width, int height, Theme theme) {
-    return write_picture(CAIRO_FILE_PNG, plot, path, width, height, theme);
-}
-
-int plot_write_svg(const Plot *plot, const char *path, int width, int height, Theme theme) {
-    return write_picture(CAIRO_FILE_SVG, plot, path, width, height, theme);
-}
-
-int plot_write_pdf(const Plot *plot, const char *path, int width, int height, Theme theme) {
-    return write_picture(CAIRO_FILE_PDF, plot, path, width, height, theme);
 }
 
 /* Characters within a quoted field; a quote is doubled. */

@@ -2,16 +2,12 @@
  * EINVAL for sizes that no picture has. */
 #pragma once
 
+#include "draw/cairo_file.h"
 #include "draw/plot.h"
 
-/* Pixels a design point of a plot that fills a picture of this size: twice what the same plot has beside a house, so
- * that it is read from as far as a title, but never below 1. */
-double plot_write_unit(int width, int height);
-
-/* `width` and `height` in pixels; of a PDF in 1/72 inch. */
-int plot_write_png(const Plot *plot, const char *path, int width, int height, Theme theme);
-int plot_write_svg(const Plot *plot, const char *path, int width, int height, Theme theme);
-int plot_write_pdf(const Plot *plot, const char *path, int width, int height, Theme theme);
+/* A picture of width x height pixels; of a PDF, of 1/72 inch. A design point is at least 1 of them, and twice as large
+ * as that of a house in a picture of this size: read from as far as a title. */
+int plot_write_picture(CairoFileKind kind, const Plot *plot, const char *path, int width, int height, Theme theme);
 
 /* CSV (RFC 4180): two columns a series, with a header `axis [unit]`, which names the series too when there are several;
  * a series that ends earlier has empty fields. What is no number is empty, too. */

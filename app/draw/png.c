@@ -4,7 +4,7 @@
 #include <png.h>
 #include <pthread.h>
 #include <stdbool.h>
-#include <string.h>
+#include <stdio.h>
 
 #include "base/memory.h"
 #include "base/text.h"

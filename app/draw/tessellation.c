@@ -24,7 +24,8 @@ static void add_triangle(Tessellation *tessellation, Vec2 a, Vec2 b, Vec2 c, boo
 
 /* Fans --------------------------------------------------------------------------------------------------------------*/
 
-bool tessellation_is_convex(const Vec2 *points, size_t count) {
+/* To one side all the way, and once round? */
+static bool is_convex(const Vec2 *points, size_t count) {
     int left = 0, right = 0, turns = 0;
     double last = 0;
     for (size_t i = 0; i < count; i++) {
@@ -161,7 +162,7 @@ void tessellation_make(Tessellation *tessellation, const Vec2 *points, const siz
                        bool united) {
     tessellation->count = 0;
     size_t first = ring_count ? starts[1] - starts[0] : 0;
-    if (ring_count == 1 && first >= 3 && tessellation_is_convex(points + starts[0], first))
+    if (ring_count == 1 && first >= 3 && is_convex(points + starts[0], first))
         add_fan(tessellation, points + starts[0], first);
     else
         add_rings(tessellation, points, starts, ring_count, united);

@@ -28,6 +28,3 @@ void tessellation_clear(Tessellation *tessellation);
 /* Replaces the triangles by those of the rings (starts: ring_count + 1): united where they overlap, or even-odd. */
 void tessellation_make(Tessellation *tessellation, const Vec2 *points, const size_t *starts, size_t ring_count,
                        bool united);
-
-/* Is the ring convex, and goes round once? */
-bool tessellation_is_convex(const Vec2 *points, size_t count);

@@ -5,8 +5,6 @@
 
 #include "base/memory.h"
 
-#define TEXT_FAMILY "DejaVu Sans"
-
 static bool is_plain(gunichar code) {
     bool control = (code < 0x20 && code != '\n') || (code >= 0x7f && code < 0xa0);
     bool none = (code & 0xfffe) == 0xfffe || (code >= 0xfdd0 && code <= 0xfdef);
@@ -24,7 +22,7 @@ char *text_plain(const char *words) {
     return copy;
 }
 
-static PangoLayout *text_layout(const char *words, double size, bool bold) {
+PangoLayout *text_layout(double size, bool bold, bool typed) {
     PangoContext *context = pango_font_map_create_context(pango_cairo_font_map_get_default());
     cairo_font_options_t *options = cairo_font_options_create();
     cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
@@ -34,13 +32,18 @@ static PangoLayout *text_layout(const char *words, double size, bool bold) {
     pango_cairo_context_set_font_options(context, options);
     cairo_font_options_destroy(options);
     PangoFontDescription *font = pango_font_description_new();
-    pango_font_description_set_family_static(font, TEXT_FAMILY);
+    pango_font_description_set_family_static(font, typed ? "DejaVu Sans Mono" : "DejaVu Sans");
     pango_font_description_set_absolute_size(font, size * PANGO_SCALE);
     pango_font_description_set_weight(font, bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
     PangoLayout *layout = pango_layout_new(context);
     g_object_unref(context);
     pango_layout_set_font_description(layout, font);
     pango_font_description_free(font);
+    return layout;
+}
+
+static PangoLayout *line_of(const char *words, double size, bool bold) {
+    PangoLayout *layout = text_layout(size, bold, false);
     pango_layout_set_single_paragraph_mode(layout, TRUE);
     char *plain = text_plain(words);
     pango_layout_set_text(layout, plain, -1);
@@ -55,7 +58,7 @@ static Vec2 layout_extent(PangoLayout *layout) {
 }
 
 Vec2 text_extent(const char *words, double size, bool bold) {
-    PangoLayout *layout = text_layout(words, size, bold);
+    PangoLayout *layout = line_of(words, size, bold);
     Vec2 extent = layout_extent(layout);
     g_object_unref(layout);
     return extent;
@@ -63,7 +66,7 @@ Vec2 text_extent(const char *words, double size, bool bold) {
 
 /* A layout of the words, the cairo context's current point where it begins. */
 static PangoLayout *text_begin(cairo_t *cairo, const char *words, double size, bool bold, Vec2 centre) {
-    PangoLayout *layout = text_layout(words, size, bold);
+    PangoLayout *layout = line_of(words, size, bold);
     Vec2 extent = layout_extent(layout);
     cairo_move_to(cairo, centre.x - extent.x / 2, centre.y - extent.y / 2);
     return layout;

@@ -10,6 +10,11 @@
  * but the end of a line, and codes that are none. New; memory_free it. */
 char *text_plain(const char *words);
 
+struct _PangoLayout; /* pango's own name of PangoLayout */
+
+/* An empty layout for letters of that size and weight, `typed`: of one width; g_object_unref releases it. */
+struct _PangoLayout *text_layout(double size, bool bold, bool typed);
+
 /* Width and height of one line of words with letters of `size`, in the unit of `size`. */
 Vec2 text_extent(const char *words, double size, bool bold);
 

@@ -46,8 +46,8 @@ View view_raised(Camera camera, Box box, double top, Box place) {
         Vec2 at = {corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y};
         seen = box_include(seen, view_point(&view, at, corner & 4 ? top : 0));
     }
-    double width = place.high.x - place.low.x, height = place.high.y - place.low.y;
-    double scale = fmin(width / (seen.high.x - seen.low.x), height / (seen.high.y - seen.low.y));
+    double width = box_width(place), height = box_height(place);
+    double scale = fmin(width / box_width(seen), height / box_height(seen));
     scale *= camera.zoom > 0 ? camera.zoom : 1;
     Vec2 middle = vec2_scale(vec2_add(place.low, place.high), 0.5);
     Vec2 shift = vec2_along(middle, -scale / 2, vec2_add(seen.low, seen.high));

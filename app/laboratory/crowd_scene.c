@@ -1,7 +1,5 @@
 #include "laboratory/crowd_scene.h"
 
-#include <stdio.h>
-
 #include "laboratory/people_scene.h"
 #include "laboratory/silhouette.h"
 #include "laboratory/trail.h"
@@ -66,8 +64,7 @@ LocusLook crowd_scene_look(const House *house, const Profile *profile) {
     return look;
 }
 
-/* The answer ----------------------------------------------------------------------------------------------------------
- */
+/* The answer --------------------------------------------------------------------------------------------------------*/
 
 /* "mean 96.1 s on foot, 162.0 s in chairs" */
 static const char *mean_times(Scene *scene, const Census *census) {
@@ -103,8 +100,7 @@ void crowd_scene_answer(Scene *scene, const House *house, const Observation *obs
                                mean_times(scene, census), census->contacts, census->contacts == 1 ? "" : "s");
 }
 
-/* Ways ----------------------------------------------------------------------------------------------------------------
- */
+/* Ways --------------------------------------------------------------------------------------------------------------*/
 
 /* Points of a trail that are at least `step` apart, and its end; returns how many. */
 static size_t thin_trail(const Trail *trail, double step, Vec2 *points) {
@@ -262,8 +258,7 @@ void crowd_scene_ways(Scene *scene, const House *house, const Observation *obser
     trail_free_list(trails);
 }
 
-/* Words ---------------------------------------------------------------------------------------------------------------
- */
+/* Words -------------------------------------------------------------------------------------------------------------*/
 
 static void add_hold_label(Scene *scene, const Hold *hold) {
     const char *what = hold->reason == REASON_BLOCKED ? "blocked" : "cannot pass";

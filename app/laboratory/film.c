@@ -84,8 +84,7 @@ static Vec2 row_place(const double *row) {
     return vec2(row[TRACE_X], row[TRACE_Y]);
 }
 
-/* What stays ---------------------------------------------------------------------------------------------------------
- */
+/* What stays --------------------------------------------------------------------------------------------------------*/
 
 /* Do people of more than one route take part? */
 static bool has_several_routes(const Film *film) {
@@ -193,8 +192,7 @@ const Scene *film_moving(const Film *film) {
     return &film->moving;
 }
 
-/* What comes and stays -----------------------------------------------------------------------------------------------
- */
+/* What comes and stays ----------------------------------------------------------------------------------------------*/
 
 /* The locus from the last row that has been added to the last one up to `time`; of many people only when that is some
  * way on. */
@@ -269,8 +267,7 @@ static void begin_again(Film *film) {
     }
 }
 
-/* What moves ---------------------------------------------------------------------------------------------------------
- */
+/* What moves --------------------------------------------------------------------------------------------------------*/
 
 /* Is the person still, or again, to be seen? The last one out stays: a film ends with somebody in the picture. */
 static bool is_there(const Film *film, size_t i) {

@@ -3,19 +3,15 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "laboratory/census.h"
 #include "laboratory/people_scene.h"
 #include "laboratory/trail.h"
 
 /* Design points. */
 #define LINE_WIDTH 3.0
-#define THIN_WIDTH                                                                                                     \
-    1.6 /* of those who have somebody else's colour and dashes, of personal spaces and of what was before */
+#define THIN_WIDTH 1.6 /* of whoever has somebody else's colour and dashes, of personal spaces, of what was before */
 
-#define WARNING_SHOWN                                                                                                  \
-    0.5 /* of the warning: a peak force below that is a line at the bottom if the warning is shown                     \
-         */
+#define WARNING_SHOWN 0.5 /* 1, of the warning: a lower peak would be a line at the bottom, were the warning shown */
 
 enum { LOOKS = 4 /* that people_scene_nth_look tells apart */, FEW = 2 /* people: personal spaces have lines too */ };
 

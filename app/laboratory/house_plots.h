@@ -10,7 +10,7 @@ enum {
     HOUSE_PLOTS_FAULT = 256,
 };
 
-#define HOUSE_PLOTS_WORDS "speed|clearance|force|ring|phase"
+#define HOUSE_PLOTS_WORDS "speed,clearance,force,ring,phase"
 
 /* Some of the known plots, in some order. */
 typedef struct HousePlotsChoice {

@@ -11,9 +11,6 @@
 #include "laboratory/plan_scene.h"
 #include "laboratory/wording.h"
 
-#define GRID 1.0        /* m */
-#define PLAN_MARGIN 0.4 /* m, round walls and ways: room for the exits' bands */
-
 /* The word that a note holds when its plan was not measured: then it must be read wherever the plan is seen. */
 static const char ASSUMED[] = "assumed";
 
@@ -190,12 +187,12 @@ static Box whole_box(const House *house, const Observation *observation) {
         box = box_include(box, at);
         box = box_include(box, vec2_along(at, profile->length - profile->axle, vec2_heading(row[TRACE_HEADING])));
     }
-    return box_expand(box, PLAN_MARGIN);
+    return box_expand(box, HOUSE_SCENE_MARGIN);
 }
 
 bool house_scene_begin(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     bool crowd = is_crowd(census);
-    *scene = (Scene){.grid = GRID, .top = PLAN_SCENE_CUT};
+    *scene = (Scene){.grid = HOUSE_SCENE_GRID, .top = PLAN_SCENE_CUT};
     scene->box = whole_box(house, observation);
     say_answer(scene, house, observation, census);
     list_hazards(scene, house, observation, crowd);
@@ -294,7 +291,7 @@ static void drop_rings(Scene *scene, Primitive *polygon, Box box) {
 
 void house_scene_make_detail(Scene *scene, const House *house, const Observation *observation, Box box) {
     Census census = census_take(house, observation);
-    *scene = (Scene){.grid = GRID, .box = box, .bare = true};
+    *scene = (Scene){.grid = HOUSE_SCENE_GRID, .box = box, .bare = true};
     add_house(scene, house, observation, &census, NULL, true);
     census_clear(&census);
     size_t kept = 0;

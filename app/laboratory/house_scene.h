@@ -6,6 +6,9 @@
 #include "house/observation.h"
 #include "laboratory/census.h"
 
+#define HOUSE_SCENE_GRID 1.0   /* m, between the faint lines of a plan */
+#define HOUSE_SCENE_MARGIN 0.4 /* m, round walls and ways: room for the exits' bands */
+
 /* Fills an empty scene; scene_clear releases it. House and observation belong together and may go before the scene. */
 void house_scene_make(Scene *scene, const House *house, const Observation *observation);
 
@@ -24,8 +27,7 @@ void house_scene_make_small(Scene *scene, const House *house, const Observation 
 /* Adds that answer to a scene that has been begun. */
 void house_scene_say_before(Scene *scene, Before before);
 
-/* The same as house_scene_make, of a part of the plan (m): what lies elsewhere is left out, and so are answer and list.
- */
+/* The same as house_scene_make, of a part of the plan (m), without what lies elsewhere, and without answer and list. */
 void house_scene_make_detail(Scene *scene, const House *house, const Observation *observation, Box box);
 
 /* What stills and films have in common: the answer, what has to be seen, and the list beside it. Is it a crowd? */

@@ -43,9 +43,7 @@ void people_scene_start(Scene *scene, const Inhabitant *person, Role role);
 /* A body that has been somewhere: faint. */
 void people_scene_body(Scene *scene, const Profile *profile, Pose pose, Role role);
 
-/* The time from one body shown to the next, s: a multiple of 2 s that leaves the way to be seen; `several` ways
- * overlap.
- */
+/* From one body shown to the next, s: a multiple of 2 s that leaves the way to be seen; `several` ways overlap. */
 double people_scene_interval(const Trail *trail, bool several);
 
 /* The loci of an observation that is not the one shown: dashed, "before". */

@@ -7,8 +7,7 @@
 
 enum { SILHOUETTE_POINTS = 28 /* seven a corner: 1 mm from the circle for a body of 0.7 m */ };
 
-/* The body with its reference point at `at`, or its personal space when `grown` m beyond the body; counter-clockwise.
- */
+/* The body with its reference point at `at`, or its personal space, `grown` m beyond the body; counter-clockwise. */
 void silhouette_outline(const Profile *profile, Vec2 at, double heading, double grown, Vec2 outline[SILHOUETTE_POINTS]);
 
 /* The middle of a body whose reference point is `at`. */

@@ -1,23 +1,21 @@
 #include "report/comparison_report.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "house/plan_tables.h"
 #include "laboratory/census.h"
 #include "laboratory/house_scene.h"
+#include "laboratory/wording.h"
 #include "report/report_basis.h"
 #include "report/report_motion.h"
 #include "report/report_people.h"
 #include "report/report_pictures.h"
 #include "report/report_places.h"
 #include "report/report_plans.h"
-#include "laboratory/wording.h"
 
 static const char *const letters[] = {"A", "B"};
 
-/* The answer ----------------------------------------------------------------------------------------------------------
- */
+/* The answer --------------------------------------------------------------------------------------------------------*/
 
 static const char *say_answer(Document *document, const Reported runs[2]) {
     const Observation *a = runs[0].observation, *b = runs[1].observation;
@@ -98,8 +96,7 @@ static void add_notes(Document *document, const Reported runs[2]) {
                 document, document_text(document, "%s: %s", same ? "A and B" : letters[r], runs[r].house->plan.note));
 }
 
-/* People --------------------------------------------------------------------------------------------------------------
- */
+/* People ------------------------------------------------------------------------------------------------------------*/
 
 static void add_person(Document *document, const char *id, const char *letter, const PersonObservation *person) {
     bool moved = person->time > 0;
@@ -198,8 +195,7 @@ static void add_routes(Document *document, const Reported runs[2]) {
     }
 }
 
-/* The rest -----------------------------------------------------------------------------------------------------------
- */
+/* The rest ----------------------------------------------------------------------------------------------------------*/
 
 static void add_hazards(Document *document, const Reported runs[2]) {
     document_add_heading(document, 2, "Dangerous points");

@@ -1,7 +1,6 @@
 #include "report/house_report.h"
 
 #include <ctype.h>
-#include <string.h>
 
 #include "laboratory/house_scene.h"
 #include "laboratory/people_scene.h"

@@ -1,15 +1,13 @@
 #include "report/report_basis.h"
 
 #include <inttypes.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "house/plan_tables.h"
 #include "laboratory/census.h"
 
-/* How ----------------------------------------------------------------------------------------------------------------
- */
+/* How ---------------------------------------------------------------------------------------------------------------*/
 
 static bool has_driving(const House *house, int driving) {
     for (size_t i = 0; i < house->profile_count; i++)
@@ -73,8 +71,7 @@ void report_basis_add_method(Document *document, const House *house, bool both_w
                   "not say. It is no substitute for a trial with the people who live there.");
 }
 
-/* Numbers ------------------------------------------------------------------------------------------------------------
- */
+/* Numbers -----------------------------------------------------------------------------------------------------------*/
 
 static const char *kept_words(Document *document, const Parameter *row, const void *object) {
     char *words = parameters_words(row, object);
@@ -172,8 +169,7 @@ void report_basis_add_profile(Document *document, const House *house, const Prof
             add_number(document, house, profile, i);
 }
 
-/* Making -------------------------------------------------------------------------------------------------------------
- */
+/* Making ------------------------------------------------------------------------------------------------------------*/
 
 void report_basis_add_changes(Document *document, const Making *making) {
     Text text = {0};

@@ -27,5 +27,5 @@ void report_basis_add_method(Document *document, const House *house, bool both_w
 void report_basis_add_settings(Document *document, const House *house);
 void report_basis_add_profile(Document *document, const House *house, const Profile *profile);
 
-/* Command, version, seed, step and digests of as many houses. */
+/* Command and version; seed, step and digest of each of `count` runs. */
 void report_basis_add_making(Document *document, const Making *making, const Reported *runs, size_t count);

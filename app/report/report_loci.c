@@ -1,12 +1,12 @@
 #include "report/report_loci.h"
 
 #include <stdint.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "house/locus.h"
 #include "laboratory/blockage_scene.h"
 #include "laboratory/census.h"
+#include "laboratory/house_scene.h"
 #include "laboratory/people_scene.h"
 #include "laboratory/plan_scene.h"
 #include "report/report_people.h"
@@ -15,15 +15,11 @@
 #define TICK_WIDTH 2.0 /* design points, as those of simulated loci */
 #define TICK_LENGTH 11.0
 #define NAME_LETTERS 17.0
-#define TICK_SECONDS 1.0
-#define KEEP_LOCUS 1.5  /* how much labels avoid it */
-#define GRID 1.0        /* m */
-#define PLAN_MARGIN 0.4 /* m */
+#define KEEP_LOCUS 1.5 /* how much labels avoid it */
 
 static const char *const way_names[] = {[DRIVING_DRIVER] = "driver", [DRIVING_MIURA] = "miura"};
 
-/* Who is observed ----------------------------------------------------------------------------------------------------
- */
+/* Who is observed ---------------------------------------------------------------------------------------------------*/
 
 static size_t find_person(const House *house, const char *name) {
     if (!*name)
@@ -64,11 +60,10 @@ bool report_loci_make_sense(const House *house) {
     return house->person_count <= PEOPLE_SCENE_INDIVIDUALS && count_chairs(house) > 0;
 }
 
-/* Pictures -----------------------------------------------------------------------------------------------------------
- */
+/* Pictures ----------------------------------------------------------------------------------------------------------*/
 
 static Scene empty_scene(const House *house) {
-    Scene scene = {.grid = GRID, .box = box_expand(house->outline.box, PLAN_MARGIN)};
+    Scene scene = {.grid = HOUSE_SCENE_GRID, .box = box_expand(house->outline.box, HOUSE_SCENE_MARGIN)};
     plan_scene_solids(&scene, house);
     return scene;
 }
@@ -76,9 +71,9 @@ static Scene empty_scene(const House *house) {
 static void add_ticks(Scene *scene, const Locus *locus, Role role) {
     double last = locus->times[0];
     for (size_t i = 1; i + 1 < locus->count; i++) {
-        if (locus->times[i] < last + TICK_SECONDS)
+        if (locus->times[i] < last + PEOPLE_SCENE_TICK)
             continue;
-        last += TICK_SECONDS;
+        last += PEOPLE_SCENE_TICK;
         scene_add_tick(scene, role, TICK_WIDTH, TICK_LENGTH, locus->points[i], locus->points[i + 1]);
     }
 }
@@ -152,8 +147,7 @@ static void add_pictures(Document *document, const HouseReport *report) {
     report_pictures_add_beside(document, scenes, report->observed ? 3 : 2, box, captions);
 }
 
-/* Tables -------------------------------------------------------------------------------------------------------------
- */
+/* Tables ------------------------------------------------------------------------------------------------------------*/
 
 static void add_way(Document *document, const HouseReport *report, size_t person, int driving,
                     const LocusDistance *apart) {

@@ -4,15 +4,13 @@
 #include "document/document.h"
 #include "report/report_basis.h"
 
-/* A picture somebody else has drawn: rows from the top, four bytes a pixel, blue, green, red and one that does not
- * matter.
- */
+/* A picture that somebody else has drawn. */
 typedef struct RaisedPicture {
-    unsigned char *pixels;
+    unsigned char *pixels; /* (height x width x 4) rows from the top: blue, green, red and one that does not matter */
     int width, height;
 } RaisedPicture;
 
-/* Copies the picture; it was drawn for a page of that size over `unit` pixels a design point. */
+/* Copies the picture of the house of that name. */
 void report_motion_add_raised(Document *document, const RaisedPicture *picture, const char *name);
 
 /* Speed, clearance, contact force and lateral motion; `before` may hold nothing, otherwise it is shown behind. The

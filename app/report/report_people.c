@@ -1,7 +1,5 @@
 #include "report/report_people.h"
 
-#include <stdio.h>
-
 #include "laboratory/census.h"
 
 const char *report_people_number(Document *document, double value, int digits) {

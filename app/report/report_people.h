@@ -4,11 +4,11 @@
 #include "document/document.h"
 #include "house/observation.h"
 
-/* A table of everybody who took part or, of many, of the groups they are; why those stay who are not out. */
+/* A table of everybody who took part or, of many, of the groups they are and of the exits. */
 void report_people_add(Document *document, const House *house, const Observation *observation);
 
 /* The table of routes: mean (a) and deviation (b) of the measured times, simulation (c), error ((c) - (a)) / (a). */
 void report_people_add_routes(Document *document, const House *house, const Observation *observation);
 
-/* Numbers in cells; NULL for one that is not there (not a number or, of a force, nought). */
+/* A number in a cell, with so many digits behind the point; NULL: it is not finite, and not there. */
 const char *report_people_number(Document *document, double value, int digits);

@@ -1,5 +1,7 @@
 #include "report/report_pictures.h"
 
+#include "laboratory/house_scene.h"
+
 /* Design points: with these widths letters are as large in all pictures of a page. */
 #define WIDTH 1027.0
 #define WIDTH_OF_TWO 498.0
@@ -7,19 +9,17 @@
 #define NARROWEST 360.0
 #define FOOT 48.0 /* kept for the scale */
 
-#define PLAN_MARGIN 0.4 /* m, that plans have round them */
-
 #define FAR_WIDER 2.2 /* 1, width by height from which on pictures stand one below the other */
 
 /* With room for the scale below the plan, as far as its margin is none. */
 static Box with_foot(Box box, double width) {
-    double metre = width / (box.high.x - box.low.x);
-    box.low.y -= fmax(0, FOOT / metre - PLAN_MARGIN);
+    double metre = width / box_width(box);
+    box.low.y -= fmax(0, FOOT / metre - HOUSE_SCENE_MARGIN);
     return box;
 }
 
 static Vec2 size_of(Box box, double width) {
-    double ratio = (box.high.y - box.low.y) / (box.high.x - box.low.x);
+    double ratio = box_height(box) / box_width(box);
     return width * ratio <= HIGHEST ? vec2(width, width * ratio) : vec2(fmax(HIGHEST / ratio, NARROWEST), HIGHEST);
 }
 
@@ -32,7 +32,7 @@ void report_pictures_add(Document *document, Scene *scene, const char *caption, 
 }
 
 void report_pictures_add_beside(Document *document, Scene *scenes, size_t count, Box box, const char *const *captions) {
-    bool below = box.high.x - box.low.x > FAR_WIDER * (box.high.y - box.low.y);
+    bool below = box_width(box) > FAR_WIDER * box_height(box);
     double width = below ? WIDTH : WIDTH_OF_TWO;
     box = with_foot(box, width);
     Vec2 size = size_of(box, width);

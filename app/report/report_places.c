@@ -27,8 +27,7 @@ static void add_detail(Document *document, const House *house, const Observation
     document_add_scene(document, &scene, DETAIL_SIZE, caption, alternative);
 }
 
-/* Where somebody is stopped ------------------------------------------------------------------------------------------
- */
+/* Where somebody is stopped -----------------------------------------------------------------------------------------*/
 
 static const char *say_hold(Document *document, const House *house, const Hold *hold) {
     const Blockage *blockage = &hold->blockage;
@@ -72,8 +71,7 @@ void report_places_add_stops(Document *document, const House *house, const Obser
     census_clear(&census);
 }
 
-/* Dangerous points ---------------------------------------------------------------------------------------------------
- */
+/* Dangerous points --------------------------------------------------------------------------------------------------*/
 
 static void add_words(Text *text, const char *words) {
     text_add(text, text->used ? "; " : "");

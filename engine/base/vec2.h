@@ -132,6 +132,14 @@ static inline Box box_expand(Box box, double by) {
     return (Box){{box.low.x - by, box.low.y - by}, {box.high.x + by, box.high.y + by}};
 }
 
+static inline double box_width(Box box) {
+    return box.high.x - box.low.x;
+}
+
+static inline double box_height(Box box) {
+    return box.high.y - box.low.y;
+}
+
 static inline bool box_holds(Box box, Vec2 p) {
     return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }

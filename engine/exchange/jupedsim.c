@@ -93,8 +93,7 @@ static char *walkable_wkt(const House *house) {
     return copy;
 }
 
-/* Rows ----------------------------------------------------------------------------------------------------------------
- */
+/* Rows --------------------------------------------------------------------------------------------------------------*/
 
 static int64_t frame_of(const Observation *observation, const double *row) {
     return (int64_t)(row[TRACE_TIME] / observation->sample + 0.5);

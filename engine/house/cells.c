@@ -7,7 +7,7 @@
 enum { LEAST_CELLS = 4096, CELLS_A_PERSON = 8 };
 
 void cells_shape(Cells *cells, Box box, double side, size_t people) {
-    double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
+    double width = box_width(box), height = box_height(box);
     double most = (double)LEAST_CELLS + CELLS_A_PERSON * (double)people;
     cells->low = box.low;
     cells->side = fmax(side, fmax(sqrt(width * height / most), fmax(width, height) / most));

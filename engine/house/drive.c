@@ -170,8 +170,7 @@ int drive_door_at_hand(const World *world, size_t i) {
     return way_to_door(world, i, &door) < ARMS_REACH && at_rest ? door : -1;
 }
 
-/* Forces --------------------------------------------------------------------------------------------------------------
- */
+/* Forces ------------------------------------------------------------------------------------------------------------*/
 
 /* F3: towards the target speed along a direction, as fast as a_0 and a_d and as hard as the push allow; `others` is
  * what else acts along it. The paper's element knows only its speed and gives way to what pushes it; a driver feels it

@@ -262,7 +262,7 @@ static void build_buckets(FreeSpace *space) {
 
 void freespace_build(FreeSpace *space, const Outline *outline, double cell) {
     Box box = box_expand(outline->box, FREESPACE_MARGIN);
-    double across = box.high.x - box.low.x, up = box.high.y - box.low.y;
+    double across = box_width(box), up = box_height(box);
     *space = (FreeSpace){.outline = outline, .origin = box.low, .cell = cell};
     if (!(across > 0 && up > 0)) { /* an empty plan */
         across = up = 2 * FREESPACE_MARGIN;

@@ -9,8 +9,7 @@
 /* m: of a route's point for people on foot, so that a crowd can pass it side by side. Assumed. */
 static const double VIA_RADIUS = 1.5;
 
-/* Itineraries -------------------------------------------------------------------------------------------------------
- */
+/* Itineraries -------------------------------------------------------------------------------------------------------*/
 
 /* The exit that a route leads to while it is usable: after that, any. */
 static size_t exit_of(const House *house, const PlanRoute *route, double time) {
@@ -70,8 +69,7 @@ static void add_itinerary(Journeys *journeys, const House *house, const Profile 
     journeys->itineraries[journeys->itinerary_count++] = itinerary;
 }
 
-/* Planning ----------------------------------------------------------------------------------------------------------
- */
+/* Planning ----------------------------------------------------------------------------------------------------------*/
 
 typedef struct Planning {
     const House *house;

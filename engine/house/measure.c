@@ -11,8 +11,7 @@
 /* m: who has moved so far from where they stood has started. A hair, but more than a personal space settles by. */
 static const double HAIR = 0.01;
 
-/* Who is asked about ------------------------------------------------------------------------------------------------
- */
+/* Who is asked about ------------------------------------------------------------------------------------------------*/
 
 static bool is_member(const House *house, const char *person, const char *id) {
     size_t length = strlen(id);
@@ -79,8 +78,7 @@ static size_t find_exit(const House *house, const char *id) {
     return SIZE_MAX;
 }
 
-/* People ------------------------------------------------------------------------------------------------------------
- */
+/* People ------------------------------------------------------------------------------------------------------------*/
 
 static void take_time(MeasureAnswer *answer, const House *house, const Observation *observation,
                       const MeasureQuestion *question) {
@@ -176,8 +174,7 @@ static void take_overtaking(MeasureAnswer *answer, const House *house, const Obs
         answer->value = (double)before / (double)pairs;
 }
 
-/* The trace ---------------------------------------------------------------------------------------------------------
- */
+/* The trace ---------------------------------------------------------------------------------------------------------*/
 
 /* What somebody did from one row of the trace to their next. */
 typedef struct Move {
@@ -456,8 +453,7 @@ static void take_area_speed(MeasureAnswer *answer, const House *house, const Obs
         no_value(answer, "nobody is in the area then");
 }
 
-/* The table ---------------------------------------------------------------------------------------------------------
- */
+/* The table ---------------------------------------------------------------------------------------------------------*/
 
 static const Measure measures[] = {
     {"time", "s", 0, "when the last of them is out", take_time},

@@ -4,6 +4,12 @@
 
 #include "base/memory.h"
 
+const TraceColumn observation_columns[TRACE_COLUMNS] = {
+    {"time", "s"},    {"person", "1"},        {"x", "m"},         {"y", "m"},          {"heading", "rad"},
+    {"speed", "m/s"}, {"clearance", "m"},     {"ring", "m"},      {"body_force", "N"}, {"ring_force", "N"},
+    {"offset", "m"},  {"offset_rate", "m/s"}, {"contact_x", "m"}, {"contact_y", "m"},
+};
+
 const char *observation_reason(Reason reason) {
     static const char *const texts[] = {"",           "cannot pass", "no exit",    "blocked",
                                         "time limit", "diverged",    "interrupted"};

@@ -66,6 +66,8 @@ enum {
     TRACE_COLUMNS,
 };
 
+extern const TraceColumn observation_columns[TRACE_COLUMNS];
+
 typedef struct Observation {
     PersonObservation *people; /* (person_count), as in House.people */
     size_t person_count;

@@ -18,12 +18,6 @@ enum { MOST_SQUARES = 1 << 21 };
 /* 1: of the trace, which is kept to the end; some 2 GB. */
 static const double MOST_ROWS = 2e7;
 
-const TraceColumn observer_columns[TRACE_COLUMNS] = {
-    {"time", "s"},    {"person", "1"},        {"x", "m"},         {"y", "m"},          {"heading", "rad"},
-    {"speed", "m/s"}, {"clearance", "m"},     {"ring", "m"},      {"body_force", "N"}, {"ring_force", "N"},
-    {"offset", "m"},  {"offset_rate", "m/s"}, {"contact_x", "m"}, {"contact_y", "m"},
-};
-
 static bool is_watched(const World *world, size_t i) {
     return world->phase[i] != PHASE_ABSENT;
 }
@@ -83,7 +77,7 @@ size_t observer_sample_steps(const House *house) {
 static void lay_floor(Observer *observer) {
     Floor *floor = &observer->floor;
     Box box = observer->world->bounds;
-    double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
+    double width = box_width(box), height = box_height(box);
     floor->low = box.low;
     floor->side = fmax(2 * HAZARD_STRETCH, sqrt(width * height / MOST_SQUARES));
     floor->nx = (int)fmin(width / floor->side, MOST_SQUARES) + 1;
@@ -99,7 +93,7 @@ void observer_init(Observer *observer, const World *world, PersonObservation *pe
                            .door_opened = memory_allocate(world->house->plan.door_count, sizeof(double)),
                            .door_changes = world->door_changes,
                            .sample_steps = observer_sample_steps(world->house)};
-    trace_init(&observer->trace, observer_columns, TRACE_COLUMNS);
+    trace_init(&observer->trace, observation_columns, TRACE_COLUMNS);
     for (size_t d = 0; d < world->house->plan.door_count; d++)
         observer->door_opened[d] = HUGE_VAL;
     for (size_t i = 0; i < world->count; i++) {

@@ -50,9 +50,6 @@ typedef struct Observer {
     size_t stretch_count, stretch_capacity;
 } Observer;
 
-/* Of the trace, by TRACE_... */
-extern const TraceColumn observer_columns[TRACE_COLUMNS];
-
 /* How many steps there are between two rows of the trace: run.sample, or more where very many people, until run.until,
  * would fill the memory with rows. */
 size_t observer_sample_steps(const House *house);

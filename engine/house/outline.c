@@ -1,6 +1,5 @@
 #include "house/outline.h"
 
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -36,7 +36,7 @@ static Squares squares_make(const House *house, size_t people) {
     for (size_t i = 0; i < house->profile_count; i++)
         reach = fmax(reach, body_reach(&house->profiles[i]));
     Squares squares = {.box = house->outline.box};
-    double width = squares.box.high.x - squares.box.low.x, height = squares.box.high.y - squares.box.low.y;
+    double width = box_width(squares.box), height = box_height(squares.box);
     squares.side = fmax(2 * reach, sqrt(width * height / MOST_CELLS));
     squares.nx = (int)fmin(width / squares.side, MOST_CELLS) + 1;
     squares.ny = (int)fmin(height / squares.side, MOST_CELLS) + 1;
@@ -140,7 +140,7 @@ static void place_crowd(House *house, Squares *squares, size_t c, Fault *fault) 
         bool found = false;
         for (int tries = 0; tries < PLACING_TRIES && !found; tries++) {
             double u = random_uniform(&random), v = random_uniform(&random);
-            placed.at = vec2(box.low.x + u * (box.high.x - box.low.x), box.low.y + v * (box.high.y - box.low.y));
+            placed.at = vec2(box.low.x + u * box_width(box), box.low.y + v * box_height(box));
             found = inside_outline(&crowd->area, placed.at) && freespace_distance(&house->space, placed.at) >= reach &&
                     find_near(squares, house, &placed, too_near) < 0;
         }

@@ -29,8 +29,7 @@ void ride_clear(Rides *rides) {
     *rides = (Rides){0};
 }
 
-/* Lists -------------------------------------------------------------------------------------------------------------
- */
+/* Lists -------------------------------------------------------------------------------------------------------------*/
 
 /* Whether the pair may touch before the lists are made anew. People are seen, not felt through walls. */
 static bool may_touch(const World *world, size_t i, size_t j) {
@@ -88,8 +87,7 @@ void ride_list(World *world) {
         list_rider(world, world->riders[r], old_count);
 }
 
-/* Forces ------------------------------------------------------------------------------------------------------------
- */
+/* Forces ------------------------------------------------------------------------------------------------------------*/
 
 /* F2: body and personal space against walls, furniture and leaves. */
 static void force_of_obstacles(World *world, size_t i) {

@@ -153,7 +153,7 @@ void run_house(Observation *observation, const House *house, const RunOptions *o
     parallel_for(options->jobs, group_count, run_group, groups);
     Stretch *stretches = NULL;
     size_t stretch_count = 0, capacity = 0;
-    trace_init(&observation->trace, observer_columns, TRACE_COLUMNS);
+    trace_init(&observation->trace, observation_columns, TRACE_COLUMNS);
     for (size_t g = 0; g < group_count; g++) {
         merge_group(observation, &groups[g], &stretches, &stretch_count, &capacity);
         observer_clear(&groups[g].observer);

@@ -7,8 +7,7 @@
 #include "base/text.h"
 #include "house/plan.h"
 
-/* Tables ------------------------------------------------------------------------------------------------------------
- */
+/* Tables ------------------------------------------------------------------------------------------------------------*/
 
 #define TEXT(struct_, field_, name_, kind_, needed_, meaning_)                                                         \
     {                                                                                                                  \
@@ -81,8 +80,7 @@ static const Parameter check_rows[] = {
 };
 static const ParameterTable check_table = {"check", check_rows, sizeof check_rows / sizeof *check_rows};
 
-/* Reading -----------------------------------------------------------------------------------------------------------
- */
+/* Reading -----------------------------------------------------------------------------------------------------------*/
 
 static void read_case_rows(Verification *read, const JsonNode *root, Fault *fault) {
     static const ParameterTable table = {"case", case_rows, CASE_ROWS};

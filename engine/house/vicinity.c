@@ -78,7 +78,7 @@ void vicinity_init(Vicinity *vicinity, const Outline *outline, const Plan *plan,
         vicinity->door[outline->face_count + i] = outline->corners[i].door;
     }
     Box box = box_expand(outline->box, reach);
-    double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
+    double width = box_width(box), height = box_height(box);
     vicinity->low = box.low;
     vicinity->side = fmax(SIDE, sqrt(width * height / MOST_SQUARES));
     do {

@@ -67,8 +67,7 @@ void walkers_init(Walkers *walkers, const World *world) {
     cells_shape(&walkers->cells, house->outline.box, side, walkers->people);
 }
 
-/* Memory ------------------------------------------------------------------------------------------------------------
- */
+/* Memory ------------------------------------------------------------------------------------------------------------*/
 
 /* Calls `each` for every array that is as long as there are slots, people or entries of lists. */
 #define SLOT_ARRAYS(EACH)                                                                                              \
@@ -145,8 +144,7 @@ static void reserve_slots(Walkers *walkers, size_t count) {
     walkers->old_first = memory_allocate(count + 1, sizeof *walkers->old_first);
 }
 
-/* Lists -------------------------------------------------------------------------------------------------------------
- */
+/* Lists -------------------------------------------------------------------------------------------------------------*/
 
 typedef struct Pass {
     World *world;
@@ -302,8 +300,7 @@ bool walkers_update(World *world) {
     return !hold;
 }
 
-/* Forces ------------------------------------------------------------------------------------------------------------
- */
+/* Forces ------------------------------------------------------------------------------------------------------------*/
 
 /* Two in one place are pushed apart along x, each its own way. */
 static inline Vec2 direction_from(Vec2 from, double distance, bool lower) {
@@ -418,8 +415,7 @@ static Vec2 force_of_obstacles(World *world, uint32_t s, uint32_t i, const Besid
     return force;
 }
 
-/* Motion ------------------------------------------------------------------------------------------------------------
- */
+/* Motion ------------------------------------------------------------------------------------------------------------*/
 
 /* Did the body's middle go into a wall? */
 static int crossed_faces(const Beside *beside, Vec2 before, Vec2 after) {

@@ -344,8 +344,7 @@ World world_copy(const World *world) {
     return copy;
 }
 
-/* Digest and divergence ----------------------------------------------------------------------------------------------
- */
+/* Digest and divergence ---------------------------------------------------------------------------------------------*/
 
 /* Every person's digest is made by itself and the sum taken, so that the order of people does not matter. */
 static uint64_t digest_of_riders(const World *world) {

@@ -3,7 +3,6 @@
  * 1 ms, lists of neighbours are exact to WALKERS_SKIN, nothing is left out beyond. */
 
 #include <malloc.h>
-#include <stdint.h>
 #include <stdio.h>
 
 #include "bench.h"

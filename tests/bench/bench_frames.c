@@ -1,6 +1,5 @@
 /* Films: frames per second by the clock, of drawing alone (static layer, what moves, words, and the pixels read back),
- * with making the scene and its layout, and with writing PNG files too; a house with four chairs, and a hall of 1,000.
- */
+ * with making the scene and its layout, and with writing PNG files too: a house with four chairs, a hall of 1,000. */
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,6 +3,5 @@
 
 #include "house/house.h"
 
-/* `side` m, `density` people per m2, all of one profile; `source` is the project's directory. house_free releases it.
- */
+/* `side` m, `density` people per m2, all of one profile; `source`: the project's directory. house_free releases it. */
 void hall_read(House *house, const char *source, const char *profile, double side, double density);
