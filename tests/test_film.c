@@ -268,7 +268,7 @@ TEST(a_space_ends_at_the_wall) {
         Profile profile = chair();
         Scene scene = {0};
         Standing standing = {.profile = &profile, .pose = {.at = {8, 0}}};
-        space_scene_add(&scene, &house, NULL, &standing, 1, 0, false);
+        space_scene_add(&scene, &house, NULL, &standing, 1, 0);
         Box box = box_empty();
         for (size_t i = 0; i < scene.primitives[0].count; i++)
             box = box_include(box, scene.primitives[0].points[i]);
@@ -292,7 +292,7 @@ TEST(a_space_ends_at_somebody_elses_body) {
         Scene scene = {0};
         Standing all[] = {{.profile = &profile, .pose = {.at = {8, 0}}},
                           {.profile = &profile, .pose = {.at = {8, cases[k].apart}}, .group = cases[k].group}};
-        space_scene_add(&scene, &house, NULL, all, 2, 0, false);
+        space_scene_add(&scene, &house, NULL, all, 2, 0);
         double highest = 0;
         for (size_t i = 0; i < scene.primitives[0].count; i++)
             if (fabs(scene.primitives[0].points[i].x - 8.2) < 0.3)

@@ -32,6 +32,7 @@
 #define STEP_MANY 0.3 /* m, from point to point of a locus among many */
 #define ROUNDING 1e-6 /* samples: times of the record are sums of steps */
 #define WALKER_OPACITY 0.10
+#define SPACE_OPACITY 0.13
 
 enum { BURST_POINTS = 16 };
 
@@ -318,9 +319,11 @@ static Role role_of(const Film *film, size_t i) {
 static void add_space(Film *film, size_t count, size_t i) {
     const Standing *standing = &film->standing[i];
     double compression = trail_compression(&film->trails[standing->person], film->time, film->time);
-    if (standing->profile->space_reach > 0)
-        space_scene_add(&film->moving, film->house, film->door_open, film->standing, count, i,
-                        compression > PEOPLE_SCENE_COMPRESSED);
+    if (standing->profile->space_reach <= 0)
+        return;
+    Primitive *ring = space_scene_add(&film->moving, film->house, film->door_open, film->standing, count, i);
+    people_scene_dress_ring(ring, compression > PEOPLE_SCENE_COMPRESSED);
+    ring->fill_opacity = SPACE_OPACITY;
 }
 
 static void add_chair(Film *film, const Standing *standing) {

@@ -5,6 +5,7 @@
 #include "laboratory/blockage_scene.h"
 #include "laboratory/census.h"
 #include "laboratory/silhouette.h"
+#include "laboratory/space_scene.h"
 
 /* Design points. */
 #define LOCUS_WIDTH 4.0
@@ -120,14 +121,20 @@ void people_scene_body(Scene *scene, const Profile *profile, Pose pose, Role rol
     body->keep_clear = KEEP_GHOST;
 }
 
-static void add_ring(Scene *scene, const Profile *profile, Pose pose, Role role, bool compressed) {
-    Vec2 outline[SILHOUETTE_POINTS];
-    silhouette_outline(profile, pose.at, pose.heading, profile->space_reach, outline);
-    Primitive *ring = scene_add_polygon(scene, role, outline, SILHOUETTE_POINTS);
-    ring->fill_opacity = 0;
+void people_scene_dress_ring(Primitive *ring, bool pressed) {
+    LocusLook look = pressed ? PEOPLE_SCENE_PRESSED : PEOPLE_SCENE_SPACE;
+    ring->edge = look.role;
+    ring->style = look.style;
+    ring->width = look.width;
+}
+
+/* As walls and furniture press it in. */
+static void add_ring(Scene *scene, const House *house, size_t person, Pose pose, Role role, bool compressed) {
+    Standing standing = {.profile = house->people[person].profile, .pose = pose, .person = person};
+    Primitive *ring = space_scene_add(scene, house, NULL, &standing, 1, 0);
+    people_scene_dress_ring(ring, compressed);
+    ring->edge = role;
     ring->edge_opacity = RING_OPACITY;
-    ring->width = (compressed ? PEOPLE_SCENE_PRESSED : PEOPLE_SCENE_SPACE).width;
-    ring->style = (compressed ? PEOPLE_SCENE_PRESSED : PEOPLE_SCENE_SPACE).style;
     ring->keep_clear = KEEP_RING;
 }
 
@@ -139,7 +146,8 @@ double people_scene_interval(const Trail *trail, bool several) {
 
 /* Bodies at regular times where there is room between them, every second one with its personal space; where several
  * ways overlap, fewer bodies and no personal space. */
-static void add_bodies(Scene *scene, const Profile *profile, const Trail *trail, Role role, bool several) {
+static void add_bodies(Scene *scene, const House *house, size_t person, const Trail *trail, Role role, bool several) {
+    const Profile *profile = house->people[person].profile;
     double interval = people_scene_interval(trail, several);
     Pose last = trail_pose(trail, trail_begin(trail));
     int shown = 0;
@@ -149,7 +157,7 @@ static void add_bodies(Scene *scene, const Profile *profile, const Trail *trail,
             continue;
         people_scene_body(scene, profile, pose, role);
         if (++shown % 2 == 0 && !several)
-            add_ring(scene, profile, pose, role, trail_compression(trail, time, time) > PEOPLE_SCENE_COMPRESSED);
+            add_ring(scene, house, person, pose, role, trail_compression(trail, time, time) > PEOPLE_SCENE_COMPRESSED);
         last = pose;
     }
 }
@@ -251,7 +259,7 @@ static void add_way(Scene *scene, const House *house, const Trail *trail, size_t
     const Profile *profile = house->people[person].profile;
     LocusLook look = people_scene_look(house, person);
     add_swept(scene, profile, trail, look.role);
-    add_bodies(scene, profile, trail, look.role, house->person_count > PEOPLE_SCENE_SEVERAL);
+    add_bodies(scene, house, person, trail, look.role, house->person_count > PEOPLE_SCENE_SEVERAL);
     add_locus(scene, trail, look);
     people_scene_ticks(scene, trail, look.role, -HUGE_VAL, HUGE_VAL);
 }

@@ -25,6 +25,7 @@ typedef struct LocusLook {
 
 /* The edge of a personal space, at rest and pressed. */
 extern const LocusLook PEOPLE_SCENE_SPACE, PEOPLE_SCENE_PRESSED;
+void people_scene_dress_ring(Primitive *ring, bool pressed);
 
 LocusLook people_scene_look(const House *house, size_t person);
 LocusLook people_scene_nth_look(size_t index);

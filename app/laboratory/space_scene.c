@@ -1,9 +1,7 @@
 #include "laboratory/space_scene.h"
 
-#include "laboratory/people_scene.h"
 #include "laboratory/silhouette.h"
 
-#define SPACE_OPACITY 0.13
 #define CIRCLE_EDGE 1.5 /* design points */
 
 /* m: a body reaches so far from its reference point, more than any profile's. */
@@ -23,8 +21,8 @@ static void meet_other(const Standing *other, const EdgePoint *rays, double *rea
         reach[i] = silhouette_ray(outline, SILHOUETTE_POINTS, rays[i].at, rays[i].normal, reach[i]);
 }
 
-void space_scene_add(Scene *scene, const House *house, const bool *door_open, const Standing *all, size_t count,
-                     size_t own, bool pressed) {
+Primitive *space_scene_add(Scene *scene, const House *house, const bool *door_open, const Standing *all, size_t count,
+                           size_t own) {
     const Profile *profile = all[own].profile;
     Pose pose = all[own].pose;
     EdgePoint rays[SILHOUETTE_EDGE];
@@ -42,11 +40,9 @@ void space_scene_add(Scene *scene, const House *house, const bool *door_open, co
     Vec2 outline[SILHOUETTE_EDGE];
     for (int i = 0; i < SILHOUETTE_EDGE; i++)
         outline[i] = vec2_along(rays[i].at, fmax(BODY_DEPTH, reach[i]), rays[i].normal);
-    LocusLook look = pressed ? PEOPLE_SCENE_PRESSED : PEOPLE_SCENE_SPACE;
-    Primitive *ring = scene_add_polygon(scene, look.role, outline, SILHOUETTE_EDGE);
-    ring->fill_opacity = SPACE_OPACITY;
-    ring->style = look.style;
-    ring->width = look.width;
+    Primitive *ring = scene_add_polygon(scene, ROLE_RING, outline, SILHOUETTE_EDGE);
+    ring->fill_opacity = 0;
+    return ring;
 }
 
 void space_scene_add_circles(Scene *scene, const Profile *profile, Pose pose) {

@@ -13,10 +13,10 @@ typedef struct Standing {
     size_t group;  /* people of other groups are not there for one another: they run alone */
 } Standing;
 
-/* The ring of all[own] with `reach` of its profile, drawn with a heavier line when `pressed`; door_open: (doors of the
- * plan) which are open now. */
-void space_scene_add(Scene *scene, const House *house, const bool *door_open, const Standing *all, size_t count,
-                     size_t own, bool pressed);
+/* The ring of all[own] with the reach of its profile, an outline without a line; door_open: (doors of the plan) which
+ * are open now, or NULL: all that can be. */
+Primitive *space_scene_add(Scene *scene, const House *house, const bool *door_open, const Standing *all, size_t count,
+                           size_t own);
 
 /* Discs along the body that cover it, as simpler methods take it; contact here knows the outline itself. */
 void space_scene_add_circles(Scene *scene, const Profile *profile, Pose pose);
