@@ -204,6 +204,32 @@ TEST(labels_keep_off_lines_and_off_each_other) {
     scene_clear(&scene);
 }
 
+TEST(very_long_names_are_shortened) {
+    enum { LETTERS = 90000 };
+    char *name = memory_allocate(LETTERS + 1, 1);
+    memset(name, 'm', LETTERS);
+    Scene scene = plain_scene();
+    scene.name = name;
+    scene_add_label(&scene, ROLE_TEXT, 17, vec2(1, 2), name);
+    scene_add_label(&scene, ROLE_TEXT, 17, vec2(3, 3), name)->fixed = true;
+    Layout layout;
+    layout_make(&layout, &scene, PAGE);
+    int long_ones = 0;
+    for (size_t i = 0; i < layout.caption_count; i++) {
+        const Caption *caption = &layout.captions[i];
+        Box box = caption_box(caption);
+        if (*caption->text != 'm')
+            continue;
+        CHECK_TEXT(caption->text + strspn(caption->text, "m"), "\u2026");
+        CHECK(box.low.x >= layout.frame.low.x && box.high.x <= layout.frame.high.x);
+        long_ones++;
+    }
+    CHECK(long_ones == 3);
+    layout_clear(&layout);
+    scene_clear(&scene);
+    memory_free(name);
+}
+
 TEST(a_fixed_label_at_the_upper_edge_leaves_the_house_s_name_readable) {
     Scene scene = plain_scene();
     Primitive *tag = scene_add_label(&scene, ROLE_TEXT, 17, vec2(0.5, 4), "EXIT e1: 25");

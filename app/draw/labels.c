@@ -6,6 +6,7 @@
 #define TAG_PADDING 5.0   /* design points, left and right of the words */
 #define DISC_LEAST 14.0   /* design points, radius */
 #define GAP 9.0           /* design points, between a point and a label beside it: half a line's width and air */
+#define WIDEST 480.0      /* design points: longer words are shortened */
 #define AIR 3.0           /* design points, kept around a label, also within what it names */
 #define RING_STEP 12.0    /* design points, from one ring of candidate places to the next */
 #define LABEL_WEIGHT 10.0 /* two labels on each other are worse than anything but leaving the page */
@@ -128,10 +129,12 @@ static void consider_around(Choice *best, const Mask *mask, Caption caption, Vec
         }
 }
 
-static Caption label_caption(const Primitive *label, Vec2 at, double size) {
-    Caption caption = {.text = label->text,
+static Caption label_caption(Layout *layout, const Primitive *label, Vec2 at, double size) {
+    double widest = fmin(WIDEST, layout->frame.high.x - layout->frame.low.x - 2 * AIR);
+    const char *text = layout_shortened(layout, label->text, size, label->bold, widest);
+    Caption caption = {.text = text,
                        .centre = at,
-                       .extent = text_extent(label->text, size, label->bold),
+                       .extent = text_extent(text, size, label->bold),
                        .size = size,
                        .bold = label->bold,
                        .halo = label->shape == LABEL_BARE,
@@ -143,11 +146,11 @@ static Caption label_caption(const Primitive *label, Vec2 at, double size) {
 }
 
 /* Inside its outline if it has one, as large as may be, otherwise around its point. */
-static Choice choose_place(const Mask *mask, const Layout *layout, const Primitive *label) {
+static Choice choose_place(const Mask *mask, Layout *layout, const Primitive *label) {
     Choice best = {.cost = HUGE_VAL};
     Vec2 *points = to_page(layout, label);
-    Caption large = label_caption(label, points[0], label->size);
-    Caption small = label_caption(label, points[0], LAYOUT_SMALLEST_LETTERS);
+    Caption large = label_caption(layout, label, points[0], label->size);
+    Caption small = label_caption(layout, label, points[0], LAYOUT_SMALLEST_LETTERS);
     if (label->count > 1) {
         consider_inside(&best, mask, large, points + 1, label->count - 1, points[0], 0);
         consider_inside(&best, mask, small, points + 1, label->count - 1, points[0], SMALLER_COST);
@@ -179,7 +182,7 @@ static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
 static void place_fixed(Layout *layout, const Primitive *label) {
     Vec2 at = layout_raised(layout, label->points[0], label->base);
     Caption *caption = layout_add_caption(layout, label->text, label->size, label->bold, at);
-    *caption = label_caption(label, at, label->size);
+    *caption = label_caption(layout, label, at, label->size);
     Vec2 half = vec2_scale(caption->extent, 0.5);
     if (label->count > 1) {
         Vec2 way = vec2_unit(vec2_sub(layout_raised(layout, label->points[1], label->base), at));

@@ -80,18 +80,33 @@ void layout_add_sample(Layout *layout, Sample sample) {
     layout->samples[layout->sample_count++] = sample;
 }
 
+/* Of UTF-8: does no character begin with this byte? */
+static bool is_within_character(char byte) {
+    return ((unsigned char)byte & 0xC0) == 0x80;
+}
+
 const char *layout_shortened(Layout *layout, const char *text, double size, bool bold, double width) {
     static const char ellipsis[] = "\u2026";
     if (text_extent(text, size, bold).x <= width)
         return text;
-    size_t length = strlen(text);
-    char *shorter = arena_allocate(&layout->arena, length + sizeof ellipsis);
-    do {
-        do
-            length -= length > 0;
-        while (length && ((unsigned char)text[length] & 0xC0) == 0x80); /* within a character of UTF-8 */
-        snprintf(shorter, length + sizeof ellipsis, "%.*s%s", (int)length, text, ellipsis);
-    } while (length && text_extent(shorter, size, bold).x > width);
+    size_t fits = 0, too_long = strlen(text); /* bytes of the text */
+    char *shorter = arena_allocate(&layout->arena, too_long + sizeof ellipsis);
+    for (;;) {
+        size_t middle = fits + (too_long - fits) / 2;
+        while (middle > fits && is_within_character(text[middle]))
+            middle--;
+        middle += middle == fits;
+        while (is_within_character(text[middle]))
+            middle++;
+        if (middle >= too_long)
+            break;
+        snprintf(shorter, middle + sizeof ellipsis, "%.*s%s", (int)middle, text, ellipsis);
+        if (text_extent(shorter, size, bold).x <= width)
+            fits = middle;
+        else
+            too_long = middle;
+    }
+    snprintf(shorter, fits + sizeof ellipsis, "%.*s%s", (int)fits, text, ellipsis);
     return shorter;
 }
 

@@ -83,7 +83,7 @@ static void add_furniture(Scene *scene, const Furniture *piece) {
     body->edge = ROLE_FURNITURE_LINE;
     body->width = FURNITURE_EDGE;
     body->hatched = piece->toppled;
-    body->height = furniture_height(piece);
+    body->height = fmin(furniture_height(piece), PLAN_SCENE_STOREY);
     body->keep_clear = KEEP_FURNITURE;
     if (!piece->toppled)
         return;

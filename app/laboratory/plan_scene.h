@@ -7,6 +7,9 @@
 /* m: walls and leaves are cut at this height in the raised view, so that one sees into the rooms. */
 #define PLAN_SCENE_CUT 0.9
 
+/* m: and furniture at this one, a storey's: what is as high as the camera could not be seen at all. */
+#define PLAN_SCENE_STOREY 2.4
+
 void plan_scene_solids(Scene *scene, const House *house);
 
 /* The same without the doors that can be opened, and those doors at a time: door_opened is as in an Observation. */
