@@ -117,6 +117,7 @@ def check_wrong_use(out):
     expect(2, "run", corridor, "--frames", "1000", "--set", "exit.e1.opens=9000", "--until", "5000", "--out", str(out),
            says="at most 1000000")
     expect(2, "run", corridor, "--frames", "2", "--out", str(out), says="osmesa or egl", CLEARANCE_GL="nonsense")
+    expect(0, "run", corridor, "--view", "raised", CLEARANCE_GL="nonsense")  # nothing to be written, nothing to be drawn
 
 
 def check_interrupt(out):
