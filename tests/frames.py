@@ -124,6 +124,7 @@ def check_wrong_use(out):
     expect(2, "run", corridor, "--frames", "2", "--out", str(out), says="osmesa or egl", CLEARANCE_GL="nonsense")
     done = expect(2, "run", corridor, "--frames", "2", "--out", str(out), says="File too large", limit=1000)
     check(len(done.stderr.splitlines()) == 1, "a file that is too large is told of in one line", done.stderr)
+    expect(0, "run", corridor, "--view", "raised", CLEARANCE_GL="nonsense")  # nothing to be written, nothing to be drawn
 
 
 def check_interrupt(out):

@@ -31,7 +31,8 @@ typedef struct Studio {
 } Studio;
 
 bool frames_wanted(const Options *options) {
-    return options->frames > 0 || options->movie || options->camera.kind == VIEW_RAISED || options->plots.count;
+    bool raised = options->out && options->camera.kind == VIEW_RAISED;
+    return options->frames > 0 || options->movie || raised || options->plots.count;
 }
 
 /* Kinds of film that are small and that everything plays. */

@@ -30,6 +30,21 @@ static void name_beside(char beside[OUTPUT_PATH], const char *path) {
 extern char **environ;
 
 /* The pipe's reading end becomes ffmpeg's standard input. 0 or errno. */
+static int spawn(Movie *movie, int reading, char *const *words) {
+    posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, reading, STDIN_FILENO);
+    posix_spawnattr_init(&attributes);
+    /* a group of its own: Ctrl-C ends the pictures, and ffmpeg finishes with those it has */
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    int error = posix_spawnp(&movie->ffmpeg, words[0], &actions, &attributes, words, environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    return error;
+}
+
+/* 0 or errno. */
 static int start(Movie *movie, int reading, int width, int height, double fps) {
     char size[32], rate[32];
     snprintf(size, sizeof size, "%dx%d", width, height);
@@ -66,17 +81,7 @@ static int start(Movie *movie, int reading, int width, int height, double fps) {
                      "+bitexact",
                      movie->beside,
                      NULL};
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, reading, STDIN_FILENO);
-    posix_spawnattr_t
-        attributes; /* a group of its own: Ctrl-C ends the pictures, and ffmpeg finishes with those it has */
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    int error = posix_spawnp(&movie->ffmpeg, words[0], &actions, &attributes, words, environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&actions);
-    return error;
+    return spawn(movie, reading, words);
 }
 
 Movie *movie_begin(const char *path, int width, int height, double fps) {

@@ -2,10 +2,9 @@
 
 #include <assert.h>
 #include <glib.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "draw/paint_cairo.h"
 #include "draw/text.h"
 
@@ -61,16 +60,13 @@ static const char *prose(Document *document, const char *text) {
 }
 
 const char *document_text(Document *document, const char *format, ...) {
+    Text text = {0};
     va_list arguments;
     va_start(arguments, format);
-    int length = vsnprintf(NULL, 0, format, arguments);
+    text_vformat(&text, format, arguments);
     va_end(arguments);
-    char *text = memory_allocate((size_t)length + 1, 1);
-    va_start(arguments, format);
-    vsnprintf(text, (size_t)length + 1, format, arguments);
-    va_end(arguments);
-    const char *kept = plain(document, text);
-    memory_free(text);
+    const char *kept = plain(document, text.text);
+    memory_free(text.text);
     return kept;
 }
 

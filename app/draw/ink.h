@@ -65,8 +65,8 @@ void ink_add_triangle(Ink *ink, const InkPoint corners[3], const bool border[3],
 /* An upright rectangle, its edges smooth. */
 void ink_add_box(Ink *ink, Box box, InkColour colour);
 
-/* A line through points: ends cut off square, round joints; a closed one joins its last point with its first. One that
- * goes on from another, `begun`, begins round, so that it covers the joint. */
+/* A line through points: ends cut off square, or round like the dashes of its style; round joints. A closed one joins
+ * its last point with its first. One that goes on from another, `begun`, begins round, so that it covers the joint. */
 void ink_add_line(Ink *ink, const InkPoint *points, size_t count, bool closed, InkPen pen);
 
 /* A disc, or the ring of that width whose middle is a circle. */

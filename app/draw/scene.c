@@ -1,8 +1,8 @@
 #include "draw/scene.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
+
+#include "base/text.h"
 
 void scene_clear(Scene *scene) {
     memory_free(scene->primitives);
@@ -116,13 +116,12 @@ SceneRow *scene_add_row(Scene *scene, RowKind kind, const char *first) {
 }
 
 const char *scene_text(Scene *scene, const char *format, ...) {
+    Text text = {0};
     va_list arguments;
     va_start(arguments, format);
-    int length = vsnprintf(NULL, 0, format, arguments);
+    text_vformat(&text, format, arguments);
     va_end(arguments);
-    char *text = arena_allocate(&scene->arena, (size_t)length + 1);
-    va_start(arguments, format);
-    vsnprintf(text, (size_t)length + 1, format, arguments);
-    va_end(arguments);
-    return text;
+    const char *kept = arena_text(&scene->arena, text.text);
+    memory_free(text.text);
+    return kept;
 }

@@ -2,7 +2,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -84,16 +83,21 @@ void text_add(Text *text, const char *more) {
     text->used += length;
 }
 
+void text_vformat(Text *text, const char *format, va_list arguments) {
+    va_list measured;
+    va_copy(measured, arguments);
+    int length = vsnprintf(NULL, 0, format, measured);
+    va_end(measured);
+    text->text = memory_reserve(text->text, &text->capacity, text->used + (size_t)length + 1, 1);
+    vsnprintf(text->text + text->used, (size_t)length + 1, format, arguments);
+    text->used += (size_t)length;
+}
+
 void text_format(Text *text, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    int length = vsnprintf(NULL, 0, format, arguments);
+    text_vformat(text, format, arguments);
     va_end(arguments);
-    text->text = memory_reserve(text->text, &text->capacity, text->used + (size_t)length + 1, 1);
-    va_start(arguments, format);
-    vsnprintf(text->text + text->used, (size_t)length + 1, format, arguments);
-    va_end(arguments);
-    text->used += (size_t)length;
 }
 
 char *text_beside(const char *path) {

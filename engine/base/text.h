@@ -1,6 +1,7 @@
 /* Small things about words. */
 #pragma once
 
+#include <stdarg.h>
 #include <stddef.h>
 
 /* The word of `words` (count) nearest to `word` by insertions, deletions and replacements (Levenshtein), or NULL when
@@ -18,8 +19,9 @@ typedef struct Text {
 
 void text_add(Text *text, const char *more);
 
-/* Adds what printf would print. */
+/* Adds what printf, or vprintf, would print. */
 void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void text_vformat(Text *text, const char *format, va_list arguments) __attribute__((format(printf, 2, 0)));
 
 /* The name of a file beside `path`, of this process, to be renamed to it when it is whole; memory_free it. */
 char *text_beside(const char *path);

@@ -6,9 +6,9 @@
 #include <stdio.h>
 
 #include "bench.h"
-#include "hall.h"
 #include "house/observer.h"
 #include "house/world.h"
+#include "houses.h"
 
 enum { TURNS = 5 };
 
@@ -45,7 +45,7 @@ static double walk_on(World *world, int steps, Observer *observer) {
 
 static void measure(const Scene *scene, const char *source) {
     House house;
-    hall_read(&house, source, scene->profile, scene->side, scene->density);
+    houses_read_hall(&house, source, scene->profile, scene->side, scene->density);
     Journeys journeys = journey_plan_all(&house, NULL, parallel_processors(), NULL);
     size_t before = memory_used();
     World world = world_create(&house, journeys.of, NULL);

@@ -9,8 +9,8 @@
 #include "draw/offscreen.h"
 #include "draw/paint_gl.h"
 #include "draw/png.h"
-#include "hall.h"
 #include "house/run.h"
+#include "houses.h"
 #include "laboratory/film.h"
 
 enum { TURNS = 7, FRAMES = 20 /* a turn */, SIZES = 2 };
@@ -22,17 +22,6 @@ typedef struct Show {
     House house;
     Observation observation;
 } Show;
-
-static void read_ube(House *house, const char *source) {
-    char path[4096], profiles[4096];
-    Fault fault = {0};
-    snprintf(path, sizeof path, "%s/houses/ube-techno-house.json", source);
-    snprintf(profiles, sizeof profiles, "%s/assets/profiles", source);
-    if (!house_read(house, path, &(HouseOptions){.profiles = profiles, .seed = 1, .driving = -1}, &fault)) {
-        printf("%s\n", fault.lines[0]);
-        exit(1);
-    }
-}
 
 /* One picture on its way. */
 typedef struct Screen {
@@ -129,8 +118,8 @@ int main(int argc, char **argv) {
         return 77;
     }
     Show shows[] = {{.name = "house, four chairs"}, {.name = "hall of 1,000 adults"}};
-    read_ube(&shows[0].house, source);
-    hall_read(&shows[1].house, source, "adult", 31.63, 1);
+    houses_read_ube(&shows[0].house, source);
+    houses_read_hall(&shows[1].house, source, "adult", 31.63, 1);
     shows[1].house.plan.run.until = 3;
     printf("software rendering by %s, %ld processors; median of %d turns of %d frames, by the clock\n\n",
            offscreen_kind(offscreen) == OFFSCREEN_OSMESA ? "OSMesa" : "EGL", sysconf(_SC_NPROCESSORS_ONLN), TURNS,

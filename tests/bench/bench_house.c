@@ -3,28 +3,17 @@
 
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "bench.h"
 #include "house/observer.h"
 #include "house/run.h"
 #include "house/world.h"
+#include "houses.h"
 
 enum { TURNS = 15, PARTS = 5 };
 
 static const char *const part_names[PARTS] = {"read, unite, distances", "route search", "track", "steps", "observing"};
-
-static void read_house(House *house, const char *source) {
-    char path[4096], profiles[4096];
-    Fault fault = {0};
-    snprintf(path, sizeof path, "%s/houses/ube-techno-house.json", source);
-    snprintf(profiles, sizeof profiles, "%s/assets/profiles", source);
-    if (!house_read(house, path, &(HouseOptions){.profiles = profiles, .seed = 1, .driving = -1}, &fault)) {
-        printf("%s\n", fault.lines[0]);
-        exit(1);
-    }
-}
 
 static const bool *only(const House *house, const char *route) {
     static bool part[64];
@@ -37,7 +26,7 @@ static const bool *only(const House *house, const char *route) {
 static double one_turn(const char *source, const char *route, double seconds[PARTS]) {
     House house = {.seed = 0};
     double begin = bench_now();
-    read_house(&house, source);
+    houses_read_ube(&house, source);
     seconds[0] = bench_now() - begin;
     const bool *part = only(&house, route);
     begin = bench_now();

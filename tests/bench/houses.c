@@ -1,4 +1,4 @@
-#include "hall.h"
+#include "houses.h"
 
 #include <jansson.h>
 #include <stdio.h>
@@ -32,20 +32,33 @@ static json_t *hall(const char *profile, double side, double density) {
     return plan;
 }
 
-void hall_read(House *house, const char *source, const char *profile, double side, double density) {
-    char path[] = "/tmp/clearance-bench-XXXXXX", profiles[4096];
-    int file = mkstemp(path);
-    json_t *plan = hall(profile, side, density);
+static bool read_house(House *house, const char *source, const char *path) {
+    char profiles[4096];
     Fault fault = {0};
     snprintf(profiles, sizeof profiles, "%s/assets/profiles", source);
     *house = (House){.seed = 0};
+    bool good = house_read(house, path, &(HouseOptions){.profiles = profiles, .seed = 1, .driving = -1}, &fault);
+    if (!good)
+        printf("%s\n", fault.lines[0]);
+    return good;
+}
+
+void houses_read_ube(House *house, const char *source) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/houses/ube-techno-house.json", source);
+    if (!read_house(house, source, path))
+        exit(1);
+}
+
+void houses_read_hall(House *house, const char *source, const char *profile, double side, double density) {
+    char path[] = "/tmp/clearance-bench-XXXXXX";
+    int file = mkstemp(path);
+    json_t *plan = hall(profile, side, density);
     json_dumpfd(plan, file, 0);
     close(file);
     json_decref(plan);
-    bool good = house_read(house, path, &(HouseOptions){.profiles = profiles, .seed = 1, .driving = -1}, &fault);
+    bool good = read_house(house, source, path);
     unlink(path);
-    if (!good) {
-        printf("%s\n", fault.lines[0]);
+    if (!good)
         exit(1);
-    }
 }

@@ -1,0 +1,11 @@
+/* Houses that are measured; `source` is the project's directory. house_free releases them. */
+#pragma once
+
+#include "house/house.h"
+
+/* The default house: four routes. */
+void houses_read_ube(House *house, const char *source);
+
+/* A square hall full of people, a 2 m exit in the middle of each side: `side` m, `density` people per m2, all of one
+ * profile. */
+void houses_read_hall(House *house, const char *source, const char *profile, double side, double density);
