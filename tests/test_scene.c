@@ -341,7 +341,7 @@ static Scene scene_after(PersonObservation person, const char *note) {
     static TraceColumn columns[TRACE_COLUMNS];
     Inhabitant inhabitant = {.id = "p1", .profile = &chair, .at = {1, 1}};
     House house = {.plan = {.name = "a house", .note = note}, .people = &inhabitant, .person_count = 1};
-    house.outline.box = (Box){{0, 0}, {6, 4}};
+    house.outline = (Outline){.box = {{0, 0}, {6, 4}}, .broadphase = broadphase_create()};
     Observation observation = {
         .people = &person, .person_count = 1, .completed = person.completed, .time = person.time};
     trace_init(&observation.trace, columns, TRACE_COLUMNS);
@@ -351,6 +351,7 @@ static Scene scene_after(PersonObservation person, const char *note) {
     Scene scene;
     house_scene_make(&scene, &house, &observation);
     trace_clear(&observation.trace);
+    outline_free(&house.outline);
     return scene;
 }
 
