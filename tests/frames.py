@@ -70,6 +70,15 @@ def check_frames(out):
           "a part of a film is that part, whatever the number of threads")
 
 
+def check_memory(out):
+    """A thousand threads do not keep two thousand pictures: at most these MB, with the address sanitizer's share."""
+    code = ("import resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True, stdout=subprocess.DEVNULL); "
+            "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss // 1024)")
+    done = subprocess.run([sys.executable, "-c", code, program, "run", house("straight-corridor"), "--frames", "10", "--jobs",
+                           "1024", "--out", str(out)], capture_output=True, text=True, timeout=300)
+    check(done.returncode == 0 and int(done.stdout) < 500, "memory with many threads", done.stdout + done.stderr)
+
+
 def check_contexts(out):
     pictures = []
     for kind in ("osmesa", "egl"):
@@ -167,7 +176,7 @@ def check_interrupt(out):
 
 
 with tempfile.TemporaryDirectory() as directory:
-    for part in (check_frames, check_contexts, check_plots, check_films, check_comparison, check_wrong_use, check_interrupt):
+    for part in (check_frames, check_memory, check_contexts, check_plots, check_films, check_comparison, check_wrong_use, check_interrupt):
         part(pathlib.Path(directory) / part.__name__)
 print(f"{failures} failures")
 sys.exit(failures != 0)
