@@ -135,6 +135,9 @@ def check_films(out):
         expect(0, "run", corridor, "--movie", str(film), "--to", "2", "--size", "321x201")
         expect(0, "run", str(pathlib.Path(corridor).resolve()), "--movie", "11:45.mp4", "--to", "1", "--size", "320x200",
                cwd=out)
+        expect(2, "run", corridor, "--movie", str(out / "full.mp4"), "--to", "4", "--size", "640x360", says="cannot be written",
+               limit=20000)
+        check(not (out / "full.mp4").exists(), "half a film is none")
         check((out / "11:45.mp4").exists() and not list(out.glob(".*")), "a film whose name looks like a protocol")
         check(b"ftyp" in film.read_bytes()[:16], "a film by the real one")
 
