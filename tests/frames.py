@@ -41,6 +41,15 @@ def check_frames(out):
           "a part of a film is that part, whatever the number of threads")
 
 
+def check_memory(out):
+    """A thousand threads do not keep two thousand pictures: at most these MB, with the address sanitizer's share."""
+    code = ("import resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True, stdout=subprocess.DEVNULL); "
+            "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss // 1024)")
+    done = subprocess.run([sys.executable, "-c", code, program, "run", house("straight-corridor"), "--frames", "10", "--jobs",
+                           "1024", "--out", str(out)], capture_output=True, text=True, timeout=300)
+    check(done.returncode == 0 and int(done.stdout) < 500, "memory with many threads", done.stdout + done.stderr)
+
+
 def check_contexts(out):
     pictures = []
     for kind in ("osmesa", "egl"):
@@ -97,6 +106,9 @@ def check_films(out):
         expect(0, "run", corridor, "--movie", str(film), "--to", "2", "--size", "321x201")
         expect(0, "run", str(pathlib.Path(corridor).resolve()), "--movie", "11:45.mp4", "--to", "1", "--size", "320x200",
                cwd=out)
+        expect(2, "run", corridor, "--movie", str(out / "full.mp4"), "--to", "4", "--size", "640x360", says="cannot be written",
+               limit=20000)
+        check(not (out / "full.mp4").exists(), "half a film is none")
         check((out / "11:45.mp4").exists() and not list(out.glob(".*")), "a film whose name looks like a protocol")
         check(b"ftyp" in film.read_bytes()[:16], "a film by the real one")
 
@@ -141,6 +153,6 @@ def check_interrupt(out):
 
 
 with tempfile.TemporaryDirectory() as directory:
-    for part in (check_frames, check_contexts, check_plots, check_films, check_comparison, check_wrong_use, check_interrupt):
+    for part in (check_frames, check_memory, check_contexts, check_plots, check_films, check_comparison, check_wrong_use, check_interrupt):
         part(pathlib.Path(directory) / part.__name__)
 end()

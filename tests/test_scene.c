@@ -204,6 +204,31 @@ TEST(labels_keep_off_lines_and_off_each_other) {
     scene_clear(&scene);
 }
 
+TEST(nothing_of_a_part_that_is_looked_at_lies_outside_the_frame) {
+    Scene scene = plain_scene();
+    scene.camera = (Camera){VIEW_RAISED, 10, 60, 3};
+    for (int x = 0; x <= 6; x++)
+        for (int y = 0; y <= 4; y++)
+            scene_add_label(&scene, ROLE_TEXT, 17, vec2(x, y), scene_text(&scene, "#%d %d", x, y))->fixed = x % 2;
+    Layout layout;
+    layout_make(&layout, &scene, PAGE);
+    Box frame = box_expand(layout.frame, 1e-6);
+    int seen = 0;
+    for (size_t i = 0; i < layout.caption_count; i++) {
+        Box box = caption_box(&layout.captions[i]);
+        if (*layout.captions[i].text != '#')
+            continue;
+        CHECK(box_holds(frame, box.low) && box_holds(frame, box.high));
+        seen++;
+    }
+    CHECK(seen > 2 && seen < 20);
+    CHECK(layout.grid_count > 4);
+    for (size_t i = 0; i < 2 * layout.grid_count; i++)
+        CHECK(box_holds(frame, layout.grid[i]));
+    layout_clear(&layout);
+    scene_clear(&scene);
+}
+
 TEST(very_long_names_are_shortened) {
     enum { LETTERS = 90000 };
     char *name = memory_allocate(LETTERS + 1, 1);

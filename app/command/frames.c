@@ -14,6 +14,7 @@
 
 enum {
     FRAMES_MOST = 1000000,
+    WRITERS_MOST = 8,    /* threads: what one draws, no more can write, and each keeps pictures */
     RAISED_WIDTH = 1920, /* pixels, of a report's picture */
     RAISED_HEIGHT = 1200,
 };
@@ -178,7 +179,8 @@ static bool write_all(Studio *studio, Times times) {
     Movie *movie = options->movie ? movie_begin(options->movie, options->width, options->height, times.fps) : NULL;
     if (options->movie && !movie)
         return false;
-    PngWriter *writer = options->frames > 0 ? png_writer_create(options->width, options->height, options->jobs) : NULL;
+    int writers = options->jobs < WRITERS_MOST ? options->jobs : WRITERS_MOST;
+    PngWriter *writer = options->frames > 0 ? png_writer_create(options->width, options->height, writers) : NULL;
     bool drawn = write_frames(studio, times, writer, movie);
     int error = writer ? png_writer_finish(writer) : 0;
     if (error)

@@ -49,38 +49,23 @@ static int start(Movie *movie, int reading, int width, int height, double fps) {
     char size[32], rate[32];
     snprintf(size, sizeof size, "%dx%d", width, height);
     snprintf(rate, sizeof rate, "%g", fps);
-    /* even sides, which the format asks for; nothing in the file of when it was made */
-    char *words[] = {"ffmpeg",
-                     "-hide_banner",
-                     "-loglevel",
-                     "error",
-                     "-y",
-                     "-f",
-                     "rawvideo",
-                     "-pix_fmt",
-                     "bgr0",
-                     "-s",
-                     size,
-                     "-r",
-                     rate,
-                     "-i",
-                     "-",
-                     "-vf",
-                     "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                     "-pix_fmt",
-                     "yuv420p",
-                     "-preset",
-                     "veryfast",
-                     "-crf",
-                     "18",
-                     "-movflags",
-                     "+faststart",
-                     "-fflags",
-                     "+bitexact",
-                     "-flags:v",
-                     "+bitexact",
-                     movie->beside,
-                     NULL};
+    /* a full disk is a failure; even sides, which the format asks for; nothing in the file of when it was made */
+    char *words[] = {"ffmpeg",      "-hide_banner",
+                     "-loglevel",   "error",
+                     "-xerror",     "-y",
+                     "-f",          "rawvideo",
+                     "-pix_fmt",    "bgr0",
+                     "-s",          size,
+                     "-r",          rate,
+                     "-i",          "-",
+                     "-vf",         "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                     "-pix_fmt",    "yuv420p",
+                     "-preset",     "veryfast",
+                     "-crf",        "18",
+                     "-movflags",   "+faststart",
+                     "-fflags",     "+bitexact",
+                     "-flags:v",    "+bitexact",
+                     movie->beside, NULL};
     return spawn(movie, reading, words);
 }
 

@@ -164,8 +164,24 @@ static Choice choose_place(const Mask *mask, Layout *layout, const Primitive *la
     return best;
 }
 
+/* Of something that is not in the picture, as when one looks at a part of the house. */
+static bool is_away(const Layout *layout, const Primitive *label) {
+    return !box_holds(layout->frame, layout_point(layout, label->points[0]));
+}
+
+/* Moves words into a box. */
+static void keep_within(Caption *caption, Box room) {
+    Box box = layout_caption_box(caption);
+    Vec2 half = vec2_scale(vec2_sub(box.high, box.low), 0.5);
+    caption->centre.x = real_clamp(caption->centre.x, room.low.x + half.x + AIR, room.high.x - half.x - AIR);
+    caption->centre.y = real_clamp(caption->centre.y, room.low.y + half.y + AIR, room.high.y - half.y - AIR);
+}
+
 static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
+    if (is_away(layout, label))
+        return;
     Choice best = choose_place(mask, layout, label);
+    keep_within(&best.caption, layout->frame);
     Box box = layout_caption_box(&best.caption);
     double most = OPTIONAL_MOST * box_width(box) * box_height(box);
     if (best.cost == HUGE_VAL || (label->optional && mask_cost(mask, box) > most))
@@ -180,6 +196,8 @@ static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
 
 /* On its point or beside it, but neither over the frame's edge nor over the words above the plan. */
 static void place_fixed(Layout *layout, const Primitive *label) {
+    if (is_away(layout, label))
+        return;
     Vec2 at = layout_raised(layout, label->points[0], label->base);
     Caption *caption = layout_add_caption(layout, label->text, label->size, label->bold, at);
     *caption = label_caption(layout, label, at, label->size);
@@ -189,8 +207,7 @@ static void place_fixed(Layout *layout, const Primitive *label) {
         caption->centre = vec2_add(at, vec2(way.x * (half.x + GAP), way.y * (half.y + GAP)));
     }
     Box room = {{layout->frame.low.x, layout->plan.low.y - AIR}, layout->frame.high};
-    caption->centre.x = real_clamp(caption->centre.x, room.low.x + half.x + AIR, room.high.x - half.x - AIR);
-    caption->centre.y = real_clamp(caption->centre.y, room.low.y + half.y + AIR, room.high.y - half.y - AIR);
+    keep_within(caption, room);
 }
 
 static bool has_free_labels(const Scene *scene) {

@@ -324,8 +324,28 @@ void layout_add_grid_line(Layout *layout, Vec2 from, Vec2 to) {
     layout->grid_count++;
 }
 
+/* Of a line from `part[0]` to `part[1]`, 0 to 1, what lies on the side where `at` + part x `way` is more than `low`. */
+static void cut_part(double part[2], double at, double way, double low) {
+    double meets = (low - at) / way;
+    if (way > 0)
+        part[0] = fmax(part[0], meets);
+    else if (way < 0)
+        part[1] = fmin(part[1], meets);
+    else if (at < low)
+        part[1] = -1;
+}
+
+/* As much of it as lies within the frame. */
 static void add_metre_line(Layout *layout, Vec2 from, Vec2 to) {
-    layout_add_grid_line(layout, layout_point(layout, from), layout_point(layout, to));
+    Box frame = layout->frame;
+    Vec2 at = layout_point(layout, from), way = vec2_sub(layout_point(layout, to), at);
+    double part[2] = {0, 1};
+    cut_part(part, at.x, way.x, frame.low.x);
+    cut_part(part, -at.x, -way.x, -frame.high.x);
+    cut_part(part, at.y, way.y, frame.low.y);
+    cut_part(part, -at.y, -way.y, -frame.high.y);
+    if (part[0] < part[1])
+        layout_add_grid_line(layout, vec2_along(at, part[0], way), vec2_along(at, part[1], way));
 }
 
 /* m, from line to line. */
