@@ -1,9 +1,7 @@
 #include "base/fault.h"
 
-#include <stdarg.h>
-#include <stdio.h>
-
 #include "base/memory.h"
+#include "base/text.h"
 
 /* The bytes of the character of UTF-8 that begins the text; 0: there is none. */
 static size_t character_size(const char *text) {
@@ -39,18 +37,14 @@ void fault_add(Fault *fault, const char *format, ...) {
     fault->total++;
     if (fault->count >= FAULT_MOST)
         return;
-    va_list arguments, again;
+    Text line = {0};
+    va_list arguments;
     va_start(arguments, format);
-    va_copy(again, arguments);
-    int length = vsnprintf(NULL, 0, format, arguments);
+    text_vformat(&line, format, arguments);
     va_end(arguments);
-    size_t size = length > 0 ? (size_t)length + 1 : 1;
-    char *line = memory_allocate(size, 1);
-    vsnprintf(line, size, format, again);
-    va_end(again);
-    make_plain(line);
+    make_plain(line.text);
     fault->lines = memory_reserve(fault->lines, &fault->capacity, fault->count + 1, sizeof *fault->lines);
-    fault->lines[fault->count++] = line;
+    fault->lines[fault->count++] = line.text;
 }
 
 void fault_clear(Fault *fault) {
