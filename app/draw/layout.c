@@ -398,19 +398,31 @@ static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
     caption->fill = ROLE_PAPER;
 }
 
+/* Gives the words from `first` on a rim: a picture that is looked at from near may reach below them. */
+static void rim_words(Layout *layout, size_t first) {
+    for (size_t i = first; i < layout->caption_count; i++) {
+        layout->captions[i].halo = true;
+        layout->captions[i].fill = ROLE_PAPER;
+    }
+}
+
 static void place_clock(Layout *layout, const Layout *under, const char *clock) {
+    size_t first = layout->caption_count;
     if (clock)
         add_words(layout, ROLE_TEXT, clock, CLOCK_LETTERS, true, MARGIN, under->plan.high.x,
                   under->plan.high.y + FOOT_HEIGHT / 2);
+    rim_words(layout, first);
 }
 
 /* The name and the note above the plan, the clock and the scale below. */
 static void place_margins(Layout *layout, const Scene *scene) {
+    size_t first = layout->caption_count;
     double right = layout->plan.high.x, y = layout->plan.low.y - NOTE_HEIGHT / 2, end = MARGIN;
     if (scene->name)
         end = add_words(layout, ROLE_DIM_TEXT, scene->name, NAME_LETTERS, true, MARGIN, right, y);
     if (scene->note && *scene->note)
         add_words(layout, ROLE_DIM_TEXT, scene->note, NAME_LETTERS, false, end + CELL_GAP, right, y);
+    rim_words(layout, first);
     place_clock(layout, layout, scene->clock);
     place_scale_bar(layout, scene, layout->plan.high.y + FOOT_HEIGHT / 2);
 }
