@@ -40,21 +40,6 @@ static const PlotSeries *find_series(const Plot *plot, const char *name) {
     return NULL;
 }
 
-TEST(nobody_has_axes_and_no_lines) {
-    House house;
-    case_made(&house, case_corridor(1.2), -1, NULL);
-    Observation observation = case_run(&house, 1);
-    CHECK(observation.trace.width == TRACE_COLUMNS);
-    HousePlots plots = house_plots_make(&house, &observation, NULL, NULL, &ALL);
-    for (size_t p = 0; p < plots.choice.count; p++) {
-        CHECK(plots.plots[p].series_count == 0);
-        CHECK_TEXT(plots.plots[p].x.unit, p < 4 ? "s" : "m");
-    }
-    house_plots_free(&plots);
-    observation_free(&observation);
-    house_free(&house);
-}
-
 TEST(each_route_has_its_line_as_on_the_plan_up_to_the_time_it_takes) {
     House house;
     case_house(&house, "ube-techno-house", -1, NULL);
