@@ -95,7 +95,7 @@ def check_wrong_use():
     expect(2, "run", "nowhere.json", says="nowhere.json:1:1: cannot be read")
     expect(2, "run", house("straight-corridor"), "--size", "1x1", says="--size takes WxH")
     expect(2, "run", house("straight-corridor"), "--out", "/proc/nowhere", says="cannot be written")
-    expect(2, "schema", "beam", says="not of")
+    expect(2, "schema", "crank", says="not of")
     for arguments in (["--help"], ["--version"], ["run", "--help"], ["check", "--help"], ["schema", "house"]):
         check(run(*arguments).stdout, f"{arguments} says nothing")
         expect(0, *arguments)

@@ -53,7 +53,7 @@ static const Verb verbs[] = {
      "  clearance cases tests/cases --out out\n"
      "  clearance cases tests/cases/rimea-01.json\n",
      command_cases},
-    {"schema", FOR_SCHEMA, 1, 1, "house|profile", "print the JSON Schema of a kind of file, for editors",
+    {"schema", FOR_SCHEMA, 1, 1, "house|profile|beam", "print the JSON Schema of a kind of file, for editors",
      "  clearance schema house > house.schema.json\n", command_schema},
 };
 enum { VERBS = sizeof verbs / sizeof *verbs };
