@@ -183,6 +183,16 @@ void motion_set_tangent(Motion *motion, size_t index, const double *tangent) {
     regime_blocks(regime_of(motion), tangent, tangent_blocks(motion, index));
 }
 
+void motion_unit_tangents(Motion *motion) {
+    double *unit = memory_allocate(motion->rig->free.states, sizeof *unit);
+    for (size_t t = 0; t < motion->tangents; t++) {
+        unit[t] = 1;
+        motion_set_tangent(motion, t, unit);
+        unit[t] = 0;
+    }
+    memory_free(unit);
+}
+
 double motion_deflection(const Motion *motion) {
     return measure(motion, REGIME_TIP, 0, motion->z, motion->now.sine, motion->now.cosine);
 }

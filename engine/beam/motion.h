@@ -79,6 +79,9 @@ void motion_set_state(Motion *motion, const double *state);
 void motion_tangent(const Motion *motion, size_t index, double *tangent);
 void motion_set_tangent(Motion *motion, size_t index, const double *tangent);
 
+/* Makes tangent i the i-th unit vector. */
+void motion_unit_tangents(Motion *motion);
+
 /* Goes on to the next switch, to the end of a cell or by `longest` s, whichever is first; returns the time gone on.
  * Switches, when there is one, at its end. */
 double motion_step(Motion *motion, double longest);
