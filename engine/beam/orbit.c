@@ -8,7 +8,9 @@
 
 /* Newton's iteration ends when what is left is this share of the state: rounding leaves some 1e-13. */
 static const double CONVERGED = 1e-11;
-enum { ITERATIONS_MOST = 20 };
+/* So far from closing, of the state's length, it will not find what was near its start. */
+static const double FAR = 1;
+enum { ITERATIONS_MOST = 12 };
 
 static double length_of(const double *vector, size_t count) {
     double sum = 0;
@@ -88,7 +90,7 @@ bool orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period
         orbit->error = share(length_of(gap, states), length_of(orbit->point, states));
         found = good && orbit->error < CONVERGED;
         if (!found)
-            good = good && isfinite(orbit->error) && newton_step(orbit->point, derivative, gap, states);
+            good = good && orbit->error < FAR && newton_step(orbit->point, derivative, gap, states);
     }
     found = found && find_multipliers(orbit, derivative);
     memory_free(derivative);

@@ -9,6 +9,9 @@
  * motion returns so near now and then, but to an orbit that does not attract. */
 static const double NEAR_RETURN = 0.05;
 
+/* So near to an orbit, of the state's length, a motion is on it. */
+static const double SETTLED = 1e-3;
+
 static const TraceColumn columns[] = {{"time", "s"}, {"displacement", "m"}, {"velocity", "m/s"}, {"force", "N"}};
 
 const char *response_verdict_name(ResponseVerdict verdict) {
@@ -91,7 +94,22 @@ static void record(Response *response, Watch *watch, int cycles) {
     response->grazes = motion->grazes - grazes;
 }
 
-/* The stable orbit that the motion is near, of the lowest period. */
+/* An orbit that has been found with a multiple of its period: with its own. */
+static void reduce_period(Orbit *orbit, const Rig *rig) {
+    for (size_t period = 1; period < orbit->period; period++) {
+        Orbit shorter;
+        if (orbit->period % period || !orbit_find(&shorter, rig, orbit->point, period))
+            continue;
+        if (orbit_distance(&shorter, rig, orbit->point) < SETTLED) {
+            orbit_clear(orbit);
+            *orbit = shorter;
+            return;
+        }
+        orbit_clear(&shorter);
+    }
+}
+
+/* The stable orbit that the motion is near. */
 static bool find_orbit(Response *response, const Watch *watch) {
     const Section *seen = &watch->analysed;
     const Rig *rig = watch->motion.rig;
@@ -100,6 +118,7 @@ static bool find_orbit(Response *response, const Watch *watch) {
         if (section_return(seen, period) > NEAR_RETURN || !orbit_find(&orbit, rig, section_last(seen), period))
             continue;
         if (orbit_is_stable(&orbit) && orbit_distance(&orbit, rig, section_last(seen)) < NEAR_RETURN) {
+            reduce_period(&orbit, rig);
             response->orbit = orbit;
             return true;
         }
@@ -117,7 +136,7 @@ static void tell(Response *response, Watch *watch) {
     for (size_t cycles = RESPONSE_CYCLES_LEAST;; cycles *= 2) {
         if (watch->analysed.count > 1 && find_orbit(response, watch)) {
             response->verdict = RESPONSE_PERIODIC;
-            response->settled = watch->analysed.count == response->section.count;
+            response->settled = orbit_distance(&response->orbit, watch->motion.rig, response->section.state) < SETTLED;
             response->exponent = (ChaosExponent){log(response->orbit.largest) / (double)response->orbit.period, 0};
             response->zero_one = NAN;
             return;

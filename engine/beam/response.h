@@ -37,7 +37,7 @@ typedef struct Response {
     Orbit orbit;            /* when periodic; else of period 0 */
     ChaosExponent exponent; /* largest, per cycle; when periodic, that of the orbit; NAN: not known */
     double zero_one;        /* K; NAN when periodic or not known */
-    bool settled;           /* periodic already in the recorded cycles, not only after them */
+    bool settled;           /* the first recorded cycle was on the orbit already */
     size_t cycles;          /* after the transient, on which the verdict rests */
     double contact_share;   /* 1, of the recorded time */
     double switches;        /* a recorded cycle */
