@@ -71,6 +71,28 @@ def check_crowds():
               f"check invents nothing about somebody on foot: {walker}")
 
 
+def check_beams():
+    beam = str(source / "assets/beams/ibs.json")
+    answer = json.loads(expect(0, "run", beam, "--set", "drive.frequency=290", "--json").stdout)
+    check((answer["kind"], answer["verdict"], answer["period"]) == ("beam", "periodic", 1), f"run of a beam: {answer}")
+    check(abs(answer["peaks"]["max"] - 1032) < 2 and answer["peaks"]["count"] == 200, f"peaks of a beam: {answer['peaks']}")
+    for key in ("frequency", "clearance", "lyapunov", "zero_one", "cycles", "natural_frequencies", "digest"):
+        check(key in answer, f"run --json of a beam lacks {key}")
+    check(expect(0, "run", beam).stdout.startswith("Chaotic: at 300 Hz the tip hits the joint with "), "run of a chaotic beam")
+    torus = expect(1, "run", beam, "--set", "beam.modes=4").stdout
+    check(torus.startswith("Unresolved") and "more beam.modes would be right" in torus, f"run of four modes: {torus}")
+    with tempfile.TemporaryDirectory() as out:
+        expect(0, "run", beam, "--set", "drive.frequency=290", "--out", out)
+        check(set(os.listdir(out)) == {"summary.json", "trace.csv"}, f"--out of a beam holds {os.listdir(out)}")
+        check(json.loads(pathlib.Path(out, "summary.json").read_text()) == answer, "summary.json of a beam is the answer")
+        rows = pathlib.Path(out, "trace.csv").read_text().splitlines()
+        check(rows[0] == "time [s],displacement [m],velocity [m/s],force [N]", f"trace.csv of a beam begins {rows[0]}")
+    expect(2, "run", beam, "--set", "drive.frequenzy=1", says="did you mean")
+    expect(2, "run", beam, "--report", "--out", "out", says="--report is for houses")
+    expect(2, "check", beam, says='must be "clearance-house"')
+    expect(2, "run", str(source / "tests/data/bad/beams/no-mass.json"), says="beam.density is 0")
+
+
 def check_options():
     one = json.loads(run("run", house("ube-techno-house"), "--json", "--jobs", "1").stdout)
     two = json.loads(run("run", house("ube-techno-house"), "--json", "--jobs=2").stdout)
@@ -96,7 +118,7 @@ def check_wrong_use():
     expect(2, "run", "nowhere.json", says="nowhere.json:1:1: cannot be read")
     expect(2, "run", house("straight-corridor"), "--size", "1x1", says="--size takes WxH")
     expect(2, "run", house("straight-corridor"), "--out", "/proc/nowhere", says="cannot be written")
-    expect(2, "schema", "beam", says="not of")
+    expect(2, "schema", "crank", says="not of")
     for arguments in (["--help"], ["--version"], ["run", "--help"], ["check", "--help"], ["schema", "house"]):
         check(run(*arguments).stdout, f"{arguments} says nothing")
         expect(0, *arguments)
@@ -171,6 +193,7 @@ def check_interrupt():
         check(os.path.exists(os.path.join(out, "summary.json")), "interrupted: what there is is kept")
 
 
-for part in (check_answers, check_crowds, check_options, check_wrong_use, check_files, check_cases, check_interrupt):
+for part in (check_answers, check_crowds, check_beams, check_options, check_wrong_use, check_files, check_cases,
+             check_interrupt):
     part()
 end()

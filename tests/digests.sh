@@ -1,5 +1,5 @@
 #!/bin/sh
-# Prints the digest of a run of every house: the same bits are asked of every build and any number of jobs. Fails when a
+# Prints the digest of a run of every house and beam: the same bits are asked of every build and any number of jobs. Fails when a
 # house gives none. Of thousands of people two seconds are enough.
 # digests.sh CLEARANCE [OPTION ...]
 set -u
@@ -11,4 +11,9 @@ for house in "$(dirname "$0")"/../houses/*.json; do
     digest=$("$program" run "$house" --json --until "$until" "$@" | sed -n 's/.*"digest": "\([0-9a-f]*\)".*/\1/p')
     [ -n "$digest" ] || exit 1
     echo "$(basename "$house" .json) $digest"
+done
+for beam in "$(dirname "$0")"/../assets/beams/*.json; do
+    digest=$("$program" run "$beam" --json | sed -n 's/.*"digest": "\([0-9a-f]*\)".*/\1/p')
+    [ -n "$digest" ] || exit 1
+    echo "$(basename "$beam" .json) $digest"
 done

@@ -25,13 +25,15 @@ sources() {
     forbid 'base knows what is above it' '#include "(mechanics|house|beam|crank|study|exchange)/' $(sources engine/base)
     forbid 'mechanics knows what is above it' '#include "(house|beam|crank|study|exchange)/' $(sources engine/mechanics)
     forbid 'house knows a neighbour' '#include "(beam|crank|study|exchange)/' $(sources engine/house)
-    forbid 'draw knows a laboratory or a command' '#include "(command|report|document|laboratory|house)/' $(sources app/draw)
-    forbid 'a document knows more than draw and base' '#include "(command|report|laboratory|house|exchange|mechanics)/' $(sources app/document)
+    forbid 'beam knows a neighbour' '#include "(house|crank|study|exchange)/' $(sources engine/beam)
+    forbid 'draw knows a laboratory or a command' '#include "(command|report|document|laboratory|house|beam)/' $(sources app/draw)
+    forbid 'a document knows more than draw and base' '#include "(command|report|laboratory|house|beam|exchange|mechanics)/' $(sources app/document)
     forbid 'a laboratory knows a report or a command' '#include "(command|report|document)/' $(sources app/laboratory)
     forbid 'a report knows a command' '#include "command/' $(sources app/report)
     forbid 'OpenGL outside its painter' '#include "draw/(gl|shaders)\.h"' \
         $(sources engine app | grep -vE 'app/draw/(gl|offscreen|paint_gl[a-z_]*|shaders)\.[ch]')
     forbid 'Box2D outside its adaptor' 'box2d/' $(sources engine app | grep -v house/broadphase.cpp)
+    forbid 'LAPACK outside the beam' '#include *<lapacke' $(sources engine app | grep -v engine/beam/)
     forbid 'memory outside memory.c' '(^|[^a-z_])(malloc|calloc|realloc) *\(' $(sources engine app | grep -v base/memory.c)
 }
 
@@ -40,7 +42,7 @@ for object in $(find "${1:-build-test}" -path '*clearance_*.a.p/*.c.o'); do
     module=$(basename "$object" .c.o)
     case $object in
     *clearance_app*) module=$(echo "$module" | sed 's/^\(document\|draw\|laboratory\|report\|command\)_//') ;;
-    *) module=$(echo "$module" | sed 's/^\(base\|mechanics\|house\|exchange\)_//') ;;
+    *) module=$(echo "$module" | sed 's/^\(base\|mechanics\|house\|beam\|exchange\)_//') ;;
     esac
     nm --defined-only -g "$object" | awk '$2 == "T" { print $3 }' | while read -r name; do
         case $name in

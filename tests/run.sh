@@ -4,7 +4,7 @@ set -eu
 cd "$(dirname "$0")/.."
 . app/packages.sh
 
-install_packages $build_packages python3 python3-jsonschema clang-format poppler-utils
+install_packages $build_packages python3 python3-jsonschema clang-format poppler-utils libsundials-dev
 
 if [ ! -f build-test/build.ninja ]; then
     echo "configuring in build-test/"

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "base/json.h"
+#include "beam/beam.h"
 #include "check.h"
 #include "draft.h"
 #include "house/plan.h"
@@ -24,6 +25,7 @@ static void check_file(const char *path, json_t *schema) {
 TEST(the_shipped_schemas_are_those_of_the_tables) {
     check_file("assets/schema/house.schema.json", plan_schema());
     check_file("assets/schema/profile.schema.json", profile_schema());
+    check_file("assets/schema/beam.schema.json", beam_schema());
 }
 
 TEST(a_schema_describes_every_parameter_of_a_profile) {

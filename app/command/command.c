@@ -31,11 +31,13 @@ typedef struct Verb {
 } Verb;
 
 static const Verb verbs[] = {
-    {"run", FOR_RUN, 1, 1, "HOUSE", "simulate one evacuation to the end: the answer, and with --out pictures and data",
+    {"run", FOR_RUN, 1, 1, "HOUSE|BEAM",
+     "simulate an evacuation to the end, or a beam in its clearance: the answer, and with --out data and pictures",
      "  clearance run houses/ube-techno-house.json --out out\n"
      "  clearance run houses/ube-techno-house.json --route C --driving miura --json\n"
      "  clearance run houses/ube-techno-house.json --report --out out\n"
-     "  clearance run houses/corner-0.90-0.90.json --set profile.manual-chair.width=0.70\n",
+     "  clearance run houses/corner-0.90-0.90.json --set profile.manual-chair.width=0.70\n"
+     "  clearance run assets/beams/ibs.json --set drive.frequency=290 --out out\n",
      command_run},
     {"check", FOR_CHECK, 1, 1, "HOUSE",
      "find faults, then say for each person whether they can get out, and if not, why",
@@ -53,7 +55,7 @@ static const Verb verbs[] = {
      "  clearance cases tests/cases --out out\n"
      "  clearance cases tests/cases/rimea-01.json\n",
      command_cases},
-    {"schema", FOR_SCHEMA, 1, 1, "house|profile", "print the JSON Schema of a kind of file, for editors",
+    {"schema", FOR_SCHEMA, 1, 1, "house|profile|beam", "print the JSON Schema of a kind of file, for editors",
      "  clearance schema house > house.schema.json\n", command_schema},
 };
 enum { VERBS = sizeof verbs / sizeof *verbs };

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "beam/beam.h"
 #include "command/answer.h"
 #include "command/answer_text.h"
 #include "command/command.h"
@@ -11,6 +12,7 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/report_files.h"
+#include "command/run_beam.h"
 #include "exchange/jupedsim.h"
 #include "laboratory/house_scene.h"
 
@@ -72,6 +74,8 @@ static void report_divergence(const House *house, const Observation *observation
 }
 
 int command_run(const Options *options) {
+    if (beam_is_file(options->files[0]))
+        return run_beam_file(options);
     House house = {0};
     Fault fault = {0};
     if (frames_check(options) || !report_files_possible(options) || (options->out && !output_directory(options->out)))

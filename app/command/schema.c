@@ -1,6 +1,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "beam/beam.h"
 #include "command/answer.h"
 #include "command/command.h"
 #include "house/plan.h"
@@ -12,8 +13,10 @@ int command_schema(const Options *options) {
         answer_print(plan_schema());
     } else if (strcmp(kind, "profile") == 0) {
         answer_print(profile_schema());
+    } else if (strcmp(kind, "beam") == 0) {
+        answer_print(beam_schema());
     } else {
-        fprintf(stderr, "clearance: there is a schema of house and of profile, not of \"%s\"\n", kind);
+        fprintf(stderr, "clearance: there is a schema of house, of profile and of beam, not of \"%s\"\n", kind);
         return EXIT_WRONG_INPUT;
     }
     return EXIT_ANSWERED;

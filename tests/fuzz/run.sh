@@ -5,7 +5,7 @@ set -eu
 cd "$(dirname "$0")/../.."
 . app/packages.sh
 seconds=${1:-60}
-targets="plan profile parameters set observed"
+targets="plan profile beam parameters set observed"
 build=build-fuzz
 
 install_packages $build_packages clang libclang-rt-14-dev
@@ -22,7 +22,7 @@ echo "building"
 ninja -C $build --quiet app/clearance $(for t in $targets; do echo "tests/fuzz/fuzz_$t"; done)
 
 export CLEARANCE_SOURCE="$PWD" ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
-for schema in house profile; do
+for schema in house profile beam; do
     $build/app/clearance schema $schema
 done | grep -oE '"[A-Za-z0-9_.-]+"' | sort -u | sed 's/.*/"\\&/; s/"$/\\""/' >$build/dictionary
 rm -rf $build/seeds $build/found
@@ -31,6 +31,7 @@ for t in $targets; do
 done
 cp houses/*.json tests/data/bad/houses/*.json $build/seeds/plan/
 cp assets/profiles/*.json tests/data/bad/profiles/*.json $build/seeds/profile/
+cp assets/beams/*.json tests/data/bad/beams/*.json $build/seeds/beam/
 cp tests/data/bad-observed/*.csv $build/seeds/observed/
 split -l 1 -a 3 tests/fuzz/values.txt $build/seeds/parameters/
 split -l 2 -a 3 tests/fuzz/settings.txt $build/seeds/set/

@@ -1,0 +1,182 @@
+#include "command/run_beam.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "beam/response.h"
+#include "command/answer.h"
+#include "command/house_file.h"
+#include "command/output.h"
+
+/* Words ----------------------------------------------------------------------------------------------------------- */
+
+static void print_peaks(const Response *response, const Beam *beam, const Rig *rig) {
+    const SectionPeaks *peaks = &response->peaks;
+    if (!peaks->count)
+        printf("at %g Hz the tip moves +-%.3f mm and does not touch the joint, whose clearance is +-%.3f mm",
+               beam->frequency, 1000 * rig_free_amplitude(rig), 1000 * beam->clearance);
+    else if (peaks->max - peaks->min < 0.005)
+        printf("at %g Hz the tip hits the joint with %.2f N on either side", beam->frequency, peaks->max);
+    else
+        printf("at %g Hz the tip hits the joint with %.0f to %.0f N, %.0f N in the mean (%zu peaks in %zu cycles)",
+               beam->frequency, peaks->min, peaks->max, peaks->mean, peaks->count, response->section.count);
+    printf("\n");
+}
+
+static void print_orbit(const Response *response) {
+    static const char *const leavings[] = {[ORBIT_FOLD] =
+                                               "positive: over 1, it would fold or part with its mirror image",
+                                           [ORBIT_FLIP] = "negative: beyond -1, its period would double",
+                                           [ORBIT_NEIMARK] = "one of a pair: over 1, it would become a torus"};
+    const Orbit *orbit = &response->orbit;
+    printf("The orbit closes after %zu cycle%s; its largest multiplier has the size %.3f, %s\n", orbit->period,
+           orbit->period == 1 ? "" : "s", orbit->largest, leavings[orbit->leaving]);
+    if (!response->settled)
+        printf("The recorded cycles still hold the transient: a larger run.transient_cycles would leave it out\n");
+}
+
+static void print_verdict(const Response *response, const Beam *beam, const Rig *rig) {
+    switch (response->verdict) {
+    case RESPONSE_PERIODIC:
+        printf("Periodic, period %zu: ", response->orbit.period);
+        break;
+    case RESPONSE_CHAOTIC:
+        printf("Chaotic: ");
+        break;
+    case RESPONSE_UNRESOLVED:
+        printf("Unresolved, neither periodic nor chaotic after %zu cycles: ", response->cycles);
+        break;
+    case RESPONSE_CHATTERS:
+        printf("Chatter, more than %d switches in one cycle, after %zu cycles: ", MOTION_SWITCHES_MOST,
+               response->cycles);
+        break;
+    case RESPONSE_DIVERGED:
+        printf("The numbers diverged after %zu cycles: ", response->cycles);
+        break;
+    }
+    print_peaks(response, beam, rig);
+    if (response->verdict == RESPONSE_PERIODIC)
+        print_orbit(response);
+    else if (isfinite(response->exponent.value))
+        printf("The largest exponent is %+.3f +- %.3f per cycle, the 0-1 test's K is %.3f, over %zu cycles\n",
+               response->exponent.value, response->exponent.error, response->zero_one, response->cycles);
+}
+
+static void print_answer(const Response *response, const Beam *beam, const Rig *rig) {
+    print_verdict(response, beam, rig);
+    printf("\nclearance            +-%.4g mm; without the joint the tip would move +-%.4g mm\n", 1000 * beam->clearance,
+           1000 * rig_free_amplitude(rig));
+    printf("switches             %.2f a cycle, in contact for %.0f %% of the time\n", response->switches,
+           100 * response->contact_share);
+    if (response->grazes)
+        printf("grazing              %zu times nearer than %.0e of the clearance without touching, or as deep in it\n",
+               response->grazes, MOTION_GRAZE);
+    printf("natural frequencies ");
+    for (size_t i = 0; i < rig->modes.count && i < 6; i++)
+        printf(" %.1f", rig->modes.frequency[i] / (2 * M_PI));
+    double lacking = rig->modes.residual * rig->stiffness;
+    printf("%s Hz (%zu modes)\n", rig->modes.count > 6 ? " ..." : "", rig->modes.count);
+    printf("compliance           the modes left out have %.2g %% of the contact's%s\n", 100 * fmax(0, lacking),
+           lacking > MODES_RESIDUAL_MOST ? ": too much, more beam.modes would be right" : "");
+    printf("digest               %016" PRIx64 "\n", response->digest);
+}
+
+/* JSON ------------------------------------------------------------------------------------------------------------ */
+
+static json_t *known(double value) {
+    return isfinite(value) ? json_number(value) : json_null();
+}
+
+static json_t *make_answer(const Response *response, const Beam *beam, const Rig *rig) {
+    char digest[17];
+    snprintf(digest, sizeof digest, "%016" PRIx64, response->digest);
+    const SectionPeaks *peaks = &response->peaks;
+    json_t *frequencies = json_array();
+    for (size_t i = 0; i < rig->modes.count; i++)
+        json_array_append_new(frequencies, json_number(rig->modes.frequency[i] / (2 * M_PI)));
+    json_t *answer = json_pack("{s:s, s:s, s:s, s:o, s:o, s:s, s:I, s:b, s:o, s:o, s:o, s:I}", "kind", "beam", "beam",
+                               beam->name, "note", beam->note, "frequency", json_number(beam->frequency), "clearance",
+                               json_number(beam->clearance), "verdict", response_verdict_name(response->verdict),
+                               "period", (json_int_t)response->orbit.period, "settled", response->settled, "lyapunov",
+                               known(response->exponent.value), "lyapunov_error", known(response->exponent.error),
+                               "zero_one", known(response->zero_one), "cycles", (json_int_t)response->cycles);
+    json_object_set_new(answer, "multiplier",
+                        response->verdict == RESPONSE_PERIODIC ? json_number(response->orbit.largest) : json_null());
+    json_object_set_new(answer, "peaks",
+                        json_pack("{s:o, s:o, s:o, s:I}", "min", json_number(peaks->min), "max",
+                                  json_number(peaks->max), "mean", json_number(peaks->mean), "count",
+                                  (json_int_t)peaks->count));
+    json_object_set_new(answer, "switches", json_number(response->switches));
+    json_object_set_new(answer, "contact_share", json_number(response->contact_share));
+    json_object_set_new(answer, "grazes", json_integer((json_int_t)response->grazes));
+    json_object_set_new(answer, "free_amplitude", json_number(rig_free_amplitude(rig)));
+    json_object_set_new(answer, "natural_frequencies", frequencies);
+    json_object_set_new(answer, "residual_compliance", json_number(rig->modes.residual));
+    json_object_set_new(answer, "digest", json_string(digest));
+    return answer;
+}
+
+static bool write_data(const Response *response, json_t *answer, const char *out) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/summary.json", out);
+    char *text = json_dumps(answer, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
+    int error = text_write_file(path, text, strlen(text));
+    free(text);
+    if (!error) {
+        snprintf(path, sizeof path, "%s/trace.csv", out);
+        error = trace_write_csv(&response->trace, path);
+    }
+    if (error)
+        output_failed(path, error);
+    return !error;
+}
+
+/* Options that only houses have an answer to. */
+static bool check_options(const Options *options) {
+    const char *foreign = options->route          ? "--route"
+                          : options->driving >= 0 ? "--driving"
+                          : options->frames > 0   ? "--frames"
+                          : options->movie        ? "--movie"
+                          : options->report       ? "--report"
+                          : options->observed     ? "--observed"
+                                                  : NULL;
+    if (foreign)
+        fprintf(stderr, "clearance: %s is for houses, %s is a beam\n", foreign, options->files[0]);
+    return !foreign;
+}
+
+int run_beam_file(const Options *options) {
+    Beam beam = {0};
+    Rig rig;
+    Fault fault = {0};
+    if (!check_options(options) || (options->out && !output_directory(options->out)))
+        return EXIT_WRONG_INPUT;
+    if (!beam_read(&beam, options->files[0], options->settings, options->setting_count, &fault) ||
+        !rig_build(&rig, &beam, options->files[0], &fault)) {
+        beam_free(&beam);
+        return house_file_report(&fault);
+    }
+    Response response;
+    response_run(&response, &rig, &beam, NULL, &command_interrupted);
+    if (command_interrupted)
+        fprintf(stderr, "clearance: interrupted after %zu recorded cycles; what came before is kept\n",
+                response.section.count);
+    json_t *answer = make_answer(&response, &beam, &rig);
+    bool written = !options->out || write_data(&response, answer, options->out);
+    if (options->json)
+        answer_print(json_incref(answer));
+    else
+        print_answer(&response, &beam, &rig);
+    if (options->out && written && !options->json)
+        printf("\ndata are in %s\n", options->out);
+    bool resolved = response.verdict == RESPONSE_PERIODIC || response.verdict == RESPONSE_CHAOTIC;
+    json_decref(answer);
+    response_clear(&response);
+    rig_clear(&rig);
+    beam_free(&beam);
+    return !written ? EXIT_WRONG_INPUT : resolved ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+}

@@ -1,0 +1,116 @@
+#include "beam/chaos.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/random.h"
+
+/* Exponents ------------------------------------------------------------------------------------------------------- */
+
+static double dot(const double *a, const double *b, size_t count) {
+    double sum = 0;
+    for (size_t i = 0; i < count; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+void chaos_renew_tangents(Motion *motion, double *growth) {
+    size_t states = motion->rig->free.states;
+    double *all = memory_allocate(motion->tangents * states, sizeof *all);
+    for (size_t t = 0; t < motion->tangents; t++) {
+        double *own = all + t * states;
+        motion_tangent(motion, t, own);
+        for (int twice = 0; twice < 2; twice++)
+            for (size_t s = 0; s < t; s++) {
+                double along = dot(own, all + s * states, states);
+                for (size_t i = 0; i < states; i++)
+                    own[i] -= along * all[s * states + i];
+            }
+        double length = sqrt(dot(own, own, states));
+        growth[t] += log(length);
+        for (size_t i = 0; i < states; i++)
+            own[i] /= length;
+        motion_set_tangent(motion, t, own);
+    }
+    memory_free(all);
+}
+
+ChaosExponent chaos_exponent(const double *growth, size_t count) {
+    double mean = 0, variance = 0;
+    for (size_t i = 0; i < count; i++)
+        mean += growth[i] / (double)count;
+    size_t size = count / CHAOS_BATCHES;
+    if (size == 0)
+        return (ChaosExponent){mean, HUGE_VAL};
+    for (size_t b = 0; b < CHAOS_BATCHES; b++) {
+        double batch = 0;
+        for (size_t i = b * size; i < (b + 1) * size; i++)
+            batch += growth[i] / (double)size;
+        variance += (batch - mean) * (batch - mean) / (CHAOS_BATCHES - 1);
+    }
+    return (ChaosExponent){mean, sqrt(variance / CHAOS_BATCHES)};
+}
+
+double chaos_exponent_sum(const Rig *rig, double contact_share) {
+    const Modes *modes = &rig->modes;
+    double sum = 0;
+    for (size_t i = 0; i < modes->count; i++)
+        sum -= modes->damping[i * modes->count + i] + contact_share * rig->damping * modes->tip[i] * modes->tip[i];
+    return sum;
+}
+
+/* The 0-1 test ---------------------------------------------------------------------------------------------------- */
+
+enum { FREQUENCIES = 100 /* values of c */ };
+
+static int compare_numbers(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The correlation of values (count) with 1, 2, 3 ... */
+static double correlation_with_time(const double *values, size_t count) {
+    double mean = 0, middle = ((double)count - 1) / 2, own = 0, time = 0, both = 0;
+    for (size_t i = 0; i < count; i++)
+        mean += values[i] / (double)count;
+    for (size_t i = 0; i < count; i++) {
+        double v = values[i] - mean, t = (double)i - middle;
+        own += v * v;
+        time += t * t;
+        both += v * t;
+    }
+    return own > 0 ? both / sqrt(own * time) : 0;
+}
+
+/* K of one c: p and q add up the series turned by c, 2c, 3c ...; their mean square displacement grows with chaos. */
+static double growth_of(const double *series, size_t count, double mean, double c, double *room) {
+    size_t lags = count / 10, span = count - lags;
+    double *p = room, *q = room + count, *displacement = room + 2 * count, sum_p = 0, sum_q = 0;
+    for (size_t i = 0; i < count; i++) {
+        p[i] = sum_p += series[i] * cos((double)(i + 1) * c);
+        q[i] = sum_q += series[i] * sin((double)(i + 1) * c);
+    }
+    for (size_t n = 1; n <= lags; n++) {
+        double sum = 0;
+        for (size_t i = 0; i < span; i++)
+            sum += (p[i + n] - p[i]) * (p[i + n] - p[i]) + (q[i + n] - q[i]) * (q[i + n] - q[i]);
+        displacement[n - 1] = sum / (double)span - mean * mean * (1 - cos((double)n * c)) / (1 - cos(c));
+    }
+    return correlation_with_time(displacement, lags);
+}
+
+double chaos_zero_one(const double *series, size_t count) {
+    double grown[FREQUENCIES], mean = 0, *room = memory_allocate(3 * count, sizeof *room);
+    Random random = random_seed(1, 0); /* c at random keeps off the resonances of a regular series */
+    for (size_t i = 0; i < count; i++)
+        mean += series[i] / (double)count;
+    for (int k = 0; k < FREQUENCIES; k++) {
+        double c = M_PI * (0.2 + 0.6 * random_uniform(&random));
+        grown[k] = growth_of(series, count, mean, c, room);
+    }
+    memory_free(room);
+    qsort(grown, FREQUENCIES, sizeof *grown, compare_numbers);
+    return (grown[FREQUENCIES / 2 - 1] + grown[FREQUENCIES / 2]) / 2;
+}

@@ -1,0 +1,124 @@
+#include "beam/orbit.h"
+
+#include <lapacke.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+/* Newton's iteration ends when what is left is this share of the state: rounding leaves some 1e-13. */
+static const double CONVERGED = 1e-11;
+/* So far from closing, of the state's length, it will not find what was near its start. */
+static const double FAR = 1;
+enum { ITERATIONS_MOST = 12 };
+
+static double length_of(const double *vector, size_t count) {
+    double sum = 0;
+    for (size_t i = 0; i < count; i++)
+        sum += vector[i] * vector[i];
+    return sqrt(sum);
+}
+
+/* How far apart, as a share of how large; equal ones, also nothing and nothing, are not apart. */
+static double share(double apart, double size) {
+    return apart > 0 ? apart / size : 0;
+}
+
+bool orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative) {
+    size_t states = rig->free.states;
+    Motion motion = motion_create(rig, derivative ? states : 0);
+    motion_set_state(&motion, state);
+    motion_unit_tangents(&motion);
+    for (size_t i = 0; i < cycles && motion.status == MOTION_GOOD; i++)
+        motion_cycle(&motion);
+    bool good = motion.status == MOTION_GOOD;
+    motion_state(&motion, state);
+    for (size_t t = 0; t < motion.tangents; t++)
+        motion_tangent(&motion, t, derivative + t * states);
+    motion_destroy(&motion);
+    return good;
+}
+
+/* x -= (derivative - 1)^-1 gap; destroys the derivative and the gap. */
+static bool newton_step(double *state, double *derivative, double *gap, size_t states) {
+    lapack_int n = (lapack_int)states;
+    lapack_int *pivots = memory_allocate(states, sizeof *pivots);
+    for (size_t i = 0; i < states; i++)
+        derivative[i * states + i] -= 1;
+    bool good = LAPACKE_dgesv(LAPACK_COL_MAJOR, n, 1, derivative, n, pivots, gap, n) == 0;
+    for (size_t i = 0; good && i < states; i++)
+        state[i] -= gap[i];
+    memory_free(pivots);
+    return good;
+}
+
+/* Which way the largest multiplier would leave the unit circle. */
+static void name_leaving(Orbit *orbit) {
+    size_t which = 0;
+    for (size_t i = 1; i < orbit->states; i++)
+        if (hypot(orbit->multiplier_re[i], orbit->multiplier_im[i]) >
+            hypot(orbit->multiplier_re[which], orbit->multiplier_im[which]))
+            which = i;
+    orbit->largest = hypot(orbit->multiplier_re[which], orbit->multiplier_im[which]);
+    orbit->leaving = orbit->multiplier_im[which] != 0  ? ORBIT_NEIMARK
+                     : orbit->multiplier_re[which] < 0 ? ORBIT_FLIP
+                                                       : ORBIT_FOLD;
+}
+
+static bool find_multipliers(Orbit *orbit, double *derivative) {
+    lapack_int n = (lapack_int)orbit->states;
+    bool good = LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'N', n, derivative, n, orbit->multiplier_re, orbit->multiplier_im,
+                              NULL, 1, NULL, 1) == 0;
+    name_leaving(orbit);
+    return good;
+}
+
+bool orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period) {
+    size_t states = rig->free.states;
+    *orbit = (Orbit){.period = period, .states = states, .point = memory_allocate(3 * states, sizeof(double))};
+    orbit->multiplier_re = orbit->point + states;
+    orbit->multiplier_im = orbit->multiplier_re + states;
+    memcpy(orbit->point, start, states * sizeof *start);
+    double *derivative = memory_allocate(states * states, sizeof *derivative);
+    double *gap = memory_allocate(states, sizeof *gap);
+    bool good = true, found = false;
+    for (int i = 0; i < ITERATIONS_MOST && good && !found; i++) {
+        memcpy(gap, orbit->point, states * sizeof *gap);
+        good = orbit_map(rig, gap, period, derivative);
+        for (size_t k = 0; k < states; k++)
+            gap[k] -= orbit->point[k];
+        orbit->error = share(length_of(gap, states), length_of(orbit->point, states));
+        found = good && orbit->error < CONVERGED;
+        if (!found)
+            good = good && orbit->error < FAR && newton_step(orbit->point, derivative, gap, states);
+    }
+    found = found && find_multipliers(orbit, derivative);
+    memory_free(derivative);
+    memory_free(gap);
+    if (!found)
+        orbit_clear(orbit);
+    return found;
+}
+
+bool orbit_is_stable(const Orbit *orbit) {
+    return orbit->largest < 1;
+}
+
+double orbit_distance(const Orbit *orbit, const Rig *rig, const double *state) {
+    double nearest = HUGE_VAL, *point = memory_allocate(2 * orbit->states, sizeof *point),
+           *apart = point + orbit->states;
+    memcpy(point, orbit->point, orbit->states * sizeof *point);
+    for (size_t i = 0; i < orbit->period; i++) {
+        for (size_t k = 0; k < orbit->states; k++)
+            apart[k] = state[k] - point[k];
+        nearest = fmin(nearest, share(length_of(apart, orbit->states), length_of(point, orbit->states)));
+        orbit_map(rig, point, 1, NULL);
+    }
+    memory_free(point);
+    return nearest;
+}
+
+void orbit_clear(Orbit *orbit) {
+    memory_free(orbit->point);
+    *orbit = (Orbit){0};
+}

@@ -1,0 +1,185 @@
+#include "beam/response.h"
+
+#include <math.h>
+
+#include "base/digest.h"
+#include "base/memory.h"
+
+/* A return so near, of the state's length, is worth Newton's iteration; the orbit must then be as near. A chaotic
+ * motion returns so near now and then, but to an orbit that does not attract. */
+static const double NEAR_RETURN = 0.05;
+
+/* So near to an orbit, of the state's length, a motion is on it. */
+static const double SETTLED = 1e-3;
+
+static const TraceColumn columns[] = {{"time", "s"}, {"displacement", "m"}, {"velocity", "m/s"}, {"force", "N"}};
+
+const char *response_verdict_name(ResponseVerdict verdict) {
+    static const char *const names[] = {"periodic", "chaotic", "unresolved", "chatters", "diverged"};
+    return names[verdict];
+}
+
+/* The motion beside what is told of it. */
+typedef struct Watch {
+    Motion motion;
+    const volatile sig_atomic_t *stop;
+    double *growth; /* (analysed.count) logarithm of the tangent's growth in each cycle */
+    size_t growth_capacity;
+    Section analysed; /* since the transient */
+} Watch;
+
+static bool goes_on(const Watch *watch) {
+    return watch->motion.status == MOTION_GOOD && !(watch->stop && *watch->stop);
+}
+
+static void pass_transient(Watch *watch, int cycles) {
+    double growth = 0;
+    for (int i = 0; i < cycles && goes_on(watch); i++) {
+        motion_cycle(&watch->motion);
+        chaos_renew_tangents(&watch->motion, &growth);
+    }
+    watch->motion.peak[0] = watch->motion.peak[1] = 0;
+}
+
+/* The cycle that has just been made. */
+static void note_cycle(Watch *watch) {
+    if (watch->motion.status != MOTION_GOOD)
+        return;
+    size_t at = watch->analysed.count;
+    section_add(&watch->analysed, &watch->motion);
+    watch->growth = memory_reserve(watch->growth, &watch->growth_capacity, at + 1, sizeof *watch->growth);
+    watch->growth[at] = 0;
+    chaos_renew_tangents(&watch->motion, &watch->growth[at]);
+}
+
+static void add_sample(Trace *trace, const Motion *motion, double time) {
+    trace_add(trace, (double[]){time, motion_deflection(motion), motion_velocity(motion), motion_force(motion)});
+}
+
+/* One cycle in as many parts as it has samples. */
+static void trace_cycle(Trace *trace, Motion *motion, size_t cycle) {
+    double period = motion->rig->period;
+    for (int sample = 0; sample < RESPONSE_SAMPLES; sample++) {
+        double until = period * (sample + 1) / RESPONSE_SAMPLES;
+        add_sample(trace, motion, (double)cycle * period + period * sample / RESPONSE_SAMPLES);
+        while (motion->status == MOTION_GOOD && motion->phase < until)
+            motion_step(motion, until - motion->phase);
+    }
+    motion_cycle(motion);
+}
+
+static void record(Response *response, Watch *watch, int cycles) {
+    Motion *motion = &watch->motion;
+    size_t switches = motion->switches, grazes = motion->grazes;
+    double contact_time = motion->contact_time;
+    response->digest = DIGEST_START;
+    for (int i = 0; i < cycles && goes_on(watch); i++) {
+        if (i < RESPONSE_TRACE_CYCLES)
+            trace_cycle(&response->trace, motion, (size_t)i);
+        else
+            motion_cycle(motion);
+        if (motion->status == MOTION_GOOD)
+            section_add(&response->section, motion);
+        for (size_t side = 0; motion->status == MOTION_GOOD && side < 2; side++)
+            motion->peak[side] = response->section.peak[2 * (response->section.count - 1) + side];
+        note_cycle(watch);
+    }
+    const Section *section = &response->section;
+    for (size_t i = 0; i < section->count * section->states; i++)
+        response->digest = digest_mix(response->digest, section->state[i]);
+    response->peaks = section_peaks(section);
+    double seen = fmax(1, (double)section->count);
+    response->switches = (double)(motion->switches - switches) / seen;
+    response->contact_share = (motion->contact_time - contact_time) / (seen * motion->rig->period);
+    response->grazes = motion->grazes - grazes;
+}
+
+/* An orbit that has been found with a multiple of its period: with its own. */
+static void reduce_period(Orbit *orbit, const Rig *rig) {
+    for (size_t period = 1; period < orbit->period; period++) {
+        Orbit shorter;
+        if (orbit->period % period || !orbit_find(&shorter, rig, orbit->point, period))
+            continue;
+        if (orbit_distance(&shorter, rig, orbit->point) < SETTLED) {
+            orbit_clear(orbit);
+            *orbit = shorter;
+            return;
+        }
+        orbit_clear(&shorter);
+    }
+}
+
+/* The stable orbit that the motion is near. */
+static bool find_orbit(Response *response, const Watch *watch) {
+    const Section *seen = &watch->analysed;
+    const Rig *rig = watch->motion.rig;
+    for (size_t period = 1; period <= ORBIT_PERIOD_MOST && period < seen->count; period++) {
+        Orbit orbit;
+        if (section_return(seen, period) > NEAR_RETURN || !orbit_find(&orbit, rig, section_last(seen), period))
+            continue;
+        if (orbit_is_stable(&orbit) && orbit_distance(&orbit, rig, section_last(seen)) < NEAR_RETURN) {
+            reduce_period(&orbit, rig);
+            response->orbit = orbit;
+            return true;
+        }
+        orbit_clear(&orbit);
+    }
+    return false;
+}
+
+static bool is_chaotic(const Response *response) {
+    return response->exponent.value - 3 * response->exponent.error > 0 && response->zero_one > RESPONSE_ZERO_ONE_LEAST;
+}
+
+/* Goes on until the motion can be told, twice as long each time. */
+static void tell(Response *response, Watch *watch) {
+    for (size_t cycles = RESPONSE_CYCLES_LEAST;; cycles *= 2) {
+        if (watch->analysed.count > 1 && find_orbit(response, watch)) {
+            response->verdict = RESPONSE_PERIODIC;
+            response->settled = orbit_distance(&response->orbit, watch->motion.rig, response->section.state) < SETTLED;
+            response->exponent = (ChaosExponent){log(response->orbit.largest) / (double)response->orbit.period, 0};
+            response->zero_one = NAN;
+            return;
+        }
+        if (is_chaotic(response)) {
+            response->verdict = RESPONSE_CHAOTIC;
+            return;
+        }
+        if (cycles > RESPONSE_CYCLES_MOST)
+            return;
+        while (watch->analysed.count < cycles && goes_on(watch)) {
+            motion_cycle(&watch->motion);
+            note_cycle(watch);
+        }
+        if (!goes_on(watch))
+            return;
+        response->exponent = chaos_exponent(watch->growth, watch->analysed.count);
+        response->zero_one = chaos_zero_one(watch->analysed.deflection, watch->analysed.count);
+    }
+}
+
+void response_run(Response *response, const Rig *rig, const Beam *beam, const double *start,
+                  const volatile sig_atomic_t *stop) {
+    *response = (Response){.verdict = RESPONSE_UNRESOLVED, .exponent = {NAN, NAN}, .zero_one = NAN};
+    trace_init(&response->trace, columns, sizeof columns / sizeof *columns);
+    Watch watch = {.motion = motion_create(rig, 1), .stop = stop};
+    motion_unit_tangents(&watch.motion);
+    if (start)
+        motion_set_state(&watch.motion, start);
+    pass_transient(&watch, beam->transient_cycles);
+    record(response, &watch, beam->cycles);
+    if (goes_on(&watch))
+        tell(response, &watch);
+    response->cycles = watch.analysed.count;
+    if (watch.motion.status != MOTION_GOOD)
+        response->verdict = watch.motion.status == MOTION_CHATTERS ? RESPONSE_CHATTERS : RESPONSE_DIVERGED;
+    motion_destroy(&watch.motion);
+    section_clear(&watch.analysed);
+    memory_free(watch.growth);
+}
+
+void response_clear(Response *response) {
+    section_clear(&response->section);
+    trace_clear(&response->trace);
+    orbit_clear(&response->orbit);
+}

@@ -1,0 +1,42 @@
+/* What a motion is of: the beam as modes and regimes, the drive and the joint, made ready once. Nothing of it changes
+ * while motions run, except by rig_drive. */
+#pragma once
+
+#include <stdbool.h>
+
+#include "beam/beam.h"
+#include "beam/modes.h"
+#include "beam/regime.h"
+
+/* What of a regime the drive makes: Z = sine sin(omega t) + cosine cos(omega t) + side rest; and of the rows. */
+typedef struct RigSteady {
+    RegimeVector sine, cosine, rest;
+    double row_sine[REGIME_ROWS], row_cosine[REGIME_ROWS], row_rest[REGIME_ROWS];
+    RegimeVector hop; /* propagator of one cell */
+} RigSteady;
+
+/* What is given: the beam as modes and regimes, the drive and the joint. */
+typedef struct Rig {
+    Modes modes;
+    Regime free, contact;
+    RigSteady steady_free, steady_contact;
+    double omega, period;                 /* rad/s, s, of the drive */
+    double force;                         /* N, amplitude of the drive */
+    double clearance, stiffness, damping; /* m, N/m, N s/m, of the joint */
+    int release;                          /* BeamRelease */
+    double cell;                          /* s */
+} Rig;
+
+/* Makes the rig of a beam. False: a fault, at the place `place`, and there is nothing to clear. */
+bool rig_build(Rig *rig, const Beam *beam, const char *place, Fault *fault);
+
+/* The same of modes that are already there; takes them over. False: LAPACK found no eigenvalues; all is released. */
+bool rig_of_modes(Rig *rig, Modes *modes, const Beam *beam);
+
+/* Sets the drive's frequency (Hz) and force (N); modes, regimes and propagators stay. */
+void rig_drive(Rig *rig, double frequency, double force);
+
+void rig_clear(Rig *rig);
+
+/* m, the steady amplitude of the tip when there is no joint: nothing touches while it is below the clearance. */
+double rig_free_amplitude(const Rig *rig);

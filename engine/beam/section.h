@@ -1,0 +1,36 @@
+/* The Poincare section: a motion seen once a cycle of the drive, at phase 0 (stroboscopic), and each cycle's largest
+ * force on either side of the joint. */
+#pragma once
+
+#include <stddef.h>
+
+#include "beam/motion.h"
+
+typedef struct Section {
+    size_t count, states;
+    double *state;                 /* (count x states) sqrt(J) */
+    double *deflection, *velocity; /* (count) of the tip, m and m/s */
+    double *peak;                  /* (count x 2) N, on the upper and the lower side; 0: not touched in that cycle */
+    size_t state_capacity, deflection_capacity, velocity_capacity, peak_capacity;
+} Section;
+
+/* Adds the motion as it is, at phase 0, and the peaks since the last addition, which begin anew. Zero is an empty
+ * section. */
+void section_add(Section *section, Motion *motion);
+
+void section_clear(Section *section);
+
+/* Of the peaks of both sides, those that touched. */
+typedef struct SectionPeaks {
+    double min, max, mean; /* N */
+    size_t count;          /* 0: nothing touched */
+} SectionPeaks;
+
+SectionPeaks section_peaks(const Section *section);
+
+/* |x_last - x_(last - lag)| / |x_last|; lag below the count. */
+double section_return(const Section *section, size_t lag);
+
+static inline const double *section_last(const Section *section) {
+    return section->state + (section->count - 1) * section->states;
+}

@@ -1,0 +1,21 @@
+/* Rigs for tests of the beam: one mass behind a gap, and the shipped beams. */
+#pragma once
+
+#include "beam/motion.h"
+
+/* A mass (1 kg) on a soft spring of natural frequency omega (rad/s) and damping ratio, whose tip and shaker are itself.
+ * The drive has 0.01 Hz and no force. */
+typedef struct Oscillator {
+    double omega, damping_ratio;
+    double clearance, stiffness, damping; /* of the joint */
+    int release;
+} Oscillator;
+
+Rig oscillator_rig(const Oscillator *oscillator);
+
+/* assets/beams/NAME.json with the setting (or NULL), which must be good. */
+Beam oscillator_beam(const char *name, const char *setting);
+Rig oscillator_beam_rig(const char *name, const char *setting);
+
+/* A start for a rig: `which` 0 is at rest, others have some of every mode. */
+void oscillator_start(const Rig *rig, unsigned which, double *state);
