@@ -3,10 +3,11 @@
 #include <cvode/cvode.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include "base/memory.h"
-#include "check.h"
 
 struct Peer {
     const Rig *rig;
@@ -17,6 +18,13 @@ struct Peer {
     void *cvode;
     size_t cycle, switches;
 };
+
+static void must(bool good) {
+    if (good)
+        return;
+    fprintf(stderr, "CVODE failed\n");
+    exit(1);
+}
 
 static double wall_of(MotionPlace place) {
     return place == MOTION_UPPER || place == MOTION_UPPER_LEAVING ? 1 : -1;
@@ -78,18 +86,18 @@ static int roots(realtype time, N_Vector state, realtype *out, void *data) {
 Peer *peer_create(const Rig *rig, const double *state, double tolerance) {
     Peer *peer = memory_allocate(1, sizeof *peer);
     peer->rig = rig;
-    CHECK(SUNContext_Create(NULL, &peer->context) == 0);
+    must(SUNContext_Create(NULL, &peer->context) == 0);
     peer->state = N_VNew_Serial((sunindextype)rig->free.states, peer->context);
     for (size_t i = 0; i < rig->free.states; i++)
         N_VGetArrayPointer(peer->state)[i] = state[i];
     peer->cvode = CVodeCreate(CV_ADAMS, peer->context);
-    CHECK(CVodeInit(peer->cvode, rates, 0, peer->state) == CV_SUCCESS);
-    CHECK(CVodeSStolerances(peer->cvode, tolerance, tolerance * 1e-3) == CV_SUCCESS);
+    must(CVodeInit(peer->cvode, rates, 0, peer->state) == CV_SUCCESS);
+    must(CVodeSStolerances(peer->cvode, tolerance, tolerance * 1e-3) == CV_SUCCESS);
     peer->solver = SUNNonlinSol_FixedPoint(peer->state, 0, peer->context);
-    CHECK(CVodeSetNonlinearSolver(peer->cvode, peer->solver) == CV_SUCCESS);
-    CHECK(CVodeSetUserData(peer->cvode, peer) == CV_SUCCESS);
-    CHECK(CVodeRootInit(peer->cvode, 2, roots) == CV_SUCCESS);
-    CHECK(CVodeSetRootDirection(peer->cvode, (int[]){1, 1}) == CV_SUCCESS);
+    must(CVodeSetNonlinearSolver(peer->cvode, peer->solver) == CV_SUCCESS);
+    must(CVodeSetUserData(peer->cvode, peer) == CV_SUCCESS);
+    must(CVodeRootInit(peer->cvode, 2, roots) == CV_SUCCESS);
+    must(CVodeSetRootDirection(peer->cvode, (int[]){1, 1}) == CV_SUCCESS);
     CVodeSetNoInactiveRootWarn(peer->cvode);
     CVodeSetMaxNumSteps(peer->cvode, 1000000);
     return peer;
@@ -122,13 +130,13 @@ void peer_cycle(Peer *peer) {
     double end = (double)++peer->cycle * peer->rig->period, time = 0;
     while (time < end) {
         int which[2], done = CVode(peer->cvode, end, peer->state, &time, CV_NORMAL);
-        CHECK(done >= 0);
+        must(done >= 0);
         if (done != CV_ROOT_RETURN)
             return;
         CVodeGetRootInfo(peer->cvode, which);
         peer->place = next_place(peer->place, which[0] != 0);
         peer->switches++;
-        CHECK(CVodeReInit(peer->cvode, time, peer->state) == CV_SUCCESS);
+        must(CVodeReInit(peer->cvode, time, peer->state) == CV_SUCCESS);
     }
 }
 

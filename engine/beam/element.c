@@ -3,7 +3,6 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/memory.h"
 
@@ -17,7 +16,8 @@ static int compare_places(const void *a, const void *b) {
 
 /* Both ends and the stations, rising, each once; returns how many. */
 static size_t sort_stations(double *sorted, double length, const double *stations, size_t count) {
-    memcpy(sorted, stations, count * sizeof *sorted);
+    for (size_t i = 0; i < count; i++)
+        sorted[i] = stations[i];
     sorted[count] = 0;
     sorted[count + 1] = length;
     qsort(sorted, count + 2, sizeof *sorted, compare_places);

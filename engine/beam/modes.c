@@ -19,7 +19,8 @@ static bool solve_modes(double *stiffness, double *mass, double *values, size_t 
 /* The boundary freedoms, then the others. */
 static size_t *order_freedoms(const ElementMesh *mesh, const size_t *boundary, size_t boundary_count) {
     size_t *order = memory_allocate(mesh->freedoms, sizeof *order), at = boundary_count;
-    memcpy(order, boundary, boundary_count * sizeof *order);
+    for (size_t b = 0; b < boundary_count; b++)
+        order[b] = boundary[b];
     for (size_t f = 0; f < mesh->freedoms; f++) {
         bool is_boundary = false;
         for (size_t b = 0; b < boundary_count; b++)
