@@ -26,9 +26,9 @@ typedef struct Modes {
     double residual;       /* m/N, the part of it that the modes left out would have had */
 } Modes;
 
-/* The natural modes of a mesh: all of them reduced with the `boundary` freedoms (boundary_count) and `fixed`
- * fixed-interface modes (or as many as there are), of which the lowest `count` are kept. False: LAPACK found no modes,
- * and nothing is kept. */
+/* The natural modes of a mesh reduced to its `boundary` freedoms (boundary_count, each once) and `fixed`
+ * fixed-interface modes (or as many as there are); the lowest `count` are kept. False: LAPACK found no modes, and
+ * nothing is kept. */
 bool modes_reduce(Modes *modes, const ElementMesh *mesh, const size_t *boundary, size_t boundary_count, size_t fixed,
                   size_t count);
 

@@ -237,7 +237,7 @@ static double follow(const Curve *curve, double time, double *rate) {
     return curve->sign * measure(motion, curve->row, curve->order, z, sine, cosine) + curve->offset;
 }
 
-/* Time resolution of a switch, s: what doubles resolve of a cycle's phase. */
+/* s: switches are located to this; beyond it, rounding decides. */
 static const double SWITCH_RESOLUTION = 1e-15;
 
 /* Where the curve, below 0 at `low` and not below at `high`, rises through 0: Newton's steps, halved brackets where
@@ -260,10 +260,10 @@ static double find_root(const Curve *curve, double low, double high) {
     return high;
 }
 
-/* Where the curve, rising at `low` and falling at `high` (or the other way round), turns. */
-static double find_turn(const Motion *motion, RegimeRow row, double rising, double low, double high) {
-    Curve rate = {motion, row, 1, -rising, 0};
-    return find_root(&rate, low, high);
+/* Where a row that first rises (`way` 1) and then falls within the step, or the other way round (-1), turns. */
+static double find_turn(const Motion *motion, RegimeRow row, double way, double step) {
+    Curve rate = {motion, row, 1, -way, 0};
+    return find_root(&rate, 0, step);
 }
 
 /* The time of a way's switch within a step, or HUGE_VAL. From the values and rates at both ends. */
@@ -276,16 +276,16 @@ static double find_switch(Motion *motion, const Way *way, double step, const Mot
     if (begin >= 0 && end >= 0) { /* a switch was just here: has it been left since? */
         if (begin_rate >= 0)
             return 0;
-        if (end_rate <= 0)
-            return begin_rate < 0 && begin <= end ? 0 : HUGE_VAL;
-        double turn = find_turn(motion, way->row, -sign, 0, step);
+        if (end_rate <= 0) /* still leaving, or out and back and turned again */
+            return begin <= end ? 0 : HUGE_VAL;
+        double turn = find_turn(motion, way->row, -sign, step);
         return follow(&curve, turn, &rate) < 0 ? find_root(&curve, turn, step) : 0;
     }
     if (end >= 0)
         return find_root(&curve, 0, step);
     if (begin >= 0 || begin_rate <= 0 || end_rate >= 0 || begin + begin_rate * step < 0)
         return HUGE_VAL;
-    double turn = find_turn(motion, way->row, sign, 0, step), top = follow(&curve, turn, &rate);
+    double turn = find_turn(motion, way->row, sign, step), top = follow(&curve, turn, &rate);
     if (motion->place == MOTION_OPEN && fabs(top) <= MOTION_GRAZE * motion->rig->clearance)
         motion->grazes++;
     return top >= 0 ? find_root(&curve, 0, turn) : HUGE_VAL;
@@ -298,7 +298,7 @@ static void note_peak(Motion *motion, double step, const MotionReading *end) {
     double *peak = &motion->peak[side > 0 ? 0 : 1];
     *peak = fmax(*peak, fmax(push_of(motion, begin->value[REGIME_FORCE]), push_of(motion, end->value[REGIME_FORCE])));
     if (side * begin->rate[REGIME_FORCE] > 0 && side * end->rate[REGIME_FORCE] < 0) {
-        double rate, turn = find_turn(motion, REGIME_FORCE, side, 0, step);
+        double rate, turn = find_turn(motion, REGIME_FORCE, side, step);
         Curve force = {motion, REGIME_FORCE, 0, 1, 0};
         *peak = fmax(*peak, push_of(motion, follow(&force, turn, &rate)));
     }
