@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "base/json.h"
 #include "base/parameters.h"
+#include "base/provenance.h"
 #include "base/random.h"
 #include "base/parallel.h"
 #include "base/digest.h"

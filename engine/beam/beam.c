@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/provenance.h"
+
 #define NUMBER(name_, field_, unit_, low_, high_, meaning_)                                                            \
     {                                                                                                                  \
         .name = name_, .kind = PARAMETER_NUMBER, .offset = offsetof(Beam, field_), .unit = unit_, .low = low_,         \
@@ -60,22 +62,8 @@ const ParameterTable *beam_table(void) {
     return &table;
 }
 
-/* The part after the group when the row belongs to `group`, or NULL. */
-static const char *name_in_group(const Parameter *row, const char *group) {
-    size_t length = strlen(group);
-    return strncmp(row->name, group, length) == 0 && row->name[length] == '.' ? row->name + length + 1 : NULL;
-}
-
-static bool good_provenance(const char *text) {
-    for (const char *at = SOURCES; text && *at; at += strcspn(at, "|"), at += *at == '|')
-        if (strncmp(text, at, strcspn(at, "|")) == 0)
-            return true;
-    return false;
-}
-
 /* A value, bare or as {"value": .., "provenance": ..}. */
 static void read_value(Beam *beam, size_t row, const JsonNode *group, const char *name, Fault *fault) {
-    static const char *const keys[] = {"value", "provenance", NULL};
     JsonNode node = json_member(group, name);
     beam->provenance[row] = node.value ? "given without provenance" : "assumed: the usual value";
     if (!node.value) {
@@ -84,21 +72,10 @@ static void read_value(Beam *beam, size_t row, const JsonNode *group, const char
                        beam_rows[row].unit);
         return;
     }
-    if (!json_is_object(node.value)) {
+    if (json_is_object(node.value))
+        provenance_read(&beam_rows[row], beam, &beam->provenance[row], &node, SOURCES, &beam->arena, fault);
+    else
         parameters_read_value(&beam_rows[row], beam, &node, &beam->arena, fault);
-        return;
-    }
-    json_check_keys(&node, keys, fault);
-    JsonNode value = json_member(&node, "value"), provenance = json_member(&node, "provenance");
-    if (value.value)
-        parameters_read_value(&beam_rows[row], beam, &value, &beam->arena, fault);
-    else
-        json_fault(&node, fault, "%s has no \"value\"", name);
-    if (good_provenance(json_string_value(provenance.value)))
-        beam->provenance[row] = arena_text(&beam->arena, json_string_value(provenance.value));
-    else
-        json_fault(provenance.value ? &provenance : &node, fault,
-                   "provenance of %s must begin with paper, reconstructed, identified, literature: or assumed", name);
 }
 
 static void read_group(Beam *beam, const JsonNode *root, const char *group, Fault *fault) {
@@ -112,13 +89,13 @@ static void read_group(Beam *beam, const JsonNode *root, const char *group, Faul
     const char *names[ROWS + 1] = {0};
     size_t count = 0;
     for (size_t i = 0; i < ROWS; i++)
-        if (name_in_group(&beam_rows[i], group))
-            names[count++] = name_in_group(&beam_rows[i], group);
+        if (provenance_name(&beam_rows[i], group))
+            names[count++] = provenance_name(&beam_rows[i], group);
     if (node.value)
         json_check_keys(&node, names, fault);
     for (size_t i = 0; i < ROWS; i++)
-        if (name_in_group(&beam_rows[i], group))
-            read_value(beam, i, &node, name_in_group(&beam_rows[i], group), fault);
+        if (provenance_name(&beam_rows[i], group))
+            read_value(beam, i, &node, provenance_name(&beam_rows[i], group), fault);
 }
 
 static void read_file(Beam *beam, const JsonNode *root, Fault *fault) {
@@ -222,15 +199,6 @@ void beam_free(Beam *beam) {
     *beam = (Beam){0};
 }
 
-/* A value, bare or with its provenance. */
-static json_t *value_schema(const Parameter *row) {
-    json_t *provenance = json_pack("{s:s, s:s}", "type", "string", "pattern", "^(" SOURCES ")");
-    json_t *whole =
-        json_pack("{s:s, s:b, s:{s:o, s:o}, s:[s,s]}", "type", "object", "additionalProperties", 0, "properties",
-                  "value", parameters_schema_value(row), "provenance", provenance, "required", "value", "provenance");
-    return json_pack("{s:[o,o]}", "anyOf", parameters_schema_value(row), whole);
-}
-
 json_t *beam_schema(void) {
     json_t *properties = json_object();
     json_object_set_new(properties, "format", json_pack("{s:s}", "const", "clearance-beam"));
@@ -240,10 +208,11 @@ json_t *beam_schema(void) {
     for (size_t g = 0; g < GROUPS; g++) {
         json_t *members = json_object(), *needed = json_array();
         for (size_t i = 0; i < ROWS; i++) {
-            const char *name = name_in_group(&beam_rows[i], groups[g]);
+            const char *name = provenance_name(&beam_rows[i], groups[g]);
             if (!name)
                 continue;
-            json_object_set_new(members, name, value_schema(&beam_rows[i]));
+            json_t *bare = parameters_schema_value(&beam_rows[i]), *whole = provenance_schema(&beam_rows[i], SOURCES);
+            json_object_set_new(members, name, json_pack("{s:[o,o]}", "anyOf", bare, whole));
             if (beam_rows[i].needed)
                 json_array_append_new(needed, json_string(name));
         }

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/provenance.h"
+
 /* Who needs the row. */
 enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS };
 
@@ -75,6 +77,9 @@ static const Parameter driving_row = {.name = "driving",
 static const char *const groups[] = {"body", "drive", "space", "contact"};
 enum { GROUPS = sizeof groups / sizeof *groups };
 
+/* How the provenance of a value in a file begins. */
+#define SOURCES "paper|reconstructed|literature: |assumed"
+
 const ParameterTable *profile_table(void) {
     return &table;
 }
@@ -88,14 +93,7 @@ bool profile_row_matters(size_t row, int driving) {
     return row_marks[row] & (driving == DRIVING_WALKER ? WALKERS : CHAIRS);
 }
 
-/* The part after the group when the row belongs to `group`, or NULL. */
-static const char *name_in_group(const Parameter *row, const char *group) {
-    size_t length = strlen(group);
-    return strncmp(row->name, group, length) == 0 && row->name[length] == '.' ? row->name + length + 1 : NULL;
-}
-
 static void read_value(Profile *profile, size_t row, const JsonNode *group, const char *name, Fault *fault) {
-    static const char *const keys[] = {"value", "provenance", NULL};
     JsonNode node = json_member(group, name);
     if (!node.value) {
         json_fault(group, fault, "%s has no \"%s\" (%s, %s)", group->key, name, profile_rows[row].meaning,
@@ -106,22 +104,7 @@ static void read_value(Profile *profile, size_t row, const JsonNode *group, cons
         json_fault(&node, fault, "%s must be {\"value\": number, \"provenance\": text}", name);
         return;
     }
-    json_check_keys(&node, keys, fault);
-    JsonNode value = json_member(&node, "value"), provenance = json_member(&node, "provenance");
-    if (value.value)
-        parameters_read_value(&profile_rows[row], profile, &value, &profile->arena, fault);
-    else
-        json_fault(&node, fault, "%s has no \"value\"", name);
-    const char *text = json_string_value(provenance.value);
-    static const char *const known[] = {"paper", "reconstructed", "literature: ", "assumed"};
-    bool good = false;
-    for (size_t i = 0; text && i < sizeof known / sizeof *known; i++)
-        good |= strncmp(text, known[i], strlen(known[i])) == 0;
-    if (good)
-        profile->provenance[row] = arena_text(&profile->arena, text);
-    else
-        json_fault(provenance.value ? &provenance : &node, fault,
-                   "provenance of %s must begin with paper, reconstructed, literature: or assumed", name);
+    provenance_read(&profile_rows[row], profile, &profile->provenance[row], &node, SOURCES, &profile->arena, fault);
 }
 
 static void read_group(Profile *profile, const JsonNode *root, const char *group, Fault *fault) {
@@ -136,12 +119,12 @@ static void read_group(Profile *profile, const JsonNode *root, const char *group
     const char *names[ROWS + 1] = {0};
     size_t count = 0;
     for (size_t i = 0; i < ROWS; i++)
-        if (name_in_group(&profile_rows[i], group) && profile_row_matters(i, profile->driving))
-            names[count++] = name_in_group(&profile_rows[i], group);
+        if (provenance_name(&profile_rows[i], group) && profile_row_matters(i, profile->driving))
+            names[count++] = provenance_name(&profile_rows[i], group);
     json_check_keys(&node, names, fault);
     for (size_t i = 0; i < ROWS; i++)
-        if (name_in_group(&profile_rows[i], group) && profile_row_matters(i, profile->driving))
-            read_value(profile, i, &node, name_in_group(&profile_rows[i], group), fault);
+        if (provenance_name(&profile_rows[i], group) && profile_row_matters(i, profile->driving))
+            read_value(profile, i, &node, provenance_name(&profile_rows[i], group), fault);
 }
 
 static void read_texts(Profile *profile, const JsonNode *root, Fault *fault) {
@@ -262,15 +245,10 @@ json_t *profile_schema(void) {
     for (size_t g = 0; g < GROUPS; g++) {
         json_t *members = json_object(), *needed = json_array();
         for (size_t i = 0; i < ROWS; i++) {
-            const char *name = name_in_group(&profile_rows[i], groups[g]);
+            const char *name = provenance_name(&profile_rows[i], groups[g]);
             if (!name)
                 continue;
-            json_t *provenance =
-                json_pack("{s:s, s:s}", "type", "string", "pattern", "^(paper|reconstructed|literature: |assumed)");
-            json_object_set_new(members, name,
-                                json_pack("{s:s, s:b, s:{s:o, s:o}, s:[s,s]}", "type", "object", "additionalProperties",
-                                          0, "properties", "value", parameters_schema_value(&profile_rows[i]),
-                                          "provenance", provenance, "required", "value", "provenance"));
+            json_object_set_new(members, name, provenance_schema(&profile_rows[i], SOURCES));
             if (row_marks[i] == ALL)
                 json_array_append_new(needed, json_string(name));
         }
