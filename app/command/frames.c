@@ -205,9 +205,8 @@ static bool write_raised(Studio *studio, double time) {
 
 /* All that is asked for and needs OpenGL; takes the plots. */
 static bool write_pictures(const House *house, const Observation *observation, const FilmOptions *film,
-                           HousePlots plots, const Options *options) {
+                           HousePlots plots, Times times, const Options *options) {
     Studio studio = {.options = options};
-    Times times = times_of(options, observation->time);
     if (!open_studio(&studio, house, observation, film, plots))
         return false;
     bool good = true;
@@ -237,7 +236,7 @@ bool frames_write(const House *house, const Observation *observation, Before bef
         return false;
     }
     if (options->frames > 0 || options->movie || options->camera.kind == VIEW_RAISED)
-        return write_pictures(house, observation, &film, plots, options);
+        return write_pictures(house, observation, &film, plots, times, options);
     house_plots_free(&plots);
     return true;
 }

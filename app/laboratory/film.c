@@ -13,7 +13,7 @@
 #include "laboratory/trail.h"
 
 /* Design points. */
-#define CONTACT_EDGE 3.0
+#define CONTACT_EDGE 1.5
 #define CONTACT_LETTERS 17.0
 #define ID_LETTERS 15.0
 #define WAY_WIDTH 44.0 /* about a chair's, where a house fills a screen */
@@ -24,10 +24,11 @@
 #define STAY 1.0         /* s: who is out is seen so much longer */
 #define CONTACT_STAY 0.4 /* s, that a touch is seen */
 
-/* Burst of a contact: radius in m at 100 N, growing with the root of the force. */
+/* The star of a contact: its radius, m, at this force, N; it grows with the root of the force, up to this, m. */
 #define CONTACT_RADIUS 0.10
 #define CONTACT_FORCE 100.0
 #define CONTACT_MOST 0.25
+#define CONTACT_HEIGHT 0.725 /* m, in the raised view */
 
 #define STEP_MANY 0.3 /* m, from point to point of a locus among many */
 #define ROUNDING 1e-6 /* samples: times of the record are sums of steps */
@@ -54,7 +55,7 @@ struct Film {
     Pose *poses;        /* (person_count) room for walkers of one profile */
     bool *door_open;    /* (doors of the plan) at the time that is shown */
     bool crowd;
-    bool several;   /* routes have people who take part */
+    bool several;   /* people of more than one route take part */
     bool small;     /* a house so large that chairs are signs rather than likenesses */
     double time;    /* s, shown last; -1: none */
     size_t samples; /* of the record, that have been added */
@@ -63,13 +64,14 @@ struct Film {
 
 int film_shown(const char *words, const char **unknown) {
     static const char *const names[] = {"circles", "routes", "widths"};
+    const size_t count = sizeof names / sizeof *names;
     int shown = 0;
     while (*words) {
         size_t length = strcspn(words, ","), i = 0;
-        while (i < 3 && (strlen(names[i]) != length || memcmp(names[i], words, length) != 0))
+        while (i < count && (strlen(names[i]) != length || memcmp(names[i], words, length) != 0))
             i++;
         *unknown = words;
-        if (i == 3)
+        if (i == count)
             return -1;
         shown |= 1 << i;
         words += length + (words[length] == ',');
@@ -193,6 +195,11 @@ const Scene *film_moving(const Film *film) {
     return &film->moving;
 }
 
+static LocusLook look_of(const Film *film, size_t i) {
+    return film->crowd ? crowd_scene_look(film->house, film->house->people[i].profile)
+                       : people_scene_look(film->house, i);
+}
+
 /* What comes and stays ----------------------------------------------------------------------------------------------*/
 
 /* The locus from the last row that has been added to the last one up to `time`; of many people only when that is some
@@ -233,8 +240,7 @@ static void add_bodies(Film *film, size_t i, Role role, double time) {
 
 /* What has come of a person after `before` s, up to `time`. */
 static void add_way(Film *film, size_t i, double before, double time) {
-    LocusLook look =
-        film->crowd ? crowd_scene_look(film->house, film->house->people[i].profile) : people_scene_look(film->house, i);
+    LocusLook look = look_of(film, i);
     if (!film->crowd && !walks(film, i))
         add_bodies(film, i, look.role, time);
     add_locus(film, i, look, time);
@@ -311,11 +317,6 @@ static void add_walkers(Film *film, size_t count) {
     }
 }
 
-static Role role_of(const Film *film, size_t i) {
-    return film->crowd ? crowd_scene_look(film->house, film->house->people[i].profile).role
-                       : people_scene_look(film->house, i).role;
-}
-
 static void add_space(Film *film, size_t count, size_t i) {
     const Standing *standing = &film->standing[i];
     double compression = trail_compression(&film->trails[standing->person], film->time, film->time);
@@ -327,7 +328,7 @@ static void add_space(Film *film, size_t count, size_t i) {
 }
 
 static void add_chair(Film *film, const Standing *standing) {
-    Role role = role_of(film, standing->person);
+    Role role = look_of(film, standing->person).role;
     if (film->small)
         crowd_scene_chair(&film->moving, film->still.box, standing->profile, standing->pose, role);
     else
@@ -353,8 +354,8 @@ static void add_burst(Scene *scene, Vec2 at, double force) {
         star[k] = vec2_along(at, k % 2 ? radius / 2 : radius, vec2_heading(2 * M_PI * k / BURST_POINTS));
     Primitive *burst = scene_add_polygon(scene, ROLE_DANGER_MIDDLE, star, BURST_POINTS);
     burst->edge = ROLE_WALL;
-    burst->width = CONTACT_EDGE / 2;
-    burst->base = ID_HEIGHT / 2;
+    burst->width = CONTACT_EDGE;
+    burst->base = CONTACT_HEIGHT;
 }
 
 /* The hardest touch of a person within the last moments; its force stands outside the body. */
@@ -383,7 +384,7 @@ static void add_name(Film *film, const Standing *standing) {
     Vec2 at = raised ? middle : vec2_add(middle, vec2(0, ID_BESIDE));
     Primitive *tag =
         scene_add_label(&film->moving, ROLE_TEXT, ID_LETTERS, at, person->route ? person->route->id : person->id);
-    tag->fill = role_of(film, standing->person);
+    tag->fill = look_of(film, standing->person).role;
     tag->base = ID_HEIGHT;
     tag->shape = LABEL_TAG;
     tag->fixed = tag->bold = true;

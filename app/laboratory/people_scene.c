@@ -210,6 +210,8 @@ static bool next_tick(Tick *tick) {
 }
 
 void people_scene_ticks(Scene *scene, const Trail *trail, Role role, double from, double to) {
+    if (floor(from / PEOPLE_SCENE_TICK) == floor(to / PEOPLE_SCENE_TICK))
+        return; /* most pieces of a film hold none */
     Tick tick = first_tick(trail);
     while (next_tick(&tick) && tick.time <= to) {
         Vec2 towards = vec2_add(tick.pose.at, vec2_heading(tick.pose.heading));

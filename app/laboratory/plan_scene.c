@@ -274,12 +274,15 @@ void plan_scene_tags(Scene *scene, const House *house, const size_t *left) {
     add_toppled_tags(scene, plan);
 }
 
+/* At the end that is lower on the page: the names of those who leave stand above them. */
 void plan_scene_sign(Scene *scene, const House *house, const Exit *exit, const char *text) {
     Vec2 middle = vec2_scale(vec2_add(house->outline.box.low, house->outline.box.high), 0.5);
-    Vec2 along = vec2_sub(exit->to, exit->from), across = vec2_left(along);
-    double outwards = vec2_dot(across, vec2_sub(exit->to, middle)) < 0 ? -1 : 1;
-    Vec2 beside = vec2_add(exit->to, vec2_along(along, outwards, across));
-    Primitive *sign = add_tag(scene, ROLE_EXIT_TAG, exit->to, text);
+    bool to_is_lower = exit->to.y <= exit->from.y;
+    Vec2 end = to_is_lower ? exit->to : exit->from, along = vec2_sub(end, to_is_lower ? exit->from : exit->to);
+    Vec2 across = vec2_left(along);
+    double outwards = vec2_dot(across, vec2_sub(end, middle)) < 0 ? -1 : 1;
+    Vec2 beside = vec2_add(end, vec2_along(along, outwards, across));
+    Primitive *sign = add_tag(scene, ROLE_EXIT_TAG, end, text);
     scene_bind_label(scene, sign, &beside, 1);
     sign->fixed = true;
 }
