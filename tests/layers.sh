@@ -26,6 +26,7 @@ sources() {
     forbid 'mechanics knows what is above it' '#include "(house|beam|crank|study|exchange)/' $(sources engine/mechanics)
     forbid 'house knows a neighbour' '#include "(beam|crank|study|exchange)/' $(sources engine/house)
     forbid 'beam knows a neighbour' '#include "(house|crank|study|exchange)/' $(sources engine/beam)
+    forbid 'study knows a laboratory' '#include "(house|beam|crank|exchange)/' $(sources engine/study)
     forbid 'draw knows a laboratory or a command' '#include "(command|report|document|laboratory|house|beam)/' $(sources app/draw)
     forbid 'a document knows more than draw and base' '#include "(command|report|laboratory|house|beam|exchange|mechanics)/' $(sources app/document)
     forbid 'a laboratory knows a report or a command' '#include "(command|report|document)/' $(sources app/laboratory)
@@ -42,7 +43,7 @@ for object in $(find "${1:-build-test}" -path '*clearance_*.a.p/*.c.o'); do
     module=$(basename "$object" .c.o)
     case $object in
     *clearance_app*) module=$(echo "$module" | sed 's/^\(document\|draw\|laboratory\|report\|command\)_//') ;;
-    *) module=$(echo "$module" | sed 's/^\(base\|mechanics\|house\|beam\|exchange\)_//') ;;
+    *) module=$(echo "$module" | sed 's/^\(base\|mechanics\|house\|beam\|study\|exchange\)_//') ;;
     esac
     nm --defined-only -g "$object" | awk '$2 == "T" { print $3 }' | while read -r name; do
         case $name in

@@ -1,6 +1,7 @@
 #include "beam/rig.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/memory.h"
 
@@ -104,6 +105,28 @@ void rig_clear(Rig *rig) {
     modes_clear(&rig->modes);
     regime_clear(&rig->free);
     regime_clear(&rig->contact);
+    steady_clear(&rig->steady_free);
+    steady_clear(&rig->steady_contact);
+    *rig = (Rig){0};
+}
+
+static RigSteady share_steady(const RigSteady *shared, const Regime *regime) {
+    RigSteady own = steady_create(regime);
+    memcpy(own.hop.re, shared->hop.re, regime->blocks * sizeof(double));
+    memcpy(own.hop.im, shared->hop.im, regime->blocks * sizeof(double));
+    return own;
+}
+
+Rig rig_share(const Rig *rig, double frequency, double force, double clearance) {
+    Rig own = *rig;
+    own.clearance = clearance;
+    own.steady_free = share_steady(&rig->steady_free, &rig->free);
+    own.steady_contact = share_steady(&rig->steady_contact, &rig->contact);
+    rig_drive(&own, frequency, force);
+    return own;
+}
+
+void rig_clear_shared(Rig *rig) {
     steady_clear(&rig->steady_free);
     steady_clear(&rig->steady_contact);
     *rig = (Rig){0};

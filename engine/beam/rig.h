@@ -38,5 +38,10 @@ void rig_drive(Rig *rig, double frequency, double force);
 
 void rig_clear(Rig *rig);
 
+/* A rig of the same modes and regimes, which stay the first one's and must outlive it, with a drive and a clearance of
+ * its own. rig_clear_shared releases it. */
+Rig rig_share(const Rig *rig, double frequency, double force, double clearance);
+void rig_clear_shared(Rig *rig);
+
 /* m, the steady amplitude of the tip when there is no joint: nothing touches while it is below the clearance. */
 double rig_free_amplitude(const Rig *rig);
