@@ -47,8 +47,13 @@ static bool is_film(const char *path) {
 }
 
 int frames_check(const Options *options) {
+    char message[PLOT_CHOICE_FAULT];
     if (options->frames > 0 && !options->out)
         fprintf(stderr, "clearance: --frames needs --out DIR, where they are written\n");
+    else if (options->plot_words && !house_plots_choose(&(PlotChoice){.count = 0}, options->plot_words, message))
+        fprintf(stderr, "clearance: --plots %s: %s\n", options->plot_words, message);
+    else if (options->measured)
+        fprintf(stderr, "clearance: --measured is for beams, %s is a house\n", options->files[0]);
     else if (options->plots.count && !options->out && !options->movie)
         fprintf(stderr, "clearance: --plots needs --out DIR, where they are written\n");
     else if (options->movie && !is_film(options->movie))

@@ -31,7 +31,8 @@ enum { RESPONSE_TRACE_CYCLES = 100, RESPONSE_SAMPLES = 200 /* rows of the trace:
 
 typedef struct Response {
     ResponseVerdict verdict;
-    Section section; /* of the recorded cycles */
+    Section section;  /* of the recorded cycles */
+    Section analysed; /* of all on which the verdict rests, the recorded ones first */
     SectionPeaks peaks;
     Trace trace;            /* time, displacement, velocity, force; from the end of the transient */
     Orbit orbit;            /* when periodic; else of period 0 */
