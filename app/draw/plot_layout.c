@@ -234,12 +234,12 @@ static double add_rows(PlotLayout *layout, const Plot *plot, bool names) {
         add_item(&rows, title, plot->title ? AXIS_LETTERS : TITLE_LETTERS - 2, !plot->title, 0);
     if (plot->note)
         add_item(&rows, plot->note, AXIS_LETTERS, false, 0)->role = ROLE_DIM_TEXT;
-    if (names)
-        add_names(&rows, plot);
     if (*title && !low && plot->title) {
         begin_row(&rows);
         add_item(&rows, title, AXIS_LETTERS, false, 0);
     }
+    if (names)
+        add_names(&rows, plot);
     return rows.middle + ROW_HEIGHT / 2;
 }
 

@@ -43,10 +43,11 @@ typedef struct BeamPlot {
 static const char *note_of(const Given *given) {
     char note[96];
     const Response *response = given->response;
+    char verdict[32] = "";
     if (response->verdict == RESPONSE_PERIODIC)
-        snprintf(note, sizeof note, "%g Hz, period %zu", given->beam->frequency, response->orbit.period);
-    else
-        snprintf(note, sizeof note, "%g Hz, %s", given->beam->frequency, response_verdict_name(response->verdict));
+        snprintf(verdict, sizeof verdict, "period %zu", response->orbit.period);
+    snprintf(note, sizeof note, "%g Hz, clearance \u00B1%g mm: %s", given->beam->frequency,
+             MILLI * given->beam->clearance, *verdict ? verdict : response_verdict_name(response->verdict));
     return arena_text(given->arena, note);
 }
 
@@ -88,26 +89,20 @@ static void add_nought(Plot *plot, bool upright) {
 /* The edges of the clearance, and the stops beyond them. */
 static void add_clearance(Plot *plot, const Given *given, bool upright) {
     double edge = MILLI * given->beam->clearance;
-    char name[64];
-    snprintf(name, sizeof name, "clearance \u00B1%g mm", edge);
     add_guide(plot, (PlotGuide){.upright = upright, .band = true, .at = edge, .to = HUGE_VAL, .role = ROLE_FURNITURE});
     add_guide(plot,
               (PlotGuide){.upright = upright, .band = true, .at = -edge, .to = -HUGE_VAL, .role = ROLE_FURNITURE});
     for (int side = -1; side <= 1; side += 2)
-        add_guide(plot, (PlotGuide){.upright = upright,
-                                    .at = side * edge,
-                                    .name = side > 0 ? arena_text(given->arena, name) : NULL,
-                                    .role = ROLE_FURNITURE_LINE,
-                                    .style = LINE_SOLID});
+        add_guide(plot,
+                  (PlotGuide){.upright = upright, .at = side * edge, .role = ROLE_FURNITURE_LINE, .style = LINE_SOLID});
 }
 
 static void lay_measured(Plot *plot, const Given *given, size_t x, size_t y) {
     size_t count;
     const MeasuredKind *kinds = beam_plots_kinds(&count);
-    size_t before = plot->series_count;
-    measured_marks_add(plot, given->measured, (MeasuredAxis){kinds[x].name, factor_of(x)},
-                       (MeasuredAxis){kinds[y].name, factor_of(y)}, 0, given->arena);
-    if (plot->series_count > before && before)
+    bool laid = measured_marks_add(plot, given->measured, (MeasuredAxis){kinds[x].name, factor_of(x)},
+                                   (MeasuredAxis){kinds[y].name, factor_of(y)}, "measured", 0, given->arena);
+    if (laid && !plot->series[0].name)
         plot->series[0].name = "simulated";
 }
 
@@ -120,6 +115,7 @@ static void make_phase(Plot *plot, const Given *given) {
     plot->x = (PlotAxis){.title = "deflection", .unit = "mm"};
     plot->y = (PlotAxis){.title = "velocity", .unit = "m/s"};
     add_clearance(plot, given, true);
+    plot->guides[0].name = "contact";
     add_nought(plot, false);
     add_line(plot, x, y, count)->width = tangle ? TANGLE_WIDTH : LINE_WIDTH;
     add_line(plot, x, y, count ? (count - 1) / RESPONSE_SAMPLES + 1 : 0);
@@ -132,6 +128,19 @@ static void make_phase(Plot *plot, const Given *given) {
     section->size = tangle ? SIGN / 1.4 : SIGN;
     plot->series[0].heading = plot->series[0].name = "tip";
     lay_measured(plot, given, DEFLECTION, VELOCITY);
+}
+
+/* Few places say nothing of how large the motion is: they are shown where they are in the phase plane. */
+static void show_whole_plane(Plot *plot, const Given *given) {
+    const Trace *trace = &given->response->trace;
+    double edge = MILLI * given->beam->clearance;
+    Box reach = {{-edge, 0}, {edge, 0}};
+    for (size_t i = 0; i < trace->rows; i++)
+        reach = box_include(reach, vec2(MILLI * trace_row(trace, i)[DEFLECTION], trace_row(trace, i)[VELOCITY]));
+    plot->x.low = 1.1 * reach.low.x;
+    plot->x.high = 1.1 * reach.high.x;
+    plot->y.low = 1.1 * reach.low.y;
+    plot->y.high = 1.1 * reach.high.y;
 }
 
 /* Every cycle on which the verdict rests. */
@@ -154,6 +163,8 @@ static void make_poincare(Plot *plot, const Given *given) {
     series->symbol = few ? SYMBOL_DIAMOND : SYMBOL_DISC;
     series->size = few ? SIGN : DOT;
     series->role = ROLE_WALL;
+    if (few)
+        show_whole_plane(plot, given);
     add_clearance(plot, given, true);
     add_nought(plot, false);
     lay_measured(plot, given, DEFLECTION, VELOCITY);
@@ -171,7 +182,9 @@ static void make_against_time(Plot *plot, const Given *given, size_t column) {
 static void make_force(Plot *plot, const Given *given) {
     char title[96] = "Force of the joint, no contact";
     const SectionPeaks *peaks = &given->response->peaks;
-    if (peaks->count)
+    if (peaks->count && peaks->max - peaks->min < 1)
+        snprintf(title, sizeof title, "Force of the joint, peaks %.0f N", peaks->max);
+    else if (peaks->count)
         snprintf(title, sizeof title, "Force of the joint, peaks %.0f to %.0f N", peaks->min, peaks->max);
     plot->title = arena_text(given->arena, title);
     plot->y = (PlotAxis){.title = "force on the tip, upwards", .unit = "N"};
@@ -204,7 +217,7 @@ static Spectrum deflection_spectrum(const Given *given) {
 static void add_multiples(Plot *plot, const Given *given) {
     for (int m = 1; m <= MULTIPLES; m++) {
         char name[16];
-        snprintf(name, sizeof name, m > 1 ? "%d f" : "f", m);
+        snprintf(name, sizeof name, "%d", m);
         add_guide(plot, (PlotGuide){.upright = true,
                                     .at = m * given->beam->frequency,
                                     .name = arena_text(given->arena, name),
@@ -225,7 +238,7 @@ static void make_spectrum(Plot *plot, const Given *given) {
     }
     spectrum_clear(&spectrum);
     plot->title = "Spectrum of the deflection";
-    plot->x = (PlotAxis){.title = "frequency, f that of the drive", .unit = "Hz", .high = end};
+    plot->x = (PlotAxis){.title = "frequency; 1, 2, 3: multiples of the drive's", .unit = "Hz", .high = end};
     plot->y = (PlotAxis){.title = "amplitude", .unit = "mm", .logarithmic = true};
     if (largest > 0) {
         plot->y.high = pow(10, ceil(log10(largest)));

@@ -2,18 +2,18 @@
 
 #define SIZE 9.0 /* design points, across a mark */
 
-void measured_marks_add(Plot *plot, const Measured *measured, MeasuredAxis x, MeasuredAxis y, size_t shape,
-                        Arena *arena) {
+bool measured_marks_add(Plot *plot, const Measured *measured, MeasuredAxis x, MeasuredAxis y, const char *name,
+                        size_t shape, Arena *arena) {
     static const Symbol symbols[] = {SYMBOL_DISC, SYMBOL_BOX, SYMBOL_TRIANGLE, SYMBOL_DIAMOND};
     const double *across = measured_find(measured, x.name), *upright = measured_find(measured, y.name);
     if (!across || !upright)
-        return;
+        return false;
     double *values = arena_allocate(arena, 2 * measured->count * sizeof *values);
     for (size_t i = 0; i < measured->count; i++) {
         values[2 * i] = across[i] * x.factor;
         values[2 * i + 1] = upright[i] * y.factor;
     }
-    plot->series[plot->series_count++] = (PlotSeries){.name = "measured",
+    plot->series[plot->series_count++] = (PlotSeries){.name = name,
                                                       .x = values,
                                                       .y = values + 1,
                                                       .count = measured->count,
@@ -22,4 +22,5 @@ void measured_marks_add(Plot *plot, const Measured *measured, MeasuredAxis x, Me
                                                       .symbol = symbols[shape % (sizeof symbols / sizeof *symbols)],
                                                       .size = SIZE,
                                                       .open = true};
+    return true;
 }
