@@ -76,9 +76,12 @@ static void add_words(PlotLayout *layout, const char *text, double y) {
 static void add_title(PlotLayout *layout, const PlotAxis *axis) {
     char title[PLOT_TICKS_TITLE];
     Layout *sheet = &layout->sheet;
+    double right = sheet->page.x - WORD_GAP;
     plot_ticks_title(&layout->shades, axis->title, axis->unit, title);
+    if (text_extent(title, LETTERS, false).x > right - layout->key.low.x)
+        plot_ticks_title(&layout->shades, NULL, axis->unit, title);
     Caption *caption = layout_add_caption(sheet, arena_text(&sheet->arena, title), LETTERS, false,
-                                          vec2(sheet->page.x - WORD_GAP, layout->key.low.y - TITLE_ROW));
+                                          vec2(right, layout->key.low.y - TITLE_ROW));
     caption->centre.x -= caption->extent.x / 2;
 }
 

@@ -177,7 +177,8 @@ static void path_symbol(cairo_t *cairo, Symbol symbol, Vec2 at, double half) {
     case SYMBOL_TRIANGLE: {
         Vec2 corners[3];
         paint_triangle_corners(at, half, corners);
-        for (int i = 0; i < 3; i++)
+        cairo_move_to(cairo, corners[0].x, corners[0].y);
+        for (int i = 1; i < 3; i++)
             cairo_line_to(cairo, corners[i].x, corners[i].y);
         cairo_close_path(cairo);
         break;

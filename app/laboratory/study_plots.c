@@ -130,6 +130,13 @@ static void add_area(const Sweep *sweep, const char *name, const double *x, cons
         (PlotArea){.name = name, .x = x, .low = low, .high = high, .count = steps_of(sweep->study), .role = ROLE_SHADE};
 }
 
+/* Between whole numbers that name something there is nothing. */
+static bool is_class(const Study *study, size_t observable) {
+    const char *name = study->experiment->observables[observable].name;
+    return observable == study->experiment->regular || observable == study->experiment->outcome ||
+           strcmp(name, "type") == 0 || strcmp(name, "period") == 0;
+}
+
 /* The mean of the runs with what lies between 5 and 95 % of them, or the only run with its standard error. */
 static void add_curve(Sweep *sweep, size_t pass, size_t observable, size_t error) {
     const Study *study = sweep->study;
@@ -151,14 +158,15 @@ static void add_curve(Sweep *sweep, size_t pass, size_t observable, size_t error
     else if (error < known_errors)
         add_area(sweep, pass ? NULL : "\u00B1 standard error", x, low, high);
     const char *name = study->pass_count > 1 ? looks[study->passes[pass]].name : study->runs > 1 ? "mean" : NULL;
-    sweep->plot->series[sweep->plot->series_count++] = (PlotSeries){.name = name,
-                                                                    .x = x,
-                                                                    .y = mean,
-                                                                    .count = steps_of(study),
-                                                                    .role = looks[study->passes[pass]].role,
-                                                                    .symbol = looks[study->passes[pass]].symbol,
-                                                                    .size = SIGN,
-                                                                    .width = LINE_WIDTH};
+    sweep->plot->series[sweep->plot->series_count++] =
+        (PlotSeries){.name = name,
+                     .x = x,
+                     .y = mean,
+                     .count = steps_of(study),
+                     .role = looks[study->passes[pass]].role,
+                     .symbol = looks[study->passes[pass]].symbol,
+                     .size = SIGN,
+                     .width = is_class(study, observable) ? 0 : LINE_WIDTH};
 }
 
 /* Is there a run at this point, and none that is regular? */
