@@ -127,6 +127,30 @@ def check_comparison(out):
     check(len(frames_of(out)) > 5 and size_of(out / "plan.png") == (640, 360), "pictures of a comparison")
 
 
+def check_beam_plots(out):
+    beam = str(Path(os.environ["CLEARANCE_SOURCE"]) / "assets/beams/ibs.json")
+    points = out / "points.csv"
+    expect(0, "run", beam, "--set", "drive.frequency=190", "--size", "640x360", "--out", str(out / "usual"))
+    names = sorted(f.stem for f in (out / "usual").glob("plot-*.png"))
+    check(names == ["plot-force", "plot-phase", "plot-poincare"], f"plots of a beam where nothing is said: {names}")
+    check(size_of(out / "usual/plot-phase.png") == (640, 360), "size of a beam's plot")
+    points.write_text("deflection [mm],velocity [m/s]\n0.1,-0.5\n")
+    arguments = ("run", beam, "--plots", "phase,spectrum", "--theme", "board", "--measured", str(points))
+    for name in ("first", "second"):
+        expect(0, *arguments, "--out", str(out / name))
+    for ending in ("png", "svg", "pdf", "csv"):
+        check((out / "first" / f"plot-phase.{ending}").read_bytes() == (out / "second" / f"plot-phase.{ending}").read_bytes(),
+              f"the same beam gives the same {ending}")
+    check("measured deflection [mm]" in (out / "first/plot-phase.csv").read_text(), "measured points are in the table")
+    expect(2, "run", beam, "--plots", "speed", "--out", str(out), says="plots are phase, poincare")
+    expect(2, "run", beam, "--plots", "phase", says="--plots needs --out")
+    expect(2, "run", beam, "--measured", str(points), says="--measured needs --out")
+    points.write_text("deflection [s],velocity [m/s]\n0.1,-0.5\n")
+    expect(2, *arguments, "--out", str(out), says=f"{points}:1:1: deflection is in s, must be in m")
+    expect(2, "run", house("straight-corridor"), "--plots", "poincare", "--out", str(out), says="plots are speed")
+    expect(2, "run", house("straight-corridor"), "--measured", str(points), "--out", str(out), says="--measured is for beams")
+
+
 def check_wrong_use(out):
     corridor = house("straight-corridor")
     expect(2, "run", corridor, "--frames", "10", says="--frames needs --out")
@@ -161,6 +185,6 @@ def check_interrupt(out):
 
 
 with tempfile.TemporaryDirectory() as directory:
-    for part in (check_frames, check_memory, check_contexts, check_plots, check_films, check_comparison, check_wrong_use, check_interrupt):
+    for part in (check_frames, check_memory, check_contexts, check_plots, check_beam_plots, check_films, check_comparison, check_wrong_use, check_interrupt):
         part(pathlib.Path(directory) / part.__name__)
 end()

@@ -64,6 +64,7 @@ static void paint_area(cairo_t *cairo, const PlotLayout *layout, const PlotArea 
     cairo_rectangle(cairo, frame.low.x, frame.low.y, box_width(frame), box_height(frame));
     cairo_clip(cairo);
     for (size_t from = 0, to; from < area->count; from = to + 1) {
+        cairo_new_sub_path(cairo);
         for (to = from; to < area->count && plot_layout_shows(layout, vec2(area->x[to], area->low[to])) &&
                         plot_layout_shows(layout, vec2(area->x[to], area->high[to]));
              to++) {

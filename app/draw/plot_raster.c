@@ -18,8 +18,13 @@ static void use_colour(cairo_t *cairo, Colour colour) {
     cairo_set_source_rgb(cairo, colour.red, colour.green, colour.blue);
 }
 
+/* Corner by corner: a width would be rounded, and leave seams between neighbours. */
 static void path_box(cairo_t *cairo, Box box) {
-    cairo_rectangle(cairo, box.low.x, box.low.y, box_width(box), box_height(box));
+    cairo_move_to(cairo, box.low.x, box.low.y);
+    cairo_line_to(cairo, box.high.x, box.low.y);
+    cairo_line_to(cairo, box.high.x, box.high.y);
+    cairo_line_to(cairo, box.low.x, box.high.y);
+    cairo_close_path(cairo);
 }
 
 /* The class of a cell, or the level of its quantity; -1: it is empty. */

@@ -9,7 +9,7 @@
 
 #define SAME 1e-3      /* of a measure: nearer ones are of one attractor */
 #define CONSTANT 1e-6  /* of a ratio over the map: nearer ones are one number */
-#define EDGE_WIDTH 2.5 /* design points, of the lines round regions of types */
+#define EDGE_WIDTH 1.8 /* design points, of the lines round regions of types */
 
 enum { CLASSES_MOST = 12 };
 

@@ -10,12 +10,19 @@
 /* Design points. */
 #define LINE_WIDTH 2.0
 #define SIGN 5.0
+#define PASS_GROWTH 4.0 /* of the signs of a class for each pass that is painted over them */
 
 /* Of the values, what is shown of many runs. */
 #define LOW_SHARE 0.05
 #define HIGH_SHARE 0.95
 
-enum { BARS_LEAST = 5, BARS_MOST = 40, GUIDES_MOST = 64, MARKS_MOST = 8 /* measured series of one plot */ };
+enum {
+    BARS_LEAST = 5,
+    BARS_MOST = 40,
+    GUIDES_MOST = 64,
+    MARKS_MOST = 8 /* measured series of one plot */,
+    SIGNS_MOST = 60 /* points of a line */
+};
 
 /* How a pass looks. */
 static const struct {
@@ -24,10 +31,10 @@ static const struct {
     Symbol symbol;
 } looks[] = {[STUDY_RESET] = {"each from rest", ROLE_WALL, SYMBOL_DISC},
              [STUDY_UP] = {"upwards", ROLE_LOCUS, SYMBOL_TRIANGLE},
-             [STUDY_DOWN] = {"downwards", ROLE_IMPACT, SYMBOL_BOX}};
+             [STUDY_DOWN] = {"downwards", ROLE_GHOST, SYMBOL_BOX}};
 
 /* Of several passes those that are painted later have smaller dots, so that equal ones are all seen. */
-static const double dots[] = {1.4, 2.2, 3.2};
+static const double dots[] = {1.2, 2.0, 2.8};
 
 /* A plot over one parameter that is being made. */
 typedef struct Sweep {
@@ -158,15 +165,17 @@ static void add_curve(Sweep *sweep, size_t pass, size_t observable, size_t error
     else if (error < known_errors)
         add_area(sweep, pass ? NULL : "\u00B1 standard error", x, low, high);
     const char *name = study->pass_count > 1 ? looks[study->passes[pass]].name : study->runs > 1 ? "mean" : NULL;
+    bool class = is_class(study, observable), few = steps_of(study) <= SIGNS_MOST;
+    double larger = class ? PASS_GROWTH * (double)(study->pass_count - 1 - pass) : 0;
     sweep->plot->series[sweep->plot->series_count++] =
         (PlotSeries){.name = name,
                      .x = x,
                      .y = mean,
                      .count = steps_of(study),
                      .role = looks[study->passes[pass]].role,
-                     .symbol = looks[study->passes[pass]].symbol,
-                     .size = SIGN,
-                     .width = is_class(study, observable) ? 0 : LINE_WIDTH};
+                     .symbol = class || few ? looks[study->passes[pass]].symbol : SYMBOL_NONE,
+                     .size = SIGN + larger,
+                     .width = class ? 0 : LINE_WIDTH};
 }
 
 /* Is there a run at this point, and none that is regular? */
@@ -308,6 +317,8 @@ StudyPlots study_plots_make(const Study *study, const Measured *measured) {
     Sweep sweep = {.study = study, .measured = measured, .arena = &plots.arena};
     if (study->axis_count == 1) {
         sweep.scale = study_axes_parameter(study, 0, &plots.arena);
+        sweep.scale.axis.low = sweep.scale.factor * fmin(study->axes[0].from, study->axes[0].to);
+        sweep.scale.axis.high = sweep.scale.factor * fmax(study->axes[0].from, study->axes[0].to);
         if (experiment->series)
             add_orbit_diagram(&plots, sweep);
     }
