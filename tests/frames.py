@@ -76,6 +76,7 @@ def check_plots(out):
     for name in ("plot-speed", "plot-phase"):
         check(size_of(out / f"{name}.png") == (640, 360), name)
         check((out / f"{name}.svg").read_text().startswith("<?xml"), name)
+        check((out / f"{name}.pdf").read_bytes().startswith(b"%PDF"), name)
         check("[" in (out / f"{name}.csv").read_text().splitlines()[0], f"{name}.csv has units")
     check(not (out / "plot-force.png").exists(), "plots that were not asked for")
 
@@ -128,7 +129,7 @@ def check_comparison(out):
 
 
 def check_beam_plots(out):
-    beam = str(Path(os.environ["CLEARANCE_SOURCE"]) / "assets/beams/ibs.json")
+    beam = str(pathlib.Path(os.environ["CLEARANCE_SOURCE"]) / "assets/beams/ibs.json")
     points = out / "points.csv"
     expect(0, "run", beam, "--set", "drive.frequency=190", "--size", "640x360", "--out", str(out / "usual"))
     names = sorted(f.stem for f in (out / "usual").glob("plot-*.png"))
