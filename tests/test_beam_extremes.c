@@ -2,10 +2,30 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "beam/lanes.h"
 #include "beam/response.h"
 #include "check.h"
 #include "draft.h"
 #include "oscillator.h"
+
+static Beam changed(const char *const *settings, size_t count) {
+    Beam beam = {0};
+    Fault fault = {0};
+    CHECK(beam_read(&beam, draft_source("assets/beams/ibs.json"), settings, count, &fault));
+    for (size_t i = 0; i < fault.count; i++)
+        printf("%s\n", fault.lines[i]);
+    fault_clear(&fault);
+    return beam;
+}
+
+static Rig rig_of(Beam *beam) {
+    Fault fault = {0};
+    Rig rig;
+    CHECK(rig_build(&rig, beam, "a beam", &fault));
+    fault_clear(&fault);
+    beam_free(beam);
+    return rig;
+}
 
 /* Critical damping ------------------------------------------------------------------------------------------------ */
 
@@ -37,26 +57,60 @@ TEST(a_critically_damped_contact_moves_by_its_closed_form) {
             check_critical(off[i], release);
 }
 
+/* Resonance ------------------------------------------------------------------------------------------------------- */
+
+/* x'' + x = sin t from rest: x = (sin t - t cos t) / 2. */
+TEST(an_undamped_mode_driven_at_its_own_frequency_grows_with_the_time) {
+    static const double off[] = {0, 1e-15, 1e-13, 1e-11, 1e-9};
+    for (int i = 0; i < 5; i++) {
+        Oscillator mass = {.omega = 1, .clearance = 1e3, .stiffness = 1};
+        Rig rig = oscillator_rig(&mass);
+        rig_drive(&rig, (1 + off[i]) / (2 * M_PI), 1);
+        Motion motion = motion_create(&rig, 0);
+        for (int cycle = 0; cycle < 10; cycle++)
+            CHECK(motion_cycle(&motion) == MOTION_GOOD);
+        CHECK_NEAR(motion_deflection(&motion), -10 * M_PI, 1e-6);
+        motion_destroy(&motion);
+        rig_clear(&rig);
+    }
+}
+
+/* Sharing --------------------------------------------------------------------------------------------------------- */
+
+/* How far the last states are apart, of their length, of a rig made for `frequency` and of one made for 1 Hz and
+ * shared. */
+static double shared_apart(const char *const *settings, size_t count, double frequency) {
+    Beam slow = changed(settings, count), fast = changed(settings, count);
+    double force = fast.force, clearance = fast.clearance, end[2][128], difference = 0, length = 0;
+    fast.frequency = frequency;
+    slow.frequency = 1;
+    Rig rigs[2] = {rig_of(&fast), rig_of(&slow)};
+    for (int i = 0; i < 2; i++) {
+        LanesRun run = {.frequency = frequency, .force = force, .clearance = clearance, .cycles = 20, .end = end[i]};
+        lanes_run(&rigs[i], &run, 1, NULL);
+        CHECK(run.status == MOTION_GOOD && run.recorded == 20);
+    }
+    for (size_t i = 0; i < rigs[0].free.states; i++) {
+        difference += (end[0][i] - end[1][i]) * (end[0][i] - end[1][i]);
+        length += end[0][i] * end[0][i];
+    }
+    rig_clear(&rigs[0]);
+    rig_clear(&rigs[1]);
+    return sqrt(difference / length);
+}
+
+TEST(runs_of_a_rig_that_was_made_for_a_slower_drive_are_as_exact) {
+    static const char *const one[] = {"beam.modes=1", "joint.clearance=1e-7", "drive.force=5000"};
+    static const char *const soft[] = {"beam.modes=1", "joint.clearance=1e-7", "drive.force=5000",
+                                       "joint.stiffness=1e4"};
+    static const char *const four[] = {"beam.modes=4", "joint.clearance=1e-7", "drive.force=5000"};
+    CHECK_NEAR(shared_apart(one, 3, 300), 0, 1e-9);
+    CHECK_NEAR(shared_apart(soft, 4, 300), 0, 1e-9);
+    CHECK_NEAR(shared_apart(one, 3, 5000), 0, 1e-9);
+    CHECK_NEAR(shared_apart(four, 3, 20000), 0, 1e-9);
+}
+
 /* Steps ----------------------------------------------------------------------------------------------------------- */
-
-static Beam changed(const char *const *settings, size_t count) {
-    Beam beam = {0};
-    Fault fault = {0};
-    CHECK(beam_read(&beam, draft_source("assets/beams/ibs.json"), settings, count, &fault));
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
-    return beam;
-}
-
-static Rig rig_of(Beam *beam) {
-    Fault fault = {0};
-    Rig rig;
-    CHECK(rig_build(&rig, beam, "a beam", &fault));
-    fault_clear(&fault);
-    beam_free(beam);
-    return rig;
-}
 
 /* A cycle in steps of a small part of a cell, and of a still smaller one after a switch. */
 static void fine_cycle(Motion *motion) {
