@@ -10,8 +10,8 @@ enum { STATES_MOST = 128 };
 /* What an identified set does at one setting, as the design says and as was found independently with 12 modes.
  *
  * A periodic peak is known to a part in a thousand. In chaos the smallest and the largest peak of 100 cycles are drawn
- * anew from start to start: the claim is of one start, others may be 10 % away in the smallest and 5 % in the largest.
- */
+ * anew in each 100: of 300 such windows, the smallest were from 8 % below to 11 % above the claim, which is itself of
+ * one window, and the largest from 6.5 % below to 4 % above. */
 typedef struct Claim {
     const char *beam;
     double frequency, length; /* Hz, m; 0: the set's own */
@@ -22,11 +22,11 @@ typedef struct Claim {
 static const Claim claims[] = {
     {"ibs", 190, 0, RESPONSE_PERIODIC, 568, 568},  {"ibs", 290, 0, RESPONSE_PERIODIC, 1032, 1032},
     {"ibs", 300, 0, RESPONSE_CHAOTIC, 480, 956},   {"ibs", 290, 0.2868, RESPONSE_CHAOTIC, 0, 0},
-    {"ibs-r", 300, 0, RESPONSE_CHAOTIC, 340, 827}, {"ibs-r", 290, 0.284, RESPONSE_CHAOTIC, 389, 920},
+    {"ibs-r", 300, 0, RESPONSE_CHAOTIC, 340, 827},
 };
 enum { CLAIMS = sizeof claims / sizeof *claims, STARTS = 9 /* at rest, and eight at random */ };
 
-static const double PERIODIC_MARGIN = 0.001, MIN_MARGIN = 0.1, MAX_MARGIN = 0.05;
+static const double PERIODIC_MARGIN = 0.001, MIN_MARGIN = 0.13, MAX_MARGIN = 0.08;
 
 static Beam beam_of(const Claim *claim) {
     Beam beam = oscillator_beam(claim->beam, NULL);
@@ -104,6 +104,45 @@ TEST(what_set_r_does_at_290_hz_depends_on_the_start) {
     printf("     of %d starts %d periodic, %d chaotic\n", STARTS, seen[RESPONSE_PERIODIC], seen[RESPONSE_CHAOTIC]);
     CHECK(seen[RESPONSE_PERIODIC] > 0 && seen[RESPONSE_CHAOTIC] > 0);
     CHECK(seen[RESPONSE_PERIODIC] + seen[RESPONSE_CHAOTIC] == STARTS);
+    rig_clear(&rig);
+    beam_free(&beam);
+}
+
+/* The largest and the smallest peak of the next cycles. */
+static SectionPeaks watch_peaks(Motion *motion, int cycles) {
+    Section section = {0};
+    motion->peak[0] = motion->peak[1] = 0;
+    for (int i = 0; i < cycles && motion_cycle(motion) == MOTION_GOOD; i++)
+        section_add(&section, motion);
+    SectionPeaks peaks = section_peaks(&section);
+    section_clear(&section);
+    return peaks;
+}
+
+/* 389 to 920 N for some thousand cycles, as the design says; then, from every start, it is over. */
+TEST(the_chaos_of_set_r_at_284_mm_and_290_hz_is_a_transient_of_thousands_of_cycles) {
+    Beam beam = oscillator_beam("ibs-r", "beam.length=0.284");
+    beam.frequency = 290;
+    Rig rig = rig_of(&beam);
+    double state[STATES_MOST];
+    for (unsigned start = 0; start < 4; start++) {
+        Motion motion = motion_create(&rig, 0);
+        oscillator_start(&rig, start, state);
+        motion_set_state(&motion, state);
+        watch_peaks(&motion, 300);
+        SectionPeaks peaks = watch_peaks(&motion, 100);
+        CHECK_NEAR(peaks.min, 389, MIN_MARGIN * 389);
+        CHECK_NEAR(peaks.max, 920, MAX_MARGIN * 920);
+        int thousands = 0;
+        while (peaks.min < 500 && thousands < 400) {
+            peaks = watch_peaks(&motion, 1000);
+            thousands++;
+        }
+        printf("     chaotic for %d thousand cycles, then %.1f to %.1f N\n", thousands - 1, peaks.min, peaks.max);
+        CHECK_NEAR(peaks.min, 515, 1);
+        CHECK_NEAR(peaks.max, 901, 1);
+        motion_destroy(&motion);
+    }
     rig_clear(&rig);
     beam_free(&beam);
 }
