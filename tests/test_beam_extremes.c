@@ -187,6 +187,28 @@ TEST(a_contact_damped_far_beyond_the_critical_has_its_peaks_and_switches) {
     check_steps(hard, sizeof hard / sizeof *hard);
 }
 
+/* It lets go, at next to no speed, and is back at the wall within half a cell. */
+TEST(a_tip_that_is_back_at_the_wall_within_a_cell_has_left_it) {
+    static const char *const settings[] = {"beam.length=0.383953795",
+                                           "beam.thickness=0.00689654632",
+                                           "beam.modes=1",
+                                           "beam.damping_ratio=0.9",
+                                           "pivot.translational_stiffness=29965.1714",
+                                           "pivot.rotational_stiffness=0",
+                                           "shaker.position=0.0629737623",
+                                           "shaker.stiffness=6226311.58",
+                                           "shaker.moving_mass=0.0117172143",
+                                           "shaker.damping=137.497633",
+                                           "drive.frequency=94.0426349",
+                                           "drive.force=196.5338",
+                                           "joint.clearance=2.60371497e-07",
+                                           "joint.stiffness=29770886.9",
+                                           "joint.damping=966.977793",
+                                           "joint.release=gap",
+                                           "beam.elements=30"};
+    check_steps(settings, sizeof settings / sizeof *settings);
+}
+
 /* At the wall to the last bit, in: it touches once and, held back by the base's spring, lets go within a cell. */
 TEST(a_touch_exactly_at_the_wall_is_one_touch) {
     Oscillator mass = {.omega = 1, .clearance = 0.5, .damping = 100, .release = RELEASE_GAP};
@@ -239,6 +261,42 @@ TEST(the_tip_is_where_its_place_says) {
     };
     for (size_t s = 0; s < sizeof settings / sizeof *settings; s++)
         CHECK_NEAR(misplaced(settings[s], 4, 200), 0, 1e-9);
+}
+
+/* A drive of 1,698 Hz on one mode of 30 Hz: a sixteenth of its period is less than a quarter of the mode's in contact.
+ */
+TEST(a_drive_faster_than_the_modes_switches_at_the_wall) {
+    static const char *const settings[] = {"beam.length=0.339196782",
+                                           "beam.thickness=0.00707965813",
+                                           "beam.modes=1",
+                                           "beam.damping_ratio=0.9",
+                                           "pivot.translational_stiffness=12692118.8",
+                                           "pivot.rotational_stiffness=961.477116",
+                                           "shaker.position=0.018092951",
+                                           "shaker.moving_mass=0.162372738",
+                                           "shaker.stiffness=31640.3373",
+                                           "shaker.damping=162.517916",
+                                           "drive.frequency=1698.49182",
+                                           "drive.force=363.04862",
+                                           "joint.clearance=0",
+                                           "joint.stiffness=168799368",
+                                           "joint.damping=4424.43348"};
+    Beam beam = changed(settings, sizeof settings / sizeof *settings);
+    Rig rig = rig_of(&beam);
+    Motion motion = motion_create(&rig, 0);
+    motion_set_state(&motion, (double[]){33e-6, 69e-6});
+    double largest = 0, crossing = 0;
+    while (motion.phase < rig.period && motion.status == MOTION_GOOD) {
+        bool lower = motion.place == MOTION_LOWER || motion.place == MOTION_LOWER_LEAVING;
+        motion_step(&motion, rig.period - motion.phase);
+        double deflection = fabs(motion_deflection(&motion));
+        if (lower != (motion.place == MOTION_LOWER || motion.place == MOTION_LOWER_LEAVING))
+            crossing = fmax(crossing, deflection);
+        largest = fmax(largest, deflection);
+    }
+    CHECK_NEAR(crossing / largest, 0, 1e-9);
+    motion_destroy(&motion);
+    rig_clear(&rig);
 }
 
 /* Ends ------------------------------------------------------------------------------------------------------------ */
