@@ -1,6 +1,6 @@
 #include "laboratory/measured_marks.h"
 
-#define SIZE 9.0 /* design points, across a mark */
+#define SIZE 11.0 /* design points, across a mark */
 
 bool measured_marks_add(Plot *plot, const Measured *measured, MeasuredAxis x, MeasuredAxis y, const char *name,
                         size_t shape, Arena *arena) {
