@@ -163,6 +163,10 @@ static bool take_frames(Options *options, const char *value) {
     return take_number(value, 0.001, 1000, &options->frames);
 }
 
+static bool take_slow(Options *options, const char *value) {
+    return take_number(value, 0.001, 1e9, &options->slow);
+}
+
 static bool take_from(Options *options, const char *value) {
     return take_number(value, 0, 1e9, &options->from);
 }
@@ -229,8 +233,11 @@ static const Option option_rows[] = {
      take_frames},
     {"--movie", "FILE", FOR_FILMS, "make a film of them (30 a second where --frames does not say), by ffmpeg",
      take_movie},
+    {"--slow", "TIMES", FOR_RUN, "of a beam: so many times slower (default: so that a cycle takes some 1.5 s)",
+     take_slow},
     {"--from", "SECONDS", FOR_FILMS, "begin them at this time (default 0)", take_from},
-    {"--to", "SECONDS", FOR_FILMS, "end them at this time (default: when the last is out)", take_to},
+    {"--to", "SECONDS", FOR_FILMS, "end them at this time (default: when the last is out, or 8 cycles of a beam)",
+     take_to},
     {"--view", VIEW_WORDS, FOR_FILMS, "seen from above, or raised: then also DIR/raised.png, at the end", take_view},
     {"--camera", "AZ,EL[,ZOOM]", FOR_FILMS,
      "raised from this azimuth (0: up the plan) and elevation, 5 to 90 degrees, so many times larger (default 10,60,1)",

@@ -18,25 +18,25 @@ static void give_pixels(const PlotStrip *strip, size_t plot, PlotPixels part, Pa
                        part.x, part.y, part.width, part.height);
 }
 
-void plot_strip_open(PlotStrip *strip, HousePlots plots, const Layout *still, PaintGl *paint, const Options *options) {
-    *strip = (PlotStrip){.plots = plots, .still = still, .unit = layout_unit(options->width, options->height)};
-    for (size_t i = 0; i < plots.choice.count; i++) {
+void plot_strip_open(PlotStrip *strip, const PlotStripSource *source, const Layout *still, PaintGl *paint,
+                     const Options *options) {
+    *strip = (PlotStrip){.source = *source, .still = still, .unit = layout_unit(options->width, options->height)};
+    for (size_t i = 0; i < source->count; i++) {
         Box panel = still->panels[i];
-        strip->canvases[i] = plot_canvas_create(&strip->plots.plots[i], pixels(box_width(panel), strip->unit),
+        strip->canvases[i] = plot_canvas_create(&source->plots[i], pixels(box_width(panel), strip->unit),
                                                 pixels(box_height(panel), strip->unit), strip->unit, options->theme);
         give_pixels(strip, i, plot_canvas_all(strip->canvases[i]), paint);
     }
 }
 
 void plot_strip_close(PlotStrip *strip) {
-    for (size_t i = 0; i < strip->plots.choice.count; i++)
+    for (size_t i = 0; i < strip->source.count; i++)
         plot_canvas_destroy(strip->canvases[i]);
-    house_plots_free(&strip->plots);
 }
 
 /* A disc where the series has come to. */
 static void mark_present(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t count, Layout *moving) {
-    if (!count || series->role == ROLE_GHOST)
+    if (!count || series->role == ROLE_GHOST || series->width <= 0)
         return;
     Vec2 place = plot_canvas_place(strip->canvases[plot], plot_value(series, count - 1));
     Vec2 at = vec2_along(strip->still->panels[plot].low, 1 / strip->unit, place);
@@ -45,10 +45,11 @@ static void mark_present(const PlotStrip *strip, size_t plot, const PlotSeries *
 }
 
 void plot_strip_show(PlotStrip *strip, double time, PaintGl *paint, Layout *moving) {
-    for (size_t i = 0; i < strip->plots.choice.count; i++) {
-        const Plot *plot = &strip->plots.plots[i];
+    const PlotStripSource *source = &strip->source;
+    for (size_t i = 0; i < source->count; i++) {
+        const Plot *plot = &source->plots[i];
         for (size_t s = 0; s < plot->series_count; s++) {
-            size_t count = house_plots_until(&strip->plots, i, s, time);
+            size_t count = source->until(source->owner, i, s, time);
             PlotPixels changed = plot_canvas_advance(strip->canvases[i], s, count);
             give_pixels(strip, i, changed, paint);
             mark_present(strip, i, &plot->series[s], count, moving);

@@ -276,10 +276,11 @@ static bool divide_page(Layout *layout, const Scene *scene) {
     if (scene->bare || (!scene->row_count && !scene->panels))
         return false;
     Box left = frame, upper = frame;
+    bool panels_below = scene->panels && scene->panel_height > 0;
     left.high.x -= scene->panels ? PANEL_WIDTH : LIST_WIDTH;
-    upper.high.y -= scene->panels ? PANEL_HEIGHT : list_height_below(scene);
+    upper.high.y -= panels_below ? scene->panel_height : scene->panels ? PANEL_HEIGHT : list_height_below(scene);
     Box beside = plan_within(scene, left), above = plan_within(scene, upper);
-    bool below = metre_that_fits(scene, above) > BELOW_GAIN * metre_that_fits(scene, beside);
+    bool below = panels_below || metre_that_fits(scene, above) > BELOW_GAIN * metre_that_fits(scene, beside);
     layout->frame = below ? upper : left;
     layout->plan = below ? above : beside;
     layout->list = (Box){below ? vec2(0, upper.high.y) : vec2(left.high.x, frame.low.y), layout->page};
@@ -372,9 +373,15 @@ static void place_grid(Layout *layout, const Scene *scene) {
         add_metre_line(layout, vec2(box.low.x, y), vec2(box.high.x, y));
 }
 
+/* m, of the scale bar: whole metres, or millimetres where a metre is longer than the page. */
+static double bar_length(const Layout *layout) {
+    bool large = layout->metre > layout->page.x;
+    return large ? round_step(layout->metre / 1000, BAR_SHORTEST) / 1000 : round_step(layout->metre, BAR_SHORTEST);
+}
+
 /* At the lower right; in perspective no length holds everywhere, and the grid has to do. */
 static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
-    double right = layout->plan.high.x, length = round_step(layout->metre, BAR_SHORTEST);
+    double right = layout->plan.high.x, length = bar_length(layout);
     double left = right - length * layout->metre;
     char text[32];
     if (layout->view.raised) {
@@ -391,7 +398,7 @@ static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
                   LINE_SOLID,          BAR_WIDTH + 2 * BAR_RIM, SYMBOL_NONE};
     layout_add_sample(layout, rim);
     layout_add_sample(layout, (Sample){.from = {left, y}, .to = {right, y}, .role = ROLE_TEXT, .width = BAR_WIDTH});
-    snprintf(text, sizeof text, "%g m", length);
+    snprintf(text, sizeof text, length < 1 ? "%g mm" : "%g m", length < 1 ? 1000 * length : length);
     Caption *caption = layout_add_caption(layout, arena_text(&layout->arena, text), NAME_LETTERS, true,
                                           vec2((left + right) / 2, foot - 6));
     caption->halo = true;

@@ -125,6 +125,7 @@ typedef struct Scene {
     Camera camera;      /* from where; zero: the plan */
     bool bare;          /* nothing round it but the scale: a detail of another picture */
     int panels;         /* pictures beside it, for instance plots, in place of the rows; at most SCENE_PANELS */
+    double panel_height; /* design points, of panels that stand below it; 0: wherever it leaves it larger */
     double grid;        /* m, between the faint lines; 0: none */
     const char *title;  /* the answer: the eye finds it first */
     Role title_role;    /* ROLE_TEXT, or ROLE_ERROR when the answer is no */
