@@ -88,7 +88,7 @@ static bool write_film(const Subject *subject, const Options *options) {
                          .still = beam_film_still(film),
                          .added = beam_film_added(film),
                          .moving = beam_film_moving(film),
-                         .plots = {beam_film_plots(film), BEAM_FILM_PLOTS, film, beam_until}};
+                         .plots = {beam_film_plots(film), BEAM_FILM_PLOTS, ROLE_DANGER_MIDDLE, film, beam_until}};
     Studio studio;
     bool good = studio_open(&studio, &filmed, options);
     if (good) {

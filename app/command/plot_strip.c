@@ -38,10 +38,11 @@ void plot_strip_close(PlotStrip *strip) {
 static void mark_present(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t count, Layout *moving) {
     if (!count || series->role == ROLE_GHOST || series->width <= 0)
         return;
+    Role role = strip->source.now == ROLE_PAPER ? series->role : strip->source.now;
     Vec2 place = plot_canvas_place(strip->canvases[plot], plot_value(series, count - 1));
     Vec2 at = vec2_along(strip->still->panels[plot].low, 1 / strip->unit, place);
     if (isfinite(at.x) && isfinite(at.y))
-        layout_add_sample(moving, (Sample){.from = at, .to = at, .role = series->role, .symbol = SYMBOL_DISC});
+        layout_add_sample(moving, (Sample){.from = at, .to = at, .role = role, .symbol = SYMBOL_DISC});
 }
 
 void plot_strip_show(PlotStrip *strip, double time, PaintGl *paint, Layout *moving) {

@@ -11,6 +11,7 @@
 typedef struct PlotStripSource {
     const Plot *plots; /* (count) at most SCENE_PANELS */
     size_t count;
+    Role now; /* of the discs on present values; ROLE_PAPER: of their lines */
     const void *owner;
     size_t (*until)(const void *owner, size_t plot, size_t series, double time);
 } PlotStripSource;

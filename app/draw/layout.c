@@ -373,15 +373,9 @@ static void place_grid(Layout *layout, const Scene *scene) {
         add_metre_line(layout, vec2(box.low.x, y), vec2(box.high.x, y));
 }
 
-/* m, of the scale bar: whole metres, or millimetres where a metre is longer than the page. */
-static double bar_length(const Layout *layout) {
-    bool large = layout->metre > layout->page.x;
-    return large ? round_step(layout->metre / 1000, BAR_SHORTEST) / 1000 : round_step(layout->metre, BAR_SHORTEST);
-}
-
 /* At the lower right; in perspective no length holds everywhere, and the grid has to do. */
 static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
-    double right = layout->plan.high.x, length = bar_length(layout);
+    double right = layout->plan.high.x, length = round_step(layout->metre, BAR_SHORTEST);
     double left = right - length * layout->metre;
     char text[32];
     if (layout->view.raised) {
@@ -398,7 +392,7 @@ static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
                   LINE_SOLID,          BAR_WIDTH + 2 * BAR_RIM, SYMBOL_NONE};
     layout_add_sample(layout, rim);
     layout_add_sample(layout, (Sample){.from = {left, y}, .to = {right, y}, .role = ROLE_TEXT, .width = BAR_WIDTH});
-    snprintf(text, sizeof text, length < 1 ? "%g mm" : "%g m", length < 1 ? 1000 * length : length);
+    snprintf(text, sizeof text, "%g m", length);
     Caption *caption = layout_add_caption(layout, arena_text(&layout->arena, text), NAME_LETTERS, true,
                                           vec2((left + right) / 2, foot - 6));
     caption->halo = true;
@@ -431,7 +425,8 @@ static void place_margins(Layout *layout, const Scene *scene) {
         add_words(layout, ROLE_DIM_TEXT, scene->note, NAME_LETTERS, false, end + CELL_GAP, right, y);
     rim_words(layout, first);
     place_clock(layout, layout, scene->clock);
-    place_scale_bar(layout, scene, layout->plan.high.y + FOOT_HEIGHT / 2);
+    if (!scene->unscaled)
+        place_scale_bar(layout, scene, layout->plan.high.y + FOOT_HEIGHT / 2);
 }
 
 void layout_make(Layout *layout, const Scene *scene, Vec2 page) {

@@ -124,6 +124,7 @@ typedef struct Scene {
     double top;         /* m, up to what height, in the raised view */
     Camera camera;      /* from where; zero: the plan */
     bool bare;          /* nothing round it but the scale: a detail of another picture */
+    bool unscaled;      /* no scale bar: it says how large it is */
     int panels;         /* pictures beside it, for instance plots, in place of the rows; at most SCENE_PANELS */
     double panel_height; /* design points, of panels that stand below it; 0: wherever it leaves it larger */
     double grid;        /* m, between the faint lines; 0: none */

@@ -85,7 +85,7 @@ BeamFilm *beam_film_create(const Beam *beam, const Rig *rig, const Response *res
                            double slow) {
     BeamFilm *film = memory_allocate(1, sizeof *film);
     *film = (BeamFilm){.beam = beam, .record = record, .time = -1};
-    film->scale = beam_scene_scale(beam, record->reach);
+    film->scale = beam_scene_scale(beam, record->reach, record->tip_reach);
     film->shape = beam_shape_create(rig);
     beam_scene_words(&film->still, beam, rig, response, &film->scale, slow);
     beam_scene_still(&film->still, beam, &film->scale);

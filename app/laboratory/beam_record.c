@@ -90,6 +90,7 @@ static void find_impacts(BeamRecord *record) {
             side = side_of(record->motion.place);
             beam_shape_set(&shape, &record->motion);
             record->reach = fmax(record->reach, beam_shape_reach(&shape));
+            record->tip_reach = fmax(record->tip_reach, fabs(motion_deflection(&record->motion)));
         }
     }
     beam_shape_destroy(&shape);

@@ -25,6 +25,7 @@ typedef struct BeamRecord {
     size_t cycles;       /* whole ones, from the end of the transient on; 0: there is nothing to show */
     double time;         /* s, that they take */
     double reach;        /* m, the largest deflection of any point of the beam */
+    double tip_reach;    /* m, and of the tip */
     double largest;      /* N, the largest force of the joint */
     double hardest;      /* s, when, to a sample of the response's trace */
     BeamImpact *impacts; /* (impact_count) in their order */
