@@ -126,7 +126,7 @@ typedef struct Scene {
     bool bare;          /* nothing round it but the scale: a detail of another picture */
     bool unscaled;      /* no scale bar: it says how large it is */
     int panels;         /* pictures beside it, for instance plots, in place of the rows; at most SCENE_PANELS */
-    double panel_height; /* design points, of panels that stand below it; 0: wherever it leaves it larger */
+    double panel_height; /* design points, at least, of panels that stand below it; 0: where they leave it larger */
     double grid;        /* m, between the faint lines; 0: none */
     const char *title;  /* the answer: the eye finds it first */
     Role title_role;    /* ROLE_TEXT, or ROLE_ERROR when the answer is no */

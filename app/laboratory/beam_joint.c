@@ -4,8 +4,6 @@
 #include "laboratory/beam_words.h"
 
 /* Of the beam's length. */
-#define GROUND_DEPTH 0.016
-#define STOP_DEPTH 0.011
 #define SPRING_HALF 0.35 /* of a stop's half length */
 #define DIMENSION_AT 0.062
 #define DIMENSION_END 0.010
@@ -50,7 +48,7 @@ void beam_joint_still(Scene *scene, const Beam *beam, const BeamScale *scale, co
     for (int side = -1; side <= 1; side += 2) {
         double y = middle.y + side * joint->ground;
         beam_pieces_ground(scene, vec2(middle.x - 1.3 * joint->half, y), vec2(middle.x + 1.3 * joint->half, y),
-                           side * GROUND_DEPTH * scale->length);
+                           side * BEAM_JOINT_GROUND * scale->length);
         if (joint->loupe && beam->clearance > 0)
             add_gap(scene, beam, scale, joint, side);
     }
@@ -67,7 +65,7 @@ void beam_joint_stops(Scene *scene, const Beam *beam, const BeamScale *scale, co
     Vec2 middle = joint->middle;
     for (int side = -1; side <= 1; side += 2) {
         double face = joint->ball + joint->factor * fmax(beam->clearance, side * deflection);
-        double back = face + STOP_DEPTH * scale->length;
+        double back = face + BEAM_JOINT_DEPTH * scale->length;
         beam_pieces_spring(scene, vec2(middle.x, middle.y + side * back),
                            vec2(middle.x, middle.y + side * joint->ground), SPRING_HALF * joint->half);
         Box near = box_around(vec2(middle.x - joint->half, middle.y + side * face), 0);
@@ -84,8 +82,8 @@ static void add_words(Scene *scene, const Beam *beam, const BeamScale *scale, co
     Vec2 at = vec2(joint->middle.x + joint->half + WORDS_BESIDE * scale->length,
                    joint->middle.y + side * (beam_joint_face(joint, beam) + joint->ground) / 2);
     Vec2 right = vec2(at.x + scale->length, at.y);
-    const char *text = touched ? beam_words_newtons(scene, fabs(moment->force))
-                               : scene_text(scene, "last %s", beam_words_newtons(scene, last->peak));
+    const char *text = touched ? beam_words_newtons(scene, fabs(moment->force), moment->largest)
+                               : scene_text(scene, "last %s", beam_words_newtons(scene, last->peak, moment->largest));
     Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, touched ? FORCE_LETTERS : NAME_LETTERS, at, text);
     scene_bind_label(scene, label, &right, 1);
     label->fixed = true;

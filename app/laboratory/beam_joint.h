@@ -3,6 +3,10 @@
 
 #include "laboratory/beam_scene.h"
 
+/* Of the beam's length: how thick a stop is, and what holds it. */
+#define BEAM_JOINT_DEPTH 0.011
+#define BEAM_JOINT_GROUND 0.016
+
 /* m of the drawing, where the tip's middle stands that is deflected by so many m. */
 Vec2 beam_joint_tip(const BeamJoint *joint, double deflection);
 

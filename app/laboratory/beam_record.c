@@ -104,14 +104,16 @@ const BeamImpact *beam_record_last_impact(const BeamRecord *record, double time,
     return last;
 }
 
+/* The largest force or, where nothing is touched, the largest deflection. */
 static void find_hardest(BeamRecord *record) {
-    enum { TIME, FORCE = 3 };
+    enum { TIME, DISPLACEMENT, FORCE = 3 };
     const Trace *trace = &record->response->trace;
-    double largest = -1;
+    int column = record->largest > 0 ? FORCE : DISPLACEMENT;
+    double most = -1;
     for (size_t row = 0; row < trace->rows; row++) {
         const double *values = trace_row(trace, row);
-        if (fabs(values[FORCE]) > largest && values[TIME] < record->time) {
-            largest = fabs(values[FORCE]);
+        if (fabs(values[column]) > most && values[TIME] < record->time) {
+            most = fabs(values[column]);
             record->hardest = values[TIME];
         }
     }

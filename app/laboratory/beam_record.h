@@ -27,7 +27,7 @@ typedef struct BeamRecord {
     double reach;        /* m, the largest deflection of any point of the beam */
     double tip_reach;    /* m, and of the tip */
     double largest;      /* N, the largest force of the joint */
-    double hardest;      /* s, when, to a sample of the response's trace */
+    double hardest;      /* s, when, to a sample of the trace; where nothing is touched, of the largest deflection */
     BeamImpact *impacts; /* (impact_count) in their order */
     size_t impact_count, impact_capacity;
 

@@ -8,6 +8,7 @@
 #define THINNEST 0.008 /* half of the thickness, as drawn, at least: a thinner beam could not be seen */
 #define THICKEST 0.03  /* and at most */
 #define RISE 0.115     /* the largest deflection, magnified, at most */
+#define TIP_RISE 0.105 /* and that of the tip */
 #define FLOOR -0.175   /* of pivot and shaker */
 #define GROUND_DEPTH 0.016
 #define ROW 0.031   /* from one row of words to the next */
@@ -26,16 +27,14 @@
 #define SHAFT_HALF 0.008
 #define BALL_MORE 1.25 /* 1, of the half thickness */
 #define STOP_HALF 0.022
-#define STOP_ROOM 0.055  /* behind a stop, to what holds it */
+#define STOP_ROOM 0.031  /* behind the tip where it is farthest in a stop: the stop, and its spring pressed together */
 #define LOUPE_LEFT 0.135 /* behind the tip */
 #define LOUPE_RIGHT 0.515
 #define LOUPE_TIP 0.265
 #define LOUPE_BALL 0.034
-#define LOUPE_RISE 0.105
 #define LOUPE_GROUND 0.170
 #define LOUPE_STOP 0.036
 #define LOUPE_SEEN 0.035 /* the part of the beam that it shows, on either side of the tip */
-#define STOP_WORDS 0.79
 
 /* Design points. */
 #define PANELS_HEIGHT 290.0
@@ -56,16 +55,21 @@ static double round_down(double value) {
     return steps[i] * power;
 }
 
+/* How often `reach` m may be magnified to be so much of the beam's length. */
+static double factor_of(const Beam *beam, double rise, double reach) {
+    return reach > 0 ? round_down(rise * beam->length / reach) : HUGE_VAL;
+}
+
 /* The joint at the beam, or in the loupe. */
-static BeamJoint joint_of(const Beam *beam, const BeamScale *scale, double reach, bool loupe) {
-    double length = beam->length, rise = loupe ? LOUPE_RISE : RISE;
-    double seen = scale->stops ? fmax(reach, beam->clearance) : reach;
+static BeamJoint joint_of(const Beam *beam, const BeamScale *scale, double reach, double tip_reach, bool loupe) {
+    double length = beam->length, seen = scale->stops ? fmax(tip_reach, beam->clearance) : tip_reach;
+    double factor = fmin(factor_of(beam, TIP_RISE, seen), loupe ? HUGE_VAL : factor_of(beam, RISE, reach));
     BeamJoint joint = {.middle = vec2((1 + (loupe ? LOUPE_TIP : 0)) * length, 0),
-                       .factor = seen > 0 ? round_down(rise * length / seen) : 1,
+                       .factor = isfinite(factor) ? factor : 1,
                        .ball = loupe ? LOUPE_BALL * length : BALL_MORE * scale->half,
                        .half = (loupe ? LOUPE_STOP : STOP_HALF) * length,
                        .loupe = loupe};
-    joint.ground = loupe ? LOUPE_GROUND * length : beam_joint_face(&joint, beam) + STOP_ROOM * length;
+    joint.ground = loupe ? LOUPE_GROUND * length : joint.ball + joint.factor * seen + STOP_ROOM * length;
     return joint;
 }
 
@@ -75,8 +79,8 @@ BeamScale beam_scene_scale(const Beam *beam, double reach, double tip_reach) {
     scale.half = fmax(THINNEST * beam->length, fmin(half, THICKEST * beam->length));
     scale.to_scale = scale.half == half;
     scale.stops = beam->clearance <= STOPS_AWAY * tip_reach || tip_reach == 0;
-    scale.joint[0] = joint_of(beam, &scale, reach, false);
-    scale.joint[1] = joint_of(beam, &scale, tip_reach, true);
+    scale.joint[0] = joint_of(beam, &scale, reach, tip_reach, false);
+    scale.joint[1] = joint_of(beam, &scale, reach, tip_reach, true);
     return scale;
 }
 
@@ -92,7 +96,8 @@ void beam_scene_words(Scene *scene, const Beam *beam, const Rig *rig, const Resp
     scene->detail = beam_words_detail(scene, response);
     scene->name = scene_text(scene, "%s, %g mm long: deflection \u00d7 %g, in the loupe \u00d7 %g", beam->name,
                              1000 * length, scale->joint[0].factor, scale->joint[1].factor);
-    const char *slower = slow > 0 ? scene_text(scene, "%g times slower", slow) : "at the largest force";
+    const char *moment = response->peaks.count ? "at the largest force" : "at the largest deflection";
+    const char *slower = slow > 0 ? scene_text(scene, "%g times slower", slow) : moment;
     scene->note = scene_text(scene, "%s; thickness%s to scale, %s", slower, scale->to_scale ? "" : " not",
                              beam_words_provenance(scene, beam, "beam.thickness"));
 }
@@ -130,8 +135,8 @@ static void still_pivot(Scene *scene, const Beam *beam, const BeamScale *scale) 
                           beam_words_provenance(scene, beam, "pivot.translational_stiffness")};
     if (beam->pivot_stiffness > 0)
         add_ground(scene, scale, foot, 0.03, side);
-    Vec2 words = vec2(beam->pivot_position + (side > 0 ? 0.05 : -0.07) * length, (HIGH - ROW / 2) * length);
-    add_rows(scene, scale, words, 1, rows, 3);
+    Vec2 words = vec2(beam->pivot_position - (side > 0 ? 0.03 : 0.07) * length, (HIGH - ROW / 2) * length);
+    add_rows(scene, scale, words, side > 0 ? -1 : 1, rows, 3);
 }
 
 static void still_shaker(Scene *scene, const Beam *beam, const BeamScale *scale) {
@@ -150,15 +155,15 @@ static void still_shaker(Scene *scene, const Beam *beam, const BeamScale *scale)
 
 static void still_joint(Scene *scene, const Beam *beam, const BeamScale *scale) {
     double length = scale->length;
-    const char *rows[] = {"stops",
-                          scene_text(scene, "%s, %s", beam_words_quantity(scene, beam->contact.normal_stiffness, "N/m"),
+    const char *rows[] = {scene_text(scene, "stops: %s, %s",
+                                     beam_words_quantity(scene, beam->contact.normal_stiffness, "N/m"),
                                      beam_words_quantity(scene, beam->contact.normal_damping, "N s/m")),
                           beam_words_provenance(scene, beam, "joint.stiffness")};
     if (!scale->stops)
-        rows[0] = scene_text(scene, "stops at \u00b1%g mm: far outside", 1000 * beam->clearance);
+        rows[0] = scene_text(scene, "stops: far outside, at \u00b1%.4g mm", 1000 * beam->clearance);
     for (int i = 0; i < BEAM_JOINTS && scale->stops; i++)
         beam_joint_still(scene, beam, scale, &scale->joint[i]);
-    add_rows(scene, scale, vec2(STOP_WORDS * length, HIGH * length - ROW * length / 2), 1, rows, 3);
+    add_rows(scene, scale, vec2((1 + LOUPE_LEFT) * length, (LOW - 0.4 * ROW) * length), 1, rows, 2);
 }
 
 static Primitive *add_frame(Scene *scene, Box box) {
@@ -174,7 +179,7 @@ static void still_loupe(Scene *scene, const BeamScale *scale) {
     double length = scale->length;
     Box loupe = {{(1 + LOUPE_LEFT) * length, (LOW + 0.003) * length},
                  {(1 + LOUPE_RIGHT) * length, (HIGH - 0.003) * length}};
-    double high = fmax(scale->joint[0].ground, RISE * length) + GROUND_DEPTH * length;
+    double high = scale->joint[0].ground + BEAM_JOINT_GROUND * length;
     Box seen = {{(1 - LOUPE_SEEN) * length, -high}, {(1 + LOUPE_SEEN) * length, high}};
     add_frame(scene, loupe)->fill = ROLE_PAPER;
     add_frame(scene, seen)->fill_opacity = 0;
@@ -267,14 +272,14 @@ static void add_tip(Scene *scene, const BeamScale *scale, const BeamJoint *joint
 
 /* The shaker's force, above the beam: it pulls up or presses down. */
 static void add_drive(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamShape *shape, double drive) {
-    double length = scale->length, x = beam->shaker_position + (pivot_side(beam) > 0 ? -DRIVE_ASIDE * length : 0);
+    double length = scale->length, x = beam->shaker_position + (pivot_side(beam) > 0 ? DRIVE_ASIDE * length : 0);
     if (beam->force <= 0)
         return;
     Vec2 low = vec2(x, drawn_at(scale, shape, beam->shaker_position) + scale->half);
     Vec2 high = vec2(x, low.y + DRIVE_MOST * length * fabs(drive) / beam->force);
     beam_pieces_arrow(scene, ROLE_LOCUS_SECOND, drive > 0 ? low : high, drive > 0 ? high : low, SHAFT_HALF * length);
     Primitive *label = scene_add_label(scene, ROLE_LOCUS_SECOND, NAME_LETTERS, vec2(x, (HIGH - 0.02) * length),
-                                       scene_text(scene, "%+.0f N", drive));
+                                       beam_words_signed_newtons(scene, drive, beam->force));
     Vec2 right = vec2(x + length, (HIGH - 0.02) * length);
     scene_bind_label(scene, label, &right, 1);
     label->fixed = label->bold = true;

@@ -17,16 +17,20 @@ const char *beam_words_quantity(Scene *scene, double value, const char *unit) {
         p++;
     if (value == 0)
         return scene_text(scene, "0 %s", unit);
-    return scene_text(scene, "%.4g %s%s", value / prefixes[p].size, prefixes[p].name, unit);
+    return scene_text(scene, "%.3g %s%s", value / prefixes[p].size, prefixes[p].name, unit);
 }
 
 /* Behind the point, so that there are three digits or more. */
-static int digits_of(double force) {
-    return fabs(force) >= 100 ? 0 : fabs(force) >= 10 ? 1 : 3;
+static int digits_of(double most) {
+    return (int)real_clamp(most > 0 ? 2 - floor(log10(most)) : 0, 0, 9);
 }
 
-const char *beam_words_newtons(Scene *scene, double force) {
-    return scene_text(scene, "%.*f N", digits_of(force), force);
+const char *beam_words_newtons(Scene *scene, double force, double most) {
+    return scene_text(scene, "%.*f N", digits_of(most), force);
+}
+
+const char *beam_words_signed_newtons(Scene *scene, double force, double most) {
+    return scene_text(scene, "%+.*f N", digits_of(most), force);
 }
 
 /* "485 to 989 N", or one of them where they are alike. */
@@ -46,7 +50,7 @@ const char *beam_words_title(Scene *scene, const Beam *beam, const Rig *rig, con
     if (response->verdict == RESPONSE_PERIODIC && response->orbit.period > 1)
         verdict = scene_text(scene, "Period %zu", response->orbit.period);
     if (!response->peaks.count)
-        return scene_text(scene, "%s: no contact, tip +-%s at %g Hz", verdict,
+        return scene_text(scene, "No contact: tip \u00b1%s at %g Hz",
                           beam_words_quantity(scene, rig_free_amplitude(rig), "m"), beam->frequency);
     return scene_text(scene, "%s: %s at %g Hz", verdict, peaks_of(scene, &response->peaks), beam->frequency);
 }

@@ -8,8 +8,9 @@
 const char *beam_words_title(Scene *scene, const Beam *beam, const Rig *rig, const Response *response);
 const char *beam_words_detail(Scene *scene, const Response *response);
 
-/* A force, to the newton; smaller ones to three digits. */
-const char *beam_words_newtons(Scene *scene, double force);
+/* A force to the newton, or where `most` is small to three digits of it; the second with its sign. */
+const char *beam_words_newtons(Scene *scene, double force, double most);
+const char *beam_words_signed_newtons(Scene *scene, double force, double most);
 
 /* A number with its unit, in steps of a thousand: 0.047 kg is "47 g". */
 const char *beam_words_quantity(Scene *scene, double value, const char *unit);
