@@ -30,7 +30,7 @@ const char *beam_words_newtons(Scene *scene, double force, double most) {
 }
 
 const char *beam_words_signed_newtons(Scene *scene, double force, double most) {
-    return scene_text(scene, "%+.*f N", digits_of(most), force);
+    return scene_text(scene, "%s%.*f N", force < 0 ? "\u2212" : "+", digits_of(most), fabs(force));
 }
 
 /* "485 to 989 N", or one of them where they are alike. */
