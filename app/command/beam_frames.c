@@ -2,7 +2,6 @@
 
 #include <stdio.h>
 
-#include "command/frames.h"
 #include "command/output.h"
 #include "command/studio.h"
 #include "draw/plate.h"
@@ -20,7 +19,7 @@ int beam_frames_check(const Options *options) {
     const char *foreign = options->camera.kind == VIEW_RAISED ? "--view raised" : options->show ? "--show" : NULL;
     if (foreign)
         fprintf(stderr, "clearance: %s is for houses, %s is a beam\n", foreign, options->files[0]);
-    return foreign ? EXIT_WRONG_INPUT : frames_check(options);
+    return foreign ? EXIT_WRONG_INPUT : studio_check(options);
 }
 
 /* Still pictures ----------------------------------------------------------------------------------------------------*/

@@ -1,7 +1,6 @@
 #include "command/frames.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "command/output.h"
 #include "command/studio.h"
@@ -18,27 +17,13 @@ bool frames_wanted(const Options *options) {
     return options->frames > 0 || options->movie || raised || options->plots.count;
 }
 
-/* Kinds of film that are small and that everything plays. */
-static bool is_film(const char *path) {
-    static const char *const endings[] = {".mp4", ".mkv", ".mov", ".webm"};
-    const char *dot = strrchr(path, '.');
-    for (size_t i = 0; dot && i < sizeof endings / sizeof *endings; i++)
-        if (strcmp(dot, endings[i]) == 0)
-            return true;
-    return false;
-}
-
 int frames_check(const Options *options) {
-    if (options->frames > 0 && !options->out)
-        fprintf(stderr, "clearance: --frames needs --out DIR, where they are written\n");
+    if (options->slow > 0)
+        fprintf(stderr, "clearance: --slow is for beams, %s is a house\n", options->files[0]);
     else if (options->plots.count && !options->out && !options->movie)
         fprintf(stderr, "clearance: --plots needs --out DIR, where they are written\n");
-    else if (options->movie && !is_film(options->movie))
-        fprintf(stderr, "clearance: --movie %s: its name must end in .mp4, .mkv, .mov or .webm\n", options->movie);
-    else if (options->from >= 0 && options->to >= 0 && options->from > options->to)
-        fprintf(stderr, "clearance: --from %g is after --to %g\n", options->from, options->to);
     else
-        return 0;
+        return studio_check(options);
     return EXIT_WRONG_INPUT;
 }
 

@@ -1,6 +1,7 @@
 #include "command/studio.h"
 
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "command/output.h"
@@ -10,6 +11,28 @@ enum {
     FRAMES_MOST = 1000000,
     WRITERS_MOST = 8, /* threads: what one draws, no more can write, and each keeps pictures */
 };
+
+/* Kinds of film that are small and that everything plays. */
+static bool is_film(const char *path) {
+    static const char *const endings[] = {".mp4", ".mkv", ".mov", ".webm"};
+    const char *dot = strrchr(path, '.');
+    for (size_t i = 0; dot && i < sizeof endings / sizeof *endings; i++)
+        if (strcmp(dot, endings[i]) == 0)
+            return true;
+    return false;
+}
+
+int studio_check(const Options *options) {
+    if (options->frames > 0 && !options->out)
+        fprintf(stderr, "clearance: --frames needs --out DIR, where they are written\n");
+    else if (options->movie && !is_film(options->movie))
+        fprintf(stderr, "clearance: --movie %s: its name must end in .mp4, .mkv, .mov or .webm\n", options->movie);
+    else if (options->from >= 0 && options->to >= 0 && options->from > options->to)
+        fprintf(stderr, "clearance: --from %g is after --to %g\n", options->from, options->to);
+    else
+        return 0;
+    return EXIT_WRONG_INPUT;
+}
 
 /* A painter for pictures of the options' size; NULL: said on standard error. */
 static PaintGl *create_painter(Studio *studio) {

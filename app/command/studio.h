@@ -9,6 +9,9 @@
 
 #define STUDIO_FPS 30.0 /* pictures a s of a film, where --frames does not say */
 
+/* Says on standard error what of the options for films does not go together; 0 or an exit code. */
+int studio_check(const Options *options);
+
 /* What is filmed, of whatever laboratory. */
 typedef struct StudioFilm {
     void *film;
