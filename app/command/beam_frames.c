@@ -7,6 +7,8 @@
 #include "draw/plate.h"
 #include "laboratory/beam_film.h"
 
+#define TAIL 0.25 /* of a cycle: so much of the lines before the present is thick */
+
 /* What is drawn. */
 typedef struct Subject {
     const Beam *beam;
@@ -87,7 +89,8 @@ static bool write_film(const Subject *subject, const Options *options) {
                          .still = beam_film_still(film),
                          .added = beam_film_added(film),
                          .moving = beam_film_moving(film),
-                         .plots = {beam_film_plots(film), BEAM_FILM_PLOTS, ROLE_DANGER_MIDDLE, film, beam_until}};
+                         .plots = {beam_film_plots(film), BEAM_FILM_PLOTS, TAIL * subject->rig->period,
+                                   ROLE_DANGER_MIDDLE, film, beam_until}};
     Studio studio;
     bool good = studio_open(&studio, &filmed, options);
     if (good) {

@@ -42,7 +42,7 @@ static StudioFilm film_of_house(Film *film, const HousePlots *plots) {
                         .still = film_still(film),
                         .added = film_added(film),
                         .moving = film_moving(film),
-                        .plots = {plots->plots, plots->choice.count, ROLE_PAPER, plots, house_until}};
+                        .plots = {plots->plots, plots->choice.count, 0, ROLE_PAPER, plots, house_until}};
 }
 
 /* From --from to --to, or from the beginning to the end. */

@@ -6,6 +6,8 @@
 #include "command/output.h"
 #include "draw/plot_write.h"
 
+#define TAIL_WIDTH 4.0 /* design points */
+
 static int pixels(double points, double unit) {
     return (int)lround(points * unit);
 }
@@ -34,13 +36,26 @@ void plot_strip_close(PlotStrip *strip) {
         plot_canvas_destroy(strip->canvases[i]);
 }
 
+/* On the page, a point of a series. */
+static Vec2 place_of(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t index) {
+    Vec2 place = plot_canvas_place(strip->canvases[plot], plot_value(series, index));
+    return vec2_along(strip->still->panels[plot].low, 1 / strip->unit, place);
+}
+
+/* The last piece of a line, thick. */
+static void mark_tail(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t from, size_t count,
+                      Layout *moving) {
+    for (size_t i = from > 0 ? from : 1; i < count; i++)
+        layout_add_sample(moving, (Sample){.from = place_of(strip, plot, series, i - 1),
+                                           .to = place_of(strip, plot, series, i),
+                                           .role = series->role,
+                                           .width = TAIL_WIDTH});
+}
+
 /* A disc where the series has come to. */
 static void mark_present(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t count, Layout *moving) {
-    if (!count || series->role == ROLE_GHOST || series->width <= 0)
-        return;
     Role role = strip->source.now == ROLE_PAPER ? series->role : strip->source.now;
-    Vec2 place = plot_canvas_place(strip->canvases[plot], plot_value(series, count - 1));
-    Vec2 at = vec2_along(strip->still->panels[plot].low, 1 / strip->unit, place);
+    Vec2 at = place_of(strip, plot, series, count - 1);
     if (isfinite(at.x) && isfinite(at.y))
         layout_add_sample(moving, (Sample){.from = at, .to = at, .role = role, .symbol = SYMBOL_DISC});
 }
@@ -53,6 +68,11 @@ void plot_strip_show(PlotStrip *strip, double time, PaintGl *paint, Layout *movi
             size_t count = source->until(source->owner, i, s, time);
             PlotPixels changed = plot_canvas_advance(strip->canvases[i], s, count);
             give_pixels(strip, i, changed, paint);
+            if (!count || plot->series[s].role == ROLE_GHOST || plot->series[s].width <= 0)
+                continue;
+            if (source->tail > 0)
+                mark_tail(strip, i, &plot->series[s], source->until(source->owner, i, s, time - source->tail), count,
+                          moving);
             mark_present(strip, i, &plot->series[s], count, moving);
         }
     }

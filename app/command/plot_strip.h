@@ -11,7 +11,8 @@
 typedef struct PlotStripSource {
     const Plot *plots; /* (count) at most SCENE_PANELS */
     size_t count;
-    Role now; /* of the discs on present values; ROLE_PAPER: of their lines */
+    double tail; /* s, before the present: so much of each line is thick, so that the eye follows it; 0: nothing */
+    Role now;    /* of the discs on present values; ROLE_PAPER: of their lines */
     const void *owner;
     size_t (*until)(const void *owner, size_t plot, size_t series, double time);
 } PlotStripSource;

@@ -5,7 +5,7 @@
 #define MILLI 1000.0 /* in one */
 
 /* Design points. */
-#define LINE_WIDTH 2.0
+#define LINE_WIDTH 1.6
 #define DIAMOND 11.0
 #define NOW 13.0
 

@@ -5,7 +5,7 @@
 
 #include "base/memory.h"
 
-enum { POINTS = 120 /* about so many make a smooth line */ };
+enum { POINTS = 80 /* about so many make a smooth line */ };
 
 static size_t node_count(const BeamShape *shape) {
     return shape->rig->modes.freedoms / 2;
