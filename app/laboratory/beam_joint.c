@@ -37,8 +37,9 @@ static void add_gap(Scene *scene, const Beam *beam, const BeamScale *scale, cons
     }
     scene_add_dimension(scene, ROLE_TEXT, DIMENSION_WIDTH, vec2(x, rest), vec2(x, face));
     Vec2 at = vec2(end, (rest + face) / 2), right = vec2(end + length, at.y);
-    Primitive *label =
-        scene_add_label(scene, ROLE_TEXT, NAME_LETTERS, at, scene_text(scene, "%.4g mm", 1000 * beam->clearance));
+    const char *text = beam->clearance < 1e-6 ? beam_words_quantity(scene, beam->clearance, "m")
+                                              : scene_text(scene, "%.4g mm", 1000 * beam->clearance);
+    Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_LETTERS, at, text);
     scene_bind_label(scene, label, &right, 1);
     label->bold = label->fixed = true;
 }

@@ -6,7 +6,11 @@
 
 #define MILLI 1000.0 /* in one: of m and s, what plots show */
 
-enum { SAMPLES = 400 /* a cycle, at least: a line through them looks smooth */ };
+/* So that a line through the samples looks smooth: so many a cycle, and a period of a mode that is well seen, at least;
+ * but where that would be very many, no more than that. */
+enum { SAMPLES = 400, MODE = 5, MODE_SAMPLES = 20, SAMPLES_MOST = 100000 };
+
+enum { LOOKS = 200 /* a cycle, at most, at how far the beam is bent */ };
 
 /* Following ---------------------------------------------------------------------------------------------------------*/
 
@@ -74,23 +78,32 @@ static void note_step(BeamRecord *record, int before, double time) {
         begin_impact(record, time, now);
 }
 
+/* How far the beam is bent now. */
+static void note_reach(BeamRecord *record, BeamShape *shape) {
+    beam_shape_set(shape, &record->motion);
+    record->reach = fmax(record->reach, beam_shape_reach(shape));
+    record->tip_reach = fmax(record->tip_reach, fabs(motion_deflection(&record->motion)));
+}
+
 /* Goes through all cycles once. */
-static void find_impacts(BeamRecord *record) {
+static void follow_all(BeamRecord *record) {
     double period = period_of(record);
-    BeamShape shape = beam_shape_create(record->motion.rig);
+    Motion *motion = &record->motion;
+    BeamShape shape = beam_shape_create(motion->rig);
     int side = 0;
     for (size_t cycle = 0; cycle < record->cycles; cycle++) {
+        double looked = 0;
         begin_cycle(record, cycle);
-        if (side_of(record->motion.place) != side)
-            note_step(record, side, (double)cycle * period);
-        side = side_of(record->motion.place);
-        while (record->motion.status == MOTION_GOOD && record->motion.phase < period) {
-            motion_step(&record->motion, period - record->motion.phase);
-            note_step(record, side, (double)cycle * period + record->motion.phase);
-            side = side_of(record->motion.place);
-            beam_shape_set(&shape, &record->motion);
-            record->reach = fmax(record->reach, beam_shape_reach(&shape));
-            record->tip_reach = fmax(record->tip_reach, fabs(motion_deflection(&record->motion)));
+        note_step(record, side, (double)cycle * period);
+        side = side_of(motion->place);
+        while (motion->status == MOTION_GOOD && motion->phase < period) {
+            motion_step(motion, period - motion->phase);
+            note_step(record, side, (double)cycle * period + motion->phase);
+            side = side_of(motion->place);
+            if (motion->phase < looked)
+                continue;
+            note_reach(record, &shape);
+            looked = motion->phase + period / LOOKS;
         }
     }
     beam_shape_destroy(&shape);
@@ -124,7 +137,7 @@ void beam_record_make(BeamRecord *record, const Rig *rig, const Response *respon
     *record = (BeamRecord){.response = response, .motion = motion_create(rig, 0)};
     record->cycles = whole < RESPONSE_TRACE_CYCLES ? whole : RESPONSE_TRACE_CYCLES;
     record->time = (double)record->cycles * rig->period;
-    find_impacts(record);
+    follow_all(record);
     find_hardest(record);
 }
 
@@ -168,9 +181,17 @@ static void clear_samples(BeamRecord *record) {
     record->sample_count = record->section_count = 0;
 }
 
+/* How many samples are taken every 1 / rate s. */
+static double parts_of(const BeamRecord *record, BeamSpan span) {
+    const Modes *modes = &record->motion.rig->modes;
+    double seen = modes->frequency[modes->count < MODE ? modes->count - 1 : MODE - 1] / (2 * M_PI);
+    double wanted = fmax(SAMPLES / period_of(record), MODE_SAMPLES * seen);
+    return fmax(1, ceil(fmin(wanted, SAMPLES_MOST / (span.last - span.first)) / span.rate));
+}
+
 void beam_record_sample(BeamRecord *record, BeamSpan span) {
     clear_samples(record);
-    double parts = fmax(1, ceil(SAMPLES / (span.rate * period_of(record))));
+    double parts = parts_of(record, span);
     size_t room = (size_t)ceil((span.last - span.first) * span.rate * parts) + 2;
     record->times = memory_allocate(room, sizeof *record->times);
     record->displacement = memory_allocate(room, sizeof *record->displacement);

@@ -21,7 +21,10 @@
 #define YOKE_TOP -0.060
 #define COIL_HALF 0.030
 #define COIL_DEPTH 0.040
-#define NEAR 0.16 /* pivot and shaker that are nearer to each other: the pivot stands above */
+#define NEAR 0.16         /* pivot and shaker that are nearer to each other: the pivot stands above */
+#define PIVOT_BEFORE 0.07 /* where the pivot's words begin, at the end of the beam */
+#define PIVOT_BESIDE 0.03 /* where they end before it elsewhere */
+#define PIVOT_BEHIND 0.20 /* and where they begin when shaker and pivot both are at the end */
 #define DRIVE_MOST 0.085
 #define DRIVE_ASIDE 0.06 /* where the pivot is above */
 #define SHAFT_HALF 0.008
@@ -94,7 +97,7 @@ void beam_scene_words(Scene *scene, const Beam *beam, const Rig *rig, const Resp
     scene->title = beam_words_title(scene, beam, rig, response);
     scene->title_role = resolved ? ROLE_TEXT : ROLE_ERROR;
     scene->detail = beam_words_detail(scene, response);
-    scene->name = scene_text(scene, "%s, %g mm long: deflection \u00d7 %g, in the loupe \u00d7 %g", beam->name,
+    scene->name = scene_text(scene, "%s, %g mm long: deflection \u00d7 %.9g, in the loupe \u00d7 %.9g", beam->name,
                              1000 * length, scale->joint[0].factor, scale->joint[1].factor);
     const char *moment = response->peaks.count ? "at the largest force" : "at the largest deflection";
     const char *slower = slow > 0 ? scene_text(scene, "%g times slower", slow) : moment;
@@ -135,8 +138,10 @@ static void still_pivot(Scene *scene, const Beam *beam, const BeamScale *scale) 
                           beam_words_provenance(scene, beam, "pivot.translational_stiffness")};
     if (beam->pivot_stiffness > 0)
         add_ground(scene, scale, foot, 0.03, side);
-    Vec2 words = vec2(beam->pivot_position - (side > 0 ? 0.03 : 0.07) * length, (HIGH - ROW / 2) * length);
-    add_rows(scene, scale, words, side > 0 ? -1 : 1, rows, 3);
+    bool left = beam->pivot_position > length / 4;
+    double beside = side < 0 && !left ? -PIVOT_BEFORE : left ? -PIVOT_BESIDE : PIVOT_BEHIND;
+    Vec2 words = vec2(beam->pivot_position + beside * length, (HIGH - ROW / 2) * length);
+    add_rows(scene, scale, words, left ? -1 : 1, rows, 3);
 }
 
 static void still_shaker(Scene *scene, const Beam *beam, const BeamScale *scale) {
@@ -150,7 +155,8 @@ static void still_shaker(Scene *scene, const Beam *beam, const BeamScale *scale)
         beam_pieces_block(scene, ROLE_FURNITURE,
                           box_include(box_around(vec2(x + side * YOKE_HALF * length, bottom), 0),
                                       vec2(x + side * (YOKE_HALF + YOKE_DEPTH) * length, YOKE_TOP * length)));
-    add_rows(scene, scale, vec2(x + (YOKE_HALF + YOKE_DEPTH) * length, (LOW + 1.4 * ROW) * length), 1, rows, 2);
+    int way = x > 0.6 * length ? -1 : 1;
+    add_rows(scene, scale, vec2(x + way * (YOKE_HALF + YOKE_DEPTH) * length, (LOW + 1.4 * ROW) * length), way, rows, 2);
 }
 
 static void still_joint(Scene *scene, const Beam *beam, const BeamScale *scale) {

@@ -7,7 +7,7 @@ const char *beam_words_quantity(Scene *scene, double value, const char *unit) {
     static const struct {
         double size;
         const char *name;
-    } prefixes[] = {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "\u00b5"}};
+    } prefixes[] = {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "\u00b5"}, {1e-9, "n"}};
     enum { LAST = sizeof prefixes / sizeof *prefixes - 1 };
     if (strcmp(unit, "kg") == 0)
         return value >= 1 || value == 0 ? scene_text(scene, "%.3g kg", value)
@@ -60,7 +60,7 @@ const char *beam_words_detail(Scene *scene, const Response *response) {
         return scene_text(scene, "%s, multiplier %.3f", response->orbit.period == 1 ? "each cycle alike" : "it repeats",
                           response->orbit.largest);
     if (isfinite(response->exponent.value))
-        return scene_text(scene, "exponent %+.2f \u00b1 %.2f a cycle", response->exponent.value,
+        return scene_text(scene, "exponent %+.2g \u00b1 %.1g a cycle", response->exponent.value,
                           response->exponent.error);
     return scene_text(scene, "after %zu cycles", response->cycles);
 }
