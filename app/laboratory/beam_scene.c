@@ -46,14 +46,15 @@
 #define EDGE 1.5
 #define THIN 1.5
 
+#define ROUNDING 1e-12 /* 1: what is a round number but for this is one */
 #define STOPS_AWAY 4.0 /* times the reach: stops that far away would leave nothing to be seen of the beam */
 
 /* The largest round number up to a value: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten. */
 static double round_down(double value) {
     static const double steps[] = {8, 6, 5, 4, 3, 2.5, 2, 1.5, 1};
-    double power = pow(10, floor(log10(value)));
+    double power = pow(10, floor(log10(value) + ROUNDING));
     size_t i = 0;
-    while (i + 1 < sizeof steps / sizeof *steps && steps[i] * power > value * (1 + 1e-12))
+    while (i + 1 < sizeof steps / sizeof *steps && steps[i] * power > value * (1 + ROUNDING))
         i++;
     return steps[i] * power;
 }
