@@ -188,8 +188,13 @@ def check_wrong_use(out):
 
 
 def check_interrupt(out):
-    process = subprocess.Popen([program, "run", house("straight-corridor"), "--frames", "1000", "--out", str(out)],
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    for name in (house("straight-corridor"), beam("ibs")):
+        interrupt(name, out / pathlib.Path(name).stem)
+
+
+def interrupt(name, out):
+    process = subprocess.Popen([program, "run", name, "--frames", "1000", "--out", str(out)], stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)
     while process.poll() is None and len(frames_of(out)) < 5:
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)

@@ -178,5 +178,5 @@ int run_beam_file(const Options *options) {
     response_clear(&response);
     rig_clear(&rig);
     beam_free(&beam);
-    return !written ? EXIT_WRONG_INPUT : resolved ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    return !written ? EXIT_WRONG_INPUT : resolved && !command_interrupted ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }
