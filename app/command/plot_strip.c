@@ -6,7 +6,10 @@
 #include "command/output.h"
 #include "draw/plot_write.h"
 
-#define TAIL_WIDTH 4.0 /* design points */
+/* Design points. */
+#define TAIL_WIDTH 4.0
+#define TAIL_PIECE 4.0 /* at least */
+#define TAIL_OVER 1.0
 
 static int pixels(double points, double unit) {
     return (int)lround(points * unit);
@@ -42,14 +45,20 @@ static Vec2 place_of(const PlotStrip *strip, size_t plot, const PlotSeries *seri
     return vec2_along(strip->still->panels[plot].low, 1 / strip->unit, place);
 }
 
-/* The last piece of a line, thick. */
-static void mark_tail(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t from, size_t count,
+/* The last piece of a line, thick, in pieces that go a little over each other, since their ends are blurred. */
+static void mark_tail(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t first, size_t count,
                       Layout *moving) {
-    for (size_t i = from > 0 ? from : 1; i < count; i++)
-        layout_add_sample(moving, (Sample){.from = place_of(strip, plot, series, i - 1),
-                                           .to = place_of(strip, plot, series, i),
-                                           .role = series->role,
-                                           .width = TAIL_WIDTH});
+    if (first >= count)
+        return;
+    Vec2 from = place_of(strip, plot, series, first);
+    for (size_t i = first + 1; i < count; i++) {
+        Vec2 to = place_of(strip, plot, series, i);
+        if (vec2_distance(from, to) < TAIL_PIECE && i + 1 < count)
+            continue;
+        Vec2 over = vec2_along(to, TAIL_OVER, vec2_unit(vec2_sub(to, from)));
+        layout_add_sample(moving, (Sample){.from = from, .to = over, .role = series->role, .width = TAIL_WIDTH});
+        from = to;
+    }
 }
 
 /* A disc where the series has come to. */
