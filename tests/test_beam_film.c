@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "check.h"
+#include "draw/layout.h"
 #include "laboratory/beam_joint.h"
 #include "oscillator.h"
 
@@ -284,5 +285,45 @@ TEST(the_answer_stands_above_the_picture) {
     show(&shown, "drive.force=1", 0, 0.02);
     CHECK(strstr(beam_film_still(shown.film)->title, "No contact"));
     CHECK(shown.record.impact_count == 0);
+    hide(&shown);
+}
+
+static bool overlap(Box a, Box b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+/* The plots stand below the beam, and no words lie on others or beyond the page, at any moment. */
+TEST(words_keep_apart) {
+    static const Vec2 pages[] = {{1280, 720}, {1280, 800}, {1280, 2275}, {2560, 720}};
+    Shown shown;
+    show(&shown, "drive.frequency=300", 0, 0.02);
+    for (size_t p = 0; p < sizeof pages / sizeof *pages; p++) {
+        Layout still, moving = {0};
+        layout_make(&still, beam_film_still(shown.film), pages[p]);
+        Box page = {{0, 0}, pages[p]};
+        for (int i = 0; i < BEAM_FILM_PLOTS; i++) {
+            CHECK(box_height(still.panels[i]) > 250 && still.panels[i].low.y > still.plan.high.y);
+            CHECK(box_holds(page, still.panels[i].low) && box_holds(page, still.panels[i].high));
+        }
+        for (double time = 0; time < 0.02; time += 0.0007) {
+            beam_film_show(shown.film, time);
+            layout_make_over(&moving, &still, beam_film_moving(shown.film));
+            size_t count = still.caption_count + moving.caption_count;
+            for (size_t a = 0; a < count; a++)
+                for (size_t b = 0; b <= a; b++) {
+                    const Caption *one =
+                        a < still.caption_count ? &still.captions[a] : &moving.captions[a - still.caption_count];
+                    const Caption *two =
+                        b < still.caption_count ? &still.captions[b] : &moving.captions[b - still.caption_count];
+                    Box box = layout_caption_box(one);
+                    CHECK(box_holds(page, box.low) && box_holds(page, box.high));
+                    CHECK(a == b || !overlap(box, layout_caption_box(two)));
+                    if (a != b && overlap(box, layout_caption_box(two)))
+                        printf("\"%s\" lies on \"%s\"\n", one->text, two->text);
+                }
+        }
+        layout_clear(&still);
+        layout_clear(&moving);
+    }
     hide(&shown);
 }

@@ -5,32 +5,41 @@
 #include "laboratory/beam_words.h"
 
 /* Of the beam's length: where everything is. */
-#define THINNEST 0.008 /* half of the thickness, as drawn, at least: a thinner beam could not be seen */
-#define THICKEST 0.03  /* and at most */
-#define RISE 0.115     /* the largest deflection, magnified, at most */
-#define TIP_RISE 0.105 /* and that of the tip */
-#define FLOOR -0.175   /* of pivot and shaker */
-#define GROUND_DEPTH 0.016
-#define ROW 0.031   /* from one row of words to the next */
-#define BEFORE 0.11 /* of the picture, before the beam */
-#define BEHIND 0.53 /* and behind it */
-#define HIGH 0.195
-#define LOW -0.195
+#define THINNEST 0.008   /* half of the thickness, as drawn, at least: a thinner beam could not be seen */
+#define THICKEST 0.03    /* and at most */
+#define RISE 0.115       /* the largest deflection, magnified, at most */
+#define TIP_RISE 0.105   /* and that of the tip */
+#define FLOOR -0.175     /* of pivot and shaker */
+#define ROW 0.031        /* from one row of words to the next */
+#define BEFORE 0.11      /* of the picture, before the beam */
+#define BEHIND 0.53      /* and behind it */
+#define HIGH 0.195       /* of the picture, above the beam */
+#define LOW -0.195       /* and below it */
+#define REST_BEFORE 0.04 /* so far before the beam its rest line begins */
+#define PIVOT_GROUND 0.030
+#define PIVOT_SPRING 0.016
+#define PIVOT_SPIRAL 0.030
+#define PIVOT_PIN 0.007
 #define YOKE_HALF 0.045
 #define YOKE_DEPTH 0.013
 #define YOKE_TOP -0.060
 #define COIL_HALF 0.030
 #define COIL_DEPTH 0.040
-#define NEAR 0.16         /* pivot and shaker that are nearer to each other: the pivot stands above */
-#define PIVOT_BEFORE 0.07 /* where the pivot's words begin, at the end of the beam */
-#define PIVOT_BESIDE 0.03 /* where they end before it elsewhere */
-#define PIVOT_BEHIND 0.20 /* and where they begin when shaker and pivot both are at the end */
+#define SUSPENSION 0.011
+#define DASHPOT 0.008
+#define SUSPENSION_ASIDE 0.013 /* where there is a dashpot, too, on the other side */
+#define NEAR 0.16              /* pivot and shaker that are nearer to each other: the pivot stands above */
+#define PIVOT_BEFORE 0.07      /* where the pivot's words begin, at the end of the beam */
+#define PIVOT_BESIDE 0.03      /* where they end before it elsewhere */
+#define PIVOT_BEHIND 0.20      /* and where they begin when shaker and pivot both are at the end */
 #define DRIVE_MOST 0.085
+#define DRIVE_WORDS 0.175
 #define DRIVE_ASIDE 0.06 /* where the pivot is above */
 #define SHAFT_HALF 0.008
 #define BALL_MORE 1.25 /* 1, of the half thickness */
 #define STOP_HALF 0.022
 #define STOP_ROOM 0.031  /* behind the tip where it is farthest in a stop: the stop, and its spring pressed together */
+#define LOUPE_RIM 0.003  /* above and below it */
 #define LOUPE_LEFT 0.135 /* behind the tip */
 #define LOUPE_RIGHT 0.515
 #define LOUPE_TIP 0.265
@@ -45,6 +54,8 @@
 #define SMALL_LETTERS 15.0
 #define EDGE 1.5
 #define THIN 1.5
+#define ROD_WIDTH 4.0
+#define PIN_EDGE 2.0
 
 #define ROUNDING 1e-12 /* 1: what is a round number but for this is one */
 #define STOPS_AWAY 4.0 /* times the reach: stops that far away would leave nothing to be seen of the beam */
@@ -127,7 +138,7 @@ static double pivot_side(const Beam *beam) {
 /* Ground under (or over) something, a thick line with hatches behind it. */
 static void add_ground(Scene *scene, const BeamScale *scale, Vec2 middle, double half, double up) {
     beam_pieces_ground(scene, vec2(middle.x - half * scale->length, middle.y),
-                       vec2(middle.x + half * scale->length, middle.y), up * GROUND_DEPTH * scale->length);
+                       vec2(middle.x + half * scale->length, middle.y), up * BEAM_JOINT_GROUND * scale->length);
 }
 
 static void still_pivot(Scene *scene, const Beam *beam, const BeamScale *scale) {
@@ -138,7 +149,7 @@ static void still_pivot(Scene *scene, const Beam *beam, const BeamScale *scale) 
                                      beam_words_quantity(scene, beam->pivot_rotational, "N m/rad")),
                           beam_words_provenance(scene, beam, "pivot.translational_stiffness")};
     if (beam->pivot_stiffness > 0)
-        add_ground(scene, scale, foot, 0.03, side);
+        add_ground(scene, scale, foot, PIVOT_GROUND, side);
     bool left = beam->pivot_position > length / 4;
     double beside = side < 0 && !left ? -PIVOT_BEFORE : left ? -PIVOT_BESIDE : PIVOT_BEHIND;
     Vec2 words = vec2(beam->pivot_position + beside * length, (HIGH - ROW / 2) * length);
@@ -184,8 +195,8 @@ static Primitive *add_frame(Scene *scene, Box box) {
 /* The loupe, and what it shows. */
 static void still_loupe(Scene *scene, const BeamScale *scale) {
     double length = scale->length;
-    Box loupe = {{(1 + LOUPE_LEFT) * length, (LOW + 0.003) * length},
-                 {(1 + LOUPE_RIGHT) * length, (HIGH - 0.003) * length}};
+    Box loupe = {{(1 + LOUPE_LEFT) * length, (LOW + LOUPE_RIM) * length},
+                 {(1 + LOUPE_RIGHT) * length, (HIGH - LOUPE_RIM) * length}};
     double high = scale->joint[0].ground + BEAM_JOINT_GROUND * length;
     Box seen = {{(1 - LOUPE_SEEN) * length, -high}, {(1 + LOUPE_SEEN) * length, high}};
     add_frame(scene, loupe)->fill = ROLE_PAPER;
@@ -204,7 +215,7 @@ static void add_rest(Scene *scene, double from, double to) {
 void beam_scene_still(Scene *scene, const Beam *beam, const BeamScale *scale) {
     double length = scale->length;
     still_loupe(scene, scale);
-    add_rest(scene, -0.04 * length, (1 + LOUPE_SEEN) * length);
+    add_rest(scene, -REST_BEFORE * length, (1 + LOUPE_SEEN) * length);
     add_rest(scene, (1 + LOUPE_LEFT) * length, (1 + LOUPE_RIGHT) * length);
     still_pivot(scene, beam, scale);
     still_shaker(scene, beam, scale);
@@ -222,12 +233,12 @@ static void add_pivot(Scene *scene, const Beam *beam, const BeamScale *scale, co
     Vec2 at = vec2(beam->pivot_position, drawn_at(scale, shape, beam->pivot_position));
     if (beam->pivot_stiffness > 0)
         beam_pieces_spring(scene, vec2(at.x, at.y + side * scale->half), vec2(at.x, side * -FLOOR * length),
-                           0.016 * length);
+                           PIVOT_SPRING * length);
     if (beam->pivot_rotational > 0)
-        beam_pieces_spiral(scene, at, 0.030 * length);
-    Primitive *pin = scene_add_discs(scene, ROLE_PAPER, 0.007 * length, &at, 1);
+        beam_pieces_spiral(scene, at, PIVOT_SPIRAL * length);
+    Primitive *pin = scene_add_discs(scene, ROLE_PAPER, PIVOT_PIN * length, &at, 1);
     pin->edge = ROLE_WALL;
-    pin->width = 2;
+    pin->width = PIN_EDGE;
 }
 
 /* The armature hangs on the beam; its suspension stands on the floor. */
@@ -235,13 +246,13 @@ static void add_shaker(Scene *scene, const Beam *beam, const BeamScale *scale, c
     double length = scale->length, x = beam->shaker_position, floor = FLOOR * length;
     double top = drawn_at(scale, shape, x) - scale->half, bottom = top - COIL_DEPTH * length;
     bool heavy = beam->shaker_mass > 0, damped = beam->shaker_damping > 0;
+    double aside = damped ? SUSPENSION_ASIDE * length : 0;
     Vec2 rod[] = {{x, top}, {x, heavy ? top : bottom}};
-    scene_add_line(scene, ROLE_WALL, 4, rod, 2);
+    scene_add_line(scene, ROLE_WALL, ROD_WIDTH, rod, 2);
     if (beam->shaker_stiffness > 0)
-        beam_pieces_spring(scene, vec2(x - (damped ? 0.012 : 0) * length, bottom),
-                           vec2(x - (damped ? 0.012 : 0) * length, floor), 0.011 * length);
+        beam_pieces_spring(scene, vec2(x - aside, bottom), vec2(x - aside, floor), SUSPENSION * length);
     if (damped)
-        beam_pieces_dashpot(scene, vec2(x + 0.014 * length, bottom), vec2(x + 0.014 * length, floor), 0.008 * length);
+        beam_pieces_dashpot(scene, vec2(x + aside, bottom), vec2(x + aside, floor), DASHPOT * length);
     if (heavy) {
         Primitive *coil =
             beam_pieces_block(scene, ROLE_DOOR, (Box){{x - COIL_HALF * length, bottom}, {x + COIL_HALF * length, top}});
@@ -285,9 +296,9 @@ static void add_drive(Scene *scene, const Beam *beam, const BeamScale *scale, co
     Vec2 low = vec2(x, drawn_at(scale, shape, beam->shaker_position) + scale->half);
     Vec2 high = vec2(x, low.y + DRIVE_MOST * length * fabs(drive) / beam->force);
     beam_pieces_arrow(scene, ROLE_LOCUS_SECOND, drive > 0 ? low : high, drive > 0 ? high : low, SHAFT_HALF * length);
-    Primitive *label = scene_add_label(scene, ROLE_LOCUS_SECOND, NAME_LETTERS, vec2(x, (HIGH - 0.02) * length),
+    Primitive *label = scene_add_label(scene, ROLE_LOCUS_SECOND, NAME_LETTERS, vec2(x, DRIVE_WORDS * length),
                                        beam_words_signed_newtons(scene, drive, beam->force));
-    Vec2 right = vec2(x + length, (HIGH - 0.02) * length);
+    Vec2 right = vec2(x + length, DRIVE_WORDS * length);
     scene_bind_label(scene, label, &right, 1);
     label->fixed = label->bold = true;
 }
