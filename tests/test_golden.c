@@ -14,11 +14,14 @@
 #include "draw/offscreen.h"
 #include "draw/paint_cairo.h"
 #include "draw/paint_gl.h"
+#include "draw/plate.h"
 #include "draw/png.h"
 #include "house/run.h"
+#include "laboratory/beam_film.h"
 #include "laboratory/beam_plots.h"
 #include "laboratory/film.h"
 #include "laboratory/house_scene.h"
+#include "oscillator.h"
 
 enum { WIDTH = 960, HEIGHT = 540 };
 
@@ -114,6 +117,7 @@ static void compare(const unsigned char *pixels, cairo_surface_t *surface, doubl
     *share = seen / (1.0 * WIDTH * HEIGHT);
 }
 
+/* Compares with the picture of that name, or writes it. */
 static void check_picture(const char *name, const unsigned char *pixels) {
     char path[4096], made[4096];
     snprintf(path, sizeof path, "%s/tests/golden/%s.png", check_source(), name);
@@ -207,6 +211,34 @@ static void paint_map(unsigned char *pixels) {
     paint_plot(&plot, pixels, THEME_PAPER);
 }
 
+/* As `run` writes beam.png, but not so large. */
+static void paint_beam(const char *setting, double time, Theme theme, unsigned char *pixels) {
+    Beam beam = oscillator_beam("ibs", setting);
+    Rig rig = oscillator_beam_rig("ibs", setting);
+    Response response;
+    BeamRecord record;
+    response_run(&response, &rig, &beam, NULL, NULL);
+    beam_record_make(&record, &rig, &response);
+    beam_record_sample(&record, (BeamSpan){0, 8 * rig.period, 1 / rig.period});
+    BeamFilm *film = beam_film_create(&beam, &rig, &response, &record, 500);
+    beam_film_show(film, time);
+    beam_film_mark(film);
+    Plate plate = {beam_film_still(film), beam_film_moving(film), beam_film_plots(film), theme};
+    double unit = layout_unit(WIDTH, HEIGHT);
+    cairo_surface_t *surface =
+        cairo_image_surface_create_for_data(pixels, CAIRO_FORMAT_RGB24, WIDTH, HEIGHT, 4 * WIDTH);
+    cairo_t *cairo = cairo_create(surface);
+    cairo_scale(cairo, unit, unit);
+    plate_paint(cairo, vec2(WIDTH / unit, HEIGHT / unit), &plate);
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
+    beam_film_destroy(film);
+    beam_record_clear(&record);
+    response_clear(&response);
+    rig_clear(&rig);
+    beam_free(&beam);
+}
+
 TEST(the_letters_are_the_pinned_ones) {
     PangoContext *context = pango_font_map_create_context(pango_cairo_font_map_get_default());
     PangoFontDescription *wanted = pango_font_description_from_string("DejaVu Sans 12");
@@ -230,4 +262,11 @@ TEST(plots_are_as_they_were) {
     check_picture("beam-phase", pixels);
     paint_map(pixels);
     check_picture("periods-map", pixels);
+}
+
+/* A periodic motion, so that what rounding makes of it is not to be seen. */
+TEST(a_beam_is_as_it_was) {
+    static unsigned char pixels[4 * WIDTH * HEIGHT];
+    paint_beam("drive.frequency=190", 0.0076, THEME_PAPER, pixels);
+    check_picture("beam-190", pixels);
 }

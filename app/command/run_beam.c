@@ -10,6 +10,7 @@
 #include "beam/response.h"
 #include "command/answer.h"
 #include "command/beam_files.h"
+#include "command/beam_frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
 
@@ -140,8 +141,6 @@ static bool write_data(const Response *response, json_t *answer, const char *out
 static bool check_options(const Options *options) {
     const char *foreign = options->route          ? "--route"
                           : options->driving >= 0 ? "--driving"
-                          : options->frames > 0   ? "--frames"
-                          : options->movie        ? "--movie"
                           : options->report       ? "--report"
                           : options->observed     ? "--observed"
                                                   : NULL;
@@ -155,7 +154,7 @@ int run_beam_file(const Options *options) {
     Rig rig;
     Fault fault = {0};
     BeamFiles files;
-    if (!check_options(options) || (options->out && !output_directory(options->out)) ||
+    if (!check_options(options) || beam_frames_check(options) || (options->out && !output_directory(options->out)) ||
         !beam_files_begin(&files, options))
         return EXIT_WRONG_INPUT;
     if (!beam_read(&beam, options->files[0], options->settings, options->setting_count, &fault) ||
@@ -170,8 +169,9 @@ int run_beam_file(const Options *options) {
         fprintf(stderr, "clearance: interrupted after %zu recorded cycles; what came before is kept\n",
                 response.section.count);
     json_t *answer = make_answer(&response, &beam, &rig);
-    bool written = !options->out ||
-                   (write_data(&response, answer, options->out) && beam_files_write(&files, &response, &beam, options));
+    bool written = (!options->out || (write_data(&response, answer, options->out) &&
+                                      beam_files_write(&files, &response, &beam, options))) &&
+                   beam_frames_write(&beam, &rig, &response, options);
     beam_files_end(&files);
     if (options->json)
         answer_print(json_incref(answer));
@@ -184,5 +184,5 @@ int run_beam_file(const Options *options) {
     response_clear(&response);
     rig_clear(&rig);
     beam_free(&beam);
-    return !written ? EXIT_WRONG_INPUT : resolved ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    return !written ? EXIT_WRONG_INPUT : resolved && !command_interrupted ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }
