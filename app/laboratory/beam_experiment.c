@@ -407,6 +407,7 @@ static bool begin(Experiment *experiment, Given *given, const char *place, Fault
                                .series = &series,
                                .regular = BEAM_REGULAR,
                                .outcome = BEAM_PERIOD,
+                               .periods = true,
                                .measure = BEAM_PEAK_MAX,
                                .carries = true,
                                .batch = given->beam.cycles > LONG ? 1 : BATCH,
