@@ -120,14 +120,18 @@ static void make_again(Work *work, const size_t *of, size_t count) {
 static void confirm(Work *work) {
     const TypesTask *task = work->task;
     bool sure = !task->thorough;
-    for (size_t i = 0; i < work->window.count && !sure && work->types->thorough < TYPES_THOROUGH_MOST;) {
+    size_t untold = 0;
+    for (size_t i = 0; i < work->window.count && !sure && work->types->thorough < TYPES_THOROUGH_MOST &&
+                       untold < TYPES_UNTOLD_MOST;) {
         size_t of[TYPES_THOROUGH_AT_ONCE], count = 0;
         for (; i < work->window.count && count < TYPES_THOROUGH_AT_ONCE; i++)
             if (work->window.trials[i].done && !work->window.trials[i].fault && told_regular(work, i) != 1)
                 of[count++] = i;
         make_again(work, of, count);
-        for (size_t k = 0; k < count; k++)
+        for (size_t k = 0; k < count; k++) {
             sure |= told_regular(work, of[k]) == 0;
+            untold += isnan(told_regular(work, of[k])) ? 1 : 0;
+        }
     }
     for (size_t i = 0; i < work->window.count && !sure; i++)
         if (told_regular(work, i) == 0)
