@@ -49,7 +49,7 @@ typedef struct Motion {
     double phase; /* s, in the cycle */
     MotionReading now;
     RegimeVector z;       /* (blocks) without the steady part */
-    RegimeVector tangent; /* (tangents x states), by blocks */
+    RegimeVector tangent; /* (tangents x blocks) */
     size_t tangents;
 
     size_t switches, cycle_switches; /* since the start; in this cycle */
@@ -57,8 +57,8 @@ typedef struct Motion {
     double contact_time;             /* s, in contact since the start */
     double peak[2]; /* N, largest force on the upper and on the lower contact since they were last set to 0 */
 
-    RegimeVector next, factor, trial, trial_factor;
-    double *state, *memory;
+    RegimeVector next, factor, trial;
+    double *memory;
     size_t memory_size; /* doubles */
 } Motion;
 
