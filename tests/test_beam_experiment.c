@@ -187,6 +187,25 @@ TEST(values_that_do_not_fit_are_the_trials_fault) {
     beam_experiment_close(&experiment);
 }
 
+TEST(modes_and_cycles_are_numbers_too_and_whole) {
+    Experiment experiment = open_beam("ibs", "drive.frequency=290");
+    const char *names[] = {"beam.modes", "run.cycles"};
+    Batch batch;
+    batch_init(&batch);
+    static const double modes[] = {12, 8, 12, 8.5}, cycles[] = {50, 60, 70, 50};
+    for (size_t i = 0; i < 4; i++) {
+        batch.at[i][0] = modes[i];
+        batch.at[i][1] = cycles[i];
+    }
+    experiment.run(experiment.given, names, 2, batch.trials, 4, false, NULL);
+    for (size_t i = 0; i < 3; i++)
+        CHECK(batch.trials[i].done && (double)batch.trials[i].series_count == 2 * cycles[i]);
+    CHECK(batch.observed[0][BEAM_PEAK_MAX] != batch.observed[1][BEAM_PEAK_MAX]);
+    CHECK(batch.trials[3].fault);
+    batch_clear(&batch);
+    beam_experiment_close(&experiment);
+}
+
 TEST(a_stop_leaves_trials_undone) {
     Experiment experiment = open_beam("ibs", NULL);
     const volatile sig_atomic_t stop = 1;
@@ -206,7 +225,7 @@ TEST(numbers_of_a_beam_and_its_start_are_parameters) {
     CHECK_TEXT(experiment.parameter(experiment.given, "joint.clearance")->unit, "m");
     CHECK_TEXT(experiment.parameter(experiment.given, "start.deflection")->unit, "m");
     CHECK(!experiment.parameter(experiment.given, "joint.release"));
-    CHECK(!experiment.parameter(experiment.given, "beam.modes"));
+    CHECK_NEAR(experiment.nominal(experiment.given, "beam.modes"), 12, 0);
     CHECK(!experiment.parameter(experiment.given, "nothing"));
     beam_experiment_close(&experiment);
 }

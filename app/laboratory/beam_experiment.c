@@ -61,17 +61,20 @@ static bool is_of_start(const Parameter *row) {
     return row >= start_rows && row < start_rows + start_table.count;
 }
 
+static bool is_number(const Parameter *row) {
+    return row->kind == PARAMETER_NUMBER || row->kind == PARAMETER_WHOLE;
+}
+
 static const Parameter *find_parameter(const void *given, const char *name) {
     (void)given;
     const Parameter *row = parameters_find(beam_table(), name);
     row = row ? row : parameters_find(&start_table, name);
-    return row && row->kind == PARAMETER_NUMBER ? row : NULL;
+    return row && is_number(row) ? row : NULL;
 }
 
 static double number_of(const Parameter *row, const void *object) {
-    double number;
-    memcpy(&number, (const char *)object + row->offset, sizeof number);
-    return number;
+    const void *field = (const char *)object + row->offset;
+    return row->kind == PARAMETER_WHOLE ? *(const int *)field : *(const double *)field;
 }
 
 static double nominal(const void *given, const char *name) {
@@ -104,7 +107,7 @@ static void make_case(const Given *given, const char *const *names, size_t name_
     Arena none = {0}; /* numbers need no room */
     for (size_t i = 0; i < name_count; i++) {
         const Parameter *row = find_parameter(given, names[i]);
-        JsonFile file = {.path = "", .root = json_real(trial->at[i])};
+        JsonFile file = {.path = "", .root = json_number(trial->at[i])};
         JsonNode node = json_root(&file);
         if (row)
             parameters_read_value(row, is_of_start(row) ? (void *)&made->start : (void *)&made->beam, &node, &none,
@@ -119,33 +122,17 @@ static void make_case(const Given *given, const char *const *names, size_t name_
     }
 }
 
-/* The frequency by which a rig is built: its cells must be short beside the drive's period. The same for frequencies
- * far apart, so that they share it. */
-static double rig_frequency(const Given *given, const Beam *beam) {
-    double frequency = 2 * given->beam.frequency;
-    while (frequency < beam->frequency)
-        frequency *= 2;
-    return frequency;
-}
-
 /* Is a rig of the one a rig of the other, but for the drive and the clearance? */
-static bool same_rig(const Given *given, const Beam *a, const Beam *b) {
+static bool same_rig(const Beam *a, const Beam *b) {
     Beam like = *b;
     like.frequency = a->frequency;
     like.force = a->force;
     like.clearance = a->clearance;
     const ParameterTable *table = beam_table();
     for (size_t i = 0; i < table->count; i++)
-        if (table->rows[i].kind == PARAMETER_NUMBER &&
-            number_of(&table->rows[i], a) != number_of(&table->rows[i], &like))
+        if (is_number(&table->rows[i]) && number_of(&table->rows[i], a) != number_of(&table->rows[i], &like))
             return false;
-    return rig_frequency(given, a) == rig_frequency(given, b);
-}
-
-static bool build_rig(const Given *given, const Beam *beam, Rig *rig, const char *place, Fault *fault) {
-    Beam built = *beam;
-    built.frequency = rig_frequency(given, beam);
-    return rig_build(rig, &built, place, fault);
+    return true;
 }
 
 /* m, how far the amplitude of the drive would push the tip without the joint, if it stood still. */
@@ -156,17 +143,24 @@ static double static_deflection(const Modes *modes, double force) {
     return fabs(sum * force);
 }
 
+/* m/s, the largest velocity of the tip without the joint. */
+static double free_speed(const Beam *beam, const Rig *rig) {
+    Rig own = rig_share(rig, beam->frequency, beam->force, beam->clearance);
+    double speed = own.omega * rig_free_amplitude(&own);
+    rig_clear_shared(&own);
+    return speed;
+}
+
 /* The state (states) of a case's start. */
 static void make_start(const Case *one, const Rig *rig, double *state) {
     Random random = random_seed(one->trial->seed, 0);
-    double deflection = one->start.deflection, velocity = one->start.velocity, compliance = 0;
-    Rig own = rig_share(rig, one->beam.frequency, one->beam.force, one->beam.clearance);
-    double fastest = own.omega * rig_free_amplitude(&own);
-    rig_clear_shared(&own);
     bool chance = one->trial->seed != 0;
-    double first = chance ? 2 * random_uniform(&random) - 1 : 0, second = chance ? 2 * random_uniform(&random) - 1 : 0;
-    deflection = isnan(deflection) ? first * one->beam.clearance : deflection;
-    velocity = isnan(velocity) ? second * fastest : velocity;
+    double across = chance ? 2 * random_uniform(&random) - 1 : 0, along = chance ? 2 * random_uniform(&random) - 1 : 0;
+    double deflection = isnan(one->start.deflection) ? across * one->beam.clearance : one->start.deflection;
+    double velocity = !isnan(one->start.velocity) ? one->start.velocity
+                      : chance                    ? along * free_speed(&one->beam, rig)
+                                                  : 0;
+    double compliance = 0;
     const Modes *modes = &rig->modes;
     for (size_t i = 0; i < modes->count; i++)
         compliance += modes->tip[i] * modes->tip[i] / (modes->frequency[i] * modes->frequency[i]);
@@ -297,9 +291,9 @@ static void run_cases(const Given *given, Case **cases, size_t count, const Rig 
 /* The rig of a case: the given one, or `own`, made for it. NULL: there is none, and the trial says why. */
 static const Rig *find_rig(const Given *given, Case *one, Rig *own) {
     Fault fault = {0};
-    if (same_rig(given, &one->beam, &given->beam))
+    if (same_rig(&one->beam, &given->beam))
         return &given->rig;
-    if (build_rig(given, &one->beam, own, given->beam.name, &fault))
+    if (rig_build(own, &one->beam, given->beam.name, &fault))
         return own;
     keep_fault(one->trial, &fault);
     one->made = true;
@@ -316,7 +310,7 @@ static void run_apart(const Given *given, Case *cases, size_t count, const volat
             continue;
         size_t members = 0, size = 2 * rig->modes.count;
         for (size_t j = i; j < count; j++)
-            if (!cases[j].made && same_rig(given, &cases[i].beam, &cases[j].beam))
+            if (!cases[j].made && same_rig(&cases[i].beam, &cases[j].beam))
                 group[members++] = &cases[j];
         double *states = memory_allocate(members * size, sizeof *states);
         for (size_t j = 0; j < members; j++)
@@ -395,7 +389,7 @@ static void run(const void *context, const char *const *names, size_t name_count
 /* Opening --------------------------------------------------------------------------------------------------------- */
 
 static bool begin(Experiment *experiment, Given *given, const char *place, Fault *fault) {
-    if (!build_rig(given, &given->beam, &given->rig, place, fault)) {
+    if (!rig_build(&given->rig, &given->beam, place, fault)) {
         if (given->owned)
             beam_free(&given->beam);
         memory_free(given);

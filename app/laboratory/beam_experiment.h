@@ -1,6 +1,6 @@
 /* The beam in its clearance as what a study runs.
  *
- * Parameters are the rows of a beam file that are numbers, and the start, at phase 0 of the drive:
+ * Parameters are the rows of a beam file that are numbers, whole ones too, and the start, at phase 0 of the drive:
  *
  *     start.deflection   m, of the tip: the beam is bent as by a static force at its tip
  *     start.velocity     m/s, of the tip: every point moves in proportion to that same shape
