@@ -63,6 +63,17 @@ TEST(newtons_orbit_is_found_from_nearby_and_repeats) {
     rig_clear(&rig);
 }
 
+TEST(a_search_that_is_stopped_finds_nothing) {
+    Rig rig = oscillator_beam_rig("ibs", "drive.frequency=290");
+    double state[STATES_MOST] = {0};
+    CHECK(orbit_map(&rig, state, 100, NULL, NULL));
+    sig_atomic_t stop = 1;
+    Orbit orbit;
+    CHECK(!orbit_find(&orbit, &rig, state, 1, &stop) && !orbit.point);
+    CHECK(!orbit_map(&rig, state, 1, NULL, &stop));
+    rig_clear(&rig);
+}
+
 /* The slowest multiplier is also what a deviation shrinks by in a cycle. */
 TEST(the_largest_multiplier_is_how_fast_the_orbit_is_approached) {
     Rig rig = oscillator_beam_rig("ibs", "drive.frequency=20");

@@ -7,7 +7,7 @@
 typedef struct Terms {
     const char *kind;
     const char *headline[4]; /* by TypesKind */
-    const char *regular, *irregular, *regular_again, *measure;
+    const char *regular, *irregular, *measure;
     const char *changes; /* what an answer that changes does */
     const char *longer;  /* what helps where it cannot be told */
 } Terms;
@@ -18,7 +18,6 @@ static const Terms terms[] = {
                   "Type II: run it here only with close tolerances", "Type III: do not run it here"},
      .regular = "periodic",
      .irregular = "not periodic",
-     .regular_again = "Periodic again",
      .measure = "the largest force",
      .changes = "has another period",
      .longer = "a larger run.transient_cycles may tell"},
@@ -27,7 +26,6 @@ static const Terms terms[] = {
                   "Type II: this way out depends on small things", "Type III: do not rely on this way out"},
      .regular = "everybody out",
      .irregular = "somebody not out",
-     .regular_again = "Everybody out again",
      .measure = "the time",
      .changes = "goes another way",
      .longer = "a larger run.until may tell"},
@@ -80,11 +78,12 @@ static void add_place(Text *text, const Types *types, const Experiment *experime
     advice_value(text, experiment, types->parameters[point->parameter].name, point->value);
 }
 
-static void add_starts(Text *text, size_t starts) {
+/* `all` is the word for every one of them. */
+static void add_starts(Text *text, size_t starts, const char *all) {
     if (starts < TYPES_STARTS)
         text_format(text, " from %zu of %d starts", starts, TYPES_STARTS);
     else
-        text_format(text, " from every one of %d starts", TYPES_STARTS);
+        text_format(text, " from %s of %d starts", all, TYPES_STARTS);
 }
 
 static void add_answers(Text *text, const Types *types, const Experiment *experiment, size_t at) {
@@ -95,7 +94,7 @@ static void add_answers(Text *text, const Types *types, const Experiment *experi
         add_measure(text, experiment, answer->measure);
         if (experiment->periods)
             text_format(text, " (period %g)", answer->outcome);
-        add_starts(text, answer->starts);
+        add_starts(text, answer->starts, "each");
     }
 }
 
@@ -142,7 +141,8 @@ static void add_reason(Text *text, const Types *types, const Experiment *experim
     case TYPES_NOT_REGULAR:
         text_format(text, "It is %s ", words->irregular);
         add_place(text, types, experiment, types->worst);
-        add_starts(text, worst->irregular);
+        text_add(text, ",");
+        add_starts(text, worst->irregular, "any");
         break;
     case TYPES_FLIPS:
         text_format(text, "Its period doubles within 1 %% of here: ");
@@ -153,7 +153,8 @@ static void add_reason(Text *text, const Types *types, const Experiment *experim
     case TYPES_CANNOT_BE_TOLD:
         text_format(text, "It is neither surely %s nor surely not ", words->regular);
         add_place(text, types, experiment, types->worst);
-        add_starts(text, worst->untold);
+        text_add(text, ",");
+        add_starts(text, worst->untold, "any");
         text_format(text, "; %s", types->stopped ? "it was stopped" : words->longer);
         break;
     }
@@ -200,33 +201,40 @@ static double least_reached(const Types *types) {
     return isinf(least) ? 0 : least;
 }
 
+static void add_found(Text *text, const Types *types, const Experiment *experiment, const size_t *order, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        text_add(text, i == 0 ? "" : i + 1 < count ? ", " : " or ");
+        add_side(text, experiment, &types->parameters[order[i]]);
+    }
+}
+
+static void add_names(Text *text, const Types *types) {
+    for (size_t p = 0; p < types->parameter_count; p++)
+        text_format(text, "%s%s",
+                    p == 0                           ? ""
+                    : p + 1 < types->parameter_count ? ", "
+                                                     : " or ",
+                    short_name(types->parameters[p].name));
+}
+
 static void add_neighbours(Text *text, const Types *types, const Experiment *experiment, const Terms *words) {
     size_t order[TYPES_PARAMETERS_MOST], found = order_parameters(types, order);
     bool trouble = types->sought == NEIGHBOURS_TROUBLE;
     if (!types->parameter_count || (types->stopped && !found))
         return;
     if (!found) {
-        text_format(text, "With any one of these numbers changed alone, by up to %.3g %%, it %s %s: ",
-                    100 * least_reached(types), trouble ? "stays" : "does not become", words->regular);
+        text_format(text, "It %s %s with one of these changed alone by up to %.3g %%: ",
+                    trouble ? "stays" : "does not become", words->regular, 100 * least_reached(types));
+        add_names(text, types);
     } else if (trouble) {
         text_add(text, "The nearest trouble is at ");
-        add_side(text, experiment, &types->parameters[order[0]]);
-        text_add(text, found > 1 ? "; then " : "");
+        add_found(text, types, experiment, order, 1);
+        text_add(text, found > 1 ? "; then at " : "");
+        add_found(text, types, experiment, order + 1, found - 1);
     } else {
-        text_format(text, "%s at ", words->regular_again);
-        add_side(text, experiment, &types->parameters[order[0]]);
-        text_add(text, found > 1 ? ", or at " : "");
+        text_format(text, "With one number changed alone it is %s again at ", words->regular);
+        add_found(text, types, experiment, order, found);
     }
-    for (size_t i = 1; i < found; i++) {
-        text_add(text, i == 1 ? "" : i + 1 < found ? ", " : " or ");
-        add_side(text, experiment, &types->parameters[order[i]]);
-    }
-    for (size_t p = 0; p < types->parameter_count && !found; p++)
-        text_format(text, "%s%s",
-                    p == 0                           ? ""
-                    : p + 1 < types->parameter_count ? ", "
-                                                     : " or ",
-                    short_name(types->parameters[p].name));
     text_add(text, ".\n");
 }
 

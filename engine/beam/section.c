@@ -107,7 +107,7 @@ int section_period(const double *deflection, const double *velocity, size_t coun
         if (count < span + lag)
             told = false;
         else if (largest_return(&tip, lag, count - span, count) < RETURN_NEAR)
-            return (int)lag;
+            return told ? (int)lag : SECTION_UNTOLD; /* not of a shorter period that it settles to */
         else if (returns_settle(&tip, count, lag))
             told = false;
     }
