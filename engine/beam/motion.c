@@ -38,11 +38,6 @@ static const Way ways[2][MOTION_PLACES][WAYS] =
             },
 };
 
-/* Of the wall in whose contact the place is. */
-static double side_of(MotionPlace place) {
-    return place == MOTION_UPPER ? 1 : place == MOTION_LOWER ? -1 : 0;
-}
-
 static const Regime *regime_of(const Motion *motion) {
     return motion_in_contact(motion->place) ? &motion->rig->contact : &motion->rig->free;
 }
@@ -106,7 +101,8 @@ void motion_copy(Motion *to, const Motion *from) {
 /* Adds the steady part, `times` times. */
 static void add_steady(const Motion *motion, double times, RegimeVector z) {
     const RigSteady *steady = steady_of(motion);
-    double sine = times * motion->now.sine, cosine = times * motion->now.cosine, rest = times * side_of(motion->place);
+    double sine = times * motion->now.sine, cosine = times * motion->now.cosine,
+           rest = times * motion_side(motion->place);
     for (size_t j = 0; j < regime_of(motion)->blocks; j++) {
         z.re[j] += sine * steady->sine.re[j] + cosine * steady->cosine.re[j] + rest * steady->rest.re[j];
         z.im[j] += sine * steady->sine.im[j] + cosine * steady->cosine.im[j] + rest * steady->rest.im[j];
@@ -119,7 +115,7 @@ static void measure(const Motion *motion, RegimeRow row, RegimeVector z, MotionR
     const Regime *regime = regime_of(motion);
     double a = steady->row_sine[row], b = steady->row_cosine[row];
     reading->value[row] = regime_measure(regime->blocks, regime->row[row][0], z) + a * reading->sine +
-                          b * reading->cosine + side_of(motion->place) * steady->row_rest[row];
+                          b * reading->cosine + motion_side(motion->place) * steady->row_rest[row];
     reading->rate[row] = regime_measure(regime->blocks, regime->row[row][1], z) +
                          motion->rig->omega * (a * reading->cosine - b * reading->sine);
 }
@@ -214,13 +210,13 @@ double motion_velocity(const Motion *motion) {
 
 /* N, of the wall that is touched on the tip, towards the clearance, from the row's value. */
 static double push_of(const Motion *motion, double value) {
-    double side = side_of(motion->place);
-    return side * value - motion->rig->stiffness * motion->rig->clearance;
+    return motion_side(motion->place) * value - motion->rig->stiffness * motion->rig->clearance;
 }
 
 double motion_force(const Motion *motion) {
-    return motion_in_contact(motion->place) ? -side_of(motion->place) * push_of(motion, motion->now.value[REGIME_FORCE])
-                                            : 0;
+    return motion_in_contact(motion->place)
+               ? -motion_side(motion->place) * push_of(motion, motion->now.value[REGIME_FORCE])
+               : 0;
 }
 
 /* Switches -------------------------------------------------------------------------------------------------------- */
@@ -252,7 +248,7 @@ static Jet follow(const Curve *curve, double time, double *middle) {
         term = next;
         next = after;
     }
-    jet.term[0] += curve->offset + curve->sign * side_of(motion->place) * steady->row_rest[curve->row];
+    jet.term[0] += curve->offset + curve->sign * motion_side(motion->place) * steady->row_rest[curve->row];
     return curve->rate ? jet_rate(&jet) : jet;
 }
 
@@ -326,7 +322,7 @@ static double find_switch(Motion *motion, const Way *way, double step, const Mot
 
 /* The force's largest value within the step that is being made. */
 static void note_peak(Motion *motion, double step, const MotionReading *end) {
-    double side = side_of(motion->place);
+    double side = motion_side(motion->place);
     const MotionReading *begin = &motion->now;
     double *peak = &motion->peak[side > 0 ? 0 : 1];
     *peak = fmax(*peak, fmax(push_of(motion, begin->value[REGIME_FORCE]), push_of(motion, end->value[REGIME_FORCE])));
@@ -363,7 +359,7 @@ static void change_regime(Motion *motion, MotionPlace to, double damping) {
     bool touches = motion_in_contact(to);
     const RigChange *change = touches ? &rig->touch : &rig->leave;
     const Regime *before = touches ? &rig->free : &rig->contact, *after = touches ? &rig->contact : &rig->free;
-    double side = side_of(touches ? to : motion->place);
+    double side = motion_side(touches ? to : motion->place);
     RegimeVector z = motion->next;
     rig_change_blocks(change, before, after, motion->z, z);
     add(after->blocks, motion->now.sine, change->sine, z);
@@ -390,7 +386,7 @@ static void change_place(Motion *motion, MotionPlace to) {
     if (motion_in_contact(from) != motion_in_contact(to))
         change_regime(motion, to, jump);
     else if (motion_in_contact(from))
-        add(rig->contact.blocks, side_of(from) - side_of(to), rig->steady_contact.rest, motion->z);
+        add(rig->contact.blocks, motion_side(from) - motion_side(to), rig->steady_contact.rest, motion->z);
     motion->place = to;
     read_rows(motion, motion->z, 0, &motion->now);
 }
@@ -446,7 +442,7 @@ double motion_step(Motion *motion, double longest) {
         step = when;
         factor = move_blocks(motion, step, &end);
     }
-    if (motion_in_contact(motion->place))
+    if (motion_in_contact(motion->place) && !motion->unwatched)
         note_peak(motion, step, &end);
     go_on(motion, step, factor, &end);
     if (first)
@@ -454,10 +450,7 @@ double motion_step(Motion *motion, double longest) {
     return step;
 }
 
-MotionStatus motion_cycle(Motion *motion) {
-    double period = motion->rig->period;
-    while (motion->status == MOTION_GOOD && motion->phase < period)
-        motion_step(motion, period - motion->phase);
+MotionStatus motion_end_cycle(Motion *motion) {
     if (motion->status == MOTION_GOOD && !isfinite(motion->z.re[0] + motion->now.value[REGIME_TIP]))
         motion->status = MOTION_DIVERGED;
     motion->phase = 0;
@@ -466,4 +459,11 @@ MotionStatus motion_cycle(Motion *motion) {
     motion->cycle++;
     motion->cycle_switches = 0;
     return motion->status;
+}
+
+MotionStatus motion_cycle(Motion *motion) {
+    double period = motion->rig->period;
+    while (motion->status == MOTION_GOOD && motion->phase < period)
+        motion_step(motion, period - motion->phase);
+    return motion_end_cycle(motion);
 }
