@@ -61,5 +61,8 @@
 #include "beam/response.h"
 #include "study/experiment.h"
 #include "study/study.h"
+#include "study/bunch.h"
+#include "study/neighbours.h"
+#include "study/types.h"
 #include "exchange/jupedsim.h"
 #include "exchange/observed.h"

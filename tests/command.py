@@ -78,7 +78,19 @@ def check_beams():
     check(abs(answer["peaks"]["max"] - 1032) < 2 and answer["peaks"]["count"] == 200, f"peaks of a beam: {answer['peaks']}")
     for key in ("frequency", "clearance", "lyapunov", "zero_one", "cycles", "natural_frequencies", "digest"):
         check(key in answer, f"run --json of a beam lacks {key}")
-    check(expect(0, "run", beam).stdout.startswith("Chaotic: at 300 Hz the tip hits the joint with "), "run of a chaotic beam")
+    types = answer["types"]
+    check((answer["type"], types["type"], types["reason"]) == ("II", "II", "steep"), f"type of a beam: {types}")
+    check((types["runs"], types["starts"], len(types["points"])) == (144, 16, 9), f"window of a type: {types}")
+    length = next(p for p in types["parameters"] if p["name"] == "beam.length")
+    check(abs(length["above"]["away"] - 0.02) < 1e-9 and length["sensitivity"] < -5, f"nearest trouble of a beam: {length}")
+    check("The nearest trouble is at length 286.8 mm (2 % above)" in types["advice"], f"advice: {types['advice']}")
+    chaotic = expect(0, "run", beam).stdout
+    check(chaotic.startswith("Chaotic: at 300 Hz the tip hits the joint with "), "run of a chaotic beam")
+    check("\nType III: do not run it here. It is not periodic right here, from any of 16 starts.\n" in chaotic,
+          f"type of a chaotic beam: {chaotic}")
+    check("This rests on 144 runs of 400 cycles from 16 starts" in chaotic, f"what a type rests on: {chaotic}")
+    quiet = json.loads(expect(0, "run", beam, "--set", "joint.clearance=0.001", "--jobs", "1", "--json").stdout)
+    check((quiet["type"], quiet["types"]["reason"]) == ("I", "one answer"), f"type of a beam that does not touch: {quiet}")
     torus = expect(1, "run", beam, "--set", "beam.modes=4").stdout
     check(torus.startswith("Unresolved") and "more beam.modes would be right" in torus, f"run of four modes: {torus}")
     with tempfile.TemporaryDirectory() as out:
@@ -89,10 +101,24 @@ def check_beams():
         check(json.loads(pathlib.Path(out, "summary.json").read_text()) == answer, "summary.json of a beam is the answer")
         rows = pathlib.Path(out, "trace.csv").read_text().splitlines()
         check(rows[0] == "time [s],displacement [m],velocity [m/s],force [N]", f"trace.csv of a beam begins {rows[0]}")
+    check_beam_interrupted(beam)
     expect(2, "run", beam, "--set", "drive.frequenzy=1", says="did you mean")
     expect(2, "run", beam, "--report", "--out", "out", says="--report is for houses")
     expect(2, "check", beam, says='must be "clearance-house"')
     expect(2, "run", str(source / "tests/data/bad/beams/no-mass.json"), says="beam.density is 0")
+
+
+def check_beam_interrupted(beam):
+    """A stiff contact switches hundreds of times a cycle, and its type takes long; Ctrl-C ends that."""
+    process = subprocess.Popen([program, "run", beam, "--set", "joint.stiffness=1e11", "--json"], stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)
+    try:
+        process.wait(timeout=2)
+    except subprocess.TimeoutExpired:
+        process.send_signal(signal.SIGINT)
+    output, error = process.communicate(timeout=20)
+    types = json.loads(output)["types"]
+    check(types["type"] == "unresolved" and types["stopped"], "run of a beam: interrupted", f"{types} {error}")
 
 
 def check_options():

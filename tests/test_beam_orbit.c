@@ -16,14 +16,15 @@ static void check_derivative(const char *setting, int release) {
     double start[STATES_MOST], along[STATES_MOST], up[STATES_MOST], down[STATES_MOST];
     double *derivative = memory_allocate(states * states, sizeof *derivative);
     oscillator_start(&rig, 3, start);
-    CHECK(orbit_map(&rig, start, 40, NULL));
+    CHECK(orbit_map(&rig, start, 40, NULL, NULL));
     oscillator_start(&rig, 4, along);
     const double small = 1e-6;
     for (size_t i = 0; i < states; i++) {
         up[i] = start[i] + small * along[i];
         down[i] = start[i] - small * along[i];
     }
-    CHECK(orbit_map(&rig, start, 3, derivative) && orbit_map(&rig, up, 3, NULL) && orbit_map(&rig, down, 3, NULL));
+    CHECK(orbit_map(&rig, start, 3, derivative, NULL) && orbit_map(&rig, up, 3, NULL, NULL) &&
+          orbit_map(&rig, down, 3, NULL, NULL));
     double apart = 0, length = 0;
     for (size_t i = 0; i < states; i++) {
         double exact = 0, difference = (up[i] - down[i]) / (2 * small);
@@ -50,15 +51,26 @@ TEST(newtons_orbit_is_found_from_nearby_and_repeats) {
     Rig rig = oscillator_beam_rig("ibs", "drive.frequency=290");
     double start[STATES_MOST], again[STATES_MOST];
     oscillator_start(&rig, 1, start);
-    CHECK(orbit_map(&rig, start, 100, NULL));
+    CHECK(orbit_map(&rig, start, 100, NULL, NULL));
     Orbit orbit;
-    CHECK(orbit_find(&orbit, &rig, start, 1));
+    CHECK(orbit_find(&orbit, &rig, start, 1, NULL));
     CHECK(orbit.error < 1e-11);
     CHECK(orbit_is_stable(&orbit));
     memcpy(again, orbit.point, orbit.states * sizeof *again);
-    CHECK(orbit_map(&rig, again, 5, NULL));
+    CHECK(orbit_map(&rig, again, 5, NULL, NULL));
     CHECK_NEAR(orbit_distance(&orbit, &rig, again), 0, 1e-10);
     orbit_clear(&orbit);
+    rig_clear(&rig);
+}
+
+TEST(a_search_that_is_stopped_finds_nothing) {
+    Rig rig = oscillator_beam_rig("ibs", "drive.frequency=290");
+    double state[STATES_MOST] = {0};
+    CHECK(orbit_map(&rig, state, 100, NULL, NULL));
+    sig_atomic_t stop = 1;
+    Orbit orbit;
+    CHECK(!orbit_find(&orbit, &rig, state, 1, &stop) && !orbit.point);
+    CHECK(!orbit_map(&rig, state, 1, NULL, &stop));
     rig_clear(&rig);
 }
 
@@ -66,14 +78,14 @@ TEST(newtons_orbit_is_found_from_nearby_and_repeats) {
 TEST(the_largest_multiplier_is_how_fast_the_orbit_is_approached) {
     Rig rig = oscillator_beam_rig("ibs", "drive.frequency=20");
     double state[STATES_MOST] = {0};
-    CHECK(orbit_map(&rig, state, 300, NULL));
+    CHECK(orbit_map(&rig, state, 300, NULL, NULL));
     Orbit orbit;
-    CHECK(orbit_find(&orbit, &rig, state, 2));
+    CHECK(orbit_find(&orbit, &rig, state, 2, NULL));
     for (size_t i = 0; i < orbit.states; i++)
         state[i] = orbit.point[i] * (1 + 1e-4);
-    CHECK(orbit_map(&rig, state, 6, NULL)); /* until only the slowest is left */
+    CHECK(orbit_map(&rig, state, 6, NULL, NULL)); /* until only the slowest is left */
     double before = orbit_distance(&orbit, &rig, state);
-    CHECK(orbit_map(&rig, state, 4, NULL));
+    CHECK(orbit_map(&rig, state, 4, NULL, NULL));
     CHECK_NEAR(orbit_distance(&orbit, &rig, state) / before, orbit.largest * orbit.largest, 0.05 * orbit.largest);
     orbit_clear(&orbit);
     rig_clear(&rig);

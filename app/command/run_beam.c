@@ -13,6 +13,40 @@
 #include "command/beam_frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
+#include "command/types_answer.h"
+#include "laboratory/beam_experiment.h"
+
+/* Type ------------------------------------------------------------------------------------------------------------ */
+
+/* The numbers of a beam in whose window its type is told. */
+static const char *const window[] = {"drive.frequency", "beam.length", "joint.clearance", "drive.force"};
+enum { WINDOW = sizeof window / sizeof *window, EACH = 32 };
+
+/* What the type was told by; type_close releases it. */
+typedef struct TypeAnswer {
+    Types types;
+    Experiment quick, thorough;
+    char each[EACH]; /* how long a run is */
+} TypeAnswer;
+
+static bool type_tell(TypeAnswer *answer, const Beam *beam, const Options *options, Fault *fault) {
+    const char *place = options->files[0];
+    snprintf(answer->each, EACH, "%d cycles", beam->transient_cycles + beam->cycles);
+    if (!beam_experiment_of(&answer->quick, beam, place, fault))
+        return false;
+    if (!beam_experiment_of(&answer->thorough, beam, place, fault)) {
+        beam_experiment_close(&answer->quick);
+        return false;
+    }
+    beam_experiment_be_thorough(&answer->thorough);
+    types_answer_tell(&answer->types, &answer->quick, &answer->thorough, window, WINDOW, options, fault);
+    return true;
+}
+
+static void type_close(TypeAnswer *answer) {
+    beam_experiment_close(&answer->quick);
+    beam_experiment_close(&answer->thorough);
+}
 
 /* Words ----------------------------------------------------------------------------------------------------------- */
 
@@ -68,8 +102,10 @@ static void print_verdict(const Response *response, const Beam *beam, const Rig 
                response->exponent.value, response->exponent.error, response->zero_one, response->cycles);
 }
 
-static void print_answer(const Response *response, const Beam *beam, const Rig *rig) {
+static void print_answer(const Response *response, const TypeAnswer *type, const Beam *beam, const Rig *rig) {
     print_verdict(response, beam, rig);
+    printf("\n");
+    types_answer_print(&type->types, &type->quick, type->each);
     printf("\nclearance            +-%.4g mm; without the joint the tip would move +-%.4g mm\n", 1000 * beam->clearance,
            1000 * rig_free_amplitude(rig));
     printf("switches             %.2f a cycle, in contact for %.0f %% of the time\n", response->switches,
@@ -93,7 +129,7 @@ static json_t *known(double value) {
     return isfinite(value) ? json_number(value) : json_null();
 }
 
-static json_t *make_answer(const Response *response, const Beam *beam, const Rig *rig) {
+static json_t *make_answer(const Response *response, const TypeAnswer *type, const Beam *beam, const Rig *rig) {
     char digest[17];
     snprintf(digest, sizeof digest, "%016" PRIx64, response->digest);
     const SectionPeaks *peaks = &response->peaks;
@@ -106,6 +142,8 @@ static json_t *make_answer(const Response *response, const Beam *beam, const Rig
                                "period", (json_int_t)response->orbit.period, "settled", response->settled, "lyapunov",
                                known(response->exponent.value), "lyapunov_error", known(response->exponent.error),
                                "zero_one", known(response->zero_one), "cycles", (json_int_t)response->cycles);
+    json_object_set_new(answer, "type", json_string(types_kind_name(type->types.kind)));
+    json_object_set_new(answer, "types", types_answer_json(&type->types, &type->quick, type->each));
     json_object_set_new(answer, "multiplier",
                         response->verdict == RESPONSE_PERIODIC ? json_number(response->orbit.largest) : json_null());
     json_object_set_new(answer, "peaks",
@@ -164,11 +202,18 @@ int run_beam_file(const Options *options) {
         return house_file_report(&fault);
     }
     Response response;
+    TypeAnswer type;
     response_run(&response, &rig, &beam, NULL, &command_interrupted);
+    if (!type_tell(&type, &beam, options, &fault)) {
+        response_clear(&response);
+        rig_clear(&rig);
+        beam_free(&beam);
+        return house_file_report(&fault);
+    }
     if (command_interrupted)
         fprintf(stderr, "clearance: interrupted after %zu recorded cycles; what came before is kept\n",
                 response.section.count);
-    json_t *answer = make_answer(&response, &beam, &rig);
+    json_t *answer = make_answer(&response, &type, &beam, &rig);
     bool written = (!options->out || (write_data(&response, answer, options->out) &&
                                       beam_files_write(&files, &response, &beam, options))) &&
                    beam_frames_write(&beam, &rig, &response, options);
@@ -176,11 +221,12 @@ int run_beam_file(const Options *options) {
     if (options->json)
         answer_print(json_incref(answer));
     else
-        print_answer(&response, &beam, &rig);
+        print_answer(&response, &type, &beam, &rig);
     if (options->out && written && !options->json)
         printf("\nplots and data are in %s\n", options->out);
     bool resolved = response.verdict == RESPONSE_PERIODIC || response.verdict == RESPONSE_CHAOTIC;
     json_decref(answer);
+    type_close(&type);
     response_clear(&response);
     rig_clear(&rig);
     beam_free(&beam);

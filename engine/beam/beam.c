@@ -174,6 +174,17 @@ static void check_whole(const Beam *beam, const JsonNode *root, Fault *fault) {
                    beam->width * beam->thickness * beam->length * beam->density);
 }
 
+bool beam_check(const Beam *beam, const char *place, Fault *fault) {
+    size_t before = fault->total;
+    char path[200];
+    snprintf(path, sizeof path, "%s: ", place);
+    JsonFile file = {.path = path, .root = json_object()};
+    JsonNode root = json_root(&file);
+    check_whole(beam, &root, fault);
+    json_decref(file.root);
+    return fault->total == before;
+}
+
 bool beam_is_file(const char *path) {
     JsonFile file = {0};
     Fault fault = {0};

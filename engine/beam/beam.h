@@ -70,6 +70,10 @@ bool beam_is_file(const char *path);
  * and what, and the beam is as it was. */
 bool beam_read(Beam *beam, const char *path, const char *const *settings, size_t setting_count, Fault *fault);
 
+/* Does what the rows cannot say hold: do the parts fit together, is the beam held, are there freedoms for its modes?
+ * False: faults at the place `place`. */
+bool beam_check(const Beam *beam, const char *place, Fault *fault);
+
 void beam_free(Beam *beam);
 
 json_t *beam_schema(void);

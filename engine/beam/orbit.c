@@ -24,14 +24,14 @@ static double share(double apart, double size) {
     return apart > 0 ? apart / size : 0;
 }
 
-bool orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative) {
+bool orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative, const volatile sig_atomic_t *stop) {
     size_t states = rig->free.states;
     Motion motion = motion_create(rig, derivative ? states : 0);
     motion_set_state(&motion, state);
     motion_unit_tangents(&motion);
-    for (size_t i = 0; i < cycles && motion.status == MOTION_GOOD; i++)
+    for (size_t i = 0; i < cycles && motion.status == MOTION_GOOD && !(stop && *stop); i++)
         motion_cycle(&motion);
-    bool good = motion.status == MOTION_GOOD;
+    bool good = motion.status == MOTION_GOOD && !(stop && *stop);
     motion_state(&motion, state);
     for (size_t t = 0; t < motion.tangents; t++)
         motion_tangent(&motion, t, derivative + t * states);
@@ -73,7 +73,7 @@ static bool find_multipliers(Orbit *orbit, double *derivative) {
     return good;
 }
 
-bool orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period) {
+bool orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period, const volatile sig_atomic_t *stop) {
     size_t states = rig->free.states;
     *orbit = (Orbit){.period = period, .states = states, .point = memory_allocate(3 * states, sizeof(double))};
     orbit->multiplier_re = orbit->point + states;
@@ -84,7 +84,7 @@ bool orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period
     bool good = true, found = false;
     for (int i = 0; i < ITERATIONS_MOST && good && !found; i++) {
         memcpy(gap, orbit->point, states * sizeof *gap);
-        good = orbit_map(rig, gap, period, derivative);
+        good = orbit_map(rig, gap, period, derivative, stop);
         for (size_t k = 0; k < states; k++)
             gap[k] -= orbit->point[k];
         orbit->error = share(length_of(gap, states), length_of(orbit->point, states));
@@ -112,7 +112,7 @@ double orbit_distance(const Orbit *orbit, const Rig *rig, const double *state) {
         for (size_t k = 0; k < orbit->states; k++)
             apart[k] = state[k] - point[k];
         nearest = fmin(nearest, share(length_of(apart, orbit->states), length_of(point, orbit->states)));
-        orbit_map(rig, point, 1, NULL);
+        orbit_map(rig, point, 1, NULL, NULL);
     }
     memory_free(point);
     return nearest;

@@ -4,6 +4,7 @@
  * it is stable; the eigenvalues of the derivative, its multipliers, tell which: inside the unit circle, it attracts. */
 #pragma once
 
+#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -29,8 +30,8 @@ typedef struct Orbit {
 } Orbit;
 
 /* Newton's iteration from `start` (states) for an orbit of `period` cycles, or of a divisor of it. False: it does not
- * converge, and there is nothing to clear. */
-bool orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period);
+ * converge or is stopped (`stop` other than 0; NULL: nothing stops it), and there is nothing to clear. */
+bool orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period, const volatile sig_atomic_t *stop);
 
 /* Does it attract: are all multipliers inside the unit circle? */
 bool orbit_is_stable(const Orbit *orbit);
@@ -40,6 +41,6 @@ double orbit_distance(const Orbit *orbit, const Rig *rig, const double *state);
 
 void orbit_clear(Orbit *orbit);
 
-/* P^cycles(x) into `state`, and its derivative (states x states, column by column), unless NULL. False: it chatters or
- * diverges. */
-bool orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative);
+/* P^cycles(x) into `state`, and its derivative (states x states, column by column), unless NULL. False: it chatters,
+ * diverges or is stopped. */
+bool orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative, const volatile sig_atomic_t *stop);

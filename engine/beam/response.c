@@ -9,6 +9,13 @@
  * motion returns so near now and then, but to an orbit that does not attract. */
 static const double NEAR_RETURN = 0.05;
 
+/* A tangent that grows faster than this, a cycle, is of no motion near an orbit that attracts: Newton's iteration, by
+ * far the longest part, is not tried. */
+static const double GROWS = 0.1;
+
+/* The 0-1 test, whose effort is the square of it, needs no more cycles: the last ones. */
+enum { ZERO_ONE_CYCLES = 4000 };
+
 /* So near to an orbit, of the state's length, a motion is on it. */
 static const double SETTLED = 1e-3;
 
@@ -97,10 +104,10 @@ static void record(Response *response, Watch *watch, int cycles) {
 }
 
 /* An orbit that has been found with a multiple of its period: with its own. */
-static void reduce_period(Orbit *orbit, const Rig *rig) {
+static void reduce_period(Orbit *orbit, const Rig *rig, const volatile sig_atomic_t *stop) {
     for (size_t period = 1; period < orbit->period; period++) {
         Orbit shorter;
-        if (orbit->period % period || !orbit_find(&shorter, rig, orbit->point, period))
+        if (orbit->period % period || !orbit_find(&shorter, rig, orbit->point, period, stop))
             continue;
         if (orbit_distance(&shorter, rig, orbit->point) < SETTLED) {
             orbit_clear(orbit);
@@ -111,16 +118,28 @@ static void reduce_period(Orbit *orbit, const Rig *rig) {
     }
 }
 
+/* Does the tangent grow, in the last quarter of what was seen? */
+static bool tangent_grows(const Watch *watch) {
+    size_t count = watch->analysed.count, last = count / 4 > 0 ? count / 4 : 1;
+    double sum = 0;
+    for (size_t i = count - last; i < count; i++)
+        sum += watch->growth[i];
+    return sum > GROWS * (double)last;
+}
+
 /* The stable orbit that the motion is near. */
 static bool find_orbit(Response *response, const Watch *watch) {
     const Section *seen = &watch->analysed;
     const Rig *rig = watch->motion.rig;
+    if (tangent_grows(watch))
+        return false;
     for (size_t period = 1; period <= ORBIT_PERIOD_MOST && period < seen->count; period++) {
         Orbit orbit;
-        if (section_return(seen, period) > NEAR_RETURN || !orbit_find(&orbit, rig, section_last(seen), period))
+        if (section_return(seen, period) > NEAR_RETURN ||
+            !orbit_find(&orbit, rig, section_last(seen), period, watch->stop))
             continue;
         if (orbit_is_stable(&orbit) && orbit_distance(&orbit, rig, section_last(seen)) < NEAR_RETURN) {
-            reduce_period(&orbit, rig);
+            reduce_period(&orbit, rig, watch->stop);
             response->orbit = orbit;
             return true;
         }
@@ -156,7 +175,8 @@ static void tell(Response *response, Watch *watch) {
         if (!goes_on(watch))
             return;
         response->exponent = chaos_exponent(watch->growth, watch->analysed.count);
-        response->zero_one = chaos_zero_one(watch->analysed.deflection, watch->analysed.count);
+        size_t last = watch->analysed.count < ZERO_ONE_CYCLES ? watch->analysed.count : ZERO_ONE_CYCLES;
+        response->zero_one = chaos_zero_one(watch->analysed.deflection + watch->analysed.count - last, last);
     }
 }
 

@@ -5,6 +5,14 @@
 
 #include "base/memory.h"
 
+/* A motion whose every return is nearer than this, of its own size, repeats. A transient that shrinks by 1 % a cycle is
+ * then within 1 % of its orbit. */
+static const double RETURN_NEAR = 1e-4;
+
+/* One whose returns are this near and get nearer settles still. A chaotic motion returns so near now and then, but not
+ * for a quarter of what is seen. */
+static const double RETURN_SETTLING = 0.05;
+
 void section_add(Section *section, Motion *motion) {
     size_t states = section->states = motion->rig->free.states, at = section->count++, count = section->count;
     section->state = memory_reserve(section->state, &section->state_capacity, count * states, sizeof(double));
@@ -54,4 +62,54 @@ double section_return(const Section *section, size_t lag) {
         size += last[i] * last[i];
     }
     return size > 0 ? sqrt(apart / size) : 0;
+}
+
+/* The tip as a point of one unit, m/s. */
+typedef struct Tip {
+    const double *deflection, *velocity;
+    double omega;
+} Tip;
+
+static double return_of(const Tip *tip, size_t at, size_t lag) {
+    double along = tip->omega * (tip->deflection[at] - tip->deflection[at - lag]);
+    double apart = hypot(along, tip->velocity[at] - tip->velocity[at - lag]);
+    return apart > 0 ? apart / hypot(tip->omega * tip->deflection[at], tip->velocity[at]) : 0;
+}
+
+/* The largest return after `lag` cycles, of those at `from` up to before `to`. */
+static double largest_return(const Tip *tip, size_t lag, size_t from, size_t to) {
+    double largest = 0;
+    for (size_t i = from; i < to; i++)
+        largest = fmax(largest, return_of(tip, i, lag));
+    return largest;
+}
+
+/* Do the returns get nearer from quarter to quarter of what is seen? */
+static bool returns_settle(const Tip *tip, size_t count, size_t lag) {
+    enum { QUARTERS = 4 };
+    double before = HUGE_VAL;
+    for (size_t quarter = 0; quarter < QUARTERS; quarter++) {
+        size_t seen = count - lag;
+        double largest =
+            largest_return(tip, lag, lag + seen * quarter / QUARTERS, lag + seen * (quarter + 1) / QUARTERS);
+        if (largest >= before)
+            return false;
+        before = largest;
+    }
+    return before < RETURN_SETTLING;
+}
+
+int section_period(const double *deflection, const double *velocity, size_t count, double omega) {
+    Tip tip = {deflection, velocity, omega};
+    bool told = true;
+    for (size_t lag = 1; lag <= SECTION_PERIOD_MOST; lag++) {
+        size_t span = count / 2 > 2 * lag ? count / 2 : 2 * lag;
+        if (count < span + lag)
+            told = false;
+        else if (largest_return(&tip, lag, count - span, count) < RETURN_NEAR)
+            return told ? (int)lag : SECTION_UNTOLD; /* not of a shorter period that it settles to */
+        else if (returns_settle(&tip, count, lag))
+            told = false;
+    }
+    return told ? SECTION_NONE : SECTION_UNTOLD;
 }

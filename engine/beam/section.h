@@ -31,6 +31,17 @@ SectionPeaks section_peaks(const Section *section);
 /* |x_last - x_(last - lag)| / |x_last|; lag below the count. */
 double section_return(const Section *section, size_t lag);
 
+enum {
+    SECTION_PERIOD_MOST = 16, /* cycles */
+    SECTION_NONE = 0,         /* not periodic within the cycles that were seen */
+    SECTION_UNTOLD = -1,      /* still settling, or too few cycles to say so */
+};
+
+/* Quickly told by how the tip returns: after how many cycles, 1 to SECTION_PERIOD_MOST, a motion repeats that was seen
+ * at the end of each of `count` cycles (deflection, m; velocity, m/s) of a drive of `omega` rad/s; else SECTION_NONE or
+ * SECTION_UNTOLD. Nothing is certified: orbit.h does that. */
+int section_period(const double *deflection, const double *velocity, size_t count, double omega);
+
 static inline const double *section_last(const Section *section) {
     return section->state + (section->count - 1) * section->states;
 }

@@ -37,6 +37,7 @@ typedef struct Experiment {
     /* What types are told by (types.h), indices into observables. */
     size_t regular; /* 1: the answer is regular (a stable periodic orbit; everybody out), 0: not, NAN: cannot be told */
     size_t outcome; /* which of several regular answers it is: another number is another one */
+    bool periods;   /* the outcome is a period: where it doubles, there is a flip */
     size_t measure; /* what sensitivities are of, and what tells apart equal outcomes: a peak force, a time */
 
     bool carries; /* a run can begin where the one before it ended: sweeps up and down */

@@ -1,0 +1,91 @@
+#include "study/neighbours.h"
+
+#include <math.h>
+
+#include "base/parallel.h"
+#include "study/bunch.h"
+
+static const double FINE = 0.005, COARSE = 0.01;
+
+double neighbours_share(size_t step) {
+    size_t fine = step + 1 < NEIGHBOURS_FINE ? step + 1 : NEIGHBOURS_FINE;
+    return FINE * (double)fine + COARSE * (double)(step + 1 - fine);
+}
+
+/* Is what is sought at a step, whose trials (NEIGHBOURS_STARTS) are given? What cannot be told is neither. */
+static bool is_found(const NeighboursTask *task, const Trial *trials) {
+    size_t regular = 0, irregular = 0;
+    for (size_t s = 0; s < NEIGHBOURS_STARTS; s++) {
+        double told = trials[s].observed[task->experiment->regular];
+        regular += told == 1;
+        irregular += told == 0;
+    }
+    return task->sought == NEIGHBOURS_TROUBLE ? irregular > 0 : regular == NEIGHBOURS_STARTS;
+}
+
+static bool is_possible(const Trial *trials) {
+    for (size_t s = 0; s < NEIGHBOURS_STARTS; s++)
+        if (trials[s].fault || !trials[s].done)
+            return false;
+    return true;
+}
+
+/* Looks at the steps from `first` to before `last`. False: it is found, or there is no way on. */
+static bool look(const NeighboursTask *task, size_t name, double side, size_t first, size_t last,
+                 Neighbour *neighbour) {
+    const Experiment *experiment = task->experiment;
+    double nominal = experiment->nominal(experiment->given, task->names[name]);
+    Bunch bunch = bunch_create(experiment, &task->names[name], 1, (last - first) * NEIGHBOURS_STARTS);
+    for (size_t i = 0; i < bunch.count; i++) {
+        bunch_set(&bunch, i, 0, nominal * (1 + side * neighbours_share(first + i / NEIGHBOURS_STARTS)));
+        bunch.trials[i].seed = i % NEIGHBOURS_STARTS;
+    }
+    experiment->run(experiment->given, &task->names[name], 1, bunch.trials, bunch.count, false, task->stop);
+    bool on = true;
+    for (size_t step = first; step < last && on; step++) {
+        const Trial *trials = bunch.trials + (step - first) * NEIGHBOURS_STARTS;
+        on = is_possible(trials);
+        neighbour->reached = on ? neighbours_share(step) : neighbour->reached;
+        neighbour->runs += on ? NEIGHBOURS_STARTS : 0;
+        if (on && is_found(task, trials)) {
+            neighbour->found = true;
+            neighbour->share = side * neighbours_share(step);
+            neighbour->value = trials[0].at[0];
+            on = false;
+        }
+    }
+    bunch_clear(&bunch);
+    return on;
+}
+
+static void tell_done(const NeighboursTask *task, size_t steps) {
+    if (task->done)
+        task->done(task->context, steps * NEIGHBOURS_STARTS);
+}
+
+typedef struct Sides {
+    const NeighboursTask *task;
+    Neighbour *sides;
+} Sides;
+
+static void look_outwards(void *context, size_t i) {
+    const Sides *all = context;
+    const NeighboursTask *task = all->task;
+    const Experiment *experiment = task->experiment;
+    Neighbour *neighbour = &all->sides[i];
+    *neighbour = (Neighbour){.value = NAN, .share = NAN};
+    size_t at_once = experiment->batch > NEIGHBOURS_STARTS ? experiment->batch / NEIGHBOURS_STARTS : 1, step = 0;
+    bool on = experiment->nominal(experiment->given, task->names[i / 2]) != 0;
+    while (on && step < NEIGHBOURS_STEPS && !(task->stop && *task->stop)) {
+        size_t last = step + at_once < NEIGHBOURS_STEPS ? step + at_once : NEIGHBOURS_STEPS;
+        on = look(task, i / 2, i % 2 ? 1 : -1, step, last, neighbour);
+        tell_done(task, last - step);
+        step = last;
+    }
+    tell_done(task, NEIGHBOURS_STEPS - step);
+}
+
+void neighbours_find(const NeighboursTask *task, Neighbour *sides) {
+    Sides all = {task, sides};
+    parallel_for(task->jobs, 2 * task->name_count, look_outwards, &all);
+}

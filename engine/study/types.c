@@ -1,0 +1,347 @@
+#include "study/types.h"
+
+#include <assert.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdlib.h>
+
+#include "base/parallel.h"
+#include "study/bunch.h"
+
+const char *types_kind_name(TypesKind kind) {
+    static const char *const names[] = {"unresolved", "I", "II", "III"};
+    return names[kind];
+}
+
+/* What is at work. */
+typedef struct Work {
+    const TypesTask *task;
+    Types *types;
+    Bunch window; /* (points x TYPES_STARTS) */
+    pthread_mutex_t mutex;
+    size_t done, all; /* trials */
+} Work;
+
+static bool is_stopped(const TypesTask *task) {
+    return task->stop && *task->stop;
+}
+
+static void tell_done(void *context, size_t trials) {
+    Work *work = context;
+    pthread_mutex_lock(&work->mutex);
+    work->done += trials;
+    if (work->task->progress)
+        work->task->progress(work->task->context, work->done, work->all);
+    pthread_mutex_unlock(&work->mutex);
+}
+
+/* The window ------------------------------------------------------------------------------------------------------ */
+
+static void lay_out_points(Types *types) {
+    size_t centre = types->parameter_count;
+    types->points[0] = (TypesPoint){.parameter = centre, .value = NAN};
+    types->point_count = 1;
+    for (size_t p = 0; p < types->parameter_count; p++)
+        for (int side = -1; side <= 1 && types->parameters[p].nominal != 0; side += 2)
+            types->points[types->point_count++] =
+                (TypesPoint){.parameter = p, .value = types->parameters[p].nominal * (1 + side * TYPES_WINDOW)};
+}
+
+static void run_piece(void *context, size_t piece) {
+    Work *work = context;
+    const Experiment *experiment = work->task->experiment;
+    size_t first = piece * experiment->batch, rest = work->window.count - first;
+    size_t count = rest < experiment->batch ? rest : experiment->batch;
+    experiment->run(experiment->given, work->task->names, work->task->name_count, work->window.trials + first, count,
+                    false, work->task->stop);
+    tell_done(work, count);
+}
+
+static void run_window(Work *work) {
+    Types *types = work->types;
+    const TypesTask *task = work->task;
+    work->window = bunch_create(task->experiment, task->names, task->name_count, types->point_count * TYPES_STARTS);
+    for (size_t i = 0; i < work->window.count; i++) {
+        const TypesPoint *point = &types->points[i / TYPES_STARTS];
+        work->window.trials[i].seed = i % TYPES_STARTS;
+        if (point->parameter < types->parameter_count)
+            bunch_set(&work->window, i, point->parameter, point->value);
+    }
+    size_t batch = task->experiment->batch;
+    parallel_for(task->jobs, (work->window.count + batch - 1) / batch, run_piece, work);
+    for (size_t i = 0; i < work->window.count; i++)
+        types->runs += work->window.trials[i].done && !work->window.trials[i].fault;
+}
+
+static double told_regular(const Work *work, size_t trial) {
+    return work->window.trials[trial].observed[work->task->experiment->regular];
+}
+
+static void forget(const Work *work, size_t trial) {
+    work->window.trials[trial].observed[work->task->experiment->regular] = NAN;
+}
+
+/* Trials that are made again thoroughly. */
+typedef struct Again {
+    const TypesTask *task;
+    Bunch bunch;
+} Again;
+
+static void run_again(void *context, size_t i) {
+    Again *again = context;
+    const TypesTask *task = again->task;
+    task->thorough->run(task->thorough->given, task->names, task->name_count, &again->bunch.trials[i], 1, false,
+                        task->stop);
+}
+
+/* Makes the trials `of` (count) of the window again, and takes over what comes of them. */
+static void make_again(Work *work, const size_t *of, size_t count) {
+    const TypesTask *task = work->task;
+    Again again = {.task = task, .bunch = bunch_create(task->thorough, task->names, task->name_count, count)};
+    for (size_t i = 0; i < count; i++) {
+        const Trial *trial = &work->window.trials[of[i]];
+        again.bunch.trials[i].seed = trial->seed;
+        for (size_t n = 0; n < task->name_count; n++)
+            bunch_set(&again.bunch, i, n, trial->at[n]);
+    }
+    parallel_for(task->jobs, count, run_again, &again);
+    for (size_t i = 0; i < count; i++) {
+        for (size_t k = 0; k < task->experiment->observable_count; k++)
+            work->window.trials[of[i]].observed[k] = again.bunch.trials[i].observed[k];
+        if (!again.bunch.trials[i].done)
+            forget(work, of[i]);
+    }
+    work->types->thorough += count;
+    bunch_clear(&again.bunch);
+}
+
+/* Makes again what is not regular, from the centre outwards, until one is surely irregular. Where none is, what was
+ * only quickly found irregular is not told. */
+static void confirm(Work *work) {
+    const TypesTask *task = work->task;
+    bool sure = !task->thorough;
+    size_t untold = 0;
+    for (size_t i = 0; i < work->window.count && !sure && work->types->thorough < TYPES_THOROUGH_MOST &&
+                       untold < TYPES_UNTOLD_MOST;) {
+        size_t of[TYPES_THOROUGH_AT_ONCE], count = 0;
+        for (; i < work->window.count && count < TYPES_THOROUGH_AT_ONCE; i++)
+            if (work->window.trials[i].done && !work->window.trials[i].fault && told_regular(work, i) != 1)
+                of[count++] = i;
+        make_again(work, of, count);
+        for (size_t k = 0; k < count; k++) {
+            sure |= told_regular(work, of[k]) == 0;
+            untold += isnan(told_regular(work, of[k])) ? 1 : 0;
+        }
+    }
+    for (size_t i = 0; i < work->window.count && !sure; i++)
+        if (told_regular(work, i) == 0)
+            forget(work, i);
+}
+
+/* Answers --------------------------------------------------------------------------------------------------------- */
+
+static int compare_answers(const void *a, const void *b) {
+    const TypesAnswer *x = a, *y = b;
+    int outcome = (x->outcome > y->outcome) - (x->outcome < y->outcome);
+    return outcome ? outcome : (x->measure > y->measure) - (x->measure < y->measure);
+}
+
+static bool is_same(const TypesAnswer *a, const TypesAnswer *b) {
+    return a->outcome == b->outcome && fabs(a->measure - b->measure) <= TYPES_SAME * fabs(b->measure);
+}
+
+/* Puts together the regular trials of a point that are of one answer; its measure is their first one's. */
+static void gather_answers(const Work *work, size_t at) {
+    const Experiment *experiment = work->task->experiment;
+    TypesPoint *point = &work->types->points[at];
+    TypesAnswer found[TYPES_STARTS];
+    size_t count = 0;
+    point->possible = true;
+    for (size_t s = 0; s < TYPES_STARTS; s++) {
+        const Trial *trial = &work->window.trials[at * TYPES_STARTS + s];
+        double regular = trial->observed[experiment->regular];
+        point->possible &= !trial->fault;
+        point->irregular += regular == 0;
+        point->untold += isnan(regular) ? 1 : 0;
+        if (regular == 1)
+            found[count++] =
+                (TypesAnswer){trial->observed[experiment->outcome], trial->observed[experiment->measure], 1};
+    }
+    qsort(found, count, sizeof *found, compare_answers);
+    for (size_t i = 0; i < count; i++)
+        if (i && is_same(&found[i - 1], &found[i]))
+            point->answers[point->answer_count - 1].starts++;
+        else
+            point->answers[point->answer_count++] = found[i];
+}
+
+/* The answer of a point of the same outcome whose measure is nearest; NULL: none. */
+static const TypesAnswer *find_answer(const TypesPoint *point, const TypesAnswer *like) {
+    const TypesAnswer *nearest = NULL;
+    for (size_t a = 0; a < point->answer_count; a++)
+        if (point->answers[a].outcome == like->outcome &&
+            (!nearest || fabs(point->answers[a].measure - like->measure) < fabs(nearest->measure - like->measure)))
+            nearest = &point->answers[a];
+    return nearest;
+}
+
+/* d ln P / d ln p from the centre to an end of the window. */
+static double slope(const TypesAnswer *centre, const TypesAnswer *end, double share) {
+    if (centre->measure == end->measure)
+        return 0;
+    if (centre->measure == 0 || end->measure == 0)
+        return HUGE_VAL;
+    return log(end->measure / centre->measure) / log1p(share);
+}
+
+static void find_sensitivities(Types *types) {
+    for (size_t p = 0; p < types->parameter_count; p++)
+        types->parameters[p].sensitivity = NAN;
+    for (size_t i = 1; i < types->point_count; i++) {
+        const TypesPoint *centre = &types->points[0], *point = &types->points[i];
+        TypesParameter *parameter = &types->parameters[point->parameter];
+        for (size_t a = 0; a < centre->answer_count; a++) {
+            const TypesAnswer *end = find_answer(point, &centre->answers[a]);
+            double steep = end ? slope(&centre->answers[a], end, point->value / parameter->nominal - 1) : (double)NAN;
+            if (isnan(parameter->sensitivity) || fabs(steep) > fabs(parameter->sensitivity))
+                parameter->sensitivity = steep;
+        }
+    }
+}
+
+/* The verdict ----------------------------------------------------------------------------------------------------- */
+
+static bool has_outcome(const TypesPoint *point, double outcome) {
+    for (size_t a = 0; a < point->answer_count; a++)
+        if (point->answers[a].outcome == outcome)
+            return true;
+    return false;
+}
+
+/* Does a period at one point double at the other, so that neither has both? */
+static bool flips(const TypesPoint *a, const TypesPoint *b) {
+    for (size_t k = 0; k < a->answer_count; k++) {
+        double period = a->answers[k].outcome;
+        if (period > 0 && has_outcome(b, 2 * period) && !has_outcome(b, period) && !has_outcome(a, 2 * period))
+            return true;
+    }
+    return false;
+}
+
+static bool decide(Types *types, TypesKind kind, TypesReason reason, size_t worst) {
+    types->kind = kind;
+    types->reason = reason;
+    types->worst = worst;
+    return true;
+}
+
+static bool decide_irregular(Types *types, bool periods) {
+    for (size_t i = 0; i < types->point_count; i++)
+        if (types->points[i].irregular)
+            return decide(types, TYPES_III, TYPES_NOT_REGULAR, i);
+    for (size_t i = 0; i < types->point_count && periods; i++)
+        for (size_t k = 0; k < types->point_count; k++)
+            if (flips(&types->points[k], &types->points[i]))
+                return decide(types, TYPES_III, TYPES_FLIPS, i ? i : k);
+    return false;
+}
+
+static bool decide_untold(Types *types) {
+    for (size_t i = 0; i < types->point_count; i++)
+        if ((types->points[i].possible || i == 0) && types->points[i].untold)
+            return decide(types, TYPES_UNRESOLVED, TYPES_CANNOT_BE_TOLD, i);
+    return false;
+}
+
+static bool decide_several(Types *types) {
+    const TypesPoint *centre = &types->points[0];
+    for (size_t i = 0; i < types->point_count; i++)
+        if (types->points[i].answer_count > 1)
+            return decide(types, TYPES_II, TYPES_SEVERAL, i);
+    for (size_t i = 1; i < types->point_count; i++)
+        if (types->points[i].answer_count && !find_answer(&types->points[i], &centre->answers[0]))
+            return decide(types, TYPES_II, TYPES_SEVERAL, i);
+    return false;
+}
+
+static bool decide_steep(Types *types) {
+    size_t steepest = 0;
+    double most = TYPES_STEEP;
+    for (size_t i = 1; i < types->point_count; i++) {
+        double steep = fabs(types->parameters[types->points[i].parameter].sensitivity);
+        if (steep >= most) {
+            most = steep;
+            steepest = i;
+        }
+    }
+    return steepest && decide(types, TYPES_II, TYPES_STEEP_ANSWER, steepest);
+}
+
+static void decide_kind(Types *types, bool periods) {
+    for (size_t i = 0; i < types->point_count; i++)
+        if (types->points[i].answer_count > types->answers)
+            types->answers = types->points[i].answer_count;
+    if (!decide_irregular(types, periods) && !decide_untold(types) && !decide_several(types) && !decide_steep(types))
+        decide(types, TYPES_I, TYPES_ALL_WELL, 0);
+}
+
+/* Beyond the window ----------------------------------------------------------------------------------------------- */
+
+static void find_neighbours(Work *work) {
+    const TypesTask *task = work->task;
+    Types *types = work->types;
+    Neighbour sides[2 * TYPES_PARAMETERS_MOST];
+    bool regular = types->points[0].answer_count > 0 && !types->points[0].irregular && !types->points[0].untold;
+    types->sought = regular ? NEIGHBOURS_TROUBLE : NEIGHBOURS_REGULAR;
+    neighbours_find(&(NeighboursTask){.experiment = task->experiment,
+                                      .names = task->names,
+                                      .name_count = task->name_count,
+                                      .sought = types->sought,
+                                      .jobs = task->jobs,
+                                      .stop = task->stop,
+                                      .done = tell_done,
+                                      .context = work},
+                    sides);
+    for (size_t p = 0; p < types->parameter_count; p++) {
+        types->parameters[p].below = sides[2 * p];
+        types->parameters[p].above = sides[2 * p + 1];
+        types->neighbour_runs += sides[2 * p].runs + sides[2 * p + 1].runs;
+    }
+}
+
+static bool take_names(Types *types, const TypesTask *task, Fault *fault) {
+    const Experiment *experiment = task->experiment;
+    size_t before = fault->total;
+    if (task->name_count > TYPES_PARAMETERS_MOST)
+        fault_add(fault, "types of %zu parameters: at most %d would be right", task->name_count, TYPES_PARAMETERS_MOST);
+    for (size_t n = 0; n < task->name_count && fault->total == before; n++) {
+        if (!experiment->parameter(experiment->given, task->names[n]))
+            fault_add(fault, "%s: a %s has no such number", task->names[n], experiment->kind);
+        types->parameters[n] =
+            (TypesParameter){.name = task->names[n], .nominal = experiment->nominal(experiment->given, task->names[n])};
+    }
+    types->parameter_count = task->name_count;
+    return fault->total == before;
+}
+
+bool types_tell(Types *types, const TypesTask *task, Fault *fault) {
+    assert(!task->thorough || task->thorough->observable_count == task->experiment->observable_count);
+    *types = (Types){0};
+    if (!take_names(types, task, fault))
+        return false;
+    lay_out_points(types);
+    Work work = {.task = task, .types = types};
+    work.all = types->point_count * TYPES_STARTS + 2 * types->parameter_count * NEIGHBOURS_STEPS * NEIGHBOURS_STARTS;
+    pthread_mutex_init(&work.mutex, NULL);
+    run_window(&work);
+    confirm(&work);
+    for (size_t i = 0; i < types->point_count; i++)
+        gather_answers(&work, i);
+    find_sensitivities(types);
+    decide_kind(types, task->experiment->periods);
+    find_neighbours(&work);
+    types->stopped = is_stopped(task);
+    bunch_clear(&work.window);
+    pthread_mutex_destroy(&work.mutex);
+    return true;
+}
