@@ -8,7 +8,6 @@
 
 #include <sqlite3.h>
 
-#include "base/digest.h"
 #include "base/text.h"
 #include "check.h"
 #include "draft.h"
@@ -40,19 +39,6 @@ static Study sweep(const Experiment *experiment, double from, double to, size_t 
                    .runs = 1};
 }
 
-/* Of all that came out. */
-static uint64_t results(const Study *study) {
-    uint64_t digest = DIGEST_START;
-    for (size_t t = 0; t < study->trial_count; t++) {
-        const Trial *trial = &study->trials[t];
-        digest = digest_mix(digest, trial->done);
-        digest = digest_bytes(digest, trial->observed, TOY_OBSERVABLES * sizeof *trial->observed);
-        digest = digest_bytes(digest, trial->series, trial->series_count * sizeof *trial->series);
-        digest = digest_text(digest, trial->fault ? trial->fault : "");
-    }
-    return digest;
-}
-
 static uint64_t results_in_one_go(int jobs) {
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
@@ -60,7 +46,7 @@ static uint64_t results_in_one_go(int jobs) {
     study_begin(&study);
     study_run(&study, &(StudyOptions){.jobs = jobs});
     CHECK(study_done(&study) == study.trial_count && study.trial_count == 3 * 3 * 7 * 3);
-    uint64_t digest = results(&study);
+    uint64_t digest = summary_digest(&study);
     study_clear(&study);
     return digest;
 }
@@ -159,7 +145,7 @@ TEST(a_study_that_was_stopped_ends_as_one_of_one_go_bit_for_bit) {
         Study study = whole_study(&experiment);
         study_begin(&study);
         CHECK(run_in_pieces(&study, &toy, path, 20, jobs) > 5);
-        CHECK(results(&study) == expected);
+        CHECK(summary_digest(&study) == expected);
         study_clear(&study);
         unlink(path);
     }
@@ -173,14 +159,14 @@ TEST(a_finished_study_is_read_back_without_a_run) {
     Study study = sweep(&experiment, 30, 60, 16); /* some of them faults */
     study_begin(&study);
     CHECK(run_in_pieces(&study, &toy, path, 0, 1) == 1);
-    uint64_t expected = results(&study);
+    uint64_t expected = summary_digest(&study);
     study_clear(&study);
     study_begin(&study);
     StoreFound found;
     Fault fault = {0};
     Store *store = store_open(path, &study, study_digest(&study, 7), &found, &fault);
     CHECK(store && found.done == 16 && found.others == 0);
-    CHECK(results(&study) == expected);
+    CHECK(summary_digest(&study) == expected);
     CHECK(store_close(store, &fault));
     study_clear(&study);
     unlink(path);

@@ -273,6 +273,14 @@ void store_keep(void *keeper, const Study *study, const size_t *done, size_t cou
     store->committed = now;
 }
 
+void store_forget(Store *store) {
+    char statement[120];
+    snprintf(statement, sizeof statement, "DELETE FROM trial WHERE study = %lld; DELETE FROM study WHERE id = %lld",
+             (long long)store->study, (long long)store->study);
+    if (!run_statement(store, statement))
+        note_failure(store);
+}
+
 bool store_close(Store *store, Fault *fault) {
     if (store->open && !*store->reason && !commit(store))
         note_failure(store);

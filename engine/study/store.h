@@ -21,5 +21,8 @@ Store *store_open(const char *path, Study *study, uint64_t digest, StoreFound *f
 /* As StudyOptions.keep, the keeper being the store: writes them, and about once a second makes sure that they stay. */
 void store_keep(void *store, const Study *study, const size_t *done, size_t count);
 
+/* Takes this study out of the file: its results are worth nothing. */
+void store_forget(Store *store);
+
 /* False: a fault says that not everything could be written. */
 bool store_close(Store *store, Fault *fault);

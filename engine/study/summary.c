@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/digest.h"
 #include "base/memory.h"
 
 const char *summary_state_name(SummaryState state) {
@@ -81,4 +82,17 @@ size_t summary_extreme(const Study *study, bool greatest) {
             found = t;
     }
     return found;
+}
+
+uint64_t summary_digest(const Study *study) {
+    uint64_t digest = DIGEST_START;
+    for (size_t t = 0; t < study->trial_count; t++) {
+        const Trial *trial = &study->trials[t];
+        digest = digest_mix(digest, trial->done);
+        digest = digest_bytes(digest, trial->at, study->name_count * sizeof *trial->at);
+        digest = digest_bytes(digest, trial->observed, study->experiment->observable_count * sizeof *trial->observed);
+        digest = digest_bytes(digest, trial->series, trial->series_count * sizeof *trial->series);
+        digest = digest_text(digest, trial->fault ? trial->fault : "");
+    }
+    return digest;
 }

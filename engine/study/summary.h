@@ -36,3 +36,6 @@ SummaryRange *summary_ranges(const Study *study, size_t pass, size_t axis, size_
 
 /* The index of the regular trial whose measure is least, or greatest; the first of several. SIZE_MAX: there is none. */
 size_t summary_extreme(const Study *study, bool greatest);
+
+/* Of all results, bit for bit. */
+uint64_t summary_digest(const Study *study);

@@ -1,0 +1,417 @@
+#include "command/study_words.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "study/montecarlo.h"
+#include "study/summary.h"
+
+enum {
+    WORD = 48,        /* characters of a number with its unit */
+    RANGES_MOST = 6,  /* told one by one */
+    ROWS_MOST = 12,   /* of the table */
+    MAP_COLUMNS = 72, /* of a map in letters */
+    MAP_ROWS = 24,
+};
+
+/* Numbers ----------------------------------------------------------------------------------------------------------*/
+
+static bool is_multiple(double value, int decimals) {
+    double scaled = value * pow(10, decimals);
+    return fabs(scaled - round(scaled)) < 1e-6;
+}
+
+/* A value of an axis, with as many digits as tell it from its neighbours. */
+static void say_value(const StudyAxis *axis, double value, char word[WORD]) {
+    double step = axis->steps > 1 ? fabs(axis->to - axis->from) / (double)(axis->steps - 1) : fabs(axis->from);
+    double most = fmax(fabs(axis->from), fabs(axis->to));
+    int decimals = 0;
+    while (decimals < 6 && (!is_multiple(axis->from, decimals) || !is_multiple(step, decimals)))
+        decimals++;
+    if (most < 1e-3 || most >= 1e7 || decimals == 6)
+        snprintf(word, WORD, "%.*g", (int)fmax(3, fmin(9, ceil(log10(most / step)) + 2)), value);
+    else
+        snprintf(word, WORD, "%.*f", decimals, value);
+}
+
+static const char *unit_of(const Study *study, const char *name) {
+    const char *unit = study->experiment->parameter(study->experiment->given, name)->unit;
+    return strcmp(unit, "1") == 0 ? "" : unit;
+}
+
+static void say_step(const Study *study, size_t axis, size_t i, bool with_unit, char word[WORD]) {
+    const char *unit = unit_of(study, study->axes[axis].name);
+    say_value(&study->axes[axis], study_value(&study->axes[axis], i), word);
+    if (with_unit && *unit)
+        snprintf(word + strlen(word), WORD - strlen(word), " %.15s", unit);
+}
+
+/* A number that was observed; "-" for none. */
+static void say_number(double number, char word[WORD]) {
+    if (isnan(number))
+        snprintf(word, WORD, "-");
+    else
+        snprintf(word, WORD, fabs(number) >= 1000 && fabs(number) < 1e7 ? "%.0f" : "%.4g", number);
+}
+
+static const char *unit_or_none(const Observable *observable) {
+    return strcmp(observable->unit, "1") == 0 ? "" : observable->unit;
+}
+
+/* Sentences ---------------------------------------------------------------------------------------------------------*/
+
+static void print_title(const Study *study, const char *file) {
+    printf("%s", file);
+    for (size_t a = 0; a < study->axis_count; a++) {
+        char from[WORD], to[WORD];
+        say_step(study, a, 0, false, from);
+        say_step(study, a, study->axes[a].steps - 1, true, to);
+        printf("%s %s from %s to %s in %zu step%s", a ? "," : ":", study->axes[a].name, from, to, study->axes[a].steps,
+               study->axes[a].steps == 1 ? "" : "s");
+    }
+    if (study->runs > 1)
+        printf("%s %zu runs%s, seeds %" PRIu64 " to %" PRIu64, study->axis_count ? "," : ":", study->runs,
+               study->axis_count ? " of each" : "", study->seed, study->seed + study->runs - 1);
+    for (size_t s = 0; s < study->spread_count; s++)
+        printf(", %s off by %g %%", study->spreads[s].name, 100 * study->spreads[s].share);
+    printf("\n");
+}
+
+static const char *say_state(const StudyLaboratory *laboratory, SummaryState state) {
+    switch (state) {
+    case SUMMARY_REGULAR:
+        return laboratory->regular;
+    case SUMMARY_IRREGULAR:
+        return laboratory->irregular;
+    case SUMMARY_MIXED:
+        return "now and then";
+    case SUMMARY_UNTOLD:
+        return "cannot be told";
+    case SUMMARY_NOTHING:
+        break;
+    }
+    return "not run";
+}
+
+/* "not out up to 0.83 m", "out from 0.84 m on" */
+static void print_range(const Study *study, const StudyLaboratory *laboratory, size_t axis, const SummaryRange *range) {
+    size_t last = study->axes[axis].steps - 1;
+    char from[WORD], to[WORD];
+    say_step(study, axis, range->first, range->first == range->last || range->last == last, from);
+    say_step(study, axis, range->last, true, to);
+    printf("%s ", say_state(laboratory, range->state));
+    if (range->first == 0 && range->last == last)
+        printf("throughout");
+    else if (range->first == 0 && range->last > 0)
+        printf("up to %s", to);
+    else if (range->last == last && range->first < last)
+        printf("from %s on", from);
+    else if (range->first == range->last)
+        printf("at %s", from);
+    else
+        printf("from %s to %s", from, to);
+}
+
+/* The longest range of a state; NULL: there is none. */
+static const SummaryRange *longest(const SummaryRange *ranges, size_t count, SummaryState state) {
+    const SummaryRange *found = NULL;
+    for (size_t r = 0; r < count; r++)
+        if (ranges[r].state == state && (!found || ranges[r].last - ranges[r].first > found->last - found->first))
+            found = &ranges[r];
+    return found;
+}
+
+static void print_ranges(const Study *study, const StudyLaboratory *laboratory, size_t pass, size_t axis) {
+    size_t count;
+    SummaryRange *ranges = summary_ranges(study, pass, axis, &count);
+    if (count <= RANGES_MOST) {
+        for (size_t r = 0; r < count; r++) {
+            printf("%s", r ? ", " : "");
+            print_range(study, laboratory, axis, &ranges[r]);
+        }
+    } else {
+        printf("the answer changes %zu times", count - 1);
+        for (SummaryState state = SUMMARY_REGULAR; state <= SUMMARY_IRREGULAR; state++) {
+            const SummaryRange *range = longest(ranges, count, state);
+            if (range) {
+                printf(state == SUMMARY_REGULAR ? "; the longest stretches: " : ", ");
+                print_range(study, laboratory, axis, range);
+            }
+        }
+    }
+    memory_free(ranges);
+}
+
+/* The mean of an observable over the runs of a point. */
+static Distribution observed(const Study *study, size_t pass, size_t i1, size_t i0, size_t observable) {
+    MontecarloPoint point = montecarlo_point(study, pass, i1, i0);
+    Distribution distribution = point.of[observable];
+    montecarlo_clear(&point);
+    return distribution;
+}
+
+/* How the measure goes along the only axis: it falls, rises, or lies between two. */
+static void print_course(const Study *study, size_t pass) {
+    const Observable *measure = &study->experiment->observables[study->experiment->measure];
+    double first = (double)NAN, last = first, least = HUGE_VAL, greatest = -HUGE_VAL;
+    size_t at_least = 0, at_greatest = 0;
+    bool falls = true, rises = true;
+    for (size_t i = 0; i < study_steps(study, 0); i++) {
+        double mean = observed(study, pass, 0, i, study->experiment->measure).mean;
+        if (isnan(mean))
+            continue;
+        falls &= isnan(last) || mean <= last;
+        rises &= isnan(last) || mean >= last;
+        first = isnan(first) ? mean : first;
+        last = mean;
+        at_least = mean < least ? i : at_least;
+        at_greatest = mean > greatest ? i : at_greatest;
+        least = fmin(least, mean);
+        greatest = fmax(greatest, mean);
+    }
+    if (isnan(first))
+        return;
+    char a[WORD], b[WORD], low[WORD], high[WORD], at_low[WORD], at_high[WORD];
+    say_number(first, a);
+    say_number(last, b);
+    say_number(least, low);
+    say_number(greatest, high);
+    say_step(study, 0, at_least, true, at_low);
+    say_step(study, 0, at_greatest, true, at_high);
+    const char *unit = unit_or_none(measure), *space = *unit ? " " : "";
+    printf("; the %s ", measure->meaning);
+    if (strcmp(low, high) == 0)
+        printf("is %s%s%s", low, space, unit);
+    else if (falls || rises)
+        printf("%s from %s to %s%s%s", falls ? "falls" : "rises", a, b, space, unit);
+    else
+        printf("lies between %s%s%s (at %s) and %s%s%s (at %s)", low, space, unit, at_low, high, space, unit, at_high);
+}
+
+static void print_extreme(const Study *study, bool greatest) {
+    size_t index = summary_extreme(study, greatest);
+    if (index == SIZE_MAX)
+        return;
+    const Observable *measure = &study->experiment->observables[study->experiment->measure];
+    const Trial *trial = &study->trials[index];
+    char number[WORD];
+    say_number(trial->observed[study->experiment->measure], number);
+    printf("%s %s, %s %s, at", greatest ? "; greatest" : "least", measure->meaning, number, unit_or_none(measure));
+    for (size_t a = 0; a < study->axis_count; a++) {
+        char value[WORD];
+        say_value(&study->axes[a], trial->at[a], value);
+        printf("%s %s %s %s", a ? "," : "", study->axes[a].name, value, unit_of(study, study->axes[a].name));
+    }
+    printf("%s", greatest ? "\n" : "");
+}
+
+/* Tables ------------------------------------------------------------------------------------------------------------*/
+
+/* The rows to show: both ends, both sides of each change while there is room, and others evenly between. */
+static void choose_rows(const Study *study, bool *chosen) {
+    size_t steps = study_steps(study, 0), rows = steps < ROWS_MOST ? steps : ROWS_MOST, count;
+    for (size_t r = 0; r < rows; r++)
+        chosen[rows > 1 ? r * (steps - 1) / (rows - 1) : 0] = true;
+    SummaryRange *ranges = summary_ranges(study, 0, 0, &count);
+    for (size_t r = 1; r < count && count <= RANGES_MOST; r++)
+        chosen[ranges[r].first] = chosen[ranges[r].first - 1] = true;
+    memory_free(ranges);
+}
+
+static void print_cell(const char *text, size_t width) {
+    printf("  %*s", (int)width, text);
+}
+
+static size_t head_width(const char *name, const char *unit) {
+    size_t width = strlen(name) + (*unit ? 1 + strlen(unit) : 0);
+    return width < 8 ? 8 : width;
+}
+
+static void print_head(const char *name, const char *unit) {
+    char head[2 * WORD];
+    snprintf(head, sizeof head, "%.60s%s%.20s", name, *unit ? " " : "", unit);
+    print_cell(head, head_width(name, unit));
+}
+
+/* What a table of single runs shows besides the answer. */
+static bool is_shown(const Experiment *experiment, size_t observable) {
+    return observable != experiment->regular && observable != experiment->outcome;
+}
+
+static void print_runs_row(const Study *study, size_t pass, size_t i) {
+    const Experiment *experiment = study->experiment;
+    const Trial *trial = study_trial(study, pass, 0, 0, i);
+    for (size_t o = 0; o < experiment->observable_count; o++) {
+        const Observable *observable = &experiment->observables[o];
+        char word[WORD];
+        say_number(trial->observed[o], word);
+        if (is_shown(experiment, o))
+            print_cell(word, head_width(observable->name, unit_or_none(observable)));
+    }
+}
+
+/* With many runs: how many are regular, and the measure as a distribution. */
+static void print_point_row(const Study *study, size_t pass, size_t i) {
+    MontecarloPoint point = montecarlo_point(study, pass, 0, i);
+    const Distribution *d = &point.of[study->experiment->measure];
+    const double numbers[] = {d->mean, d->deviation, d->low, d->median, d->high};
+    char word[WORD] = "-";
+    if (point.told)
+        snprintf(word, sizeof word, "%.0f %%", 100 * point.share);
+    print_cell(word, 8);
+    for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
+        say_number(numbers[k], word);
+        print_cell(word, 9);
+    }
+    montecarlo_clear(&point);
+}
+
+static void print_table_head(const Study *study, const StudyLaboratory *laboratory) {
+    const Experiment *experiment = study->experiment;
+    printf("\n");
+    if (study->pass_count > 1)
+        printf("  pass ");
+    print_head(study->axes[0].name, unit_of(study, study->axes[0].name));
+    if (study->runs > 1) {
+        static const char *const heads[] = {"mean", "deviation", "5 %", "50 %", "95 %"};
+        print_cell(laboratory->regular, 8);
+        for (size_t k = 0; k < sizeof heads / sizeof *heads; k++)
+            print_cell(heads[k], 9);
+        const Observable *measure = &experiment->observables[experiment->measure];
+        printf("  of %s %s\n", measure->name, unit_or_none(measure));
+        return;
+    }
+    print_cell("answer", 14);
+    for (size_t o = 0; o < experiment->observable_count; o++)
+        if (is_shown(experiment, o))
+            print_head(experiment->observables[o].name, unit_or_none(&experiment->observables[o]));
+    printf("\n");
+}
+
+static void print_table(const Study *study, const StudyLaboratory *laboratory) {
+    bool *chosen = memory_allocate(study_steps(study, 0), sizeof *chosen);
+    choose_rows(study, chosen);
+    print_table_head(study, laboratory);
+    for (size_t i = 0; i < study_steps(study, 0); i++)
+        for (size_t pass = 0; pass < study->pass_count && chosen[i]; pass++) {
+            char value[WORD];
+            say_step(study, 0, i, false, value);
+            if (study->pass_count > 1)
+                printf("  %-5s", study_pass_name(study->passes[pass]));
+            print_cell(value, head_width(study->axes[0].name, unit_of(study, study->axes[0].name)));
+            if (study->runs > 1) {
+                print_point_row(study, pass, i);
+            } else {
+                print_cell(say_state(laboratory, summary_point(study, pass, 0, i)), 14);
+                print_runs_row(study, pass, i);
+            }
+            printf("\n");
+        }
+    memory_free(chosen);
+}
+
+/* A map in letters, its second axis upwards; of a large one every so many values. */
+static void print_map(const Study *study, const StudyLaboratory *laboratory, size_t pass) {
+    static const char letters[] = {[SUMMARY_NOTHING] = ' ',
+                                   [SUMMARY_REGULAR] = '#',
+                                   [SUMMARY_IRREGULAR] = '.',
+                                   [SUMMARY_MIXED] = '+',
+                                   [SUMMARY_UNTOLD] = '?'};
+    size_t steps0 = study_steps(study, 0), steps1 = study_steps(study, 1);
+    size_t columns = steps0 < MAP_COLUMNS ? steps0 : MAP_COLUMNS, rows = steps1 < MAP_ROWS ? steps1 : MAP_ROWS;
+    printf("\n# %s, . %s%s; to the right %s, upwards %s\n", laboratory->regular, laboratory->irregular,
+           study->runs > 1 ? ", + now and then" : "", study->axes[0].name, study->axes[1].name);
+    for (size_t r = rows; r-- > 0;) {
+        size_t i1 = rows > 1 ? r * (steps1 - 1) / (rows - 1) : 0;
+        char value[WORD];
+        say_step(study, 1, i1, false, value);
+        printf("%10s ", value);
+        for (size_t c = 0; c < columns; c++)
+            putchar(letters[summary_point(study, pass, i1, columns > 1 ? c * (steps0 - 1) / (columns - 1) : 0)]);
+        printf("\n");
+    }
+    char from[WORD], to[WORD];
+    say_step(study, 0, 0, false, from);
+    say_step(study, 0, steps0 - 1, true, to);
+    printf("%10s %-*s%s\n", "", (int)columns - 1, from, to);
+}
+
+static void print_distributions(const Study *study) {
+    static const char *const heads[] = {"mean", "deviation", "std error", "5 %", "50 %", "95 %"};
+    const Experiment *experiment = study->experiment;
+    MontecarloPoint point = montecarlo_point(study, 0, 0, 0);
+    printf("\n%-20s", "");
+    for (size_t k = 0; k < sizeof heads / sizeof *heads; k++)
+        print_cell(heads[k], 10);
+    printf("\n");
+    for (size_t o = 0; o < point.observables; o++) {
+        if (!is_shown(experiment, o))
+            continue;
+        const Distribution *d = &point.of[o];
+        const double numbers[] = {d->mean, d->deviation, d->error, d->low, d->median, d->high};
+        char word[WORD];
+        snprintf(word, sizeof word, "%.30s %.10s", experiment->observables[o].name,
+                 unit_or_none(&experiment->observables[o]));
+        printf("%-20s", word);
+        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
+            say_number(numbers[k], word);
+            print_cell(word, 10);
+        }
+        printf("\n");
+    }
+    montecarlo_clear(&point);
+}
+
+/* The whole
+ * -----------------------------------------------------------------------------------------------------------*/
+
+static void print_faults(const Study *study, size_t faults) {
+    for (size_t t = 0; t < study->trial_count && faults; t++)
+        if (study->trials[t].fault) {
+            printf("%zu run%s could not be made; the first: %s\n", faults, faults == 1 ? "" : "s",
+                   study->trials[t].fault);
+            return;
+        }
+}
+
+static void print_share(const Study *study, const StudyLaboratory *laboratory) {
+    MontecarloPoint point = montecarlo_point(study, 0, 0, 0);
+    if (point.told)
+        printf("%s in %zu of %zu runs: %.1f %%, standard error %.1f %%\n", laboratory->regular, point.regular,
+               point.told, 100 * point.share, 100 * point.share_error);
+    montecarlo_clear(&point);
+}
+
+void study_words_print(const Study *study, const StudyLaboratory *laboratory, const char *file) {
+    SummaryCount count = summary_count(study);
+    print_title(study, file);
+    if (study->axis_count == 0)
+        print_share(study, laboratory);
+    if (study->axis_count == 2)
+        printf("%s in %zu of %zu runs\n", laboratory->regular, count.regular, count.done - count.faults);
+    for (size_t pass = 0; pass < study->pass_count; pass++)
+        for (size_t a = 0; a < study->axis_count; a++) {
+            if (study->pass_count > 1)
+                printf("%s: ", study_pass_name(study->passes[pass]));
+            if (study->axis_count == 2)
+                printf("along %s: ", study->axes[a].name);
+            print_ranges(study, laboratory, pass, a);
+            if (study->axis_count == 1)
+                print_course(study, pass);
+            printf("\n");
+        }
+    if (study->axis_count == 2) {
+        print_extreme(study, false);
+        print_extreme(study, true);
+        for (size_t pass = 0; pass < study->pass_count; pass++)
+            print_map(study, laboratory, pass);
+    } else if (study->axis_count == 1) {
+        print_table(study, laboratory);
+    } else {
+        print_distributions(study);
+    }
+    print_faults(study, count.faults);
+}
