@@ -395,10 +395,27 @@ TEST(a_point_of_many_runs_has_a_share_and_its_error) {
     study_run(&study, &(StudyOptions){.jobs = 2});
     MontecarloPoint point = montecarlo_point(&study, 0, 0, 0);
     CHECK(point.done == 1000 && point.told == 1000 && point.faults == 0);
-    CHECK_NEAR(point.share, 0.5, 4 * point.share_error); /* x < 2 half of the time */
-    CHECK_NEAR(point.share_error, 0.0158, 0.0002);
+    CHECK_NEAR(point.share, 0.5, 4 * sqrt(0.25 / 1000)); /* x < 2 half of the time */
+    CHECK_NEAR(point.share_high - point.share_low, 2 * 1.96 * sqrt(0.25 / 1000), 0.0005);
     CHECK(summary_point(&study, 0, 0, 0) == SUMMARY_MIXED && summary_point(&study, 0, 0, 1) == SUMMARY_IRREGULAR);
     montecarlo_clear(&point);
+    study_clear(&study);
+}
+
+TEST(all_of_ten_is_not_certainty) {
+    Toy toy = {0};
+    Experiment experiment = toy_experiment(&toy);
+    Study study = sweep(&experiment, 0, 4, 2);
+    study.runs = 10;
+    study_begin(&study);
+    study_run(&study, &(StudyOptions){.jobs = 1});
+    MontecarloPoint all = montecarlo_point(&study, 0, 0, 0), none = montecarlo_point(&study, 0, 0, 1);
+    CHECK(all.share == 1 && all.share_high == 1);
+    CHECK_NEAR(all.share_low, 0.7225, 5e-5); /* 1 / (1 + 1.96^2 / 10) */
+    CHECK(none.share == 0 && none.share_low == 0);
+    CHECK_NEAR(none.share_high, 0.2775, 5e-5);
+    montecarlo_clear(&all);
+    montecarlo_clear(&none);
     study_clear(&study);
 }
 
@@ -442,9 +459,8 @@ TEST(tables_have_a_header_with_units_and_a_row_a_trial) {
     memory_free(text);
     CHECK(record_write_points(&study, path) == 0);
     text = draft_read(path);
-    CHECK(
-        strstr(text, "x [m],pass [1],runs [1],faults [1],regular [1],share_regular [1],share_error [1],regular_mean") ==
-        text);
+    CHECK(strstr(text, "x [m],pass [1],runs [1],faults [1],regular [1],share_regular [1],share_q025 [1],share_q975 "
+                       "[1],regular_mean") == text);
     memory_free(text);
     study_clear(&study);
     unlink(path);

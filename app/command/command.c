@@ -50,8 +50,9 @@ static const Verb verbs[] = {
      command_compare},
     {"study", FOR_STUDY, 1, 1, "HOUSE|BEAM",
      "run it over a range of one or two of its numbers, or many times, and say where the answer changes",
-     "  clearance study houses/corner-0.90-0.90.json --vary profile.manual-chair.width=0.5:0.7:21 --out out\n"
-     "  clearance study houses/flat-0.910-module.json --vary door.d3.width=0.7:1:31 --vary door.d2.width=0.7:1:31\n"
+     "  clearance study houses/flat-0.910-module.json --vary door.d3.width=0.7:1:31 --out out\n"
+     "  clearance study houses/corner-0.90-0.90.json --vary profile.manual-chair.width=0.5:0.7:11 --vary "
+     "profile.manual-chair.length=1:1.2:5\n"
      "  clearance study houses/ube-techno-house.json --runs 100 --spread profile.manual-chair.free_speed=0.1\n",
      command_study},
     {"loci", FOR_LOCI, 1, SIZE_MAX, "HOUSE ...",

@@ -40,9 +40,10 @@ static uint64_t file_digest(const char *path) {
     return digest;
 }
 
-/* Of what the results depend on besides the study's own numbers. */
+/* Of what the results depend on besides the study's own numbers: another program of the same version is another one. */
 static uint64_t given_digest(const StudyJob *job) {
     uint64_t digest = digest_text(digest_chain(DIGEST_START, job->content), CLEARANCE_VERSION);
+    digest = digest_chain(digest, file_digest("/proc/self/exe"));
     for (size_t i = 0; i < job->options->setting_count; i++)
         digest = digest_text(digest, job->options->settings[i]);
     return digest;
@@ -108,8 +109,8 @@ static void tell_found(const StudyJob *job) {
                 done, all);
     else if (job->found.others)
         fprintf(stderr,
-                "clearance: %s/study.sqlite has another study: file, settings or range have changed since, this one "
-                "begins anew beside it\n",
+                "clearance: %s/study.sqlite has another study: file, settings, range or program have changed since, "
+                "this one begins anew beside it\n",
                 job->options->out);
 }
 

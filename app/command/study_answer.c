@@ -100,7 +100,8 @@ static json_t *make_distributions(const Study *study) {
                       known(d->error), "q05", known(d->low), "q50", known(d->median), "q95", known(d->high), "least",
                       known(d->least), "greatest", known(d->greatest)));
     }
-    json_t *share = json_pack("{s:o, s:o}", "value", known(point.share), "standard_error", known(point.share_error));
+    json_t *share = json_pack("{s:o, s:o, s:o}", "value", known(point.share), "q025", known(point.share_low), "q975",
+                              known(point.share_high));
     montecarlo_clear(&point);
     return json_pack("{s:o, s:o}", "share_regular", share, "observables", distributions);
 }

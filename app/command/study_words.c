@@ -76,7 +76,7 @@ static void print_title(const Study *study, const char *file) {
         printf("%s %zu runs%s, seeds %" PRIu64 " to %" PRIu64, study->axis_count ? "," : ":", study->runs,
                study->axis_count ? " of each" : "", study->seed, study->seed + study->runs - 1);
     for (size_t s = 0; s < study->spread_count; s++)
-        printf(", %s off by %g %%", study->spreads[s].name, 100 * study->spreads[s].share);
+        printf(", %s with a standard deviation of %g %%", study->spreads[s].name, 100 * study->spreads[s].share);
     printf("\n");
 }
 
@@ -145,50 +145,70 @@ static void print_ranges(const Study *study, const StudyLaboratory *laboratory, 
     memory_free(ranges);
 }
 
-/* The mean of an observable over the runs of a point. */
-static Distribution observed(const Study *study, size_t pass, size_t i1, size_t i0, size_t observable) {
-    MontecarloPoint point = montecarlo_point(study, pass, i1, i0);
-    Distribution distribution = point.of[observable];
+/* How the measure goes along the only axis. */
+typedef struct Course {
+    size_t first, last, least, greatest; /* steps; SIZE_MAX: the measure is nowhere */
+    bool falls, rises;
+} Course;
+
+static double mean_measure(const Study *study, size_t pass, size_t i) {
+    MontecarloPoint point = montecarlo_point(study, pass, 0, i);
+    double mean = point.of[study->experiment->measure].mean;
     montecarlo_clear(&point);
-    return distribution;
+    return mean;
 }
 
-/* How the measure goes along the only axis: it falls, rises, or lies between two. */
-static void print_course(const Study *study, size_t pass) {
-    const Observable *measure = &study->experiment->observables[study->experiment->measure];
-    double first = (double)NAN, last = first, least = HUGE_VAL, greatest = -HUGE_VAL;
-    size_t at_least = 0, at_greatest = 0;
-    bool falls = true, rises = true;
+static Course follow_course(const Study *study, size_t pass) {
+    Course course = {.first = SIZE_MAX, .falls = true, .rises = true};
+    double last = 0, least = HUGE_VAL, greatest = -HUGE_VAL;
     for (size_t i = 0; i < study_steps(study, 0); i++) {
-        double mean = observed(study, pass, 0, i, study->experiment->measure).mean;
+        double mean = mean_measure(study, pass, i);
         if (isnan(mean))
             continue;
-        falls &= isnan(last) || mean <= last;
-        rises &= isnan(last) || mean >= last;
-        first = isnan(first) ? mean : first;
+        bool begun = course.first < SIZE_MAX;
+        course.falls &= !begun || mean <= last;
+        course.rises &= !begun || mean >= last;
+        course.first = begun ? course.first : i;
+        course.least = mean < least ? i : course.least;
+        course.greatest = mean > greatest ? i : course.greatest;
+        course.last = i;
         last = mean;
-        at_least = mean < least ? i : at_least;
-        at_greatest = mean > greatest ? i : at_greatest;
         least = fmin(least, mean);
         greatest = fmax(greatest, mean);
     }
-    if (isnan(first))
+    return course;
+}
+
+/* "31.2 s" of the measure at a step */
+static void say_measure(const Study *study, size_t pass, size_t i, bool with_unit, char word[WORD]) {
+    const char *unit = unit_or_none(&study->experiment->observables[study->experiment->measure]);
+    say_number(mean_measure(study, pass, i), word);
+    if (with_unit && *unit)
+        snprintf(word + strlen(word), WORD - strlen(word), " %.15s", unit);
+}
+
+/* It falls, rises, or goes over a least and a greatest. */
+static void print_course(const Study *study, size_t pass) {
+    Course course = follow_course(study, pass);
+    if (course.first == SIZE_MAX)
         return;
-    char a[WORD], b[WORD], low[WORD], high[WORD], at_low[WORD], at_high[WORD];
-    say_number(first, a);
-    say_number(last, b);
-    say_number(least, low);
-    say_number(greatest, high);
-    say_step(study, 0, at_least, true, at_low);
-    say_step(study, 0, at_greatest, true, at_high);
-    const char *unit = unit_or_none(measure), *space = *unit ? " " : "";
-    printf("; the %s ", measure->meaning);
-    if (strcmp(low, high) == 0)
-        printf("is %s%s%s", low, space, unit);
-    else if (falls || rises)
-        printf("%s from %s to %s%s%s", falls ? "falls" : "rises", a, b, space, unit);
-    else
-        printf("lies between %s%s%s (at %s) and %s%s%s (at %s)", low, space, unit, at_low, high, space, unit, at_high);
+    char first[WORD], last[WORD], value[WORD], at[WORD];
+    say_measure(study, pass, course.first, false, first);
+    say_measure(study, pass, course.last, true, last);
+    printf("; the %s ", study->experiment->observables[study->experiment->measure].meaning);
+    if (course.falls && course.rises) {
+        printf("is %s", last);
+        return;
+    }
+    printf("%s from %s to %s", course.falls ? "falls" : course.rises ? "rises" : "goes", first, last);
+    for (int greatest = 0; greatest <= 1; greatest++) {
+        size_t i = greatest ? course.greatest : course.least;
+        if (i == course.first || i == course.last)
+            continue;
+        say_measure(study, pass, i, true, value);
+        say_step(study, 0, i, true, at);
+        printf(", %s %s at %s", greatest ? "greatest" : "least", value, at);
+    }
 }
 
 static void print_extreme(const Study *study, bool greatest) {
@@ -199,7 +219,10 @@ static void print_extreme(const Study *study, bool greatest) {
     const Trial *trial = &study->trials[index];
     char number[WORD];
     say_number(trial->observed[study->experiment->measure], number);
-    printf("%s %s, %s %s, at", greatest ? "; greatest" : "least", measure->meaning, number, unit_or_none(measure));
+    if (greatest)
+        printf("; greatest, %s %s, at", number, unit_or_none(measure));
+    else
+        printf("the %s is least, %s %s, at", measure->meaning, number, unit_or_none(measure));
     for (size_t a = 0; a < study->axis_count; a++) {
         char value[WORD];
         say_value(&study->axes[a], trial->at[a], value);
@@ -380,8 +403,10 @@ static void print_faults(const Study *study, size_t faults) {
 static void print_share(const Study *study, const StudyLaboratory *laboratory) {
     MontecarloPoint point = montecarlo_point(study, 0, 0, 0);
     if (point.told)
-        printf("%s in %zu of %zu runs: %.1f %%, standard error %.1f %%\n", laboratory->regular, point.regular,
-               point.told, 100 * point.share, 100 * point.share_error);
+        printf("%s in %zu of %zu runs: %.1f %%, with 95 %% confidence from %.1f to %.1f %%\n", laboratory->regular,
+               point.regular, point.told, 100 * point.share, 100 * point.share_low, 100 * point.share_high);
+    if (point.done > 1 && point.of[study->experiment->measure].deviation == 0)
+        printf("all runs are alike, nothing in them is left to chance: --spread NAME=SHARE would give a tolerance\n");
     montecarlo_clear(&point);
 }
 

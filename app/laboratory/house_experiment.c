@@ -98,6 +98,8 @@ static void observe(Trial *trial, const House *house, const Observation *observa
         observed[HOUSE_LOST_TIME] += person->lost_time;
         observed[HOUSE_NOT_OUT] += !person->completed;
     }
+    if (!observation->completed)
+        observed[HOUSE_LOST_TIME] = NAN;
     if (observed[HOUSE_NARROWEST] == HUGE_VAL)
         observed[HOUSE_NARROWEST] = NAN;
     observed[HOUSE_WAY] = way_of(house, observation);
@@ -180,7 +182,11 @@ static bool find_route(const HouseGiven *given, Fault *fault) {
     const Plan *plan = &given->house.plan;
     if (!given->route || plan_find_route(plan, given->route) != SIZE_MAX)
         return true;
-    char known[300] = "none";
+    if (!plan->route_count) {
+        fault_add(fault, "%s has no route \"%s\", it has none at all", given->path, given->route);
+        return false;
+    }
+    char known[300] = "";
     for (size_t r = 0, used = 0; r < plan->route_count && used < sizeof known; r++)
         used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", r ? ", " : "", plan->routes[r].id);
     fault_add(fault, "%s has no route \"%s\", its routes are %s", given->path, given->route, known);

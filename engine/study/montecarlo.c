@@ -49,9 +49,23 @@ Distribution montecarlo_distribution(const double *numbers, size_t count) {
     return d;
 }
 
+/* The interval of all shares p from which the one that was seen is within CONFIDENT sqrt(p (1 - p) / n). */
+static void estimate_share(MontecarloPoint *point) {
+    static const double CONFIDENT = 1.959964; /* standard deviations that hold 95 % of a normal distribution */
+    if (!point->told)
+        return;
+    double n = (double)point->told, square = CONFIDENT * CONFIDENT / n;
+    double share = (double)point->regular / n;
+    double middle = (share + square / 2) / (1 + square);
+    double half = sqrt(square * (share * (1 - share) + square / 4)) / (1 + square);
+    point->share = share;
+    point->share_low = point->regular ? middle - half : 0;
+    point->share_high = point->regular < point->told ? middle + half : 1;
+}
+
 MontecarloPoint montecarlo_point(const Study *study, size_t pass, size_t i1, size_t i0) {
     const Experiment *experiment = study->experiment;
-    MontecarloPoint point = {.share = (double)NAN, .share_error = (double)NAN};
+    MontecarloPoint point = {.share = (double)NAN, .share_low = (double)NAN, .share_high = (double)NAN};
     point.observables = experiment->observable_count;
     point.of = memory_allocate(point.observables, sizeof *point.of);
     for (size_t run = 0; run < study->runs; run++) {
@@ -62,10 +76,7 @@ MontecarloPoint montecarlo_point(const Study *study, size_t pass, size_t i1, siz
         point.told += trial->done && !isnan(regular);
         point.regular += trial->done && regular == 1;
     }
-    if (point.told) {
-        point.share = (double)point.regular / (double)point.told;
-        point.share_error = sqrt(point.share * (1 - point.share) / (double)point.told);
-    }
+    estimate_share(&point);
     double *numbers = memory_allocate(study->runs, sizeof *numbers);
     for (size_t o = 0; o < point.observables; o++) {
         for (size_t run = 0; run < study->runs; run++)

@@ -14,13 +14,13 @@ typedef struct Distribution {
 } Distribution;
 
 typedef struct MontecarloPoint {
-    size_t done;        /* runs */
-    size_t faults;      /* of them could not be run with their values */
-    size_t told;        /* of them are regular or not */
-    size_t regular;     /* of those told */
-    double share;       /* 1, regular over told; NAN: none is */
-    double share_error; /* 1, standard: sqrt(share (1 - share) / told) */
-    Distribution *of;   /* (observables) */
+    size_t done;                  /* runs */
+    size_t faults;                /* of them could not be run with their values */
+    size_t told;                  /* of them are regular or not */
+    size_t regular;               /* of those told */
+    double share;                 /* 1, regular over told; NAN: none is */
+    double share_low, share_high; /* 1, where it is with 95 % confidence (Wilson 1927), also for none and for all */
+    Distribution *of;             /* (observables) */
     size_t observables;
 } MontecarloPoint;
 

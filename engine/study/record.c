@@ -103,7 +103,7 @@ static void add_distribution(Text *text, const Distribution *d) {
 static void add_points_head(Text *text, const Study *study) {
     static const char *const kinds[] = {"mean", "deviation", "standard_error", "q05", "q50", "q95"};
     add_names_head(text, study, study->axis_count);
-    text_add(text, "pass [1],runs [1],faults [1],regular [1],share_regular [1],share_error [1],");
+    text_add(text, "pass [1],runs [1],faults [1],regular [1],share_regular [1],share_q025 [1],share_q975 [1],");
     for (size_t o = 0; o < study->experiment->observable_count; o++)
         for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
             const Observable *observable = &study->experiment->observables[o];
@@ -125,7 +125,8 @@ int record_write_points(const Study *study, const char *path) {
                 text_format(&text, "%s,%zu,%zu,%zu,", study_pass_name(study->passes[pass]), point.done, point.faults,
                             point.regular);
                 add_number(&text, point.share);
-                add_number(&text, point.share_error);
+                add_number(&text, point.share_low);
+                add_number(&text, point.share_high);
                 for (size_t o = 0; o < point.observables; o++)
                     add_distribution(&text, &point.of[o]);
                 end_row(&text);
