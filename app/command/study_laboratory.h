@@ -8,7 +8,7 @@ typedef struct StudyLaboratory {
     bool (*is_file)(const char *path); /* NULL: whatever is left */
     bool (*open)(Experiment *experiment, const Options *options, Fault *fault);
     void (*close)(Experiment *experiment);
-    const char *regular, *irregular; /* a run, in a word or two: "out", "not out" */
+    const char *regular, *irregular, *mixed; /* runs, in a word or two: "out", "not out", "sometimes out" */
 } StudyLaboratory;
 
 /* Opens the experiment of the command line's file. NULL: faults say where and what. Its `close` releases it. */

@@ -87,7 +87,7 @@ static const char *say_state(const StudyLaboratory *laboratory, SummaryState sta
     case SUMMARY_IRREGULAR:
         return laboratory->irregular;
     case SUMMARY_MIXED:
-        return "now and then";
+        return laboratory->mixed;
     case SUMMARY_UNTOLD:
         return "cannot be told";
     case SUMMARY_NOTHING:
@@ -201,7 +201,7 @@ static void print_course(const Study *study, size_t pass) {
         return;
     }
     printf("%s from %s to %s", course.falls ? "falls" : course.rises ? "rises" : "goes", first, last);
-    for (int greatest = 0; greatest <= 1; greatest++) {
+    for (int greatest = 0; greatest <= 1 && !course.falls && !course.rises; greatest++) {
         size_t i = greatest ? course.greatest : course.least;
         if (i == course.first || i == course.last)
             continue;
@@ -346,7 +346,7 @@ static void print_map(const Study *study, const StudyLaboratory *laboratory, siz
     size_t steps0 = study_steps(study, 0), steps1 = study_steps(study, 1);
     size_t columns = steps0 < MAP_COLUMNS ? steps0 : MAP_COLUMNS, rows = steps1 < MAP_ROWS ? steps1 : MAP_ROWS;
     printf("\n# %s, . %s%s; to the right %s, upwards %s\n", laboratory->regular, laboratory->irregular,
-           study->runs > 1 ? ", + now and then" : "", study->axes[0].name, study->axes[1].name);
+           study->runs > 1 ? ", + sometimes" : "", study->axes[0].name, study->axes[1].name);
     for (size_t r = rows; r-- > 0;) {
         size_t i1 = rows > 1 ? r * (steps1 - 1) / (rows - 1) : 0;
         char value[WORD];
@@ -359,7 +359,7 @@ static void print_map(const Study *study, const StudyLaboratory *laboratory, siz
     char from[WORD], to[WORD];
     say_step(study, 0, 0, false, from);
     say_step(study, 0, steps0 - 1, true, to);
-    printf("%10s %-*s%s\n", "", (int)columns - 1, from, to);
+    printf("%10s %s to %s\n", "", from, to);
 }
 
 static void print_distributions(const Study *study) {
