@@ -114,6 +114,10 @@ static void tell_found(const StudyJob *job) {
                 job->options->out);
 }
 
+static bool is_whole(const Study *study) {
+    return study_done(study) == study->trial_count;
+}
+
 static void run_study(StudyJob *job, Store *store) {
     const Options *options = job->options;
     bool show = !options->quiet && isatty(STDERR_FILENO);
@@ -127,7 +131,7 @@ static void run_study(StudyJob *job, Store *store) {
                                            .keeper = store});
     if (job->shown)
         fprintf(stderr, "\r%50s\r", "");
-    if (command_interrupted)
+    if (!is_whole(&job->study))
         fprintf(stderr, "clearance: interrupted after %zu of %zu runs%s\n", study_done(&job->study),
                 job->study.trial_count, store ? "; the same command goes on from there" : "");
 }
@@ -202,7 +206,7 @@ static int answer_study(const StudyJob *job) {
     if (options->out && written && !options->json)
         printf("\ndata are in %s\n", options->out);
     json_decref(answer);
-    bool any = summary_count(&job->study).regular && !command_interrupted;
+    bool any = summary_count(&job->study).regular && is_whole(&job->study);
     return !written ? EXIT_WRONG_INPUT : any ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }
 

@@ -73,7 +73,7 @@ static json_t *make_ranges(const Study *study) {
     return list;
 }
 
-/* The regular run with the least, or the greatest measure; null: there is none. */
+/* The run with the least, or the greatest measure; null: there is none. */
 static json_t *make_extreme(const Study *study, bool greatest) {
     size_t index = summary_extreme(study, greatest);
     if (index == SIZE_MAX)

@@ -75,7 +75,7 @@ size_t summary_extreme(const Study *study, bool greatest) {
     for (size_t t = 0; t < study->trial_count; t++) {
         const Trial *trial = &study->trials[t];
         double measure = trial->observed[experiment->measure];
-        if (!trial->done || trial->fault || trial->observed[experiment->regular] != 1 || isnan(measure))
+        if (!trial->done || trial->fault || isnan(measure))
             continue;
         double best = found < SIZE_MAX ? study->trials[found].observed[experiment->measure] : 0;
         if (found == SIZE_MAX || (greatest ? measure > best : measure < best))

@@ -34,7 +34,7 @@ SummaryState summary_point(const Study *study, size_t pass, size_t i1, size_t i0
 /* The ranges of an axis, from its first value to its last, each over all that is beside the axis. memory_free them. */
 SummaryRange *summary_ranges(const Study *study, size_t pass, size_t axis, size_t *count);
 
-/* The index of the regular trial whose measure is least, or greatest; the first of several. SIZE_MAX: there is none. */
+/* The index of the trial whose measure is least, or greatest; the first of several. SIZE_MAX: there is none. */
 size_t summary_extreme(const Study *study, bool greatest);
 
 /* Of all results, bit for bit. */
