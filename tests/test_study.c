@@ -419,6 +419,22 @@ TEST(all_of_ten_is_not_certainty) {
     study_clear(&study);
 }
 
+TEST(passes_that_end_in_different_answers_are_seen) {
+    Toy toy = {0};
+    Experiment experiment = toy_experiment(&toy);
+    experiment.outcome = TOY_REGULAR;
+    Study study = sweep(&experiment, 1, 3, 3);
+    study.passes[0] = STUDY_UP;
+    study.passes[1] = STUDY_DOWN;
+    study.pass_count = 2;
+    study_begin(&study);
+    CHECK(!summary_passes_differ(&study, 0, 0)); /* nothing is done */
+    study_run(&study, &(StudyOptions){.jobs = 1});
+    CHECK(summary_passes_differ(&study, 0, 0)); /* memory 0 and 5: regular and not */
+    CHECK(!summary_passes_differ(&study, 0, 1) && !summary_passes_differ(&study, 0, 2));
+    study_clear(&study);
+}
+
 TEST(ranges_say_where_the_answer_changes) {
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);

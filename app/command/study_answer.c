@@ -73,6 +73,15 @@ static json_t *make_ranges(const Study *study) {
     return list;
 }
 
+/* Where along the only axis the passes end in different answers. */
+static json_t *make_differences(const Study *study) {
+    json_t *at = json_array();
+    for (size_t i = 0; i < study_steps(study, 0); i++)
+        if (summary_passes_differ(study, 0, i))
+            json_array_append_new(at, known(study_value(&study->axes[0], i)));
+    return at;
+}
+
 /* The run with the least, or the greatest measure; null: there is none. */
 static json_t *make_extreme(const Study *study, bool greatest) {
     size_t index = summary_extreme(study, greatest);
@@ -135,6 +144,8 @@ json_t *study_answer_make(const Study *study, const char *file) {
     set(answer, "measure",
         json_pack("{s:s, s:s, s:s}", "name", measure->name, "unit", measure->unit, "meaning", measure->meaning));
     set(answer, "ranges", make_ranges(study));
+    if (study->axis_count == 1 && study->pass_count > 1)
+        set(answer, "passes_differ_at", make_differences(study));
     set(answer, "best", make_extreme(study, false));
     set(answer, "worst", make_extreme(study, true));
     if (!study->axis_count && study->runs > 1)

@@ -13,7 +13,7 @@ static bool open_house(Experiment *experiment, const Options *options, Fault *fa
 }
 
 static const StudyLaboratory laboratories[] = {
-    {NULL, open_house, house_experiment_close, "out", "not out", "sometimes out"},
+    {NULL, open_house, house_experiment_close, "way", "out", "not out", "sometimes out"},
 };
 
 const StudyLaboratory *study_laboratory_open(Experiment *experiment, const Options *options, Fault *fault) {

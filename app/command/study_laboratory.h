@@ -8,6 +8,7 @@ typedef struct StudyLaboratory {
     bool (*is_file)(const char *path); /* NULL: whatever is left */
     bool (*open)(Experiment *experiment, const Options *options, Fault *fault);
     void (*close)(Experiment *experiment);
+    const char *hidden;                      /* the observable that only tells runs apart: "way"; "" for none */
     const char *regular, *irregular, *mixed; /* runs, in a word or two: "out", "not out", "sometimes out" */
 } StudyLaboratory;
 

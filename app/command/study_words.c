@@ -124,6 +124,13 @@ static const SummaryRange *longest(const SummaryRange *ranges, size_t count, Sum
     return found;
 }
 
+static size_t values_of(const SummaryRange *ranges, size_t count, SummaryState state) {
+    size_t values = 0;
+    for (size_t r = 0; r < count; r++)
+        values += ranges[r].state == state ? ranges[r].last - ranges[r].first + 1 : 0;
+    return values;
+}
+
 static void print_ranges(const Study *study, const StudyLaboratory *laboratory, size_t pass, size_t axis) {
     size_t count;
     SummaryRange *ranges = summary_ranges(study, pass, axis, &count);
@@ -133,7 +140,8 @@ static void print_ranges(const Study *study, const StudyLaboratory *laboratory, 
             print_range(study, laboratory, axis, &ranges[r]);
         }
     } else {
-        printf("the answer changes %zu times", count - 1);
+        printf("%s at %zu of %zu values, the answer changes %zu times", laboratory->regular,
+               values_of(ranges, count, SUMMARY_REGULAR), study->axes[axis].steps, count - 1);
         for (SummaryState state = SUMMARY_REGULAR; state <= SUMMARY_IRREGULAR; state++) {
             const SummaryRange *range = longest(ranges, count, state);
             if (range) {
@@ -231,11 +239,28 @@ static void print_extreme(const Study *study, bool greatest) {
     printf("%s", greatest ? "\n" : "");
 }
 
+/* Passes that end in different answers. */
+static void print_differences(const Study *study) {
+    size_t count = 0, first = 0;
+    for (size_t i = study_steps(study, 0); i-- > 0;)
+        if (summary_passes_differ(study, 0, i)) {
+            count++;
+            first = i;
+        }
+    char at[WORD];
+    say_step(study, 0, first, true, at);
+    if (count)
+        printf(
+            "at %zu of %zu values, the first %s, the passes end in different answers: there it depends on the past\n",
+            count, study_steps(study, 0), at);
+}
+
 /* Tables ------------------------------------------------------------------------------------------------------------*/
 
 /* The rows to show: both ends, both sides of each change while there is room, and others evenly between. */
 static void choose_rows(const Study *study, bool *chosen) {
-    size_t steps = study_steps(study, 0), rows = steps < ROWS_MOST ? steps : ROWS_MOST, count;
+    size_t steps = study_steps(study, 0), most = ROWS_MOST / (study->pass_count + 1) * 2, count;
+    size_t rows = steps < most ? steps : most;
     for (size_t r = 0; r < rows; r++)
         chosen[rows > 1 ? r * (steps - 1) / (rows - 1) : 0] = true;
     SummaryRange *ranges = summary_ranges(study, 0, 0, &count);
@@ -259,19 +284,25 @@ static void print_head(const char *name, const char *unit) {
     print_cell(head, head_width(name, unit));
 }
 
-/* What a table of single runs shows besides the answer. */
-static bool is_shown(const Experiment *experiment, size_t observable) {
-    return observable != experiment->regular && observable != experiment->outcome;
+/* What a table of single runs shows besides the answer: whatever any of them has. */
+static bool is_shown(const Study *study, const StudyLaboratory *laboratory, size_t observable) {
+    const Experiment *experiment = study->experiment;
+    if (observable == experiment->regular || strcmp(experiment->observables[observable].name, laboratory->hidden) == 0)
+        return false;
+    bool any = false;
+    for (size_t t = 0; t < study->trial_count && !any; t++)
+        any = !isnan(study->trials[t].observed[observable]);
+    return any;
 }
 
-static void print_runs_row(const Study *study, size_t pass, size_t i) {
+static void print_runs_row(const Study *study, const StudyLaboratory *laboratory, size_t pass, size_t i) {
     const Experiment *experiment = study->experiment;
     const Trial *trial = study_trial(study, pass, 0, 0, i);
     for (size_t o = 0; o < experiment->observable_count; o++) {
         const Observable *observable = &experiment->observables[o];
         char word[WORD];
         say_number(trial->observed[o], word);
-        if (is_shown(experiment, o))
+        if (is_shown(study, laboratory, o))
             print_cell(word, head_width(observable->name, unit_or_none(observable)));
     }
 }
@@ -309,7 +340,7 @@ static void print_table_head(const Study *study, const StudyLaboratory *laborato
     }
     print_cell("answer", 14);
     for (size_t o = 0; o < experiment->observable_count; o++)
-        if (is_shown(experiment, o))
+        if (is_shown(study, laboratory, o))
             print_head(experiment->observables[o].name, unit_or_none(&experiment->observables[o]));
     printf("\n");
 }
@@ -329,7 +360,7 @@ static void print_table(const Study *study, const StudyLaboratory *laboratory) {
                 print_point_row(study, pass, i);
             } else {
                 print_cell(say_state(laboratory, summary_point(study, pass, 0, i)), 14);
-                print_runs_row(study, pass, i);
+                print_runs_row(study, laboratory, pass, i);
             }
             printf("\n");
         }
@@ -362,7 +393,7 @@ static void print_map(const Study *study, const StudyLaboratory *laboratory, siz
     printf("%10s %s to %s\n", "", from, to);
 }
 
-static void print_distributions(const Study *study) {
+static void print_distributions(const Study *study, const StudyLaboratory *laboratory) {
     static const char *const heads[] = {"mean", "deviation", "std error", "5 %", "50 %", "95 %"};
     const Experiment *experiment = study->experiment;
     MontecarloPoint point = montecarlo_point(study, 0, 0, 0);
@@ -371,7 +402,7 @@ static void print_distributions(const Study *study) {
         print_cell(heads[k], 10);
     printf("\n");
     for (size_t o = 0; o < point.observables; o++) {
-        if (!is_shown(experiment, o))
+        if (!is_shown(study, laboratory, o))
             continue;
         const Distribution *d = &point.of[o];
         const double numbers[] = {d->mean, d->deviation, d->error, d->low, d->median, d->high};
@@ -428,6 +459,8 @@ void study_words_print(const Study *study, const StudyLaboratory *laboratory, co
                 print_course(study, pass);
             printf("\n");
         }
+    if (study->axis_count == 1)
+        print_differences(study);
     if (study->axis_count == 2) {
         print_extreme(study, false);
         print_extreme(study, true);
@@ -436,7 +469,7 @@ void study_words_print(const Study *study, const StudyLaboratory *laboratory, co
     } else if (study->axis_count == 1) {
         print_table(study, laboratory);
     } else {
-        print_distributions(study);
+        print_distributions(study, laboratory);
     }
     print_faults(study, count.faults);
 }

@@ -69,6 +69,29 @@ SummaryRange *summary_ranges(const Study *study, size_t pass, size_t axis, size_
     return ranges;
 }
 
+/* 1: measures nearer than this are of one answer that has not quite settled. */
+static const double SAME_MEASURE = 0.01;
+
+static bool answers_differ(const Experiment *experiment, const Trial *a, const Trial *b) {
+    const double *x = a->observed, *y = b->observed;
+    double regular = x[experiment->regular], other = y[experiment->regular];
+    if (!a->done || !b->done || a->fault || b->fault || isnan(regular) || isnan(other))
+        return false;
+    if (regular != other || regular != 1)
+        return regular != other;
+    double measure = x[experiment->measure], apart = fabs(measure - y[experiment->measure]);
+    return x[experiment->outcome] != y[experiment->outcome] || apart > SAME_MEASURE * fabs(measure);
+}
+
+bool summary_passes_differ(const Study *study, size_t i1, size_t i0) {
+    for (size_t pass = 1; pass < study->pass_count; pass++)
+        for (size_t run = 0; run < study->runs; run++)
+            if (answers_differ(study->experiment, study_trial(study, 0, run, i1, i0),
+                               study_trial(study, pass, run, i1, i0)))
+                return true;
+    return false;
+}
+
 size_t summary_extreme(const Study *study, bool greatest) {
     const Experiment *experiment = study->experiment;
     size_t found = SIZE_MAX;

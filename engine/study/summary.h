@@ -34,6 +34,11 @@ SummaryState summary_point(const Study *study, size_t pass, size_t i1, size_t i0
 /* The ranges of an axis, from its first value to its last, each over all that is beside the axis. memory_free them. */
 SummaryRange *summary_ranges(const Study *study, size_t pass, size_t axis, size_t *count);
 
+/* Do the passes end in different answers at a point: one regular and another not, other outcomes, or, both regular,
+ * measures more than a hundredth apart? Then several answers exist there, and it depends on the past which one comes.
+ */
+bool summary_passes_differ(const Study *study, size_t i1, size_t i0);
+
 /* The index of the trial whose measure is least, or greatest; the first of several. SIZE_MAX: there is none. */
 size_t summary_extreme(const Study *study, bool greatest);
 
