@@ -40,10 +40,12 @@ typedef struct Experiment {
     size_t outcome; /* which of several regular answers it is: another number is another one */
     size_t measure; /* what sensitivities are of, and what tells apart equal outcomes: a peak force, a time */
 
-    bool carries;      /* a run can begin where the one before it ended: sweeps up and down */
-    size_t batch;      /* runs that are best made together */
-    void *given;       /* the laboratory's; any number of threads read it at once */
-    uint64_t identity; /* digest of what `given` was made of, beside the file and the settings; 0: nothing else */
+    bool carries; /* a run can begin where the one before it ended: sweeps up and down */
+    size_t batch; /* runs that are best made together */
+    void *given;  /* the laboratory's; any number of threads read it at once */
+
+    /* Digest of what `given` was made of, beside the file and the settings; 0: of nothing else. */
+    uint64_t identity;
 
     /* The parameter of that name, for its unit, range and meaning. NULL: none. */
     const Parameter *(*parameter)(const void *given, const char *name);
