@@ -30,7 +30,7 @@ typedef struct StudyJob {
     bool shown; /* progress */
 } StudyJob;
 
-/* What is asked ---------------------------------------------------------------------------------------------------- */
+/* What is asked -------------------------------------------------------------------------------------------------- */
 
 static uint64_t file_digest(const char *path) {
     size_t size = 0;
@@ -78,7 +78,7 @@ static bool open_study(StudyJob *job, Fault *fault) {
     return false;
 }
 
-/* Running ---------------------------------------------------------------------------------------------------------- */
+/* Running -------------------------------------------------------------------------------------------------------- */
 
 static double seconds_since(const struct timespec *begin) {
     struct timespec now;
@@ -172,7 +172,7 @@ static bool run_kept(StudyJob *job, Fault *fault) {
     return (!store || store_close(store, fault)) && same;
 }
 
-/* Answering -------------------------------------------------------------------------------------------------------- */
+/* Answering ------------------------------------------------------------------------------------------------------ */
 
 static bool write_tables(const StudyJob *job, const json_t *answer) {
     static const struct {

@@ -6,69 +6,80 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "command/study_table.h"
 #include "study/montecarlo.h"
 #include "study/summary.h"
 
-enum {
-    WORD = 48,        /* characters of a number with its unit */
-    RANGES_MOST = 6,  /* told one by one */
-    ROWS_MOST = 12,   /* of the table */
-    MAP_COLUMNS = 72, /* of a map in letters */
-    MAP_ROWS = 24,
-};
+enum { WORD = STUDY_WORDS_WORD, RANGES_MOST = 6 /* told one by one */ };
 
-/* Numbers ----------------------------------------------------------------------------------------------------------*/
+/* Numbers -------------------------------------------------------------------------------------------------------- */
 
 static bool is_multiple(double value, int decimals) {
     double scaled = value * pow(10, decimals);
     return fabs(scaled - round(scaled)) < 1e-6;
 }
 
+/* How an axis is shown: small lengths and times in mm and ms. */
+typedef struct Shown {
+    const char *unit; /* "" for pure numbers */
+    double factor;    /* 1, of the values */
+} Shown;
+
+static Shown shown_axis(const Study *study, size_t a) {
+    const StudyAxis *axis = &study->axes[a];
+    const char *unit = study->experiment->parameter(study->experiment->given, axis->name)->unit;
+    bool small = fmax(fabs(axis->from), fabs(axis->to)) < 0.01;
+    if (small && strcmp(unit, "m") == 0)
+        return (Shown){"mm", 1000};
+    if (small && strcmp(unit, "s") == 0)
+        return (Shown){"ms", 1000};
+    return (Shown){strcmp(unit, "1") == 0 ? "" : unit, 1};
+}
+
+const char *study_words_axis_unit(const Study *study, size_t axis) {
+    return shown_axis(study, axis).unit;
+}
+
 /* A value of an axis, with as many digits as tell it from its neighbours. */
-static void say_value(const StudyAxis *axis, double value, char word[WORD]) {
-    double step = axis->steps > 1 ? fabs(axis->to - axis->from) / (double)(axis->steps - 1) : fabs(axis->from);
-    double most = fmax(fabs(axis->from), fabs(axis->to));
+static void say_value(const Study *study, size_t a, double value, bool with_unit, char word[WORD]) {
+    const StudyAxis *axis = &study->axes[a];
+    Shown shown = shown_axis(study, a);
+    double from = axis->from * shown.factor, to = axis->to * shown.factor, most = fmax(fabs(from), fabs(to));
+    double step = axis->steps > 1 ? fabs(to - from) / (double)(axis->steps - 1) : fabs(from);
     int decimals = 0;
-    while (decimals < 6 && (!is_multiple(axis->from, decimals) || !is_multiple(step, decimals)))
+    while (decimals < 6 && (!is_multiple(from, decimals) || !is_multiple(step, decimals)))
         decimals++;
-    if (most < 1e-3 || most >= 1e7 || decimals == 6)
-        snprintf(word, WORD, "%.*g", (int)fmax(3, fmin(9, ceil(log10(most / step)) + 2)), value);
-    else
-        snprintf(word, WORD, "%.*f", decimals, value);
+    int length =
+        most < 1e-3 || most >= 1e7 || decimals == 6
+            ? snprintf(word, WORD, "%.*g", (int)fmax(3, fmin(9, ceil(log10(most / step)) + 2)), value * shown.factor)
+            : snprintf(word, WORD, "%.*f", decimals, value * shown.factor);
+    if (with_unit && *shown.unit)
+        snprintf(word + length, WORD - (size_t)length, " %.15s", shown.unit);
 }
 
-static const char *unit_of(const Study *study, const char *name) {
-    const char *unit = study->experiment->parameter(study->experiment->given, name)->unit;
-    return strcmp(unit, "1") == 0 ? "" : unit;
+void study_words_step(const Study *study, size_t axis, size_t i, bool with_unit, char word[WORD]) {
+    say_value(study, axis, study_value(&study->axes[axis], i), with_unit, word);
 }
 
-static void say_step(const Study *study, size_t axis, size_t i, bool with_unit, char word[WORD]) {
-    const char *unit = unit_of(study, study->axes[axis].name);
-    say_value(&study->axes[axis], study_value(&study->axes[axis], i), word);
-    if (with_unit && *unit)
-        snprintf(word + strlen(word), WORD - strlen(word), " %.15s", unit);
-}
-
-/* A number that was observed; "-" for none. */
-static void say_number(double number, char word[WORD]) {
+void study_words_number(double number, char word[WORD]) {
     if (isnan(number))
         snprintf(word, WORD, "-");
     else
         snprintf(word, WORD, fabs(number) >= 1000 && fabs(number) < 1e7 ? "%.0f" : "%.4g", number);
 }
 
-static const char *unit_or_none(const Observable *observable) {
+const char *study_words_unit(const Observable *observable) {
     return strcmp(observable->unit, "1") == 0 ? "" : observable->unit;
 }
 
-/* Sentences ---------------------------------------------------------------------------------------------------------*/
+/* Sentences ------------------------------------------------------------------------------------------------------ */
 
 static void print_title(const Study *study, const char *file) {
     printf("%s", file);
     for (size_t a = 0; a < study->axis_count; a++) {
         char from[WORD], to[WORD];
-        say_step(study, a, 0, false, from);
-        say_step(study, a, study->axes[a].steps - 1, true, to);
+        study_words_step(study, a, 0, false, from);
+        study_words_step(study, a, study->axes[a].steps - 1, true, to);
         printf("%s %s from %s to %s in %zu step%s", a ? "," : ":", study->axes[a].name, from, to, study->axes[a].steps,
                study->axes[a].steps == 1 ? "" : "s");
     }
@@ -80,7 +91,7 @@ static void print_title(const Study *study, const char *file) {
     printf("\n");
 }
 
-static const char *say_state(const StudyLaboratory *laboratory, SummaryState state) {
+const char *study_words_state(const StudyLaboratory *laboratory, SummaryState state) {
     switch (state) {
     case SUMMARY_REGULAR:
         return laboratory->regular;
@@ -100,9 +111,9 @@ static const char *say_state(const StudyLaboratory *laboratory, SummaryState sta
 static void print_range(const Study *study, const StudyLaboratory *laboratory, size_t axis, const SummaryRange *range) {
     size_t last = study->axes[axis].steps - 1;
     char from[WORD], to[WORD];
-    say_step(study, axis, range->first, range->first == range->last || range->last == last, from);
-    say_step(study, axis, range->last, true, to);
-    printf("%s ", say_state(laboratory, range->state));
+    study_words_step(study, axis, range->first, range->first == range->last || range->last == last, from);
+    study_words_step(study, axis, range->last, true, to);
+    printf("%s ", study_words_state(laboratory, range->state));
     if (range->first == 0 && range->last == last)
         printf("throughout");
     else if (range->first == 0 && range->last > 0)
@@ -189,8 +200,8 @@ static Course follow_course(const Study *study, size_t pass) {
 
 /* "31.2 s" of the measure at a step */
 static void say_measure(const Study *study, size_t pass, size_t i, bool with_unit, char word[WORD]) {
-    const char *unit = unit_or_none(&study->experiment->observables[study->experiment->measure]);
-    say_number(mean_measure(study, pass, i), word);
+    const char *unit = study_words_unit(&study->experiment->observables[study->experiment->measure]);
+    study_words_number(mean_measure(study, pass, i), word);
     if (with_unit && *unit)
         snprintf(word + strlen(word), WORD - strlen(word), " %.15s", unit);
 }
@@ -214,7 +225,7 @@ static void print_course(const Study *study, size_t pass) {
         if (i == course.first || i == course.last)
             continue;
         say_measure(study, pass, i, true, value);
-        say_step(study, 0, i, true, at);
+        study_words_step(study, 0, i, true, at);
         printf(", %s %s at %s", greatest ? "greatest" : "least", value, at);
     }
 }
@@ -226,15 +237,15 @@ static void print_extreme(const Study *study, bool greatest) {
     const Observable *measure = &study->experiment->observables[study->experiment->measure];
     const Trial *trial = &study->trials[index];
     char number[WORD];
-    say_number(trial->observed[study->experiment->measure], number);
+    study_words_number(trial->observed[study->experiment->measure], number);
     if (greatest)
-        printf("; greatest, %s %s, at", number, unit_or_none(measure));
+        printf("; greatest, %s %s, at", number, study_words_unit(measure));
     else
-        printf("the %s is least, %s %s, at", measure->meaning, number, unit_or_none(measure));
+        printf("the %s is least, %s %s, at", measure->meaning, number, study_words_unit(measure));
     for (size_t a = 0; a < study->axis_count; a++) {
         char value[WORD];
-        say_value(&study->axes[a], trial->at[a], value);
-        printf("%s %s %s %s", a ? "," : "", study->axes[a].name, value, unit_of(study, study->axes[a].name));
+        say_value(study, a, trial->at[a], true, value);
+        printf("%s %s %s", a ? "," : "", study->axes[a].name, value);
     }
     printf("%s", greatest ? "\n" : "");
 }
@@ -248,179 +259,14 @@ static void print_differences(const Study *study) {
             first = i;
         }
     char at[WORD];
-    say_step(study, 0, first, true, at);
+    study_words_step(study, 0, first, true, at);
     if (count)
         printf(
             "at %zu of %zu values, the first %s, the passes end in different answers: there it depends on the past\n",
             count, study_steps(study, 0), at);
 }
 
-/* Tables ------------------------------------------------------------------------------------------------------------*/
-
-/* The rows to show: both ends, both sides of each change while there is room, and others evenly between. */
-static void choose_rows(const Study *study, bool *chosen) {
-    size_t steps = study_steps(study, 0), most = ROWS_MOST / (study->pass_count + 1) * 2, count;
-    size_t rows = steps < most ? steps : most;
-    for (size_t r = 0; r < rows; r++)
-        chosen[rows > 1 ? r * (steps - 1) / (rows - 1) : 0] = true;
-    SummaryRange *ranges = summary_ranges(study, 0, 0, &count);
-    for (size_t r = 1; r < count && count <= RANGES_MOST; r++)
-        chosen[ranges[r].first] = chosen[ranges[r].first - 1] = true;
-    memory_free(ranges);
-}
-
-static void print_cell(const char *text, size_t width) {
-    printf("  %*s", (int)width, text);
-}
-
-static size_t head_width(const char *name, const char *unit) {
-    size_t width = strlen(name) + (*unit ? 1 + strlen(unit) : 0);
-    return width < 8 ? 8 : width;
-}
-
-static void print_head(const char *name, const char *unit) {
-    char head[2 * WORD];
-    snprintf(head, sizeof head, "%.60s%s%.20s", name, *unit ? " " : "", unit);
-    print_cell(head, head_width(name, unit));
-}
-
-/* What a table of single runs shows besides the answer: whatever any of them has. */
-static bool is_shown(const Study *study, const StudyLaboratory *laboratory, size_t observable) {
-    const Experiment *experiment = study->experiment;
-    if (observable == experiment->regular || strcmp(experiment->observables[observable].name, laboratory->hidden) == 0)
-        return false;
-    bool any = false;
-    for (size_t t = 0; t < study->trial_count && !any; t++)
-        any = !isnan(study->trials[t].observed[observable]);
-    return any;
-}
-
-static void print_runs_row(const Study *study, const StudyLaboratory *laboratory, size_t pass, size_t i) {
-    const Experiment *experiment = study->experiment;
-    const Trial *trial = study_trial(study, pass, 0, 0, i);
-    for (size_t o = 0; o < experiment->observable_count; o++) {
-        const Observable *observable = &experiment->observables[o];
-        char word[WORD];
-        say_number(trial->observed[o], word);
-        if (is_shown(study, laboratory, o))
-            print_cell(word, head_width(observable->name, unit_or_none(observable)));
-    }
-}
-
-/* With many runs: how many are regular, and the measure as a distribution. */
-static void print_point_row(const Study *study, size_t pass, size_t i) {
-    MontecarloPoint point = montecarlo_point(study, pass, 0, i);
-    const Distribution *d = &point.of[study->experiment->measure];
-    const double numbers[] = {d->mean, d->deviation, d->low, d->median, d->high};
-    char word[WORD] = "-";
-    if (point.told)
-        snprintf(word, sizeof word, "%.0f %%", 100 * point.share);
-    print_cell(word, 8);
-    for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
-        say_number(numbers[k], word);
-        print_cell(word, 9);
-    }
-    montecarlo_clear(&point);
-}
-
-static void print_table_head(const Study *study, const StudyLaboratory *laboratory) {
-    const Experiment *experiment = study->experiment;
-    printf("\n");
-    if (study->pass_count > 1)
-        printf("  pass ");
-    print_head(study->axes[0].name, unit_of(study, study->axes[0].name));
-    if (study->runs > 1) {
-        static const char *const heads[] = {"mean", "deviation", "5 %", "50 %", "95 %"};
-        print_cell(laboratory->regular, 8);
-        for (size_t k = 0; k < sizeof heads / sizeof *heads; k++)
-            print_cell(heads[k], 9);
-        const Observable *measure = &experiment->observables[experiment->measure];
-        printf("  of %s %s\n", measure->name, unit_or_none(measure));
-        return;
-    }
-    print_cell("answer", 14);
-    for (size_t o = 0; o < experiment->observable_count; o++)
-        if (is_shown(study, laboratory, o))
-            print_head(experiment->observables[o].name, unit_or_none(&experiment->observables[o]));
-    printf("\n");
-}
-
-static void print_table(const Study *study, const StudyLaboratory *laboratory) {
-    bool *chosen = memory_allocate(study_steps(study, 0), sizeof *chosen);
-    choose_rows(study, chosen);
-    print_table_head(study, laboratory);
-    for (size_t i = 0; i < study_steps(study, 0); i++)
-        for (size_t pass = 0; pass < study->pass_count && chosen[i]; pass++) {
-            char value[WORD];
-            say_step(study, 0, i, false, value);
-            if (study->pass_count > 1)
-                printf("  %-5s", study_pass_name(study->passes[pass]));
-            print_cell(value, head_width(study->axes[0].name, unit_of(study, study->axes[0].name)));
-            if (study->runs > 1) {
-                print_point_row(study, pass, i);
-            } else {
-                print_cell(say_state(laboratory, summary_point(study, pass, 0, i)), 14);
-                print_runs_row(study, laboratory, pass, i);
-            }
-            printf("\n");
-        }
-    memory_free(chosen);
-}
-
-/* A map in letters, its second axis upwards; of a large one every so many values. */
-static void print_map(const Study *study, const StudyLaboratory *laboratory, size_t pass) {
-    static const char letters[] = {[SUMMARY_NOTHING] = ' ',
-                                   [SUMMARY_REGULAR] = '#',
-                                   [SUMMARY_IRREGULAR] = '.',
-                                   [SUMMARY_MIXED] = '+',
-                                   [SUMMARY_UNTOLD] = '?'};
-    size_t steps0 = study_steps(study, 0), steps1 = study_steps(study, 1);
-    size_t columns = steps0 < MAP_COLUMNS ? steps0 : MAP_COLUMNS, rows = steps1 < MAP_ROWS ? steps1 : MAP_ROWS;
-    printf("\n# %s, . %s%s; to the right %s, upwards %s\n", laboratory->regular, laboratory->irregular,
-           study->runs > 1 ? ", + sometimes" : "", study->axes[0].name, study->axes[1].name);
-    for (size_t r = rows; r-- > 0;) {
-        size_t i1 = rows > 1 ? r * (steps1 - 1) / (rows - 1) : 0;
-        char value[WORD];
-        say_step(study, 1, i1, false, value);
-        printf("%10s ", value);
-        for (size_t c = 0; c < columns; c++)
-            putchar(letters[summary_point(study, pass, i1, columns > 1 ? c * (steps0 - 1) / (columns - 1) : 0)]);
-        printf("\n");
-    }
-    char from[WORD], to[WORD];
-    say_step(study, 0, 0, false, from);
-    say_step(study, 0, steps0 - 1, true, to);
-    printf("%10s %s to %s\n", "", from, to);
-}
-
-static void print_distributions(const Study *study, const StudyLaboratory *laboratory) {
-    static const char *const heads[] = {"mean", "deviation", "std error", "5 %", "50 %", "95 %"};
-    const Experiment *experiment = study->experiment;
-    MontecarloPoint point = montecarlo_point(study, 0, 0, 0);
-    printf("\n%-20s", "");
-    for (size_t k = 0; k < sizeof heads / sizeof *heads; k++)
-        print_cell(heads[k], 10);
-    printf("\n");
-    for (size_t o = 0; o < point.observables; o++) {
-        if (!is_shown(study, laboratory, o))
-            continue;
-        const Distribution *d = &point.of[o];
-        const double numbers[] = {d->mean, d->deviation, d->error, d->low, d->median, d->high};
-        char word[WORD];
-        snprintf(word, sizeof word, "%.30s %.10s", experiment->observables[o].name,
-                 unit_or_none(&experiment->observables[o]));
-        printf("%-20s", word);
-        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
-            say_number(numbers[k], word);
-            print_cell(word, 10);
-        }
-        printf("\n");
-    }
-    montecarlo_clear(&point);
-}
-
-/* The whole
- * -----------------------------------------------------------------------------------------------------------*/
+/* The whole ------------------------------------------------------------------------------------------------------ */
 
 static void print_faults(const Study *study, size_t faults) {
     for (size_t t = 0; t < study->trial_count && faults; t++)
@@ -465,11 +311,11 @@ void study_words_print(const Study *study, const StudyLaboratory *laboratory, co
         print_extreme(study, false);
         print_extreme(study, true);
         for (size_t pass = 0; pass < study->pass_count; pass++)
-            print_map(study, laboratory, pass);
+            study_table_map(study, laboratory, pass);
     } else if (study->axis_count == 1) {
-        print_table(study, laboratory);
+        study_table_print(study, laboratory);
     } else {
-        print_distributions(study, laboratory);
+        study_table_distributions(study, laboratory);
     }
     print_faults(study, count.faults);
 }

@@ -26,8 +26,7 @@ static const Observable observables[HOUSE_OBSERVABLES] = {
     [HOUSE_WAY] = {"way", "1", "way taken: another number is other exits or changes of direction"},
 };
 
-/* Names
- * --------------------------------------------------------------------------------------------------------------*/
+/* Names ---------------------------------------------------------------------------------------------------------- */
 
 static const Parameter *find_number(const House *house, const char *name, const void **object, const char *place,
                                     Fault *fault) {
@@ -64,8 +63,7 @@ static double nominal(const void *given, const char *name) {
     return row->kind == PARAMETER_WHOLE ? *(const int *)field : *(const double *)field;
 }
 
-/* Runs
- * ---------------------------------------------------------------------------------------------------------------*/
+/* Runs ----------------------------------------------------------------------------------------------------------- */
 
 /* Of the exits and changes of direction of those whom the plan names; of a crowd every member goes another way each
  * time. Small enough for a double to hold it. */
@@ -162,8 +160,7 @@ static void run(const void *given, const char *const *names, size_t name_count, 
         run_one(given, names, name_count, &trials[i], stop);
 }
 
-/* Opening
- * ------------------------------------------------------------------------------------------------------------*/
+/* Opening -------------------------------------------------------------------------------------------------------- */
 
 /* Of what the house file does not hold itself. */
 static uint64_t identity_of(const HouseGiven *given) {

@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "study/montecarlo.h"
 
-/* Sheets ---------------------------------------------------------------------------------------------------------- */
+/* Sheets --------------------------------------------------------------------------------------------------------- */
 
 /* A table on its way to the disk, cell by cell: a map's series have millions of rows. */
 typedef struct Sheet {
@@ -89,7 +89,7 @@ static void add_head(Sheet *sheet, const char *name, const char *kind, const cha
     fprintf(sheet->file, "%s%s%s [%s]", name, *kind ? "_" : "", kind, *unit ? unit : "1");
 }
 
-/* Tables ---------------------------------------------------------------------------------------------------------- */
+/* Tables --------------------------------------------------------------------------------------------------------- */
 
 static void add_names_head(Sheet *sheet, const Study *study, size_t count) {
     const Experiment *experiment = study->experiment;

@@ -90,7 +90,7 @@ static bool prepare_tables(Store *store, Fault *fault) {
     return version == FORMAT;
 }
 
-/* Reading --------------------------------------------------------------------------------------------------------- */
+/* Reading -------------------------------------------------------------------------------------------------------- */
 
 static uint64_t row_digest(const Trial *trial, size_t observables, int64_t index) {
     uint64_t digest = digest_bytes(DIGEST_START, trial->observed, observables * sizeof *trial->observed);
@@ -221,7 +221,7 @@ Store *store_open(const char *path, Study *study, uint64_t digest, StoreFound *f
     return store;
 }
 
-/* Writing --------------------------------------------------------------------------------------------------------- */
+/* Writing -------------------------------------------------------------------------------------------------------- */
 
 /* The first failure counts; the study itself goes on. */
 static void note_failure(Store *store) {

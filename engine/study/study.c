@@ -22,7 +22,7 @@ double study_value(const StudyAxis *axis, size_t i) {
     return axis->from + (axis->to - axis->from) * share;
 }
 
-/* What is asked ---------------------------------------------------------------------------------------------------- */
+/* What is asked -------------------------------------------------------------------------------------------------- */
 
 /* The parameter of that name, if it can be varied; `option` is where it was named. */
 static const Parameter *check_name(const Study *study, const char *option, const char *name, Fault *fault) {
@@ -132,7 +132,7 @@ bool study_check(const Study *study, Fault *fault) {
     return fault->total == before;
 }
 
-/* Making the trials ----------------------------------------------------------------------------------------------- */
+/* Making the trials ---------------------------------------------------------------------------------------------- */
 
 /* The place of a name among the study's, which takes it up when it is new. */
 static size_t take_name(Study *study, const char *name) {
@@ -217,7 +217,7 @@ size_t study_done(const Study *study) {
     return done;
 }
 
-/* Running --------------------------------------------------------------------------------------------------------- */
+/* Running -------------------------------------------------------------------------------------------------------- */
 
 /* Trials that one call of the experiment does. */
 typedef struct Piece {
@@ -356,7 +356,7 @@ void study_run(Study *study, const StudyOptions *options) {
     memory_free(work.order);
 }
 
-/* Identity -------------------------------------------------------------------------------------------------------- */
+/* Identity ------------------------------------------------------------------------------------------------------- */
 
 uint64_t study_digest(const Study *study, uint64_t given) {
     const Experiment *experiment = study->experiment;
