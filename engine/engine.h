@@ -52,6 +52,7 @@
 #include "beam/modes.h"
 #include "beam/regime.h"
 #include "beam/rig.h"
+#include "beam/jet.h"
 #include "beam/motion.h"
 #include "beam/lanes.h"
 #include "beam/section.h"

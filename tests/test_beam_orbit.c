@@ -18,7 +18,7 @@ static void check_derivative(const char *setting, int release) {
     oscillator_start(&rig, 3, start);
     CHECK(orbit_map(&rig, start, 40, NULL));
     oscillator_start(&rig, 4, along);
-    const double small = 1e-5;
+    const double small = 1e-6;
     for (size_t i = 0; i < states; i++) {
         up[i] = start[i] + small * along[i];
         down[i] = start[i] - small * along[i];

@@ -1,41 +1,331 @@
 #include "beam/lanes.h"
 
+#include <math.h>
 #include <string.h>
 
-/* The cycle that has just been made. */
-static void note_cycle(LanesRun *run, Motion *motion) {
-    size_t at = run->recorded++, states = motion->rig->free.states;
-    if (run->peak)
-        memcpy(run->peak + 2 * at, motion->peak, sizeof motion->peak);
-    if (run->deflection)
-        run->deflection[at] = motion_deflection(motion);
-    if (run->velocity)
-        run->velocity[at] = motion_velocity(motion);
-    if (run->section)
-        motion_state(motion, run->section + at * states);
+#include "base/memory.h"
+
+/* A lane is a motion whose blocks lie across the others'. As long as it is open or in contact and nothing can happen
+ * before the end of a cell, it hops with the others by vector instructions; otherwise it steps alone, by motion_step.
+ * Both do the same arithmetic in the same order, so that the bits are those of a motion alone. */
+enum { LANES = 8 };
+
+typedef double Pack __attribute__((vector_size(LANES * sizeof(double)), aligned(8)));
+typedef int64_t Mask __attribute__((vector_size(LANES * sizeof(int64_t)), aligned(8)));
+
+typedef struct LaneVector {
+    Pack *re, *im; /* (blocks) */
+} LaneVector;
+
+/* What moves with every hop. */
+typedef struct LaneMoment {
+    LaneVector z;
+    Pack sine, cosine, value, rate; /* of the row that matters: the tip when open, the force when in contact */
+    Pack phase, top;                /* s; N, largest push since the lane last stepped alone */
+} LaneMoment;
+
+typedef struct Lane {
+    Rig rig; /* shares with the one that all are of */
+    Motion motion;
+    LanesRun *run; /* NULL: idle */
+    int cycle;     /* of the run */
+} Lane;
+
+typedef struct Lanes {
+    const Rig *rig;
+    size_t blocks;
+    LaneMoment now, next;
+    LaneVector hop, row[2];                                   /* row and its rate */
+    Pack turn_sine, turn_cosine, omega, wave_a, wave_b, rest; /* of the drive, and the row's steady part */
+    Pack low, high;             /* the row's value stays between them, or something happens */
+    Pack period;                /* s */
+    Pack side, watched, offset; /* of the contact, 0: none; 0 too when peaks are not looked for; N */
+    Mask busy;                  /* lanes to which something happens within the cell */
+    Lane lane[LANES];
+    double *memory;
+} Lanes;
+
+/* All lanes by one cell, into `next`; `busy` says for which that was wrong. ---------------------------------------- */
+
+static inline __attribute__((always_inline)) void hop_blocks(Lanes *lanes) {
+    const LaneVector from = lanes->now.z, to = lanes->next.z, hop = lanes->hop;
+    const LaneVector *row = lanes->row;
+    Pack value[REGIME_WIDTH] = {{0}}, rate[REGIME_WIDTH] = {{0}};
+    for (size_t j = 0; j < lanes->blocks; j += REGIME_WIDTH)
+        for (size_t q = 0; q < REGIME_WIDTH; q++) {
+            Pack re = from.re[j + q] * hop.re[j + q] - from.im[j + q] * hop.im[j + q];
+            Pack im = from.re[j + q] * hop.im[j + q] + from.im[j + q] * hop.re[j + q];
+            value[q] += row[0].re[j + q] * re - row[0].im[j + q] * im;
+            rate[q] += row[1].re[j + q] * re - row[1].im[j + q] * im;
+            to.re[j + q] = re;
+            to.im[j + q] = im;
+        }
+    lanes->next.value = (value[0] + value[1]) + (value[2] + value[3]);
+    lanes->next.rate = (rate[0] + rate[1]) + (rate[2] + rate[3]);
 }
 
-static void make_run(const Rig *rig, LanesRun *run, const volatile sig_atomic_t *stop) {
-    Rig own = rig_share(rig, run->frequency, run->force, run->clearance);
-    Motion motion = motion_create(&own, 0);
-    if (run->start)
-        motion_set_state(&motion, run->start);
-    run->recorded = 0;
-    for (int i = 0; i < run->transient_cycles + run->cycles && !(stop && *stop); i++) {
-        motion.peak[0] = motion.peak[1] = 0;
-        if (motion_cycle(&motion) != MOTION_GOOD)
-            break;
-        if (i >= run->transient_cycles)
-            note_cycle(run, &motion);
+static inline __attribute__((always_inline)) void hop_all(Lanes *lanes, double cell) {
+    const LaneMoment *now = &lanes->now;
+    LaneMoment *next = &lanes->next;
+    hop_blocks(lanes);
+    next->sine = now->sine * lanes->turn_cosine + now->cosine * lanes->turn_sine;
+    next->cosine = now->cosine * lanes->turn_cosine - now->sine * lanes->turn_sine;
+    next->value = next->value + lanes->wave_a * next->sine + lanes->wave_b * next->cosine + lanes->rest;
+    next->rate = next->rate + lanes->omega * (lanes->wave_a * next->cosine - lanes->wave_b * next->sine);
+    next->phase = now->phase + cell;
+    Pack push = lanes->side * next->value - lanes->offset;
+    Mask higher = push > now->top;
+    next->top = (Pack)(((Mask)push & higher) | ((Mask)now->top & ~higher));
+    Pack tangent = now->value + now->rate * cell;
+    Mask outside = (next->value >= lanes->high) | (next->value <= lanes->low) | (now->value >= lanes->high) |
+                   (now->value <= lanes->low);
+    Mask turns = (now->rate * next->rate < 0) & ((tangent >= lanes->high) | (tangent <= lanes->low));
+    Mask peaks = (lanes->watched * now->rate > 0) & (lanes->watched * next->rate < 0);
+    lanes->busy = outside | turns | peaks | (lanes->period - now->phase <= cell);
+}
+
+/* The same instructions for wider vectors, where the machine has them. */
+#if defined __x86_64__
+__attribute__((target("avx512f,avx512dq"))) static void hop_eight(Lanes *lanes, double cell) {
+    hop_all(lanes, cell);
+}
+
+__attribute__((target("avx2"))) static void hop_four(Lanes *lanes, double cell) {
+    hop_all(lanes, cell);
+}
+#endif
+
+static void hop_two(Lanes *lanes, double cell) {
+    hop_all(lanes, cell);
+}
+
+static void hop_lanes(Lanes *lanes) {
+    double cell = lanes->rig->cell;
+#if defined __x86_64__
+    if (__builtin_cpu_supports("avx512dq")) {
+        hop_eight(lanes, cell);
+        return;
     }
-    run->status = motion.status;
-    if (run->end)
-        motion_state(&motion, run->end);
-    motion_destroy(&motion);
-    rig_clear_shared(&own);
+    if (__builtin_cpu_supports("avx2")) {
+        hop_four(lanes, cell);
+        return;
+    }
+#endif
+    hop_two(lanes, cell);
+}
+
+/* Lanes and motions ------------------------------------------------------------------------------------------------ */
+
+static RegimeRow row_of(const Motion *motion) {
+    return motion_in_contact(motion->place) ? REGIME_FORCE : REGIME_TIP;
+}
+
+/* Can it hop, now and for as long as its place stays? */
+static bool can_hop(const Motion *motion) {
+    const Rig *rig = motion->rig;
+    return rig->cell <= rig->period / RIG_CELLS &&
+           (motion->place == MOTION_OPEN || (motion_in_contact(motion->place) && rig->release == RELEASE_FORCE));
+}
+
+/* From the lane's pack to its motion. */
+static void leave_pack(Lanes *lanes, size_t l) {
+    const LaneMoment *now = &lanes->now;
+    Motion *motion = &lanes->lane[l].motion;
+    RegimeRow row = row_of(motion);
+    for (size_t j = 0; j < lanes->blocks; j++) {
+        motion->z.re[j] = now->z.re[j][l];
+        motion->z.im[j] = now->z.im[j][l];
+    }
+    motion->now.sine = now->sine[l];
+    motion->now.cosine = now->cosine[l];
+    motion->now.value[row] = now->value[l];
+    motion->now.rate[row] = now->rate[l];
+    motion->phase = now->phase[l];
+    if (lanes->watched[l] != 0) {
+        double *peak = &motion->peak[lanes->side[l] > 0 ? 0 : 1];
+        *peak = fmax(*peak, now->top[l]);
+    }
+}
+
+/* What depends on the place and the run only. */
+static void set_lane(Lanes *lanes, size_t l) {
+    const Motion *motion = &lanes->lane[l].motion;
+    const Rig *rig = motion->rig;
+    bool touches = motion_in_contact(motion->place);
+    const Regime *regime = touches ? &rig->contact : &rig->free;
+    const RigSteady *steady = touches ? &rig->steady_contact : &rig->steady_free;
+    RegimeVector hop = regime_hop(regime, regime->cuts);
+    RegimeRow row = row_of(motion);
+    for (size_t j = 0; j < lanes->blocks; j++) {
+        bool there = j < regime->blocks;
+        lanes->hop.re[j][l] = there ? hop.re[j] : 0;
+        lanes->hop.im[j][l] = there ? hop.im[j] : 0;
+        for (int order = 0; order < 2; order++) {
+            lanes->row[order].re[j][l] = there ? regime->row[row][order].re[j] : 0;
+            lanes->row[order].im[j][l] = there ? regime->row[row][order].im[j] : 0;
+        }
+    }
+    double side = motion_side(motion->place), offset = touches ? rig->stiffness * rig->clearance : 0;
+    lanes->wave_a[l] = steady->row_sine[row];
+    lanes->wave_b[l] = steady->row_cosine[row];
+    lanes->rest[l] = side * steady->row_rest[row];
+    lanes->high[l] = touches ? (side > 0 ? HUGE_VAL : -offset) : rig->clearance;
+    lanes->low[l] = touches ? (side > 0 ? offset : -HUGE_VAL) : -rig->clearance;
+    lanes->side[l] = side;
+    lanes->watched[l] = motion->unwatched ? 0 : side;
+    lanes->offset[l] = offset;
+    lanes->omega[l] = rig->omega;
+    lanes->turn_sine[l] = rig->cell_sine;
+    lanes->turn_cosine[l] = rig->cell_cosine;
+    lanes->period[l] = rig->period;
+}
+
+/* From a motion into the pack that comes next. */
+static void join_pack(Lanes *lanes, size_t l) {
+    const Motion *motion = &lanes->lane[l].motion;
+    LaneMoment *next = &lanes->next;
+    RegimeRow row = row_of(motion);
+    set_lane(lanes, l);
+    for (size_t j = 0; j < lanes->blocks; j++) {
+        next->z.re[j][l] = motion->z.re[j];
+        next->z.im[j][l] = motion->z.im[j];
+    }
+    next->sine[l] = motion->now.sine;
+    next->cosine[l] = motion->now.cosine;
+    next->value[l] = motion->now.value[row];
+    next->rate[l] = motion->now.rate[row];
+    next->phase[l] = motion->phase;
+    next->top[l] = lanes->side[l] * motion->now.value[row] - lanes->offset[l];
+}
+
+/* Nothing happens to it any more. */
+static void make_idle(Lanes *lanes, size_t l) {
+    LaneMoment *next = &lanes->next;
+    for (size_t j = 0; j < lanes->blocks; j++)
+        next->z.re[j][l] = next->z.im[j][l] = 0;
+    next->sine[l] = next->cosine[l] = next->value[l] = next->rate[l] = next->phase[l] = next->top[l] = 0;
+    lanes->rest[l] = lanes->wave_a[l] = lanes->wave_b[l] = lanes->side[l] = lanes->watched[l] = 0;
+    lanes->high[l] = lanes->period[l] = HUGE_VAL;
+    lanes->low[l] = -HUGE_VAL;
+}
+
+/* Runs ------------------------------------------------------------------------------------------------------------- */
+
+static void begin_run(Lanes *lanes, size_t l, LanesRun *run) {
+    Lane *lane = &lanes->lane[l];
+    *lane = (Lane){.rig = rig_share(lanes->rig, run->frequency, run->force, run->clearance), .run = run};
+    lane->motion = motion_create(&lane->rig, 0);
+    lane->motion.unwatched = run->transient_cycles > 0;
+    if (run->start)
+        motion_set_state(&lane->motion, run->start);
+    run->recorded = 0;
+}
+
+static void end_run(Lanes *lanes, size_t l) {
+    Lane *lane = &lanes->lane[l];
+    lane->run->status = lane->motion.status;
+    if (lane->run->end)
+        motion_state(&lane->motion, lane->run->end);
+    motion_destroy(&lane->motion);
+    rig_clear_shared(&lane->rig);
+    lane->run = NULL;
+}
+
+/* The cycle that has just been made; false: the run ends with it. */
+static bool note_cycle(Lane *lane) {
+    LanesRun *run = lane->run;
+    Motion *motion = &lane->motion;
+    if (motion_end_cycle(motion) != MOTION_GOOD)
+        return false;
+    if (lane->cycle >= run->transient_cycles) {
+        size_t at = run->recorded++, states = motion->rig->free.states;
+        if (run->peak)
+            memcpy(run->peak + 2 * at, motion->peak, sizeof motion->peak);
+        if (run->deflection)
+            run->deflection[at] = motion_deflection(motion);
+        if (run->velocity)
+            run->velocity[at] = motion_velocity(motion);
+        if (run->section)
+            motion_state(motion, run->section + at * states);
+    }
+    motion->peak[0] = motion->peak[1] = 0;
+    motion->unwatched = ++lane->cycle < run->transient_cycles;
+    return lane->cycle < run->transient_cycles + run->cycles;
+}
+
+/* A lane alone, until it can hop with the others; false: its run has ended. */
+static bool step_alone(Lane *lane) {
+    Motion *motion = &lane->motion;
+    const Rig *rig = motion->rig;
+    do {
+        motion_step(motion, rig->period - motion->phase);
+        if ((motion->phase >= rig->period || motion->status != MOTION_GOOD) && !note_cycle(lane))
+            return false;
+    } while (!can_hop(motion) || rig->period - motion->phase <= rig->cell);
+    return true;
+}
+
+/* Takes a lane that has something to do, and the next runs when its own have ended. */
+static void serve_lane(Lanes *lanes, size_t l, LanesRun **more, const LanesRun *last) {
+    Lane *lane = &lanes->lane[l];
+    bool goes_on = false;
+    if (lane->run) {
+        leave_pack(lanes, l);
+        goes_on = step_alone(lane);
+    }
+    while (!goes_on) {
+        if (lane->run)
+            end_run(lanes, l);
+        if (*more == last) {
+            make_idle(lanes, l);
+            return;
+        }
+        begin_run(lanes, l, (*more)++);
+        goes_on = step_alone(lane);
+    }
+    join_pack(lanes, l);
+}
+
+static bool any_runs(const Lanes *lanes) {
+    for (size_t l = 0; l < LANES; l++)
+        if (lanes->lane[l].run)
+            return true;
+    return false;
+}
+
+static LaneVector take(double **at, size_t blocks) {
+    LaneVector taken = {(Pack *)(void *)*at, (Pack *)(void *)(*at + blocks * LANES)};
+    *at += 2 * blocks * LANES;
+    return taken;
 }
 
 void lanes_run(const Rig *rig, LanesRun *runs, size_t count, const volatile sig_atomic_t *stop) {
-    for (size_t i = 0; i < count; i++)
-        make_run(rig, &runs[i], stop);
+    size_t blocks = rig->free.blocks > rig->contact.blocks ? rig->free.blocks : rig->contact.blocks;
+    Lanes lanes = {.rig = rig, .blocks = blocks, .memory = memory_allocate(10 * blocks * LANES, sizeof(double))};
+    double *at = lanes.memory;
+    lanes.now.z = take(&at, blocks);
+    lanes.next.z = take(&at, blocks);
+    lanes.hop = take(&at, blocks);
+    lanes.row[0] = take(&at, blocks);
+    lanes.row[1] = take(&at, blocks);
+    LanesRun *more = runs;
+    for (size_t l = 0; l < LANES; l++)
+        lanes.busy[l] = -1;
+    do {
+        for (size_t l = 0; l < LANES; l++)
+            if (lanes.busy[l])
+                serve_lane(&lanes, l, &more, runs + count);
+        LaneMoment next = lanes.next;
+        lanes.next = lanes.now;
+        lanes.now = next;
+        hop_lanes(&lanes);
+    } while (any_runs(&lanes) && !(stop && *stop));
+    for (size_t l = 0; l < LANES; l++)
+        if (lanes.lane[l].run)
+            end_run(&lanes, l);
+    for (; more < runs + count; more++) {
+        more->recorded = 0;
+        more->status = MOTION_GOOD;
+    }
+    memory_free(lanes.memory);
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "beam/jet.h"
 
 /* Places ---------------------------------------------------------------------------------------------------------- */
 
@@ -37,11 +38,6 @@ static const Way ways[2][MOTION_PLACES][WAYS] =
             },
 };
 
-/* Of the wall in whose contact the place is. */
-static double side_of(MotionPlace place) {
-    return place == MOTION_UPPER ? 1 : place == MOTION_LOWER ? -1 : 0;
-}
-
 static const Regime *regime_of(const Motion *motion) {
     return motion_in_contact(motion->place) ? &motion->rig->contact : &motion->rig->free;
 }
@@ -56,21 +52,25 @@ static double offset_of(const Rig *rig, const Way *way) {
 
 /* The state ------------------------------------------------------------------------------------------------------- */
 
+/* Blocks of either regime. */
+static size_t room_of(const Rig *rig) {
+    return rig->free.blocks > rig->contact.blocks ? rig->free.blocks : rig->contact.blocks;
+}
+
 /* Points into the motion's memory. */
 static void lay_out(Motion *motion) {
-    size_t states = motion->rig->free.states;
+    size_t room = room_of(motion->rig);
     double *at = motion->memory;
-    RegimeVector *const vectors[] = {&motion->z, &motion->next, &motion->factor, &motion->trial, &motion->trial_factor};
-    for (size_t v = 0; v < sizeof vectors / sizeof *vectors; v++, at += 2 * states)
-        *vectors[v] = (RegimeVector){at, at + states};
-    motion->state = at;
-    motion->tangent = (RegimeVector){at + states, at + (1 + motion->tangents) * states};
+    RegimeVector *const vectors[] = {&motion->z, &motion->next, &motion->factor, &motion->trial};
+    for (size_t v = 0; v < sizeof vectors / sizeof *vectors; v++, at += 2 * room)
+        *vectors[v] = (RegimeVector){at, at + room};
+    motion->tangent = (RegimeVector){at, at + motion->tangents * room};
 }
 
 Motion motion_create(const Rig *rig, size_t tangents) {
     Motion motion = {.rig = rig, .tangents = tangents};
     size_t states = rig->free.states;
-    motion.memory_size = states * (11 + 2 * tangents);
+    motion.memory_size = room_of(rig) * (8 + 2 * tangents);
     motion.memory = memory_allocate(motion.memory_size, sizeof *motion.memory);
     lay_out(&motion);
     double *rest = memory_allocate(states, sizeof *rest);
@@ -91,32 +91,33 @@ void motion_copy(Motion *to, const Motion *from) {
     *to = *from;
     to->memory = memory;
     lay_out(to);
+    if (from->z.re != from->memory) {
+        RegimeVector next = to->z;
+        to->z = to->next;
+        to->next = next;
+    }
 }
 
 /* Adds the steady part, `times` times. */
 static void add_steady(const Motion *motion, double times, RegimeVector z) {
     const RigSteady *steady = steady_of(motion);
-    double sine = times * motion->now.sine, cosine = times * motion->now.cosine, rest = times * side_of(motion->place);
+    double sine = times * motion->now.sine, cosine = times * motion->now.cosine,
+           rest = times * motion_side(motion->place);
     for (size_t j = 0; j < regime_of(motion)->blocks; j++) {
         z.re[j] += sine * steady->sine.re[j] + cosine * steady->cosine.re[j] + rest * steady->rest.re[j];
         z.im[j] += sine * steady->sine.im[j] + cosine * steady->cosine.im[j] + rest * steady->rest.im[j];
     }
 }
 
-/* The row's value (order 0), rate or second rate, of blocks at phase with this sine and cosine. */
-static double measure(const Motion *motion, RegimeRow row, int order, RegimeVector z, double sine, double cosine) {
+/* The row's value and rate, of blocks at phase with this sine and cosine. */
+static void measure(const Motion *motion, RegimeRow row, RegimeVector z, MotionReading *reading) {
     const RigSteady *steady = steady_of(motion);
     const Regime *regime = regime_of(motion);
-    double omega = motion->rig->omega, a = steady->row_sine[row], b = steady->row_cosine[row];
-    double own = regime_measure(regime->blocks, regime->row[row][order], z);
-    switch (order) {
-    case 0:
-        return own + a * sine + b * cosine + side_of(motion->place) * steady->row_rest[row];
-    case 1:
-        return own + omega * (a * cosine - b * sine);
-    default:
-        return own - omega * omega * (a * sine + b * cosine);
-    }
+    double a = steady->row_sine[row], b = steady->row_cosine[row];
+    reading->value[row] = regime_measure(regime->blocks, regime->row[row][0], z) + a * reading->sine +
+                          b * reading->cosine + motion_side(motion->place) * steady->row_rest[row];
+    reading->rate[row] = regime_measure(regime->blocks, regime->row[row][1], z) +
+                         motion->rig->omega * (a * reading->cosine - b * reading->sine);
 }
 
 /* Is this row asked for in the place the motion is in? */
@@ -126,13 +127,13 @@ static bool row_matters(const Motion *motion, RegimeRow row) {
            (row == REGIME_FORCE && motion_in_contact(motion->place));
 }
 
-static void read_rows(const Motion *motion, RegimeVector z, double phase, MotionReading *reading) {
-    sincos(motion->rig->omega * phase, &reading->sine, &reading->cosine);
+/* Of blocks `time` s on: sine, cosine, and the rows that matter. */
+static void read_rows(const Motion *motion, RegimeVector z, double time, MotionReading *reading) {
+    *reading = motion->now;
+    rig_turn_drive(motion->rig, time, &reading->sine, &reading->cosine);
     for (RegimeRow row = 0; row < REGIME_ROWS; row++)
-        if (row_matters(motion, row)) {
-            reading->value[row] = measure(motion, row, 0, z, reading->sine, reading->cosine);
-            reading->rate[row] = measure(motion, row, 1, z, reading->sine, reading->cosine);
-        }
+        if (row_matters(motion, row))
+            measure(motion, row, z, reading);
 }
 
 void motion_state(const Motion *motion, double *state) {
@@ -167,11 +168,11 @@ void motion_set_state(Motion *motion, const double *state) {
     motion->cycle_switches = 0;
     regime_blocks(regime_of(motion), state, motion->z);
     add_steady(motion, -1, motion->z);
-    read_rows(motion, motion->z, motion->phase, &motion->now);
+    read_rows(motion, motion->z, 0, &motion->now);
 }
 
 static RegimeVector tangent_blocks(const Motion *motion, size_t index) {
-    size_t from = index * motion->rig->free.states;
+    size_t from = index * room_of(motion->rig);
     return (RegimeVector){motion->tangent.re + from, motion->tangent.im + from};
 }
 
@@ -193,128 +194,183 @@ void motion_unit_tangents(Motion *motion) {
     memory_free(unit);
 }
 
+static MotionReading read_tip(const Motion *motion) {
+    MotionReading reading = motion->now;
+    measure(motion, REGIME_TIP, motion->z, &reading);
+    return reading;
+}
+
 double motion_deflection(const Motion *motion) {
-    return measure(motion, REGIME_TIP, 0, motion->z, motion->now.sine, motion->now.cosine);
+    return read_tip(motion).value[REGIME_TIP];
 }
 
 double motion_velocity(const Motion *motion) {
-    return measure(motion, REGIME_TIP, 1, motion->z, motion->now.sine, motion->now.cosine);
+    return read_tip(motion).rate[REGIME_TIP];
 }
 
 /* N, of the wall that is touched on the tip, towards the clearance, from the row's value. */
 static double push_of(const Motion *motion, double value) {
-    double side = side_of(motion->place);
-    return side * value - motion->rig->stiffness * motion->rig->clearance;
+    return motion_side(motion->place) * value - motion->rig->stiffness * motion->rig->clearance;
 }
 
 double motion_force(const Motion *motion) {
-    return motion_in_contact(motion->place) ? -side_of(motion->place) * push_of(motion, motion->now.value[REGIME_FORCE])
-                                            : 0;
+    return motion_in_contact(motion->place)
+               ? -motion_side(motion->place) * push_of(motion, motion->now.value[REGIME_FORCE])
+               : 0;
 }
 
 /* Switches -------------------------------------------------------------------------------------------------------- */
 
-/* A function of the time since the motion's phase: sign y + offset, or its rate (order 1). */
+/* sign y + offset, or its rate, of a row of a motion. */
 typedef struct Curve {
     const Motion *motion;
     RegimeRow row;
-    int order;
+    bool rate;
     double sign, offset;
 } Curve;
 
-/* The curve and its rate, `time` s on. */
-static double follow(const Curve *curve, double time, double *rate) {
+/* The curve about the cut nearest to `time` s from now; the cut's time into `*middle`. */
+static Jet follow(const Curve *curve, double time, double *middle) {
     const Motion *motion = curve->motion;
     const Regime *regime = regime_of(motion);
-    double sine, cosine;
-    RegimeVector z = motion->trial;
-    regime_propagator(regime, time, motion->trial_factor);
-    memcpy(z.re, motion->z.re, regime->blocks * sizeof *z.re);
-    memcpy(z.im, motion->z.im, regime->blocks * sizeof *z.im);
-    regime_advance(regime->blocks, motion->trial_factor.re, motion->trial_factor.im, z.re, z.im);
-    sincos(motion->rig->omega * (motion->phase + time), &sine, &cosine);
-    *rate = curve->sign * measure(motion, curve->row, curve->order + 1, z, sine, cosine);
-    return curve->sign * measure(motion, curve->row, curve->order, z, sine, cosine) + curve->offset;
+    const RigSteady *steady = steady_of(motion);
+    size_t cut = regime_nearest_cut(regime, time);
+    double sine = motion->now.sine, cosine = motion->now.cosine, omega = motion->rig->omega;
+    *middle = regime_cut_time(regime, cut);
+    rig_turn_drive(motion->rig, *middle, &sine, &cosine);
+    regime_advance(regime->blocks, regime_hop(regime, cut), motion->z, motion->trial);
+    double a = curve->sign * steady->row_sine[curve->row], b = curve->sign * steady->row_cosine[curve->row];
+    double term = a * sine + b * cosine, next = omega * (a * cosine - b * sine);
+    Jet jet;
+    for (int m = 0; m < REGIME_TERMS; m++) {
+        jet.term[m] = curve->sign * regime_measure(regime->blocks, regime->row[curve->row][m], motion->trial) + term;
+        double after = -omega * omega * term / ((m + 1) * (m + 2));
+        term = next;
+        next = after;
+    }
+    jet.term[0] += curve->offset + curve->sign * motion_side(motion->place) * steady->row_rest[curve->row];
+    return curve->rate ? jet_rate(&jet) : jet;
 }
 
-/* s: switches are located to this; beyond it, rounding decides. */
-static const double SWITCH_RESOLUTION = 1e-15;
+static double value_at(const Curve *curve, double time) {
+    double middle;
+    Jet jet = follow(curve, time, &middle);
+    return jet_value(&jet, time - middle);
+}
 
-/* Where the curve, below 0 at `low` and not below at `high`, rises through 0: Newton's steps, halved brackets where
- * they leave it. */
-static double find_root(const Curve *curve, double low, double high) {
-    double at = low + (high - low) / 2;
-    for (int i = 0; i < 100 && high - low > SWITCH_RESOLUTION; i++) {
-        double rate, value = follow(curve, at, &rate);
-        if (value < 0)
-            low = at;
-        else
-            high = at;
-        double next = at - value / rate;
-        if (!(next > low && next < high))
-            next = fabs(next - at) <= SWITCH_RESOLUTION ? at : low + (high - low) / 2;
-        if (fabs(next - at) <= SWITCH_RESOLUTION)
-            return next;
-        at = next;
+/* Where the curve, below 0 at `low` and not below at `high`, rises through 0, sought first at `guess`. */
+static double find_root(const Curve *curve, double low, double high, double guess) {
+    double part = curve->motion->rig->cell / (double)regime_of(curve->motion)->cuts;
+    while (high - low > JET_RESOLUTION) {
+        double middle;
+        Jet jet = follow(curve, guess > low && guess < high ? guess : low + (high - low) / 2, &middle);
+        double left = fmax(low - middle, -part), right = fmin(high - middle, part);
+        if (left + middle > low && jet_value(&jet, left) >= 0) {
+            high = left + middle;
+        } else if (right + middle < high && jet_value(&jet, right) < 0) {
+            low = right + middle;
+        } else {
+            return middle + jet_rise(&jet, left, right);
+        }
+        guess = middle - jet.term[0] / jet.term[1];
     }
     return high;
 }
 
+/* Where the cubic through both ends of a step, by values and rates, has the value 0; it is below 0 at its beginning. */
+static double guess_root(double step, double begin, double begin_rate, double end, double end_rate) {
+    double a = begin_rate * step, b = end_rate * step, rise = end - begin;
+    double at = begin / (begin - end);
+    for (int i = 0; i < 3; i++) {
+        double square = 3 * rise - 2 * a - b, cube = a + b - 2 * rise;
+        double value = begin + at * (a + at * (square + at * cube)), rate = a + at * (2 * square + 3 * at * cube);
+        at = fmin(fmax(at - value / rate, 0), 1);
+    }
+    return at * step;
+}
+
 /* Where a row that first rises (`way` 1) and then falls within the step, or the other way round (-1), turns. */
-static double find_turn(const Motion *motion, RegimeRow row, double way, double step) {
-    Curve rate = {motion, row, 1, -way, 0};
-    return find_root(&rate, 0, step);
+static double find_turn(const Motion *motion, RegimeRow row, double way, double step, const MotionReading *end) {
+    Curve rate = {motion, row, true, -way, 0};
+    double begin = motion->now.rate[row];
+    return find_root(&rate, 0, step, step * begin / (begin - end->rate[row]));
 }
 
 /* The time of a way's switch within a step, or HUGE_VAL. From the values and rates at both ends. */
 static double find_switch(Motion *motion, const Way *way, double step, const MotionReading *next) {
     double sign = way->sign, offset = offset_of(motion->rig, way);
-    Curve curve = {motion, way->row, 0, sign, offset};
+    Curve curve = {motion, way->row, false, sign, offset};
     double begin = sign * motion->now.value[way->row] + offset, begin_rate = sign * motion->now.rate[way->row];
     double end = sign * next->value[way->row] + offset, end_rate = sign * next->rate[way->row];
-    double rate;
     if (begin >= 0 && end >= 0) { /* a switch was just here: has it been left since? */
         if (begin_rate >= 0)
             return 0;
         if (end_rate <= 0) /* still leaving, or out and back and turned again */
             return begin <= end ? 0 : HUGE_VAL;
-        double turn = find_turn(motion, way->row, -sign, step);
-        return follow(&curve, turn, &rate) < 0 ? find_root(&curve, turn, step) : 0;
+        double turn = find_turn(motion, way->row, -sign, step, next);
+        return value_at(&curve, turn) < 0 ? find_root(&curve, turn, step, step) : 0;
     }
     if (end >= 0)
-        return find_root(&curve, 0, step);
+        return find_root(&curve, 0, step, guess_root(step, begin, begin_rate, end, end_rate));
     if (begin >= 0 || begin_rate <= 0 || end_rate >= 0 || begin + begin_rate * step < 0)
         return HUGE_VAL;
-    double turn = find_turn(motion, way->row, sign, step), top = follow(&curve, turn, &rate);
+    double turn = find_turn(motion, way->row, sign, step, next), top = value_at(&curve, turn);
     if (motion->place == MOTION_OPEN && fabs(top) <= MOTION_GRAZE * motion->rig->clearance)
         motion->grazes++;
-    return top >= 0 ? find_root(&curve, 0, turn) : HUGE_VAL;
+    return top >= 0 ? find_root(&curve, 0, turn, turn) : HUGE_VAL;
 }
 
 /* The force's largest value within the step that is being made. */
 static void note_peak(Motion *motion, double step, const MotionReading *end) {
-    double side = side_of(motion->place);
+    double side = motion_side(motion->place);
     const MotionReading *begin = &motion->now;
     double *peak = &motion->peak[side > 0 ? 0 : 1];
     *peak = fmax(*peak, fmax(push_of(motion, begin->value[REGIME_FORCE]), push_of(motion, end->value[REGIME_FORCE])));
     if (side * begin->rate[REGIME_FORCE] > 0 && side * end->rate[REGIME_FORCE] < 0) {
-        double rate, turn = find_turn(motion, REGIME_FORCE, side, step);
-        Curve force = {motion, REGIME_FORCE, 0, 1, 0};
-        *peak = fmax(*peak, push_of(motion, follow(&force, turn, &rate)));
+        Curve force = {motion, REGIME_FORCE, false, 1, 0};
+        *peak = fmax(*peak, push_of(motion, value_at(&force, find_turn(motion, REGIME_FORCE, side, step, end))));
     }
 }
 
-/* What the jump of the force at a switch does to a tangent: the force of the dashpot comes or goes. */
-static void jump_tangent(const Rig *rig, double damping, double *tangent) {
-    size_t n = rig->modes.count;
-    double deflection = 0;
-    for (size_t i = 0; i < n; i++)
-        deflection += rig->modes.tip[i] * tangent[i] / rig->modes.frequency[i];
-    for (size_t i = 0; i < n; i++)
-        tangent[n + i] -= damping * rig->modes.tip[i] * deflection;
+/* z += times what. */
+static void add(size_t blocks, double times, RegimeVector what, RegimeVector z) {
+    for (size_t j = 0; j < blocks; j++) {
+        z.re[j] += times * what.re[j];
+        z.im[j] += times * what.im[j];
+    }
 }
 
-/* Into the next place: the state stays, its blocks are the other regime's. */
+/* What a tangent becomes: the force of the dashpot, which comes or goes, jumps by `damping` times the velocity. */
+static void change_tangents(Motion *motion, const RigChange *change, const Regime *before, const Regime *after,
+                            double damping) {
+    for (size_t t = 0; t < motion->tangents; t++) {
+        RegimeVector tangent = tangent_blocks(motion, t), changed = motion->trial;
+        double deflection = regime_measure(before->blocks, before->row[REGIME_TIP][0], tangent);
+        rig_change_blocks(change, before, after, tangent, changed);
+        add(after->blocks, -damping * deflection, after->push, changed);
+        memcpy(tangent.re, changed.re, after->blocks * sizeof(double));
+        memcpy(tangent.im, changed.im, after->blocks * sizeof(double));
+    }
+}
+
+/* Between free and contact: the state stays, its blocks are the other regime's. */
+static void change_regime(Motion *motion, MotionPlace to, double damping) {
+    const Rig *rig = motion->rig;
+    bool touches = motion_in_contact(to);
+    const RigChange *change = touches ? &rig->touch : &rig->leave;
+    const Regime *before = touches ? &rig->free : &rig->contact, *after = touches ? &rig->contact : &rig->free;
+    double side = motion_side(touches ? to : motion->place);
+    RegimeVector z = motion->next;
+    rig_change_blocks(change, before, after, motion->z, z);
+    add(after->blocks, motion->now.sine, change->sine, z);
+    add(after->blocks, motion->now.cosine, change->cosine, z);
+    add(after->blocks, side, change->rest, z);
+    motion->next = motion->z;
+    motion->z = z;
+    change_tangents(motion, change, before, after, damping);
+}
+
+/* Into the next place. */
 static void change_place(Motion *motion, MotionPlace to) {
     const Rig *rig = motion->rig;
     MotionPlace from = motion->place;
@@ -324,22 +380,15 @@ static void change_place(Motion *motion, MotionPlace to) {
         (from == MOTION_UPPER_LEAVING && to == MOTION_UPPER) || (from == MOTION_LOWER_LEAVING && to == MOTION_LOWER);
     double jump = (motion_in_contact(to) && !again ? rig->damping : 0) -
                   (motion_in_contact(from) && rig->release == RELEASE_GAP ? rig->damping : 0);
-    double *state = motion->state;
     motion->switches++;
     if (++motion->cycle_switches > MOTION_SWITCHES_MOST)
         motion->status = MOTION_CHATTERS;
-    const Regime *before = regime_of(motion);
-    motion_state(motion, state);
+    if (motion_in_contact(from) != motion_in_contact(to))
+        change_regime(motion, to, jump);
+    else if (motion_in_contact(from))
+        add(rig->contact.blocks, motion_side(from) - motion_side(to), rig->steady_contact.rest, motion->z);
     motion->place = to;
-    const Regime *after = regime_of(motion);
-    regime_blocks(after, state, motion->z);
-    add_steady(motion, -1, motion->z);
-    for (size_t t = 0; t < motion->tangents; t++) {
-        regime_state(before, tangent_blocks(motion, t), state);
-        jump_tangent(rig, jump, state);
-        regime_blocks(after, state, tangent_blocks(motion, t));
-    }
-    read_rows(motion, motion->z, motion->phase, &motion->now);
+    read_rows(motion, motion->z, 0, &motion->now);
 }
 
 /* Stepping -------------------------------------------------------------------------------------------------------- */
@@ -347,12 +396,11 @@ static void change_place(Motion *motion, MotionPlace to) {
 /* Moves blocks and tangents on; `next` has the moved blocks. */
 static void go_on(Motion *motion, double step, RegimeVector factor, const MotionReading *end) {
     size_t blocks = regime_of(motion)->blocks;
-    memcpy(motion->z.re, motion->next.re, blocks * sizeof(double));
-    memcpy(motion->z.im, motion->next.im, blocks * sizeof(double));
-    for (size_t t = 0; t < motion->tangents; t++) {
-        RegimeVector tangent = tangent_blocks(motion, t);
-        regime_advance(blocks, factor.re, factor.im, tangent.re, tangent.im);
-    }
+    RegimeVector z = motion->next;
+    motion->next = motion->z;
+    motion->z = z;
+    for (size_t t = 0; t < motion->tangents; t++)
+        regime_advance(blocks, factor, tangent_blocks(motion, t), tangent_blocks(motion, t));
     motion->contact_time += motion_in_contact(motion->place) ? step : 0;
     motion->phase += step;
     motion->now = *end;
@@ -363,13 +411,11 @@ static RegimeVector move_blocks(Motion *motion, double step, MotionReading *end)
     const Regime *regime = regime_of(motion);
     RegimeVector factor = motion->factor;
     if (step == motion->rig->cell)
-        factor = steady_of(motion)->hop;
+        factor = regime_hop(regime, regime->cuts);
     else
         regime_propagator(regime, step, factor);
-    memcpy(motion->next.re, motion->z.re, regime->blocks * sizeof(double));
-    memcpy(motion->next.im, motion->z.im, regime->blocks * sizeof(double));
-    regime_advance(regime->blocks, factor.re, factor.im, motion->next.re, motion->next.im);
-    read_rows(motion, motion->next, motion->phase + step, end);
+    regime_advance(regime->blocks, factor, motion->z, motion->next);
+    read_rows(motion, motion->next, step, end);
     return factor;
 }
 
@@ -388,7 +434,7 @@ static const Way *first_switch(Motion *motion, double step, const MotionReading 
 }
 
 double motion_step(Motion *motion, double longest) {
-    double step = fmin(motion->rig->cell, longest), when;
+    double step = fmin(fmin(motion->rig->cell, motion->rig->period / RIG_CELLS), longest), when;
     MotionReading end;
     RegimeVector factor = move_blocks(motion, step, &end);
     const Way *first = first_switch(motion, step, &end, &when);
@@ -396,7 +442,7 @@ double motion_step(Motion *motion, double longest) {
         step = when;
         factor = move_blocks(motion, step, &end);
     }
-    if (motion_in_contact(motion->place))
+    if (motion_in_contact(motion->place) && !motion->unwatched)
         note_peak(motion, step, &end);
     go_on(motion, step, factor, &end);
     if (first)
@@ -404,10 +450,7 @@ double motion_step(Motion *motion, double longest) {
     return step;
 }
 
-MotionStatus motion_cycle(Motion *motion) {
-    double period = motion->rig->period;
-    while (motion->status == MOTION_GOOD && motion->phase < period)
-        motion_step(motion, period - motion->phase);
+MotionStatus motion_end_cycle(Motion *motion) {
     if (motion->status == MOTION_GOOD && !isfinite(motion->z.re[0] + motion->now.value[REGIME_TIP]))
         motion->status = MOTION_DIVERGED;
     motion->phase = 0;
@@ -416,4 +459,11 @@ MotionStatus motion_cycle(Motion *motion) {
     motion->cycle++;
     motion->cycle_switches = 0;
     return motion->status;
+}
+
+MotionStatus motion_cycle(Motion *motion) {
+    double period = motion->rig->period;
+    while (motion->status == MOTION_GOOD && motion->phase < period)
+        motion_step(motion, period - motion->phase);
+    return motion_end_cycle(motion);
 }

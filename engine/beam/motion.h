@@ -49,16 +49,17 @@ typedef struct Motion {
     double phase; /* s, in the cycle */
     MotionReading now;
     RegimeVector z;       /* (blocks) without the steady part */
-    RegimeVector tangent; /* (tangents x states), by blocks */
+    RegimeVector tangent; /* (tangents x blocks) */
     size_t tangents;
 
     size_t switches, cycle_switches; /* since the start; in this cycle */
     size_t grazes;                   /* extrema within MOTION_GRAZE of the wall, counted since the start */
     double contact_time;             /* s, in contact since the start */
     double peak[2]; /* N, largest force on the upper and on the lower contact since they were last set to 0 */
+    bool unwatched; /* peaks are not looked for, which saves time */
 
-    RegimeVector next, factor, trial, trial_factor;
-    double *state, *memory;
+    RegimeVector next, factor, trial;
+    double *memory;
     size_t memory_size; /* doubles */
 } Motion;
 
@@ -89,6 +90,9 @@ double motion_step(Motion *motion, double longest);
 /* Goes on to the end of the cycle, phase 0. */
 MotionStatus motion_cycle(Motion *motion);
 
+/* Begins the next cycle, when steps have made a whole one. */
+MotionStatus motion_end_cycle(Motion *motion);
+
 /* m, m/s of the tip. */
 double motion_deflection(const Motion *motion);
 double motion_velocity(const Motion *motion);
@@ -98,4 +102,9 @@ double motion_force(const Motion *motion);
 
 static inline bool motion_in_contact(MotionPlace place) {
     return place == MOTION_UPPER || place == MOTION_LOWER;
+}
+
+/* Of the wall that is in contact: 1 the upper one, -1 the lower one, 0 none. */
+static inline double motion_side(MotionPlace place) {
+    return place == MOTION_UPPER ? 1 : place == MOTION_LOWER ? -1 : 0;
 }

@@ -46,34 +46,33 @@ static bool find_eigen(Eigen *eigen, double *matrix, size_t size) {
 
 /* One block a real eigenvalue or pair. With v = r + i s, x = u r + w s, Z = u - i w. */
 static void keep_blocks(Regime *regime, const Eigen *eigen) {
-    size_t size = regime->states;
-    for (size_t column = 0; column < size; column++) {
+    size_t size = regime->states, blocks = regime->blocks;
+    for (size_t column = 0, j = 0; column < size; column++, j++) {
         bool pair = eigen->im[column] != 0;
-        size_t j = regime->blocks++;
         regime->lambda.re[j] = eigen->re[column];
         regime->lambda.im[j] = eigen->im[column];
         for (size_t i = 0; i < size; i++) {
-            regime->shape.re[i * size + j] = eigen->vectors[column * size + i];
-            regime->shape.im[i * size + j] = pair ? eigen->vectors[(column + 1) * size + i] : 0;
-            regime->part.re[i * size + j] = eigen->inverse[i * size + column];
-            regime->part.im[i * size + j] = pair ? -eigen->inverse[i * size + column + 1] : 0;
+            regime->shape.re[i * blocks + j] = eigen->vectors[column * size + i];
+            regime->shape.im[i * blocks + j] = pair ? eigen->vectors[(column + 1) * size + i] : 0;
+            regime->part.re[i * blocks + j] = eigen->inverse[i * size + column];
+            regime->part.im[i * blocks + j] = pair ? -eigen->inverse[i * size + column + 1] : 0;
         }
         column += pair;
     }
 }
 
-/* A row over states as one over blocks, and its rates: each is the one before times lambda. */
+/* A row over states as one over blocks, and its terms: each is the one before times lambda / m. */
 static void keep_row(Regime *regime, RegimeRow which, const double *over_states) {
     RegimeVector *row = regime->row[which], lambda = regime->lambda;
     for (size_t j = 0; j < regime->blocks; j++) {
         for (size_t i = 0; i < regime->states; i++) {
-            row[0].re[j] += over_states[i] * regime->shape.re[i * regime->states + j];
-            row[0].im[j] += over_states[i] * regime->shape.im[i * regime->states + j];
+            row[0].re[j] += over_states[i] * regime->shape.re[i * regime->blocks + j];
+            row[0].im[j] += over_states[i] * regime->shape.im[i * regime->blocks + j];
         }
-        for (int order = 1; order < REGIME_ORDERS; order++) {
-            double re = row[order - 1].re[j], im = row[order - 1].im[j];
-            row[order].re[j] = re * lambda.re[j] - im * lambda.im[j];
-            row[order].im[j] = re * lambda.im[j] + im * lambda.re[j];
+        for (int m = 1; m < REGIME_TERMS; m++) {
+            double re = row[m - 1].re[j] / m, im = row[m - 1].im[j] / m;
+            row[m].re[j] = re * lambda.re[j] - im * lambda.im[j];
+            row[m].im[j] = re * lambda.im[j] + im * lambda.re[j];
         }
     }
 }
@@ -102,23 +101,32 @@ static RegimeVector take(double **at, size_t count) {
     return taken;
 }
 
+/* Of the eigenvalues, a pair as one, filled up. */
+static size_t count_blocks(const Eigen *eigen, size_t size) {
+    size_t count = 0;
+    for (size_t column = 0; column < size; column++, count++)
+        column += eigen->im[column] != 0;
+    return (count + REGIME_WIDTH - 1) / REGIME_WIDTH * REGIME_WIDTH;
+}
+
 bool regime_build(Regime *regime, const Modes *modes, const ContactLaw *law, bool held) {
     size_t size = 2 * modes->count;
     double *matrix = make_matrix(modes, held ? law->normal_stiffness : 0, held ? law->normal_damping : 0);
     Eigen eigen;
     bool good = find_eigen(&eigen, matrix, size);
     if (good) {
-        *regime = (Regime){.states = size};
+        size_t blocks = count_blocks(&eigen, size);
+        *regime = (Regime){.states = size, .blocks = blocks};
         double *at = regime->memory =
-            memory_allocate(4 * size * size + (6 + 2 * REGIME_ROWS * REGIME_ORDERS) * size, sizeof *at);
-        regime->lambda = take(&at, size);
-        regime->shape = take(&at, size * size);
-        regime->part = take(&at, size * size);
-        regime->drive = take(&at, size);
-        regime->push = take(&at, size);
+            memory_allocate((4 * size + 6 + 2 * REGIME_ROWS * REGIME_TERMS) * blocks, sizeof *at);
+        regime->lambda = take(&at, blocks);
+        regime->shape = take(&at, size * blocks);
+        regime->part = take(&at, size * blocks);
+        regime->drive = take(&at, blocks);
+        regime->push = take(&at, blocks);
         for (int row = 0; row < REGIME_ROWS; row++)
-            for (int order = 0; order < REGIME_ORDERS; order++)
-                regime->row[row][order] = take(&at, size);
+            for (int m = 0; m < REGIME_TERMS; m++)
+                regime->row[row][m] = take(&at, blocks);
         keep_blocks(regime, &eigen);
         keep_rows(regime, modes, law);
     }
@@ -129,6 +137,7 @@ bool regime_build(Regime *regime, const Modes *modes, const ContactLaw *law, boo
 
 void regime_clear(Regime *regime) {
     memory_free(regime->memory);
+    memory_free(regime->hop.re);
     *regime = (Regime){0};
 }
 
@@ -137,18 +146,62 @@ RegimeVector regime_vector(size_t count) {
     return take(&room, count);
 }
 
+double regime_fastest(const Regime *regime) {
+    double fastest = 0;
+    for (size_t j = 0; j < regime->blocks; j++)
+        fastest = fmax(fastest, fabs(regime->lambda.im[j]));
+    return fastest;
+}
+
+double regime_largest(const Regime *regime) {
+    double largest = 0;
+    for (size_t j = 0; j < regime->blocks; j++)
+        largest = fmax(largest, hypot(regime->lambda.re[j], regime->lambda.im[j]));
+    return largest;
+}
+
+void regime_cut(Regime *regime, double cell, size_t cuts) {
+    size_t blocks = regime->blocks;
+    memory_free(regime->hop.re);
+    regime->cell = cell;
+    regime->cuts = cuts;
+    regime->hop = regime_vector((cuts + 1) * blocks);
+    for (size_t k = 0; k <= cuts; k++)
+        for (size_t j = 0; j < blocks; j++) {
+            double time = cell * (double)k / (double)cuts, size = exp(regime->lambda.re[j] * time), sine, cosine;
+            sincos(regime->lambda.im[j] * time, &sine, &cosine);
+            regime->hop.re[k * blocks + j] = size * cosine;
+            regime->hop.im[k * blocks + j] = size * sine;
+        }
+}
+
+/* exp(x) of four x of at most REGIME_PART / 2, by Taylor's series: the next term would be below 1e-17. */
+static void exponentials(RegimeFour x_re, RegimeFour x_im, RegimeFour *re, RegimeFour *im) {
+    static const double by[] = {1.0 / 5, 1.0 / 4, 1.0 / 3, 1.0 / 2, 1};
+    *re = 1 + x_re * (1.0 / 6);
+    *im = x_im * (1.0 / 6);
+    for (int m = 0; m < 5; m++) {
+        RegimeFour next = 1 + (*re * x_re - *im * x_im) * by[m];
+        *im = (*re * x_im + *im * x_re) * by[m];
+        *re = next;
+    }
+}
+
 void regime_propagator(const Regime *regime, double time, RegimeVector factor) {
-    for (size_t j = 0; j < regime->blocks; j++) {
-        double size = exp(regime->lambda.re[j] * time), sine, cosine;
-        sincos(regime->lambda.im[j] * time, &sine, &cosine);
-        factor.re[j] = size * cosine;
-        factor.im[j] = size * sine;
+    size_t blocks = regime->blocks, cut = regime_nearest_cut(regime, time);
+    RegimeVector hop = regime_hop(regime, cut);
+    double rest = time - regime_cut_time(regime, cut);
+    for (size_t j = 0; j < blocks; j += REGIME_WIDTH) {
+        RegimeFour re, im, by_re = *regime_four(hop.re + j), by_im = *regime_four(hop.im + j);
+        exponentials(*regime_four(regime->lambda.re + j) * rest, *regime_four(regime->lambda.im + j) * rest, &re, &im);
+        *regime_four(factor.re + j) = re * by_re - im * by_im;
+        *regime_four(factor.im + j) = re * by_im + im * by_re;
     }
 }
 
 void regime_state(const Regime *regime, RegimeVector z, double *state) {
     for (size_t i = 0; i < regime->states; i++) {
-        size_t from = i * regime->states;
+        size_t from = i * regime->blocks;
         state[i] = regime_measure(regime->blocks, (RegimeVector){regime->shape.re + from, regime->shape.im + from}, z);
     }
 }
@@ -158,8 +211,8 @@ void regime_blocks(const Regime *regime, const double *state, RegimeVector z) {
     memset(z.im, 0, regime->blocks * sizeof *z.im);
     for (size_t i = 0; i < regime->states; i++)
         for (size_t j = 0; j < regime->blocks; j++) {
-            z.re[j] += regime->part.re[i * regime->states + j] * state[i];
-            z.im[j] += regime->part.im[i * regime->states + j] * state[i];
+            z.re[j] += regime->part.re[i * regime->blocks + j] * state[i];
+            z.im[j] += regime->part.im[i * regime->blocks + j] * state[i];
         }
 }
 

@@ -9,11 +9,16 @@
  * and with A v = lambda v each pair of conjugate eigenvalues, and each real one, is a block: one complex number Z with
  * Z(t) = Z(0) exp(lambda t), x = Re sum v Z, Z = w x. A harmonic force adds a steady part, found exactly; nothing is
  * integrated by steps. At exactly critical damping two eigenvalues meet; rounding holds them apart, and what is left of
- * the precision there is 1e-8. */
+ * the precision there is 1e-8.
+ *
+ * Motions go by cells, cut into parts so short that |lambda| times half a part is small: exp(lambda t) is a table's
+ * entry at the nearest cut times a polynomial, exact to rounding, and what is measured is a polynomial in time about a
+ * cut. Neither knows the drive, so that they serve all frequencies, forces and clearances. */
 #pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "beam/modes.h"
 #include "mechanics/contact.h"
@@ -30,17 +35,29 @@ typedef enum RegimeRow {
     REGIME_ROWS,
 } RegimeRow;
 
-enum { REGIME_ORDERS = 3 /* a row, its first and its second rate */ };
+/* Blocks come in fours, the last ones empty: vector instructions take as many at once, and a sum over them is four sums
+ * of every fourth, whichever instructions there are. */
+enum { REGIME_WIDTH = 4 };
+
+/* Terms of a measured polynomial about a cut: the next would be 1e-17 of a block's size. */
+enum { REGIME_TERMS = 8 };
+
+/* |lambda| times the length of a part, at most. */
+#define REGIME_PART (M_PI / 128)
 
 typedef struct Regime {
-    size_t states, blocks;                        /* 2 n; at most as many */
-    RegimeVector lambda;                          /* (blocks) 1/s */
-    RegimeVector shape;                           /* (states x blocks) v */
-    RegimeVector part;                            /* (states x blocks) w */
-    RegimeVector drive;                           /* (blocks) what 1 N at the shaker gives */
-    RegimeVector push;                            /* (blocks) what 1 N at the tip gives */
-    RegimeVector row[REGIME_ROWS][REGIME_ORDERS]; /* (blocks) */
+    size_t states, blocks;                       /* 2 n; a multiple of REGIME_WIDTH */
+    RegimeVector lambda;                         /* (blocks) 1/s; 0: an empty block */
+    RegimeVector shape;                          /* (states x blocks) v */
+    RegimeVector part;                           /* (states x blocks) w */
+    RegimeVector drive;                          /* (blocks) what 1 N at the shaker gives */
+    RegimeVector push;                           /* (blocks) what 1 N at the tip gives */
+    RegimeVector row[REGIME_ROWS][REGIME_TERMS]; /* (blocks) row lambda^m / m! */
     double *memory;
+
+    double cell;      /* s */
+    size_t cuts;      /* parts of a cell */
+    RegimeVector hop; /* (cuts + 1 x blocks) exp(lambda cell k / cuts) */
 } Regime;
 
 /* The regime of modes whose tip is held by `law`; `held` false: free, and the law only makes the row of the force.
@@ -49,28 +66,56 @@ bool regime_build(Regime *regime, const Modes *modes, const ContactLaw *law, boo
 
 void regime_clear(Regime *regime);
 
+/* 1/s, the largest |Im lambda| and the largest |lambda|. */
+double regime_fastest(const Regime *regime);
+double regime_largest(const Regime *regime);
+
+/* Makes the table for cells of `cell` s in `cuts` parts. */
+void regime_cut(Regime *regime, double cell, size_t cuts);
+
+static inline size_t regime_nearest_cut(const Regime *regime, double time) {
+    return (size_t)(time / regime->cell * (double)regime->cuts + 0.5);
+}
+
+/* s */
+static inline double regime_cut_time(const Regime *regime, size_t cut) {
+    return regime->cell * (double)cut / (double)regime->cuts;
+}
+
+/* exp(lambda time) at a cut, (blocks). */
+static inline RegimeVector regime_hop(const Regime *regime, size_t cut) {
+    return (RegimeVector){regime->hop.re + cut * regime->blocks, regime->hop.im + cut * regime->blocks};
+}
+
 /* Room for `count` complex numbers; memory_free its `re`. */
 RegimeVector regime_vector(size_t count);
 
-/* exp(lambda time) of each block. */
+/* exp(lambda time) of each block, time from 0 to a cell. */
 void regime_propagator(const Regime *regime, double time, RegimeVector factor);
 
-/* Z *= factor. */
-static inline void regime_advance(size_t blocks, const double *restrict factor_re, const double *restrict factor_im,
-                                  double *restrict re, double *restrict im) {
-    for (size_t j = 0; j < blocks; j++) {
-        double real = re[j] * factor_re[j] - im[j] * factor_im[j];
-        im[j] = re[j] * factor_im[j] + im[j] * factor_re[j];
-        re[j] = real;
+/* Four doubles, wherever they lie. */
+typedef double RegimeFour __attribute__((vector_size(32), aligned(8), may_alias));
+
+static inline RegimeFour *regime_four(const double *at) {
+    return (RegimeFour *)(uintptr_t)at;
+}
+
+/* moved = Z factor. */
+static inline void regime_advance(size_t blocks, RegimeVector factor, RegimeVector z, RegimeVector moved) {
+    for (size_t j = 0; j < blocks; j += REGIME_WIDTH) {
+        RegimeFour re = *regime_four(z.re + j), im = *regime_four(z.im + j);
+        RegimeFour by_re = *regime_four(factor.re + j), by_im = *regime_four(factor.im + j);
+        *regime_four(moved.re + j) = re * by_re - im * by_im;
+        *regime_four(moved.im + j) = re * by_im + im * by_re;
     }
 }
 
 /* Re sum row Z. */
 static inline double regime_measure(size_t blocks, RegimeVector row, RegimeVector z) {
-    double sum = 0;
-    for (size_t j = 0; j < blocks; j++)
-        sum += row.re[j] * z.re[j] - row.im[j] * z.im[j];
-    return sum;
+    RegimeFour sum = {0};
+    for (size_t j = 0; j < blocks; j += REGIME_WIDTH)
+        sum += *regime_four(row.re + j) * *regime_four(z.re + j) - *regime_four(row.im + j) * *regime_four(z.im + j);
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
 /* The state of blocks, and the blocks of a state. */

@@ -1,14 +1,13 @@
 #include "beam/rig.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "base/memory.h"
 
 /* Z' = lambda Z + drive F sin(omega t) + push R has the steady part
- * -(lambda sin + omega cos) drive F / (lambda^2 + omega^2) - push R / lambda. */
-static void make_steady(RigSteady *steady, const Regime *regime, const Rig *rig) {
-    double omega = rig->omega, rest = rig->stiffness * rig->clearance;
+ * -(lambda sin + omega cos) drive F / (lambda^2 + omega^2) - push R / lambda; R is `rest`, 0 when free. */
+static void make_steady(RigSteady *steady, const Regime *regime, const Rig *rig, double rest) {
+    double omega = rig->omega;
     for (size_t j = 0; j < regime->blocks; j++) {
         double a = regime->lambda.re[j], b = regime->lambda.im[j];
         double re = a * a - b * b + omega * omega, im = 2 * a * b, size = re * re + im * im;
@@ -19,8 +18,10 @@ static void make_steady(RigSteady *steady, const Regime *regime, const Rig *rig)
         steady->sine.re[j] = a * part_re - b * part_im;
         steady->sine.im[j] = a * part_im + b * part_re;
         double lambda_size = a * a + b * b;
-        steady->rest.re[j] = -rest * (regime->push.re[j] * a + regime->push.im[j] * b) / lambda_size;
-        steady->rest.im[j] = -rest * (regime->push.im[j] * a - regime->push.re[j] * b) / lambda_size;
+        if (lambda_size > 0) {
+            steady->rest.re[j] = -rest * (regime->push.re[j] * a + regime->push.im[j] * b) / lambda_size;
+            steady->rest.im[j] = -rest * (regime->push.im[j] * a - regime->push.re[j] * b) / lambda_size;
+        }
     }
     for (int row = 0; row < REGIME_ROWS; row++) {
         steady->row_sine[row] = regime_measure(regime->blocks, regime->row[row][0], steady->sine);
@@ -30,35 +31,122 @@ static void make_steady(RigSteady *steady, const Regime *regime, const Rig *rig)
 }
 
 static RigSteady steady_create(const Regime *regime) {
-    return (RigSteady){.sine = regime_vector(regime->states),
-                       .cosine = regime_vector(regime->states),
-                       .rest = regime_vector(regime->states),
-                       .hop = regime_vector(regime->states)};
+    return (RigSteady){.sine = regime_vector(regime->blocks),
+                       .cosine = regime_vector(regime->blocks),
+                       .rest = regime_vector(regime->blocks)};
 }
 
 static void steady_clear(RigSteady *steady) {
     memory_free(steady->sine.re);
     memory_free(steady->cosine.re);
     memory_free(steady->rest.re);
-    memory_free(steady->hop.re);
+}
+
+/* C = w' v of each pair of blocks; of a block's Z = a + i b, x = a Re v - b Im v. */
+static void make_change(RigChange *change, const Regime *before, const Regime *after) {
+    change->by_re = regime_vector(before->blocks * after->blocks);
+    change->by_im = regime_vector(before->blocks * after->blocks);
+    for (size_t j = 0; j < before->blocks; j++)
+        for (size_t i = 0; i < before->states; i++) {
+            double re = before->shape.re[i * before->blocks + j], im = before->shape.im[i * before->blocks + j];
+            for (size_t l = 0; l < after->blocks; l++) {
+                size_t at = j * after->blocks + l;
+                change->by_re.re[at] += after->part.re[i * after->blocks + l] * re;
+                change->by_re.im[at] += after->part.im[i * after->blocks + l] * re;
+                change->by_im.re[at] -= after->part.re[i * after->blocks + l] * im;
+                change->by_im.im[at] -= after->part.im[i * after->blocks + l] * im;
+            }
+        }
+}
+
+void rig_change_blocks(const RigChange *change, const Regime *before, const Regime *after, RegimeVector z,
+                       RegimeVector changed) {
+    size_t blocks = after->blocks;
+    for (size_t l = 0; l < blocks; l += REGIME_WIDTH) {
+        RegimeFour re = {0}, im = {0};
+        for (size_t j = 0; j < before->blocks; j++) {
+            size_t at = j * blocks + l;
+            re += *regime_four(change->by_re.re + at) * z.re[j] + *regime_four(change->by_im.re + at) * z.im[j];
+            im += *regime_four(change->by_re.im + at) * z.re[j] + *regime_four(change->by_im.im + at) * z.im[j];
+        }
+        *regime_four(changed.re + l) = re;
+        *regime_four(changed.im + l) = im;
+    }
+}
+
+static void create_jumps(RigChange *change, const Regime *after) {
+    change->sine = regime_vector(after->blocks);
+    change->cosine = regime_vector(after->blocks);
+    change->rest = regime_vector(after->blocks);
+}
+
+static void clear_jumps(RigChange *change) {
+    memory_free(change->sine.re);
+    memory_free(change->cosine.re);
+    memory_free(change->rest.re);
+}
+
+static void subtract(size_t count, RegimeVector from, RegimeVector what) {
+    for (size_t j = 0; j < count; j++) {
+        from.re[j] -= what.re[j];
+        from.im[j] -= what.im[j];
+    }
+}
+
+/* What the steady part before is, as blocks after, without the steady part after. */
+static void make_jumps(RigChange *change, const Regime *before, const RigSteady *steady_before, const Regime *after,
+                       const RigSteady *steady_after) {
+    rig_change_blocks(change, before, after, steady_before->sine, change->sine);
+    rig_change_blocks(change, before, after, steady_before->cosine, change->cosine);
+    rig_change_blocks(change, before, after, steady_before->rest, change->rest);
+    subtract(after->blocks, change->sine, steady_after->sine);
+    subtract(after->blocks, change->cosine, steady_after->cosine);
+    subtract(after->blocks, change->rest, steady_after->rest);
+}
+
+/* Of an angle of at most 2 pi / RIG_CELLS. */
+static void take_sine_cosine(double angle, double *sine, double *cosine) {
+    static const double of_sine[] = {1.0 / 156, 1.0 / 110, 1.0 / 72, 1.0 / 42, 1.0 / 20, 1.0 / 6};
+    static const double of_cosine[] = {1.0 / 132, 1.0 / 90, 1.0 / 56, 1.0 / 30, 1.0 / 12, 1.0 / 2};
+    double square = angle * angle;
+    *sine = *cosine = 1;
+    for (int m = 0; m < 6; m++) {
+        *sine = 1 - *sine * square * of_sine[m];
+        *cosine = 1 - *cosine * square * of_cosine[m];
+    }
+    *sine *= angle;
+}
+
+void rig_turn_drive(const Rig *rig, double time, double *sine, double *cosine) {
+    double by_sine = rig->cell_sine, by_cosine = rig->cell_cosine, before = *sine;
+    if (time == 0)
+        return;
+    if (time != rig->cell)
+        take_sine_cosine(rig->omega * time, &by_sine, &by_cosine);
+    *sine = before * by_cosine + *cosine * by_sine;
+    *cosine = *cosine * by_cosine - before * by_sine;
 }
 
 void rig_drive(Rig *rig, double frequency, double force) {
     rig->omega = 2 * M_PI * frequency;
     rig->period = 1 / frequency;
     rig->force = force;
-    make_steady(&rig->steady_free, &rig->free, rig);
-    make_steady(&rig->steady_contact, &rig->contact, rig);
+    take_sine_cosine(fmin(rig->omega * rig->cell, 2 * M_PI / RIG_CELLS), &rig->cell_sine, &rig->cell_cosine);
+    make_steady(&rig->steady_free, &rig->free, rig, 0);
+    make_steady(&rig->steady_contact, &rig->contact, rig, rig->stiffness * rig->clearance);
+    make_jumps(&rig->touch, &rig->free, &rig->steady_free, &rig->contact, &rig->steady_contact);
+    make_jumps(&rig->leave, &rig->contact, &rig->steady_contact, &rig->free, &rig->steady_free);
 }
 
-/* A quarter of the shortest period of any mode, free or in contact. */
-static double longest_cell(const Rig *rig) {
-    double fastest = 0;
-    for (size_t j = 0; j < rig->free.blocks; j++)
-        fastest = fmax(fastest, fabs(rig->free.lambda.im[j]));
-    for (size_t j = 0; j < rig->contact.blocks; j++)
-        fastest = fmax(fastest, fabs(rig->contact.lambda.im[j]));
-    return fastest > 0 ? M_PI / (2 * fastest) : HUGE_VAL;
+/* A cell is a quarter of the shortest period of any mode, free or in contact, or, where something decays much faster
+ * than that, as long as CUTS_MOST parts of it. */
+static void make_cells(Rig *rig) {
+    enum { CUTS_MOST = 4096 };
+    double fastest = fmax(regime_fastest(&rig->free), regime_fastest(&rig->contact));
+    double largest = fmax(regime_largest(&rig->free), regime_largest(&rig->contact));
+    rig->cell = fmin(fastest > 0 ? M_PI / (2 * fastest) : HUGE_VAL, CUTS_MOST * REGIME_PART / largest);
+    regime_cut(&rig->free, rig->cell, (size_t)ceil(regime_largest(&rig->free) * rig->cell / REGIME_PART));
+    regime_cut(&rig->contact, rig->cell, (size_t)ceil(regime_largest(&rig->contact) * rig->cell / REGIME_PART));
 }
 
 bool rig_of_modes(Rig *rig, Modes *modes, const Beam *beam) {
@@ -76,9 +164,11 @@ bool rig_of_modes(Rig *rig, Modes *modes, const Beam *beam) {
     }
     rig->steady_free = steady_create(&rig->free);
     rig->steady_contact = steady_create(&rig->contact);
-    rig->cell = fmin(longest_cell(rig), 1 / (16 * beam->frequency));
-    regime_propagator(&rig->free, rig->cell, rig->steady_free.hop);
-    regime_propagator(&rig->contact, rig->cell, rig->steady_contact.hop);
+    make_change(&rig->touch, &rig->free, &rig->contact);
+    make_change(&rig->leave, &rig->contact, &rig->free);
+    create_jumps(&rig->touch, &rig->contact);
+    create_jumps(&rig->leave, &rig->free);
+    make_cells(rig);
     rig_drive(rig, beam->frequency, beam->force);
     return true;
 }
@@ -105,23 +195,20 @@ void rig_clear(Rig *rig) {
     modes_clear(&rig->modes);
     regime_clear(&rig->free);
     regime_clear(&rig->contact);
-    steady_clear(&rig->steady_free);
-    steady_clear(&rig->steady_contact);
-    *rig = (Rig){0};
-}
-
-static RigSteady share_steady(const RigSteady *shared, const Regime *regime) {
-    RigSteady own = steady_create(regime);
-    memcpy(own.hop.re, shared->hop.re, regime->blocks * sizeof(double));
-    memcpy(own.hop.im, shared->hop.im, regime->blocks * sizeof(double));
-    return own;
+    memory_free(rig->touch.by_re.re);
+    memory_free(rig->touch.by_im.re);
+    memory_free(rig->leave.by_re.re);
+    memory_free(rig->leave.by_im.re);
+    rig_clear_shared(rig);
 }
 
 Rig rig_share(const Rig *rig, double frequency, double force, double clearance) {
     Rig own = *rig;
     own.clearance = clearance;
-    own.steady_free = share_steady(&rig->steady_free, &rig->free);
-    own.steady_contact = share_steady(&rig->steady_contact, &rig->contact);
+    own.steady_free = steady_create(&own.free);
+    own.steady_contact = steady_create(&own.contact);
+    create_jumps(&own.touch, &own.contact);
+    create_jumps(&own.leave, &own.free);
     rig_drive(&own, frequency, force);
     return own;
 }
@@ -129,6 +216,8 @@ Rig rig_share(const Rig *rig, double frequency, double force, double clearance) 
 void rig_clear_shared(Rig *rig) {
     steady_clear(&rig->steady_free);
     steady_clear(&rig->steady_contact);
+    clear_jumps(&rig->touch);
+    clear_jumps(&rig->leave);
     *rig = (Rig){0};
 }
 

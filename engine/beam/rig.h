@@ -12,19 +12,28 @@
 typedef struct RigSteady {
     RegimeVector sine, cosine, rest;
     double row_sine[REGIME_ROWS], row_cosine[REGIME_ROWS], row_rest[REGIME_ROWS];
-    RegimeVector hop; /* propagator of one cell */
 } RigSteady;
+
+/* From the blocks of one regime to those of the other, the state staying: Z' = C Z, and the steady part that was
+ * without the one that will be, sine sin(omega t) + cosine cos(omega t) + side rest, of the side that is touched or
+ * left. */
+typedef struct RigChange {
+    RegimeVector by_re, by_im;       /* (blocks before x blocks after) C: what Re Z and Im Z of a block give */
+    RegimeVector sine, cosine, rest; /* (blocks after) */
+} RigChange;
 
 /* What is given: the beam as modes and regimes, the drive and the joint. */
 typedef struct Rig {
     Modes modes;
     Regime free, contact;
     RigSteady steady_free, steady_contact;
+    RigChange touch, leave;               /* into the contact, and out of it */
     double omega, period;                 /* rad/s, s, of the drive */
     double force;                         /* N, amplitude of the drive */
     double clearance, stiffness, damping; /* m, N/m, N s/m, of the joint */
     int release;                          /* BeamRelease */
-    double cell;                          /* s */
+    double cell;                          /* s, both regimes' */
+    double cell_sine, cell_cosine;        /* of omega cell */
 } Rig;
 
 /* Makes the rig of a beam. False: a fault, at the place `place`, and there is nothing to clear. */
@@ -36,7 +45,18 @@ bool rig_of_modes(Rig *rig, Modes *modes, const Beam *beam);
 /* Sets the drive's frequency (Hz) and force (N); modes, regimes and propagators stay. */
 void rig_drive(Rig *rig, double frequency, double force);
 
+/* Steps of a cycle of the drive, at least. */
+enum { RIG_CELLS = 16 };
+
+/* Moves sin(omega t) and cos(omega t) on by a time, s, of at most a cycle / RIG_CELLS: by Taylor's series, whose next
+ * terms would be below 1e-16, so that every machine has the same bits. */
+void rig_turn_drive(const Rig *rig, double time, double *sine, double *cosine);
+
 void rig_clear(Rig *rig);
+
+/* changed = C Z. */
+void rig_change_blocks(const RigChange *change, const Regime *before, const Regime *after, RegimeVector z,
+                       RegimeVector changed);
 
 /* A rig of the same modes and regimes, which stay the first one's and must outlive it, with a drive and a clearance of
  * its own. rig_clear_shared releases it. */

@@ -1,12 +1,14 @@
-/* The impact beam on one core: cycles of the drive per second, with 4 and 12 modes, periodic and chaotic. */
+/* The impact beam: cycles of the drive per second of one core, with 4 and 12 modes, alone and in lanes; an orbit
+ * diagram and a map on all. */
 
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "beam/motion.h"
+#include "base/memory.h"
+#include "beam/lanes.h"
 #include "bench.h"
 
-enum { TURNS = 9, CYCLES = 2000 };
+enum { TURNS = 9, CYCLES = 2000, SWEEP = 301, SWEEP_TURNS = 3 };
 
 static Rig make_rig(const char *source, const char *modes) {
     char path[4096];
@@ -43,6 +45,28 @@ static void measure(const char *source, const char *modes, double frequency) {
     rig_clear(&rig);
 }
 
+/* A sweep from rest, 20 to 320 Hz, 300 + 100 cycles a point, in lanes on one core. */
+static void measure_lanes(const char *source, const char *modes) {
+    Rig rig = make_rig(source, modes);
+    LanesRun *runs = memory_allocate(SWEEP, sizeof *runs);
+    double seconds[SWEEP_TURNS];
+    for (int turn = 0; turn < SWEEP_TURNS; turn++) {
+        for (size_t i = 0; i < SWEEP; i++)
+            runs[i] = (LanesRun){.frequency = 20 + (double)i,
+                                 .force = rig.force,
+                                 .clearance = rig.clearance,
+                                 .transient_cycles = 300,
+                                 .cycles = 100};
+        double begin = bench_now();
+        lanes_run(&rig, runs, SWEEP, NULL);
+        seconds[turn] = bench_now() - begin;
+    }
+    printf("%-14s sweep   %8.0f cycles/s in lanes on one core\n", modes,
+           SWEEP * 400 / bench_median(seconds, SWEEP_TURNS));
+    memory_free(runs);
+    rig_clear(&rig);
+}
+
 int main(int argc, char **argv) {
     if (argc < 2)
         return 2;
@@ -53,6 +77,7 @@ int main(int argc, char **argv) {
     for (int i = 0; i < 2; i++) {
         measure(argv[1], modes[i], 190);
         measure(argv[1], modes[i], 300);
+        measure_lanes(argv[1], modes[i]);
     }
     printf("reference (8 million dependent square roots): %.1f ms\n", 1000 * bench_median(reference, TURNS));
     return 0;

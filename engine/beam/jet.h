@@ -1,0 +1,30 @@
+/* What is measured of a motion, about a moment: y(t) = sum over m of term[m] t^m, exact to rounding within a part of a
+ * cell (regime.h). Roots and turns of it cost no exponentials. */
+#pragma once
+
+#include "beam/regime.h"
+
+typedef struct Jet {
+    double term[REGIME_TERMS]; /* the measure's unit / s^m */
+} Jet;
+
+static inline double jet_value(const Jet *jet, double time) {
+    double value = jet->term[REGIME_TERMS - 1];
+    for (int m = REGIME_TERMS - 2; m >= 0; m--)
+        value = value * time + jet->term[m];
+    return value;
+}
+
+/* y'. */
+static inline Jet jet_rate(const Jet *jet) {
+    Jet rate = {{0}};
+    for (int m = 1; m < REGIME_TERMS; m++)
+        rate.term[m - 1] = m * jet->term[m];
+    return rate;
+}
+
+/* Where y, below 0 at `low` and not below at `high`, rises through 0, to JET_RESOLUTION s. */
+double jet_rise(const Jet *jet, double low, double high);
+
+/* s: switches are located to this; beyond it, rounding decides. */
+#define JET_RESOLUTION 1e-15
