@@ -1,5 +1,6 @@
 #include "study/study.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
