@@ -134,10 +134,12 @@ def check_going_on(folder):
 def check_killed(folder):
     """A computer that is switched off: at most what came after the last commit is made again."""
     flat, out = draft(folder), os.path.join(folder, "killed")
-    arguments = [flat, "--vary", "door.d1.width=0.85:1.1:121", "--runs", "2", "--jobs", "1"]
+    arguments = [flat, "--vary", "door.d1.width=0.85:1.1:241", "--runs", "2", "--jobs", "1"]
     process = subprocess.Popen([program, "study", *arguments, "--out", out], stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL)
-    time.sleep(2)
+    store = pathlib.Path(out, "study.sqlite")
+    while process.poll() is None and not (store.exists() and store.stat().st_size):
+        time.sleep(0.01)
     process.kill()
     process.wait()
     check(process.returncode == -signal.SIGKILL, "killed while it ran")
