@@ -152,7 +152,8 @@ def check_changed_while_running(folder):
     flat, out = draft(folder, "changing"), os.path.join(folder, "changing")
     process = subprocess.Popen([program, "study", flat, "--vary", "door.d1.width=0.85:1.1:61", "--runs", "2", "--jobs",
                                 "1", "--out", out], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    time.sleep(0.7)
+    while process.poll() is None and not os.path.exists(os.path.join(out, "study.sqlite")):
+        time.sleep(0.01)
     draft(folder, "changing", note="another")
     _, error = process.communicate(timeout=120)
     check(process.returncode == 2 and "was changed while it was studied" in error, "a file that changes", error)
