@@ -2,29 +2,34 @@
  * cell (regime.h). Roots and turns of it cost no exponentials. */
 #pragma once
 
+#include <assert.h>
+
 #include "beam/regime.h"
 
 typedef struct Jet {
     double term[REGIME_TERMS]; /* the measure's unit / s^m */
 } Jet;
 
+static_assert(REGIME_TERMS == 8, "jet_value has them all");
+
 static inline double jet_value(const Jet *jet, double time) {
-    double value = jet->term[REGIME_TERMS - 1];
-    for (int m = REGIME_TERMS - 2; m >= 0; m--)
-        value = value * time + jet->term[m];
-    return value;
+    const double *term = jet->term;
+    double square = time * time;
+    double low = (term[0] + term[1] * time) + (term[2] + term[3] * time) * square;
+    double high = (term[4] + term[5] * time) + (term[6] + term[7] * time) * square;
+    return low + high * (square * square);
 }
 
-/* y'. */
-static inline Jet jet_rate(const Jet *jet) {
+/* y', `times` times. */
+static inline Jet jet_rate(const Jet *jet, double times) {
     Jet rate = {{0}};
     for (int m = 1; m < REGIME_TERMS; m++)
-        rate.term[m - 1] = m * jet->term[m];
+        rate.term[m - 1] = times * m * jet->term[m];
     return rate;
 }
 
-/* Where y, below 0 at `low` and not below at `high`, rises through 0, to JET_RESOLUTION s. */
-double jet_rise(const Jet *jet, double low, double high);
+/* Where y, below 0 at `low` and not below at `high`, rises through 0, to JET_RESOLUTION s; sought first at `guess`. */
+double jet_rise(const Jet *jet, double low, double high, double guess);
 
 /* s: switches are located to this; beyond it, rounding decides. */
 #define JET_RESOLUTION 1e-15

@@ -7,6 +7,15 @@
 #include "base/memory.h"
 #include "beam/jet.h"
 
+/* As fmin and fmax, without a call. */
+static inline double least(double a, double b) {
+    return a < b ? a : b;
+}
+
+static inline double largest(double a, double b) {
+    return a > b ? a : b;
+}
+
 /* Places ---------------------------------------------------------------------------------------------------------- */
 
 /* A switch comes when sign y(row) + offset, below 0 before, reaches 0; the offset is the clearance, times k for a
@@ -221,16 +230,16 @@ double motion_force(const Motion *motion) {
 
 /* Switches -------------------------------------------------------------------------------------------------------- */
 
-/* sign y + offset, or its rate, of a row of a motion. */
+/* sign y + offset, of a row of a motion. */
 typedef struct Curve {
     const Motion *motion;
     RegimeRow row;
-    bool rate;
     double sign, offset;
 } Curve;
 
 /* The curve about the cut nearest to `time` s from now; the cut's time into `*middle`. */
 static Jet follow(const Curve *curve, double time, double *middle) {
+    static const double inverse[] = {1. / 2, 1. / 6, 1. / 12, 1. / 20, 1. / 30, 1. / 42, 1. / 56, 1. / 72};
     const Motion *motion = curve->motion;
     const Regime *regime = regime_of(motion);
     const RigSteady *steady = steady_of(motion);
@@ -238,68 +247,69 @@ static Jet follow(const Curve *curve, double time, double *middle) {
     double sine = motion->now.sine, cosine = motion->now.cosine, omega = motion->rig->omega;
     *middle = regime_cut_time(regime, cut);
     rig_turn_drive(motion->rig, *middle, &sine, &cosine);
+    Jet jet;
     regime_advance(regime->blocks, regime_hop(regime, cut), motion->z, motion->trial);
+    regime_expand(regime, curve->row, motion->trial, jet.term);
     double a = curve->sign * steady->row_sine[curve->row], b = curve->sign * steady->row_cosine[curve->row];
     double term = a * sine + b * cosine, next = omega * (a * cosine - b * sine);
-    Jet jet;
     for (int m = 0; m < REGIME_TERMS; m++) {
-        jet.term[m] = curve->sign * regime_measure(regime->blocks, regime->row[curve->row][m], motion->trial) + term;
-        double after = -omega * omega * term / ((m + 1) * (m + 2));
+        jet.term[m] = curve->sign * jet.term[m] + term;
+        double after = -omega * omega * term * inverse[m];
         term = next;
         next = after;
     }
     jet.term[0] += curve->offset + curve->sign * motion_side(motion->place) * steady->row_rest[curve->row];
-    return curve->rate ? jet_rate(&jet) : jet;
+    return jet;
 }
 
-static double value_at(const Curve *curve, double time) {
-    double middle;
-    Jet jet = follow(curve, time, &middle);
-    return jet_value(&jet, time - middle);
-}
-
-/* Where the curve, below 0 at `low` and not below at `high`, rises through 0, sought first at `guess`. */
-static double find_root(const Curve *curve, double low, double high, double guess) {
+/* Where the curve (or its rate times `turning`, unless that is 0), below 0 at `low` and not below at `high`, rises
+ * through 0, sought first at `guess`; what the curve is there into `*value`, unless NULL. */
+static double find_root(const Curve *curve, double turning, double low, double high, double guess, double *value) {
     double part = curve->motion->rig->cell / (double)regime_of(curve->motion)->cuts;
-    while (high - low > JET_RESOLUTION) {
-        double middle;
+    for (;;) {
+        double middle, at;
         Jet jet = follow(curve, guess > low && guess < high ? guess : low + (high - low) / 2, &middle);
-        double left = fmax(low - middle, -part), right = fmin(high - middle, part);
-        if (left + middle > low && jet_value(&jet, left) >= 0) {
+        Jet sought = turning != 0 ? jet_rate(&jet, turning) : jet;
+        double left = largest(low - middle, -part), right = least(high - middle, part);
+        guess = -sought.term[0] / sought.term[1];
+        if (high - low > JET_RESOLUTION && left + middle > low && jet_value(&sought, left) >= 0) {
             high = left + middle;
-        } else if (right + middle < high && jet_value(&jet, right) < 0) {
+        } else if (high - low > JET_RESOLUTION && right + middle < high && jet_value(&sought, right) < 0) {
             low = right + middle;
         } else {
-            return middle + jet_rise(&jet, left, right);
+            at = jet_rise(&sought, left, right, guess);
+            if (value)
+                *value = jet_value(&jet, at);
+            return middle + at;
         }
-        guess = middle - jet.term[0] / jet.term[1];
+        guess += middle;
     }
-    return high;
 }
 
 /* Where the cubic through both ends of a step, by values and rates, has the value 0; it is below 0 at its beginning. */
 static double guess_root(double step, double begin, double begin_rate, double end, double end_rate) {
     double a = begin_rate * step, b = end_rate * step, rise = end - begin;
     double at = begin / (begin - end);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 2; i++) {
         double square = 3 * rise - 2 * a - b, cube = a + b - 2 * rise;
         double value = begin + at * (a + at * (square + at * cube)), rate = a + at * (2 * square + 3 * at * cube);
-        at = fmin(fmax(at - value / rate, 0), 1);
+        at = least(largest(at - value / rate, 0), 1);
     }
     return at * step;
 }
 
-/* Where a row that first rises (`way` 1) and then falls within the step, or the other way round (-1), turns. */
-static double find_turn(const Motion *motion, RegimeRow row, double way, double step, const MotionReading *end) {
-    Curve rate = {motion, row, true, -way, 0};
-    double begin = motion->now.rate[row];
-    return find_root(&rate, 0, step, step * begin / (begin - end->rate[row]));
+/* Where a curve that first rises (`way` 1) and then falls within the step, or the other way round (-1), turns, and its
+ * value there. */
+static double find_turn(const Curve *curve, double way, double step, const MotionReading *end, double *value) {
+    double begin = curve->motion->now.rate[curve->row];
+    return find_root(curve, -way, 0, step, step * begin / (begin - end->rate[curve->row]), value);
 }
 
 /* The time of a way's switch within a step, or HUGE_VAL. From the values and rates at both ends. */
 static double find_switch(Motion *motion, const Way *way, double step, const MotionReading *next) {
     double sign = way->sign, offset = offset_of(motion->rig, way);
-    Curve curve = {motion, way->row, false, sign, offset};
+    Curve curve = {motion, way->row, sign, offset};
+    double top;
     double begin = sign * motion->now.value[way->row] + offset, begin_rate = sign * motion->now.rate[way->row];
     double end = sign * next->value[way->row] + offset, end_rate = sign * next->rate[way->row];
     if (begin >= 0 && end >= 0) { /* a switch was just here: has it been left since? */
@@ -307,17 +317,19 @@ static double find_switch(Motion *motion, const Way *way, double step, const Mot
             return 0;
         if (end_rate <= 0) /* still leaving, or out and back and turned again */
             return begin <= end ? 0 : HUGE_VAL;
-        double turn = find_turn(motion, way->row, -sign, step, next);
-        return value_at(&curve, turn) < 0 ? find_root(&curve, turn, step, step) : 0;
+        double turn = find_turn(&curve, -1, step, next, &top);
+        return top < 0 ? find_root(&curve, 0, turn, step, step, NULL) : 0;
     }
     if (end >= 0)
-        return find_root(&curve, 0, step, guess_root(step, begin, begin_rate, end, end_rate));
-    if (begin >= 0 || begin_rate <= 0 || end_rate >= 0 || begin + begin_rate * step < 0)
+        return find_root(&curve, 0, 0, step, guess_root(step, begin, begin_rate, end, end_rate), NULL);
+    double bend = begin_rate - end_rate; /* it turns below where the tangents at both ends meet */
+    if (begin >= 0 || begin_rate <= 0 || end_rate >= 0 ||
+        begin * bend + begin_rate * (end - begin - end_rate * step) < 0)
         return HUGE_VAL;
-    double turn = find_turn(motion, way->row, sign, step, next), top = value_at(&curve, turn);
+    double turn = find_turn(&curve, 1, step, next, &top);
     if (motion->place == MOTION_OPEN && fabs(top) <= MOTION_GRAZE * motion->rig->clearance)
         motion->grazes++;
-    return top >= 0 ? find_root(&curve, 0, turn, turn) : HUGE_VAL;
+    return top >= 0 ? find_root(&curve, 0, 0, turn, turn, NULL) : HUGE_VAL;
 }
 
 /* The force's largest value within the step that is being made. */
@@ -325,10 +337,13 @@ static void note_peak(Motion *motion, double step, const MotionReading *end) {
     double side = motion_side(motion->place);
     const MotionReading *begin = &motion->now;
     double *peak = &motion->peak[side > 0 ? 0 : 1];
-    *peak = fmax(*peak, fmax(push_of(motion, begin->value[REGIME_FORCE]), push_of(motion, end->value[REGIME_FORCE])));
+    *peak =
+        largest(*peak, largest(push_of(motion, begin->value[REGIME_FORCE]), push_of(motion, end->value[REGIME_FORCE])));
     if (side * begin->rate[REGIME_FORCE] > 0 && side * end->rate[REGIME_FORCE] < 0) {
-        Curve force = {motion, REGIME_FORCE, false, 1, 0};
-        *peak = fmax(*peak, push_of(motion, value_at(&force, find_turn(motion, REGIME_FORCE, side, step, end))));
+        Curve force = {motion, REGIME_FORCE, side, -motion->rig->stiffness * motion->rig->clearance};
+        double push;
+        find_turn(&force, 1, step, end, &push);
+        *peak = largest(*peak, push);
     }
 }
 
@@ -433,21 +448,32 @@ static const Way *first_switch(Motion *motion, double step, const MotionReading 
     return first;
 }
 
-double motion_step(Motion *motion, double longest) {
-    double step = fmin(fmin(motion->rig->cell, motion->rig->period / RIG_CELLS), longest), when;
-    MotionReading end;
-    RegimeVector factor = move_blocks(motion, step, &end);
-    const Way *first = first_switch(motion, step, &end, &when);
+/* The step whose end is in `next` and `end`, as far as nothing switches before. */
+static double make_step(Motion *motion, double step, RegimeVector factor, MotionReading *end) {
+    double when;
+    const Way *first = first_switch(motion, step, end, &when);
     if (first) {
         step = when;
-        factor = move_blocks(motion, step, &end);
+        factor = move_blocks(motion, step, end);
     }
     if (motion_in_contact(motion->place) && !motion->unwatched)
-        note_peak(motion, step, &end);
-    go_on(motion, step, factor, &end);
+        note_peak(motion, step, end);
+    go_on(motion, step, factor, end);
     if (first)
         change_place(motion, first->to);
     return step;
+}
+
+double motion_step(Motion *motion, double longest) {
+    double step = least(least(motion->rig->cell, motion->rig->period / RIG_CELLS), longest);
+    MotionReading end;
+    RegimeVector factor = move_blocks(motion, step, &end);
+    return make_step(motion, step, factor, &end);
+}
+
+double motion_step_known(Motion *motion, MotionReading *end) {
+    const Regime *regime = regime_of(motion);
+    return make_step(motion, motion->rig->cell, regime_hop(regime, regime->cuts), end);
 }
 
 MotionStatus motion_end_cycle(Motion *motion) {

@@ -35,8 +35,8 @@ typedef enum RegimeRow {
     REGIME_ROWS,
 } RegimeRow;
 
-/* Blocks come in fours, the last ones empty: vector instructions take as many at once, and a sum over them is four sums
- * of every fourth, whichever instructions there are. */
+/* Blocks come in fours, the last ones empty: a sum over them is four sums of every fourth, whichever vector
+ * instructions there are. */
 enum { REGIME_WIDTH = 4 };
 
 /* Terms of a measured polynomial about a cut: the next would be 1e-17 of a block's size. */
@@ -46,13 +46,14 @@ enum { REGIME_TERMS = 8 };
 #define REGIME_PART (M_PI / 128)
 
 typedef struct Regime {
-    size_t states, blocks;                       /* 2 n; a multiple of REGIME_WIDTH */
-    RegimeVector lambda;                         /* (blocks) 1/s; 0: an empty block */
-    RegimeVector shape;                          /* (states x blocks) v */
-    RegimeVector part;                           /* (states x blocks) w */
-    RegimeVector drive;                          /* (blocks) what 1 N at the shaker gives */
-    RegimeVector push;                           /* (blocks) what 1 N at the tip gives */
-    RegimeVector row[REGIME_ROWS][REGIME_TERMS]; /* (blocks) row lambda^m / m! */
+    size_t states, blocks;            /* 2 n; a multiple of REGIME_WIDTH */
+    RegimeVector lambda;              /* (blocks) 1/s; 0: an empty block */
+    RegimeVector shape;               /* (states x blocks) v */
+    RegimeVector part;                /* (states x blocks) w */
+    RegimeVector drive;               /* (blocks) what 1 N at the shaker gives */
+    RegimeVector push;                /* (blocks) what 1 N at the tip gives */
+    RegimeVector row[REGIME_ROWS][2]; /* (blocks) the row, and its rate, row lambda */
+    double *terms[REGIME_ROWS];       /* (blocks x 2 x REGIME_TERMS) Re, Im of row lambda^m / m! */
     double *memory;
 
     double cell;      /* s */
@@ -93,29 +94,46 @@ RegimeVector regime_vector(size_t count);
 /* exp(lambda time) of each block, time from 0 to a cell. */
 void regime_propagator(const Regime *regime, double time, RegimeVector factor);
 
-/* Four doubles, wherever they lie. */
-typedef double RegimeFour __attribute__((vector_size(32), aligned(8), may_alias));
+/* Two doubles, wherever they lie: vectors that every machine of the kind has. */
+typedef double RegimeTwo __attribute__((vector_size(16), aligned(8), may_alias));
 
-static inline RegimeFour *regime_four(const double *at) {
-    return (RegimeFour *)(uintptr_t)at;
+static inline RegimeTwo *regime_two(const double *at) {
+    return (RegimeTwo *)(uintptr_t)at;
 }
 
 /* moved = Z factor. */
 static inline void regime_advance(size_t blocks, RegimeVector factor, RegimeVector z, RegimeVector moved) {
-    for (size_t j = 0; j < blocks; j += REGIME_WIDTH) {
-        RegimeFour re = *regime_four(z.re + j), im = *regime_four(z.im + j);
-        RegimeFour by_re = *regime_four(factor.re + j), by_im = *regime_four(factor.im + j);
-        *regime_four(moved.re + j) = re * by_re - im * by_im;
-        *regime_four(moved.im + j) = re * by_im + im * by_re;
+    for (size_t j = 0; j < blocks; j += 2) {
+        RegimeTwo re = *regime_two(z.re + j), im = *regime_two(z.im + j);
+        RegimeTwo by_re = *regime_two(factor.re + j), by_im = *regime_two(factor.im + j);
+        *regime_two(moved.re + j) = re * by_re - im * by_im;
+        *regime_two(moved.im + j) = re * by_im + im * by_re;
     }
+}
+
+static inline RegimeTwo regime_product(RegimeVector row, RegimeVector z, size_t j) {
+    return *regime_two(row.re + j) * *regime_two(z.re + j) - *regime_two(row.im + j) * *regime_two(z.im + j);
 }
 
 /* Re sum row Z. */
 static inline double regime_measure(size_t blocks, RegimeVector row, RegimeVector z) {
-    RegimeFour sum = {0};
-    for (size_t j = 0; j < blocks; j += REGIME_WIDTH)
-        sum += *regime_four(row.re + j) * *regime_four(z.re + j) - *regime_four(row.im + j) * *regime_four(z.im + j);
-    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    RegimeTwo first = {0}, second = {0};
+    for (size_t j = 0; j < blocks; j += REGIME_WIDTH) {
+        first += regime_product(row, z, j);
+        second += regime_product(row, z, j + 2);
+    }
+    return (first[0] + first[1]) + (second[0] + second[1]);
+}
+
+/* y of a moment t later is the sum over m of term[m] t^m, t within a part. */
+static inline void regime_expand(const Regime *regime, RegimeRow row, RegimeVector z, double term[REGIME_TERMS]) {
+    const double *from = regime->terms[row];
+    RegimeTwo sum[REGIME_TERMS / 2] = {{0}};
+    for (size_t j = 0; j < regime->blocks; j++, from += 2 * REGIME_TERMS)
+        for (int m = 0; m < REGIME_TERMS / 2; m++)
+            sum[m] += *regime_two(from + 2 * m) * z.re[j] - *regime_two(from + REGIME_TERMS + 2 * m) * z.im[j];
+    for (int m = 0; m < REGIME_TERMS / 2; m++)
+        *regime_two(term + 2 * m) = sum[m];
 }
 
 /* The state of blocks, and the blocks of a state. */
