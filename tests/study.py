@@ -140,6 +140,7 @@ def check_killed(folder):
     store = pathlib.Path(out, "study.sqlite")
     while process.poll() is None and not (store.exists() and store.stat().st_size):
         time.sleep(0.01)
+    time.sleep(0.5) # until the first commit is whole
     process.kill()
     process.wait()
     check(process.returncode == -signal.SIGKILL, "killed while it ran")
