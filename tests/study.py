@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 import time
 
-from program import check, end, expect, house, program, run
+from program import check, end, expect, house, program, run, source
 
 FLAT = {
     "format": "clearance-house", "version": 1, "name": "flat",
@@ -163,6 +163,28 @@ def check_changed_while_running(folder):
     check("goes on" not in done.stderr and "read back" not in done.stderr, "nothing of both is kept", done.stderr)
 
 
+def check_beams(folder):
+    beam, whole, parts = str(source / "assets/beams/ibs.json"), os.path.join(folder, "b1"), os.path.join(folder, "b2")
+    sweep = [beam, "--vary", "drive.frequency=285:305:21", "--sweep", "reset,up,down"]
+    lines = expect(0, "study", *sweep, "--jobs", "1", "--out", whole).stdout.splitlines()
+    check(lines[0] == f"{beam}: drive.frequency from 285 to 305 Hz in 21 steps", f"title of a beam {lines[0]!r}")
+    check(lines[1].startswith("reset: periodic up to 297 Hz, not periodic from 298") and lines[2].startswith("up: ") and
+          "the largest peak force" in lines[1], f"answer of a beam {lines[1:4]}")
+    check({"study.csv", "study-series.csv", "study.sqlite", "summary.json"} <= set(os.listdir(whole)), "files of a beam")
+    header = pathlib.Path(whole, "study-series.csv").read_text().splitlines()[0]
+    check(header == "drive.frequency [Hz],pass [1],seed [1],place [1],peak [N]", f"study-series.csv begins {header}")
+    interrupt([*sweep, "--jobs", "2", "--out", parts], 0.4)
+    expect(0, "study", *sweep, "--jobs", "2", "--out", parts)
+    for name in ("summary.json", "study.csv", "study-series.csv"):
+        check(pathlib.Path(parts, name).read_bytes() == pathlib.Path(whole, name).read_bytes(), f"{name} of a beam")
+    basins = json.loads(expect(0, "study", beam, "--set", "drive.frequency=290", "--runs", "8", "--json").stdout)
+    check(basins["regular"] == 8 and basins["distribution"]["observables"]["peak_max"]["count"] == 8, f"starts {basins}")
+    expect(2, "study", beam, "--vary", "drive.frequenzy=1:2:3", says='did you mean "drive.frequency"?')
+    expect(2, "study", beam, "--vary", "joint.release=1:2:3", says="joint.release is no number")
+    expect(2, "study", beam, "--vary", "drive.frequency=0:20:3", says="0 is out of range, must be from 1 to 100000 Hz")
+    expect(2, "study", beam, "--runs", "2", "--route", "A", says="--route is for houses")
+
+
 def check_wrong_stores(folder):
     flat, out = draft(folder), os.path.join(folder, "stores")
     os.makedirs(out)
@@ -234,7 +256,7 @@ def check_wrong_use(folder):
 
 with tempfile.TemporaryDirectory(prefix="clearance study ä ") as directory:
     for number, part in enumerate((check_answers, check_maps_and_runs, check_files, check_going_on, check_killed,
-                                   check_changed_while_running, check_wrong_stores, check_wrong_use)):
+                                   check_changed_while_running, check_beams, check_wrong_stores, check_wrong_use)):
         own = os.path.join(directory, str(number))
         os.makedirs(own)
         part(own)

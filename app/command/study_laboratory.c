@@ -1,7 +1,31 @@
 #include "command/study_laboratory.h"
 
+#include "beam/beam.h"
 #include "command/house_file.h"
+#include "laboratory/beam_experiment.h"
 #include "laboratory/house_experiment.h"
+
+static void tell_unknown(const void *given, const char *name, const char *place, Fault *fault) {
+    (void)given;
+    JsonFile file = {.path = (char *)place};
+    JsonNode node = json_root(&file);
+    const Parameter *row = parameters_find(beam_table(), name);
+    if (row)
+        json_fault(&node, fault, "%s is no number", row->name);
+    else
+        parameters_fault_unknown(beam_table(), name, &node, fault);
+}
+
+static bool open_beam(Experiment *experiment, const Options *options, Fault *fault) {
+    const char *foreign = options->route ? "--route" : options->driving >= 0 ? "--driving" : NULL;
+    if (foreign)
+        fault_add(fault, "clearance: %s is for houses, %s is a beam", foreign, options->files[0]);
+    if (foreign ||
+        !beam_experiment_open(experiment, options->files[0], options->settings, options->setting_count, fault))
+        return false;
+    experiment->unknown = tell_unknown;
+    return true;
+}
 
 static bool open_house(Experiment *experiment, const Options *options, Fault *fault) {
     HouseOptions house_options = {.profiles = house_file_profiles(),
@@ -13,6 +37,7 @@ static bool open_house(Experiment *experiment, const Options *options, Fault *fa
 }
 
 static const StudyLaboratory laboratories[] = {
+    {beam_is_file, open_beam, beam_experiment_close, "", "periodic", "not periodic", "sometimes periodic"},
     {NULL, open_house, house_experiment_close, "way", "out", "not out", "sometimes out"},
 };
 
