@@ -231,6 +231,21 @@ TEST(overrides_and_settings_change_the_plan) {
     plan_free(&plan);
 }
 
+TEST(a_setting_changes_one_number_of_a_point) {
+    Plan plan;
+    char *fault;
+    const char *const settings[] = {"person.p1.at=[1, 1]", "person.p1.x=2", "person.p1.at.y=0.9", NULL};
+    CHECK(read_with(&plan, room, settings, &fault));
+    CHECK(plan.people[0].at.x == 2 && plan.people[0].at.y == 0.9);
+    const void *object;
+    Fault none = {0};
+    const Parameter *row = plan_parameter(&plan, "person.p1.x", &object, "", &none);
+    CHECK(row && row->kind == PARAMETER_NUMBER && object == &plan.people[0]);
+    CHECK_TEXT(row ? row->name : "", "at.x");
+    CHECK(none.total == 0);
+    plan_free(&plan);
+}
+
 TEST(what_a_setting_renames_is_found_by_its_new_name) {
     Plan plan;
     char *fault;
@@ -257,6 +272,9 @@ TEST(a_setting_comes_after_an_override_and_is_named_in_its_fault) {
         {"door.d1.width=wide", "--set door.d1.width: width must be a number in m"},
         {"door.d9.width=1", "--set door.d9.width: there is no door \"d9\""},
         {"door.d1.wide=1", "--set door.d1.wide: door has no parameter \"wide\", did you mean \"width\"?"},
+        {"person.p1.x=1e6", "--set person.p1.x: at.x is 1e+06, must be from -100000 to 100000 m"},
+        {"person.p1.z=1", "--set person.p1.z: person has no parameter \"z\", it has id, profile, at, heading, delay, "
+                          "speed"},
         {"dor.d1.width=1", "--set dor.d1.width: unknown kind \"dor\", did you mean \"door\"?"},
         {"width=1", "--set width: \"width\" is no parameter's name: run.NAME, or KIND.ID.NAME such as door.d1.width or "
                     "profile.manual-chair.width"},

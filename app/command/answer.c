@@ -3,7 +3,9 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "base/text.h"
 #include "laboratory/census.h"
 
 /* Six digits behind the point are a micrometre and a microsecond: more would be noise. */
@@ -133,4 +135,11 @@ void answer_print(json_t *answer) {
     puts(text);
     free(text);
     json_decref(answer);
+}
+
+int answer_write(const json_t *answer, const char *path) {
+    char *text = json_dumps(answer, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
+    int error = text_write_file(path, text, strlen(text));
+    free(text);
+    return error;
 }

@@ -1,4 +1,4 @@
-/* The answers about a house, as JSON (the contract). */
+/* Answers as JSON (the contract); those about a house. */
 #pragma once
 
 #include <jansson.h>
@@ -17,3 +17,6 @@ json_t *answer_blockage(const Blockage *blockage);
 
 /* Prints one JSON object on standard output. */
 void answer_print(json_t *answer);
+
+/* Writes it as summary.json is written, beside and renamed. 0, or errno. */
+int answer_write(const json_t *answer, const char *path);

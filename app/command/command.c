@@ -17,8 +17,8 @@ volatile sig_atomic_t command_interrupted;
 
 /* Verbs ----------------------------------------------------------------------------------------------------------- */
 
-enum { FOR_RUN = 1, FOR_CHECK = 2, FOR_COMPARE = 4, FOR_LOCI = 8, FOR_SCHEMA = 16, FOR_CASES = 32 };
-enum { FOR_HOUSES = FOR_RUN | FOR_CHECK | FOR_COMPARE | FOR_LOCI, FOR_FILMS = FOR_RUN | FOR_COMPARE };
+enum { FOR_RUN = 1, FOR_CHECK = 2, FOR_COMPARE = 4, FOR_LOCI = 8, FOR_SCHEMA = 16, FOR_CASES = 32, FOR_STUDY = 64 };
+enum { FOR_HOUSES = FOR_RUN | FOR_CHECK | FOR_COMPARE | FOR_LOCI | FOR_STUDY, FOR_FILMS = FOR_RUN | FOR_COMPARE };
 
 typedef struct Verb {
     const char *name;
@@ -48,6 +48,13 @@ static const Verb verbs[] = {
      "  clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json\n"
      "  clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json --report --out out\n",
      command_compare},
+    {"study", FOR_STUDY, 1, 1, "HOUSE|BEAM",
+     "run it over a range of one or two of its numbers, or many times, and say where the answer changes",
+     "  clearance study houses/flat-0.910-module.json --vary door.d3.width=0.7:1:31 --out out\n"
+     "  clearance study houses/corner-0.90-0.90.json --vary profile.manual-chair.width=0.5:0.7:11 --vary "
+     "profile.manual-chair.length=1:1.2:5\n"
+     "  clearance study houses/ube-techno-house.json --runs 100 --spread profile.manual-chair.free_speed=0.1\n",
+     command_study},
     {"loci", FOR_LOCI, 1, SIZE_MAX, "HOUSE ...",
      "drive each house both ways, miura and driver: times, and how far apart the loci are",
      "  clearance loci houses/corner-*.json\n", command_loci},
@@ -87,7 +94,7 @@ static bool take_seed(Options *options, const char *value) {
     if (!take_whole(value, 0, INT64_MAX, &number))
         return false;
     options->seed = (uint64_t)number;
-    return true;
+    return options->seed_said = true;
 }
 
 static bool take_jobs(Options *options, const char *value) {
@@ -206,6 +213,25 @@ static bool take_theme(Options *options, const char *value) {
     return strcmp(value, "board") == 0 || strcmp(value, "paper") == 0;
 }
 
+static bool take_vary(Options *options, const char *value) {
+    return study_request_vary(&options->study, value, &options->arena);
+}
+
+static bool take_spread(Options *options, const char *value) {
+    return study_request_spread(&options->study, value, &options->arena);
+}
+
+static bool take_sweep(Options *options, const char *value) {
+    return study_request_sweep(&options->study, value);
+}
+
+static bool take_runs(Options *options, const char *value) {
+    long long number;
+    bool good = take_whole(value, 1, STUDY_RUNS_MOST, &number);
+    options->study.runs = good ? (size_t)number : 0;
+    return good;
+}
+
 static const Option option_rows[] = {
     {"--set", "NAME=VALUE", FOR_HOUSES, "change a parameter, for instance door.d1.width=0.8 (repeatable)",
      take_setting},
@@ -214,14 +240,24 @@ static const Option option_rows[] = {
     {"--out", "DIR", FOR_COMPARE,
      "write plan.png, .svg and .pdf, B with the ways in A as \"before\", and what other options ask for", take_out},
     {"--out", "DIR", FOR_CASES, "write cases.html, cases.md and cases.json there", take_out},
+    {"--out", "DIR", FOR_STUDY,
+     "write summary.json and study.csv there, and study.sqlite, from which a study that was stopped goes on", take_out},
+    {"--vary", "NAME=FROM:TO:STEPS", FOR_STUDY,
+     "from FROM to TO in STEPS values, both ends among them, for instance door.d1.width=0.7:1:31 (at most twice)",
+     take_vary},
+    {"--runs", "N", FOR_STUDY, "runs of each point, with seeds of their own, 1 to 100000 (default 1)", take_runs},
+    {"--spread", "NAME=SHARE", FOR_STUDY,
+     "in each run the number is off by a normal deviate of this share of it, such as 0.02 (repeatable)", take_spread},
+    {"--sweep", "reset,up,down", FOR_STUDY,
+     "each run from its start, or from where its neighbour below or above ended; a list (default reset)", take_sweep},
     {"--report", NULL, FOR_RUN | FOR_COMPARE, "write report.html and report.pdf to --out, to be handed on",
      take_report},
     {"--observed", "FILE", FOR_RUN, "measured loci for the report: CSV with columns time, x, y and person",
      take_observed},
     {"--json", NULL, FOR_HOUSES | FOR_CASES, "the answer as one JSON object and nothing else", take_json},
-    {"--route", "ID", FOR_RUN, "only this route's people", take_route},
+    {"--route", "ID", FOR_RUN | FOR_STUDY, "only this route's people", take_route},
     {"--driving", "miura|driver", FOR_HOUSES & ~FOR_LOCI, "drive everybody this way", take_driving},
-    {"--until", "SECONDS", FOR_RUN | FOR_COMPARE, "give up at this simulated time", take_until},
+    {"--until", "SECONDS", FOR_RUN | FOR_COMPARE | FOR_STUDY, "give up at this simulated time", take_until},
     {"--seed", "N", FOR_HOUSES | FOR_CASES, "seed of all chance, from 0 (default 1)", take_seed},
     {"--jobs", "N", FOR_HOUSES | FOR_CASES, "threads, from 1 (default: one a processor); the answer is the same",
      take_jobs},

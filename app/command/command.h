@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "base/memory.h"
+#include "command/study_request.h"
 #include "draw/palette.h"
 #include "draw/view.h"
 #include "laboratory/house_plots.h"
@@ -28,6 +29,7 @@ typedef struct Options {
     const char *out;   /* directory, or NULL */
     const char *route; /* id, or NULL */
     uint64_t seed;
+    bool seed_said;
     int driving; /* Driving, or -1 */
     int jobs;
     bool json, quiet;
@@ -41,7 +43,8 @@ typedef struct Options {
     HousePlotsChoice plots;
     bool report;          /* write one */
     const char *observed; /* file of measured loci, or NULL */
-    char **arguments;     /* (argument_count) the command line, as given */
+    StudyRequest study;
+    char **arguments; /* (argument_count) the command line, as given */
     int argument_count;
     Arena arena; /* holds what was made of the words */
 } Options;
@@ -59,3 +62,4 @@ int command_cases(const Options *options);
 int command_compare(const Options *options);
 int command_loci(const Options *options);
 int command_schema(const Options *options);
+int command_study(const Options *options);

@@ -1,9 +1,6 @@
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "base/text.h"
 #include "beam/beam.h"
 #include "command/answer.h"
 #include "command/answer_text.h"
@@ -18,9 +15,7 @@
 
 static int write_summary(const House *house, const Observation *observation, const char *path) {
     json_t *answer = answer_house(house, observation);
-    char *text = json_dumps(answer, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
-    int error = text_write_file(path, text, strlen(text));
-    free(text);
+    int error = answer_write(answer, path);
     json_decref(answer);
     return error;
 }

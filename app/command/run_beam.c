@@ -3,10 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "base/text.h"
 #include "beam/response.h"
 #include "command/answer.h"
 #include "command/house_file.h"
@@ -160,9 +157,7 @@ static json_t *make_answer(const Response *response, const TypeAnswer *type, con
 static bool write_data(const Response *response, json_t *answer, const char *out) {
     char path[4096];
     snprintf(path, sizeof path, "%s/summary.json", out);
-    char *text = json_dumps(answer, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
-    int error = text_write_file(path, text, strlen(text));
-    free(text);
+    int error = answer_write(answer, path);
     if (!error) {
         snprintf(path, sizeof path, "%s/trace.csv", out);
         error = trace_write_csv(&response->trace, path);

@@ -1,6 +1,7 @@
 /* A digest of numbers: 64 bits that differ when any bit of what went in does. */
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -17,6 +18,18 @@ static inline uint64_t digest_mix(uint64_t digest, double value) {
 
 static inline uint64_t digest_pair(uint64_t digest, Vec2 pair) {
     return digest_mix(digest_mix(digest, pair.x), pair.y);
+}
+
+static inline uint64_t digest_bytes(uint64_t digest, const void *bytes, size_t count) {
+    const unsigned char *byte = (const unsigned char *)bytes;
+    for (size_t i = 0; i < count; i++)
+        digest = (digest ^ byte[i]) * 0x100000001b3u;
+    return (digest ^ count) * 0x9e3779b97f4a7c15u;
+}
+
+/* A text with its end, so that two texts are not one. */
+static inline uint64_t digest_text(uint64_t digest, const char *text) {
+    return digest_bytes(digest, text, strlen(text) + 1);
 }
 
 /* One digest after another; the order counts. */

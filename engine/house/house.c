@@ -55,18 +55,36 @@ static void read_profiles(House *house, const char *path, const HouseOptions *op
     }
 }
 
-/* profile.NAME.PARAMETER */
-static void apply_override(House *house, const Override *override, Fault *fault) {
-    const char *name = override->name + strlen("profile.");
+/* The one that profile.NAME.PARAMETER means, whose PARAMETER begins at `*parameter`. */
+static Profile *find_profile(const House *house, const char *path, const char **parameter, const char *place,
+                             Fault *fault) {
+    const char *name = path + strlen("profile.");
     size_t length = strcspn(name, ".");
+    *parameter = name + length + 1;
     for (size_t i = 0; i < house->profile_count; i++) {
         Profile *profile = &house->profiles[i];
-        if (strlen(profile->name) == length && memcmp(profile->name, name, length) == 0) {
-            profile_set(profile, name + length + 1, override->value, override->place, fault);
-            return;
-        }
+        if (strlen(profile->name) == length && memcmp(profile->name, name, length) == 0)
+            return profile;
     }
-    fault_add(fault, "%sno person has the profile \"%.*s\"", override->place, (int)length, name);
+    fault_add(fault, "%sno person has the profile \"%.*s\"", place, (int)length, name);
+    return NULL;
+}
+
+static void apply_override(House *house, const Override *override, Fault *fault) {
+    const char *parameter;
+    Profile *profile = find_profile(house, override->name, &parameter, override->place, fault);
+    if (profile)
+        profile_set(profile, parameter, override->value, override->place, fault);
+}
+
+const Parameter *house_parameter(const House *house, const char *name, const void **object, const char *place,
+                                 Fault *fault) {
+    if (!plan_is_of_profile(name))
+        return plan_parameter(&house->plan, name, object, place, fault);
+    const char *parameter;
+    const Profile *profile = find_profile(house, name, &parameter, place, fault);
+    *object = profile;
+    return profile ? profile_parameter(profile, parameter, place, fault) : NULL;
 }
 
 /* Where the profile is named first. */

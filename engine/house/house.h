@@ -54,3 +54,7 @@ typedef struct HouseOptions {
 /* Reads a house file and the profiles it names. False: faults say where and what, and the house is as it was. */
 bool house_read(House *house, const char *path, const HouseOptions *options, Fault *fault);
 void house_free(House *house);
+
+/* As plan_parameter, of the profiles too: "profile.manual-chair.width". */
+const Parameter *house_parameter(const House *house, const char *name, const void **object, const char *place,
+                                 Fault *fault);

@@ -52,6 +52,11 @@ static const bool *read_list(Plan *plan, const PlanList *list, const JsonNode *r
     return sound;
 }
 
+bool plan_is_of_profile(const char *name) {
+    int used = 0;
+    return sscanf(name, "profile.%*63[A-Za-z0-9_-].%n", &used) == 0 && used && name[used];
+}
+
 /* A parameter of a profile: for whoever reads the profiles. There is room in plan->overrides. */
 static void keep_override(Plan *plan, const char *name, const JsonNode *node, const char *place) {
     char *value = json_line(node->value);
@@ -60,30 +65,17 @@ static void keep_override(Plan *plan, const char *name, const JsonNode *node, co
     memory_free(value);
 }
 
-/* One NAME = value: applied to the plan, or kept for the profiles. The node points at the value, which stands at
- * `place`, in the plan's arena. */
-static void apply_setting(Plan *plan, const char *name, const JsonNode *node, const char *place, Fault *fault) {
-    char kind[32], id[64];
-    int used = 0;
-    if (sscanf(name, "run.%n", &used) == 0 && used) {
-        const Parameter *row = parameters_find(&plan_tables_run, name + used);
-        if (row)
-            parameters_read_value(row, &plan->run, node, &plan->arena, fault);
-        else
-            parameters_fault_unknown(&plan_tables_run, name + used, node, fault);
-        return;
-    }
-    if (sscanf(name, "%31[a-z].%63[A-Za-z0-9_-].%n", kind, id, &used) < 2 || !used || !name[used]) {
-        json_fault(node, fault,
-                   "\"%.80s\" is no parameter's name: run.NAME, or KIND.ID.NAME such as door.d1.width or "
-                   "profile.manual-chair.width",
-                   name);
-        return;
-    }
-    if (strcmp(kind, "profile") == 0) {
-        keep_override(plan, name, node, place);
-        return;
-    }
+/* What a setting's NAME means. */
+typedef struct Target {
+    const Parameter *row;
+    void *object;
+    const PlanList *list; /* NULL: the run's settings */
+    size_t index;
+} Target;
+
+/* KIND.ID.NAME, the last beginning at name + used. False: a fault says what there is instead. */
+static bool find_in_lists(const Plan *plan, Target *target, const char *kind, const char *id, const char *name,
+                          const JsonNode *node, Fault *fault) {
     const char *kinds[PLAN_LISTS + 2] = {"profile", "run"};
     for (size_t l = 0; l < PLAN_LISTS; l++) {
         const PlanList *list = &plan_tables_lists[l];
@@ -91,19 +83,66 @@ static void apply_setting(Plan *plan, const char *name, const JsonNode *node, co
         if (strcmp(list->table.what, kind) != 0)
             continue;
         size_t index = plan_tables_find(plan, list, id);
-        const Parameter *row = parameters_find(&list->table, name + used);
-        if (index == SIZE_MAX)
+        const Parameter *row = parameters_find(&list->table, name),
+                        *component = parameters_find(&list->components, name);
+        if (index == SIZE_MAX) {
             json_fault(node, fault, "there is no %s \"%s\"", kind, id);
-        else if (!row)
-            parameters_fault_unknown(&list->table, name + used, node, fault);
-        else if (parameters_read_value(row, plan_tables_element(plan, list, index), node, &plan->arena, fault))
-            plan_tables_renamed(plan, list, index);
-        return;
+            return false;
+        }
+        if (!row && !component) {
+            bool of_point = list->components.count && (strcmp(name, "x") == 0 || strcmp(name, "y") == 0);
+            parameters_fault_unknown(of_point ? &list->components : &list->table, name, node, fault);
+            return false;
+        }
+        *target = (Target){row ? row : component, plan_tables_element(plan, list, index), list, index};
+        return true;
     }
     const char *nearest = text_nearest(kind, kinds, PLAN_LISTS + 2);
     json_fault(node, fault, "unknown kind \"%s\"%s%s%s", kind,
                nearest ? ", did you mean \"" : ", known are wall, door, ",
                nearest ? nearest : "furniture, room, exit, person, crowd, route, profile, run", nearest ? "\"?" : "");
+    return false;
+}
+
+/* Any name but a profile's. */
+static bool find_target(const Plan *plan, Target *target, const char *name, const JsonNode *node, Fault *fault) {
+    char kind[32], id[64];
+    int used = 0;
+    if (sscanf(name, "run.%n", &used) == 0 && used) {
+        *target = (Target){.row = parameters_find(&plan_tables_run, name + used), .object = (void *)&plan->run};
+        if (!target->row)
+            parameters_fault_unknown(&plan_tables_run, name + used, node, fault);
+        return target->row;
+    }
+    if (sscanf(name, "%31[a-z].%63[A-Za-z0-9_-].%n", kind, id, &used) == 2 && used && name[used])
+        return find_in_lists(plan, target, kind, id, name + used, node, fault);
+    json_fault(node, fault,
+               "\"%.80s\" is no parameter's name: run.NAME, or KIND.ID.NAME such as door.d1.width or "
+               "profile.manual-chair.width",
+               name);
+    return false;
+}
+
+/* One NAME = value: applied to the plan, or kept for the profiles. The node points at the value, which stands at
+ * `place`, in the plan's arena. */
+static void apply_setting(Plan *plan, const char *name, const JsonNode *node, const char *place, Fault *fault) {
+    Target target;
+    if (plan_is_of_profile(name))
+        keep_override(plan, name, node, place);
+    else if (find_target(plan, &target, name, node, fault) &&
+             parameters_read_value(target.row, target.object, node, &plan->arena, fault) && target.list)
+        plan_tables_renamed(plan, target.list, target.index);
+}
+
+const Parameter *plan_parameter(const Plan *plan, const char *name, const void **object, const char *place,
+                                Fault *fault) {
+    JsonFile file = {.path = (char *)place};
+    JsonNode node = json_root(&file);
+    Target target;
+    if (!find_target(plan, &target, name, &node, fault))
+        return NULL;
+    *object = target.object;
+    return target.row;
 }
 
 static void read_overrides(Plan *plan, const JsonNode *node, Fault *fault) {

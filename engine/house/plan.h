@@ -153,6 +153,14 @@ typedef struct Plan {
  * the whole. False: faults say where and what, and the plan is as it was. */
 bool plan_read(Plan *plan, const char *path, const char *const *settings, size_t setting_count, Fault *fault);
 
+/* The parameter that a setting's NAME means, "door.d1.width" or "person.p1.at.x", and what has it. NULL: a fault, which
+ * begins with `place`, says what there is instead. */
+const Parameter *plan_parameter(const Plan *plan, const char *name, const void **object, const char *place,
+                                Fault *fault);
+
+/* Is it "profile.ID.NAME", which only whoever has read the profiles can find? */
+bool plan_is_of_profile(const char *name);
+
 /* Writes the plan so that reading it again gives the same plan. Beside and renamed. 0, or errno. */
 int plan_write(const Plan *plan, const char *path);
 

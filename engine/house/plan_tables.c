@@ -161,18 +161,42 @@ static const Parameter run_rows[] = {
 
 const ParameterTable plan_tables_run = TABLE("run", run_rows);
 
-#define LIST(key_, what_, rows_, array_, count_, type_)                                                                \
-    { key_, TABLE(what_, rows_), offsetof(Plan, array_), offsetof(Plan, count_), sizeof(type_) }
+#define COMPONENT(struct_, point_, axis_, meaning_)                                                                    \
+    {                                                                                                                  \
+        .name = #point_ "." #axis_, .kind = PARAMETER_NUMBER, .offset = offsetof(struct_, point_.axis_), .unit = "m",  \
+        .low = -FARTHEST, .high = FARTHEST, .meaning = meaning_                                                        \
+    }
+#define COMPONENTS(struct_, point_, meaning_)                                                                          \
+    COMPONENT(struct_, point_, x, meaning_ ", along x"), COMPONENT(struct_, point_, y, meaning_ ", along y")
+
+static const Parameter furniture_components[] = {
+    COMPONENTS(Furniture, centre, "middle of the footprint"),
+    COMPONENTS(Furniture, size, "footprint"),
+};
+
+static const Parameter exit_components[] = {
+    COMPONENTS(Exit, from, "one end of the exit"),
+    COMPONENTS(Exit, to, "the other end of the exit"),
+};
+
+static const Parameter person_components[] = {COMPONENTS(Person, at, "start of the reference point")};
+
+#define LIST(key_, what_, rows_, components_, array_, count_, type_)                                                   \
+    { key_, TABLE(what_, rows_), components_, offsetof(Plan, array_), offsetof(Plan, count_), sizeof(type_) }
+#define NO_COMPONENTS                                                                                                  \
+    { NULL, NULL, 0 }
 
 const PlanList plan_tables_lists[PLAN_LISTS] = {
-    [LIST_WALLS] = LIST("walls", "wall", wall_rows, walls, wall_count, Wall),
-    [LIST_DOORS] = LIST("doors", "door", door_rows, doors, door_count, Door),
-    [LIST_FURNITURE] = LIST("furniture", "furniture", furniture_rows, furniture, furniture_count, Furniture),
-    [LIST_ROOMS] = LIST("rooms", "room", room_rows, rooms, room_count, Room),
-    [LIST_EXITS] = LIST("exits", "exit", exit_rows, exits, exit_count, Exit),
-    [LIST_PEOPLE] = LIST("people", "person", person_rows, people, person_count, Person),
-    [LIST_CROWDS] = LIST("crowds", "crowd", crowd_rows, crowds, crowd_count, Crowd),
-    [LIST_ROUTES] = LIST("routes", "route", route_rows, routes, route_count, PlanRoute),
+    [LIST_WALLS] = LIST("walls", "wall", wall_rows, NO_COMPONENTS, walls, wall_count, Wall),
+    [LIST_DOORS] = LIST("doors", "door", door_rows, NO_COMPONENTS, doors, door_count, Door),
+    [LIST_FURNITURE] = LIST("furniture", "furniture", furniture_rows, TABLE("furniture", furniture_components),
+                            furniture, furniture_count, Furniture),
+    [LIST_ROOMS] = LIST("rooms", "room", room_rows, NO_COMPONENTS, rooms, room_count, Room),
+    [LIST_EXITS] = LIST("exits", "exit", exit_rows, TABLE("exit", exit_components), exits, exit_count, Exit),
+    [LIST_PEOPLE] =
+        LIST("people", "person", person_rows, TABLE("person", person_components), people, person_count, Person),
+    [LIST_CROWDS] = LIST("crowds", "crowd", crowd_rows, NO_COMPONENTS, crowds, crowd_count, Crowd),
+    [LIST_ROUTES] = LIST("routes", "route", route_rows, NO_COMPONENTS, routes, route_count, PlanRoute),
 };
 
 void *plan_tables_allocate(Plan *plan, const PlanList *list, size_t count) {

@@ -7,6 +7,7 @@
 typedef struct PlanList {
     const char *key; /* in the file: "walls" */
     ParameterTable table;
+    ParameterTable components; /* of its points, for whoever changes one number: "at.x" */
     size_t array, count, size; /* offsets in Plan, bytes of an element; the first field of each is its id */
 } PlanList;
 

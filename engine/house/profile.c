@@ -176,20 +176,33 @@ bool profile_read(Profile *profile, const char *path, Fault *fault) {
     return true;
 }
 
+static const Parameter *find_row(const Profile *profile, const char *name, const JsonNode *node, Fault *fault) {
+    const Parameter *row = strcmp(name, "driving") == 0 ? &driving_row : parameters_find(&table, name);
+    if (!row) {
+        parameters_fault_unknown(&table, name, node, fault);
+    } else if (row != &driving_row && !profile_row_matters((size_t)(row - profile_rows), profile->driving)) {
+        json_fault(node, fault, "%s has no meaning for %s, who %s", row->name, profile->name,
+                   profile->driving == DRIVING_WALKER ? "walks" : "drives");
+        row = NULL;
+    }
+    return row;
+}
+
+const Parameter *profile_parameter(const Profile *profile, const char *name, const char *place, Fault *fault) {
+    JsonFile file = {.path = (char *)place};
+    JsonNode node = json_root(&file);
+    return find_row(profile, name, &node, fault);
+}
+
 bool profile_set(Profile *profile, const char *name, const char *value, const char *place, Fault *fault) {
     size_t before = fault->total;
     char *prefix = memory_allocate(strlen(place) + 1, 1);
     strcpy(prefix, place);
     JsonFile file = {.path = prefix, .root = json_loads(value, JSON_DECODE_ANY, NULL)};
     JsonNode node = json_root(&file);
-    const Parameter *row = strcmp(name, "driving") == 0 ? &driving_row : parameters_find(&table, name);
+    const Parameter *row = find_row(profile, name, &node, fault);
     int before_driving = profile->driving;
-    if (!row)
-        parameters_fault_unknown(&table, name, &node, fault);
-    else if (row != &driving_row && !profile_row_matters((size_t)(row - profile_rows), profile->driving))
-        json_fault(&node, fault, "%s has no meaning for %s, who %s", row->name, profile->name,
-                   profile->driving == DRIVING_WALKER ? "walks" : "drives");
-    else if (parameters_read_value(row, profile, &node, &profile->arena, fault) && row != &driving_row)
+    if (row && parameters_read_value(row, profile, &node, &profile->arena, fault) && row != &driving_row)
         profile->provenance[row - profile_rows] = "assumed: set for this run";
     if ((before_driving == DRIVING_WALKER) != (profile->driving == DRIVING_WALKER)) {
         profile->driving = before_driving;

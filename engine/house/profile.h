@@ -76,6 +76,9 @@ bool profile_read(Profile *profile, const char *path, Fault *fault);
  * ". */
 bool profile_set(Profile *profile, const char *name, const char *value, const char *place, Fault *fault);
 
+/* The row that profile_set would change. NULL: a fault, which begins with `place`, says what there is instead. */
+const Parameter *profile_parameter(const Profile *profile, const char *name, const char *place, Fault *fault);
+
 /* Does the row with this index matter to somebody who gets about in this way? A file gives exactly those that do. */
 bool profile_row_matters(size_t row, int driving);
 

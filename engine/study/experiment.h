@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/fault.h"
 #include "base/memory.h"
 #include "base/parameters.h"
 
@@ -44,8 +45,15 @@ typedef struct Experiment {
     size_t batch; /* runs that are best made together */
     void *given;  /* the laboratory's; any number of threads read it at once */
 
+    /* Digest of what `given` was made of, beside the file and the settings; 0: of nothing else. */
+    uint64_t identity;
+
     /* The parameter of that name, for its unit, range and meaning. NULL: none. */
     const Parameter *(*parameter)(const void *given, const char *name);
+
+    /* Adds a fault, beginning with `place`, about a name that is no parameter's, and says which is meant. NULL: nobody
+     * knows. */
+    void (*unknown)(const void *given, const char *name, const char *place, Fault *fault);
 
     /* Its value when nothing varies it. */
     double (*nominal)(const void *given, const char *name);

@@ -1,0 +1,225 @@
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "base/digest.h"
+#include "base/json.h"
+#include "base/text.h"
+#include "command/answer.h"
+#include "command/command.h"
+#include "command/house_file.h"
+#include "command/output.h"
+#include "command/study_answer.h"
+#include "command/study_laboratory.h"
+#include "command/study_words.h"
+#include "study/record.h"
+#include "study/store.h"
+#include "study/summary.h"
+
+/* One study on its way from the command line to its answer. */
+typedef struct StudyJob {
+    const Options *options;
+    const StudyLaboratory *laboratory;
+    Experiment experiment;
+    Study study;
+    uint64_t content; /* digest of the file */
+    StoreFound found;
+    struct timespec begin;
+    size_t done_before;
+    bool shown; /* progress */
+} StudyJob;
+
+/* What is asked -------------------------------------------------------------------------------------------------- */
+
+static uint64_t file_digest(const char *path) {
+    size_t size = 0;
+    char *text = text_read_file(path, JSON_LARGEST_FILE, &size);
+    uint64_t digest = text ? digest_bytes(DIGEST_START, text, size) : 0;
+    memory_free(text);
+    return digest;
+}
+
+/* Of what the results depend on besides the study's own numbers: another program of the same version is another one. */
+static uint64_t given_digest(const StudyJob *job) {
+    uint64_t digest = digest_text(digest_chain(DIGEST_START, job->content), CLEARANCE_VERSION);
+    digest = digest_chain(digest, file_digest("/proc/self/exe"));
+    for (size_t i = 0; i < job->options->setting_count; i++)
+        digest = digest_text(digest, job->options->settings[i]);
+    return digest;
+}
+
+/* One run is the nominal one, unless a seed is named. */
+static void make_study(StudyJob *job) {
+    const StudyRequest *request = &job->options->study;
+    Study *study = &job->study;
+    *study = (Study){.experiment = &job->experiment,
+                     .axis_count = request->axis_count,
+                     .spread_count = request->spread_count,
+                     .pass_count = request->pass_count ? request->pass_count : 1, /* reset */
+                     .runs = request->runs ? request->runs : 1};
+    memcpy(study->axes, request->axes, sizeof study->axes);
+    memcpy(study->spreads, request->spreads, sizeof study->spreads);
+    memcpy(study->passes, request->passes, sizeof study->passes);
+    study->seed = study->runs > 1 || job->options->seed_said ? job->options->seed : 0;
+}
+
+static bool open_study(StudyJob *job, Fault *fault) {
+    job->content = file_digest(job->options->files[0]);
+    job->laboratory = study_laboratory_open(&job->experiment, job->options, fault);
+    if (!job->laboratory)
+        return false;
+    make_study(job);
+    if (!job->study.axis_count && job->study.runs < 2)
+        fault_add(fault, "clearance: nothing is studied: --vary NAME=FROM:TO:STEPS or --runs N would be right");
+    else if (study_check(&job->study, fault))
+        return true;
+    job->laboratory->close(&job->experiment);
+    return false;
+}
+
+/* Running -------------------------------------------------------------------------------------------------------- */
+
+static double seconds_since(const struct timespec *begin) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)(now.tv_sec - begin->tv_sec) + 1e-9 * (double)(now.tv_nsec - begin->tv_nsec);
+}
+
+/* Once the work has taken more than a second. */
+static void show_progress(void *context, size_t done, size_t all) {
+    StudyJob *job = context;
+    double seconds = seconds_since(&job->begin);
+    if (seconds < 1 || done <= job->done_before)
+        return;
+    double left = seconds * (double)(all - done) / (double)(done - job->done_before);
+    fprintf(stderr, "\r%zu of %zu runs, %.0f s left    ", done, all, left);
+    job->shown = true;
+}
+
+/* What is in the file already. */
+static void tell_found(const StudyJob *job) {
+    size_t done = job->found.done, all = job->study.trial_count;
+    if (job->options->quiet)
+        return;
+    if (done == all)
+        fprintf(stderr, "clearance: all %zu runs are read back from %s/study.sqlite\n", all, job->options->out);
+    else if (done)
+        fprintf(stderr, "clearance: goes on in %s/study.sqlite, where %zu of %zu runs are done\n", job->options->out,
+                done, all);
+    else if (job->found.others)
+        fprintf(stderr,
+                "clearance: %s/study.sqlite has another study: file, settings, range or program have changed since, "
+                "this one begins anew beside it\n",
+                job->options->out);
+}
+
+static bool is_whole(const Study *study) {
+    return study_done(study) == study->trial_count;
+}
+
+static void run_study(StudyJob *job, Store *store) {
+    const Options *options = job->options;
+    bool show = !options->quiet && isatty(STDERR_FILENO);
+    clock_gettime(CLOCK_MONOTONIC, &job->begin);
+    job->done_before = study_done(&job->study);
+    study_run(&job->study, &(StudyOptions){.jobs = options->jobs,
+                                           .stop = &command_interrupted,
+                                           .progress = show ? show_progress : NULL,
+                                           .context = job,
+                                           .keep = store ? store_keep : NULL,
+                                           .keeper = store});
+    if (job->shown)
+        fprintf(stderr, "\r%50s\r", "");
+    if (!is_whole(&job->study))
+        fprintf(stderr, "clearance: interrupted after %zu of %zu runs%s\n", study_done(&job->study),
+                job->study.trial_count, store ? "; the same command goes on from there" : "");
+}
+
+/* Are the files still those that the study began with? Each run of a house reads them. */
+static bool is_unchanged(const StudyJob *job) {
+    Experiment again;
+    Fault fault = {0};
+    bool same =
+        file_digest(job->options->files[0]) == job->content && job->laboratory->open(&again, job->options, &fault);
+    if (same) {
+        same = again.identity == job->experiment.identity;
+        job->laboratory->close(&again);
+    }
+    fault_clear(&fault);
+    return same;
+}
+
+/* Runs what is not done yet, kept in a file when there is --out. False: faults. */
+static bool run_kept(StudyJob *job, Fault *fault) {
+    const Options *options = job->options;
+    Store *store = NULL;
+    if (options->out) {
+        char path[OUTPUT_PATH];
+        snprintf(path, sizeof path, "%s/study.sqlite", options->out);
+        store = store_open(path, &job->study, study_digest(&job->study, given_digest(job)), &job->found, fault);
+        if (!store)
+            return false;
+        tell_found(job);
+    }
+    run_study(job, store);
+    bool same = is_unchanged(job);
+    if (!same)
+        fault_add(fault, "%s or a profile was changed while it was studied: the runs are of both and not kept",
+                  options->files[0]);
+    if (store && !same)
+        store_forget(store);
+    return (!store || store_close(store, fault)) && same;
+}
+
+/* Answering ------------------------------------------------------------------------------------------------------ */
+
+static bool write_tables(const StudyJob *job, const json_t *answer) {
+    static const struct {
+        const char *name;
+        int (*write)(const Study *study, const char *path);
+    } tables[] = {{"study.csv", record_write_trials},
+                  {"study-series.csv", record_write_series},
+                  {"study-points.csv", record_write_points}};
+    const bool wanted[] = {true, job->experiment.series, job->study.runs > 1};
+    char path[OUTPUT_PATH];
+    snprintf(path, sizeof path, "%s/summary.json", job->options->out);
+    int error = answer_write(answer, path);
+    for (size_t t = 0; t < sizeof tables / sizeof *tables && !error; t++) {
+        snprintf(path, sizeof path, "%s/%s", job->options->out, tables[t].name);
+        error = wanted[t] ? tables[t].write(&job->study, path) : 0;
+    }
+    if (error)
+        output_failed(path, error);
+    return !error;
+}
+
+/* Prints and writes the answer; the exit code. */
+static int answer_study(const StudyJob *job) {
+    const Options *options = job->options;
+    json_t *answer = study_answer_make(&job->study, options->files[0]);
+    bool written = !options->out || write_tables(job, answer);
+    if (options->json)
+        answer_print(json_incref(answer));
+    else
+        study_words_print(&job->study, job->laboratory, options->files[0]);
+    if (options->out && written && !options->json)
+        printf("\ndata are in %s\n", options->out);
+    json_decref(answer);
+    bool any = summary_count(&job->study).regular && is_whole(&job->study);
+    return !written ? EXIT_WRONG_INPUT : any ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+}
+
+int command_study(const Options *options) {
+    StudyJob job = {.options = options};
+    Fault fault = {0};
+    if (options->out && !output_directory(options->out))
+        return EXIT_WRONG_INPUT;
+    if (!open_study(&job, &fault))
+        return house_file_report(&fault);
+    study_begin(&job.study);
+    int code = run_kept(&job, &fault) ? answer_study(&job) : house_file_report(&fault);
+    study_clear(&job.study);
+    job.laboratory->close(&job.experiment);
+    return code;
+}

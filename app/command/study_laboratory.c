@@ -1,0 +1,24 @@
+#include "command/study_laboratory.h"
+
+#include "command/house_file.h"
+#include "laboratory/house_experiment.h"
+
+static bool open_house(Experiment *experiment, const Options *options, Fault *fault) {
+    HouseOptions house_options = {.profiles = house_file_profiles(),
+                                  .settings = options->settings,
+                                  .setting_count = options->setting_count,
+                                  .seed = options->seed,
+                                  .driving = options->driving};
+    return house_experiment_open(experiment, options->files[0], &house_options, options->route, fault);
+}
+
+static const StudyLaboratory laboratories[] = {
+    {NULL, open_house, house_experiment_close, "way", "out", "not out", "sometimes out"},
+};
+
+const StudyLaboratory *study_laboratory_open(Experiment *experiment, const Options *options, Fault *fault) {
+    const StudyLaboratory *laboratory = laboratories;
+    while (laboratory->is_file && !laboratory->is_file(options->files[0]))
+        laboratory++;
+    return laboratory->open(experiment, options, fault) ? laboratory : NULL;
+}

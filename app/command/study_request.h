@@ -1,0 +1,21 @@
+/* What a command line asks of a study, read from its words. */
+#pragma once
+
+#include "base/memory.h"
+#include "study/study.h"
+
+typedef struct StudyRequest {
+    StudyAxis axes[STUDY_AXES_MOST];
+    size_t axis_count;
+    StudySpread spreads[STUDY_SPREADS_MOST];
+    size_t spread_count;
+    StudyPass passes[STUDY_PASSES];
+    size_t pass_count; /* 0: not said */
+    size_t runs;       /* 0: not said */
+} StudyRequest;
+
+/* NAME=FROM:TO:STEPS, NAME=SHARE, and a list of reset, up, down. False: the words are not of that form, or one too
+ * many. Names are kept by the arena. */
+bool study_request_vary(StudyRequest *request, const char *words, Arena *arena);
+bool study_request_spread(StudyRequest *request, const char *words, Arena *arena);
+bool study_request_sweep(StudyRequest *request, const char *words);

@@ -1,0 +1,93 @@
+#include "study/montecarlo.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/memory.h"
+
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Of sorted numbers, count at least 1: the k-th of n numbers is the quantile (k - 1) / (n - 1). */
+static double quantile(const double *sorted, size_t count, double share) {
+    double place = share * (double)(count - 1);
+    size_t below = (size_t)place;
+    if (below + 1 >= count)
+        return sorted[count - 1];
+    return sorted[below] + (place - (double)below) * (sorted[below + 1] - sorted[below]);
+}
+
+static double deviation_of(const double *numbers, size_t count, double mean) {
+    double squares = 0;
+    for (size_t i = 0; i < count; i++)
+        squares += (numbers[i] - mean) * (numbers[i] - mean);
+    return count > 1 ? sqrt(squares / (double)(count - 1)) : (double)NAN;
+}
+
+Distribution montecarlo_distribution(const double *numbers, size_t count) {
+    const double none = (double)NAN;
+    Distribution d = {.mean = none, .deviation = none, .error = none, .low = none, .median = none, .high = none};
+    d.least = d.greatest = none;
+    double *finite = memory_allocate(count, sizeof *finite), sum = 0;
+    for (size_t i = 0; i < count; i++)
+        if (isfinite(numbers[i]))
+            sum += finite[d.count++] = numbers[i];
+    if (d.count) {
+        qsort(finite, d.count, sizeof *finite, ascending);
+        d.mean = sum / (double)d.count;
+        d.deviation = deviation_of(finite, d.count, d.mean);
+        d.error = d.deviation / sqrt((double)d.count);
+        d.low = quantile(finite, d.count, 0.05);
+        d.median = quantile(finite, d.count, 0.5);
+        d.high = quantile(finite, d.count, 0.95);
+        d.least = finite[0];
+        d.greatest = finite[d.count - 1];
+    }
+    memory_free(finite);
+    return d;
+}
+
+/* The interval of all shares p from which the one that was seen is within CONFIDENT sqrt(p (1 - p) / n). */
+static void estimate_share(MontecarloPoint *point) {
+    static const double CONFIDENT = 1.959964; /* standard deviations that hold 95 % of a normal distribution */
+    if (!point->told)
+        return;
+    double n = (double)point->told, square = CONFIDENT * CONFIDENT / n;
+    double share = (double)point->regular / n;
+    double middle = (share + square / 2) / (1 + square);
+    double half = sqrt(square * (share * (1 - share) + square / 4)) / (1 + square);
+    point->share = share;
+    point->share_low = point->regular ? middle - half : 0;
+    point->share_high = point->regular < point->told ? middle + half : 1;
+}
+
+MontecarloPoint montecarlo_point(const Study *study, size_t pass, size_t i1, size_t i0) {
+    const Experiment *experiment = study->experiment;
+    MontecarloPoint point = {.share = (double)NAN, .share_low = (double)NAN, .share_high = (double)NAN};
+    point.observables = experiment->observable_count;
+    point.of = memory_allocate(point.observables, sizeof *point.of);
+    for (size_t run = 0; run < study->runs; run++) {
+        const Trial *trial = study_trial(study, pass, run, i1, i0);
+        double regular = trial->observed[experiment->regular];
+        point.done += trial->done;
+        point.faults += trial->done && trial->fault;
+        point.told += trial->done && !isnan(regular);
+        point.regular += trial->done && regular == 1;
+    }
+    estimate_share(&point);
+    double *numbers = memory_allocate(study->runs, sizeof *numbers);
+    for (size_t o = 0; o < point.observables; o++) {
+        for (size_t run = 0; run < study->runs; run++)
+            numbers[run] = study_trial(study, pass, run, i1, i0)->observed[o];
+        point.of[o] = montecarlo_distribution(numbers, study->runs);
+    }
+    memory_free(numbers);
+    return point;
+}
+
+void montecarlo_clear(MontecarloPoint *point) {
+    memory_free(point->of);
+    *point = (MontecarloPoint){0};
+}

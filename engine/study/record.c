@@ -1,0 +1,200 @@
+#include "study/record.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include "base/memory.h"
+#include "base/text.h"
+#include "study/montecarlo.h"
+
+/* Sheets --------------------------------------------------------------------------------------------------------- */
+
+/* A table on its way to the disk, cell by cell: a map's series have millions of rows. */
+typedef struct Sheet {
+    const char *path;
+    char *beside;
+    FILE *file;     /* NULL: it could not be made */
+    bool is_within; /* a row */
+    int error;
+} Sheet;
+
+static Sheet open_sheet(const char *path) {
+    Sheet sheet = {.path = path, .beside = text_beside(path)};
+    sheet.file = fopen(sheet.beside, "wb");
+    sheet.error = sheet.file ? 0 : errno;
+    return sheet;
+}
+
+static int close_sheet(Sheet *sheet) {
+    if (sheet->file) {
+        if (fflush(sheet->file) || ferror(sheet->file) || fsync(fileno(sheet->file)))
+            sheet->error = errno ? errno : EIO;
+        if (fclose(sheet->file) && !sheet->error)
+            sheet->error = errno;
+        if (!sheet->error && rename(sheet->beside, sheet->path))
+            sheet->error = errno;
+        if (sheet->error)
+            unlink(sheet->beside);
+    }
+    memory_free(sheet->beside);
+    return sheet->error;
+}
+
+static void begin_cell(Sheet *sheet) {
+    if (sheet->is_within)
+        putc(',', sheet->file);
+    sheet->is_within = true;
+}
+
+static void end_row(Sheet *sheet) {
+    fputs("\r\n", sheet->file);
+    sheet->is_within = false;
+}
+
+static void add_number(Sheet *sheet, double value) {
+    begin_cell(sheet);
+    if (!isnan(value))
+        fprintf(sheet->file, "%.9g", value);
+}
+
+static void add_count(Sheet *sheet, uint64_t count) {
+    begin_cell(sheet);
+    fprintf(sheet->file, "%" PRIu64, count);
+}
+
+static void add_word(Sheet *sheet, const char *word) {
+    begin_cell(sheet);
+    fputs(word, sheet->file);
+}
+
+/* In quotes, those inside doubled; nothing for NULL. */
+static void add_quoted(Sheet *sheet, const char *words) {
+    begin_cell(sheet);
+    if (!words)
+        return;
+    putc('"', sheet->file);
+    for (const char *c = words; *c; c++) {
+        if (*c == '"')
+            putc('"', sheet->file);
+        putc(*c, sheet->file);
+    }
+    putc('"', sheet->file);
+}
+
+static void add_head(Sheet *sheet, const char *name, const char *kind, const char *unit) {
+    begin_cell(sheet);
+    fprintf(sheet->file, "%s%s%s [%s]", name, *kind ? "_" : "", kind, *unit ? unit : "1");
+}
+
+/* Tables --------------------------------------------------------------------------------------------------------- */
+
+static void add_names_head(Sheet *sheet, const Study *study, size_t count) {
+    const Experiment *experiment = study->experiment;
+    for (size_t n = 0; n < count; n++)
+        add_head(sheet, study->names[n], "", experiment->parameter(experiment->given, study->names[n])->unit);
+    add_head(sheet, "pass", "", "");
+}
+
+/* What tells one trial from another. */
+static void add_trial(Sheet *sheet, const Study *study, size_t index) {
+    const Trial *trial = &study->trials[index];
+    for (size_t n = 0; n < study->name_count; n++)
+        add_number(sheet, trial->at[n]);
+    add_word(sheet, study_pass_name(study->passes[study_pass_of(study, index)]));
+    add_count(sheet, trial->seed);
+}
+
+int record_write_trials(const Study *study, const char *path) {
+    const Experiment *experiment = study->experiment;
+    Sheet sheet = open_sheet(path);
+    if (!sheet.file)
+        return close_sheet(&sheet);
+    add_names_head(&sheet, study, study->name_count);
+    add_head(&sheet, "seed", "", "");
+    for (size_t o = 0; o < experiment->observable_count; o++)
+        add_head(&sheet, experiment->observables[o].name, "", experiment->observables[o].unit);
+    add_head(&sheet, "fault", "", "");
+    end_row(&sheet);
+    for (size_t t = 0; t < study->trial_count; t++) {
+        const Trial *trial = &study->trials[t];
+        if (!trial->done)
+            continue;
+        add_trial(&sheet, study, t);
+        for (size_t o = 0; o < experiment->observable_count; o++)
+            add_number(&sheet, trial->observed[o]);
+        add_quoted(&sheet, trial->fault);
+        end_row(&sheet);
+    }
+    return close_sheet(&sheet);
+}
+
+int record_write_series(const Study *study, const char *path) {
+    const Observable *series = study->experiment->series;
+    Sheet sheet = open_sheet(path);
+    if (!sheet.file)
+        return close_sheet(&sheet);
+    add_names_head(&sheet, study, study->name_count);
+    add_head(&sheet, "seed", "", "");
+    add_head(&sheet, "place", "", "");
+    add_head(&sheet, series->name, "", series->unit);
+    end_row(&sheet);
+    for (size_t t = 0; t < study->trial_count; t++) {
+        const Trial *trial = &study->trials[t];
+        for (size_t i = 0; i < trial->series_count && trial->done; i++) {
+            add_trial(&sheet, study, t);
+            add_count(&sheet, i + 1);
+            add_number(&sheet, trial->series[i]);
+            end_row(&sheet);
+        }
+    }
+    return close_sheet(&sheet);
+}
+
+static void add_points_head(Sheet *sheet, const Study *study) {
+    static const char *const counts[] = {"runs", "faults", "regular", "share_regular", "share_q025", "share_q975"};
+    static const char *const kinds[] = {"mean", "deviation", "standard_error", "q05", "q50", "q95"};
+    add_names_head(sheet, study, study->axis_count);
+    for (size_t c = 0; c < sizeof counts / sizeof *counts; c++)
+        add_head(sheet, counts[c], "", "");
+    for (size_t o = 0; o < study->experiment->observable_count; o++)
+        for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+            add_head(sheet, study->experiment->observables[o].name, kinds[k], study->experiment->observables[o].unit);
+    end_row(sheet);
+}
+
+static void add_point(Sheet *sheet, const Study *study, size_t pass, size_t i1, size_t i0) {
+    const size_t steps[STUDY_AXES_MOST] = {i0, i1};
+    MontecarloPoint point = montecarlo_point(study, pass, i1, i0);
+    for (size_t a = 0; a < study->axis_count; a++)
+        add_number(sheet, study_value(&study->axes[a], steps[a]));
+    add_word(sheet, study_pass_name(study->passes[pass]));
+    const size_t counts[] = {point.done, point.faults, point.regular};
+    for (size_t c = 0; c < sizeof counts / sizeof *counts; c++)
+        add_count(sheet, counts[c]);
+    const double shares[] = {point.share, point.share_low, point.share_high};
+    for (size_t s = 0; s < sizeof shares / sizeof *shares; s++)
+        add_number(sheet, shares[s]);
+    for (size_t o = 0; o < point.observables; o++) {
+        const Distribution *d = &point.of[o];
+        const double numbers[] = {d->mean, d->deviation, d->error, d->low, d->median, d->high};
+        for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+            add_number(sheet, numbers[i]);
+    }
+    end_row(sheet);
+    montecarlo_clear(&point);
+}
+
+int record_write_points(const Study *study, const char *path) {
+    Sheet sheet = open_sheet(path);
+    if (!sheet.file)
+        return close_sheet(&sheet);
+    add_points_head(&sheet, study);
+    for (size_t pass = 0; pass < study->pass_count; pass++)
+        for (size_t i1 = 0; i1 < study_steps(study, 1); i1++)
+            for (size_t i0 = 0; i0 < study_steps(study, 0); i0++)
+                add_point(&sheet, study, pass, i1, i0);
+    return close_sheet(&sheet);
+}

@@ -1,0 +1,381 @@
+#include "study/study.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/digest.h"
+#include "base/memory.h"
+#include "base/parallel.h"
+#include "base/random.h"
+
+const char *study_pass_name(StudyPass pass) {
+    static const char *const names[] = {[STUDY_RESET] = "reset", [STUDY_UP] = "up", [STUDY_DOWN] = "down"};
+    return names[pass];
+}
+
+double study_value(const StudyAxis *axis, size_t i) {
+    if (i + 1 == axis->steps && i)
+        return axis->to;
+    double share = axis->steps > 1 ? (double)i / (double)(axis->steps - 1) : 0;
+    return axis->from + (axis->to - axis->from) * share;
+}
+
+/* What is asked -------------------------------------------------------------------------------------------------- */
+
+/* The parameter of that name, if it can be varied; `option` is where it was named. */
+static const Parameter *check_name(const Study *study, const char *option, const char *name, Fault *fault) {
+    const Experiment *experiment = study->experiment;
+    const Parameter *parameter = experiment->parameter(experiment->given, name);
+    char place[200];
+    snprintf(place, sizeof place, "%s %.150s: ", option, name);
+    if (!parameter && experiment->unknown)
+        experiment->unknown(experiment->given, name, place, fault);
+    else if (!parameter)
+        fault_add(fault, "%sa %s has no such number", place, experiment->kind);
+    return parameter;
+}
+
+static void check_whole_steps(const StudyAxis *axis, Fault *fault) {
+    for (size_t i = 0; i < axis->steps; i++) {
+        double value = study_value(axis, i);
+        if (value == floor(value))
+            continue;
+        double apart = fabs(axis->to - axis->from);
+        if (axis->from == floor(axis->from) && axis->to == floor(axis->to))
+            fault_add(fault, "--vary %s: one of the %zu values is %g, must be whole: %.0f steps would be right",
+                      axis->name, axis->steps, value, apart + 1);
+        else
+            fault_add(fault, "--vary %s: one of the values is %g, must be whole", axis->name, value);
+        return;
+    }
+}
+
+static void check_axis(const Study *study, size_t a, Fault *fault) {
+    const StudyAxis *axis = &study->axes[a];
+    const Parameter *parameter = check_name(study, "--vary", axis->name, fault);
+    for (size_t k = 0; k < a; k++)
+        if (strcmp(study->axes[k].name, axis->name) == 0)
+            fault_add(fault, "--vary %s: is varied already, the second must be another parameter", axis->name);
+    if (axis->steps < 1 || axis->steps > STUDY_STEPS_MOST)
+        fault_add(fault, "--vary %s: %zu steps, must be from 1 to %d", axis->name, axis->steps, STUDY_STEPS_MOST);
+    else if (axis->steps == 1 && axis->from != axis->to)
+        fault_add(fault, "--vary %s: one step cannot be at %g and at %g, must be 2 or more", axis->name, axis->from,
+                  axis->to);
+    else if (axis->steps > 1 && axis->from == axis->to)
+        fault_add(fault, "--vary %s: all %zu steps are at %g, FROM and TO must differ", axis->name, axis->steps,
+                  axis->from);
+    else if (parameter && parameter->kind == PARAMETER_WHOLE)
+        check_whole_steps(axis, fault);
+    const double ends[] = {axis->from, axis->to};
+    for (size_t e = 0; e < 2 && parameter; e++)
+        if (!(ends[e] >= parameter->low && ends[e] <= parameter->high)) {
+            fault_add(fault, "--vary %s: %g is out of range, must be from %g to %g%s%s", axis->name, ends[e],
+                      parameter->low, parameter->high, strcmp(parameter->unit, "1") ? " " : "",
+                      strcmp(parameter->unit, "1") ? parameter->unit : "");
+            return;
+        }
+}
+
+static void check_spread(const Study *study, size_t s, Fault *fault) {
+    const StudySpread *spread = &study->spreads[s];
+    const Experiment *experiment = study->experiment;
+    const Parameter *parameter = check_name(study, "--spread", spread->name, fault);
+    bool varied = false;
+    for (size_t a = 0; a < study->axis_count; a++)
+        varied |= strcmp(study->axes[a].name, spread->name) == 0;
+    for (size_t k = 0; k < s; k++)
+        if (strcmp(study->spreads[k].name, spread->name) == 0)
+            fault_add(fault, "--spread %s: is given already", spread->name);
+    if (!(spread->share > 0 && spread->share <= 1))
+        fault_add(fault, "--spread %s: %g, must be over 0 and at most 1, as a share of the value", spread->name,
+                  spread->share);
+    if (parameter && parameter->kind == PARAMETER_WHOLE)
+        fault_add(fault, "--spread %s: is a whole number, only others have tolerances", spread->name);
+    else if (parameter && !varied && experiment->nominal(experiment->given, spread->name) == 0)
+        fault_add(fault, "--spread %s: its value is 0, a share of which is nothing; --set %s=VALUE would be right",
+                  spread->name, spread->name);
+    if (study->runs < 2)
+        fault_add(fault, "--spread %s: one run tells nothing of it, --runs must be 2 or more", spread->name);
+}
+
+static void check_passes(const Study *study, Fault *fault) {
+    for (size_t p = 0; p < study->pass_count; p++) {
+        const char *name = study_pass_name(study->passes[p]);
+        for (size_t k = 0; k < p; k++)
+            if (study->passes[k] == study->passes[p])
+                fault_add(fault, "--sweep: %s is named twice", name);
+        if (study->passes[p] == STUDY_RESET)
+            continue;
+        if (!study->experiment->carries)
+            fault_add(fault, "--sweep %s: each run of a %s begins anew, must be reset", name, study->experiment->kind);
+        else if (!study->axis_count)
+            fault_add(fault, "--sweep %s: nothing is varied along which to go, --vary would be right", name);
+    }
+}
+
+bool study_check(const Study *study, Fault *fault) {
+    size_t before = fault->total;
+    for (size_t a = 0; a < study->axis_count; a++)
+        check_axis(study, a, fault);
+    for (size_t s = 0; s < study->spread_count; s++)
+        check_spread(study, s, fault);
+    check_passes(study, fault);
+    if (study->runs < 1 || study->runs > STUDY_RUNS_MOST)
+        fault_add(fault, "--runs %zu: must be from 1 to %d", study->runs, STUDY_RUNS_MOST);
+    double trials =
+        (double)study->pass_count * (double)study->runs * (double)study_steps(study, 0) * (double)study_steps(study, 1);
+    if (fault->total == before && trials > STUDY_TRIALS_MOST)
+        fault_add(fault, "the study has %.0f runs (steps times steps times runs times sweeps), must be at most %d",
+                  trials, STUDY_TRIALS_MOST);
+    return fault->total == before;
+}
+
+/* Making the trials ---------------------------------------------------------------------------------------------- */
+
+/* The place of a name among the study's, which takes it up when it is new. */
+static size_t take_name(Study *study, const char *name) {
+    for (size_t n = 0; n < study->name_count; n++)
+        if (strcmp(study->names[n], name) == 0)
+            return n;
+    study->names[study->name_count] = name;
+    return study->name_count++;
+}
+
+/* How far off the seed's run is in a parameter, in standard deviations. */
+static double deviate(uint64_t seed, const char *name) {
+    Random random = random_seed(seed, digest_text(DIGEST_START, name));
+    return random_normal(&random, 0, 1);
+}
+
+/* The values of one run's parameters wherever no axis varies them, and by what factor each is off. */
+static void draw_run(const Study *study, uint64_t seed, const size_t *places, double *fixed, double *factors) {
+    const Experiment *experiment = study->experiment;
+    for (size_t n = 0; n < study->name_count; n++) {
+        fixed[n] = n < study->axis_count ? (double)NAN : experiment->nominal(experiment->given, study->names[n]);
+        factors[n] = 1;
+    }
+    for (size_t s = 0; s < study->spread_count && seed; s++)
+        factors[places[s]] *= 1 + study->spreads[s].share * deviate(seed, study->spreads[s].name);
+}
+
+static void fill_run(Study *study, size_t pass, size_t run, const double *fixed, const double *factors, double *at) {
+    for (size_t i1 = 0; i1 < study_steps(study, 1); i1++) {
+        for (size_t i0 = 0; i0 < study_steps(study, 0); i0++) {
+            const size_t steps[STUDY_AXES_MOST] = {i0, i1};
+            size_t index = study_index(study, pass, run, i1, i0);
+            double *own = at + index * study->name_count;
+            for (size_t n = 0; n < study->name_count; n++) {
+                double value = n < study->axis_count ? study_value(&study->axes[n], steps[n]) : fixed[n];
+                own[n] = factors[n] == 1 ? value : value * factors[n];
+            }
+            study->trials[index].at = own;
+            study->trials[index].seed = study->seed + run;
+        }
+    }
+}
+
+void study_begin(Study *study) {
+    size_t places[STUDY_SPREADS_MOST], observables = study->experiment->observable_count;
+    study->name_count = 0;
+    for (size_t a = 0; a < study->axis_count; a++)
+        take_name(study, study->axes[a].name);
+    for (size_t s = 0; s < study->spread_count; s++)
+        places[s] = take_name(study, study->spreads[s].name);
+    study->trial_count = study->pass_count * study->runs * study_steps(study, 1) * study_steps(study, 0);
+    study->trials = memory_allocate(study->trial_count, sizeof *study->trials);
+    study->values = memory_allocate(study->trial_count * (study->name_count + observables), sizeof *study->values);
+    double *observed = study->values + study->trial_count * study->name_count;
+    for (size_t run = 0; run < study->runs; run++) {
+        double fixed[STUDY_NAMES_MOST], factors[STUDY_NAMES_MOST];
+        draw_run(study, study->seed + run, places, fixed, factors);
+        for (size_t pass = 0; pass < study->pass_count; pass++)
+            fill_run(study, pass, run, fixed, factors, study->values);
+    }
+    for (size_t t = 0; t < study->trial_count; t++) {
+        study->trials[t].observed = observed + t * observables;
+        for (size_t o = 0; o < observables; o++)
+            study->trials[t].observed[o] = (double)NAN;
+    }
+}
+
+void study_clear(Study *study) {
+    for (size_t t = 0; t < study->trial_count; t++)
+        trial_clear(&study->trials[t]);
+    memory_free(study->trials);
+    memory_free(study->values);
+    study->trials = NULL;
+    study->values = NULL;
+    study->trial_count = 0;
+}
+
+size_t study_done(const Study *study) {
+    size_t done = 0;
+    for (size_t t = 0; t < study->trial_count; t++)
+        done += study->trials[t].done;
+    return done;
+}
+
+/* Running -------------------------------------------------------------------------------------------------------- */
+
+/* Trials that one call of the experiment does. */
+typedef struct Piece {
+    size_t first, count; /* in Work.order */
+    bool carry;
+} Piece;
+
+typedef struct Work {
+    Study *study;
+    const StudyOptions *options;
+    size_t *order; /* (trial_count) indices of trials */
+    Piece *pieces; /* (piece_count) */
+    size_t piece_count, capacity, ordered;
+    size_t done;
+    pthread_mutex_t lock; /* of `done` and of who reports and keeps */
+} Work;
+
+static bool stopped(const StudyOptions *options) {
+    return options->stop && *options->stop;
+}
+
+static void add_piece(Work *work, size_t first, bool carry) {
+    if (work->ordered == first)
+        return;
+    work->pieces = memory_reserve(work->pieces, &work->capacity, work->piece_count + 1, sizeof *work->pieces);
+    work->pieces[work->piece_count++] = (Piece){first, work->ordered - first, carry};
+}
+
+/* The trials of a pass, in batches; all threads have something to do. */
+static void add_batches(Work *work, size_t pass) {
+    const Study *study = work->study;
+    size_t each = study->trial_count / study->pass_count, begin = work->ordered;
+    for (size_t t = pass * each; t < (pass + 1) * each; t++)
+        if (!study->trials[t].done)
+            work->order[work->ordered++] = t;
+    size_t end = work->ordered, jobs = work->options->jobs > 1 ? (size_t)work->options->jobs : 1;
+    size_t batch = study->experiment->batch, share = (end - begin + jobs - 1) / jobs;
+    batch = batch < 1 ? 1 : batch > share ? share : batch;
+    for (size_t first = begin; first < end; first += batch) {
+        work->ordered = first + batch < end ? first + batch : end;
+        add_piece(work, first, false);
+    }
+    work->ordered = end;
+}
+
+/* The trials along axis 0, one after another, if any of them is missing. */
+static void add_chain(Work *work, size_t pass, size_t run, size_t i1) {
+    const Study *study = work->study;
+    size_t steps = study_steps(study, 0), first = work->ordered;
+    bool missing = false;
+    for (size_t i0 = 0; i0 < steps; i0++)
+        missing |= !study_trial(study, pass, run, i1, i0)->done;
+    for (size_t i = 0; i < steps && missing; i++) {
+        size_t i0 = study->passes[pass] == STUDY_DOWN ? steps - 1 - i : i;
+        work->order[work->ordered++] = study_index(study, pass, run, i1, i0);
+    }
+    add_piece(work, first, true);
+}
+
+static void make_pieces(Work *work) {
+    const Study *study = work->study;
+    for (size_t pass = 0; pass < study->pass_count; pass++) {
+        if (study->passes[pass] == STUDY_RESET) {
+            add_batches(work, pass);
+            continue;
+        }
+        for (size_t run = 0; run < study->runs; run++)
+            for (size_t i1 = 0; i1 < study_steps(study, 1); i1++)
+                add_chain(work, pass, run, i1);
+    }
+}
+
+/* Takes over what came of a piece, in trials of its own; `fresh` lists those that had not been done before. */
+static size_t take_over(Study *study, const size_t *order, Trial *own, size_t count, size_t *fresh) {
+    size_t fresh_count = 0;
+    for (size_t i = 0; i < count; i++) {
+        Trial *trial = &study->trials[order[i]];
+        own[i].done |= own[i].fault != NULL;
+        if (!own[i].done) {
+            trial_clear(&own[i]);
+            continue;
+        }
+        if (!trial->done)
+            fresh[fresh_count++] = order[i];
+        double *observed = trial->observed;
+        memcpy(observed, own[i].observed, study->experiment->observable_count * sizeof *observed);
+        trial_clear(trial);
+        *trial = own[i];
+        trial->observed = observed;
+    }
+    return fresh_count;
+}
+
+static void run_piece(void *context, size_t index) {
+    Work *work = context;
+    Study *study = work->study;
+    const Experiment *experiment = study->experiment;
+    const StudyOptions *options = work->options;
+    const Piece *piece = &work->pieces[index];
+    const size_t *order = work->order + piece->first;
+    if (stopped(options))
+        return;
+    size_t observables = experiment->observable_count;
+    Trial *own = memory_allocate(piece->count, sizeof *own);
+    double *observed = memory_allocate(piece->count * observables, sizeof *observed);
+    size_t *fresh = memory_allocate(piece->count, sizeof *fresh);
+    for (size_t i = 0; i < piece->count * observables; i++)
+        observed[i] = (double)NAN;
+    for (size_t i = 0; i < piece->count; i++) {
+        const Trial *trial = &study->trials[order[i]];
+        own[i] = (Trial){.at = trial->at, .seed = trial->seed, .observed = observed + i * observables};
+    }
+    experiment->run(experiment->given, study->names, study->name_count, own, piece->count, piece->carry, options->stop);
+    pthread_mutex_lock(&work->lock);
+    size_t fresh_count = take_over(study, order, own, piece->count, fresh);
+    work->done += fresh_count;
+    if (options->keep && fresh_count)
+        options->keep(options->keeper, study, fresh, fresh_count);
+    if (options->progress)
+        options->progress(options->context, work->done, study->trial_count);
+    pthread_mutex_unlock(&work->lock);
+    memory_free(fresh);
+    memory_free(observed);
+    memory_free(own);
+}
+
+void study_run(Study *study, const StudyOptions *options) {
+    Work work = {.study = study,
+                 .options = options,
+                 .order = memory_allocate(study->trial_count, sizeof *work.order),
+                 .done = study_done(study),
+                 .lock = PTHREAD_MUTEX_INITIALIZER};
+    make_pieces(&work);
+    parallel_for(options->jobs, work.piece_count, run_piece, &work);
+    memory_free(work.pieces);
+    memory_free(work.order);
+}
+
+/* Identity ------------------------------------------------------------------------------------------------------- */
+
+uint64_t study_digest(const Study *study, uint64_t given) {
+    const Experiment *experiment = study->experiment;
+    uint64_t digest = digest_text(digest_chain(DIGEST_START, given), experiment->kind);
+    digest = digest_chain(digest, experiment->identity);
+    for (size_t o = 0; o < experiment->observable_count; o++)
+        digest = digest_text(digest_text(digest, experiment->observables[o].name), experiment->observables[o].unit);
+    digest = digest_text(digest, experiment->series ? experiment->series->name : "");
+    digest = digest_mix(digest, (double)study->axis_count);
+    for (size_t a = 0; a < study->axis_count; a++) {
+        const StudyAxis *axis = &study->axes[a];
+        digest = digest_mix(digest_mix(digest_text(digest, axis->name), axis->from), axis->to);
+        digest = digest_mix(digest, (double)axis->steps);
+    }
+    digest = digest_mix(digest, (double)study->spread_count);
+    for (size_t s = 0; s < study->spread_count; s++)
+        digest = digest_mix(digest_text(digest, study->spreads[s].name), study->spreads[s].share);
+    for (size_t p = 0; p < study->pass_count; p++)
+        digest = digest_text(digest, study_pass_name(study->passes[p]));
+    digest = digest_mix(digest, (double)study->runs);
+    return digest_bytes(digest, &study->seed, sizeof study->seed);
+}

@@ -1,0 +1,121 @@
+#include "study/summary.h"
+
+#include <math.h>
+
+#include "base/digest.h"
+#include "base/memory.h"
+
+const char *summary_state_name(SummaryState state) {
+    static const char *const names[] = {[SUMMARY_NOTHING] = "nothing",
+                                        [SUMMARY_REGULAR] = "regular",
+                                        [SUMMARY_IRREGULAR] = "not regular",
+                                        [SUMMARY_MIXED] = "mixed",
+                                        [SUMMARY_UNTOLD] = "cannot be told"};
+    return names[state];
+}
+
+static void count_trial(SummaryCount *count, const Study *study, const Trial *trial) {
+    double regular = trial->observed[study->experiment->regular];
+    bool seen = trial->done && !trial->fault;
+    count->trials++;
+    count->done += trial->done;
+    count->faults += trial->done && trial->fault;
+    count->untold += seen && isnan(regular);
+    count->regular += seen && regular == 1;
+    count->irregular += seen && !isnan(regular) && regular != 1;
+}
+
+SummaryCount summary_count(const Study *study) {
+    SummaryCount count = {0};
+    for (size_t t = 0; t < study->trial_count; t++)
+        count_trial(&count, study, &study->trials[t]);
+    return count;
+}
+
+static SummaryState state_of(const SummaryCount *count) {
+    if (count->regular && count->irregular)
+        return SUMMARY_MIXED;
+    return count->regular     ? SUMMARY_REGULAR
+           : count->irregular ? SUMMARY_IRREGULAR
+           : count->untold    ? SUMMARY_UNTOLD
+                              : SUMMARY_NOTHING;
+}
+
+static void count_point(SummaryCount *count, const Study *study, size_t pass, size_t i1, size_t i0) {
+    for (size_t run = 0; run < study->runs; run++)
+        count_trial(count, study, study_trial(study, pass, run, i1, i0));
+}
+
+SummaryState summary_point(const Study *study, size_t pass, size_t i1, size_t i0) {
+    SummaryCount count = {0};
+    count_point(&count, study, pass, i1, i0);
+    return state_of(&count);
+}
+
+SummaryRange *summary_ranges(const Study *study, size_t pass, size_t axis, size_t *count) {
+    size_t steps = study_steps(study, axis), across = study_steps(study, 1 - axis);
+    SummaryRange *ranges = memory_allocate(steps, sizeof *ranges);
+    *count = 0;
+    for (size_t i = 0; i < steps; i++) {
+        SummaryCount counted = {0};
+        for (size_t k = 0; k < across; k++)
+            count_point(&counted, study, pass, axis == 0 ? k : i, axis == 0 ? i : k);
+        SummaryState state = state_of(&counted);
+        if (*count && ranges[*count - 1].state == state)
+            ranges[*count - 1].last = i;
+        else
+            ranges[(*count)++] = (SummaryRange){i, i, state};
+    }
+    return ranges;
+}
+
+/* 1: measures nearer than this are of one answer that has not quite settled. */
+static const double SAME_MEASURE = 0.01;
+
+static bool answers_differ(const Experiment *experiment, const Trial *a, const Trial *b) {
+    const double *x = a->observed, *y = b->observed;
+    double regular = x[experiment->regular], other = y[experiment->regular];
+    if (!a->done || !b->done || a->fault || b->fault || isnan(regular) || isnan(other))
+        return false;
+    if (regular != other || regular != 1)
+        return regular != other;
+    double measure = x[experiment->measure], apart = fabs(measure - y[experiment->measure]);
+    return x[experiment->outcome] != y[experiment->outcome] || apart > SAME_MEASURE * fabs(measure);
+}
+
+bool summary_passes_differ(const Study *study, size_t i1, size_t i0) {
+    for (size_t pass = 1; pass < study->pass_count; pass++)
+        for (size_t run = 0; run < study->runs; run++)
+            if (answers_differ(study->experiment, study_trial(study, 0, run, i1, i0),
+                               study_trial(study, pass, run, i1, i0)))
+                return true;
+    return false;
+}
+
+size_t summary_extreme(const Study *study, bool greatest) {
+    const Experiment *experiment = study->experiment;
+    size_t found = SIZE_MAX;
+    for (size_t t = 0; t < study->trial_count; t++) {
+        const Trial *trial = &study->trials[t];
+        double measure = trial->observed[experiment->measure];
+        if (!trial->done || trial->fault || isnan(measure))
+            continue;
+        double best = found < SIZE_MAX ? study->trials[found].observed[experiment->measure] : 0;
+        if (found == SIZE_MAX || (greatest ? measure > best : measure < best))
+            found = t;
+    }
+    return found;
+}
+
+uint64_t summary_digest(const Study *study) {
+    uint64_t digest = DIGEST_START;
+    for (size_t t = 0; t < study->trial_count; t++) {
+        const Trial *trial = &study->trials[t];
+        digest = digest_mix(digest, trial->done);
+        digest = digest_bytes(digest, trial->at, study->name_count * sizeof *trial->at);
+        digest = digest_bytes(digest, trial->observed, study->experiment->observable_count * sizeof *trial->observed);
+        digest = digest_bytes(digest, trial->series, trial->series_count * sizeof *trial->series);
+        digest = digest_text(digest, trial->fault ? trial->fault : "");
+    }
+    return digest;
+}

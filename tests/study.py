@@ -1,0 +1,233 @@
+#!/usr/bin/env python3
+"""The verb study: answers, files, going on after Ctrl-C, wrong use."""
+
+import csv
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+
+from program import check, end, expect, house, program, run
+
+FLAT = {
+    "format": "clearance-house", "version": 1, "name": "flat",
+    "walls": [{"id": "south", "points": [[0, -0.05], [6, -0.05]], "thickness": 0.1},
+              {"id": "north", "points": [[0, 1.25], [6, 1.25]], "thickness": 0.1},
+              {"id": "west", "points": [[-0.05, -0.05], [-0.05, 1.25]], "thickness": 0.1},
+              {"id": "middle", "points": [[3, 0], [3, 1.2]], "thickness": 0.1}],
+    "doors": [{"id": "d1", "wall": "middle", "at": 0.6, "width": 1}],
+    "exits": [{"id": "e1", "from": [5, 0], "to": [5, 1.2]}],
+    "people": [{"id": "p1", "profile": "manual-chair", "at": [1, 0.6]}],
+}
+DOOR = ("--vary", "door.d1.width=0.6:1.1:11")
+
+
+def draft(folder, name="flat", **members):
+    path = os.path.join(folder, f"{name}.json")
+    pathlib.Path(path).write_text(json.dumps({**FLAT, **members}))
+    return path
+
+
+def summary(folder):
+    return json.loads(pathlib.Path(folder, "summary.json").read_text())
+
+
+def check_answers(folder):
+    flat = draft(folder)
+    done = expect(0, "study", flat, *DOOR)
+    words = done.stdout.splitlines()
+    check(words[0] == f"{flat}: door.d1.width from 0.60 to 1.10 m in 11 steps", f"title {words[0]!r}")
+    check(words[1].startswith("not out at 0.60 m, out from 0.65 m on; the time until everybody is out falls from"),
+          f"answer {words[1]!r}")
+    check(words[3].split()[:3] == ["door.d1.width", "m", "answer"], f"table {words[3]!r}")
+    check(len(words) == 4 + 11, f"a row a value: {len(words)}")
+    answer = json.loads(expect(0, "study", flat, *DOOR, "--json", "--jobs", "1").stdout)
+    check((answer["kind"], answer["experiment"], answer["runs"]) == ("study", "house", 1), f"--json {answer}")
+    check(answer["trials"] == answer["done"] == 11 and answer["faults"] == 0, "--json counts")
+    check([r["answer"] for r in answer["ranges"]] == ["not regular", "regular"], f"ranges {answer['ranges']}")
+    check(answer["ranges"][1]["to"] == 1.1 and answer["best"]["value"] <= answer["worst"]["value"], "best and worst")
+    two = json.loads(expect(0, "study", flat, *DOOR, "--json", "--jobs", "4").stdout)
+    check(two == answer, "--jobs changes nothing")
+    alone = json.loads(run("run", flat, "--set", "door.d1.width=0.65", "--json").stdout)
+    check(answer["worst"]["at"]["door.d1.width"] == 0.65 and answer["worst"]["value"] == alone["time"], "study is run")
+    expect(1, "study", flat, "--vary", "door.d1.width=0.3:0.5:3")
+    late = expect(1, "study", flat, *DOOR, "--until", "1")
+    check("not out throughout" in late.stdout, "--until of a study", late.stdout)
+
+
+def check_maps_and_runs(folder):
+    flat = draft(folder)
+    words = expect(0, "study", flat, "--vary", "door.d1.width=0.6:1.1:3", "--vary",
+                   "profile.manual-chair.width=0.5:0.7:3").stdout
+    check("out in 7 of 9 runs" in words, "a map counts", words)
+    check("# out, . not out; to the right door.d1.width" in words and "0.7 .##" in words, "a map in letters", words)
+    spread = ("--runs", "12", "--spread", "profile.manual-chair.free_speed=0.1")
+    words = expect(0, "study", flat, *spread).stdout
+    check("12 runs, seeds 1 to 12, profile.manual-chair.free_speed with a standard deviation of 10 %" in words, words)
+    check("out in 12 of 12 runs: 100.0 %, with 95 % confidence from 75.8 to 100.0 %" in words, "confidence", words)
+    answer = json.loads(expect(0, "study", flat, *spread, "--json").stdout)
+    time_of = answer["distribution"]["observables"]["time"]
+    check(time_of["count"] == 12 and time_of["q05"] < time_of["q50"] < time_of["q95"], f"distribution {time_of}")
+    check(abs(time_of["standard_error"] * 12 ** 0.5 / time_of["deviation"] - 1) < 1e-9, "standard error")
+    other = json.loads(expect(0, "study", flat, *spread, "--json", "--seed", "13").stdout)
+    check(other["seed"] == 13 and other["digest"] != answer["digest"], "--seed of a study")
+    check("all runs are alike" in expect(0, "study", flat, "--runs", "2").stdout, "nothing left to chance")
+
+
+def check_files(folder):
+    flat, out = draft(folder), os.path.join(folder, "files")
+    expect(0, "study", flat, *DOOR, "--runs", "2", "--spread", "profile.manual-chair.free_speed=0.05", "--out", out)
+    names = {"summary.json", "study.csv", "study-points.csv", "study.sqlite"}
+    check(set(os.listdir(out)) == names, f"--out of a study holds {os.listdir(out)}")
+    with open(os.path.join(out, "study.csv"), newline="") as file:
+        rows = list(csv.reader(file))
+    check(rows[0][:6] == ["door.d1.width [m]", "profile.manual-chair.free_speed [m/s]", "pass [1]", "seed [1]",
+                          "completed [1]", "time [s]"], f"study.csv begins {rows[0]}")
+    check(len(rows) == 1 + 22 and all(len(row) == len(rows[0]) for row in rows), "study.csv has a row a run")
+    with open(os.path.join(out, "study-points.csv"), newline="") as file:
+        rows = list(csv.reader(file))
+    check(len(rows) == 1 + 11 and all(len(row) == len(rows[0]) for row in rows), "study-points.csv has a row a point")
+    wide = expect(0, "study", flat, "--vary", "door.d1.width=1:2:3", "--out", os.path.join(folder, "wide")).stdout
+    check("runs could not be made; the first: " in wide and "door d1" in wide, "runs with faults", wide)
+
+
+def interrupt(arguments, seconds):
+    process = subprocess.Popen([program, "study", *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        process.wait(timeout=seconds)
+    except subprocess.TimeoutExpired:
+        process.send_signal(signal.SIGINT)
+    output, error = process.communicate(timeout=60)
+    return process.returncode, output, error
+
+
+def check_going_on(folder):
+    flat, whole, parts = draft(folder), os.path.join(folder, "whole"), os.path.join(folder, "parts")
+    arguments = [flat, "--vary", "door.d1.width=0.85:1.1:61", "--runs", "3", "--spread",
+                 "profile.manual-chair.free_speed=0.05"]
+    expect(0, "study", *arguments, "--out", whole)
+    code, _, error = interrupt([*arguments, "--out", parts, "--jobs", "1"], 0.7)
+    before = summary(parts)
+    check(code == 1 and "interrupted after" in error and "the same command goes on" in error, "interrupted", error)
+    check(0 < before["done"] < 183, f"what is complete is kept: {before['done']} of 183")
+    with open(os.path.join(parts, "study.csv")) as file:
+        check(len(file.readlines()) == 1 + before["done"], "study.csv of an interrupted study")
+    done = expect(0, "study", *arguments, "--out", parts, says=f"where {before['done']} of 183 runs are done")
+    for name in ("summary.json", "study.csv", "study-points.csv"):
+        check(pathlib.Path(parts, name).read_bytes() == pathlib.Path(whole, name).read_bytes(), f"{name} of two goes")
+    begin = time.monotonic()
+    again = expect(0, "study", *arguments, "--out", parts, says="all 183 runs are read back")
+    check(again.stdout == done.stdout and time.monotonic() - begin < 5, "a finished study is read back")
+    changed = draft(folder, people=[{"id": "p1", "profile": "manual-chair", "at": [1.2, 0.6]}])
+    short = [changed, "--vary", "door.d1.width=0.9:1:2", "--out", parts]
+    expect(0, "study", *short, says="this one begins anew")
+    expect(0, "study", *short, says="all 2 runs are read back")
+    expect(0, "study", *short, "--set", "person.p1.delay=1", says="this one begins anew")
+    draft(folder)
+    expect(0, "study", *arguments, "--out", parts, says="all 183 runs are read back")
+
+
+def check_killed(folder):
+    """A computer that is switched off: at most what came after the last commit is made again."""
+    flat, out = draft(folder), os.path.join(folder, "killed")
+    arguments = [flat, "--vary", "door.d1.width=0.85:1.1:121", "--runs", "2", "--jobs", "1"]
+    process = subprocess.Popen([program, "study", *arguments, "--out", out], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+    time.sleep(2)
+    process.kill()
+    process.wait()
+    check(process.returncode == -signal.SIGKILL, "killed while it ran")
+    expect(0, "study", *arguments, "--out", out, says="goes on in")
+    plain = json.loads(expect(0, "study", *arguments, "--json").stdout)
+    check(summary(out) == plain, "a study that was killed ends as one of one go")
+
+
+def check_changed_while_running(folder):
+    flat, out = draft(folder, "changing"), os.path.join(folder, "changing")
+    process = subprocess.Popen([program, "study", flat, "--vary", "door.d1.width=0.85:1.1:61", "--runs", "2", "--jobs",
+                                "1", "--out", out], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(0.7)
+    draft(folder, "changing", note="another")
+    _, error = process.communicate(timeout=120)
+    check(process.returncode == 2 and "was changed while it was studied" in error, "a file that changes", error)
+    draft(folder, "changing")
+    done = expect(0, "study", flat, "--vary", "door.d1.width=0.85:1.1:61", "--runs", "2", "--out", out)
+    check("goes on" not in done.stderr and "read back" not in done.stderr, "nothing of both is kept", done.stderr)
+
+
+def check_wrong_stores(folder):
+    flat, out = draft(folder), os.path.join(folder, "stores")
+    os.makedirs(out)
+    store = pathlib.Path(out, "study.sqlite")
+    store.write_text("a letter to keep " * 100)
+    expect(2, "study", flat, *DOOR, "--out", out, says="is no file of studies: move it away, or take another --out")
+    check(store.read_text() == "a letter to keep " * 100, "a foreign file stays as it was")
+    other = os.path.join(folder, "run")
+    expect(0, "run", house("straight-corridor"), "--out", other)
+    shutil.copy(os.path.join(other, "trajectory.sqlite"), store)
+    expect(2, "study", flat, *DOOR, "--out", out, says="is another program's database")
+    check(store.read_bytes() == pathlib.Path(other, "trajectory.sqlite").read_bytes(), "a foreign database stays")
+    store.unlink()
+    expect(0, "study", flat, *DOOR, "--out", out)
+    half = store.read_bytes()
+    store.write_bytes(half[:5000])
+    expect(2, "study", flat, *DOOR, "--out", out, says="is damaged")
+    full = run("study", flat, *DOOR, "--out", os.path.join(folder, "full"), limit=3000)
+    check(full.returncode == 2 and "cannot be written" in full.stderr, "a full disk", full.stderr)
+    expect(2, "study", flat, *DOOR, "--out", "/proc/nowhere", says="cannot be written")
+
+
+def check_wrong_use(folder):
+    flat = draft(folder)
+    delay = "person.p1.delay"
+    wrong = {
+        (): "nothing is studied: --vary NAME=FROM:TO:STEPS or --runs N would be right",
+        ("--vary", "door.d2.width=1:2:3"): '--vary door.d2.width: there is no door "d2"',
+        ("--vary", "door.d1.widht=1:2:3"): 'did you mean "width"?',
+        ("--vary", "person.p1.at=1:2:3"): "at is a point, must be at.x or at.y",
+        ("--vary", "door.d1.state=1:2:3"): "state is no number",
+        ("--vary", f"{delay}=1:2"): "--vary takes NAME=FROM:TO:STEPS",
+        ("--vary", f"{delay}=1:2:3:4"): "--vary takes NAME=FROM:TO:STEPS",
+        ("--vary", f"{delay}=a:2:3"): "--vary takes NAME=FROM:TO:STEPS",
+        ("--vary", f"{delay}=1:2:-3"): "--vary takes NAME=FROM:TO:STEPS",
+        ("--vary", "=1:2:3"): "--vary takes NAME=FROM:TO:STEPS",
+        ("--vary", f"{delay}=1:2:0"): "0 steps, must be from 1 to 100000",
+        ("--vary", f"{delay}=1:2:100001"): "100001 steps, must be from 1 to 100000",
+        ("--vary", f"{delay}=1:1:2"): "FROM and TO must differ",
+        ("--vary", f"{delay}=1:2:1"): "one step cannot be at 1 and at 2",
+        ("--vary", f"{delay}=-1:2:3"): "-1 is out of range, must be from 0 to 1e+06 s",
+        ("--vary", f"{delay}=nan:2:3"): "nan is out of range",
+        ("--vary", f"{delay}=1:inf:3"): "inf is out of range",
+        ("--vary", "run.reversals=0:5:3"): "is 2.5, must be whole: 6 steps would be right",
+        ("--vary", f"{delay}=1:2:3", "--vary", f"{delay}=1:2:4"): "is varied already",
+        ("--vary", f"{delay}=1:2:3", "--vary", "run.dt=1:2:3", "--vary", "run.cell=1:2:3"): "(at most twice)",
+        ("--vary", f"{delay}=1:2:100000", "--runs", "100000"): "the study has 10000000000 runs",
+        ("--runs", "0"): "--runs takes N",
+        ("--runs", "many"): "--runs takes N",
+        ("--runs", "3", "--spread", f"{delay}=0.1"): "its value is 0",
+        ("--runs", "3", "--spread", "run.until=nan"): "must be over 0 and at most 1",
+        ("--runs", "3", "--spread", "run.until"): "--spread takes NAME=SHARE",
+        ("--vary", f"{delay}=1:2:3", "--spread", "run.until=0.1"): "--runs must be 2 or more",
+        ("--vary", f"{delay}=1:2:3", "--sweep", "up"): "each run of a house begins anew, must be reset",
+        ("--vary", f"{delay}=1:2:3", "--sweep", "sideways"): "--sweep takes reset,up,down",
+        ("--vary", f"{delay}=1:2:3", "--route", "A"): 'has no route "A"',
+        ("--vary", f"{delay}=1:2:3", "--movie", "x.mp4"): "unknown option",
+    }
+    for arguments, says in wrong.items():
+        done = expect(2, "study", flat, *arguments, says=says)
+        check(done.stderr.count("\n") == 1 and not done.stdout, f"{arguments}: one line", done.stderr)
+    expect(2, "study", "nowhere.json", "--runs", "2", says="nowhere.json:1:1: cannot be read")
+    expect(2, "study", says="usage: clearance study")
+
+
+with tempfile.TemporaryDirectory(prefix="clearance study ä ") as directory:
+    for number, part in enumerate((check_answers, check_maps_and_runs, check_files, check_going_on, check_killed,
+                                   check_changed_while_running, check_wrong_stores, check_wrong_use)):
+        own = os.path.join(directory, str(number))
+        os.makedirs(own)
+        part(own)
+end()

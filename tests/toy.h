@@ -1,0 +1,18 @@
+/* An experiment for tests of studies whose answers have closed forms: no laboratory. */
+#pragma once
+
+#include "study/experiment.h"
+
+/* Observables of a run at (x, y): `regular`, 1 where x + memory < 2; `sum`, x + 10 y + the seed / 1000; `memory`, when
+ * carried the sum of all x before in the chain, otherwise 0. Its series lists the first floor(x) + 1 squares. x is from
+ * -10 to 100, over 50 is a fault of the run; n is whole; nominal are x = 1, y = 2, n = 3 and nothing = 0. */
+enum { TOY_REGULAR, TOY_SUM, TOY_MEMORY, TOY_OBSERVABLES };
+
+typedef struct Toy {
+    int interrupted_after; /* trials, then it behaves as if Ctrl-C had come; 0: never */
+    int run;               /* trials so far */
+    volatile sig_atomic_t stop;
+} Toy;
+
+/* The experiment points at `toy`. */
+Experiment toy_experiment(Toy *toy);
