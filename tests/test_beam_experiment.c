@@ -236,7 +236,8 @@ TEST(a_thorough_trial_tells_exponents) {
     Beam beam = {0};
     Fault fault = {0};
     CHECK(beam_read(&beam, draft_source("assets/beams/ibs.json"), NULL, 0, &fault));
-    CHECK(beam_experiment_of(&thorough, &beam, true, "ibs", &fault));
+    CHECK(beam_experiment_of(&thorough, &beam, "ibs", &fault));
+    beam_experiment_be_thorough(&thorough);
     const char *names[] = {"drive.frequency"};
     Batch batch;
     batch_init(&batch);

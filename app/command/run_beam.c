@@ -27,12 +27,13 @@ typedef struct TypeAnswer {
 static bool type_tell(TypeAnswer *answer, const Beam *beam, const Options *options, Fault *fault) {
     const char *place = options->files[0];
     snprintf(answer->each, EACH, "%d cycles", beam->transient_cycles + beam->cycles);
-    if (!beam_experiment_of(&answer->quick, beam, false, place, fault))
+    if (!beam_experiment_of(&answer->quick, beam, place, fault))
         return false;
-    if (!beam_experiment_of(&answer->thorough, beam, true, place, fault)) {
+    if (!beam_experiment_of(&answer->thorough, beam, place, fault)) {
         beam_experiment_close(&answer->quick);
         return false;
     }
+    beam_experiment_be_thorough(&answer->thorough);
     types_answer_tell(&answer->types, &answer->quick, &answer->thorough, window, WINDOW, options, fault);
     return true;
 }

@@ -423,10 +423,14 @@ bool beam_experiment_open(Experiment *experiment, const char *path, const char *
     return begin(experiment, given, path, fault);
 }
 
-bool beam_experiment_of(Experiment *experiment, const Beam *beam, bool thorough, const char *place, Fault *fault) {
+bool beam_experiment_of(Experiment *experiment, const Beam *beam, const char *place, Fault *fault) {
     Given *given = memory_allocate(1, sizeof *given);
-    *given = (Given){.beam = *beam, .thorough = thorough};
+    given->beam = *beam;
     return begin(experiment, given, place, fault);
+}
+
+void beam_experiment_be_thorough(Experiment *experiment) {
+    ((Given *)experiment->given)->thorough = true;
 }
 
 void beam_experiment_close(Experiment *experiment) {

@@ -45,6 +45,9 @@ bool beam_experiment_open(Experiment *experiment, const char *path, const char *
                           Fault *fault);
 
 /* The experiment of a beam that is read already and outlives it; `place` begins its faults. */
-bool beam_experiment_of(Experiment *experiment, const Beam *beam, bool thorough, const char *place, Fault *fault);
+bool beam_experiment_of(Experiment *experiment, const Beam *beam, const char *place, Fault *fault);
+
+/* From now on, each trial is told thoroughly. */
+void beam_experiment_be_thorough(Experiment *experiment);
 
 void beam_experiment_close(Experiment *experiment);

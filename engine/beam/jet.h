@@ -15,16 +15,16 @@ static inline double jet_value(const Jet *jet, double time) {
     return value;
 }
 
-/* y'. */
-static inline Jet jet_rate(const Jet *jet) {
+/* y', `times` times. */
+static inline Jet jet_rate(const Jet *jet, double times) {
     Jet rate = {{0}};
     for (int m = 1; m < REGIME_TERMS; m++)
-        rate.term[m - 1] = m * jet->term[m];
+        rate.term[m - 1] = times * m * jet->term[m];
     return rate;
 }
 
-/* Where y, below 0 at `low` and not below at `high`, rises through 0, to JET_RESOLUTION s. */
-double jet_rise(const Jet *jet, double low, double high);
+/* Where y, below 0 at `low` and not below at `high`, rises through 0, to JET_RESOLUTION s; sought first at `guess`. */
+double jet_rise(const Jet *jet, double low, double high, double guess);
 
 /* s: switches are located to this; beyond it, rounding decides. */
 #define JET_RESOLUTION 1e-15

@@ -11,7 +11,10 @@
 enum { LANES = 8 };
 
 typedef double Pack __attribute__((vector_size(LANES * sizeof(double)), aligned(8)));
-typedef int64_t Mask __attribute__((vector_size(LANES * sizeof(int64_t)), aligned(8)));
+
+/* Comparisons are made by halves, which more machines can. */
+typedef double Half __attribute__((vector_size(LANES / 2 * sizeof(double)), aligned(8), may_alias));
+typedef int64_t Mask __attribute__((vector_size(LANES / 2 * sizeof(int64_t)), aligned(8), may_alias));
 
 typedef struct LaneVector {
     Pack *re, *im; /* (blocks) */
@@ -27,28 +30,30 @@ typedef struct LaneMoment {
 typedef struct Lane {
     Rig rig; /* shares with the one that all are of */
     Motion motion;
-    LanesRun *run; /* NULL: idle */
-    int cycle;     /* of the run */
+    LanesRun *run;     /* NULL: idle */
+    int cycle;         /* of the run */
+    MotionPlace place; /* when it joined the pack last */
 } Lane;
 
 typedef struct Lanes {
     const Rig *rig;
     size_t blocks;
-    LaneMoment now, next;
+    LaneMoment moments[2], *now, *next;
     LaneVector hop, row[2];                                   /* row and its rate */
     Pack turn_sine, turn_cosine, omega, wave_a, wave_b, rest; /* of the drive, and the row's steady part */
     Pack low, high;             /* the row's value stays between them, or something happens */
     Pack period;                /* s */
     Pack side, watched, offset; /* of the contact, 0: none; 0 too when peaks are not looked for; N */
-    Mask busy;                  /* lanes to which something happens within the cell */
+    int64_t busy[LANES];        /* lanes to which something happens within the cell */
     Lane lane[LANES];
     double *memory;
 } Lanes;
 
-/* All lanes by one cell, into `next`; `busy` says for which that was wrong. ---------------------------------------- */
+/* All lanes by one cell, into `next`; `busy` says for which that was wrong -------------------------------------------
+ */
 
 static inline __attribute__((always_inline)) void hop_blocks(Lanes *lanes) {
-    const LaneVector from = lanes->now.z, to = lanes->next.z, hop = lanes->hop;
+    const LaneVector from = lanes->now->z, to = lanes->next->z, hop = lanes->hop;
     const LaneVector *row = lanes->row;
     Pack value[REGIME_WIDTH] = {{0}}, rate[REGIME_WIDTH] = {{0}};
     for (size_t j = 0; j < lanes->blocks; j += REGIME_WIDTH)
@@ -60,43 +65,61 @@ static inline __attribute__((always_inline)) void hop_blocks(Lanes *lanes) {
             to.re[j + q] = re;
             to.im[j + q] = im;
         }
-    lanes->next.value = (value[0] + value[1]) + (value[2] + value[3]);
-    lanes->next.rate = (rate[0] + rate[1]) + (rate[2] + rate[3]);
+    lanes->next->value = (value[0] + value[1]) + (value[2] + value[3]);
+    lanes->next->rate = (rate[0] + rate[1]) + (rate[2] + rate[3]);
 }
 
 static inline __attribute__((always_inline)) void hop_all(Lanes *lanes, double cell) {
-    const LaneMoment *now = &lanes->now;
-    LaneMoment *next = &lanes->next;
+    const LaneMoment *now = lanes->now;
+    LaneMoment *next = lanes->next;
     hop_blocks(lanes);
     next->sine = now->sine * lanes->turn_cosine + now->cosine * lanes->turn_sine;
     next->cosine = now->cosine * lanes->turn_cosine - now->sine * lanes->turn_sine;
     next->value = next->value + lanes->wave_a * next->sine + lanes->wave_b * next->cosine + lanes->rest;
     next->rate = next->rate + lanes->omega * (lanes->wave_a * next->cosine - lanes->wave_b * next->sine);
     next->phase = now->phase + cell;
-    Pack push = lanes->side * next->value - lanes->offset;
-    Mask higher = push > now->top;
-    next->top = (Pack)(((Mask)push & higher) | ((Mask)now->top & ~higher));
-    Pack tangent = now->value + now->rate * cell;
-    Mask outside = (next->value >= lanes->high) | (next->value <= lanes->low) | (now->value >= lanes->high) |
-                   (now->value <= lanes->low);
-    Mask turns = (now->rate * next->rate < 0) & ((tangent >= lanes->high) | (tangent <= lanes->low));
-    Mask peaks = (lanes->watched * now->rate > 0) & (lanes->watched * next->rate < 0);
-    lanes->busy = outside | turns | peaks | (lanes->period - now->phase <= cell);
+}
+
+#define HALF(pack_) (((const Half *)&(pack_))[half])
+
+/* For which lanes something happens within the cell, and the pushes of the others. */
+static inline __attribute__((always_inline)) void find_busy(Lanes *lanes, double cell, size_t half) {
+    const LaneMoment *now = lanes->now;
+    LaneMoment *next = lanes->next;
+    Half begin = HALF(now->value), end = HALF(next->value);
+    Half begin_rate = HALF(now->rate), end_rate = HALF(next->rate);
+    Half high = HALF(lanes->high), low = HALF(lanes->low), watched = HALF(lanes->watched);
+    Half push = HALF(lanes->side) * end - HALF(lanes->offset), top = HALF(now->top);
+    Half bend = begin_rate - end_rate, reach = begin * bend + begin_rate * (end - begin - end_rate * cell);
+    Mask higher = push > top;
+    Mask outside = (end >= high) | (end <= low) | (begin >= high) | (begin <= low);
+    Mask turns =
+        (begin_rate * end_rate < 0) & (((bend > 0) & (reach >= high * bend)) | ((bend < 0) & (reach >= low * bend)));
+    Mask peaks = (watched * begin_rate > 0) & (watched * end_rate < 0);
+    Mask over = HALF(lanes->period) - HALF(now->phase) <= cell;
+    ((Half *)&next->top)[half] = (Half)(((Mask)push & higher) | ((Mask)top & ~higher));
+    ((Mask *)lanes->busy)[half] = outside | turns | peaks | over;
+}
+
+static inline __attribute__((always_inline)) void hop_and_look(Lanes *lanes, double cell) {
+    hop_all(lanes, cell);
+    find_busy(lanes, cell, 0);
+    find_busy(lanes, cell, 1);
 }
 
 /* The same instructions for wider vectors, where the machine has them. */
 #if defined __x86_64__
 __attribute__((target("avx512f,avx512dq"))) static void hop_eight(Lanes *lanes, double cell) {
-    hop_all(lanes, cell);
+    hop_and_look(lanes, cell);
 }
 
 __attribute__((target("avx2"))) static void hop_four(Lanes *lanes, double cell) {
-    hop_all(lanes, cell);
+    hop_and_look(lanes, cell);
 }
 #endif
 
 static void hop_two(Lanes *lanes, double cell) {
-    hop_all(lanes, cell);
+    hop_and_look(lanes, cell);
 }
 
 static void hop_lanes(Lanes *lanes) {
@@ -129,7 +152,7 @@ static bool can_hop(const Motion *motion) {
 
 /* From the lane's pack to its motion. */
 static void leave_pack(Lanes *lanes, size_t l) {
-    const LaneMoment *now = &lanes->now;
+    const LaneMoment *now = lanes->now;
     Motion *motion = &lanes->lane[l].motion;
     RegimeRow row = row_of(motion);
     for (size_t j = 0; j < lanes->blocks; j++) {
@@ -147,24 +170,25 @@ static void leave_pack(Lanes *lanes, size_t l) {
     }
 }
 
-/* What depends on the place and the run only. */
-static void set_lane(Lanes *lanes, size_t l) {
+/* A lane's part of a vector; blocks that the regime does not have are empty. */
+static void set_vector(const Lanes *lanes, LaneVector vector, size_t l, size_t blocks, RegimeVector what) {
+    for (size_t j = 0; j < lanes->blocks; j++) {
+        vector.re[j][l] = j < blocks ? what.re[j] : 0;
+        vector.im[j][l] = j < blocks ? what.im[j] : 0;
+    }
+}
+
+/* What depends on the place and the run. */
+static void set_place(Lanes *lanes, size_t l) {
     const Motion *motion = &lanes->lane[l].motion;
     const Rig *rig = motion->rig;
     bool touches = motion_in_contact(motion->place);
     const Regime *regime = touches ? &rig->contact : &rig->free;
     const RigSteady *steady = touches ? &rig->steady_contact : &rig->steady_free;
-    RegimeVector hop = regime_hop(regime, regime->cuts);
     RegimeRow row = row_of(motion);
-    for (size_t j = 0; j < lanes->blocks; j++) {
-        bool there = j < regime->blocks;
-        lanes->hop.re[j][l] = there ? hop.re[j] : 0;
-        lanes->hop.im[j][l] = there ? hop.im[j] : 0;
-        for (int order = 0; order < 2; order++) {
-            lanes->row[order].re[j][l] = there ? regime->row[row][order].re[j] : 0;
-            lanes->row[order].im[j][l] = there ? regime->row[row][order].im[j] : 0;
-        }
-    }
+    set_vector(lanes, lanes->hop, l, regime->blocks, regime_hop(regime, regime->cuts));
+    for (int order = 0; order < 2; order++)
+        set_vector(lanes, lanes->row[order], l, regime->blocks, regime->row[row][order]);
     double side = motion_side(motion->place), offset = touches ? rig->stiffness * rig->clearance : 0;
     lanes->wave_a[l] = steady->row_sine[row];
     lanes->wave_b[l] = steady->row_cosine[row];
@@ -172,7 +196,6 @@ static void set_lane(Lanes *lanes, size_t l) {
     lanes->high[l] = touches ? (side > 0 ? HUGE_VAL : -offset) : rig->clearance;
     lanes->low[l] = touches ? (side > 0 ? offset : -HUGE_VAL) : -rig->clearance;
     lanes->side[l] = side;
-    lanes->watched[l] = motion->unwatched ? 0 : side;
     lanes->offset[l] = offset;
     lanes->omega[l] = rig->omega;
     lanes->turn_sine[l] = rig->cell_sine;
@@ -183,9 +206,12 @@ static void set_lane(Lanes *lanes, size_t l) {
 /* From a motion into the pack that comes next. */
 static void join_pack(Lanes *lanes, size_t l) {
     const Motion *motion = &lanes->lane[l].motion;
-    LaneMoment *next = &lanes->next;
+    LaneMoment *next = lanes->next;
     RegimeRow row = row_of(motion);
-    set_lane(lanes, l);
+    if (motion->place != lanes->lane[l].place)
+        set_place(lanes, l);
+    lanes->lane[l].place = motion->place;
+    lanes->watched[l] = motion->unwatched ? 0 : lanes->side[l];
     for (size_t j = 0; j < lanes->blocks; j++) {
         next->z.re[j][l] = motion->z.re[j];
         next->z.im[j][l] = motion->z.im[j];
@@ -200,7 +226,7 @@ static void join_pack(Lanes *lanes, size_t l) {
 
 /* Nothing happens to it any more. */
 static void make_idle(Lanes *lanes, size_t l) {
-    LaneMoment *next = &lanes->next;
+    LaneMoment *next = lanes->next;
     for (size_t j = 0; j < lanes->blocks; j++)
         next->z.re[j][l] = next->z.im[j][l] = 0;
     next->sine[l] = next->cosine[l] = next->value[l] = next->rate[l] = next->phase[l] = next->top[l] = 0;
@@ -213,7 +239,8 @@ static void make_idle(Lanes *lanes, size_t l) {
 
 static void begin_run(Lanes *lanes, size_t l, LanesRun *run) {
     Lane *lane = &lanes->lane[l];
-    *lane = (Lane){.rig = rig_share(lanes->rig, run->frequency, run->force, run->clearance), .run = run};
+    *lane = (Lane){
+        .rig = rig_share(lanes->rig, run->frequency, run->force, run->clearance), .run = run, .place = MOTION_PLACES};
     lane->motion = motion_create(&lane->rig, 0);
     lane->motion.unwatched = run->transient_cycles > 0;
     if (run->start)
@@ -303,8 +330,10 @@ void lanes_run(const Rig *rig, LanesRun *runs, size_t count, const volatile sig_
     size_t blocks = rig->free.blocks > rig->contact.blocks ? rig->free.blocks : rig->contact.blocks;
     Lanes lanes = {.rig = rig, .blocks = blocks, .memory = memory_allocate(10 * blocks * LANES, sizeof(double))};
     double *at = lanes.memory;
-    lanes.now.z = take(&at, blocks);
-    lanes.next.z = take(&at, blocks);
+    lanes.now = &lanes.moments[0];
+    lanes.next = &lanes.moments[1];
+    lanes.now->z = take(&at, blocks);
+    lanes.next->z = take(&at, blocks);
     lanes.hop = take(&at, blocks);
     lanes.row[0] = take(&at, blocks);
     lanes.row[1] = take(&at, blocks);
@@ -315,7 +344,7 @@ void lanes_run(const Rig *rig, LanesRun *runs, size_t count, const volatile sig_
         for (size_t l = 0; l < LANES; l++)
             if (lanes.busy[l])
                 serve_lane(&lanes, l, &more, runs + count);
-        LaneMoment next = lanes.next;
+        LaneMoment *next = lanes.next;
         lanes.next = lanes.now;
         lanes.now = next;
         hop_lanes(&lanes);

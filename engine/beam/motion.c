@@ -221,11 +221,10 @@ double motion_force(const Motion *motion) {
 
 /* Switches -------------------------------------------------------------------------------------------------------- */
 
-/* sign y + offset, or its rate, of a row of a motion. */
+/* sign y + offset, of a row of a motion. */
 typedef struct Curve {
     const Motion *motion;
     RegimeRow row;
-    bool rate;
     double sign, offset;
 } Curve;
 
@@ -249,32 +248,31 @@ static Jet follow(const Curve *curve, double time, double *middle) {
         next = after;
     }
     jet.term[0] += curve->offset + curve->sign * motion_side(motion->place) * steady->row_rest[curve->row];
-    return curve->rate ? jet_rate(&jet) : jet;
+    return jet;
 }
 
-static double value_at(const Curve *curve, double time) {
-    double middle;
-    Jet jet = follow(curve, time, &middle);
-    return jet_value(&jet, time - middle);
-}
-
-/* Where the curve, below 0 at `low` and not below at `high`, rises through 0, sought first at `guess`. */
-static double find_root(const Curve *curve, double low, double high, double guess) {
+/* Where the curve (or its rate times `turning`, unless that is 0), below 0 at `low` and not below at `high`, rises
+ * through 0, sought first at `guess`; what the curve is there into `*value`, unless NULL. */
+static double find_root(const Curve *curve, double turning, double low, double high, double guess, double *value) {
     double part = curve->motion->rig->cell / (double)regime_of(curve->motion)->cuts;
-    while (high - low > JET_RESOLUTION) {
-        double middle;
+    for (;;) {
+        double middle, at;
         Jet jet = follow(curve, guess > low && guess < high ? guess : low + (high - low) / 2, &middle);
+        Jet sought = turning != 0 ? jet_rate(&jet, turning) : jet;
         double left = fmax(low - middle, -part), right = fmin(high - middle, part);
-        if (left + middle > low && jet_value(&jet, left) >= 0) {
+        guess = -sought.term[0] / sought.term[1];
+        if (high - low > JET_RESOLUTION && left + middle > low && jet_value(&sought, left) >= 0) {
             high = left + middle;
-        } else if (right + middle < high && jet_value(&jet, right) < 0) {
+        } else if (high - low > JET_RESOLUTION && right + middle < high && jet_value(&sought, right) < 0) {
             low = right + middle;
         } else {
-            return middle + jet_rise(&jet, left, right);
+            at = jet_rise(&sought, left, right, guess);
+            if (value)
+                *value = jet_value(&jet, at);
+            return middle + at;
         }
-        guess = middle - jet.term[0] / jet.term[1];
+        guess += middle;
     }
-    return high;
 }
 
 /* Where the cubic through both ends of a step, by values and rates, has the value 0; it is below 0 at its beginning. */
@@ -289,17 +287,18 @@ static double guess_root(double step, double begin, double begin_rate, double en
     return at * step;
 }
 
-/* Where a row that first rises (`way` 1) and then falls within the step, or the other way round (-1), turns. */
-static double find_turn(const Motion *motion, RegimeRow row, double way, double step, const MotionReading *end) {
-    Curve rate = {motion, row, true, -way, 0};
-    double begin = motion->now.rate[row];
-    return find_root(&rate, 0, step, step * begin / (begin - end->rate[row]));
+/* Where a curve that first rises (`way` 1) and then falls within the step, or the other way round (-1), turns, and its
+ * value there. */
+static double find_turn(const Curve *curve, double way, double step, const MotionReading *end, double *value) {
+    double begin = curve->motion->now.rate[curve->row];
+    return find_root(curve, -way, 0, step, step * begin / (begin - end->rate[curve->row]), value);
 }
 
 /* The time of a way's switch within a step, or HUGE_VAL. From the values and rates at both ends. */
 static double find_switch(Motion *motion, const Way *way, double step, const MotionReading *next) {
     double sign = way->sign, offset = offset_of(motion->rig, way);
-    Curve curve = {motion, way->row, false, sign, offset};
+    Curve curve = {motion, way->row, sign, offset};
+    double top;
     double begin = sign * motion->now.value[way->row] + offset, begin_rate = sign * motion->now.rate[way->row];
     double end = sign * next->value[way->row] + offset, end_rate = sign * next->rate[way->row];
     if (begin >= 0 && end >= 0) { /* a switch was just here: has it been left since? */
@@ -307,17 +306,19 @@ static double find_switch(Motion *motion, const Way *way, double step, const Mot
             return 0;
         if (end_rate <= 0) /* still leaving, or out and back and turned again */
             return begin <= end ? 0 : HUGE_VAL;
-        double turn = find_turn(motion, way->row, -sign, step, next);
-        return value_at(&curve, turn) < 0 ? find_root(&curve, turn, step, step) : 0;
+        double turn = find_turn(&curve, -1, step, next, &top);
+        return top < 0 ? find_root(&curve, 0, turn, step, step, NULL) : 0;
     }
     if (end >= 0)
-        return find_root(&curve, 0, step, guess_root(step, begin, begin_rate, end, end_rate));
-    if (begin >= 0 || begin_rate <= 0 || end_rate >= 0 || begin + begin_rate * step < 0)
+        return find_root(&curve, 0, 0, step, guess_root(step, begin, begin_rate, end, end_rate), NULL);
+    double bend = begin_rate - end_rate; /* it turns below where the tangents at both ends meet */
+    if (begin >= 0 || begin_rate <= 0 || end_rate >= 0 ||
+        begin * bend + begin_rate * (end - begin - end_rate * step) < 0)
         return HUGE_VAL;
-    double turn = find_turn(motion, way->row, sign, step, next), top = value_at(&curve, turn);
+    double turn = find_turn(&curve, 1, step, next, &top);
     if (motion->place == MOTION_OPEN && fabs(top) <= MOTION_GRAZE * motion->rig->clearance)
         motion->grazes++;
-    return top >= 0 ? find_root(&curve, 0, turn, turn) : HUGE_VAL;
+    return top >= 0 ? find_root(&curve, 0, 0, turn, turn, NULL) : HUGE_VAL;
 }
 
 /* The force's largest value within the step that is being made. */
@@ -327,8 +328,10 @@ static void note_peak(Motion *motion, double step, const MotionReading *end) {
     double *peak = &motion->peak[side > 0 ? 0 : 1];
     *peak = fmax(*peak, fmax(push_of(motion, begin->value[REGIME_FORCE]), push_of(motion, end->value[REGIME_FORCE])));
     if (side * begin->rate[REGIME_FORCE] > 0 && side * end->rate[REGIME_FORCE] < 0) {
-        Curve force = {motion, REGIME_FORCE, false, 1, 0};
-        *peak = fmax(*peak, push_of(motion, value_at(&force, find_turn(motion, REGIME_FORCE, side, step, end))));
+        Curve force = {motion, REGIME_FORCE, side, -motion->rig->stiffness * motion->rig->clearance};
+        double push;
+        find_turn(&force, 1, step, end, &push);
+        *peak = fmax(*peak, push);
     }
 }
 

@@ -175,27 +175,27 @@ void regime_cut(Regime *regime, double cell, size_t cuts) {
         }
 }
 
-/* exp(x) of four x of at most REGIME_PART / 2, by Taylor's series: the next term would be below 1e-17. */
-static void exponentials(RegimeFour x_re, RegimeFour x_im, RegimeFour *re, RegimeFour *im) {
+/* exp(x) of two x of at most REGIME_PART / 2, by Taylor's series: the next term would be below 1e-17. */
+static inline void exponentials(RegimeTwo x_re, RegimeTwo x_im, RegimeTwo *re, RegimeTwo *im) {
     static const double by[] = {1.0 / 5, 1.0 / 4, 1.0 / 3, 1.0 / 2, 1};
     *re = 1 + x_re * (1.0 / 6);
     *im = x_im * (1.0 / 6);
     for (int m = 0; m < 5; m++) {
-        RegimeFour next = 1 + (*re * x_re - *im * x_im) * by[m];
+        RegimeTwo next = 1 + (*re * x_re - *im * x_im) * by[m];
         *im = (*re * x_im + *im * x_re) * by[m];
         *re = next;
     }
 }
 
 void regime_propagator(const Regime *regime, double time, RegimeVector factor) {
-    size_t blocks = regime->blocks, cut = regime_nearest_cut(regime, time);
+    size_t cut = regime_nearest_cut(regime, time);
     RegimeVector hop = regime_hop(regime, cut);
     double rest = time - regime_cut_time(regime, cut);
-    for (size_t j = 0; j < blocks; j += REGIME_WIDTH) {
-        RegimeFour re, im, by_re = *regime_four(hop.re + j), by_im = *regime_four(hop.im + j);
-        exponentials(*regime_four(regime->lambda.re + j) * rest, *regime_four(regime->lambda.im + j) * rest, &re, &im);
-        *regime_four(factor.re + j) = re * by_re - im * by_im;
-        *regime_four(factor.im + j) = re * by_im + im * by_re;
+    for (size_t j = 0; j < regime->blocks; j += 2) {
+        RegimeTwo re, im, by_re = *regime_two(hop.re + j), by_im = *regime_two(hop.im + j);
+        exponentials(*regime_two(regime->lambda.re + j) * rest, *regime_two(regime->lambda.im + j) * rest, &re, &im);
+        *regime_two(factor.re + j) = re * by_re - im * by_im;
+        *regime_two(factor.im + j) = re * by_im + im * by_re;
     }
 }
 

@@ -35,8 +35,8 @@ typedef enum RegimeRow {
     REGIME_ROWS,
 } RegimeRow;
 
-/* Blocks come in fours, the last ones empty: vector instructions take as many at once, and a sum over them is four sums
- * of every fourth, whichever instructions there are. */
+/* Blocks come in fours, the last ones empty: a sum over them is four sums of every fourth, whichever vector
+ * instructions there are. */
 enum { REGIME_WIDTH = 4 };
 
 /* Terms of a measured polynomial about a cut: the next would be 1e-17 of a block's size. */
@@ -93,29 +93,35 @@ RegimeVector regime_vector(size_t count);
 /* exp(lambda time) of each block, time from 0 to a cell. */
 void regime_propagator(const Regime *regime, double time, RegimeVector factor);
 
-/* Four doubles, wherever they lie. */
-typedef double RegimeFour __attribute__((vector_size(32), aligned(8), may_alias));
+/* Two doubles, wherever they lie: vectors that every machine of the kind has. */
+typedef double RegimeTwo __attribute__((vector_size(16), aligned(8), may_alias));
 
-static inline RegimeFour *regime_four(const double *at) {
-    return (RegimeFour *)(uintptr_t)at;
+static inline RegimeTwo *regime_two(const double *at) {
+    return (RegimeTwo *)(uintptr_t)at;
 }
 
 /* moved = Z factor. */
 static inline void regime_advance(size_t blocks, RegimeVector factor, RegimeVector z, RegimeVector moved) {
-    for (size_t j = 0; j < blocks; j += REGIME_WIDTH) {
-        RegimeFour re = *regime_four(z.re + j), im = *regime_four(z.im + j);
-        RegimeFour by_re = *regime_four(factor.re + j), by_im = *regime_four(factor.im + j);
-        *regime_four(moved.re + j) = re * by_re - im * by_im;
-        *regime_four(moved.im + j) = re * by_im + im * by_re;
+    for (size_t j = 0; j < blocks; j += 2) {
+        RegimeTwo re = *regime_two(z.re + j), im = *regime_two(z.im + j);
+        RegimeTwo by_re = *regime_two(factor.re + j), by_im = *regime_two(factor.im + j);
+        *regime_two(moved.re + j) = re * by_re - im * by_im;
+        *regime_two(moved.im + j) = re * by_im + im * by_re;
     }
+}
+
+static inline RegimeTwo regime_product(RegimeVector row, RegimeVector z, size_t j) {
+    return *regime_two(row.re + j) * *regime_two(z.re + j) - *regime_two(row.im + j) * *regime_two(z.im + j);
 }
 
 /* Re sum row Z. */
 static inline double regime_measure(size_t blocks, RegimeVector row, RegimeVector z) {
-    RegimeFour sum = {0};
-    for (size_t j = 0; j < blocks; j += REGIME_WIDTH)
-        sum += *regime_four(row.re + j) * *regime_four(z.re + j) - *regime_four(row.im + j) * *regime_four(z.im + j);
-    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    RegimeTwo first = {0}, second = {0};
+    for (size_t j = 0; j < blocks; j += REGIME_WIDTH) {
+        first += regime_product(row, z, j);
+        second += regime_product(row, z, j + 2);
+    }
+    return (first[0] + first[1]) + (second[0] + second[1]);
 }
 
 /* The state of blocks, and the blocks of a state. */

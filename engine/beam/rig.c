@@ -62,15 +62,15 @@ static void make_change(RigChange *change, const Regime *before, const Regime *a
 void rig_change_blocks(const RigChange *change, const Regime *before, const Regime *after, RegimeVector z,
                        RegimeVector changed) {
     size_t blocks = after->blocks;
-    for (size_t l = 0; l < blocks; l += REGIME_WIDTH) {
-        RegimeFour re = {0}, im = {0};
+    for (size_t l = 0; l < blocks; l += 2) {
+        RegimeTwo re = {0}, im = {0};
         for (size_t j = 0; j < before->blocks; j++) {
             size_t at = j * blocks + l;
-            re += *regime_four(change->by_re.re + at) * z.re[j] + *regime_four(change->by_im.re + at) * z.im[j];
-            im += *regime_four(change->by_re.im + at) * z.re[j] + *regime_four(change->by_im.im + at) * z.im[j];
+            re += *regime_two(change->by_re.re + at) * z.re[j] + *regime_two(change->by_im.re + at) * z.im[j];
+            im += *regime_two(change->by_re.im + at) * z.re[j] + *regime_two(change->by_im.im + at) * z.im[j];
         }
-        *regime_four(changed.re + l) = re;
-        *regime_four(changed.im + l) = im;
+        *regime_two(changed.re + l) = re;
+        *regime_two(changed.im + l) = im;
     }
 }
 
