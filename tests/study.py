@@ -134,10 +134,12 @@ def check_going_on(folder):
 def check_killed(folder):
     """A computer that is switched off: at most what came after the last commit is made again."""
     flat, out = draft(folder), os.path.join(folder, "killed")
-    arguments = [flat, "--vary", "door.d1.width=0.85:1.1:121", "--runs", "2", "--jobs", "1"]
+    arguments = [flat, "--vary", "door.d1.width=0.85:1.1:241", "--runs", "2", "--jobs", "1"]
     process = subprocess.Popen([program, "study", *arguments, "--out", out], stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL)
-    time.sleep(2)
+    store = pathlib.Path(out, "study.sqlite")
+    while process.poll() is None and not (store.exists() and store.stat().st_size):
+        time.sleep(0.01)
     process.kill()
     process.wait()
     check(process.returncode == -signal.SIGKILL, "killed while it ran")
@@ -150,7 +152,8 @@ def check_changed_while_running(folder):
     flat, out = draft(folder, "changing"), os.path.join(folder, "changing")
     process = subprocess.Popen([program, "study", flat, "--vary", "door.d1.width=0.85:1.1:61", "--runs", "2", "--jobs",
                                 "1", "--out", out], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    time.sleep(0.7)
+    while process.poll() is None and not os.path.exists(os.path.join(out, "study.sqlite")):
+        time.sleep(0.01)
     draft(folder, "changing", note="another")
     _, error = process.communicate(timeout=120)
     check(process.returncode == 2 and "was changed while it was studied" in error, "a file that changes", error)
@@ -178,6 +181,10 @@ def check_wrong_stores(folder):
     expect(2, "study", flat, *DOOR, "--out", out, says="is damaged")
     full = run("study", flat, *DOOR, "--out", os.path.join(folder, "full"), limit=3000)
     check(full.returncode == 2 and "cannot be written" in full.stderr, "a full disk", full.stderr)
+    late = run("study", flat, "--vary", "person.p1.delay=0:4:2000", "--until", "0.01", "--out",
+               os.path.join(folder, "late"), limit=40000)
+    check(late.returncode == 2 and "what was written before is kept" in late.stderr and "not out throughout" in
+          late.stdout, "a disk that fills up leaves the answer", late.stderr)
     expect(2, "study", flat, *DOOR, "--out", "/proc/nowhere", says="cannot be written")
 
 

@@ -34,14 +34,14 @@ TEST(a_cantilever_and_a_pinned_beam_have_their_natural_frequencies) {
     static const double pinned[] = {3.9266023120, 7.0685827456, 10.2101761228};
     for (int is_pinned = 0; is_pinned < 2; is_pinned++) {
         ElementMesh mesh;
-        unit_beam(&mesh, 100);
+        unit_beam(&mesh, 40);
         hold(&mesh, 0);
         if (!is_pinned)
             hold(&mesh, 0);
         Modes modes = all_modes(&mesh);
-        for (int i = 0; i < 3; i++) {
-            double expected = is_pinned ? pinned[i] : cantilever[i];
-            CHECK_NEAR(sqrt(modes.frequency[i + is_pinned]), expected, 1e-6 * expected);
+        for (int i = 0; i < 3; i++) { /* with what the elements are known to be off by */
+            double expected = is_pinned ? pinned[i] : cantilever[i], off = pow(expected / 40, 4) / 1440;
+            CHECK_NEAR(sqrt(modes.frequency[i + is_pinned] / (1 + off)), expected, 1e-8 * expected);
         }
         if (is_pinned)
             CHECK_NEAR(modes.frequency[0], 0, 1e-2);
@@ -130,7 +130,7 @@ TEST(craig_and_bampton_converge_from_above_and_all_modes_are_the_elements_own) {
         }
         if (fixed + 4 >= mesh.freedoms)
             for (size_t i = 0; i < mesh.freedoms; i++)
-                CHECK_NEAR(modes.frequency[i] / whole.frequency[i], 1, 1e-7);
+                CHECK_NEAR(modes.frequency[i] / whole.frequency[i], 1, 1e-10);
         modes_clear(&modes);
     }
     modes_clear(&whole);
@@ -155,6 +155,20 @@ TEST(modes_and_elements_converge) {
     for (int i = 0; i < 6; i++)
         CHECK_NEAR(modes.frequency[i] / fine.frequency[i], 1, 1e-3);
     CHECK_NEAR(modes.tip_compliance / fine.tip_compliance, 1, 1e-8);
+    modes_clear(&modes);
+    modes_clear(&fine);
+    beam_free(&beam);
+    beam_free(&fine_beam);
+}
+
+/* The shaker as near to the tip as a beam may have it: its short element costs little of the others' precision. */
+TEST(a_shaker_close_to_the_tip_leaves_the_modes_what_they_are) {
+    Beam beam = shipped(20, 12), fine_beam = shipped(200, 12);
+    beam.shaker_position = fine_beam.shaker_position = beam.length * (1 - 1.01e-3);
+    Modes modes, fine;
+    CHECK(modes_of_beam(&modes, &beam) && modes_of_beam(&fine, &fine_beam));
+    for (int i = 0; i < 6; i++)
+        CHECK_NEAR(modes.frequency[i] / fine.frequency[i], 1, 1e-3);
     modes_clear(&modes);
     modes_clear(&fine);
     beam_free(&beam);

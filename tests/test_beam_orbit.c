@@ -91,80 +91,6 @@ TEST(the_largest_multiplier_is_how_fast_the_orbit_is_approached) {
     rig_clear(&rig);
 }
 
-TEST(an_oscillator_alone_has_the_exponent_of_its_damping) {
-    Oscillator mass = {.omega = 3, .damping_ratio = 0.07, .clearance = 1e9, .stiffness = 1};
-    Rig rig = oscillator_rig(&mass);
-    rig_drive(&rig, 1, 2);
-    Motion motion = motion_create(&rig, 2);
-    motion_unit_tangents(&motion);
-    double growth[2] = {0, 0};
-    const int cycles = 2000;
-    for (int i = 0; i < cycles; i++) {
-        motion_cycle(&motion);
-        chaos_renew_tangents(&motion, growth);
-    }
-    double time = cycles * rig.period;
-    CHECK_NEAR((growth[0] + growth[1]) / time, -2 * 0.07 * 3, 1e-12);
-    CHECK_NEAR(growth[0] / time, -0.07 * 3, 1e-3);
-    motion_destroy(&motion);
-    rig_clear(&rig);
-}
-
-TEST(the_sum_of_all_exponents_is_what_damps) {
-    static const char *const settings[] = {"beam.modes=4", "drive.frequency=190", "shaker.damping=15"};
-    for (int s = 0; s < 3; s++) {
-        Rig rig = oscillator_beam_rig("ibs", settings[s]);
-        size_t states = rig.free.states;
-        Motion motion = motion_create(&rig, states);
-        motion_unit_tangents(&motion);
-        double growth[STATES_MOST] = {0}, sum = 0;
-        const int cycles = 200;
-        for (int i = 0; i < cycles; i++) { /* the fastest shrinks by e^20 in a cycle: renewed eight times in each */
-            for (int part = 1; part <= 8; part++) {
-                while (motion.phase < rig.period * part / 8)
-                    motion_step(&motion, rig.period * part / 8 - motion.phase);
-                chaos_renew_tangents(&motion, growth);
-            }
-            motion_cycle(&motion);
-        }
-        for (size_t t = 0; t < states; t++)
-            sum += growth[t];
-        double time = cycles * rig.period, share = motion.contact_time / time;
-        CHECK(share > 0.3 && share < 0.9);
-        double expected = chaos_exponent_sum(&rig, share);
-        CHECK_NEAR(sum / time / expected, 1, 1e-6);
-        CHECK_NEAR(regime_trace(&rig.free) / chaos_exponent_sum(&rig, 0), 1, 1e-9);
-        CHECK_NEAR(regime_trace(&rig.contact) / chaos_exponent_sum(&rig, 1), 1, 1e-9);
-        motion_destroy(&motion);
-        rig_clear(&rig);
-    }
-}
-
-TEST(the_zero_one_test_tells_the_logistic_maps_orders_from_its_chaos) {
-    enum { COUNT = 2000 };
-    static const double parameters[] = {3.55, 3.97}, expected[] = {0, 0.998};
-    for (int k = 0; k < 2; k++) {
-        double series[COUNT], x = 0.3;
-        for (int i = 0; i < 1000; i++)
-            x = parameters[k] * x * (1 - x);
-        for (int i = 0; i < COUNT; i++)
-            series[i] = x = parameters[k] * x * (1 - x);
-        CHECK_NEAR(chaos_zero_one(series, COUNT), expected[k], 0.01);
-    }
-}
-
-TEST(the_exponent_of_the_logistic_map_at_four_is_the_logarithm_of_two) {
-    enum { COUNT = 20000 };
-    double growth[COUNT], x = 0.3;
-    for (int i = 0; i < COUNT; i++) {
-        growth[i] = log(fabs(4 - 8 * x));
-        x = 4 * x * (1 - x);
-    }
-    ChaosExponent exponent = chaos_exponent(growth, COUNT);
-    CHECK_NEAR(exponent.value, log(2), 4 * exponent.error);
-    CHECK(exponent.error > 0 && exponent.error < 0.02);
-}
-
 /* A beam's response, from a start. */
 static Response respond(const char *name, const char *setting, unsigned start) {
     Beam beam = oscillator_beam(name, setting);
@@ -176,34 +102,6 @@ static Response respond(const char *name, const char *setting, unsigned start) {
     rig_clear(&rig);
     beam_free(&beam);
     return response;
-}
-
-TEST(set_b_has_the_periodic_responses_it_was_identified_by_from_every_start) {
-    static const char *const settings[] = {"drive.frequency=190", "drive.frequency=290"};
-    static const double peaks[] = {568, 1032};
-    for (int s = 0; s < 2; s++)
-        for (unsigned start = 0; start < 4; start++) {
-            Response response = respond("ibs", settings[s], start);
-            CHECK(response.verdict == RESPONSE_PERIODIC && response.settled);
-            CHECK(response.orbit.period == 1 && response.orbit.largest < 1);
-            CHECK(response.exponent.value < 0);
-            CHECK(response.peaks.count == 200);
-            CHECK_NEAR(response.peaks.min, peaks[s], 0.001 * peaks[s]);
-            CHECK_NEAR(response.peaks.max, peaks[s], 0.001 * peaks[s]);
-            response_clear(&response);
-        }
-}
-
-TEST(set_b_is_chaotic_at_300_hz_from_every_start) {
-    for (unsigned start = 0; start < 4; start++) {
-        Response response = respond("ibs", NULL, start);
-        CHECK(response.verdict == RESPONSE_CHAOTIC);
-        CHECK_NEAR(response.peaks.min, 480, 24);
-        CHECK_NEAR(response.peaks.max, 956, 48);
-        CHECK(response.exponent.value > 0.7 && response.exponent.value < 1);
-        CHECK(response.zero_one > 0.95);
-        response_clear(&response);
-    }
 }
 
 TEST(released_at_the_gap_the_peak_is_little_higher_and_the_verdict_the_same) {
@@ -224,33 +122,6 @@ TEST(released_at_the_gap_the_peak_is_little_higher_and_the_verdict_the_same) {
     response_clear(&response);
     rig_clear(&rig);
     beam_free(&beam);
-}
-
-TEST(set_r_is_chaotic_at_300_hz_and_when_it_is_longer_at_290) {
-    Response response = respond("ibs-r", NULL, 0);
-    CHECK(response.verdict == RESPONSE_CHAOTIC);
-    CHECK_NEAR(response.peaks.min, 330, 25);
-    CHECK_NEAR(response.peaks.max, 825, 40);
-    response_clear(&response);
-    Beam beam = oscillator_beam("ibs-r", "beam.length=0.284");
-    Fault fault = {0};
-    Rig rig;
-    beam.frequency = 290;
-    CHECK(rig_build(&rig, &beam, "ibs-r", &fault));
-    response_run(&response, &rig, &beam, NULL, NULL);
-    CHECK(response.verdict == RESPONSE_CHAOTIC);
-    CHECK_NEAR(response.peaks.max, 920, 40);
-    response_clear(&response);
-    rig_clear(&rig);
-    beam_free(&beam);
-}
-
-TEST(four_modes_miss_the_chaos_and_sixteen_have_it) {
-    Response coarse = respond("ibs", "beam.modes=4", 0), fine = respond("ibs", "beam.modes=16", 0);
-    CHECK(coarse.verdict != RESPONSE_CHAOTIC);
-    CHECK(fine.verdict == RESPONSE_CHAOTIC);
-    response_clear(&coarse);
-    response_clear(&fine);
 }
 
 TEST(a_beam_without_a_force_rests_and_one_that_does_not_reach_the_joint_does_not_touch) {

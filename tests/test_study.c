@@ -517,6 +517,9 @@ TEST(what_cannot_be_studied_is_told_of) {
     study.axes[1].name = "y";
     check_fault(study, "the study has 10000000000 runs");
     study = good;
+    study.seed = INT64_MAX;
+    check_fault(study, "--seed 9223372036854775807: leaves no room");
+    study = good;
     study.runs = 0;
     check_fault(study, "--runs 0");
     study = good;

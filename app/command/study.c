@@ -12,6 +12,7 @@
 #include "command/output.h"
 #include "command/study_answer.h"
 #include "command/study_laboratory.h"
+#include "command/study_types.h"
 #include "command/study_words.h"
 #include "study/record.h"
 #include "study/store.h"
@@ -28,6 +29,7 @@ typedef struct StudyJob {
     struct timespec begin;
     size_t done_before;
     bool shown; /* progress */
+    bool kept;  /* whatever was to be kept in the file */
 } StudyJob;
 
 /* What is asked -------------------------------------------------------------------------------------------------- */
@@ -150,7 +152,8 @@ static bool is_unchanged(const StudyJob *job) {
     return same;
 }
 
-/* Runs what is not done yet, kept in a file when there is --out. False: faults. */
+/* Runs what is not done yet, kept in a file when there is --out. False: there is no answer, faults say why; a file that
+ * could not be written to the end is one too, but leaves an answer. */
 static bool run_kept(StudyJob *job, Fault *fault) {
     const Options *options = job->options;
     Store *store = NULL;
@@ -169,7 +172,8 @@ static bool run_kept(StudyJob *job, Fault *fault) {
                   options->files[0]);
     if (store && !same)
         store_forget(store);
-    return (!store || store_close(store, fault)) && same;
+    job->kept = !store || store_close(store, fault);
+    return same;
 }
 
 /* Answering ------------------------------------------------------------------------------------------------------ */
@@ -198,7 +202,7 @@ static bool write_tables(const StudyJob *job, const json_t *answer) {
 static int answer_study(const StudyJob *job) {
     const Options *options = job->options;
     json_t *answer = study_answer_make(&job->study, options->files[0]);
-    bool written = !options->out || write_tables(job, answer);
+    bool written = job->kept && (!options->out || write_tables(job, answer));
     if (options->json)
         answer_print(json_incref(answer));
     else
@@ -215,10 +219,15 @@ int command_study(const Options *options) {
     Fault fault = {0};
     if (options->out && !output_directory(options->out))
         return EXIT_WRONG_INPUT;
+    if (options->types)
+        return study_types_answer(options);
     if (!open_study(&job, &fault))
         return house_file_report(&fault);
     study_begin(&job.study);
-    int code = run_kept(&job, &fault) ? answer_study(&job) : house_file_report(&fault);
+    bool ran = run_kept(&job, &fault);
+    int code = house_file_report(&fault);
+    if (ran)
+        code = answer_study(&job);
     study_clear(&job.study);
     job.laboratory->close(&job.experiment);
     return code;

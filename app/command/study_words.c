@@ -153,12 +153,14 @@ static void print_ranges(const Study *study, const StudyLaboratory *laboratory, 
     } else {
         printf("%s at %zu of %zu values, the answer changes %zu times", laboratory->regular,
                values_of(ranges, count, SUMMARY_REGULAR), study->axes[axis].steps, count - 1);
+        const char *before = "; the longest stretches: ";
         for (SummaryState state = SUMMARY_REGULAR; state <= SUMMARY_IRREGULAR; state++) {
             const SummaryRange *range = longest(ranges, count, state);
-            if (range) {
-                printf(state == SUMMARY_REGULAR ? "; the longest stretches: " : ", ");
-                print_range(study, laboratory, axis, range);
-            }
+            if (!range)
+                continue;
+            printf("%s", before);
+            print_range(study, laboratory, axis, range);
+            before = ", ";
         }
     }
     memory_free(ranges);
@@ -261,9 +263,8 @@ static void print_differences(const Study *study) {
     char at[WORD];
     study_words_step(study, 0, first, true, at);
     if (count)
-        printf(
-            "at %zu of %zu values, the first %s, the passes end in different answers: there it depends on the past\n",
-            count, study_steps(study, 0), at);
+        printf("at %zu of %zu values, the first %s, the passes end in different answers: it depends on the past\n",
+               count, study_steps(study, 0), at);
 }
 
 /* The whole ------------------------------------------------------------------------------------------------------ */

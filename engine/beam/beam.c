@@ -132,17 +132,34 @@ static void read_setting(Beam *beam, const char *setting, Fault *fault) {
     json_decref(file.root);
 }
 
+/* Two places of a beam are one, within the first share of its length, or at least the second apart: each is a node, and
+ * rounding leaves nothing of the bending of a beam whose elements are much shorter than that beside the others. */
+static const double SAME_PLACE = 1e-9, APART_LEAST = 1e-3;
+
+static void check_apart(const Beam *beam, const JsonNode *group, const char *name, double place, const char *what,
+                        double other, Fault *fault) {
+    double apart = fabs(place - other), least = APART_LEAST * beam->length;
+    if (apart > SAME_PLACE * beam->length && apart < least)
+        json_fault(group, fault, "%s is %.3g m from %s, must be there, at %.9g m, or at least %.3g m away", name, apart,
+                   what, other, least);
+}
+
 /* What the rows cannot say: the parts fit together, the beam is held and there are freedoms for its modes. */
 static void check_whole(const Beam *beam, const JsonNode *root, Fault *fault) {
     JsonNode pivot = json_member(root, "pivot"), shaker = json_member(root, "shaker"), own = json_member(root, "beam");
     if (beam->pivot_position > beam->length)
-        json_fault(&pivot, fault, "pivot.position is %g m, at most the length, %g m", beam->pivot_position,
+        json_fault(&pivot, fault, "pivot.position is %.9g m, at most the length, %.9g m", beam->pivot_position,
                    beam->length);
     if (beam->shaker_position > beam->length)
-        json_fault(&shaker, fault, "shaker.position is %g m, at most the length, %g m", beam->shaker_position,
+        json_fault(&shaker, fault, "shaker.position is %.9g m, at most the length, %.9g m", beam->shaker_position,
                    beam->length);
+    check_apart(beam, &pivot, "pivot.position", beam->pivot_position, "the end", 0, fault);
+    check_apart(beam, &pivot, "pivot.position", beam->pivot_position, "the tip", beam->length, fault);
+    check_apart(beam, &shaker, "shaker.position", beam->shaker_position, "the end", 0, fault);
+    check_apart(beam, &shaker, "shaker.position", beam->shaker_position, "the tip", beam->length, fault);
+    check_apart(beam, &shaker, "shaker.position", beam->shaker_position, "the pivot", beam->pivot_position, fault);
     bool two_places = beam->pivot_stiffness > 0 && beam->shaker_stiffness > 0 &&
-                      fabs(beam->pivot_position - beam->shaker_position) > 1e-9 * beam->length;
+                      fabs(beam->pivot_position - beam->shaker_position) > SAME_PLACE * beam->length;
     bool turned_and_held = beam->pivot_rotational > 0 && (beam->pivot_stiffness > 0 || beam->shaker_stiffness > 0);
     if (!two_places && !turned_and_held)
         json_fault(&pivot, fault,

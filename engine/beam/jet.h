@@ -2,17 +2,22 @@
  * cell (regime.h). Roots and turns of it cost no exponentials. */
 #pragma once
 
+#include <assert.h>
+
 #include "beam/regime.h"
 
 typedef struct Jet {
     double term[REGIME_TERMS]; /* the measure's unit / s^m */
 } Jet;
 
+static_assert(REGIME_TERMS == 8, "jet_value has them all");
+
 static inline double jet_value(const Jet *jet, double time) {
-    double value = jet->term[REGIME_TERMS - 1];
-    for (int m = REGIME_TERMS - 2; m >= 0; m--)
-        value = value * time + jet->term[m];
-    return value;
+    const double *term = jet->term;
+    double square = time * time;
+    double low = (term[0] + term[1] * time) + (term[2] + term[3] * time) * square;
+    double high = (term[4] + term[5] * time) + (term[6] + term[7] * time) * square;
+    return low + high * (square * square);
 }
 
 /* y', `times` times. */

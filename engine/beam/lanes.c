@@ -150,23 +150,35 @@ static bool can_hop(const Motion *motion) {
            (motion->place == MOTION_OPEN || (motion_in_contact(motion->place) && rig->release == RELEASE_FORCE));
 }
 
-/* From the lane's pack to its motion. */
+static void take_lane(const LaneMoment *moment, size_t l, RegimeRow row, RegimeVector z, MotionReading *reading,
+                      size_t blocks) {
+    for (size_t j = 0; j < blocks; j++) {
+        z.re[j] = moment->z.re[j][l];
+        z.im[j] = moment->z.im[j][l];
+    }
+    reading->sine = moment->sine[l];
+    reading->cosine = moment->cosine[l];
+    reading->value[row] = moment->value[l];
+    reading->rate[row] = moment->rate[l];
+}
+
+/* From the lane's pack to its motion, and on to what happens within the cell, or to the cell's end. */
 static void leave_pack(Lanes *lanes, size_t l) {
     const LaneMoment *now = lanes->now;
     Motion *motion = &lanes->lane[l].motion;
     RegimeRow row = row_of(motion);
-    for (size_t j = 0; j < lanes->blocks; j++) {
-        motion->z.re[j] = now->z.re[j][l];
-        motion->z.im[j] = now->z.im[j][l];
-    }
-    motion->now.sine = now->sine[l];
-    motion->now.cosine = now->cosine[l];
-    motion->now.value[row] = now->value[l];
-    motion->now.rate[row] = now->rate[l];
+    take_lane(now, l, row, motion->z, &motion->now, lanes->blocks);
     motion->phase = now->phase[l];
     if (lanes->watched[l] != 0) {
         double *peak = &motion->peak[lanes->side[l] > 0 ? 0 : 1];
         *peak = fmax(*peak, now->top[l]);
+    }
+    if (lanes->period[l] - motion->phase <= lanes->rig->cell) {
+        motion_step(motion, lanes->period[l] - motion->phase);
+    } else {
+        MotionReading end = motion->now;
+        take_lane(lanes->next, l, row, motion->next, &end, lanes->blocks);
+        motion_step_known(motion, &end);
     }
 }
 
@@ -284,12 +296,13 @@ static bool note_cycle(Lane *lane) {
 static bool step_alone(Lane *lane) {
     Motion *motion = &lane->motion;
     const Rig *rig = motion->rig;
-    do {
-        motion_step(motion, rig->period - motion->phase);
+    for (;;) {
         if ((motion->phase >= rig->period || motion->status != MOTION_GOOD) && !note_cycle(lane))
             return false;
-    } while (!can_hop(motion) || rig->period - motion->phase <= rig->cell);
-    return true;
+        if (can_hop(motion) && rig->period - motion->phase > rig->cell)
+            return true;
+        motion_step(motion, rig->period - motion->phase);
+    }
 }
 
 /* Takes a lane that has something to do, and the next runs when its own have ended. */

@@ -7,6 +7,15 @@
 #include "base/memory.h"
 #include "beam/jet.h"
 
+/* As fmin and fmax, without a call. */
+static inline double least(double a, double b) {
+    return a < b ? a : b;
+}
+
+static inline double largest(double a, double b) {
+    return a > b ? a : b;
+}
+
 /* Places ---------------------------------------------------------------------------------------------------------- */
 
 /* A switch comes when sign y(row) + offset, below 0 before, reaches 0; the offset is the clearance, times k for a
@@ -230,6 +239,7 @@ typedef struct Curve {
 
 /* The curve about the cut nearest to `time` s from now; the cut's time into `*middle`. */
 static Jet follow(const Curve *curve, double time, double *middle) {
+    static const double inverse[] = {1. / 2, 1. / 6, 1. / 12, 1. / 20, 1. / 30, 1. / 42, 1. / 56, 1. / 72};
     const Motion *motion = curve->motion;
     const Regime *regime = regime_of(motion);
     const RigSteady *steady = steady_of(motion);
@@ -237,13 +247,14 @@ static Jet follow(const Curve *curve, double time, double *middle) {
     double sine = motion->now.sine, cosine = motion->now.cosine, omega = motion->rig->omega;
     *middle = regime_cut_time(regime, cut);
     rig_turn_drive(motion->rig, *middle, &sine, &cosine);
+    Jet jet;
     regime_advance(regime->blocks, regime_hop(regime, cut), motion->z, motion->trial);
+    regime_expand(regime, curve->row, motion->trial, jet.term);
     double a = curve->sign * steady->row_sine[curve->row], b = curve->sign * steady->row_cosine[curve->row];
     double term = a * sine + b * cosine, next = omega * (a * cosine - b * sine);
-    Jet jet;
     for (int m = 0; m < REGIME_TERMS; m++) {
-        jet.term[m] = curve->sign * regime_measure(regime->blocks, regime->row[curve->row][m], motion->trial) + term;
-        double after = -omega * omega * term / ((m + 1) * (m + 2));
+        jet.term[m] = curve->sign * jet.term[m] + term;
+        double after = -omega * omega * term * inverse[m];
         term = next;
         next = after;
     }
@@ -259,7 +270,7 @@ static double find_root(const Curve *curve, double turning, double low, double h
         double middle, at;
         Jet jet = follow(curve, guess > low && guess < high ? guess : low + (high - low) / 2, &middle);
         Jet sought = turning != 0 ? jet_rate(&jet, turning) : jet;
-        double left = fmax(low - middle, -part), right = fmin(high - middle, part);
+        double left = largest(low - middle, -part), right = least(high - middle, part);
         guess = -sought.term[0] / sought.term[1];
         if (high - low > JET_RESOLUTION && left + middle > low && jet_value(&sought, left) >= 0) {
             high = left + middle;
@@ -279,10 +290,10 @@ static double find_root(const Curve *curve, double turning, double low, double h
 static double guess_root(double step, double begin, double begin_rate, double end, double end_rate) {
     double a = begin_rate * step, b = end_rate * step, rise = end - begin;
     double at = begin / (begin - end);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 2; i++) {
         double square = 3 * rise - 2 * a - b, cube = a + b - 2 * rise;
         double value = begin + at * (a + at * (square + at * cube)), rate = a + at * (2 * square + 3 * at * cube);
-        at = fmin(fmax(at - value / rate, 0), 1);
+        at = least(largest(at - value / rate, 0), 1);
     }
     return at * step;
 }
@@ -326,12 +337,13 @@ static void note_peak(Motion *motion, double step, const MotionReading *end) {
     double side = motion_side(motion->place);
     const MotionReading *begin = &motion->now;
     double *peak = &motion->peak[side > 0 ? 0 : 1];
-    *peak = fmax(*peak, fmax(push_of(motion, begin->value[REGIME_FORCE]), push_of(motion, end->value[REGIME_FORCE])));
+    *peak =
+        largest(*peak, largest(push_of(motion, begin->value[REGIME_FORCE]), push_of(motion, end->value[REGIME_FORCE])));
     if (side * begin->rate[REGIME_FORCE] > 0 && side * end->rate[REGIME_FORCE] < 0) {
         Curve force = {motion, REGIME_FORCE, side, -motion->rig->stiffness * motion->rig->clearance};
         double push;
         find_turn(&force, 1, step, end, &push);
-        *peak = fmax(*peak, push);
+        *peak = largest(*peak, push);
     }
 }
 
@@ -436,21 +448,32 @@ static const Way *first_switch(Motion *motion, double step, const MotionReading 
     return first;
 }
 
-double motion_step(Motion *motion, double longest) {
-    double step = fmin(fmin(motion->rig->cell, motion->rig->period / RIG_CELLS), longest), when;
-    MotionReading end;
-    RegimeVector factor = move_blocks(motion, step, &end);
-    const Way *first = first_switch(motion, step, &end, &when);
+/* The step whose end is in `next` and `end`, as far as nothing switches before. */
+static double make_step(Motion *motion, double step, RegimeVector factor, MotionReading *end) {
+    double when;
+    const Way *first = first_switch(motion, step, end, &when);
     if (first) {
         step = when;
-        factor = move_blocks(motion, step, &end);
+        factor = move_blocks(motion, step, end);
     }
     if (motion_in_contact(motion->place) && !motion->unwatched)
-        note_peak(motion, step, &end);
-    go_on(motion, step, factor, &end);
+        note_peak(motion, step, end);
+    go_on(motion, step, factor, end);
     if (first)
         change_place(motion, first->to);
     return step;
+}
+
+double motion_step(Motion *motion, double longest) {
+    double step = least(least(motion->rig->cell, motion->rig->period / RIG_CELLS), longest);
+    MotionReading end;
+    RegimeVector factor = move_blocks(motion, step, &end);
+    return make_step(motion, step, factor, &end);
+}
+
+double motion_step_known(Motion *motion, MotionReading *end) {
+    const Regime *regime = regime_of(motion);
+    return make_step(motion, motion->rig->cell, regime_hop(regime, regime->cuts), end);
 }
 
 MotionStatus motion_end_cycle(Motion *motion) {

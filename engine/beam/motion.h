@@ -87,6 +87,9 @@ void motion_unit_tangents(Motion *motion);
  * Switches, when there is one, at its end. */
 double motion_step(Motion *motion, double longest);
 
+/* As motion_step by a whole cell, whose end, if nothing switches before, is known: its blocks in `next`, and `end`. */
+double motion_step_known(Motion *motion, MotionReading *end);
+
 /* Goes on to the end of the cycle, phase 0. */
 MotionStatus motion_cycle(Motion *motion);
 

@@ -63,16 +63,24 @@ static void keep_blocks(Regime *regime, const Eigen *eigen) {
 
 /* A row over states as one over blocks, and its terms: each is the one before times lambda / m. */
 static void keep_row(Regime *regime, RegimeRow which, const double *over_states) {
-    RegimeVector *row = regime->row[which], lambda = regime->lambda;
+    RegimeVector *row = regime->row[which];
     for (size_t j = 0; j < regime->blocks; j++) {
+        double re = 0, im = 0, a = regime->lambda.re[j], b = regime->lambda.im[j];
+        double *terms = regime->terms[which] + 2 * REGIME_TERMS * j;
         for (size_t i = 0; i < regime->states; i++) {
-            row[0].re[j] += over_states[i] * regime->shape.re[i * regime->blocks + j];
-            row[0].im[j] += over_states[i] * regime->shape.im[i * regime->blocks + j];
+            re += over_states[i] * regime->shape.re[i * regime->blocks + j];
+            im += over_states[i] * regime->shape.im[i * regime->blocks + j];
         }
-        for (int m = 1; m < REGIME_TERMS; m++) {
-            double re = row[m - 1].re[j] / m, im = row[m - 1].im[j] / m;
-            row[m].re[j] = re * lambda.re[j] - im * lambda.im[j];
-            row[m].im[j] = re * lambda.im[j] + im * lambda.re[j];
+        row[0].re[j] = re;
+        row[0].im[j] = im;
+        row[1].re[j] = re * a - im * b;
+        row[1].im[j] = re * b + im * a;
+        for (int m = 0; m < REGIME_TERMS; m++) {
+            terms[m] = re;
+            terms[REGIME_TERMS + m] = im;
+            double next = (re * a - im * b) / (m + 1);
+            im = (re * b + im * a) / (m + 1);
+            re = next;
         }
     }
 }
@@ -118,15 +126,17 @@ bool regime_build(Regime *regime, const Modes *modes, const ContactLaw *law, boo
         size_t blocks = count_blocks(&eigen, size);
         *regime = (Regime){.states = size, .blocks = blocks};
         double *at = regime->memory =
-            memory_allocate((4 * size + 6 + 2 * REGIME_ROWS * REGIME_TERMS) * blocks, sizeof *at);
+            memory_allocate((4 * size + 6 + REGIME_ROWS * (4 + 2 * REGIME_TERMS)) * blocks, sizeof *at);
         regime->lambda = take(&at, blocks);
         regime->shape = take(&at, size * blocks);
         regime->part = take(&at, size * blocks);
         regime->drive = take(&at, blocks);
         regime->push = take(&at, blocks);
-        for (int row = 0; row < REGIME_ROWS; row++)
-            for (int m = 0; m < REGIME_TERMS; m++)
-                regime->row[row][m] = take(&at, blocks);
+        for (int row = 0; row < REGIME_ROWS; row++) {
+            regime->row[row][0] = take(&at, blocks);
+            regime->row[row][1] = take(&at, blocks);
+            regime->terms[row] = take(&at, REGIME_TERMS * blocks).re;
+        }
         keep_blocks(regime, &eigen);
         keep_rows(regime, modes, law);
     }
@@ -175,16 +185,15 @@ void regime_cut(Regime *regime, double cell, size_t cuts) {
         }
 }
 
-/* exp(x) of two x of at most REGIME_PART / 2, by Taylor's series: the next term would be below 1e-17. */
+/* exp(x) of two x of at most REGIME_PART / 2, by Taylor's series: (1 + x + x^2 / 2) + x^3 (1 / 6 + x / 24 + x^2 / 120 +
+ * x^3 / 720); the next term would be below 1e-17. */
 static inline void exponentials(RegimeTwo x_re, RegimeTwo x_im, RegimeTwo *re, RegimeTwo *im) {
-    static const double by[] = {1.0 / 5, 1.0 / 4, 1.0 / 3, 1.0 / 2, 1};
-    *re = 1 + x_re * (1.0 / 6);
-    *im = x_im * (1.0 / 6);
-    for (int m = 0; m < 5; m++) {
-        RegimeTwo next = 1 + (*re * x_re - *im * x_im) * by[m];
-        *im = (*re * x_im + *im * x_re) * by[m];
-        *re = next;
-    }
+    RegimeTwo square_re = x_re * x_re - x_im * x_im, square_im = 2 * (x_re * x_im);
+    RegimeTwo cube_re = square_re * x_re - square_im * x_im, cube_im = square_re * x_im + square_im * x_re;
+    RegimeTwo high_re = (1. / 6 + x_re * (1. / 24)) + (square_re * (1. / 120) + cube_re * (1. / 720));
+    RegimeTwo high_im = x_im * (1. / 24) + (square_im * (1. / 120) + cube_im * (1. / 720));
+    *re = (1 + (x_re + square_re * 0.5)) + (cube_re * high_re - cube_im * high_im);
+    *im = (x_im + square_im * 0.5) + (cube_re * high_im + cube_im * high_re);
 }
 
 void regime_propagator(const Regime *regime, double time, RegimeVector factor) {

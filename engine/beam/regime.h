@@ -46,13 +46,14 @@ enum { REGIME_TERMS = 8 };
 #define REGIME_PART (M_PI / 128)
 
 typedef struct Regime {
-    size_t states, blocks;                       /* 2 n; a multiple of REGIME_WIDTH */
-    RegimeVector lambda;                         /* (blocks) 1/s; 0: an empty block */
-    RegimeVector shape;                          /* (states x blocks) v */
-    RegimeVector part;                           /* (states x blocks) w */
-    RegimeVector drive;                          /* (blocks) what 1 N at the shaker gives */
-    RegimeVector push;                           /* (blocks) what 1 N at the tip gives */
-    RegimeVector row[REGIME_ROWS][REGIME_TERMS]; /* (blocks) row lambda^m / m! */
+    size_t states, blocks;            /* 2 n; a multiple of REGIME_WIDTH */
+    RegimeVector lambda;              /* (blocks) 1/s; 0: an empty block */
+    RegimeVector shape;               /* (states x blocks) v */
+    RegimeVector part;                /* (states x blocks) w */
+    RegimeVector drive;               /* (blocks) what 1 N at the shaker gives */
+    RegimeVector push;                /* (blocks) what 1 N at the tip gives */
+    RegimeVector row[REGIME_ROWS][2]; /* (blocks) the row, and its rate, row lambda */
+    double *terms[REGIME_ROWS];       /* (blocks x 2 x REGIME_TERMS) Re, Im of row lambda^m / m! */
     double *memory;
 
     double cell;      /* s */
@@ -122,6 +123,17 @@ static inline double regime_measure(size_t blocks, RegimeVector row, RegimeVecto
         second += regime_product(row, z, j + 2);
     }
     return (first[0] + first[1]) + (second[0] + second[1]);
+}
+
+/* y of a moment t later is the sum over m of term[m] t^m, t within a part. */
+static inline void regime_expand(const Regime *regime, RegimeRow row, RegimeVector z, double term[REGIME_TERMS]) {
+    const double *from = regime->terms[row];
+    RegimeTwo sum[REGIME_TERMS / 2] = {{0}};
+    for (size_t j = 0; j < regime->blocks; j++, from += 2 * REGIME_TERMS)
+        for (int m = 0; m < REGIME_TERMS / 2; m++)
+            sum[m] += *regime_two(from + 2 * m) * z.re[j] - *regime_two(from + REGIME_TERMS + 2 * m) * z.im[j];
+    for (int m = 0; m < REGIME_TERMS / 2; m++)
+        *regime_two(term + 2 * m) = sum[m];
 }
 
 /* The state of blocks, and the blocks of a state. */

@@ -106,15 +106,11 @@ static void make_jumps(RigChange *change, const Regime *before, const RigSteady 
 
 /* Of an angle of at most 2 pi / RIG_CELLS. */
 static void take_sine_cosine(double angle, double *sine, double *cosine) {
-    static const double of_sine[] = {1.0 / 156, 1.0 / 110, 1.0 / 72, 1.0 / 42, 1.0 / 20, 1.0 / 6};
-    static const double of_cosine[] = {1.0 / 132, 1.0 / 90, 1.0 / 56, 1.0 / 30, 1.0 / 12, 1.0 / 2};
-    double square = angle * angle;
-    *sine = *cosine = 1;
-    for (int m = 0; m < 6; m++) {
-        *sine = 1 - *sine * square * of_sine[m];
-        *cosine = 1 - *cosine * square * of_cosine[m];
-    }
-    *sine *= angle;
+    double s = angle * angle, s2 = s * s, s4 = s2 * s2;
+    *sine = angle * (((1 - s * (1. / 6)) + (1. / 120 - s * (1. / 5040)) * s2) +
+                     ((1. / 362880 - s * (1. / 39916800)) + s2 * (1. / 6227020800)) * s4);
+    *cosine = ((1 - s * (1. / 2)) + (1. / 24 - s * (1. / 720)) * s2) +
+              ((1. / 40320 - s * (1. / 3628800)) + s2 * (1. / 479001600)) * s4;
 }
 
 void rig_turn_drive(const Rig *rig, double time, double *sine, double *cosine) {

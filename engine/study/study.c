@@ -1,5 +1,6 @@
 #include "study/study.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -124,6 +125,9 @@ bool study_check(const Study *study, Fault *fault) {
     check_passes(study, fault);
     if (study->runs < 1 || study->runs > STUDY_RUNS_MOST)
         fault_add(fault, "--runs %zu: must be from 1 to %d", study->runs, STUDY_RUNS_MOST);
+    if (study->seed > (uint64_t)(INT64_MAX - STUDY_RUNS_MOST))
+        fault_add(fault, "--seed %" PRIu64 ": leaves no room for those of the runs, must be at most %" PRId64,
+                  study->seed, INT64_MAX - STUDY_RUNS_MOST);
     double trials =
         (double)study->pass_count * (double)study->runs * (double)study_steps(study, 0) * (double)study_steps(study, 1);
     if (fault->total == before && trials > STUDY_TRIALS_MOST)

@@ -5,10 +5,11 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "base/parallel.h"
 #include "beam/lanes.h"
 #include "bench.h"
 
-enum { TURNS = 9, CYCLES = 2000, SWEEP = 301, SWEEP_TURNS = 3 };
+enum { TURNS = 9, CYCLES = 2000, BATCH = 32 };
 
 static Rig make_rig(const char *source, const char *modes) {
     char path[4096];
@@ -45,25 +46,44 @@ static void measure(const char *source, const char *modes, double frequency) {
     rig_clear(&rig);
 }
 
-/* A sweep from rest, 20 to 320 Hz, 300 + 100 cycles a point, in lanes on one core. */
-static void measure_lanes(const char *source, const char *modes) {
+/* Runs that are shared out to threads by the batch. */
+typedef struct Batches {
+    const Rig *rig;
+    LanesRun *runs;
+    size_t count;
+} Batches;
+
+static void run_batch(void *context, size_t index) {
+    const Batches *batches = context;
+    size_t from = index * BATCH, left = batches->count - from;
+    lanes_run(batches->rig, batches->runs + from, left < BATCH ? left : BATCH, NULL);
+}
+
+/* `rows` clearances up to the beam's own, with `columns` frequencies from `low` to 320 Hz, from rest, 300 + 100 cycles
+ * a point: s on one core, and by the clock with all. */
+static void measure_map(const char *source, const char *modes, double low, size_t columns, size_t rows, bool alone) {
     Rig rig = make_rig(source, modes);
-    LanesRun *runs = memory_allocate(SWEEP, sizeof *runs);
-    double seconds[SWEEP_TURNS];
-    for (int turn = 0; turn < SWEEP_TURNS; turn++) {
-        for (size_t i = 0; i < SWEEP; i++)
-            runs[i] = (LanesRun){.frequency = 20 + (double)i,
-                                 .force = rig.force,
-                                 .clearance = rig.clearance,
-                                 .transient_cycles = 300,
-                                 .cycles = 100};
-        double begin = bench_now();
-        lanes_run(&rig, runs, SWEEP, NULL);
-        seconds[turn] = bench_now() - begin;
+    Batches batches = {&rig, memory_allocate(columns * rows, sizeof(LanesRun)), columns * rows};
+    for (size_t i = 0; i < batches.count; i++)
+        batches.runs[i] = (LanesRun){
+            .frequency = low + (320 - low) * (double)(i % columns) / (double)(columns - 1),
+            .force = rig.force,
+            .clearance = rig.clearance * (double)(i / columns + 1) / (double)rows,
+            .transient_cycles = 300,
+            .cycles = 100,
+        };
+    double cycles = 400 * (double)batches.count, begin = bench_now();
+    printf("%-14s %zu x %zu points", modes, columns, rows);
+    if (alone) {
+        lanes_run(&rig, batches.runs, batches.count, NULL);
+        double seconds = bench_now() - begin;
+        printf("  %8.0f cycles/s in lanes on one core, %.2f s", cycles / seconds, seconds);
     }
-    printf("%-14s sweep   %8.0f cycles/s in lanes on one core\n", modes,
-           SWEEP * 400 / bench_median(seconds, SWEEP_TURNS));
-    memory_free(runs);
+    begin = bench_clock();
+    parallel_for(parallel_processors(), (batches.count + BATCH - 1) / BATCH, run_batch, &batches);
+    double seconds = bench_clock() - begin;
+    printf("  %8.0f on all by the clock, %.2f s\n", cycles / seconds, seconds);
+    memory_free(batches.runs);
     rig_clear(&rig);
 }
 
@@ -77,7 +97,8 @@ int main(int argc, char **argv) {
     for (int i = 0; i < 2; i++) {
         measure(argv[1], modes[i], 190);
         measure(argv[1], modes[i], 300);
-        measure_lanes(argv[1], modes[i]);
+        measure_map(argv[1], modes[i], 20, 301, 1, true);
+        measure_map(argv[1], modes[i], 120, 200, 100, false);
     }
     printf("reference (8 million dependent square roots): %.1f ms\n", 1000 * bench_median(reference, TURNS));
     return 0;

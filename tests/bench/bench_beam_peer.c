@@ -8,7 +8,7 @@
 #include "bench.h"
 #include "peer.h"
 
-enum { SWEEP = 301, EVERY = 30, CYCLES = 400, CYCLES_PEER = 20, TURNS = 3 };
+enum { SWEEP = 301, EVERY = 30, CYCLES = 400, TRANSIENT = 300, CYCLES_PEER = 20, TURNS = 3 };
 
 static double frequency_of(size_t i) {
     return 20 + (double)i;
@@ -20,8 +20,11 @@ static double measure_lanes(const Rig *rig) {
     double seconds[TURNS];
     for (int turn = 0; turn < TURNS; turn++) {
         for (size_t i = 0; i < SWEEP; i++)
-            runs[i] = (LanesRun){
-                .frequency = frequency_of(i), .force = rig->force, .clearance = rig->clearance, .cycles = CYCLES};
+            runs[i] = (LanesRun){.frequency = frequency_of(i),
+                                 .force = rig->force,
+                                 .clearance = rig->clearance,
+                                 .transient_cycles = TRANSIENT,
+                                 .cycles = CYCLES - TRANSIENT};
         double begin = bench_now();
         lanes_run(rig, runs, SWEEP, NULL);
         seconds[turn] = bench_now() - begin;
