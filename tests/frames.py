@@ -4,6 +4,7 @@
 frames.py CLEARANCE
 """
 
+import json
 import os
 import pathlib
 import shutil
@@ -14,7 +15,7 @@ import sys
 import tempfile
 import time
 
-from program import check, end, expect, house, program, run
+from program import beam, check, end, expect, house, program, run
 
 
 def size_of(png):
@@ -127,7 +128,46 @@ def check_comparison(out):
     check(len(frames_of(out)) > 5 and size_of(out / "plan.png") == (640, 360), "pictures of a comparison")
 
 
+def check_beam(out):
+    """A film of a beam: so many pictures a second of the film, and so many times slower."""
+    rig = beam("ibs")
+    done = expect(0, "run", rig, "--set", "drive.frequency=190", "--frames", "10", "--slow", "400", "--to", "0.01", "--size",
+                  "640x360", "--out", str(out), "--json")
+    check(json.loads(done.stdout)["kind"] == "beam", "the answer, and nothing else, on standard output")
+    frames = frames_of(out)
+    check([f.name for f in frames] == [f"frame-{i:05d}.png" for i in range(1, 42)], "10 ms, 400 times slower, 10 a second")
+    check(all(size_of(f) == (640, 360) for f in frames), "frames of a beam have their size")
+    check(len({f.read_bytes() for f in frames}) == 41, "no two frames of a beam are alike")
+    check(size_of(out / "beam.png") == (640, 360), "beam.png")
+    check((out / "beam.svg").read_text().startswith("<?xml"), "beam.svg")
+    check((out / "beam.pdf").read_bytes().startswith(b"%PDF"), "beam.pdf")
+    before = {f.name: f.read_bytes() for f in [*frames, out / "beam.png", out / "beam.svg", out / "beam.pdf"]}
+    again = out / "again"
+    expect(0, "run", rig, "--set", "drive.frequency=190", "--frames", "10", "--slow", "400", "--to", "0.01", "--size", "640x360",
+           "--out", str(again), "--jobs", "1")
+    check({f.name: f.read_bytes() for f in [*frames_of(again), again / "beam.png", again / "beam.svg", again / "beam.pdf"]}
+          == before, "the same bytes twice, whatever the number of threads")
+    expect(0, "run", rig, "--frames", "2", "--out", str(again))
+    check(24 <= len(frames_of(again)) <= 30, "8 cycles take some 13 seconds", len(frames_of(again)))
+    expect(0, "run", rig, "--frames", "1", "--from", "0.33", "--to", "9", "--size", "320x200", "--out", str(again))
+    check(len(frames_of(again)) == 3, "as far as the record goes", len(frames_of(again)))
+    expect(0, "run", rig, "--frames", "1", "--from", "9", "--size", "320x200", "--out", str(again),
+           says="after the end of the record at 0.333333 s")
+    expect(1, "run", rig, "--set", "joint.clearance=0", "--set", "drive.force=0", "--out", str(again),
+           says="not one whole cycle was recorded")
+
+
 def check_wrong_use(out):
+    rig = beam("ibs")
+    for option, value in (("--slow", "0"), ("--slow", "-5"), ("--slow", "nan"), ("--slow", "lots"), ("--frames", "0")):
+        expect(2, "run", rig, option, value, "--out", str(out), says=option)
+    expect(2, "run", rig, "--frames", "10", says="--frames needs --out")
+    expect(2, "run", rig, "--movie", str(out / "film.gif"), says="must end in .mp4")
+    expect(2, "run", rig, "--view", "raised", "--out", str(out), says="--view raised is for houses")
+    expect(2, "run", rig, "--show", "circles", "--out", str(out), says="--show is for houses")
+    expect(2, "run", rig, "--frames", "1000", "--slow", "1e6", "--out", str(out), says="at most 1000000")
+    expect(2, "run", rig, "--frames", "2", "--out", str(out), says="osmesa or egl", CLEARANCE_GL="nonsense")
+    expect(2, "run", house("straight-corridor"), "--slow", "10", "--frames", "2", "--out", str(out), says="--slow is for beams")
     corridor = house("straight-corridor")
     expect(2, "run", corridor, "--frames", "10", says="--frames needs --out")
     expect(2, "run", corridor, "--movie", str(out / "film.gif"), says="must end in .mp4")
@@ -148,8 +188,13 @@ def check_wrong_use(out):
 
 
 def check_interrupt(out):
-    process = subprocess.Popen([program, "run", house("straight-corridor"), "--frames", "1000", "--out", str(out)],
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    for name in (house("straight-corridor"), beam("ibs")):
+        interrupt(name, out / pathlib.Path(name).stem)
+
+
+def interrupt(name, out):
+    process = subprocess.Popen([program, "run", name, "--frames", "1000", "--out", str(out)], stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)
     while process.poll() is None and len(frames_of(out)) < 5:
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)
@@ -161,6 +206,6 @@ def check_interrupt(out):
 
 
 with tempfile.TemporaryDirectory() as directory:
-    for part in (check_frames, check_memory, check_contexts, check_plots, check_films, check_comparison, check_wrong_use, check_interrupt):
+    for part in (check_frames, check_beam, check_memory, check_contexts, check_plots, check_films, check_comparison, check_wrong_use, check_interrupt):
         part(pathlib.Path(directory) / part.__name__)
 end()

@@ -15,6 +15,10 @@ def house(name):
     return str(source / "houses" / f"{name}.json")
 
 
+def beam(name):
+    return str(source / "assets" / "beams" / f"{name}.json")
+
+
 def run(*arguments, cwd=None, limit=None, **environment):
     """`limit` is the most bytes that a file may have."""
     size = limit and (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))

@@ -59,17 +59,24 @@ TEST(a_critically_damped_contact_moves_by_its_closed_form) {
 
 /* Resonance ------------------------------------------------------------------------------------------------------- */
 
-/* x'' + x = sin t from rest: x = (sin t - t cos t) / 2. */
-TEST(an_undamped_mode_driven_at_its_own_frequency_grows_with_the_time) {
-    static const double off[] = {0, 1e-15, 1e-13, 1e-11, 1e-9};
-    for (int i = 0; i < 5; i++) {
+/* x'' + x = sin(omega t) from rest: x = (sin(omega t) - omega sin t) / (1 - omega^2), which grows. */
+TEST(an_undamped_mode_driven_near_its_own_frequency_grows_and_at_it_diverges) {
+    static const double off[] = {0, 1e-15, 1e-12, 1e-9, 1e-7, 1e-6, 1e-4};
+    for (int i = 0; i < 7; i++) {
         Oscillator mass = {.omega = 1, .clearance = 1e3, .stiffness = 1};
         Rig rig = oscillator_rig(&mass);
-        rig_drive(&rig, (1 + off[i]) / (2 * M_PI), 1);
+        double omega = 1 + off[i];
+        rig_drive(&rig, omega / (2 * M_PI), 1);
         Motion motion = motion_create(&rig, 0);
+        MotionStatus status = MOTION_GOOD;
         for (int cycle = 0; cycle < 10; cycle++)
-            CHECK(motion_cycle(&motion) == MOTION_GOOD);
-        CHECK_NEAR(motion_deflection(&motion), -10 * M_PI, 1e-6);
+            status = motion_cycle(&motion);
+        if (off[i] < 1e-8) {
+            CHECK(status == MOTION_DIVERGED);
+        } else {
+            CHECK(status == MOTION_GOOD);
+            CHECK_NEAR(motion_deflection(&motion), -omega * sin(20 * M_PI / omega) / (1 - omega * omega), 1e-6);
+        }
         motion_destroy(&motion);
         rig_clear(&rig);
     }

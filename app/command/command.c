@@ -170,6 +170,10 @@ static bool take_frames(Options *options, const char *value) {
     return take_number(value, 0.001, 1000, &options->frames);
 }
 
+static bool take_slow(Options *options, const char *value) {
+    return take_number(value, 0.001, 1e9, &options->slow);
+}
+
 static bool take_from(Options *options, const char *value) {
     return take_number(value, 0, 1e9, &options->from);
 }
@@ -240,7 +244,8 @@ static bool take_runs(Options *options, const char *value) {
 static const Option option_rows[] = {
     {"--set", "NAME=VALUE", FOR_HOUSES, "change a parameter, for instance door.d1.width=0.8 (repeatable)",
      take_setting},
-    {"--out", "DIR", FOR_RUN, "write summary.json, trace.csv, trajectory.sqlite and plan.png, .svg and .pdf there",
+    {"--out", "DIR", FOR_RUN,
+     "write summary.json, trace.csv, of a house trajectory.sqlite, and plan.png or beam.png, .svg and .pdf there",
      take_out},
     {"--out", "DIR", FOR_COMPARE,
      "write plan.png, .svg and .pdf, B with the ways in A as \"before\", and what other options ask for", take_out},
@@ -269,12 +274,15 @@ static const Option option_rows[] = {
     {"--seed", "N", FOR_HOUSES | FOR_CASES, "seed of all chance, from 0 (default 1)", take_seed},
     {"--jobs", "N", FOR_HOUSES | FOR_CASES, "threads, from 1 (default: one a processor); the answer is the same",
      take_jobs},
-    {"--frames", "FPS", FOR_FILMS, "write so many pictures of each second to DIR/frames/frame-00001.png and so on",
-     take_frames},
+    {"--frames", "FPS", FOR_FILMS,
+     "write so many pictures of each second (of a beam: of film) to DIR/frames/frame-00001.png and so on", take_frames},
     {"--movie", "FILE", FOR_FILMS, "make a film of them (30 a second where --frames does not say), by ffmpeg",
      take_movie},
+    {"--slow", "TIMES", FOR_RUN, "of a beam: so many times slower (default: so that a cycle takes some 1.5 s)",
+     take_slow},
     {"--from", "SECONDS", FOR_FILMS, "begin them at this time (default 0)", take_from},
-    {"--to", "SECONDS", FOR_FILMS, "end them at this time (default: when the last is out)", take_to},
+    {"--to", "SECONDS", FOR_FILMS, "end them at this time (default: when the last is out, or 8 cycles of a beam)",
+     take_to},
     {"--view", VIEW_WORDS, FOR_FILMS, "seen from above, or raised: then also DIR/raised.png, at the end", take_view},
     {"--camera", "AZ,EL[,ZOOM]", FOR_FILMS,
      "raised from this azimuth (0: up the plan) and elevation, 5 to 90 degrees, so many times larger (default 10,60,1)",

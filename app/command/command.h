@@ -35,7 +35,8 @@ typedef struct Options {
     bool json, quiet;
     int width, height; /* pixels */
     Theme theme;
-    double frames;     /* pictures a simulated s; 0: none */
+    double frames;     /* pictures a s of the film; 0: none */
+    double slow;       /* simulated time is shown so many times slower; 0: not said */
     const char *movie; /* file, or NULL */
     double from, to;   /* s; negative: not said */
     Camera camera;

@@ -6,6 +6,11 @@
 #include "command/output.h"
 #include "draw/plot_write.h"
 
+/* Design points. */
+#define TAIL_WIDTH 4.0
+#define TAIL_PIECE 4.0 /* at least */
+#define TAIL_OVER 1.0
+
 static int pixels(double points, double unit) {
     return (int)lround(points * unit);
 }
@@ -18,39 +23,65 @@ static void give_pixels(const PlotStrip *strip, size_t plot, PlotPixels part, Pa
                        part.x, part.y, part.width, part.height);
 }
 
-void plot_strip_open(PlotStrip *strip, HousePlots plots, const Layout *still, PaintGl *paint, const Options *options) {
-    *strip = (PlotStrip){.plots = plots, .still = still, .unit = layout_unit(options->width, options->height)};
-    for (size_t i = 0; i < plots.choice.count; i++) {
+void plot_strip_open(PlotStrip *strip, const PlotStripSource *source, const Layout *still, PaintGl *paint,
+                     const Options *options) {
+    *strip = (PlotStrip){.source = *source, .still = still, .unit = layout_unit(options->width, options->height)};
+    for (size_t i = 0; i < source->count; i++) {
         Box panel = still->panels[i];
-        strip->canvases[i] = plot_canvas_create(&strip->plots.plots[i], pixels(box_width(panel), strip->unit),
+        strip->canvases[i] = plot_canvas_create(&source->plots[i], pixels(box_width(panel), strip->unit),
                                                 pixels(box_height(panel), strip->unit), strip->unit, options->theme);
         give_pixels(strip, i, plot_canvas_all(strip->canvases[i]), paint);
     }
 }
 
 void plot_strip_close(PlotStrip *strip) {
-    for (size_t i = 0; i < strip->plots.choice.count; i++)
+    for (size_t i = 0; i < strip->source.count; i++)
         plot_canvas_destroy(strip->canvases[i]);
-    house_plots_free(&strip->plots);
+}
+
+/* On the page, a point of a series. */
+static Vec2 place_of(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t index) {
+    Vec2 place = plot_canvas_place(strip->canvases[plot], plot_value(series, index));
+    return vec2_along(strip->still->panels[plot].low, 1 / strip->unit, place);
+}
+
+/* The last piece of a line, thick, in pieces that go a little over each other, since their ends are blurred. */
+static void mark_tail(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t first, size_t count,
+                      Layout *moving) {
+    if (first >= count)
+        return;
+    Vec2 from = place_of(strip, plot, series, first);
+    for (size_t i = first + 1; i < count; i++) {
+        Vec2 to = place_of(strip, plot, series, i);
+        if (vec2_distance(from, to) < TAIL_PIECE && i + 1 < count)
+            continue;
+        Vec2 over = vec2_along(to, TAIL_OVER, vec2_unit(vec2_sub(to, from)));
+        layout_add_sample(moving, (Sample){.from = from, .to = over, .role = series->role, .width = TAIL_WIDTH});
+        from = to;
+    }
 }
 
 /* A disc where the series has come to. */
 static void mark_present(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t count, Layout *moving) {
-    if (!count || series->role == ROLE_GHOST)
-        return;
-    Vec2 place = plot_canvas_place(strip->canvases[plot], plot_value(series, count - 1));
-    Vec2 at = vec2_along(strip->still->panels[plot].low, 1 / strip->unit, place);
+    Role role = strip->source.now == ROLE_PAPER ? series->role : strip->source.now;
+    Vec2 at = place_of(strip, plot, series, count - 1);
     if (isfinite(at.x) && isfinite(at.y))
-        layout_add_sample(moving, (Sample){.from = at, .to = at, .role = series->role, .symbol = SYMBOL_DISC});
+        layout_add_sample(moving, (Sample){.from = at, .to = at, .role = role, .symbol = SYMBOL_DISC});
 }
 
 void plot_strip_show(PlotStrip *strip, double time, PaintGl *paint, Layout *moving) {
-    for (size_t i = 0; i < strip->plots.choice.count; i++) {
-        const Plot *plot = &strip->plots.plots[i];
+    const PlotStripSource *source = &strip->source;
+    for (size_t i = 0; i < source->count; i++) {
+        const Plot *plot = &source->plots[i];
         for (size_t s = 0; s < plot->series_count; s++) {
-            size_t count = house_plots_until(&strip->plots, i, s, time);
+            size_t count = source->until(source->owner, i, s, time);
             PlotPixels changed = plot_canvas_advance(strip->canvases[i], s, count);
             give_pixels(strip, i, changed, paint);
+            if (!count || plot->series[s].role == ROLE_GHOST || plot->series[s].width <= 0)
+                continue;
+            if (source->tail > 0)
+                mark_tail(strip, i, &plot->series[s], source->until(source->owner, i, s, time - source->tail), count,
+                          moving);
             mark_present(strip, i, &plot->series[s], count, moving);
         }
     }

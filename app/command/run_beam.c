@@ -6,6 +6,7 @@
 
 #include "beam/response.h"
 #include "command/answer.h"
+#include "command/beam_frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/types_answer.h"
@@ -172,8 +173,6 @@ static bool write_data(const Response *response, json_t *answer, const char *out
 static bool check_options(const Options *options) {
     const char *foreign = options->route          ? "--route"
                           : options->driving >= 0 ? "--driving"
-                          : options->frames > 0   ? "--frames"
-                          : options->movie        ? "--movie"
                           : options->report       ? "--report"
                           : options->observed     ? "--observed"
                                                   : NULL;
@@ -186,7 +185,7 @@ int run_beam_file(const Options *options) {
     Beam beam = {0};
     Rig rig;
     Fault fault = {0};
-    if (!check_options(options) || (options->out && !output_directory(options->out)))
+    if (!check_options(options) || beam_frames_check(options) || (options->out && !output_directory(options->out)))
         return EXIT_WRONG_INPUT;
     if (!beam_read(&beam, options->files[0], options->settings, options->setting_count, &fault) ||
         !rig_build(&rig, &beam, options->files[0], &fault)) {
@@ -206,7 +205,8 @@ int run_beam_file(const Options *options) {
         fprintf(stderr, "clearance: interrupted after %zu recorded cycles; what came before is kept\n",
                 response.section.count);
     json_t *answer = make_answer(&response, &type, &beam, &rig);
-    bool written = !options->out || write_data(&response, answer, options->out);
+    bool written = (!options->out || write_data(&response, answer, options->out)) &&
+                   beam_frames_write(&beam, &rig, &response, options);
     if (options->json)
         answer_print(json_incref(answer));
     else
@@ -219,5 +219,5 @@ int run_beam_file(const Options *options) {
     response_clear(&response);
     rig_clear(&rig);
     beam_free(&beam);
-    return !written ? EXIT_WRONG_INPUT : resolved ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    return !written ? EXIT_WRONG_INPUT : resolved && !command_interrupted ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }

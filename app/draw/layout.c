@@ -267,6 +267,13 @@ static Box plan_within(const Scene *scene, Box frame) {
                  {frame.high.x - MARGIN, frame.high.y - FOOT_HEIGHT}};
 }
 
+/* Of panels below the plan: what the scene asks for, or all that a plan as wide as the page leaves, up to squares. */
+static double panels_height(const Scene *scene, Box frame) {
+    Box plan = plan_within(scene, frame);
+    double left = box_height(plan) - box_width(plan) * box_height(scene->box) / box_width(scene->box);
+    return fmax(scene->panel_height, fmin(left, box_width(frame) / scene->panels));
+}
+
 /* Divides the page below the band between the plan and what is beside it; true when that is below. */
 static bool divide_page(Layout *layout, const Scene *scene) {
     Box frame = {{0, layout->band.high.y}, layout->page};
@@ -276,10 +283,13 @@ static bool divide_page(Layout *layout, const Scene *scene) {
     if (scene->bare || (!scene->row_count && !scene->panels))
         return false;
     Box left = frame, upper = frame;
+    bool panels_below = scene->panels && scene->panel_height > 0;
     left.high.x -= scene->panels ? PANEL_WIDTH : LIST_WIDTH;
-    upper.high.y -= scene->panels ? PANEL_HEIGHT : list_height_below(scene);
+    upper.high.y -= panels_below    ? panels_height(scene, frame)
+                    : scene->panels ? PANEL_HEIGHT
+                                    : list_height_below(scene);
     Box beside = plan_within(scene, left), above = plan_within(scene, upper);
-    bool below = metre_that_fits(scene, above) > BELOW_GAIN * metre_that_fits(scene, beside);
+    bool below = panels_below || metre_that_fits(scene, above) > BELOW_GAIN * metre_that_fits(scene, beside);
     layout->frame = below ? upper : left;
     layout->plan = below ? above : beside;
     layout->list = (Box){below ? vec2(0, upper.high.y) : vec2(left.high.x, frame.low.y), layout->page};
@@ -424,7 +434,8 @@ static void place_margins(Layout *layout, const Scene *scene) {
         add_words(layout, ROLE_DIM_TEXT, scene->note, NAME_LETTERS, false, end + CELL_GAP, right, y);
     rim_words(layout, first);
     place_clock(layout, layout, scene->clock);
-    place_scale_bar(layout, scene, layout->plan.high.y + FOOT_HEIGHT / 2);
+    if (!scene->unscaled)
+        place_scale_bar(layout, scene, layout->plan.high.y + FOOT_HEIGHT / 2);
 }
 
 void layout_make(Layout *layout, const Scene *scene, Vec2 page) {

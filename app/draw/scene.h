@@ -120,19 +120,21 @@ typedef struct Scene {
     size_t count, capacity;
     SceneRow *rows; /* (row_count) */
     size_t row_count, row_capacity;
-    Box box;            /* m, what must be seen */
-    double top;         /* m, up to what height, in the raised view */
-    Camera camera;      /* from where; zero: the plan */
-    bool bare;          /* nothing round it but the scale: a detail of another picture */
-    int panels;         /* pictures beside it, for instance plots, in place of the rows; at most SCENE_PANELS */
-    double grid;        /* m, between the faint lines; 0: none */
-    const char *title;  /* the answer: the eye finds it first */
-    Role title_role;    /* ROLE_TEXT, or ROLE_ERROR when the answer is no */
-    const char *detail; /* one line more about it */
-    const char *name;   /* of what is shown; texts that are NULL are not there */
-    const char *note;   /* what must be said wherever it is shown, or "" */
-    const char *clock;  /* the time, or the span of time, that is shown */
-    Arena arena;        /* holds points and texts */
+    Box box;             /* m, what must be seen */
+    double top;          /* m, up to what height, in the raised view */
+    Camera camera;       /* from where; zero: the plan */
+    bool bare;           /* nothing round it but the scale: a detail of another picture */
+    bool unscaled;       /* no scale bar: it says how large it is */
+    int panels;          /* pictures beside it, for instance plots, in place of the rows; at most SCENE_PANELS */
+    double panel_height; /* design points, at least, of panels that stand below it; 0: where they leave it larger */
+    double grid;         /* m, between the faint lines; 0: none */
+    const char *title;   /* the answer: the eye finds it first */
+    Role title_role;     /* ROLE_TEXT, or ROLE_ERROR when the answer is no */
+    const char *detail;  /* one line more about it */
+    const char *name;    /* of what is shown; texts that are NULL are not there */
+    const char *note;    /* what must be said wherever it is shown, or "" */
+    const char *clock;   /* the time, or the span of time, that is shown */
+    Arena arena;         /* holds points and texts */
 } Scene;
 
 void scene_clear(Scene *scene);

@@ -149,6 +149,11 @@ static bool same_rig(const Beam *a, const Beam *b) {
     return true;
 }
 
+/* Is the drive fast enough for the rig's cells? Of one that is not, rig_build says why. */
+static bool is_followed(const Beam *beam, const Rig *rig) {
+    return 1 / (beam->frequency * rig->cell) <= RIG_CELLS_MOST;
+}
+
 /* m, how far the amplitude of the drive would push the tip without the joint, if it stood still. */
 static double static_deflection(const Modes *modes, double force) {
     double sum = 0;
@@ -305,7 +310,7 @@ static void run_cases(const Given *given, Case **cases, size_t count, const Rig 
 /* The rig of a case: the given one, or `own`, made for it. NULL: there is none, and the trial says why. */
 static const Rig *find_rig(const Given *given, Case *one, Rig *own) {
     Fault fault = {0};
-    if (same_rig(&one->beam, &given->beam))
+    if (same_rig(&one->beam, &given->beam) && is_followed(&one->beam, &given->rig))
         return &given->rig;
     if (rig_build(own, &one->beam, given->beam.name, &fault))
         return own;
@@ -324,7 +329,7 @@ static void run_apart(const Given *given, Case *cases, size_t count, const volat
             continue;
         size_t members = 0, size = 2 * rig->modes.count;
         for (size_t j = i; j < count; j++)
-            if (!cases[j].made && same_rig(&cases[i].beam, &cases[j].beam))
+            if (!cases[j].made && same_rig(&cases[i].beam, &cases[j].beam) && is_followed(&cases[j].beam, rig))
                 group[members++] = &cases[j];
         double *states = memory_allocate(members * size, sizeof *states);
         for (size_t j = 0; j < members; j++)

@@ -144,10 +144,12 @@ static RegimeRow row_of(const Motion *motion) {
 }
 
 /* Can it hop, now and for as long as its place stays? */
-static bool can_hop(const Motion *motion) {
+static bool can_hop(const Lanes *lanes, const Motion *motion) {
     const Rig *rig = motion->rig;
-    return rig->cell <= rig->period / RIG_CELLS &&
-           (motion->place == MOTION_OPEN || (motion_in_contact(motion->place) && rig->release == RELEASE_FORCE));
+    bool touches = motion_in_contact(motion->place);
+    double first = touches ? rig->first_contact : rig->first_free;
+    return rig->cell == lanes->rig->cell && (first == rig->cell || motion->since >= rig->cell) &&
+           (motion->place == MOTION_OPEN || (touches && rig->release == RELEASE_FORCE));
 }
 
 static void take_lane(const LaneMoment *moment, size_t l, RegimeRow row, RegimeVector z, MotionReading *reading,
@@ -293,13 +295,13 @@ static bool note_cycle(Lane *lane) {
 }
 
 /* A lane alone, until it can hop with the others; false: its run has ended. */
-static bool step_alone(Lane *lane) {
+static bool step_alone(const Lanes *lanes, Lane *lane) {
     Motion *motion = &lane->motion;
     const Rig *rig = motion->rig;
     for (;;) {
         if ((motion->phase >= rig->period || motion->status != MOTION_GOOD) && !note_cycle(lane))
             return false;
-        if (can_hop(motion) && rig->period - motion->phase > rig->cell)
+        if (can_hop(lanes, motion) && rig->period - motion->phase > rig->cell)
             return true;
         motion_step(motion, rig->period - motion->phase);
     }
@@ -311,7 +313,7 @@ static void serve_lane(Lanes *lanes, size_t l, LanesRun **more, const LanesRun *
     bool goes_on = false;
     if (lane->run) {
         leave_pack(lanes, l);
-        goes_on = step_alone(lane);
+        goes_on = step_alone(lanes, lane);
     }
     while (!goes_on) {
         if (lane->run)
@@ -321,7 +323,7 @@ static void serve_lane(Lanes *lanes, size_t l, LanesRun **more, const LanesRun *
             return;
         }
         begin_run(lanes, l, (*more)++);
-        goes_on = step_alone(lane);
+        goes_on = step_alone(lanes, lane);
     }
     join_pack(lanes, l);
 }

@@ -104,6 +104,8 @@ bool modes_reduce(Modes *modes, const ElementMesh *mesh, const size_t *boundary,
     fixed = fixed < inner ? fixed : inner;
     size_t reduced = boundary_count + fixed;
     *modes = (Modes){.count = count < reduced ? count : reduced, .freedoms = all};
+    modes->place = memory_allocate(mesh->nodes, sizeof(double));
+    memcpy(modes->place, mesh->place, mesh->nodes * sizeof(double));
     modes->frequency = memory_allocate(modes->count, sizeof(double));
     modes->shape = memory_allocate(modes->count * all, sizeof(double));
     modes->tip = memory_allocate(modes->count, sizeof(double));
@@ -184,6 +186,7 @@ bool modes_of_beam(Modes *modes, const Beam *beam) {
 }
 
 void modes_clear(Modes *modes) {
+    memory_free(modes->place);
     memory_free(modes->frequency);
     memory_free(modes->shape);
     memory_free(modes->damping);

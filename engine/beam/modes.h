@@ -18,6 +18,7 @@
 
 typedef struct Modes {
     size_t count, freedoms;
+    double *place;         /* (freedoms / 2) m along the beam, of the nodes, rising */
     double *frequency;     /* (count) omega, rad/s, rising */
     double *shape;         /* (count x freedoms) phi, 1/sqrt(kg), a mode after the other */
     double *damping;       /* (count x count) 1/s: 2 zeta omega on the diagonal, and dashpots */

@@ -171,7 +171,7 @@ static MotionPlace tell_place(const Rig *rig, const double *state) {
 void motion_set_state(Motion *motion, const double *state) {
     motion->place = tell_place(motion->rig, state);
     motion->status = MOTION_GOOD;
-    motion->phase = 0;
+    motion->phase = motion->since = 0;
     motion->now.sine = 0;
     motion->now.cosine = 1;
     motion->cycle_switches = 0;
@@ -312,16 +312,19 @@ static double find_switch(Motion *motion, const Way *way, double step, const Mot
     double top;
     double begin = sign * motion->now.value[way->row] + offset, begin_rate = sign * motion->now.rate[way->row];
     double end = sign * next->value[way->row] + offset, end_rate = sign * next->rate[way->row];
-    if (begin >= 0 && end >= 0) { /* a switch was just here: has it been left since? */
-        if (begin_rate >= 0)
-            return 0;
-        if (end_rate <= 0) /* still leaving, or out and back and turned again */
+    if (begin >= 0 && (begin_rate > 0 || (begin_rate == 0 && end > 0)))
+        return 0;
+    if (end >= 0) {
+        if (begin >= 0 && begin_rate == 0)
+            return HUGE_VAL;                  /* it rests there */
+        if (begin_rate < 0 && end_rate > 0) { /* away, as just after a switch, and back */
+            double turn = find_turn(&curve, -1, step, next, &top);
+            return top < 0 ? find_root(&curve, 0, turn, step, step, NULL) : 0;
+        }
+        if (begin >= 0) /* still leaving, or out and back and turned again */
             return begin <= end ? 0 : HUGE_VAL;
-        double turn = find_turn(&curve, -1, step, next, &top);
-        return top < 0 ? find_root(&curve, 0, turn, step, step, NULL) : 0;
-    }
-    if (end >= 0)
         return find_root(&curve, 0, 0, step, guess_root(step, begin, begin_rate, end, end_rate), NULL);
+    }
     double bend = begin_rate - end_rate; /* it turns below where the tangents at both ends meet */
     if (begin >= 0 || begin_rate <= 0 || end_rate >= 0 ||
         begin * bend + begin_rate * (end - begin - end_rate * step) < 0)
@@ -403,6 +406,7 @@ static void change_place(Motion *motion, MotionPlace to) {
     else if (motion_in_contact(from))
         add(rig->contact.blocks, motion_side(from) - motion_side(to), rig->steady_contact.rest, motion->z);
     motion->place = to;
+    motion->since = 0;
     read_rows(motion, motion->z, 0, &motion->now);
 }
 
@@ -416,6 +420,7 @@ static void go_on(Motion *motion, double step, RegimeVector factor, const Motion
     motion->z = z;
     for (size_t t = 0; t < motion->tangents; t++)
         regime_advance(blocks, factor, tangent_blocks(motion, t), tangent_blocks(motion, t));
+    motion->since += step;
     motion->contact_time += motion_in_contact(motion->place) ? step : 0;
     motion->phase += step;
     motion->now = *end;
@@ -465,7 +470,9 @@ static double make_step(Motion *motion, double step, RegimeVector factor, Motion
 }
 
 double motion_step(Motion *motion, double longest) {
-    double step = least(least(motion->rig->cell, motion->rig->period / RIG_CELLS), longest);
+    const Rig *rig = motion->rig;
+    double first = motion_in_contact(motion->place) ? rig->first_contact : rig->first_free;
+    double step = least(least(rig->cell, largest(first, motion->since)), longest);
     MotionReading end;
     RegimeVector factor = move_blocks(motion, step, &end);
     return make_step(motion, step, factor, &end);

@@ -6,10 +6,11 @@
  * Contact: the force k (d - g) + c d' pushes the tip back. Released at zero force, the spring has not yet recovered:
  * the tip flies free inside the wall (LEAVING) until it is out of it, or is touched again. Released at the gap, it is
  * OPEN at once. Switches are roots of sums of exponentials and a sinusoid: bracketed by cells of a quarter of the
- * shortest period of any mode, with the extrema inside them when the rate changes sign, then Newton's to 1e-15 s.
+ * shortest period of any mode (shorter ones after a switch, where something decays faster), with the extrema inside
+ * them when the rate changes sign, then Newton's to 1e-15 s.
  *
  * A motion can carry tangent vectors: deviations of the state, to first order. At a switch whose force jumps by c d',
- * one jumps by S = I -+ [0; c b] [b', 0] (saltation; its determinant is 1), elsewhere by nothing. */
+ * one jumps by S = I -+ [0; c b] [b'/Omega, 0] (saltation; its determinant is 1), elsewhere by nothing. */
 #pragma once
 
 #include <stdbool.h>
@@ -47,6 +48,7 @@ typedef struct Motion {
     MotionStatus status;
     size_t cycle; /* of the drive, since the start */
     double phase; /* s, in the cycle */
+    double since; /* s, since the last switch */
     MotionReading now;
     RegimeVector z;       /* (blocks) without the steady part */
     RegimeVector tangent; /* (tangents x blocks) */

@@ -7,8 +7,8 @@
 
 #include "base/memory.h"
 
-/* A of the state (omega q, q'), column by column. */
-static double *make_matrix(const Modes *modes, double stiffness, double damping) {
+/* A of the state (omega q, q'), column by column, of a beam damped `scale` times as much. */
+static double *make_matrix(const Modes *modes, double stiffness, double damping, double scale) {
     size_t n = modes->count, size = 2 * n;
     const double *omega = modes->frequency, *tip = modes->tip;
     double *matrix = memory_allocate(size * size, sizeof *matrix);
@@ -16,7 +16,7 @@ static double *make_matrix(const Modes *modes, double stiffness, double damping)
         matrix[(n + c) * size + c] = omega[c];
         for (size_t r = 0; r < n; r++) {
             matrix[c * size + n + r] = -(r == c ? omega[c] : 0) - stiffness * tip[r] * tip[c] / omega[c];
-            matrix[(n + c) * size + n + r] = -modes->damping[c * n + r] - damping * tip[r] * tip[c];
+            matrix[(n + c) * size + n + r] = -scale * (modes->damping[c * n + r] + damping * tip[r] * tip[c]);
         }
     }
     return matrix;
@@ -117,11 +117,40 @@ static size_t count_blocks(const Eigen *eigen, size_t size) {
     return (count + REGIME_WIDTH - 1) / REGIME_WIDTH * REGIME_WIDTH;
 }
 
+/* The largest sum of a column. */
+static double norm_of(const double *matrix, size_t size) {
+    double norm = 0;
+    for (size_t c = 0; c < size; c++) {
+        double sum = 0;
+        for (size_t r = 0; r < size; r++)
+            sum += fabs(matrix[c * size + r]);
+        norm = fmax(norm, sum);
+    }
+    return norm;
+}
+
+/* Vectors nearer to parallel than this lose as many digits. */
+static const double CONDITION_MOST = 1e6;
+/* By so much more a beam is damped whose vectors would be parallel. */
+static const double NUDGE = 1e-9;
+
+/* The eigenvalues and vectors, of a beam nudged away from where two of them meet. */
+static bool find_regime(Eigen *eigen, const Modes *modes, double stiffness, double damping) {
+    size_t size = 2 * modes->count;
+    for (int nudged = 0;; nudged++) {
+        double *matrix = make_matrix(modes, stiffness, damping, 1 + nudged * NUDGE);
+        bool good = find_eigen(eigen, matrix, size);
+        memory_free(matrix);
+        if (nudged || (good && norm_of(eigen->vectors, size) * norm_of(eigen->inverse, size) < CONDITION_MOST))
+            return good;
+        memory_free(eigen->re);
+    }
+}
+
 bool regime_build(Regime *regime, const Modes *modes, const ContactLaw *law, bool held) {
     size_t size = 2 * modes->count;
-    double *matrix = make_matrix(modes, held ? law->normal_stiffness : 0, held ? law->normal_damping : 0);
     Eigen eigen;
-    bool good = find_eigen(&eigen, matrix, size);
+    bool good = find_regime(&eigen, modes, held ? law->normal_stiffness : 0, held ? law->normal_damping : 0);
     if (good) {
         size_t blocks = count_blocks(&eigen, size);
         *regime = (Regime){.states = size, .blocks = blocks};
@@ -141,7 +170,6 @@ bool regime_build(Regime *regime, const Modes *modes, const ContactLaw *law, boo
         keep_rows(regime, modes, law);
     }
     memory_free(eigen.re);
-    memory_free(matrix);
     return good;
 }
 

@@ -8,8 +8,8 @@
  *
  * and with A v = lambda v each pair of conjugate eigenvalues, and each real one, is a block: one complex number Z with
  * Z(t) = Z(0) exp(lambda t), x = Re sum v Z, Z = w x. A harmonic force adds a steady part, found exactly; nothing is
- * integrated by steps. At exactly critical damping two eigenvalues meet; rounding holds them apart, and what is left of
- * the precision there is 1e-8.
+ * integrated by steps. Where two eigenvalues meet, as at critical damping, their vectors are parallel: there the beam
+ * and its contact are damped by 1e-9 more than they should be, and that is then the precision.
  *
  * Motions go by cells, cut into parts so short that |lambda| times half a part is small: exp(lambda t) is a table's
  * entry at the nearest cut times a polynomial, exact to rounding, and what is measured is a polynomial in time about a

@@ -80,6 +80,8 @@ static void record(Response *response, Watch *watch, int cycles) {
     size_t switches = motion->switches, grazes = motion->grazes;
     double contact_time = motion->contact_time;
     response->digest = DIGEST_START;
+    response->start = memory_allocate(motion->rig->free.states, sizeof *response->start);
+    motion_state(motion, response->start);
     for (int i = 0; i < cycles && goes_on(watch); i++) {
         if (i < RESPONSE_TRACE_CYCLES)
             trace_cycle(&response->trace, motion, (size_t)i);
@@ -199,6 +201,7 @@ void response_run(Response *response, const Rig *rig, const Beam *beam, const do
 }
 
 void response_clear(Response *response) {
+    memory_free(response->start);
     section_clear(&response->section);
     trace_clear(&response->trace);
     orbit_clear(&response->orbit);

@@ -31,6 +31,7 @@ enum { RESPONSE_TRACE_CYCLES = 100, RESPONSE_SAMPLES = 200 /* rows of the trace:
 
 typedef struct Response {
     ResponseVerdict verdict;
+    double *start;   /* (states) sqrt(J), at the end of the transient */
     Section section; /* of the recorded cycles */
     SectionPeaks peaks;
     Trace trace;            /* time, displacement, velocity, force; from the end of the transient */

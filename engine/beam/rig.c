@@ -4,6 +4,10 @@
 
 #include "base/memory.h"
 
+/* Nearer than this to omega^2, lambda^2 leaves too few digits of a steady part: an undamped beam at its resonance,
+ * whose motion has no end. */
+static const double RESONANCE = 1e-8;
+
 /* Z' = lambda Z + drive F sin(omega t) + push R has the steady part
  * -(lambda sin + omega cos) drive F / (lambda^2 + omega^2) - push R / lambda; R is `rest`, 0 when free. */
 static void make_steady(RigSteady *steady, const Regime *regime, const Rig *rig, double rest) {
@@ -11,6 +15,8 @@ static void make_steady(RigSteady *steady, const Regime *regime, const Rig *rig,
     for (size_t j = 0; j < regime->blocks; j++) {
         double a = regime->lambda.re[j], b = regime->lambda.im[j];
         double re = a * a - b * b + omega * omega, im = 2 * a * b, size = re * re + im * im;
+        if (size < RESONANCE * RESONANCE * pow(omega, 4))
+            size = 0; /* and the motion diverges */
         double drive_re = rig->force * regime->drive.re[j], drive_im = rig->force * regime->drive.im[j];
         double part_re = -(drive_re * re + drive_im * im) / size, part_im = -(drive_im * re - drive_re * im) / size;
         steady->cosine.re[j] = omega * part_re;
@@ -123,26 +129,44 @@ void rig_turn_drive(const Rig *rig, double time, double *sine, double *cosine) {
     *cosine = *cosine * by_cosine - before * by_sine;
 }
 
-void rig_drive(Rig *rig, double frequency, double force) {
-    rig->omega = 2 * M_PI * frequency;
-    rig->period = 1 / frequency;
-    rig->force = force;
-    take_sine_cosine(fmin(rig->omega * rig->cell, 2 * M_PI / RIG_CELLS), &rig->cell_sine, &rig->cell_cosine);
-    make_steady(&rig->steady_free, &rig->free, rig, 0);
-    make_steady(&rig->steady_contact, &rig->contact, rig, rig->stiffness * rig->clearance);
-    make_jumps(&rig->touch, &rig->free, &rig->steady_free, &rig->contact, &rig->steady_contact);
-    make_jumps(&rig->leave, &rig->contact, &rig->steady_contact, &rig->free, &rig->steady_free);
+static void cut(Regime *regime, const Rig *rig) {
+    double finest = fmax(regime_largest(regime), 2 * M_PI / (RIG_CELLS * rig->cell)); /* the drive's is not cut */
+    if (rig->shares_cells)
+        regime->hop = (RegimeVector){NULL, NULL};
+    regime_cut(regime, rig->cell, (size_t)ceil(finest * rig->cell / REGIME_PART));
 }
 
-/* A cell is a quarter of the shortest period of any mode, free or in contact, or, where something decays much faster
- * than that, as long as CUTS_MOST parts of it. */
+/* A step after a switch: where something decays faster than in half a cell, a quarter of what its period would be. */
+static double first_step(const Regime *regime, double cell) {
+    double first = M_PI / (2 * regime_largest(regime));
+    return first < cell / 2 ? first : cell;
+}
+
+/* A cell is a quarter of the shortest period of any mode, free or in contact, a period of the drive / RIG_CELLS, or,
+ * where something decays much faster than that, as long as CUTS_MOST parts of it. */
 static void make_cells(Rig *rig) {
     enum { CUTS_MOST = 4096 };
     double fastest = fmax(regime_fastest(&rig->free), regime_fastest(&rig->contact));
     double largest = fmax(regime_largest(&rig->free), regime_largest(&rig->contact));
-    rig->cell = fmin(fastest > 0 ? M_PI / (2 * fastest) : HUGE_VAL, CUTS_MOST * REGIME_PART / largest);
-    regime_cut(&rig->free, rig->cell, (size_t)ceil(regime_largest(&rig->free) * rig->cell / REGIME_PART));
-    regime_cut(&rig->contact, rig->cell, (size_t)ceil(regime_largest(&rig->contact) * rig->cell / REGIME_PART));
+    rig->cell = fmin(fmin(M_PI / (2 * fastest), CUTS_MOST * REGIME_PART / largest), rig->period / RIG_CELLS);
+    cut(&rig->free, rig);
+    cut(&rig->contact, rig);
+    rig->first_free = first_step(&rig->free, rig->cell);
+    rig->first_contact = first_step(&rig->contact, rig->cell);
+    rig->shares_cells = false;
+}
+
+void rig_drive(Rig *rig, double frequency, double force) {
+    rig->omega = 2 * M_PI * frequency;
+    rig->period = 1 / frequency;
+    rig->force = force;
+    if (!(rig->cell > 0 && rig->cell <= rig->period / RIG_CELLS))
+        make_cells(rig);
+    take_sine_cosine(rig->omega * rig->cell, &rig->cell_sine, &rig->cell_cosine);
+    make_steady(&rig->steady_free, &rig->free, rig, 0);
+    make_steady(&rig->steady_contact, &rig->contact, rig, rig->stiffness * rig->clearance);
+    make_jumps(&rig->touch, &rig->free, &rig->steady_free, &rig->contact, &rig->steady_contact);
+    make_jumps(&rig->leave, &rig->contact, &rig->steady_contact, &rig->free, &rig->steady_free);
 }
 
 bool rig_of_modes(Rig *rig, Modes *modes, const Beam *beam) {
@@ -164,7 +188,6 @@ bool rig_of_modes(Rig *rig, Modes *modes, const Beam *beam) {
     make_change(&rig->leave, &rig->contact, &rig->free);
     create_jumps(&rig->touch, &rig->contact);
     create_jumps(&rig->leave, &rig->free);
-    make_cells(rig);
     rig_drive(rig, beam->frequency, beam->force);
     return true;
 }
@@ -178,12 +201,20 @@ bool rig_build(Rig *rig, const Beam *beam, const char *place, Fault *fault) {
                   place);
         return false;
     }
-    if (rig_of_modes(rig, &modes, beam))
+    if (!rig_of_modes(rig, &modes, beam)) {
+        fault_add(fault,
+                  "%s: the contact has no eigenvalues that can be told apart: joint.stiffness or joint.damping is "
+                  "too far from the beam's",
+                  place);
+        return false;
+    }
+    if (rig->period / rig->cell <= RIG_CELLS_MOST)
         return true;
     fault_add(fault,
-              "%s: the contact has no eigenvalues that can be told apart: joint.stiffness or joint.damping is "
-              "too far from the beam's",
-              place);
+              "%s: the fastest vibration is %.0e times as fast as the drive, at most %.0e times can be followed: "
+              "drive.frequency higher or beam.modes fewer",
+              place, rig->period / rig->cell / 4, RIG_CELLS_MOST / 4);
+    rig_clear(rig);
     return false;
 }
 
@@ -191,6 +222,7 @@ void rig_clear(Rig *rig) {
     modes_clear(&rig->modes);
     regime_clear(&rig->free);
     regime_clear(&rig->contact);
+    rig->shares_cells = true;
     memory_free(rig->touch.by_re.re);
     memory_free(rig->touch.by_im.re);
     memory_free(rig->leave.by_re.re);
@@ -201,6 +233,7 @@ void rig_clear(Rig *rig) {
 Rig rig_share(const Rig *rig, double frequency, double force, double clearance) {
     Rig own = *rig;
     own.clearance = clearance;
+    own.shares_cells = true;
     own.steady_free = steady_create(&own.free);
     own.steady_contact = steady_create(&own.contact);
     create_jumps(&own.touch, &own.contact);
@@ -210,6 +243,10 @@ Rig rig_share(const Rig *rig, double frequency, double force, double clearance) 
 }
 
 void rig_clear_shared(Rig *rig) {
+    if (!rig->shares_cells) {
+        memory_free(rig->free.hop.re);
+        memory_free(rig->contact.hop.re);
+    }
     steady_clear(&rig->steady_free);
     steady_clear(&rig->steady_contact);
     clear_jumps(&rig->touch);

@@ -32,9 +32,14 @@ typedef struct Rig {
     double force;                         /* N, amplitude of the drive */
     double clearance, stiffness, damping; /* m, N/m, N s/m, of the joint */
     int release;                          /* BeamRelease */
-    double cell;                          /* s, both regimes' */
-    double cell_sine, cell_cosine;        /* of omega cell */
+    double cell;                          /* s, both regimes': at most a period / RIG_CELLS */
+    double first_free, first_contact; /* s, of a step after a switch: a cell, or less where something decays faster */
+    bool shares_cells;                /* the regimes' tables are another rig's */
+    double cell_sine, cell_cosine;    /* of omega cell */
 } Rig;
+
+/* Cells in a cycle of the drive, at most: seconds. */
+#define RIG_CELLS_MOST 1e7
 
 /* Makes the rig of a beam. False: a fault, at the place `place`, and there is nothing to clear. */
 bool rig_build(Rig *rig, const Beam *beam, const char *place, Fault *fault);
@@ -42,14 +47,14 @@ bool rig_build(Rig *rig, const Beam *beam, const char *place, Fault *fault);
 /* The same of modes that are already there; takes them over. False: LAPACK found no eigenvalues; all is released. */
 bool rig_of_modes(Rig *rig, Modes *modes, const Beam *beam);
 
-/* Sets the drive's frequency (Hz) and force (N); modes, regimes and propagators stay. */
+/* Sets the drive's frequency (Hz) and force (N); modes and regimes stay, and cells, unless the drive is too fast. */
 void rig_drive(Rig *rig, double frequency, double force);
 
 /* Steps of a cycle of the drive, at least. */
 enum { RIG_CELLS = 16 };
 
-/* Moves sin(omega t) and cos(omega t) on by a time, s, of at most a cycle / RIG_CELLS: by Taylor's series, whose next
- * terms would be below 1e-16, so that every machine has the same bits. */
+/* Moves sin(omega t) and cos(omega t) on by a time, s, of at most a cell and half a part of it: by Taylor's series,
+ * whose next terms would be below 1e-16, so that every machine has the same bits. */
 void rig_turn_drive(const Rig *rig, double time, double *sine, double *cosine);
 
 void rig_clear(Rig *rig);

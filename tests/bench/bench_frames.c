@@ -1,16 +1,19 @@
 /* Films: frames per second by the clock, of drawing alone (static layer, what moves, words, and the pixels read back),
- * with making the scene and its layout, and with writing PNG files too: a house with four chairs, a hall of 1,000. */
+ * with making the scene and its layout, and with writing PNG files too: a house with four chairs, a hall of 1,000; and
+ * a beam with its plots. */
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 
 #include "bench.h"
+#include "command/studio.h"
 #include "draw/offscreen.h"
 #include "draw/paint_gl.h"
 #include "draw/png.h"
 #include "house/run.h"
 #include "houses.h"
+#include "laboratory/beam_film.h"
 #include "laboratory/film.h"
 
 enum { TURNS = 7, FRAMES = 20 /* a turn */, SIZES = 2 };
@@ -109,6 +112,77 @@ static void measure(const Show *show, const Gl *gl, ViewKind view, int width, in
     memory_free(screen.pixels);
 }
 
+static bool show_beam(void *film, double time) {
+    return beam_film_show(film, time);
+}
+
+static size_t beam_until(const void *owner, size_t plot, size_t series, double time) {
+    return beam_film_until(owner, plot, series, time);
+}
+
+/* A film of a beam with its plots, whose parts are not told apart. */
+static void film_beam(const StudioFilm *filmed, double last, const Options *options) {
+    double drawn[TURNS], written[TURNS], step = last / (2 * TURNS * FRAMES);
+    char directory[] = "/tmp/clearance-frames-XXXXXX", path[64];
+    Studio studio;
+    if (!mkdtemp(directory) || !studio_open(&studio, filmed, options))
+        return;
+    unsigned char *pixels = memory_allocate((size_t)options->width * (size_t)options->height, 4);
+    studio_draw(&studio, 0, pixels); /* shaders are compiled when they are first used */
+    for (int turn = 0, frame = 0; turn < TURNS; turn++) {
+        double begin = bench_clock();
+        for (int i = 0; i < FRAMES; i++)
+            studio_draw(&studio, step * ++frame, pixels);
+        drawn[turn] = (bench_clock() - begin) / FRAMES;
+        begin = bench_clock();
+        PngWriter *writer = png_writer_create(options->width, options->height, (int)sysconf(_SC_NPROCESSORS_ONLN));
+        for (int i = 0; i < FRAMES; i++) {
+            studio_draw(&studio, step * ++frame, png_writer_room(writer));
+            snprintf(path, sizeof path, "%s/%d.png", directory, i);
+            png_writer_put(writer, path);
+        }
+        png_writer_finish(writer);
+        written[turn] = (bench_clock() - begin) / FRAMES;
+    }
+    double both = bench_median(drawn, TURNS), all = bench_median(written, TURNS);
+    printf("%-29s %4d x %-4d  %8s %9s   %8.1f %9.0f   %8.1f %9.0f\n", "beam with two plots", options->width,
+           options->height, "", "", 1000 * both, 1 / both, 1000 * all, 1 / all);
+    memory_free(pixels);
+    studio_close(&studio);
+    remove_frames(directory);
+}
+
+static void measure_beam(const char *source) {
+    char path[4096];
+    Beam beam = {0};
+    Rig rig;
+    Fault fault = {0};
+    Response response;
+    BeamRecord record;
+    snprintf(path, sizeof path, "%s/assets/beams/ibs.json", source);
+    if (!beam_read(&beam, path, NULL, 0, &fault) || !rig_build(&rig, &beam, path, &fault))
+        return;
+    response_run(&response, &rig, &beam, NULL, NULL);
+    beam_record_make(&record, &rig, &response);
+    double last = BEAM_FILM_CYCLES * rig.period;
+    beam_record_sample(&record, (BeamSpan){0, last, 2 * TURNS * FRAMES / last});
+    for (int size = 0; size < SIZES; size++) {
+        BeamFilm *film = beam_film_create(&beam, &rig, &response, &record, beam_film_slow(beam.frequency));
+        StudioFilm filmed = {film,
+                             show_beam,
+                             beam_film_still(film),
+                             beam_film_added(film),
+                             beam_film_moving(film),
+                             {beam_film_plots(film), BEAM_FILM_PLOTS, rig.period / 4, ROLE_PAPER, film, beam_until}};
+        film_beam(&filmed, last, &(Options){.width = sizes[size][0], .height = sizes[size][1]});
+        beam_film_destroy(film);
+    }
+    beam_record_clear(&record);
+    response_clear(&response);
+    rig_clear(&rig);
+    beam_free(&beam);
+}
+
 int main(int argc, char **argv) {
     const char *source = argc > 1 ? argv[1] : ".";
     char message[OFFSCREEN_MESSAGE];
@@ -135,5 +209,6 @@ int main(int argc, char **argv) {
         house_free(&shows[i].house);
     }
     offscreen_destroy(offscreen);
+    measure_beam(source);
     return 0;
 }

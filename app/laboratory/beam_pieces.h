@@ -1,0 +1,24 @@
+/* What drawings of machines are made of, as primitives of a scene, m. */
+#pragma once
+
+#include "draw/scene.h"
+
+/* A zigzag from one end to the other, `half` to either side. */
+void beam_pieces_spring(Scene *scene, Vec2 from, Vec2 to, double half);
+
+/* A spiral round a place: a spring that holds against turning. */
+void beam_pieces_spiral(Scene *scene, Vec2 middle, double radius);
+
+/* A piston in a cylinder. */
+void beam_pieces_dashpot(Scene *scene, Vec2 from, Vec2 to, double half);
+
+/* What does not move: a thick line, and hatches `depth` behind it, upwards when that is positive. */
+void beam_pieces_ground(Scene *scene, Vec2 left, Vec2 right, double depth);
+
+Primitive *beam_pieces_block(Scene *scene, Role fill, Box box);
+
+/* An arrow from its foot to its point, its shaft `half` to either side; one too short for its head has none. */
+void beam_pieces_arrow(Scene *scene, Role role, Vec2 foot, Vec2 point, double half);
+
+/* A star. */
+void beam_pieces_burst(Scene *scene, Vec2 at, double radius);
