@@ -95,7 +95,8 @@ def check_beams():
     check(torus.startswith("Unresolved") and "more beam.modes would be right" in torus, f"run of four modes: {torus}")
     with tempfile.TemporaryDirectory() as out:
         expect(0, "run", beam, "--set", "drive.frequency=290", "--out", out)
-        check(set(os.listdir(out)) == {"summary.json", "trace.csv", "beam.png", "beam.svg", "beam.pdf"},
+        plots = {f"plot-{plot}.{ending}" for plot in ("phase", "poincare", "force") for ending in ("png", "svg", "pdf", "csv")}
+        check(set(os.listdir(out)) == {"summary.json", "trace.csv", "beam.png", "beam.svg", "beam.pdf"} | plots,
               f"--out of a beam holds {os.listdir(out)}")
         check(json.loads(pathlib.Path(out, "summary.json").read_text()) == answer, "summary.json of a beam is the answer")
         rows = pathlib.Path(out, "trace.csv").read_text().splitlines()

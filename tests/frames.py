@@ -77,6 +77,7 @@ def check_plots(out):
     for name in ("plot-speed", "plot-phase"):
         check(size_of(out / f"{name}.png") == (640, 360), name)
         check((out / f"{name}.svg").read_text().startswith("<?xml"), name)
+        check((out / f"{name}.pdf").read_bytes().startswith(b"%PDF"), name)
         check("[" in (out / f"{name}.csv").read_text().splitlines()[0], f"{name}.csv has units")
     check(not (out / "plot-force.png").exists(), "plots that were not asked for")
 
@@ -128,6 +129,30 @@ def check_comparison(out):
     check(len(frames_of(out)) > 5 and size_of(out / "plan.png") == (640, 360), "pictures of a comparison")
 
 
+def check_beam_plots(out):
+    beam = str(pathlib.Path(os.environ["CLEARANCE_SOURCE"]) / "assets/beams/ibs.json")
+    points = out / "points.csv"
+    expect(0, "run", beam, "--set", "drive.frequency=190", "--size", "640x360", "--out", str(out / "usual"))
+    names = sorted(f.stem for f in (out / "usual").glob("plot-*.png"))
+    check(names == ["plot-force", "plot-phase", "plot-poincare"], f"plots of a beam where nothing is said: {names}")
+    check(size_of(out / "usual/plot-phase.png") == (640, 360), "size of a beam's plot")
+    points.write_text("deflection [mm],velocity [m/s]\n0.1,-0.5\n")
+    arguments = ("run", beam, "--plots", "phase,spectrum", "--theme", "board", "--measured", str(points))
+    for name in ("first", "second"):
+        expect(0, *arguments, "--out", str(out / name))
+    for ending in ("png", "svg", "pdf", "csv"):
+        check((out / "first" / f"plot-phase.{ending}").read_bytes() == (out / "second" / f"plot-phase.{ending}").read_bytes(),
+              f"the same beam gives the same {ending}")
+    check("measured deflection [mm]" in (out / "first/plot-phase.csv").read_text(), "measured points are in the table")
+    expect(2, "run", beam, "--plots", "speed", "--out", str(out), says="plots are phase, poincare")
+    expect(2, "run", beam, "--plots", "phase", says="--plots needs --out")
+    expect(2, "run", beam, "--measured", str(points), says="--measured needs --out")
+    points.write_text("deflection [s],velocity [m/s]\n0.1,-0.5\n")
+    expect(2, *arguments, "--out", str(out), says=f"{points}:1:1: deflection is in s, must be in m")
+    expect(2, "run", house("straight-corridor"), "--plots", "poincare", "--out", str(out), says="plots are speed")
+    expect(2, "run", house("straight-corridor"), "--measured", str(points), "--out", str(out), says="--measured is for beams")
+
+
 def check_beam(out):
     """A film of a beam: so many pictures a second of the film, and so many times slower."""
     rig = beam("ibs")
@@ -153,7 +178,9 @@ def check_beam(out):
     check(len(frames_of(again)) == 3, "as far as the record goes", len(frames_of(again)))
     expect(0, "run", rig, "--frames", "1", "--from", "9", "--size", "320x200", "--out", str(again),
            says="after the end of the record at 0.333333 s")
-    expect(1, "run", rig, "--set", "joint.clearance=0", "--set", "drive.force=0", "--out", str(again),
+    undamped = ("run", rig, "--set", "beam.damping_ratio=0", "--quiet")
+    resonance = json.loads(expect(0, *undamped, "--json").stdout)["natural_frequencies"][1]
+    expect(1, *undamped, "--set", f"drive.frequency={resonance!r}", "--out", str(again),
            says="not one whole cycle was recorded")
 
 
@@ -206,6 +233,6 @@ def interrupt(name, out):
 
 
 with tempfile.TemporaryDirectory() as directory:
-    for part in (check_frames, check_beam, check_memory, check_contexts, check_plots, check_films, check_comparison, check_wrong_use, check_interrupt):
+    for part in (check_frames, check_beam, check_memory, check_contexts, check_plots, check_beam_plots, check_films, check_comparison, check_wrong_use, check_interrupt):
         part(pathlib.Path(directory) / part.__name__)
 end()

@@ -35,6 +35,7 @@ sources() {
         $(sources engine app | grep -vE 'app/draw/(gl|offscreen|paint_gl[a-z_]*|shaders)\.[ch]')
     forbid 'Box2D outside its adaptor' 'box2d/' $(sources engine app | grep -v house/broadphase.cpp)
     forbid 'LAPACK outside the beam' '#include *<lapacke' $(sources engine app | grep -v engine/beam/)
+    forbid 'FFTW outside the spectrum' '#include *<fftw' $(sources engine app | grep -v mechanics/spectrum.c)
     forbid 'memory outside memory.c' '(^|[^a-z_])(malloc|calloc|realloc) *\(' $(sources engine app | grep -v base/memory.c)
 }
 

@@ -18,6 +18,7 @@
 #include "draw/png.h"
 #include "house/run.h"
 #include "laboratory/beam_film.h"
+#include "laboratory/beam_plots.h"
 #include "laboratory/film.h"
 #include "laboratory/house_scene.h"
 #include "oscillator.h"
@@ -136,6 +137,17 @@ static void check_picture(const char *name, const unsigned char *pixels) {
     }
 }
 
+static void paint_plot(const Plot *plot, unsigned char *pixels, Theme theme) {
+    cairo_surface_t *surface =
+        cairo_image_surface_create_for_data(pixels, CAIRO_FORMAT_RGB24, WIDTH, HEIGHT, 4 * WIDTH);
+    cairo_t *cairo = cairo_create(surface);
+    double unit = 2 * layout_unit(WIDTH, HEIGHT);
+    cairo_scale(cairo, unit, unit);
+    plot_paint(plot, cairo, vec2(WIDTH / unit, HEIGHT / unit), theme);
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
+}
+
 static void check_golden(const Golden *golden) {
     static unsigned char pixels[4 * WIDTH * HEIGHT];
     House house;
@@ -150,6 +162,53 @@ static void check_golden(const Golden *golden) {
     observation_free(&observation);
     house_free(&house);
     check_picture(golden->name, pixels);
+}
+
+/* The phase plane of the shipped beam on a stable orbit: what is chaotic differs from one LAPACK to the next. */
+static void paint_phase(unsigned char *pixels) {
+    Beam beam = {0};
+    Rig rig;
+    Response response;
+    Fault fault = {0};
+    char path[4096];
+    snprintf(path, sizeof path, "%s/assets/beams/ibs.json", check_source());
+    CHECK(beam_read(&beam, path, (const char *[]){"drive.frequency=190"}, 1, &fault));
+    CHECK(rig_build(&rig, &beam, path, &fault));
+    response_run(&response, &rig, &beam, NULL, NULL);
+    BeamPlots plots = beam_plots_make(&response, &beam, NULL, &(PlotChoice){{0}, 1});
+    paint_plot(&plots.plots[0], pixels, THEME_BOARD);
+    beam_plots_free(&plots);
+    response_clear(&response);
+    rig_clear(&rig);
+    beam_free(&beam);
+}
+
+/* A map with all patterns, a key, a second axis and measured points. */
+static void paint_map(unsigned char *pixels) {
+    enum { COLUMNS = 24, ROWS = 16 };
+    static const PlotClass classes[] = {{"no contact", "free", ROLE_CLASS_NONE, PLOT_PATTERN_PLAIN},
+                                        {"period 1", "1", ROLE_CLASS_FIRST, PLOT_PATTERN_PLAIN},
+                                        {"period 2", "2", ROLE_CLASS_SECOND, PLOT_PATTERN_RISING},
+                                        {"period 3", "3", ROLE_CLASS_THIRD, PLOT_PATTERN_FALLING},
+                                        {"period 4", "4", ROLE_CLASS_FOURTH, PLOT_PATTERN_CROSSED},
+                                        {"5 to 8", "5", ROLE_CLASS_FIFTH, PLOT_PATTERN_UPRIGHT},
+                                        {"9 and more", "9", ROLE_CLASS_SIXTH, PLOT_PATTERN_LEVEL},
+                                        {"not periodic", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN}};
+    double values[COLUMNS * ROWS], x[] = {150, 190, 290}, y[] = {0.08, 0.1, 0.2};
+    for (int i = 0; i < COLUMNS * ROWS; i++)
+        values[i] = i % COLUMNS < 3 && i / COLUMNS > 12 ? NAN : (i % COLUMNS + i / COLUMNS) / 5;
+    PlotRaster raster = {{{120, 0.02}, {320, 0.26}}, COLUMNS, ROWS, values, classes, 8, {.title = "period"}};
+    PlotSeries measured = {
+        .x = x, .y = y, .count = 3, .role = ROLE_IMPACT, .symbol = SYMBOL_TRIANGLE, .size = 11, .open = true};
+    Plot plot = {.title = "Periods",
+                 .x = {.title = "drive frequency", .unit = "Hz"},
+                 .y = {.title = "joint clearance", .unit = "mm"},
+                 .series = &measured,
+                 .series_count = 1,
+                 .raster = &raster,
+                 .right = {.title = "g/a"},
+                 .right_factor = 10};
+    paint_plot(&plot, pixels, THEME_PAPER);
 }
 
 /* As `run` writes beam.png, but not so large. */
@@ -195,6 +254,14 @@ TEST(the_letters_are_the_pinned_ones) {
 TEST(pictures_are_as_they_were) {
     for (int i = 0; i < GOLDENS; i++)
         check_golden(&goldens[i]);
+}
+
+TEST(plots_are_as_they_were) {
+    static unsigned char pixels[4 * WIDTH * HEIGHT];
+    paint_phase(pixels);
+    check_picture("beam-phase", pixels);
+    paint_map(pixels);
+    check_picture("periods-map", pixels);
 }
 
 /* A periodic motion, so that what rounding makes of it is not to be seen. */

@@ -7,11 +7,11 @@
 #include "laboratory/house_plots.h"
 #include "laboratory/people_scene.h"
 
-static const HousePlotsChoice ALL = {{0, 1, 2, 3, 4}, HOUSE_PLOTS_KNOWN};
+static const PlotChoice ALL = {{0, 1, 2, 3, 4}, HOUSE_PLOTS_KNOWN};
 
 TEST(words_choose_plots_in_their_order_each_once) {
-    HousePlotsChoice choice;
-    char fault[HOUSE_PLOTS_FAULT];
+    PlotChoice choice;
+    char fault[PLOT_CHOICE_FAULT];
     CHECK(house_plots_choose(&choice, "phase,speed,phase", fault));
     CHECK(choice.count == 2);
     CHECK_TEXT(house_plots_name(choice.indices[0]), "phase");
@@ -23,8 +23,8 @@ TEST(words_choose_plots_in_their_order_each_once) {
 TEST(a_word_that_is_no_plot_is_named_with_those_that_are) {
     static const char *const wrong[][2] = {{"speed,sped", "sped"}, {"", ""}, {"speed,", ""}, {"Speed", "Speed"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        HousePlotsChoice choice = {{3}, 1};
-        char fault[HOUSE_PLOTS_FAULT], expected[HOUSE_PLOTS_FAULT];
+        PlotChoice choice = {{3}, 1};
+        char fault[PLOT_CHOICE_FAULT], expected[PLOT_CHOICE_FAULT];
         CHECK(!house_plots_choose(&choice, wrong[i][0], fault));
         snprintf(expected, sizeof expected, "no plot \"%s\": plots are speed, clearance, force, ring, phase",
                  wrong[i][1]);

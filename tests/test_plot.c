@@ -156,6 +156,40 @@ TEST(a_pure_number_has_no_unit) {
     CHECK_TEXT(title, "m");
 }
 
+TEST(logarithmic_ticks_are_powers_of_ten_or_one_two_and_five_of_them) {
+    static const struct {
+        double low, high;
+        int most;
+        bool widened;
+        const char *labels;
+    } cases[] = {{1, 1000, 6, true, "1 10 100 1000"},
+                 {0.02, 7, 12, true, "0.02 0.05 0.1 0.2 0.5 1 2 5 10"},
+                 {1e-6, 1, 4, false, "10\u207B\u2076 10\u207B\u2074 10\u207B\u00B2 10\u2070"},
+                 {3, 400, 8, false, "5 10 20 50 100 200"},
+                 {-1, NAN, 5, true, "0.1 0.2 0.5 1"},
+                 {7, 7, 5, true, "5 10"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        PlotTicks ticks = plot_ticks_make_logarithmic(cases[i].low, cases[i].high, cases[i].most, cases[i].widened);
+        char all[512] = "";
+        for (int t = 0; t < ticks.count; t++) {
+            char label[PLOT_TICKS_LABEL];
+            plot_ticks_label(&ticks, t, label);
+            strcat(strcat(all, t ? " " : ""), label);
+            double part = plot_ticks_part(&ticks, plot_ticks_at(&ticks, t));
+            CHECK(part > -1e-9 && part < 1 + 1e-9);
+        }
+        CHECK_TEXT(all, cases[i].labels);
+        CHECK(ticks.low < ticks.high);
+    }
+}
+
+TEST(equal_ratios_are_equally_far_apart_on_a_logarithmic_axis) {
+    PlotTicks ticks = plot_ticks_make_logarithmic(1e-3, 1e3, 7, true);
+    CHECK_NEAR(plot_ticks_part(&ticks, 1), 0.5, 1e-12);
+    CHECK_NEAR(plot_ticks_part(&ticks, 20) - plot_ticks_part(&ticks, 2), 1.0 / 6, 1e-12);
+    CHECK(plot_ticks_part(&ticks, 0) < -1e9 && plot_ticks_part(&ticks, -1) < -1e9);
+}
+
 /* Layout ----------------------------------------------------------------------------------------------------------- */
 
 static Box caption_box(const Caption *caption) {
@@ -358,7 +392,7 @@ TEST(points_drawn_bit_by_bit_are_the_points_drawn_at_once) {
     enum { COUNT = 500 };
     static double x[COUNT], y[COUNT];
     fill_wave(x, y, COUNT);
-    for (Symbol symbol = SYMBOL_DISC; symbol <= SYMBOL_DIAMOND; symbol++) {
+    for (Symbol symbol = SYMBOL_DISC; symbol < SYMBOLS; symbol++) {
         PlotSeries series = {.x = x, .y = y, .count = COUNT, .role = ROLE_LOCUS, .symbol = symbol, .size = 4};
         Plot plot = plot_of(&series, 1);
         check_bit_by_bit(&plot, 40);
@@ -556,4 +590,117 @@ TEST(a_hundred_thousand_points_are_drawn_with_few_operations) {
     CHECK(path_operations(svg[1]) < words + 50 * 6);
     for (int i = 0; i < 3; i++)
         memory_free(svg[i]);
+}
+
+/* Maps and marks --------------------------------------------------------------------------------------------------- */
+
+/* The colour at a value, 0xRRGGBB. */
+static unsigned colour_at(cairo_surface_t *surface, const PlotLayout *layout, Vec2 value) {
+    Vec2 at = plot_layout_point(layout, value);
+    const unsigned char *row =
+        cairo_image_surface_get_data(surface) + (int)at.y * cairo_image_surface_get_stride(surface);
+    const unsigned char *pixel = row + 4 * (int)at.x;
+    return (unsigned)pixel[2] << 16 | (unsigned)pixel[1] << 8 | pixel[0];
+}
+
+static unsigned role_code(Role role) {
+    Colour colour = palette_colour(THEME_PAPER, role);
+    return (unsigned)lround(255 * colour.red) << 16 | (unsigned)lround(255 * colour.green) << 8 |
+           (unsigned)lround(255 * colour.blue);
+}
+
+TEST(every_cell_of_a_map_has_the_colour_of_its_class_and_an_empty_one_none) {
+    static const PlotClass classes[] = {{"period 1", "1", ROLE_CLASS_FIRST, PLOT_PATTERN_PLAIN},
+                                        {"not periodic", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN}};
+    static const double values[] = {0, 1, NAN, 1, 0, 1};
+    PlotRaster raster = {{{20, 0.1}, {320, 0.3}}, 3, 2, values, classes, 2, {.title = "period"}};
+    Plot plot = {.x = {.title = "frequency", .unit = "Hz"}, .y = {.title = "clearance", .unit = "mm"}};
+    plot.raster = &raster;
+    PlotLayout layout;
+    plot_layout_make(&layout, &plot, vec2(640, 400), PLOT_NAMES_BESIDE);
+    cairo_surface_t *surface = painted_whole(&plot, 640, 400, 1);
+    check_layout(&layout);
+    CHECK(has_words(&layout, "period 1") && has_words(&layout, "not periodic"));
+    for (int i = 0; i < 6; i++) {
+        Vec2 corner = vec2(20 + 100 * (i % 3 + 0.1), 0.1 + 0.1 * (i / 3 + 0.1)); /* away from letters */
+        Role role = isnan(values[i]) ? ROLE_PAPER : classes[(int)values[i]].role;
+        CHECK(colour_at(surface, &layout, corner) == role_code(role));
+    }
+    cairo_surface_destroy(surface);
+    plot_layout_clear(&layout);
+    size_t size;
+    char *table = written(&plot, CSV, &size);
+    CHECK_TEXT(table, "frequency [Hz],clearance [mm],period\r\n70,0.15,period 1\r\n170,0.15,not periodic\r\n"
+                      "270,0.15,\r\n70,0.25,not periodic\r\n170,0.25,period 1\r\n270,0.25,not periodic\r\n");
+    memory_free(table);
+}
+
+TEST(a_quantity_is_told_by_brightness_in_both_themes) {
+    for (Theme theme = 0; theme < THEME_COUNT; theme++) {
+        Colour paper = palette_colour(theme, ROLE_PAPER);
+        double before = 0;
+        for (int i = 0; i <= 20; i++) {
+            double contrast = palette_contrast(palette_shade(theme, i / 20.0), paper);
+            CHECK(contrast > before);
+            before = theme == THEME_PAPER || i > 4 ? contrast : 0; /* the darkest are nearly the board */
+        }
+    }
+}
+
+TEST(a_second_axis_and_a_key_leave_words_their_room) {
+    static const double values[] = {0, 100, 3000, 70};
+    PlotRaster raster = {{{20, 0.1}, {320, 0.3}}, 2, 2, values, NULL, 0, {.title = "largest peak", .unit = "N"}};
+    Plot plot = {.title = "Peak force", .note = "set B", .x = {.title = "frequency"}, .y = {.title = "clearance"}};
+    plot.raster = &raster;
+    plot.right = (PlotAxis){.title = "g/a"};
+    plot.right_factor = 12;
+    for (size_t p = 1; p < sizeof PAGES / sizeof *PAGES; p++) {
+        PlotLayout layout;
+        plot_layout_make(&layout, &plot, PAGES[p], PLOT_NAMES_BESIDE);
+        check_layout(&layout);
+        CHECK(layout.right.count >= 2 && layout.shades.count >= 2);
+        CHECK_NEAR(layout.right.high, 12 * 0.3, 1e-9);
+        plot_layout_clear(&layout);
+    }
+}
+
+TEST(bands_and_areas_fill_what_lies_between_and_nothing_else) {
+    double x[] = {0, 1, 2, 3, 4}, low[] = {1, 1, NAN, 1, 1}, high[] = {3, 3, NAN, 3, 3};
+    PlotArea area = {"5 to 95 %", x, low, high, 5, ROLE_SHADE};
+    PlotGuide guide = {.upright = true, .band = true, .at = 3.5, .to = HUGE_VAL, .role = ROLE_FURNITURE};
+    Plot plot = plot_of(NULL, 0);
+    plot.areas = &area;
+    plot.guides = &guide;
+    plot.area_count = plot.guide_count = 1;
+    plot.y.high = 4;
+    PlotLayout layout;
+    plot_layout_make(&layout, &plot, vec2(640, 400), PLOT_NAMES_BESIDE);
+    cairo_surface_t *surface = painted_whole(&plot, 640, 400, 1);
+    CHECK(colour_at(surface, &layout, vec2(0.53, 2.13)) == role_code(ROLE_SHADE));
+    CHECK(colour_at(surface, &layout, vec2(3.37, 2.13)) == role_code(ROLE_SHADE));
+    CHECK(colour_at(surface, &layout, vec2(0.53, 3.3)) == role_code(ROLE_PAPER));
+    CHECK(colour_at(surface, &layout, vec2(2.13, 2.13)) == role_code(ROLE_PAPER));
+    CHECK(colour_at(surface, &layout, vec2(3.77, 3.3)) == role_code(ROLE_FURNITURE));
+    cairo_surface_destroy(surface);
+    plot_layout_clear(&layout);
+}
+
+TEST(open_signs_are_hollow_and_stems_stand_on_the_foot) {
+    double x[] = {1, 2, 3}, y[] = {1, 2, 3};
+    PlotSeries series[] = {line_of("stems", x, y, 3), line_of("measured", x, y, 3)};
+    series[0].stems = true;
+    series[1].width = 0;
+    series[1].symbol = SYMBOL_TRIANGLE;
+    series[1].size = 14;
+    series[1].open = true;
+    Plot plot = plot_of(series, 2);
+    plot.x.high = plot.y.high = 4;
+    PlotCanvas *canvas = plot_canvas_create(&plot, 400, 400, 1, THEME_PAPER);
+    plot_canvas_advance(canvas, 1, 3);
+    Vec2 middle = plot_canvas_place(canvas, vec2(2, 2));
+    CHECK(ink_at(canvas, middle) < 64 && ink_at(canvas, vec2(middle.x, middle.y - 6)) > 128);
+    plot_canvas_advance(canvas, 0, 3);
+    CHECK(ink_at(canvas, plot_canvas_place(canvas, vec2(3, 0.7))) > 128);
+    CHECK(ink_at(canvas, plot_canvas_place(canvas, vec2(2.47, 2.47))) < 64);
+    plot_canvas_destroy(canvas);
 }

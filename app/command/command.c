@@ -11,6 +11,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "house/profile.h"
+#include "laboratory/beam_plots.h"
 #include "laboratory/film.h"
 
 volatile sig_atomic_t command_interrupted;
@@ -208,8 +209,16 @@ static bool take_show(Options *options, const char *value) {
 }
 
 static bool take_plots(Options *options, const char *value) {
-    char fault[HOUSE_PLOTS_FAULT];
-    return house_plots_choose(&options->plots, value, fault);
+    char fault[PLOT_CHOICE_FAULT];
+    PlotChoice beam;
+    options->plot_words = value;
+    options->plots.count = 0;
+    return house_plots_choose(&options->plots, value, fault) || beam_plots_choose(&beam, value, fault);
+}
+
+static bool take_measured(Options *options, const char *value) {
+    options->measured = value;
+    return *value;
 }
 
 static bool take_theme(Options *options, const char *value) {
@@ -290,7 +299,13 @@ static const Option option_rows[] = {
     {"--show", FILM_WORDS, FOR_FILMS, "show also discs that cover the chairs, planned ways, widths at corners; a list",
      take_show},
     {"--plots", HOUSE_PLOTS_WORDS, FOR_FILMS,
-     "curves beside the house, in place of the list, and as DIR/plot-NAME.png, .svg and .csv; a list", take_plots},
+     "curves beside the house, in place of the list, and as DIR/plot-NAME.png, .svg, .pdf and .csv; a list; of a "
+     "beam: " BEAM_PLOTS_WORDS " (default " BEAM_PLOTS_USUAL ")",
+     take_plots},
+    {"--measured", "FILE", FOR_RUN,
+     "measured points laid over the plots of a beam: CSV with columns like time [s] and "
+     "force [N]",
+     take_measured},
     {"--size", "WxH", FOR_FILMS, "size of the pictures in pixels, 320x200 to 16384x16384 (default 1280x720)",
      take_size},
     {"--theme", THEME_WORDS, FOR_FILMS, "light or dark pictures", take_theme},

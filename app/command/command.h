@@ -40,10 +40,12 @@ typedef struct Options {
     const char *movie; /* file, or NULL */
     double from, to;   /* s; negative: not said */
     Camera camera;
-    int show; /* FILM_..., added up */
-    HousePlotsChoice plots;
-    bool report;          /* write one */
-    const char *observed; /* file of measured loci, or NULL */
+    int show;               /* FILM_..., added up */
+    const char *plot_words; /* --plots, or NULL */
+    PlotChoice plots;       /* of a house, as they say; none when they are those of a beam */
+    const char *measured;   /* file of measured points, or NULL */
+    bool report;            /* write one */
+    const char *observed;   /* file of measured loci, or NULL */
     StudyRequest study;
     const char *types; /* names of parameters, parted by commas, or NULL */
     char **arguments;  /* (argument_count) the command line, as given */

@@ -18,8 +18,13 @@ bool frames_wanted(const Options *options) {
 }
 
 int frames_check(const Options *options) {
+    char message[PLOT_CHOICE_FAULT];
     if (options->slow > 0)
         fprintf(stderr, "clearance: --slow is for beams, %s is a house\n", options->files[0]);
+    else if (options->plot_words && !house_plots_choose(&(PlotChoice){.count = 0}, options->plot_words, message))
+        fprintf(stderr, "clearance: --plots %s: %s\n", options->plot_words, message);
+    else if (options->measured)
+        fprintf(stderr, "clearance: --measured is for beams, %s is a house\n", options->files[0]);
     else if (options->plots.count && !options->out && !options->movie)
         fprintf(stderr, "clearance: --plots needs --out DIR, where they are written\n");
     else

@@ -1,8 +1,5 @@
 #include "command/plot_strip.h"
 
-#include <stdio.h>
-#include <string.h>
-
 #include "command/output.h"
 #include "draw/plot_write.h"
 
@@ -88,19 +85,11 @@ void plot_strip_show(PlotStrip *strip, double time, PaintGl *paint, Layout *movi
 }
 
 bool plot_strip_write(const HousePlots *plots, const Options *options) {
-    static const char *const endings[] = {[CAIRO_FILE_PNG] = "png", [CAIRO_FILE_SVG] = "svg", "csv"};
-    char path[OUTPUT_PATH];
+    char path[PLOT_WRITE_PATH];
     int error = 0;
     for (size_t i = 0; i < plots->choice.count && !error; i++)
-        for (size_t e = 0; e < sizeof endings / sizeof *endings && !error; e++) {
-            const Plot *plot = &plots->plots[i];
-            snprintf(path, sizeof path, "%s/plot-%s.%s", options->out, house_plots_name(plots->choice.indices[i]),
-                     endings[e]);
-            if (e > CAIRO_FILE_SVG)
-                error = plot_write_csv(plot, path);
-            else
-                error = plot_write_picture(e, plot, path, options->width, options->height, options->theme);
-        }
+        error = plot_write_files(&plots->plots[i], house_plots_name(plots->choice.indices[i]), options->out,
+                                 options->width, options->height, options->theme, path);
     if (error)
         output_failed(path, error);
     return !error;

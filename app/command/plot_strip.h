@@ -34,5 +34,5 @@ void plot_strip_close(PlotStrip *strip);
  * value of a line. */
 void plot_strip_show(PlotStrip *strip, double time, PaintGl *paint, Layout *moving);
 
-/* Writes plot-NAME.png, .svg and .csv to --out. False: said on standard error. */
+/* Writes plot-NAME.png, .svg, .pdf and .csv to --out. False: said on standard error. */
 bool plot_strip_write(const HousePlots *plots, const Options *options);

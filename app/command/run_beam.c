@@ -6,6 +6,7 @@
 
 #include "beam/response.h"
 #include "command/answer.h"
+#include "command/beam_files.h"
 #include "command/beam_frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
@@ -185,11 +186,14 @@ int run_beam_file(const Options *options) {
     Beam beam = {0};
     Rig rig;
     Fault fault = {0};
-    if (!check_options(options) || beam_frames_check(options) || (options->out && !output_directory(options->out)))
+    BeamFiles files;
+    if (!check_options(options) || beam_frames_check(options) || (options->out && !output_directory(options->out)) ||
+        !beam_files_begin(&files, options))
         return EXIT_WRONG_INPUT;
     if (!beam_read(&beam, options->files[0], options->settings, options->setting_count, &fault) ||
         !rig_build(&rig, &beam, options->files[0], &fault)) {
         beam_free(&beam);
+        beam_files_end(&files);
         return house_file_report(&fault);
     }
     Response response;
@@ -205,14 +209,16 @@ int run_beam_file(const Options *options) {
         fprintf(stderr, "clearance: interrupted after %zu recorded cycles; what came before is kept\n",
                 response.section.count);
     json_t *answer = make_answer(&response, &type, &beam, &rig);
-    bool written = (!options->out || write_data(&response, answer, options->out)) &&
+    bool written = (!options->out || (write_data(&response, answer, options->out) &&
+                                      beam_files_write(&files, &response, &beam, options))) &&
                    beam_frames_write(&beam, &rig, &response, options);
+    beam_files_end(&files);
     if (options->json)
         answer_print(json_incref(answer));
     else
         print_answer(&response, &type, &beam, &rig);
     if (options->out && written && !options->json)
-        printf("\ndata are in %s\n", options->out);
+        printf("\nplots and data are in %s\n", options->out);
     bool resolved = response.verdict == RESPONSE_PERIODIC || response.verdict == RESPONSE_CHAOTIC;
     json_decref(answer);
     type_close(&type);

@@ -48,6 +48,15 @@ static void add_diamond(Drawing *drawing, Ink *ink, Vec2 at, InkColour colour) {
     ink_add_triangle(ink, (InkPoint[]){corners[2], corners[3], corners[0]}, borders, colour, NULL);
 }
 
+static void add_triangle(Drawing *drawing, Ink *ink, Vec2 at, InkColour colour) {
+    Vec2 places[3];
+    InkPoint corners[3];
+    paint_triangle_corners(at, PAINT_SYMBOL_DIAMOND_HALF, places);
+    for (int i = 0; i < 3; i++)
+        corners[i] = drawing_page(drawing, places[i]);
+    ink_add_triangle(ink, corners, (bool[]){true, true, true}, colour, NULL);
+}
+
 void drawing_caption_add_sample(Drawing *drawing, Ink *ink, const Sample *sample) {
     InkColour colour = drawing_colour(drawing, sample->role, 1);
     Vec2 middle = vec2_scale(vec2_add(sample->from, sample->to), 0.5);
@@ -61,6 +70,8 @@ void drawing_caption_add_sample(Drawing *drawing, Ink *ink, const Sample *sample
         ink_add_box(ink, drawing_box(drawing, (Box){vec2_sub(middle, half), vec2_add(middle, half)}), colour);
     if (sample->symbol == SYMBOL_DIAMOND)
         add_diamond(drawing, ink, middle, colour);
+    if (sample->symbol == SYMBOL_TRIANGLE)
+        add_triangle(drawing, ink, middle, colour);
 }
 
 Colour drawing_caption_ink(const Drawing *drawing, const Caption *caption) {

@@ -241,6 +241,11 @@ static void path_symbol(const Painter *painter, Symbol symbol, Vec2 at) {
         paint_diamond_corners(at, corners);
         path_corners(painter, corners, 4);
     }
+    if (symbol == SYMBOL_TRIANGLE) {
+        Vec2 corners[3];
+        paint_triangle_corners(at, PAINT_SYMBOL_DIAMOND_HALF, corners);
+        path_corners(painter, corners, 3);
+    }
 }
 
 static void paint_sample(const Painter *painter, const Sample *sample) {

@@ -65,6 +65,13 @@ static inline void paint_diamond_corners(Vec2 at, Vec2 corners[4]) {
         corners[i] = vec2_along(at, PAINT_SYMBOL_DIAMOND_HALF, ways[i]);
 }
 
+/* Its middle is that of a disc round it. */
+static inline void paint_triangle_corners(Vec2 at, double radius, Vec2 corners[3]) {
+    static const Vec2 ways[] = {{0, -1}, {0.866, 0.5}, {-0.866, 0.5}};
+    for (int i = 0; i < 3; i++)
+        corners[i] = vec2_along(at, radius, ways[i]);
+}
+
 /* Where the way from the place that a caption points at meets the caption's box. */
 static inline Vec2 paint_caption_edge(const Caption *caption) {
     Vec2 way = vec2_sub(caption->pointed, caption->centre), half = vec2_scale(caption->extent, 0.5);

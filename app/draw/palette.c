@@ -16,11 +16,33 @@ static const unsigned palette[ROLE_COUNT][THEME_COUNT] = {
     [ROLE_DANGER_HIGH] = {0x8C0F1F, 0xD3202F},    [ROLE_EXIT] = {0x009E73, 0x35DDA8},
     [ROLE_EXIT_TAG] = {0x007A59, 0x35DDA8},       [ROLE_TEXT] = {0x1B1D21, 0xE8EAED},
     [ROLE_DIM_TEXT] = {0x4A5056, 0xA9B3BA},       [ROLE_ERROR] = {0xB00020, 0xFF8C94},
+    [ROLE_IMPACT] = {0xC24E00, 0xF08A24},         [ROLE_SHADE] = {0xDDE4E9, 0x2E363D},
+    [ROLE_CLASS_NONE] = {0xF1F2F3, 0x23282E},     [ROLE_CLASS_FIRST] = {0xDCE9F2, 0xDCE9F2},
+    [ROLE_CLASS_SECOND] = {0xA6C8E0, 0xA6C8E0},   [ROLE_CLASS_THIRD] = {0x6BA0CB, 0x6BA0CB},
+    [ROLE_CLASS_FOURTH] = {0x3F79B0, 0x3F79B0},   [ROLE_CLASS_FIFTH] = {0x1F5590, 0x1F5590},
+    [ROLE_CLASS_SIXTH] = {0x0E3263, 0x0E3263},    [ROLE_TYPE_FIRST] = {0xDCE9F2, 0xDCE9F2},
+    [ROLE_TYPE_SECOND] = {0xFFD166, 0xFFD166},    [ROLE_TYPE_THIRD] = {0x8C0F1F, 0x8C0F1F},
 };
 
-Colour palette_colour(Theme theme, Role role) {
-    unsigned code = palette[role][theme];
+/* From light to dark, without red. */
+static const unsigned shades[] = {0xFFF8DA, 0xC4DFCF, 0x7DB5C6, 0x3C7EB2, 0x1D4C8C, 0x0E2450};
+enum { SHADES = sizeof shades / sizeof *shades };
+
+static Colour of_code(unsigned code) {
     return (Colour){(code >> 16) / 255.0, (code >> 8 & 255) / 255.0, (code & 255) / 255.0};
+}
+
+Colour palette_colour(Theme theme, Role role) {
+    return of_code(palette[role][theme]);
+}
+
+Colour palette_shade(Theme theme, double part) {
+    double place = (SHADES - 1) * fmin(fmax(theme == THEME_BOARD ? 1 - part : part, 0), 1);
+    int below = (int)fmin(place, SHADES - 2);
+    Colour from = of_code(shades[below]), to = of_code(shades[below + 1]);
+    double way = place - below;
+    return (Colour){from.red + way * (to.red - from.red), from.green + way * (to.green - from.green),
+                    from.blue + way * (to.blue - from.blue)};
 }
 
 static double linear(double channel) {
@@ -37,7 +59,10 @@ double palette_contrast(Colour a, Colour b) {
 }
 
 Colour palette_ink(Theme theme, Role role) {
-    Colour ground = palette_colour(theme, role);
+    return palette_ink_on(palette_colour(theme, role));
+}
+
+Colour palette_ink_on(Colour ground) {
     Colour black = {0, 0, 0}, white = {1, 1, 1};
     return palette_contrast(ground, black) > palette_contrast(ground, white) ? black : white;
 }

@@ -15,8 +15,12 @@ typedef struct Colour {
 
 Colour palette_colour(Theme theme, Role role);
 
+/* The colour of a quantity: from nearest to the paper (part 0) to farthest from it (1), in brightness first. */
+Colour palette_shade(Theme theme, double part);
+
 /* Black or white, whichever is better read on the role. */
 Colour palette_ink(Theme theme, Role role);
+Colour palette_ink_on(Colour ground);
 
 /* The contrast of two colours, 1 to 21, as WCAG 2 defines it. */
 double palette_contrast(Colour a, Colour b);

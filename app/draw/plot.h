@@ -1,5 +1,6 @@
-/* What a plot shows, as data: series of numbers over two axes, and lines across that say what a number means. It knows
- * arrays and roles only. plot_canvas.h draws it bit by bit, plot_write.h makes files of it.
+/* What a plot shows, as data: series of numbers over two axes as lines, marks or stems, areas between curves, a map of
+ * cells, and lines and bands across that say what a number means. It knows arrays and roles only. plot_canvas.h draws
+ * it bit by bit, plot_write.h makes files of it.
  *
  *        force, N   - A  -.- B               names of the series, when there are several and no room beside the lines
  *          |         .
@@ -19,6 +20,7 @@ typedef struct PlotAxis {
     const char *title;
     const char *unit; /* "1" or NULL: a pure number */
     double low, high; /* low == high: as far as the series and guides reach, and on to a round number */
+    bool logarithmic; /* 0 and below are not on it */
 } PlotAxis;
 
 /* Points (x[i * stride], y[i * stride]). What is not finite breaks the line. */
@@ -33,16 +35,55 @@ typedef struct PlotSeries {
     double width;  /* design points, of the line from point to point; 0: none */
     Symbol symbol; /* at each point */
     double size;   /* design points, across a symbol */
+    bool open;     /* symbols are outlines */
+    bool stems;    /* the lines go up to each point from the foot of the plot, not from point to point */
 } PlotSeries;
 
-/* A line across the whole plot. */
+/* A line across the whole plot, or a band. */
 typedef struct PlotGuide {
     bool upright; /* at a value of x; otherwise of y */
-    double at;
+    bool band;    /* all from `at` to `to`, which may be infinite: then as far as the plot goes */
+    double at, to;
     const char *name; /* or NULL */
     Role role;
     LineStyle style;
 } PlotGuide;
+
+/* What lies between two curves. */
+typedef struct PlotArea {
+    const char *name;             /* or NULL: not named */
+    const double *x, *low, *high; /* (count) */
+    size_t count;
+    Role role; /* of the inside */
+} PlotArea;
+
+/* Over a colour, so that classes are told apart without it. */
+typedef enum PlotPattern {
+    PLOT_PATTERN_PLAIN,
+    PLOT_PATTERN_RISING, /* thin lines */
+    PLOT_PATTERN_FALLING,
+    PLOT_PATTERN_CROSSED,
+    PLOT_PATTERN_UPRIGHT,
+    PLOT_PATTERN_LEVEL,
+    PLOT_PATTERNS,
+} PlotPattern;
+
+typedef struct PlotClass {
+    const char *name; /* in the legend */
+    const char *mark; /* a letter or two, where the class has room for it; or NULL */
+    Role role;
+    PlotPattern pattern;
+} PlotClass;
+
+/* A map: cells that fill the box. */
+typedef struct PlotRaster {
+    Box box; /* values of x and y at its edges */
+    size_t columns, rows;
+    const double *values;     /* (rows x columns) from the lowest x and y on; NAN: an empty cell */
+    const PlotClass *classes; /* (class_count) a value is an index of them; NULL: a quantity, from light to dark */
+    size_t class_count;
+    PlotAxis value; /* of the quantity */
+} PlotRaster;
 
 typedef struct Plot {
     const char *title; /* or NULL: the y axis' title stands in its place */
@@ -51,6 +92,11 @@ typedef struct Plot {
     PlotSeries *series; /* (series_count) in painting order */
     PlotGuide *guides;  /* (guide_count), below the series */
     size_t series_count, guide_count;
+    PlotArea *areas; /* (area_count), below everything */
+    size_t area_count;
+    const PlotRaster *raster; /* or NULL */
+    PlotAxis right;           /* a second axis for y, which shows `right_factor` times its value */
+    double right_factor;      /* 0: none */
 } Plot;
 
 static inline Vec2 plot_value(const PlotSeries *series, size_t index) {

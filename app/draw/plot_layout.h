@@ -6,9 +6,20 @@
 #include "draw/plot.h"
 #include "draw/plot_ticks.h"
 
+/* A sign in the list of names, as the series has it. */
+typedef struct PlotMark {
+    const PlotSeries *series;
+    Vec2 at;
+} PlotMark;
+
 typedef struct PlotLayout {
     Layout sheet; /* its frame is what the axes enclose; words, pieces of line, faint lines */
     PlotTicks x, y;
+    PlotTicks right;  /* of the second axis for y, if there is one */
+    Box key;          /* beside a raster, what its colours are shown in; empty without one */
+    PlotTicks shades; /* of a raster's quantity, along the key */
+    PlotMark *marks;  /* (mark_count) */
+    size_t mark_count;
 } PlotLayout;
 
 /* How names of series find their place. */
@@ -24,5 +35,11 @@ void plot_layout_clear(PlotLayout *layout);
 /* Where a value is. Values far outside of the axes are moved nearer, so that every painter can count with them. */
 Vec2 plot_layout_point(const PlotLayout *layout, Vec2 value);
 
-/* The ends of a guide; false: it is outside of the axes. */
+/* Is it a number, and on the axes' scales? */
+bool plot_layout_shows(const PlotLayout *layout, Vec2 value);
+
+/* What of a band is within the axes; false: nothing. */
+bool plot_layout_band(const PlotLayout *layout, const PlotGuide *guide, Box *band);
+
+/* The ends of a guide that is a line; false: it is outside of the axes. */
 bool plot_layout_guide(const PlotLayout *layout, const PlotGuide *guide, Vec2 ends[2]);

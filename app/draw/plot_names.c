@@ -9,6 +9,7 @@
 #define STRIDE 4.0       /* between the points of a series that are marked */
 #define APART 8.0        /* from other series, where a name stands */
 #define PLACE_STRIDE 6.0 /* between the places that are tried along a series */
+#define MARK_HEIGHT 18.0 /* of a class' mark */
 
 #define SERIES_WEIGHT 1.0
 #define WORDS_WEIGHT 10.0
@@ -22,7 +23,7 @@ static Vec2 *series_points(const PlotLayout *layout, const PlotSeries *series, s
     *count = 0;
     for (size_t i = 0; i < series->count; i++) {
         Vec2 value = plot_value(series, i);
-        bool whole = isfinite(value.x) && isfinite(value.y);
+        bool whole = plot_layout_shows(layout, value);
         Vec2 at = whole ? plot_layout_point(layout, value) : vec2(NAN, NAN);
         if (*count && vec2_distance(points[*count - 1], at) < STRIDE && i + 1 < series->count)
             continue;
@@ -151,6 +152,25 @@ static Vec2 best_beside_guide(const Mask *mask, const PlotLayout *layout, const 
     return best;
 }
 
+/* Within a band, in the middle across it. */
+static Vec2 best_within_band(const Mask *mask, Box band, bool upright, Vec2 extent) {
+    Vec2 best = vec2(0, 0), half = vec2_scale(extent, 0.5);
+    Vec2 room = vec2(fmax(0, box_width(band) - extent.x - 2 * AIR), fmax(0, box_height(band) - extent.y - 2 * AIR));
+    double least = HUGE_VAL;
+    for (int i = 0; i < GUIDE_PLACES; i++) {
+        double part = (double)i / (GUIDE_PLACES - 1);
+        Vec2 centre = upright ? vec2((band.low.x + band.high.x) / 2, band.low.y + AIR + half.y + part * room.y)
+                              : vec2(band.high.x - AIR - half.x - part * room.x, (band.low.y + band.high.y) / 2);
+        centre.x = real_clamp(centre.x, mask->box.low.x + half.x, mask->box.high.x - half.x);
+        double cost = mask_cost(mask, (Box){vec2_sub(centre, half), vec2_add(centre, half)});
+        if (cost < least) {
+            least = cost;
+            best = centre;
+        }
+    }
+    return best;
+}
+
 void plot_names_guides(PlotLayout *layout, const Plot *plot) {
     Mask mask;
     if (!plot->guide_count)
@@ -159,14 +179,69 @@ void plot_names_guides(PlotLayout *layout, const Plot *plot) {
     for (size_t g = 0; g < plot->guide_count; g++) {
         const PlotGuide *guide = &plot->guides[g];
         Vec2 ends[2];
-        if (!guide->name || !plot_layout_guide(layout, guide, ends))
+        Box band;
+        bool shown = guide->band ? plot_layout_band(layout, guide, &band) : plot_layout_guide(layout, guide, ends);
+        if (!guide->name || !shown)
             continue;
         Caption *caption = layout_add_caption(&layout->sheet, guide->name, LETTERS, false, vec2(0, 0));
-        caption->centre = best_beside_guide(&mask, layout, guide, caption->extent);
-        caption->role = text_role(guide->role);
+        caption->centre = guide->band ? best_within_band(&mask, band, guide->upright, caption->extent)
+                                      : best_beside_guide(&mask, layout, guide, caption->extent);
+        caption->role = guide->band ? ROLE_TEXT : text_role(guide->role);
         caption->halo = true;
         caption->fill = ROLE_PAPER;
         mask_mark_box(&mask, layout_caption_box(caption), WORDS_WEIGHT);
     }
     mask_clear(&mask);
+}
+
+/* The largest square of cells of a class: its upper right corner and how many cells a side, 0: none. */
+typedef struct Square {
+    size_t column, row, side;
+} Square;
+
+/* `sides` has room for a row of the raster. */
+static Square largest_square(const PlotRaster *raster, double class, size_t *sides) {
+    Square best = {0, 0, 0};
+    for (size_t row = 0; row < raster->rows; row++)
+        for (size_t column = 0, before = 0; column < raster->columns; column++) {
+            size_t above = row ? sides[column] : 0, left = column ? sides[column - 1] : 0, side = 0;
+            if (raster->values[row * raster->columns + column] == class) {
+                side = above < left ? above : left;
+                side = 1 + (before < side ? before : side);
+            }
+            before = above;
+            sides[column] = side;
+            if (side > best.side)
+                best = (Square){column, row, side};
+        }
+    return best;
+}
+
+static void add_mark(PlotLayout *layout, const PlotRaster *raster, const PlotClass *marked, Square square) {
+    Vec2 cell = vec2(box_width(raster->box) / (double)raster->columns, box_height(raster->box) / (double)raster->rows);
+    Vec2 high = vec2(raster->box.low.x + cell.x * (double)(square.column + 1),
+                     raster->box.low.y + cell.y * (double)(square.row + 1));
+    Vec2 low = vec2_along(high, -(double)square.side, cell);
+    Vec2 from = plot_layout_point(layout, low), to = plot_layout_point(layout, high);
+    Vec2 extent = text_extent(marked->mark, LETTERS, true);
+    if (extent.x > to.x - from.x || MARK_HEIGHT > from.y - to.y)
+        return;
+    Caption *caption =
+        layout_add_caption(&layout->sheet, marked->mark, LETTERS, true, vec2_scale(vec2_add(from, to), 0.5));
+    caption->extent.y = MARK_HEIGHT;
+    caption->shape = LABEL_TAG;
+    caption->fill = marked->role;
+}
+
+void plot_names_classes(PlotLayout *layout, const Plot *plot) {
+    const PlotRaster *raster = plot->raster;
+    if (!raster || !raster->classes)
+        return;
+    size_t *sides = memory_allocate(raster->columns, sizeof *sides);
+    for (size_t c = 0; c < raster->class_count; c++) {
+        Square square = largest_square(raster, (double)c, sides);
+        if (square.side && raster->classes[c].mark)
+            add_mark(layout, raster, &raster->classes[c], square);
+    }
+    memory_free(sides);
 }

@@ -4,9 +4,14 @@
 #include <string.h>
 
 #include "draw/paint_cairo.h"
+#include "draw/paint_sizes.h"
 
 #define GRAIN 0.5 /* pixels */
 #define EDGE 1.0  /* design points, of blur around a line */
+
+/* Design points. */
+#define OPEN_WIDTH 2.0 /* of a sign's outline */
+#define MARK_LEAST 6.0 /* across a sign that stands alone */
 
 enum { PIECE = 512 /* points a path: strokes of many points that cross each other take cairo long */ };
 
@@ -132,7 +137,7 @@ static void draw_line(Piece *piece, const PlotLayout *layout, size_t count) {
     use_line(piece->cairo, piece->series);
     for (size_t i = pen->next; i < count; i++) {
         Vec2 value = plot_value(piece->series, i);
-        if (!isfinite(value.x) || !isfinite(value.y)) {
+        if (!plot_layout_shows(layout, value)) {
             lift(piece);
             continue;
         }
@@ -169,7 +174,17 @@ static void path_symbol(cairo_t *cairo, Symbol symbol, Vec2 at, double half) {
     case SYMBOL_BOX:
         cairo_rectangle(cairo, at.x - half, at.y - half, 2 * half, 2 * half);
         break;
+    case SYMBOL_TRIANGLE: {
+        Vec2 corners[3];
+        paint_triangle_corners(at, half, corners);
+        cairo_move_to(cairo, corners[0].x, corners[0].y);
+        for (int i = 1; i < 3; i++)
+            cairo_line_to(cairo, corners[i].x, corners[i].y);
+        cairo_close_path(cairo);
+        break;
+    }
     case SYMBOL_NONE:
+    case SYMBOLS:
         break;
     }
 }
@@ -191,11 +206,21 @@ static bool take_place(PlotPen *pen, const Layout *sheet, Vec2 at, double size) 
     return free;
 }
 
+/* Their path, filled or as outlines. */
+static void finish_symbols(cairo_t *cairo, const PlotSeries *series) {
+    if (series->open) {
+        paint_cairo_line(cairo, LINE_SOLID, OPEN_WIDTH);
+        cairo_stroke(cairo);
+    } else {
+        cairo_fill(cairo);
+    }
+}
+
 static void draw_symbols(Piece *piece, const PlotLayout *layout, size_t count) {
     cairo_set_fill_rule(piece->cairo, CAIRO_FILL_RULE_WINDING);
     for (size_t i = piece->pen->next; i < count; i++) {
         Vec2 value = plot_value(piece->series, i);
-        if (!isfinite(value.x) || !isfinite(value.y))
+        if (!plot_layout_shows(layout, value))
             continue;
         Vec2 at = plot_layout_point(layout, value);
         if (!take_place(piece->pen, &layout->sheet, at, piece->series->size))
@@ -203,23 +228,48 @@ static void draw_symbols(Piece *piece, const PlotLayout *layout, size_t count) {
         path_symbol(piece->cairo, piece->series->symbol, at, piece->series->size / 2);
         piece->box = box_include(piece->box, at);
     }
-    cairo_fill(piece->cairo);
+    finish_symbols(piece->cairo, piece->series);
+}
+
+static void draw_stems(Piece *piece, const PlotLayout *layout, size_t count) {
+    paint_cairo_line(piece->cairo, piece->series->style, piece->series->width);
+    double foot = layout->sheet.frame.high.y;
+    for (size_t i = piece->pen->next; i < count; i++) {
+        Vec2 value = plot_value(piece->series, i);
+        if (!plot_layout_shows(layout, value))
+            continue;
+        Vec2 at = plot_layout_point(layout, value);
+        cairo_move_to(piece->cairo, at.x, foot);
+        cairo_line_to(piece->cairo, at.x, at.y);
+        piece->box = box_include(box_include(piece->box, at), vec2(at.x, foot));
+    }
+    cairo_stroke(piece->cairo);
+}
+
+void plot_pen_mark(cairo_t *cairo, const PlotSeries *series, Vec2 at, Theme theme) {
+    Colour colour = palette_colour(theme, series->role);
+    cairo_set_source_rgb(cairo, colour.red, colour.green, colour.blue);
+    path_symbol(cairo, series->symbol, at, fmax(series->size, MARK_LEAST) / 2);
+    finish_symbols(cairo, series);
 }
 
 Box plot_pen_draw(PlotPen *pen, cairo_t *cairo, const PlotLayout *layout, const PlotSeries *series, size_t count,
                   Theme theme) {
     Piece piece = {.pen = pen, .cairo = cairo, .series = series, .first = true, .box = box_empty()};
-    Box frame = box_expand(layout->sheet.frame, fmax(series->width, series->size) / 2);
+    double reach = fmax(series->width, series->size + (series->open ? OPEN_WIDTH : 0)) / 2;
+    Box frame = box_expand(layout->sheet.frame, reach);
     Colour colour = palette_colour(theme, series->role);
     cairo_save(cairo);
     cairo_rectangle(cairo, frame.low.x, frame.low.y, box_width(frame), box_height(frame));
     cairo_clip(cairo);
     cairo_set_source_rgb(cairo, colour.red, colour.green, colour.blue);
-    if (series->width > 0)
+    if (series->width > 0 && series->stems)
+        draw_stems(&piece, layout, count);
+    else if (series->width > 0)
         draw_line(&piece, layout, count);
     if (series->symbol != SYMBOL_NONE)
         draw_symbols(&piece, layout, count);
     cairo_restore(cairo);
     pen->next = count > pen->next ? count : pen->next;
-    return box_expand(piece.box, fmax(series->width, series->size) / 2 + EDGE);
+    return box_expand(piece.box, reach + EDGE);
 }

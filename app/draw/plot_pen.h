@@ -38,6 +38,9 @@ typedef struct PlotPen {
 PlotPen plot_pen_make(struct _cairo *cairo);
 void plot_pen_clear(PlotPen *pen);
 
+/* One of the series' signs alone, not too small to be told. */
+void plot_pen_mark(struct _cairo *cairo, const PlotSeries *series, Vec2 at, Theme theme);
+
 /* Draws the first `count` points, or what has been added to them since, and all that it holds when that is the whole
  * series. The end of what was drawn is drawn again, so that within the new piece the line crosses itself as it does in
  * the whole. Returns the part of the page that may have changed, in design points. */

@@ -78,22 +78,62 @@ PlotTicks plot_ticks_make(double low, double high, int most, bool widened) {
     return ticks;
 }
 
-double plot_ticks_at(const PlotTicks *ticks, int index) {
-    return decimal((ticks->first + index) * ticks->multiple, ticks->exponent);
+/* The tick of a logarithmic axis, counted from that at 1. */
+static double logarithmic_at(int multiple, double tick) {
+    static const double mantissas[] = {1, 2, 5};
+    if (multiple)
+        return decimal(1, (int)tick * multiple);
+    double decade = floor(tick / 3);
+    return decimal(mantissas[(int)(tick - 3 * decade)], (int)decade);
 }
 
-void plot_ticks_label(const PlotTicks *ticks, int index, char label[PLOT_TICKS_LABEL]) {
-    char digits[PLOT_TICKS_LABEL / 2];
-    double steps = ticks->first + index;
-    const char *sign = steps < 0 ? MINUS : "";
-    int decimals = steps == 0 ? 0 : ticks->digits;
-    double value = decimal(fabs(steps) * ticks->multiple, ticks->exponent - ticks->power);
-    int length = snprintf(digits, sizeof digits, "%.*f", decimals, value);
-    int whole = length - (decimals ? decimals + 1 : 0);
-    if (whole > LONGEST_COUNT)
-        snprintf(label, PLOT_TICKS_LABEL, "%s%.*s" THIN_SPACE "%s", sign, whole - 3, digits, digits + whole - 3);
-    else
-        snprintf(label, PLOT_TICKS_LABEL, "%s%s", sign, digits);
+/* Steps of `multiple` decades. */
+static PlotTicks with_decades(double low, double high, int multiple, bool widened) {
+    PlotTicks ticks = {.low = low, .high = high, .multiple = multiple, .logarithmic = true};
+    double slack = 1 + NEARLY, per_decade = multiple ? 1.0 / multiple : 3;
+    double first = floor(log10(low) * per_decade) - 1, last = ceil(log10(high) * per_decade) + 1;
+    while (logarithmic_at(multiple, first + 1) <= low * slack)
+        first++;
+    while (logarithmic_at(multiple, last - 1) * slack >= high)
+        last--;
+    if (widened) {
+        ticks.low = logarithmic_at(multiple, first);
+        ticks.high = logarithmic_at(multiple, last);
+    } else {
+        first += logarithmic_at(multiple, first) * slack < low;
+        last -= logarithmic_at(multiple, last) > high * slack;
+    }
+    ticks.first = first;
+    ticks.count = (int)fmax(0, last - first + 1);
+    return ticks;
+}
+
+PlotTicks plot_ticks_make_logarithmic(double low, double high, int most, bool widened) {
+    if (!(low > 0 && high >= low && high < HUGE_VAL)) {
+        low = 0.1;
+        high = 1;
+    }
+    low = real_clamp(low, 1 / LARGEST, LARGEST);
+    high = real_clamp(high, low * (1 + FINEST), LARGEST * 10);
+    PlotTicks ticks;
+    int decades = 0;
+    do
+        ticks = with_decades(low, high, decades++, widened);
+    while (ticks.count > (most > 2 ? most : 2));
+    ticks.raised = ticks.multiple && (ticks.high >= PLAIN_LARGEST || ticks.low < PLAIN_LEAST);
+    return ticks;
+}
+
+double plot_ticks_part(const PlotTicks *ticks, double value) {
+    if (ticks->logarithmic)
+        return value > 0 ? log(value / ticks->low) / log(ticks->high / ticks->low) : -HUGE_VAL;
+    return (value - ticks->low) / (ticks->high - ticks->low);
+}
+
+double plot_ticks_at(const PlotTicks *ticks, int index) {
+    if (ticks->logarithmic)
+        return logarithmic_at(ticks->multiple, ticks->first + index);
+    return decimal((ticks->first + index) * ticks->multiple, ticks->exponent);
 }
 
 /* "10" with the power raised behind it. */
@@ -105,6 +145,31 @@ static void raised_power(int power, char text[PLOT_TICKS_LABEL]) {
     strcpy(text, power < 0 ? "10\u207B" : "10");
     for (const char *digit = digits; *digit; digit++)
         strcat(text, raised[*digit - '0']);
+}
+
+static void logarithmic_label(const PlotTicks *ticks, int index, char label[PLOT_TICKS_LABEL]) {
+    if (ticks->raised)
+        raised_power((int)(ticks->first + index) * ticks->multiple, label);
+    else
+        snprintf(label, PLOT_TICKS_LABEL, "%.9g", plot_ticks_at(ticks, index));
+}
+
+void plot_ticks_label(const PlotTicks *ticks, int index, char label[PLOT_TICKS_LABEL]) {
+    if (ticks->logarithmic) {
+        logarithmic_label(ticks, index, label);
+        return;
+    }
+    char digits[PLOT_TICKS_LABEL / 2];
+    double steps = ticks->first + index;
+    const char *sign = steps < 0 ? MINUS : "";
+    int decimals = steps == 0 ? 0 : ticks->digits;
+    double value = decimal(fabs(steps) * ticks->multiple, ticks->exponent - ticks->power);
+    int length = snprintf(digits, sizeof digits, "%.*f", decimals, value);
+    int whole = length - (decimals ? decimals + 1 : 0);
+    if (whole > LONGEST_COUNT)
+        snprintf(label, PLOT_TICKS_LABEL, "%s%.*s" THIN_SPACE "%s", sign, whole - 3, digits, digits + whole - 3);
+    else
+        snprintf(label, PLOT_TICKS_LABEL, "%s%s", sign, digits);
 }
 
 void plot_ticks_title(const PlotTicks *ticks, const char *title, const char *unit, char text[PLOT_TICKS_TITLE]) {

@@ -1,4 +1,5 @@
-/* Round numbers along an axis: multiples of 1, 2 or 5 times a power of ten, and their labels. */
+/* Round numbers along an axis, and their labels: multiples of 1, 2 or 5 times a power of ten; along a logarithmic axis,
+ * powers of ten, and 2 and 5 times them where there is room. */
 #pragma once
 
 #include <stdbool.h>
@@ -12,6 +13,8 @@ typedef struct PlotTicks {
     int power;              /* labels count 10^power of the axis' unit: a multiple of 3 that keeps them short; the same
                              * for any number of ticks */
     int digits;             /* of labels, behind the point */
+    bool logarithmic;       /* a step is then 10^multiple; multiple 0: 1, 2, 5, 10 and so on */
+    bool raised;            /* labels are powers of ten with a raised exponent */
 } PlotTicks;
 
 enum {
@@ -23,6 +26,13 @@ enum {
  * ends out to whole halves of a step. What is no range becomes one: equal ends reach from nought to their value, ends
  * that are no numbers from 0 to 1; a span below a millionth of the values is widened to that. */
 PlotTicks plot_ticks_make(double low, double high, int most, bool widened);
+
+/* The same of a logarithmic axis from low to high: `widened` moves the ends out to ticks. What is no range above nought
+ * becomes one. */
+PlotTicks plot_ticks_make_logarithmic(double low, double high, int most, bool widened);
+
+/* How far along the axis a value is, from 0 at its low end to 1. */
+double plot_ticks_part(const PlotTicks *ticks, double value);
 
 /* The value of tick `index`; exactly the number that its label says. */
 double plot_ticks_at(const PlotTicks *ticks, int index);

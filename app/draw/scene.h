@@ -40,6 +40,18 @@ typedef enum Role {
     ROLE_TEXT,
     ROLE_DIM_TEXT,
     ROLE_ERROR,
+    ROLE_IMPACT,
+    ROLE_SHADE,
+    ROLE_CLASS_NONE,
+    ROLE_CLASS_FIRST,
+    ROLE_CLASS_SECOND,
+    ROLE_CLASS_THIRD,
+    ROLE_CLASS_FOURTH,
+    ROLE_CLASS_FIFTH,
+    ROLE_CLASS_SIXTH,
+    ROLE_TYPE_FIRST,
+    ROLE_TYPE_SECOND,
+    ROLE_TYPE_THIRD,
     ROLE_COUNT,
 } Role;
 
@@ -89,7 +101,7 @@ typedef struct Primitive {
 } Primitive;
 
 /* A sign in the middle of a row's piece of line, of the row's role: told apart by their shapes. */
-typedef enum Symbol { SYMBOL_NONE, SYMBOL_DISC, SYMBOL_BOX, SYMBOL_DIAMOND } Symbol;
+typedef enum Symbol { SYMBOL_NONE, SYMBOL_DISC, SYMBOL_BOX, SYMBOL_DIAMOND, SYMBOL_TRIANGLE, SYMBOLS } Symbol;
 
 /* One row of the list beside the picture. */
 typedef enum RowKind {

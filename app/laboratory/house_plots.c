@@ -96,34 +96,11 @@ const char *house_plots_name(size_t index) {
     return known[index].name;
 }
 
-static bool choose(HousePlotsChoice *choice, const char *word, size_t length) {
+bool house_plots_choose(PlotChoice *choice, const char *words, char fault[PLOT_CHOICE_FAULT]) {
+    const char *names[HOUSE_PLOTS_KNOWN];
     for (size_t i = 0; i < HOUSE_PLOTS_KNOWN; i++)
-        if (strlen(known[i].name) == length && strncmp(known[i].name, word, length) == 0) {
-            for (size_t c = 0; c < choice->count; c++)
-                if (choice->indices[c] == i)
-                    return true;
-            choice->indices[choice->count++] = i;
-            return true;
-        }
-    return false;
-}
-
-bool house_plots_choose(HousePlotsChoice *choice, const char *words, char fault[HOUSE_PLOTS_FAULT]) {
-    HousePlotsChoice chosen = {.count = 0};
-    for (const char *word = words;; word++) {
-        size_t length = strcspn(word, ",");
-        if (!choose(&chosen, word, length)) {
-            snprintf(fault, HOUSE_PLOTS_FAULT, "no plot \"%.*s\": plots are", (int)(length < 40 ? length : 40), word);
-            for (size_t i = 0; i < HOUSE_PLOTS_KNOWN; i++)
-                strcat(strcat(fault, i ? ", " : " "), known[i].name);
-            return false;
-        }
-        word += length;
-        if (!*word)
-            break;
-    }
-    *choice = chosen;
-    return true;
+        names[i] = known[i].name;
+    return plot_choice_read(choice, words, names, HOUSE_PLOTS_KNOWN, fault);
 }
 
 static void add_subject(Subjects *subjects, const Trail *trail, size_t person, Arena *arena) {
@@ -236,7 +213,7 @@ static Plot make_plot(const HousePlot *definition, const Subjects *subjects, con
 }
 
 HousePlots house_plots_make(const House *house, const Observation *observation, const House *ghost_house,
-                            const Observation *ghost, const HousePlotsChoice *choice) {
+                            const Observation *ghost, const PlotChoice *choice) {
     HousePlots plots = {.choice = *choice};
     Subjects subjects = take_subjects(house, observation, &plots.arena), ghosts = {.count = 0};
     if (ghost)

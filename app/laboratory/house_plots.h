@@ -4,28 +4,20 @@
 
 #include "draw/plot.h"
 #include "house/observation.h"
+#include "laboratory/plot_choice.h"
 
-enum {
-    HOUSE_PLOTS_KNOWN = 5, /* plots */
-    HOUSE_PLOTS_FAULT = 256,
-};
+enum { HOUSE_PLOTS_KNOWN = 5 /* plots */ };
 
 #define HOUSE_PLOTS_WORDS "speed,clearance,force,ring,phase"
 
-/* Some of the known plots, in some order. */
-typedef struct HousePlotsChoice {
-    size_t indices[HOUSE_PLOTS_KNOWN]; /* (count) each once */
-    size_t count;
-} HousePlotsChoice;
-
-/* "speed,clearance" as a choice. False: `fault` says which word is none, and which are. */
-bool house_plots_choose(HousePlotsChoice *choice, const char *words, char fault[HOUSE_PLOTS_FAULT]);
+/* "speed,clearance" as a choice, see plot_choice.h. */
+bool house_plots_choose(PlotChoice *choice, const char *words, char fault[PLOT_CHOICE_FAULT]);
 
 /* "speed", "clearance" and so on. */
 const char *house_plots_name(size_t index);
 
 typedef struct HousePlots {
-    HousePlotsChoice choice;
+    PlotChoice choice;
     Plot plots[HOUSE_PLOTS_KNOWN]; /* (choice.count) */
     Arena arena;                   /* holds all they show */
 } HousePlots;
@@ -33,7 +25,7 @@ typedef struct HousePlots {
 /* The chosen plots; the house and, if there is one, the ghost of it must outlive them, the observations need not.
  * `ghost_house` and `ghost` are NULL when nothing was before. house_plots_free releases them. */
 HousePlots house_plots_make(const House *house, const Observation *observation, const House *ghost_house,
-                            const Observation *ghost, const HousePlotsChoice *choice);
+                            const Observation *ghost, const PlotChoice *choice);
 void house_plots_free(HousePlots *plots);
 
 /* How many points of a series of a plot (index into `plots`) lie at or before a time, s. */

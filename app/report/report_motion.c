@@ -60,8 +60,8 @@ void report_motion_add_curves(Document *document, const Reported *run, const Rep
                   {"force", "Contact force against time: the greatest since the value before."},
                   {"phase", "Distance from the planned way, to its left, against how fast it changes."}};
     for (size_t c = 0; c < sizeof curves / sizeof *curves; c++) {
-        char fault[HOUSE_PLOTS_FAULT];
-        HousePlotsChoice choice;
+        char fault[PLOT_CHOICE_FAULT];
+        PlotChoice choice;
         house_plots_choose(&choice, curves[c].name, fault);
         HousePlots *plots = memory_allocate(1, sizeof *plots);
         *plots = house_plots_make(run->house, run->observation, before->house, before->observation, &choice);

@@ -196,13 +196,14 @@ void response_run(Response *response, const Rig *rig, const Beam *beam, const do
     if (watch.motion.status != MOTION_GOOD)
         response->verdict = watch.motion.status == MOTION_CHATTERS ? RESPONSE_CHATTERS : RESPONSE_DIVERGED;
     motion_destroy(&watch.motion);
-    section_clear(&watch.analysed);
+    response->analysed = watch.analysed;
     memory_free(watch.growth);
 }
 
 void response_clear(Response *response) {
     memory_free(response->start);
     section_clear(&response->section);
+    section_clear(&response->analysed);
     trace_clear(&response->trace);
     orbit_clear(&response->orbit);
 }

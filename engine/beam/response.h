@@ -31,8 +31,9 @@ enum { RESPONSE_TRACE_CYCLES = 100, RESPONSE_SAMPLES = 200 /* rows of the trace:
 
 typedef struct Response {
     ResponseVerdict verdict;
-    double *start;   /* (states) sqrt(J), at the end of the transient */
-    Section section; /* of the recorded cycles */
+    double *start;    /* (states) sqrt(J), at the end of the transient */
+    Section section;  /* of the recorded cycles */
+    Section analysed; /* of all on which the verdict rests, the recorded ones first */
     SectionPeaks peaks;
     Trace trace;            /* time, displacement, velocity, force; from the end of the transient */
     Orbit orbit;            /* when periodic; else of period 0 */

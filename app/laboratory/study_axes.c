@@ -1,0 +1,95 @@
+#include "laboratory/study_axes.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+
+/* Below these a length is shown in mm, a time in ms. */
+#define SHORT 0.01 /* m */
+#define BRIEF 0.1  /* s */
+
+#define MILLI 1000.0
+
+const char *study_axes_text(Arena *arena, const char *format, ...) {
+    Text text = {0};
+    va_list arguments;
+    va_start(arguments, format);
+    text_vformat(&text, format, arguments);
+    va_end(arguments);
+    const char *kept = arena_text(arena, text.text);
+    memory_free(text.text);
+    return kept;
+}
+
+/* "joint.clearance" as "joint clearance". */
+static const char *spoken(Arena *arena, const char *name) {
+    char *words = (char *)arena_text(arena, name);
+    for (char *at = words; *at; at++)
+        if (*at == '.' || *at == '_')
+            *at = ' ';
+    return words;
+}
+
+StudyScale study_axes_parameter(const Study *study, size_t axis, Arena *arena) {
+    const StudyAxis *varied = &study->axes[axis];
+    const Parameter *row = study->experiment->parameter(study->experiment->given, varied->name);
+    const char *unit = row && row->unit ? row->unit : "1";
+    double largest = fmax(fabs(varied->from), fabs(varied->to));
+    StudyScale scale = {{.title = spoken(arena, varied->name), .unit = unit}, 1};
+    bool length = strcmp(unit, "m") == 0 && largest < SHORT, time = strcmp(unit, "s") == 0 && largest < BRIEF;
+    if (length || time) {
+        scale.axis.unit = length ? "mm" : "ms";
+        scale.factor = MILLI;
+    }
+    return scale;
+}
+
+StudyScale study_axes_observable(const Observable *observable) {
+    return (StudyScale){{.title = observable->meaning, .unit = observable->unit}, 1};
+}
+
+double study_axes_value(const Trial *trial, size_t observable) {
+    return trial->done && !trial->fault ? trial->observed[observable] : NAN;
+}
+
+size_t study_axes_find(const Study *study, const char *name) {
+    size_t o = 0;
+    while (o < study->experiment->observable_count && strcmp(study->experiment->observables[o].name, name) != 0)
+        o++;
+    return o;
+}
+
+double study_axes_mean(const double *values, size_t count) {
+    double sum = 0;
+    size_t counted = 0;
+    for (size_t i = 0; i < count; i++)
+        if (isfinite(values[i])) {
+            sum += values[i];
+            counted++;
+        }
+    return counted ? sum / (double)counted : NAN;
+}
+
+/* What is no number last. */
+static int compare(const void *a, const void *b) {
+    double p = *(const double *)a, q = *(const double *)b;
+    if (isnan(p) || isnan(q))
+        return isnan(p) - isnan(q);
+    return (p > q) - (p < q);
+}
+
+double study_axes_quantile(double *values, size_t count, double share) {
+    qsort(values, count, sizeof *values, compare);
+    while (count && isnan(values[count - 1]))
+        count--;
+    if (!count)
+        return NAN;
+    double place = share * (double)(count - 1);
+    size_t below = (size_t)place;
+    double above = values[below + 1 < count ? below + 1 : below];
+    return values[below] + (place - (double)below) * (above - values[below]);
+}

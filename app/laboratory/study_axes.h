@@ -1,0 +1,31 @@
+/* Numbers of a study as axes of plots show them. */
+#pragma once
+
+#include "draw/plot.h"
+#include "study/study.h"
+
+/* A quantity on an axis: its values times `factor` are in `axis.unit`. */
+typedef struct StudyScale {
+    PlotAxis axis;
+    double factor;
+} StudyScale;
+
+/* Of a parameter, from its name: "drive frequency"; ends are not set. */
+StudyScale study_axes_parameter(const Study *study, size_t axis, Arena *arena);
+
+/* Of an observable, or of what runs list. */
+StudyScale study_axes_observable(const Observable *observable);
+
+/* An observable of a trial; NAN: it is not done, could not be run, or has none. */
+double study_axes_value(const Trial *trial, size_t observable);
+
+/* The index of the observable of that name; the count: there is none. */
+size_t study_axes_find(const Study *study, const char *name);
+
+/* The mean of what is a number, and the values below which a share of them lies (0.05: 5 %); NAN without any. `values`
+ * (count) are sorted. */
+double study_axes_mean(const double *values, size_t count);
+double study_axes_quantile(double *values, size_t count, double share);
+
+/* The same name with more behind it, in the arena. */
+const char *study_axes_text(Arena *arena, const char *format, ...) __attribute__((format(printf, 2, 3)));
