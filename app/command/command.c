@@ -238,6 +238,11 @@ static bool take_sweep(Options *options, const char *value) {
     return study_request_sweep(&options->study, value);
 }
 
+static bool take_types(Options *options, const char *value) {
+    options->types = value;
+    return *value;
+}
+
 static bool take_runs(Options *options, const char *value) {
     long long number;
     bool good = take_whole(value, 1, STUDY_RUNS_MOST, &number);
@@ -264,6 +269,9 @@ static const Option option_rows[] = {
      "in each run the number is off by a normal deviate of this share of it, such as 0.02 (repeatable)", take_spread},
     {"--sweep", "reset,up,down", FOR_STUDY,
      "each run from its start, or from where its neighbour below or above ended; a list (default reset)", take_sweep},
+    {"--types", "NAME[,NAME ...]", FOR_STUDY,
+     "tell type I, II or III in a window of 1 % in each of these numbers, from 16 starts, and what is beyond",
+     take_types},
     {"--report", NULL, FOR_RUN | FOR_COMPARE, "write report.html and report.pdf to --out, to be handed on",
      take_report},
     {"--observed", "FILE", FOR_RUN, "measured loci for the report: CSV with columns time, x, y and person",

@@ -47,7 +47,8 @@ typedef struct Options {
     bool report;            /* write one */
     const char *observed;   /* file of measured loci, or NULL */
     StudyRequest study;
-    char **arguments; /* (argument_count) the command line, as given */
+    const char *types; /* names of parameters, parted by commas, or NULL */
+    char **arguments;  /* (argument_count) the command line, as given */
     int argument_count;
     Arena arena; /* holds what was made of the words */
 } Options;

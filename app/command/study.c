@@ -12,6 +12,7 @@
 #include "command/output.h"
 #include "command/study_answer.h"
 #include "command/study_laboratory.h"
+#include "command/study_types.h"
 #include "command/study_words.h"
 #include "study/record.h"
 #include "study/store.h"
@@ -218,6 +219,8 @@ int command_study(const Options *options) {
     Fault fault = {0};
     if (options->out && !output_directory(options->out))
         return EXIT_WRONG_INPUT;
+    if (options->types)
+        return study_types_answer(options);
     if (!open_study(&job, &fault))
         return house_file_report(&fault);
     study_begin(&job.study);

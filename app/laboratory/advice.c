@@ -6,8 +6,11 @@
 /* The words of one kind of experiment. */
 typedef struct Terms {
     const char *kind;
-    const char *headline[4]; /* by TypesKind */
-    const char *regular, *irregular, *measure;
+    const char *headline[4];         /* by TypesKind */
+    const char *regular, *irregular; /* sentences' beginnings */
+    const char *stays, *becomes_not; /* where nothing changes with one number alone */
+    const char *again;               /* where it is regular again */
+    const char *measure;
     const char *changes; /* what an answer that changes does */
     const char *longer;  /* what helps where it cannot be told */
 } Terms;
@@ -16,16 +19,22 @@ static const Terms terms[] = {
     {.kind = "beam",
      .headline = {"No type, for something cannot be told", "Type I: run it here",
                   "Type II: run it here only with close tolerances", "Type III: do not run it here"},
-     .regular = "periodic",
-     .irregular = "not periodic",
+     .regular = "It is periodic",
+     .irregular = "It is not periodic",
+     .stays = "It stays periodic",
+     .becomes_not = "It does not become periodic",
+     .again = "it is periodic again",
      .measure = "the largest force",
      .changes = "has another period",
      .longer = "a larger run.transient_cycles may tell"},
     {.kind = "house",
      .headline = {"No type, for something cannot be told", "Type I: this way out can be relied on",
                   "Type II: this way out depends on small things", "Type III: do not rely on this way out"},
-     .regular = "everybody out",
-     .irregular = "somebody not out",
+     .regular = "Everybody gets out",
+     .irregular = "Not everybody gets out",
+     .stays = "Everybody gets out also",
+     .becomes_not = "Not everybody gets out either",
+     .again = "everybody gets out",
      .measure = "the time",
      .changes = "goes another way",
      .longer = "a larger run.until may tell"},
@@ -122,15 +131,15 @@ static void add_reason(Text *text, const Types *types, const Experiment *experim
     const TypesPoint *worst = &types->points[types->worst];
     switch (types->reason) {
     case TYPES_ALL_WELL:
-        text_format(text, "One answer and %s within 1 %% of every number: ", words->regular);
+        text_format(text, "%s with one answer within 1 %% of every number: ", words->regular);
         add_measure(text, experiment, types->points[0].answers[0].measure);
         break;
     case TYPES_STEEP_ANSWER:
-        text_format(text, "It is %s throughout, but steep: ", words->regular);
+        text_format(text, "%s throughout, but steep: ", words->regular);
         add_sensitivity(text, words, steepest(types));
         break;
     case TYPES_SEVERAL:
-        text_format(text, "It is %s throughout, but ", words->regular);
+        text_format(text, "%s throughout, but ", words->regular);
         add_place(text, types, experiment, types->worst);
         if (worst->answer_count > 1)
             text_add(text, " the start decides: ");
@@ -139,7 +148,7 @@ static void add_reason(Text *text, const Types *types, const Experiment *experim
         add_answers(text, types, experiment, types->worst);
         break;
     case TYPES_NOT_REGULAR:
-        text_format(text, "It is %s ", words->irregular);
+        text_format(text, "%s ", words->irregular);
         add_place(text, types, experiment, types->worst);
         text_add(text, ",");
         add_starts(text, worst->irregular, "any");
@@ -151,7 +160,7 @@ static void add_reason(Text *text, const Types *types, const Experiment *experim
         add_answers(text, types, experiment, types->worst);
         break;
     case TYPES_CANNOT_BE_TOLD:
-        text_format(text, "It is neither surely %s nor surely not ", words->regular);
+        text_format(text, "%s or not, which cannot be told, ", words->regular);
         add_place(text, types, experiment, types->worst);
         text_add(text, ",");
         add_starts(text, worst->untold, "any");
@@ -223,8 +232,8 @@ static void add_neighbours(Text *text, const Types *types, const Experiment *exp
     if (!types->parameter_count || (types->stopped && !found))
         return;
     if (!found) {
-        text_format(text, "It %s %s with one of these changed alone by up to %.3g %%: ",
-                    trouble ? "stays" : "does not become", words->regular, 100 * least_reached(types));
+        text_format(text, "%s with one of these changed alone by up to %.3g %%: ",
+                    trouble ? words->stays : words->becomes_not, 100 * least_reached(types));
         add_names(text, types);
     } else if (trouble) {
         text_add(text, "The nearest trouble is at ");
@@ -232,7 +241,7 @@ static void add_neighbours(Text *text, const Types *types, const Experiment *exp
         text_add(text, found > 1 ? "; then at " : "");
         add_found(text, types, experiment, order + 1, found - 1);
     } else {
-        text_format(text, "With one number changed alone it is %s again at ", words->regular);
+        text_format(text, "With one number changed alone %s at ", words->again);
         add_found(text, types, experiment, order, found);
     }
     text_add(text, ".\n");

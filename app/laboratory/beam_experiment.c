@@ -1,6 +1,7 @@
 #include "laboratory/beam_experiment.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/random.h"
@@ -70,6 +71,19 @@ static const Parameter *find_parameter(const void *given, const char *name) {
     const Parameter *row = parameters_find(beam_table(), name);
     row = row ? row : parameters_find(&start_table, name);
     return row && is_number(row) ? row : NULL;
+}
+
+static void tell_unknown(const void *given, const char *name, const char *place, Fault *fault) {
+    (void)given;
+    char path[200];
+    snprintf(path, sizeof path, "%s", place);
+    JsonFile file = {.path = path, .root = json_null()};
+    JsonNode node = json_root(&file);
+    const Parameter *row = parameters_find(beam_table(), name);
+    if (row)
+        fault_add(fault, "%s%s is no number: %s", place, row->name, row->meaning);
+    else
+        parameters_fault_unknown(beam_table(), name, &node, fault);
 }
 
 static double number_of(const Parameter *row, const void *object) {
@@ -412,6 +426,7 @@ static bool begin(Experiment *experiment, Given *given, const char *place, Fault
                                .batch = given->beam.cycles > LONG ? 1 : BATCH,
                                .given = given,
                                .parameter = find_parameter,
+                               .unknown = tell_unknown,
                                .nominal = nominal,
                                .run = run};
     return true;

@@ -309,6 +309,13 @@ static void find_neighbours(Work *work) {
     }
 }
 
+static void tell_unknown(const Experiment *experiment, const char *name, Fault *fault) {
+    if (experiment->unknown)
+        experiment->unknown(experiment->given, name, "types: ", fault);
+    else
+        fault_add(fault, "types: %s: a %s has no such number", name, experiment->kind);
+}
+
 static bool take_names(Types *types, const TypesTask *task, Fault *fault) {
     const Experiment *experiment = task->experiment;
     size_t before = fault->total;
@@ -316,7 +323,7 @@ static bool take_names(Types *types, const TypesTask *task, Fault *fault) {
         fault_add(fault, "types of %zu parameters: at most %d would be right", task->name_count, TYPES_PARAMETERS_MOST);
     for (size_t n = 0; n < task->name_count && fault->total == before; n++) {
         if (!experiment->parameter(experiment->given, task->names[n]))
-            fault_add(fault, "%s: a %s has no such number", task->names[n], experiment->kind);
+            tell_unknown(experiment, task->names[n], fault);
         types->parameters[n] =
             (TypesParameter){.name = task->names[n], .nominal = experiment->nominal(experiment->given, task->names[n])};
     }
