@@ -243,6 +243,11 @@ static bool take_types(Options *options, const char *value) {
     return *value;
 }
 
+static bool take_paper(Options *options, const char *value) {
+    (void)value;
+    return options->paper = true;
+}
+
 static bool take_runs(Options *options, const char *value) {
     long long number;
     bool good = take_whole(value, 1, STUDY_RUNS_MOST, &number);
@@ -260,7 +265,8 @@ static const Option option_rows[] = {
      "write plan.png, .svg and .pdf, B with the ways in A as \"before\", and what other options ask for", take_out},
     {"--out", "DIR", FOR_CASES, "write cases.html, cases.md and cases.json there", take_out},
     {"--out", "DIR", FOR_STUDY,
-     "write summary.json and study.csv there, and study.sqlite, from which a study that was stopped goes on", take_out},
+     "write summary.json, study.csv and plots there, and study.sqlite, from which a study that was stopped goes on",
+     take_out},
     {"--vary", "NAME=FROM:TO:STEPS", FOR_STUDY,
      "from FROM to TO in STEPS values, both ends among them, for instance door.d1.width=0.7:1:31 (at most twice)",
      take_vary},
@@ -272,6 +278,8 @@ static const Option option_rows[] = {
     {"--types", "NAME[,NAME ...]", FOR_STUDY,
      "tell type I, II or III in a window of 1 % in each of these numbers, from 16 starts, and what is beyond",
      take_types},
+    {"--paper", NULL, FOR_STUDY,
+     "of a beam: each claim and figure of Gu and Dubowsky's paper beside ours; --out has them as a page", take_paper},
     {"--report", NULL, FOR_RUN | FOR_COMPARE, "write report.html and report.pdf to --out, to be handed on",
      take_report},
     {"--observed", "FILE", FOR_RUN, "measured loci for the report: CSV with columns time, x, y and person",
@@ -302,13 +310,13 @@ static const Option option_rows[] = {
      "curves beside the house, in place of the list, and as DIR/plot-NAME.png, .svg, .pdf and .csv; a list; of a "
      "beam: " BEAM_PLOTS_WORDS " (default " BEAM_PLOTS_USUAL ")",
      take_plots},
-    {"--measured", "FILE", FOR_RUN,
-     "measured points laid over the plots of a beam: CSV with columns like time [s] and "
-     "force [N]",
+    {"--measured", "FILE", FOR_RUN | FOR_STUDY,
+     "measured points laid over the plots of a beam or a study: CSV with columns like time [s] and force [N], or "
+     "drive.frequency [Hz] and peak_max [N]",
      take_measured},
-    {"--size", "WxH", FOR_FILMS, "size of the pictures in pixels, 320x200 to 16384x16384 (default 1280x720)",
-     take_size},
-    {"--theme", THEME_WORDS, FOR_FILMS, "light or dark pictures", take_theme},
+    {"--size", "WxH", FOR_FILMS | FOR_STUDY,
+     "size of the pictures in pixels, 320x200 to 16384x16384 (default 1280x720)", take_size},
+    {"--theme", THEME_WORDS, FOR_FILMS | FOR_STUDY, "light or dark pictures", take_theme},
     {"--quiet", NULL, FOR_HOUSES | FOR_CASES, "no progress", take_quiet},
 };
 enum {

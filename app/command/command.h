@@ -47,6 +47,7 @@ typedef struct Options {
     bool report;            /* write one */
     const char *observed;   /* file of measured loci, or NULL */
     StudyRequest study;
+    bool paper;        /* study the paper's claims */
     const char *types; /* names of parameters, parted by commas, or NULL */
     char **arguments;  /* (argument_count) the command line, as given */
     int argument_count;

@@ -58,7 +58,7 @@ static void add_quoted(Text *text, const char *word) {
 }
 
 /* On as many lines as it takes, each of which says that it goes on. */
-static char *command_line(const Options *options) {
+char *report_files_command(const Options *options) {
     Text text = {0};
     size_t begin = 0;
     for (int a = 0; a < options->argument_count; a++) {
@@ -75,7 +75,7 @@ static char *command_line(const Options *options) {
     return text.text;
 }
 
-static Making making_of(const Options *options, const char *command) {
+Making report_files_making(const Options *options, const char *command) {
     return (Making){.command = command,
                     .program = "clearance " CLEARANCE_VERSION,
                     .settings = options->settings,
@@ -93,12 +93,12 @@ static time_t created(void) {
     return good ? (time_t)seconds : time(NULL);
 }
 
-static bool write_files(const Document *document, const Options *options) {
+bool report_files_write(const Document *document, const char *name, const Options *options) {
     char path[OUTPUT_PATH];
-    snprintf(path, sizeof path, "%s/report.html", options->out);
+    snprintf(path, sizeof path, "%s/%s.html", options->out, name);
     int error = html_write(document, path, options->theme);
     if (!error) {
-        snprintf(path, sizeof path, "%s/report.pdf", options->out);
+        snprintf(path, sizeof path, "%s/%s.pdf", options->out, name);
         error = pdf_write(document, path, created());
     }
     if (error)
@@ -141,8 +141,8 @@ bool report_files_write_run(const House *house, const Observation *observation, 
     if (!options->report)
         return true;
     Another others[2] = {{.run = false}};
-    char *command = command_line(options);
-    const Making making = making_of(options, command);
+    char *command = report_files_command(options);
+    const Making making = report_files_making(options, command);
     HouseReport report = {
         .run = {house, observation}, .observed = options->observed ? observed : NULL, .making = &making};
     for (int driving = 0; driving < 2 && report_loci_make_sense(house); driving++) {
@@ -159,7 +159,7 @@ bool report_files_write_run(const House *house, const Observation *observation, 
     if (observation->time > 0 && frames_draw_raised(house, observation, options, &raised))
         report.raised = &raised;
     Document document = house_report_make(&report);
-    bool written = write_files(&document, options);
+    bool written = report_files_write(&document, "report", options);
     document_clear(&document);
     memory_free(raised.pixels);
     for (int driving = 0; driving < 2; driving++)
@@ -171,11 +171,11 @@ bool report_files_write_run(const House *house, const Observation *observation, 
 bool report_files_write_comparison(const House houses[2], const Observation observations[2], const Options *options) {
     if (!options->report)
         return true;
-    char *command = command_line(options);
-    const Making making = making_of(options, command);
+    char *command = report_files_command(options);
+    const Making making = report_files_making(options, command);
     const Reported runs[2] = {{&houses[0], &observations[0]}, {&houses[1], &observations[1]}};
     Document document = comparison_report_make(runs, &making);
-    bool written = write_files(&document, options);
+    bool written = report_files_write(&document, "report", options);
     document_clear(&document);
     memory_free(command);
     return written;

@@ -200,6 +200,7 @@ int run_beam_file(const Options *options) {
     TypeAnswer type;
     response_run(&response, &rig, &beam, NULL, &command_interrupted);
     if (!type_tell(&type, &beam, options, &fault)) {
+        beam_files_end(&files);
         response_clear(&response);
         rig_clear(&rig);
         beam_free(&beam);

@@ -10,12 +10,14 @@
 #include "command/command.h"
 #include "command/house_file.h"
 #include "command/output.h"
+#include "command/paper.h"
 #include "command/study_answer.h"
 #include "command/study_laboratory.h"
 #include "command/study_types.h"
 #include "command/study_words.h"
 #include "study/record.h"
 #include "study/store.h"
+#include "laboratory/study_plots.h"
 #include "study/summary.h"
 
 /* One study on its way from the command line to its answer. */
@@ -24,7 +26,8 @@ typedef struct StudyJob {
     const StudyLaboratory *laboratory;
     Experiment experiment;
     Study study;
-    uint64_t content; /* digest of the file */
+    uint64_t content;  /* digest of the file */
+    Measured measured; /* points to be laid over the plots */
     StoreFound found;
     struct timespec begin;
     size_t done_before;
@@ -66,6 +69,23 @@ static void make_study(StudyJob *job) {
     study->seed = study->runs > 1 || job->options->seed_said ? job->options->seed : 0;
 }
 
+/* The points that somebody measured, in the study's own numbers. */
+static bool read_measured(StudyJob *job, Fault *fault) {
+    const Options *options = job->options;
+    if (!options->measured)
+        return true;
+    if (!options->out) {
+        fault_add(fault, "clearance: --measured needs --out DIR, where the plots are written");
+        return false;
+    }
+    Arena arena = {0};
+    size_t count;
+    const MeasuredKind *kinds = study_plots_kinds(&job->study, &count, &arena);
+    bool good = measured_read(&job->measured, options->measured, kinds, count, fault);
+    arena_clear(&arena);
+    return good;
+}
+
 static bool open_study(StudyJob *job, Fault *fault) {
     job->content = file_digest(job->options->files[0]);
     job->laboratory = study_laboratory_open(&job->experiment, job->options, fault);
@@ -74,7 +94,7 @@ static bool open_study(StudyJob *job, Fault *fault) {
     make_study(job);
     if (!job->study.axis_count && job->study.runs < 2)
         fault_add(fault, "clearance: nothing is studied: --vary NAME=FROM:TO:STEPS or --runs N would be right");
-    else if (study_check(&job->study, fault))
+    else if (study_check(&job->study, fault) && read_measured(job, fault))
         return true;
     job->laboratory->close(&job->experiment);
     return false;
@@ -198,17 +218,27 @@ static bool write_tables(const StudyJob *job, const json_t *answer) {
     return !error;
 }
 
+static bool write_plots(const StudyJob *job) {
+    const Options *options = job->options;
+    char path[PLOT_WRITE_PATH];
+    int error = study_plots_write(&job->study, options->measured ? &job->measured : NULL, options->out, options->theme,
+                                  options->width, options->height, path);
+    if (error)
+        output_failed(path, error);
+    return !error;
+}
+
 /* Prints and writes the answer; the exit code. */
 static int answer_study(const StudyJob *job) {
     const Options *options = job->options;
     json_t *answer = study_answer_make(&job->study, options->files[0]);
-    bool written = job->kept && (!options->out || write_tables(job, answer));
+    bool written = job->kept && (!options->out || (write_tables(job, answer) && write_plots(job)));
     if (options->json)
         answer_print(json_incref(answer));
     else
         study_words_print(&job->study, job->laboratory, options->files[0]);
     if (options->out && written && !options->json)
-        printf("\ndata are in %s\n", options->out);
+        printf("\nplots and data are in %s\n", options->out);
     json_decref(answer);
     bool any = summary_count(&job->study).regular && is_whole(&job->study);
     return !written ? EXIT_WRONG_INPUT : any ? EXIT_ANSWERED : EXIT_ANSWER_NO;
@@ -221,6 +251,8 @@ int command_study(const Options *options) {
         return EXIT_WRONG_INPUT;
     if (options->types)
         return study_types_answer(options);
+    if (options->paper)
+        return paper_answer(options);
     if (!open_study(&job, &fault))
         return house_file_report(&fault);
     study_begin(&job.study);
@@ -229,6 +261,7 @@ int command_study(const Options *options) {
     if (ran)
         code = answer_study(&job);
     study_clear(&job.study);
+    measured_free(&job.measured);
     job.laboratory->close(&job.experiment);
     return code;
 }

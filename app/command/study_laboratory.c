@@ -36,10 +36,6 @@ static bool open_house(Experiment *experiment, const Options *options, Fault *fa
     return house_experiment_open(experiment, options->files[0], &house_options, options->route, fault);
 }
 
-static bool open_beam(Experiment *experiment, const Options *options, Fault *fault) {
-    return beam_experiment_open(experiment, options->files[0], options->settings, options->setting_count, fault);
-}
-
 static const StudyLaboratory laboratories[] = {
     {beam_is_file, open_beam, beam_experiment_close, "", "periodic", "not periodic", "sometimes periodic"},
     {NULL, open_house, house_experiment_close, "way", "out", "not out", "sometimes out"},

@@ -191,8 +191,12 @@ void report_basis_add_making(Document *document, const Making *making, const Rep
     document_add_heading(document, 2, "How this report was made");
     document_add_paragraph(document, document_text(document, "By %s, with this command:", making->program));
     document_add_command(document, making->command);
-    document_add_paragraph(document, "The same files, command and version give the same numbers to the last bit; the "
-                                     "digest tells whether they did.");
+    document_add_paragraph(document, document_text(document,
+                                                   "The same files, command and version give the same numbers to the "
+                                                   "last bit%s.",
+                                                   count ? "; the digest tells whether they did" : ""));
+    if (!count)
+        return;
     document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
     for (size_t r = 0; r < count; r++) {
         const Observation *observation = runs[r].observation;

@@ -1,0 +1,110 @@
+#include "report/paper_report.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/parameters.h"
+#include "laboratory/advice.h"
+
+/* Design points of a figure. */
+#define FIGURE_WIDTH 1027.0
+#define FIGURE_HEIGHT 560.0
+
+static const char *name_of(const Paper *paper) {
+    return *paper->beam.name ? paper->beam.name : paper->path;
+}
+
+static void add_basis(Document *document, const Paper *paper, const Making *making) {
+    document_add_paragraph(
+        document,
+        "Gu and Dubowsky, \u201cChaotic Vibration and Design Criteria for Machine Systems with Clearance "
+        "Connections\u201d, Ninth World Congress on the Theory of Machines and Mechanisms, Milan 1995. Of what "
+        "survives "
+        "of it, every digit 0, every capital T and all figures are lost: the paper's numbers here are as they can be "
+        "read or were reconstructed, and which of figures 3 to 6 showed what is not known.");
+    if (*paper->beam.note)
+        document_add_note(document, paper->beam.note);
+    report_basis_add_changes(document, making);
+    document_add_contents(document);
+}
+
+static void add_claims(Document *document, const PaperClaim *claims) {
+    static const Column columns[] = {{"in the paper", ALIGN_LEFT}, {"claim", ALIGN_LEFT}, {"paper", ALIGN_LEFT},
+                                     {"ours", ALIGN_LEFT},         {"", ALIGN_LEFT},      {"met when", ALIGN_LEFT}};
+    document_add_heading(document, 2, "Claims");
+    document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
+    for (size_t i = 0; i < PAPER_CLAIMS; i++) {
+        const PaperClaim *claim = &claims[i];
+        const char *cells[] = {claim->place, claim->claim, claim->paper, claim->ours, paper_met_name(claim->met),
+                               claim->rule};
+        document_add_row(document, cells);
+    }
+}
+
+static void paint_figure(const void *context, struct _cairo *cairo, Vec2 size, Theme theme) {
+    plot_paint(context, cairo, size, theme);
+}
+
+static void add_figures(Document *document, const PaperFigures *figures) {
+    document_add_heading(document, 2, "Figures");
+    for (size_t i = 0; i < PAPER_FIGURES; i++) {
+        const PaperFigure *figure = &figures->figures[i];
+        if (!figure->plot)
+            continue;
+        const char *caption = document_text(document, "%s. %s", figure->title, figure->caption);
+        document_add_figures(document);
+        document_add_picture(document, paint_figure, (void *)figure->plot, vec2(FIGURE_WIDTH, FIGURE_HEIGHT), caption,
+                             caption);
+    }
+}
+
+static void add_types(Document *document, const Paper *paper) {
+    static const Column columns[] = {{"frequency", ALIGN_RIGHT}, {"type", ALIGN_LEFT}, {"advice", ALIGN_LEFT}};
+    document_add_heading(document, 2, "Types over the frequency");
+    document_add_paragraph(document,
+                           "I: one periodic motion from all starts, whose peak force does not change steeply; II: "
+                           "periodic, but steep, or one of several motions; III: somewhere within 1 % not periodic.");
+    document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
+    for (size_t i = 0; i < PAPER_TYPES; i++) {
+        Text words = {0};
+        advice_words(&words, &paper->types[i], &paper->experiments[PAPER_FREQUENCIES], NULL);
+        const char *cells[] = {document_text(document, "%.0f Hz", paper->frequency[i]),
+                               types_kind_name(paper->types[i].kind), document_text(document, "%s", words.text)};
+        document_add_row(document, cells);
+        memory_free(words.text);
+    }
+}
+
+static void add_numbers(Document *document, const Paper *paper) {
+    static const Column columns[] = {
+        {"number", ALIGN_LEFT}, {"value", ALIGN_RIGHT}, {"unit", ALIGN_LEFT}, {"where it comes from", ALIGN_LEFT}};
+    const ParameterTable *table = beam_table();
+    document_add_heading(document, 2, "Every number, and where it comes from");
+    document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
+    for (size_t i = 0; i < table->count; i++) {
+        char *value = parameters_words(&table->rows[i], &paper->beam);
+        const char *unit = strcmp(table->rows[i].unit, "1") == 0 ? "" : table->rows[i].unit;
+        const char *cells[] = {table->rows[i].name, document_text(document, "%s", value), unit,
+                               paper->beam.provenance[i]};
+        document_add_row(document, cells);
+        memory_free(value);
+    }
+}
+
+Document paper_report_make(Paper *paper, PaperFigures *figures, const Making *making) {
+    PaperClaim claims[PAPER_CLAIMS];
+    paper_claims(paper, claims);
+    size_t met = 0;
+    for (size_t i = 0; i < PAPER_CLAIMS; i++)
+        met += claims[i].met == PAPER_MET;
+    Document document = document_begin(making->program);
+    document_add_title(&document, document_text(&document, "The paper and the beam: %s", name_of(paper)),
+                       document_text(&document, "%zu of %d claims of the paper are met", met, PAPER_CLAIMS));
+    add_basis(&document, paper, making);
+    add_claims(&document, claims);
+    add_figures(&document, figures);
+    add_types(&document, paper);
+    add_numbers(&document, paper);
+    report_basis_add_making(&document, making, NULL, 0);
+    return document;
+}
