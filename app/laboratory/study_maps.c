@@ -149,16 +149,32 @@ static void keep_classes(Map *map, const PlotClass *classes, size_t count) {
     map->raster->classes = map->classes;
 }
 
+static bool is_house(const Map *map) {
+    return strcmp(map->study->experiment->kind, "house") == 0;
+}
+
+/* Was the cell run, to the end? Then what it does not say cannot be told. */
+static bool was_run(const Map *map, size_t cell) {
+    for (size_t run = 0; run < map->study->runs; run++)
+        if (!map_trial(map, run, cell)->done || map_trial(map, run, cell)->fault)
+            return false;
+    return true;
+}
+
+#define CANNOT_BE_TOLD                                                                                                 \
+    { "cannot be told", "?", ROLE_CLASS_NONE, PLOT_PATTERN_RISING }
+
 static void classify_regular(Map *map) {
-    bool house = strcmp(map->study->experiment->kind, "house") == 0;
+    bool house = is_house(map);
     const PlotClass classes[] = {
         {house ? "not all out" : "not periodic", house ? "no" : "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
-        {house ? "all out" : "periodic", house ? "out" : "p", ROLE_CLASS_FIRST, PLOT_PATTERN_PLAIN}};
+        {house ? "all out" : "periodic", house ? "out" : "p", ROLE_CLASS_FIRST, PLOT_PATTERN_PLAIN},
+        CANNOT_BE_TOLD};
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         double regular = cell_value(map, i, map->study->experiment->regular);
-        map->values[i] = isnan(regular) ? NAN : regular >= 0.5;
+        map->values[i] = !isnan(regular) ? regular >= 0.5 : was_run(map, i) ? 2 : NAN;
     }
-    keep_classes(map, classes, 2);
+    keep_classes(map, classes, 3);
 }
 
 /* 0 where nothing is touched, 1 to 4, 5 for 5 to 8, 6 for more, 7 for none. */
@@ -178,12 +194,15 @@ static void classify_period(Map *map) {
         {"5 to 8", "5", ROLE_CLASS_FIFTH, PLOT_PATTERN_UPRIGHT},
         {"9 and more", "9", ROLE_CLASS_SIXTH, PLOT_PATTERN_LEVEL},
         {"not periodic", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
+        CANNOT_BE_TOLD,
     };
+    const double untold = sizeof classes / sizeof *classes - 1;
     size_t period = study_axes_find(map->study, "period"), touches = study_axes_find(map->study, "touches");
     bool told = touches < map->study->experiment->observable_count;
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         const Trial *trial = map_trial(map, 0, i);
-        map->values[i] = period_class(study_axes_value(trial, period), told ? study_axes_value(trial, touches) : NAN);
+        double class = period_class(study_axes_value(trial, period), told ? study_axes_value(trial, touches) : NAN);
+        map->values[i] = isnan(class) && was_run(map, i) ? untold : class;
     }
     keep_classes(map, classes, sizeof classes / sizeof *classes);
 }
@@ -318,14 +337,17 @@ static bool fill_map(Map *map, size_t observable) {
     const Observable *shown = &experiment->observables[observable];
     map->to->plot.title = shown->meaning;
     map->raster->value.title = shown->name;
-    if (strcmp(shown->name, "type") == 0)
+    if (strcmp(shown->name, "type") == 0) {
         classify_type(map);
-    else if (strcmp(shown->name, "period") == 0)
+    } else if (strcmp(shown->name, "period") == 0) {
+        map->to->plot.title = "Periodic or not, and the period in cycles";
         classify_period(map);
-    else if (observable == experiment->regular)
+    } else if (observable == experiment->regular) {
+        map->to->plot.title = is_house(map) ? "Does everybody get out?" : "Periodic or not";
         classify_regular(map);
-    else
+    } else {
         return fill_quantity(map, observable);
+    }
     return map->raster->class_count > 0;
 }
 

@@ -68,8 +68,10 @@ static void add_types(Document *document, const Paper *paper) {
     for (size_t i = 0; i < PAPER_TYPES; i++) {
         Text words = {0};
         advice_words(&words, &paper->types[i], &paper->experiments[PAPER_FREQUENCIES], NULL);
+        int first = (int)strcspn(words.text, "\n");
         const char *cells[] = {document_text(document, "%.0f Hz", paper->frequency[i]),
-                               types_kind_name(paper->types[i].kind), document_text(document, "%s", words.text)};
+                               types_kind_name(paper->types[i].kind),
+                               document_text(document, "%.*s", first, words.text)};
         document_add_row(document, cells);
         memory_free(words.text);
     }
