@@ -210,13 +210,14 @@ static void classify_period(Map *map) {
 static void classify_type(Map *map) {
     static const PlotClass classes[] = {{"type I", "I", ROLE_TYPE_FIRST, PLOT_PATTERN_PLAIN},
                                         {"type II", "II", ROLE_TYPE_SECOND, PLOT_PATTERN_RISING},
-                                        {"type III", "III", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN}};
+                                        {"type III", "III", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
+                                        {"unresolved", "?", ROLE_CLASS_NONE, PLOT_PATTERN_RISING}};
     size_t type = study_axes_find(map->study, "type");
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         double value = study_axes_value(map_trial(map, 0, i), type);
-        map->values[i] = value >= 1 && value <= 3 ? value - 1 : NAN;
+        map->values[i] = value >= 1 && value <= 3 ? value - 1 : was_run(map, i) ? 3 : NAN;
     }
-    keep_classes(map, classes, 3);
+    keep_classes(map, classes, 4);
 }
 
 static const char *attractor_name(const Map *map, const Attractor *attractor) {
@@ -338,6 +339,7 @@ static bool fill_map(Map *map, size_t observable) {
     map->to->plot.title = shown->meaning;
     map->raster->value.title = shown->name;
     if (strcmp(shown->name, "type") == 0) {
+        map->to->plot.title = "Regions of types";
         classify_type(map);
     } else if (strcmp(shown->name, "period") == 0) {
         map->to->plot.title = "Periodic or not, and the period in cycles";
