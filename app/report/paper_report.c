@@ -22,6 +22,12 @@ static void add_basis(Document *document, const Paper *paper, const Making *maki
         "survives "
         "of it, every digit 0, every capital T and all figures are lost: the paper's numbers here are as they can be "
         "read or were reconstructed, and which of figures 3 to 6 showed what is not known.");
+    document_add_paragraph(
+        document,
+        document_text(document,
+                      "A motion is called chaotic by what it did in %d cycles or more after a transient of %d: it may "
+                      "still settle later.",
+                      RESPONSE_CYCLES_LEAST, paper->beam.transient_cycles));
     if (*paper->beam.note)
         document_add_note(document, paper->beam.note);
     report_basis_add_changes(document, making);
