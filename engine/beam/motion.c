@@ -136,10 +136,15 @@ static bool row_matters(const Motion *motion, RegimeRow row) {
            (row == REGIME_FORCE && motion_in_contact(motion->place));
 }
 
-/* Of blocks `time` s on: sine, cosine, and the rows that matter. */
-static void read_rows(const Motion *motion, RegimeVector z, double time, MotionReading *reading) {
+/* `time` s on: sine and cosine. */
+static void read_drive(const Motion *motion, double time, MotionReading *reading) {
     *reading = motion->now;
     rig_turn_drive(motion->rig, time, &reading->sine, &reading->cosine);
+}
+
+/* Of blocks `time` s on: sine, cosine, and the rows that matter. */
+static void read_rows(const Motion *motion, RegimeVector z, double time, MotionReading *reading) {
+    read_drive(motion, time, reading);
     for (RegimeRow row = 0; row < REGIME_ROWS; row++)
         if (row_matters(motion, row))
             measure(motion, row, z, reading);
@@ -267,7 +272,7 @@ static Jet follow(const Curve *curve, double time, double *middle) {
 static double find_root(const Curve *curve, double turning, double low, double high, double guess, double *value) {
     double part = curve->motion->rig->cell / (double)regime_of(curve->motion)->cuts;
     for (;;) {
-        double middle, at;
+        double middle;
         Jet jet = follow(curve, guess > low && guess < high ? guess : low + (high - low) / 2, &middle);
         Jet sought = turning != 0 ? jet_rate(&jet, turning) : jet;
         double left = largest(low - middle, -part), right = least(high - middle, part);
@@ -277,7 +282,7 @@ static double find_root(const Curve *curve, double turning, double low, double h
         } else if (high - low > JET_RESOLUTION && right + middle < high && jet_value(&sought, right) < 0) {
             low = right + middle;
         } else {
-            at = jet_rise(&sought, left, right, guess);
+            double at = jet_rise(&sought, left, right, guess);
             if (value)
                 *value = jet_value(&jet, at);
             return middle + at;
@@ -426,8 +431,8 @@ static void go_on(Motion *motion, double step, RegimeVector factor, const Motion
     motion->now = *end;
 }
 
-/* Puts the blocks `step` s on into `next`, by the factor that it returns, and reads them. */
-static RegimeVector move_blocks(Motion *motion, double step, MotionReading *end) {
+/* Puts the blocks `step` s on into `next`, by the factor that it returns. */
+static RegimeVector move_blocks(Motion *motion, double step) {
     const Regime *regime = regime_of(motion);
     RegimeVector factor = motion->factor;
     if (step == motion->rig->cell)
@@ -435,7 +440,6 @@ static RegimeVector move_blocks(Motion *motion, double step, MotionReading *end)
     else
         regime_propagator(regime, step, factor);
     regime_advance(regime->blocks, factor, motion->z, motion->next);
-    read_rows(motion, motion->next, step, end);
     return factor;
 }
 
@@ -457,11 +461,16 @@ static const Way *first_switch(Motion *motion, double step, const MotionReading 
 static double make_step(Motion *motion, double step, RegimeVector factor, MotionReading *end) {
     double when;
     const Way *first = first_switch(motion, step, end, &when);
-    if (first) {
+    bool watched = motion_in_contact(motion->place) && !motion->unwatched;
+    if (first) { /* whose place reads anew */
         step = when;
-        factor = move_blocks(motion, step, end);
+        factor = move_blocks(motion, step);
+        if (watched)
+            read_rows(motion, motion->next, step, end);
+        else
+            read_drive(motion, step, end);
     }
-    if (motion_in_contact(motion->place) && !motion->unwatched)
+    if (watched)
         note_peak(motion, step, end);
     go_on(motion, step, factor, end);
     if (first)
@@ -474,7 +483,8 @@ double motion_step(Motion *motion, double longest) {
     double first = motion_in_contact(motion->place) ? rig->first_contact : rig->first_free;
     double step = least(least(rig->cell, largest(first, motion->since)), longest);
     MotionReading end;
-    RegimeVector factor = move_blocks(motion, step, &end);
+    RegimeVector factor = move_blocks(motion, step);
+    read_rows(motion, motion->next, step, &end);
     return make_step(motion, step, factor, &end);
 }
 
