@@ -244,9 +244,25 @@ static int answer_study(const StudyJob *job) {
     return !written ? EXIT_WRONG_INPUT : any ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }
 
+/* Types and the paper's page have ranges and runs of their own. */
+static bool is_one_question(const Options *options, Fault *fault) {
+    const StudyRequest *asked = &options->study;
+    bool ranges = asked->axis_count || asked->spread_count || asked->pass_count || asked->runs;
+    if (options->types && options->paper)
+        fault_add(fault, "clearance: --types and --paper are two questions: one of them would be right");
+    else if ((options->types || options->paper) && (ranges || options->measured))
+        fault_add(fault, "clearance: %s goes without --vary, --runs, --spread, --sweep and --measured",
+                  options->types ? "--types" : "--paper");
+    else
+        return true;
+    return false;
+}
+
 int command_study(const Options *options) {
     StudyJob job = {.options = options};
     Fault fault = {0};
+    if (!is_one_question(options, &fault))
+        return house_file_report(&fault);
     if (options->out && !output_directory(options->out))
         return EXIT_WRONG_INPUT;
     if (options->types)

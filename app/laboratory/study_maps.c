@@ -1,5 +1,6 @@
 #include "laboratory/study_maps.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +13,12 @@
 #define EDGE_WIDTH 1.8 /* design points, of the lines round regions of types */
 
 enum { CLASSES_MOST = 12 };
+
+/* Of runs that are done and give no answer; cells that are not run, or could not be made, stay empty. */
+#define UNTOLD                                                                                                         \
+    (PlotClass) {                                                                                                      \
+        "cannot be told", "?", ROLE_CLASS_NONE, PLOT_PATTERN_FALLING                                                   \
+    }
 
 /* A map that is being made. */
 typedef struct Map {
@@ -31,6 +38,11 @@ size_t study_maps_most(const Study *study) {
 
 static const Trial *map_trial(const Map *map, size_t run, size_t cell) {
     return study_trial(map->study, map->pass, run, cell / map->columns, cell % map->columns);
+}
+
+static bool is_told(const Map *map, size_t cell) {
+    const Trial *trial = map_trial(map, 0, cell);
+    return !isnan(map->values[cell]) || !trial->done || trial->fault;
 }
 
 /* The mean of all runs. */
@@ -133,10 +145,14 @@ static Map begin_map(StudyPlots *plots, const Study *study, size_t pass, const c
     return map;
 }
 
-/* A class that the map has gets a place in the key; what the cells hold is its number there. */
+/* A class that the map has gets a place in the key; what the cells hold is its number there. The last of the classes
+ * is of those that cannot be told. */
 static void keep_classes(Map *map, const PlotClass *classes, size_t count) {
     int place[CLASSES_MOST];
     memset(place, -1, sizeof place);
+    for (size_t i = 0; i < map->columns * map->rows; i++)
+        if (!is_told(map, i))
+            map->values[i] = (double)(count - 1);
     for (size_t c = 0; c < count; c++)
         for (size_t i = 0; i < map->columns * map->rows && place[c] < 0; i++)
             if (map->values[i] == (double)c) {
@@ -153,12 +169,14 @@ static void classify_regular(Map *map) {
     bool house = strcmp(map->study->experiment->kind, "house") == 0;
     const PlotClass classes[] = {
         {house ? "not all out" : "not periodic", house ? "no" : "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
-        {house ? "all out" : "periodic", house ? "out" : "p", ROLE_CLASS_FIRST, PLOT_PATTERN_PLAIN}};
+        {house ? "all out" : "periodic", house ? "out" : "p", ROLE_CLASS_FIRST, PLOT_PATTERN_PLAIN},
+        UNTOLD};
+    map->to->plot.title = house ? "Does everybody get out" : "Periodic or not";
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         double regular = cell_value(map, i, map->study->experiment->regular);
         map->values[i] = isnan(regular) ? NAN : regular >= 0.5;
     }
-    keep_classes(map, classes, 2);
+    keep_classes(map, classes, sizeof classes / sizeof *classes);
 }
 
 /* 0 where nothing is touched, 1 to 4, 5 for 5 to 8, 6 for more, 7 for none. */
@@ -178,7 +196,9 @@ static void classify_period(Map *map) {
         {"5 to 8", "5", ROLE_CLASS_FIFTH, PLOT_PATTERN_UPRIGHT},
         {"9 and more", "9", ROLE_CLASS_SIXTH, PLOT_PATTERN_LEVEL},
         {"not periodic", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
+        UNTOLD,
     };
+    map->to->plot.title = "Period, in cycles of the drive";
     size_t period = study_axes_find(map->study, "period"), touches = study_axes_find(map->study, "touches");
     bool told = touches < map->study->experiment->observable_count;
     for (size_t i = 0; i < map->columns * map->rows; i++) {
@@ -191,13 +211,14 @@ static void classify_period(Map *map) {
 static void classify_type(Map *map) {
     static const PlotClass classes[] = {{"type I", "I", ROLE_TYPE_FIRST, PLOT_PATTERN_PLAIN},
                                         {"type II", "II", ROLE_TYPE_SECOND, PLOT_PATTERN_RISING},
-                                        {"type III", "III", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN}};
+                                        {"type III", "III", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
+                                        UNTOLD};
     size_t type = study_axes_find(map->study, "type");
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         double value = study_axes_value(map_trial(map, 0, i), type);
         map->values[i] = value >= 1 && value <= 3 ? value - 1 : NAN;
     }
-    keep_classes(map, classes, 3);
+    keep_classes(map, classes, sizeof classes / sizeof *classes);
 }
 
 static const char *attractor_name(const Map *map, const Attractor *attractor) {
@@ -212,20 +233,21 @@ static void classify_attractors(Map *map) {
     static const Role roles[] = {ROLE_CLASS_FIRST,  ROLE_CLASS_FOURTH, ROLE_TYPE_SECOND,
                                  ROLE_CLASS_SECOND, ROLE_CLASS_SIXTH,  ROLE_CLASS_THIRD};
     static const char *const marks[] = {"A", "B", "C", "D", "E", "F", "G", "H", "I"};
-    enum { SHOWN = sizeof marks / sizeof *marks, REST = SHOWN, WILD = SHOWN + 1, ROLES = sizeof roles / sizeof *roles };
+    enum { SHOWN = sizeof marks / sizeof *marks, REST = SHOWN, WILD, LOST, ROLES = sizeof roles / sizeof *roles };
     size_t cells = map->columns * map->rows;
     int *found = arena_allocate(map->arena, cells * sizeof *found);
     Attractor *list;
     size_t count = list_attractors(map->study, map->pass, found, &list);
     PlotClass classes[CLASSES_MOST] = {[REST] = {"others", "+", ROLE_CLASS_NONE, PLOT_PATTERN_CROSSED},
-                                       [WILD] = {"not regular", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN}};
+                                       [WILD] = {"not regular", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
+                                       [LOST] = UNTOLD};
     for (size_t a = 0; a < SHOWN && a < count; a++)
         classes[a] = (PlotClass){study_axes_text(map->arena, "%s: %s", marks[a], attractor_name(map, &list[a])),
                                  marks[a], roles[a % ROLES], (PlotPattern)(a % PLOT_PATTERNS)};
     for (size_t i = 0; i < cells; i++)
         map->values[i] = found[i] == -2 ? NAN : found[i] == -1 ? WILD : found[i] < SHOWN ? found[i] : REST;
     memory_free(list);
-    keep_classes(map, classes, WILD + 1);
+    keep_classes(map, classes, LOST + 1);
 }
 
 /* A quantity; false: it is the same everywhere, or not known. */
@@ -237,8 +259,7 @@ static bool fill_quantity(Map *map, size_t observable) {
         high = fmax(high, isfinite(map->values[i]) ? map->values[i] : high);
     }
     const Observable *shown = &map->study->experiment->observables[observable];
-    map->raster->value = (PlotAxis){.title = shown->name, .unit = shown->unit};
-    map->to->plot.title = shown->meaning;
+    map->raster->value = study_axes_observable(shown).axis;
     return low < high;
 }
 
@@ -312,11 +333,18 @@ static void end_map(StudyPlots *plots, Map *map, const Measured *measured, bool 
     plots->count++;
 }
 
+/* A heading begins with a capital. */
+static const char *capital(Arena *arena, const char *words) {
+    char *heading = (char *)arena_text(arena, words);
+    heading[0] = (char)toupper((unsigned char)heading[0]);
+    return heading;
+}
+
 /* How an observable is shown. */
 static bool fill_map(Map *map, size_t observable) {
     const Experiment *experiment = map->study->experiment;
     const Observable *shown = &experiment->observables[observable];
-    map->to->plot.title = shown->meaning;
+    map->to->plot.title = capital(map->arena, shown->meaning);
     map->raster->value.title = shown->name;
     if (strcmp(shown->name, "type") == 0)
         classify_type(map);
@@ -340,7 +368,7 @@ void study_maps_add(StudyPlots *plots, const Study *study, const Measured *measu
         for (size_t o = 0; o < study->experiment->observable_count; o++) {
             const char *name = study->experiment->observables[o].name;
             Map map = begin_map(plots, study, pass, study_axes_text(&plots->arena, "map-%s", name));
-            if (fill_map(&map, o))
+            if (!study_axes_is_mark(study, o) && fill_map(&map, o))
                 end_map(plots, &map, measured, strcmp(name, "type") != 0);
         }
         if (is_start(&study->axes[0]) && is_start(&study->axes[1])) {

@@ -324,6 +324,9 @@ static bool take_names(Types *types, const TypesTask *task, Fault *fault) {
     for (size_t n = 0; n < task->name_count && fault->total == before; n++) {
         if (!experiment->parameter(experiment->given, task->names[n]))
             tell_unknown(experiment, task->names[n], fault);
+        for (size_t m = 0; m < n; m++)
+            if (strcmp(task->names[m], task->names[n]) == 0)
+                fault_add(fault, "types: %s is named twice", task->names[n]);
         types->parameters[n] =
             (TypesParameter){.name = task->names[n], .nominal = experiment->nominal(experiment->given, task->names[n])};
     }
