@@ -64,6 +64,7 @@
 #include "study/bunch.h"
 #include "study/neighbours.h"
 #include "study/types.h"
+#include "study/typed.h"
 #include "study/store.h"
 #include "study/montecarlo.h"
 #include "study/summary.h"

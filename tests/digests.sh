@@ -22,3 +22,7 @@ digest=$("$program" study "$houses/corner-1.20-1.20.json" --vary profile.manual-
     --spread profile.manual-chair.free_speed=0.1 --json "$@" | sed -n 's/.*"digest": "\([0-9a-f]*\)".*/\1/p')
 [ -n "$digest" ] || exit 1
 echo "study of a corner $digest"
+digest=$("$program" study "$(dirname "$0")/../assets/beams/ibs.json" --vary drive.frequency=200:320:25 --sweep reset,up \
+    --json "$@" | sed -n 's/.*"digest": "\([0-9a-f]*\)".*/\1/p')
+[ -n "$digest" ] || exit 1
+echo "study of a beam $digest"

@@ -82,7 +82,9 @@ def check_files(folder):
     flat, out = draft(folder), os.path.join(folder, "files")
     expect(0, "study", flat, *DOOR, "--runs", "2", "--spread", "profile.manual-chair.free_speed=0.05", "--out", out)
     names = {"summary.json", "study.csv", "study-points.csv", "study.sqlite"}
-    check(set(os.listdir(out)) == names, f"--out of a study holds {os.listdir(out)}")
+    kept = set(os.listdir(out))
+    check({name for name in kept if not name.startswith("plot-")} == names, f"--out of a study holds {kept}")
+    check({f"plot-time.{kind}" for kind in ("png", "svg", "pdf", "csv")} <= kept, f"--out of a study plots {kept}")
     with open(os.path.join(out, "study.csv"), newline="") as file:
         rows = list(csv.reader(file))
     check(rows[0][:6] == ["door.d1.width [m]", "profile.manual-chair.free_speed [m/s]", "pass [1]", "seed [1]",
@@ -179,10 +181,38 @@ def check_beams(folder):
         check(pathlib.Path(parts, name).read_bytes() == pathlib.Path(whole, name).read_bytes(), f"{name} of a beam")
     basins = json.loads(expect(0, "study", beam, "--set", "drive.frequency=290", "--runs", "8", "--json").stdout)
     check(basins["regular"] == 8 and basins["distribution"]["observables"]["peak_max"]["count"] == 8, f"starts {basins}")
+    few = ["--set", "beam.modes=8", "--json"]
+    typed = json.loads(expect(0, "study", beam, *few, "--vary", "drive.frequency=250:300:2", "--types",
+                              "drive.frequency,joint.clearance", "--out", parts).stdout)
+    rows = [row.split(",") for row in pathlib.Path(parts, "study.csv").read_text().splitlines()]
+    check("type [1]" in rows[0] and typed["done"] == 2, f"types over a range {rows[0]}")
+    check([row[rows[0].index("type [1]")] for row in rows[1:]] == ["2", "3"], f"types over a range {rows}")
+    expect(0, "study", beam, *few, "--vary", "drive.frequency=250:290:2", "--thorough", "--out", parts)
+    rows = [row.split(",") for row in pathlib.Path(parts, "study.csv").read_text().splitlines()]
+    check(all(float(row[rows[0].index("lyapunov [1]")]) < 0 for row in rows[1:]), f"exponents over a range {rows}")
+    expect(2, "study", house("straight-corridor"), "--runs", "2", "--thorough", says="--thorough is for beams")
     expect(2, "study", beam, "--vary", "drive.frequenzy=1:2:3", says='did you mean "drive.frequency"?')
     expect(2, "study", beam, "--vary", "joint.release=1:2:3", says="joint.release is no number")
     expect(2, "study", beam, "--vary", "drive.frequency=0:20:3", says="0 is out of range, must be from 1 to 100000 Hz")
     expect(2, "study", beam, "--runs", "2", "--route", "A", says="--route is for houses")
+
+
+def check_paper(folder):
+    beam, out = str(source / "assets/beams/ibs.json"), pathlib.Path(folder, "paper")
+    short = ["--set", "beam.modes=2", "--set", "run.transient_cycles=20", "--set", "run.cycles=20"]
+    answer = json.loads(expect(0, "study", beam, "--paper", *short, "--json", "--quiet", "--out", str(out)).stdout)
+    check(len(answer["claims"]) == 10 and len(answer["types"]) == 15, f"claims {answer}")
+    check({claim["met"] for claim in answer["claims"]} <= {"met", "not met", "not told"}, f"claims {answer['claims']}")
+    check(answer == json.loads((out / "summary.json").read_text()), "the paper's summary.json")
+    page = (out / "paper.html").read_text()
+    met = sum(claim["met"] == "met" for claim in answer["claims"])
+    check(f"{met} of 10 claims of the paper are met" in page and page.count("<svg") + page.count("<img") == 9, "page")
+    for claim in answer["claims"]:
+        check(claim["id"] and claim["ours"] and claim["rule"], f"a claim says all {claim}")
+    check("identified" in page and "beam.modes" in page, "the page says what was changed and where numbers come from")
+    check((out / "paper.pdf").read_bytes().startswith(b"%PDF"), "paper.pdf")
+    check(len(list(out.glob("plot-figure-*.png"))) == 9, "a picture of each figure")
+    expect(2, "study", house("straight-corridor"), "--paper", says="is no beam")
 
 
 def check_wrong_stores(folder):
@@ -236,8 +266,8 @@ def check_wrong_use(folder):
         ("--vary", f"{delay}=1:2:3", "--vary", f"{delay}=1:2:4"): "is varied already",
         ("--vary", f"{delay}=1:2:3", "--vary", "run.dt=1:2:3", "--vary", "run.cell=1:2:3"): "(at most twice)",
         ("--vary", f"{delay}=1:2:100000", "--runs", "100000"): "the study has 10000000000 runs",
-        ("--types", delay, "--vary", f"{delay}=1:2:3"): "--types goes without --vary",
-        ("--types", delay, "--paper"): "--types and --paper are two questions",
+        ("--paper", "--vary", f"{delay}=1:2:3"): "--paper goes without --vary",
+        ("--paper", "--types", delay): "--paper goes without --vary",
         ("--types", f"{delay},{delay}"): f"types: {delay} is named twice",
         ("--runs", "0"): "--runs takes N",
         ("--runs", "many"): "--runs takes N",
@@ -259,7 +289,8 @@ def check_wrong_use(folder):
 
 with tempfile.TemporaryDirectory(prefix="clearance study ä ") as directory:
     for number, part in enumerate((check_answers, check_maps_and_runs, check_files, check_going_on, check_killed,
-                                   check_changed_while_running, check_beams, check_wrong_stores, check_wrong_use)):
+                                   check_changed_while_running, check_beams, check_paper, check_wrong_stores,
+                                   check_wrong_use)):
         own = os.path.join(directory, str(number))
         os.makedirs(own)
         part(own)

@@ -1,4 +1,4 @@
-#include "study/types.h"
+#include "study/typed.h"
 
 #include <math.h>
 #include <string.h>
@@ -289,6 +289,37 @@ TEST(a_parameter_that_is_nothing_has_no_window) {
     CHECK(types_tell(&types, &task, &fault));
     CHECK(types.kind == TYPES_I && types.point_count == 1 && isnan(types.parameters[0].sensitivity));
     CHECK(!types.parameters[0].below.found && types.neighbour_runs == 0);
+}
+
+static Told steeper_beyond(double a, double b, uint64_t seed) {
+    (void)seed;
+    return (Told){a < 9 ? 1 : NAN, 1, b < 5 ? a * a : pow(a, 6)};
+}
+
+TEST(each_run_of_a_typed_experiment_has_the_type_of_its_place) {
+    static const char *const varied[] = {"b", "a"};
+    const double at[][2] = {{2, 2}, {6, 2}, {2, 9.5}};
+    Made made = {steeper_beyond, 10};
+    Experiment of = make(&made), experiment;
+    Typed typed = {.of = &of, .names = names, .name_count = 1};
+    Fault fault = {0};
+    CHECK(typed_open(&typed, &experiment, &fault));
+    CHECK(experiment.observable_count == 4);
+    CHECK_TEXT(experiment.observables[3].name, "type");
+    Trial trials[3];
+    double observed[3][4];
+    for (size_t i = 0; i < 3; i++)
+        trials[i] = (Trial){.at = at[i], .observed = observed[i]};
+    experiment.run(experiment.given, varied, 2, trials, 3, false, NULL);
+    CHECK_NEAR(observed[0][3], 1, 0);
+    CHECK_NEAR(observed[1][3], 2, 0);
+    CHECK(isnan(observed[2][3]));
+    CHECK_NEAR(observed[1][2], 64, 0);
+    CHECK(trials[1].at == at[1]);
+    typed_close(&typed);
+    typed.names = (const char *const[]){"c"};
+    CHECK(!typed_open(&typed, &experiment, &fault));
+    fault_clear(&fault);
 }
 
 TEST(the_same_is_told_with_any_number_of_jobs) {

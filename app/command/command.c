@@ -243,6 +243,11 @@ static bool take_types(Options *options, const char *value) {
     return *value;
 }
 
+static bool take_thorough(Options *options, const char *value) {
+    (void)value;
+    return options->thorough = true;
+}
+
 static bool take_paper(Options *options, const char *value) {
     (void)value;
     return options->paper = true;
@@ -276,8 +281,11 @@ static const Option option_rows[] = {
     {"--sweep", "reset,up,down", FOR_STUDY,
      "each run from its start, or from where its neighbour below or above ended; a list (default reset)", take_sweep},
     {"--types", "NAME[,NAME ...]", FOR_STUDY,
-     "tell type I, II or III in a window of 1 % in each of these numbers, from 16 starts, and what is beyond",
+     "tell type I, II or III in a window of 1 % in each of these numbers, from 16 starts, and what is beyond; with "
+     "--vary, of each point",
      take_types},
+    {"--thorough", NULL, FOR_STUDY, "of a beam: tell each run as `run` does, with exponents and the 0-1 test; slower",
+     take_thorough},
     {"--paper", NULL, FOR_STUDY,
      "of a beam: each claim and figure of Gu and Dubowsky's paper beside ours; --out has them as a page", take_paper},
     {"--report", NULL, FOR_RUN | FOR_COMPARE, "write report.html and report.pdf to --out, to be handed on",

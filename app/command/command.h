@@ -48,6 +48,7 @@ typedef struct Options {
     const char *observed;   /* file of measured loci, or NULL */
     StudyRequest study;
     bool paper;        /* study the paper's claims */
+    bool thorough;     /* tell each run of a beam as `run` does */
     const char *types; /* names of parameters, parted by commas, or NULL */
     char **arguments;  /* (argument_count) the command line, as given */
     int argument_count;

@@ -66,6 +66,10 @@ static bool write_pages(Paper *paper, const json_t *answer, const Options *optio
 int paper_answer(const Options *options) {
     Fault fault = {0};
     Paper paper;
+    if (!beam_is_file(options->files[0])) {
+        fault_add(&fault, "clearance: --paper is of a beam, %s is no beam", options->files[0]);
+        return house_file_report(&fault);
+    }
     bool show = !options->quiet && isatty(STDERR_FILENO);
     bool made = paper_make(&paper,
                            &(PaperOptions){.path = options->files[0],

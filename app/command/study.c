@@ -25,6 +25,8 @@ typedef struct StudyJob {
     const Options *options;
     const StudyLaboratory *laboratory;
     Experiment experiment;
+    uint64_t identity; /* the experiment's, as it is opened */
+    StudyTypes types;  /* where runs tell types */
     Study study;
     uint64_t content;  /* digest of the file */
     Measured measured; /* points to be laid over the plots */
@@ -86,17 +88,41 @@ static bool read_measured(StudyJob *job, Fault *fault) {
     return good;
 }
 
+/* The experiment of the file, or the one whose runs tell types. */
+static bool open_experiment(StudyJob *job, Fault *fault) {
+    const Options *options = job->options;
+    job->content = file_digest(options->files[0]);
+    if (!options->types) {
+        job->laboratory = study_laboratory_open(&job->experiment, options, fault);
+        job->identity = job->experiment.identity;
+        return job->laboratory;
+    }
+    if (!study_types_open(&job->types, options, fault))
+        return false;
+    job->laboratory = job->types.laboratory;
+    job->identity = job->types.quick.identity;
+    bool good = study_types_of_runs(&job->types, &job->experiment, fault);
+    if (!good)
+        study_types_close(&job->types);
+    return good;
+}
+
+static void close_experiment(StudyJob *job) {
+    if (job->options->types)
+        study_types_close(&job->types);
+    else
+        job->laboratory->close(&job->experiment);
+}
+
 static bool open_study(StudyJob *job, Fault *fault) {
-    job->content = file_digest(job->options->files[0]);
-    job->laboratory = study_laboratory_open(&job->experiment, job->options, fault);
-    if (!job->laboratory)
+    if (!open_experiment(job, fault))
         return false;
     make_study(job);
     if (!job->study.axis_count && job->study.runs < 2)
         fault_add(fault, "clearance: nothing is studied: --vary NAME=FROM:TO:STEPS or --runs N would be right");
     else if (study_check(&job->study, fault) && read_measured(job, fault))
         return true;
-    job->laboratory->close(&job->experiment);
+    close_experiment(job);
     return false;
 }
 
@@ -165,7 +191,7 @@ static bool is_unchanged(const StudyJob *job) {
     bool same =
         file_digest(job->options->files[0]) == job->content && job->laboratory->open(&again, job->options, &fault);
     if (same) {
-        same = again.identity == job->experiment.identity;
+        same = again.identity == job->identity;
         job->laboratory->close(&again);
     }
     fault_clear(&fault);
@@ -244,17 +270,13 @@ static int answer_study(const StudyJob *job) {
     return !written ? EXIT_WRONG_INPUT : any ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }
 
-/* Types and the paper's page have ranges and runs of their own. */
+/* The paper's page has ranges, runs and types of its own. */
 static bool is_one_question(const Options *options, Fault *fault) {
     const StudyRequest *asked = &options->study;
     bool ranges = asked->axis_count || asked->spread_count || asked->pass_count || asked->runs;
-    if (options->types && options->paper)
-        fault_add(fault, "clearance: --types and --paper are two questions: one of them would be right");
-    else if ((options->types || options->paper) && (ranges || options->measured))
-        fault_add(fault, "clearance: %s goes without --vary, --runs, --spread, --sweep and --measured",
-                  options->types ? "--types" : "--paper");
-    else
+    if (!options->paper || !(ranges || options->types || options->measured))
         return true;
+    fault_add(fault, "clearance: --paper goes without --vary, --runs, --spread, --sweep, --types and --measured");
     return false;
 }
 
@@ -265,7 +287,7 @@ int command_study(const Options *options) {
         return house_file_report(&fault);
     if (options->out && !output_directory(options->out))
         return EXIT_WRONG_INPUT;
-    if (options->types)
+    if (options->types && !options->study.axis_count && options->study.runs < 2)
         return study_types_answer(options);
     if (options->paper)
         return paper_answer(options);
@@ -278,6 +300,6 @@ int command_study(const Options *options) {
         code = answer_study(&job);
     study_clear(&job.study);
     measured_free(&job.measured);
-    job.laboratory->close(&job.experiment);
+    close_experiment(&job);
     return code;
 }

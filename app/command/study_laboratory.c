@@ -24,10 +24,16 @@ static bool open_beam(Experiment *experiment, const Options *options, Fault *fau
         !beam_experiment_open(experiment, options->files[0], options->settings, options->setting_count, fault))
         return false;
     experiment->unknown = tell_unknown;
+    if (options->thorough)
+        beam_experiment_be_thorough(experiment);
     return true;
 }
 
 static bool open_house(Experiment *experiment, const Options *options, Fault *fault) {
+    if (options->thorough) {
+        fault_add(fault, "clearance: --thorough is for beams, %s is a house", options->files[0]);
+        return false;
+    }
     HouseOptions house_options = {.profiles = house_file_profiles(),
                                   .settings = options->settings,
                                   .setting_count = options->setting_count,

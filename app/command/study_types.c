@@ -10,41 +10,48 @@
 #include "command/types_answer.h"
 #include "laboratory/beam_experiment.h"
 
-/* The experiment, and the same told more thoroughly where there is such. */
-typedef struct Pair {
-    const StudyLaboratory *laboratory;
-    Experiment quick, thorough;
-    bool both;
-} Pair;
-
-static bool open_pair(Pair *pair, const Options *options, Fault *fault) {
-    pair->laboratory = study_laboratory_open(&pair->quick, options, fault);
-    pair->both = pair->laboratory && strcmp(pair->quick.kind, "beam") == 0;
-    if (pair->both && !study_laboratory_open(&pair->thorough, options, fault)) {
-        pair->laboratory->close(&pair->quick);
-        return false;
-    }
-    if (pair->both)
-        beam_experiment_be_thorough(&pair->thorough);
-    return pair->laboratory;
-}
-
-static void close_pair(Pair *pair) {
-    if (pair->both)
-        pair->laboratory->close(&pair->thorough);
-    pair->laboratory->close(&pair->quick);
-}
-
-/* The names of the list, parted by commas; returns how many. */
-static size_t split_names(const Options *options, const char **names, Arena *arena) {
-    size_t count = 0;
-    for (const char *at = options->types; *at && count <= TYPES_PARAMETERS_MOST;) {
+/* The names of the list, parted by commas. */
+static void split_names(StudyTypes *types, const char *list) {
+    for (const char *at = list; *at && types->count <= TYPES_PARAMETERS_MOST;) {
         size_t length = strcspn(at, ",");
-        char *name = arena_allocate(arena, length + 1);
-        names[count++] = memcpy(name, at, length);
+        char *name = arena_allocate(&types->arena, length + 1);
+        types->names[types->count++] = memcpy(name, at, length);
         at += length + (at[length] == ',');
     }
-    return count;
+}
+
+bool study_types_open(StudyTypes *types, const Options *options, Fault *fault) {
+    *types = (StudyTypes){.laboratory = NULL};
+    types->laboratory = study_laboratory_open(&types->quick, options, fault);
+    if (!types->laboratory)
+        return false;
+    types->both = strcmp(types->quick.kind, "beam") == 0;
+    if (types->both && !study_laboratory_open(&types->thorough, options, fault)) {
+        types->laboratory->close(&types->quick);
+        return false;
+    }
+    if (types->both)
+        beam_experiment_be_thorough(&types->thorough);
+    split_names(types, options->types);
+    return true;
+}
+
+void study_types_close(StudyTypes *types) {
+    typed_close(&types->typed);
+    if (types->both)
+        types->laboratory->close(&types->thorough);
+    types->laboratory->close(&types->quick);
+    arena_clear(&types->arena);
+}
+
+static const Experiment *thorough_of(const StudyTypes *types) {
+    return types->both ? &types->thorough : NULL;
+}
+
+bool study_types_of_runs(StudyTypes *types, Experiment *experiment, Fault *fault) {
+    types->typed =
+        (Typed){.of = &types->quick, .thorough = thorough_of(types), .names = types->names, .name_count = types->count};
+    return typed_open(&types->typed, experiment, fault);
 }
 
 static json_t *make_answer(const Types *types, const Experiment *experiment, const Options *options) {
@@ -76,18 +83,13 @@ static int give_answer(const Types *types, const Experiment *experiment, const O
 }
 
 int study_types_answer(const Options *options) {
-    Pair pair = {0};
-    Fault fault = {0};
-    if (!open_pair(&pair, options, &fault))
-        return house_file_report(&fault);
-    Arena arena = {0};
-    const char *names[TYPES_PARAMETERS_MOST + 1];
-    size_t count = split_names(options, names, &arena);
+    StudyTypes asked;
     Types types;
-    bool good =
-        types_answer_tell(&types, &pair.quick, pair.both ? &pair.thorough : NULL, names, count, options, &fault);
-    int code = good ? give_answer(&types, &pair.quick, options) : house_file_report(&fault);
-    close_pair(&pair);
-    arena_clear(&arena);
+    Fault fault = {0};
+    if (!study_types_open(&asked, options, &fault))
+        return house_file_report(&fault);
+    bool good = types_answer_tell(&types, &asked.quick, thorough_of(&asked), asked.names, asked.count, options, &fault);
+    int code = good ? give_answer(&types, &asked.quick, options) : house_file_report(&fault);
+    study_types_close(&asked);
     return code;
 }

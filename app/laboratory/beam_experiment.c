@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/digest.h"
 #include "base/random.h"
 #include "beam/lanes.h"
 #include "beam/response.h"
@@ -451,6 +452,7 @@ bool beam_experiment_of(Experiment *experiment, const Beam *beam, const char *pl
 
 void beam_experiment_be_thorough(Experiment *experiment) {
     ((Given *)experiment->given)->thorough = true;
+    experiment->identity = digest_chain(experiment->identity, 1);
 }
 
 void beam_experiment_close(Experiment *experiment) {

@@ -14,12 +14,6 @@
 
 enum { CLASSES_MOST = 12 };
 
-/* Of runs that are done and give no answer; cells that are not run, or could not be made, stay empty. */
-#define UNTOLD                                                                                                         \
-    (PlotClass) {                                                                                                      \
-        "cannot be told", "?", ROLE_CLASS_NONE, PLOT_PATTERN_FALLING                                                   \
-    }
-
 /* A map that is being made. */
 typedef struct Map {
     const Study *study;
@@ -38,11 +32,6 @@ size_t study_maps_most(const Study *study) {
 
 static const Trial *map_trial(const Map *map, size_t run, size_t cell) {
     return study_trial(map->study, map->pass, run, cell / map->columns, cell % map->columns);
-}
-
-static bool is_told(const Map *map, size_t cell) {
-    const Trial *trial = map_trial(map, 0, cell);
-    return !isnan(map->values[cell]) || !trial->done || trial->fault;
 }
 
 /* The mean of all runs. */
@@ -145,14 +134,10 @@ static Map begin_map(StudyPlots *plots, const Study *study, size_t pass, const c
     return map;
 }
 
-/* A class that the map has gets a place in the key; what the cells hold is its number there. The last of the classes
- * is of those that cannot be told. */
+/* A class that the map has gets a place in the key; what the cells hold is its number there. */
 static void keep_classes(Map *map, const PlotClass *classes, size_t count) {
     int place[CLASSES_MOST];
     memset(place, -1, sizeof place);
-    for (size_t i = 0; i < map->columns * map->rows; i++)
-        if (!is_told(map, i))
-            map->values[i] = (double)(count - 1);
     for (size_t c = 0; c < count; c++)
         for (size_t i = 0; i < map->columns * map->rows && place[c] < 0; i++)
             if (map->values[i] == (double)c) {
@@ -165,18 +150,32 @@ static void keep_classes(Map *map, const PlotClass *classes, size_t count) {
     map->raster->classes = map->classes;
 }
 
+static bool is_house(const Map *map) {
+    return strcmp(map->study->experiment->kind, "house") == 0;
+}
+
+/* Was the cell run, to the end? Then what it does not say cannot be told. */
+static bool was_run(const Map *map, size_t cell) {
+    for (size_t run = 0; run < map->study->runs; run++)
+        if (!map_trial(map, run, cell)->done || map_trial(map, run, cell)->fault)
+            return false;
+    return true;
+}
+
+#define CANNOT_BE_TOLD                                                                                                 \
+    { "cannot be told", "?", ROLE_CLASS_NONE, PLOT_PATTERN_RISING }
+
 static void classify_regular(Map *map) {
-    bool house = strcmp(map->study->experiment->kind, "house") == 0;
+    bool house = is_house(map);
     const PlotClass classes[] = {
         {house ? "not all out" : "not periodic", house ? "no" : "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
         {house ? "all out" : "periodic", house ? "out" : "p", ROLE_CLASS_FIRST, PLOT_PATTERN_PLAIN},
-        UNTOLD};
-    map->to->plot.title = house ? "Does everybody get out" : "Periodic or not";
+        CANNOT_BE_TOLD};
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         double regular = cell_value(map, i, map->study->experiment->regular);
-        map->values[i] = isnan(regular) ? NAN : regular >= 0.5;
+        map->values[i] = !isnan(regular) ? regular >= 0.5 : was_run(map, i) ? 2 : NAN;
     }
-    keep_classes(map, classes, sizeof classes / sizeof *classes);
+    keep_classes(map, classes, 3);
 }
 
 /* 0 where nothing is touched, 1 to 4, 5 for 5 to 8, 6 for more, 7 for none. */
@@ -196,14 +195,15 @@ static void classify_period(Map *map) {
         {"5 to 8", "5", ROLE_CLASS_FIFTH, PLOT_PATTERN_UPRIGHT},
         {"9 and more", "9", ROLE_CLASS_SIXTH, PLOT_PATTERN_LEVEL},
         {"not periodic", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
-        UNTOLD,
+        CANNOT_BE_TOLD,
     };
-    map->to->plot.title = "Period, in cycles of the drive";
+    const double untold = sizeof classes / sizeof *classes - 1;
     size_t period = study_axes_find(map->study, "period"), touches = study_axes_find(map->study, "touches");
     bool told = touches < map->study->experiment->observable_count;
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         const Trial *trial = map_trial(map, 0, i);
-        map->values[i] = period_class(study_axes_value(trial, period), told ? study_axes_value(trial, touches) : NAN);
+        double class = period_class(study_axes_value(trial, period), told ? study_axes_value(trial, touches) : NAN);
+        map->values[i] = isnan(class) && was_run(map, i) ? untold : class;
     }
     keep_classes(map, classes, sizeof classes / sizeof *classes);
 }
@@ -212,13 +212,13 @@ static void classify_type(Map *map) {
     static const PlotClass classes[] = {{"type I", "I", ROLE_TYPE_FIRST, PLOT_PATTERN_PLAIN},
                                         {"type II", "II", ROLE_TYPE_SECOND, PLOT_PATTERN_RISING},
                                         {"type III", "III", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
-                                        UNTOLD};
+                                        {"unresolved", "?", ROLE_CLASS_NONE, PLOT_PATTERN_RISING}};
     size_t type = study_axes_find(map->study, "type");
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         double value = study_axes_value(map_trial(map, 0, i), type);
-        map->values[i] = value >= 1 && value <= 3 ? value - 1 : NAN;
+        map->values[i] = value >= 1 && value <= 3 ? value - 1 : was_run(map, i) ? 3 : NAN;
     }
-    keep_classes(map, classes, sizeof classes / sizeof *classes);
+    keep_classes(map, classes, 4);
 }
 
 static const char *attractor_name(const Map *map, const Attractor *attractor) {
@@ -233,21 +233,24 @@ static void classify_attractors(Map *map) {
     static const Role roles[] = {ROLE_CLASS_FIRST,  ROLE_CLASS_FOURTH, ROLE_TYPE_SECOND,
                                  ROLE_CLASS_SECOND, ROLE_CLASS_SIXTH,  ROLE_CLASS_THIRD};
     static const char *const marks[] = {"A", "B", "C", "D", "E", "F", "G", "H", "I"};
-    enum { SHOWN = sizeof marks / sizeof *marks, REST = SHOWN, WILD, LOST, ROLES = sizeof roles / sizeof *roles };
+    enum { SHOWN = sizeof marks / sizeof *marks, REST = SHOWN, WILD, UNTOLD, ROLES = sizeof roles / sizeof *roles };
     size_t cells = map->columns * map->rows;
     int *found = arena_allocate(map->arena, cells * sizeof *found);
     Attractor *list;
     size_t count = list_attractors(map->study, map->pass, found, &list);
     PlotClass classes[CLASSES_MOST] = {[REST] = {"others", "+", ROLE_CLASS_NONE, PLOT_PATTERN_CROSSED},
                                        [WILD] = {"not regular", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
-                                       [LOST] = UNTOLD};
+                                       [UNTOLD] = CANNOT_BE_TOLD};
     for (size_t a = 0; a < SHOWN && a < count; a++)
         classes[a] = (PlotClass){study_axes_text(map->arena, "%s: %s", marks[a], attractor_name(map, &list[a])),
                                  marks[a], roles[a % ROLES], (PlotPattern)(a % PLOT_PATTERNS)};
     for (size_t i = 0; i < cells; i++)
-        map->values[i] = found[i] == -2 ? NAN : found[i] == -1 ? WILD : found[i] < SHOWN ? found[i] : REST;
+        map->values[i] = found[i] == -2     ? (was_run(map, i) ? UNTOLD : NAN)
+                         : found[i] == -1   ? WILD
+                         : found[i] < SHOWN ? found[i]
+                                            : REST;
     memory_free(list);
-    keep_classes(map, classes, LOST + 1);
+    keep_classes(map, classes, UNTOLD + 1);
 }
 
 /* A quantity; false: it is the same everywhere, or not known. */
@@ -346,14 +349,18 @@ static bool fill_map(Map *map, size_t observable) {
     const Observable *shown = &experiment->observables[observable];
     map->to->plot.title = capital(map->arena, shown->meaning);
     map->raster->value.title = shown->name;
-    if (strcmp(shown->name, "type") == 0)
+    if (strcmp(shown->name, "type") == 0) {
+        map->to->plot.title = "Regions of types";
         classify_type(map);
-    else if (strcmp(shown->name, "period") == 0)
+    } else if (strcmp(shown->name, "period") == 0) {
+        map->to->plot.title = "Periodic or not, and the period in cycles";
         classify_period(map);
-    else if (observable == experiment->regular)
+    } else if (observable == experiment->regular) {
+        map->to->plot.title = is_house(map) ? "Does everybody get out?" : "Periodic or not";
         classify_regular(map);
-    else
+    } else {
         return fill_quantity(map, observable);
+    }
     return map->raster->class_count > 0;
 }
 

@@ -22,6 +22,12 @@ static void add_basis(Document *document, const Paper *paper, const Making *maki
         "survives "
         "of it, every digit 0, every capital T and all figures are lost: the paper's numbers here are as they can be "
         "read or were reconstructed, and which of figures 3 to 6 showed what is not known.");
+    document_add_paragraph(
+        document,
+        document_text(document,
+                      "A motion is called chaotic by what it did in %d cycles or more after a transient of %d: it may "
+                      "still settle later.",
+                      RESPONSE_CYCLES_LEAST, paper->beam.transient_cycles));
     if (*paper->beam.note)
         document_add_note(document, paper->beam.note);
     report_basis_add_changes(document, making);
@@ -68,8 +74,10 @@ static void add_types(Document *document, const Paper *paper) {
     for (size_t i = 0; i < PAPER_TYPES; i++) {
         Text words = {0};
         advice_words(&words, &paper->types[i], &paper->experiments[PAPER_FREQUENCIES], NULL);
+        int first = (int)strcspn(words.text, "\n");
         const char *cells[] = {document_text(document, "%.0f Hz", paper->frequency[i]),
-                               types_kind_name(paper->types[i].kind), document_text(document, "%s", words.text)};
+                               types_kind_name(paper->types[i].kind),
+                               document_text(document, "%.*s", first, words.text)};
         document_add_row(document, cells);
         memory_free(words.text);
     }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/parallel.h"
 #include "study/bunch.h"
@@ -316,29 +317,34 @@ static void tell_unknown(const Experiment *experiment, const char *name, Fault *
         fault_add(fault, "types: %s: a %s has no such number", name, experiment->kind);
 }
 
-static bool take_names(Types *types, const TypesTask *task, Fault *fault) {
-    const Experiment *experiment = task->experiment;
+bool types_check(const Experiment *experiment, const char *const *names, size_t name_count, Fault *fault) {
     size_t before = fault->total;
-    if (task->name_count > TYPES_PARAMETERS_MOST)
-        fault_add(fault, "types of %zu parameters: at most %d would be right", task->name_count, TYPES_PARAMETERS_MOST);
-    for (size_t n = 0; n < task->name_count && fault->total == before; n++) {
-        if (!experiment->parameter(experiment->given, task->names[n]))
-            tell_unknown(experiment, task->names[n], fault);
+    if (name_count > TYPES_PARAMETERS_MOST)
+        fault_add(fault, "types of %zu parameters: at most %d would be right", name_count, TYPES_PARAMETERS_MOST);
+    for (size_t n = 0; n < name_count && fault->total == before; n++) {
+        if (!experiment->parameter(experiment->given, names[n]))
+            tell_unknown(experiment, names[n], fault);
         for (size_t m = 0; m < n; m++)
-            if (strcmp(task->names[m], task->names[n]) == 0)
-                fault_add(fault, "types: %s is named twice", task->names[n]);
+            if (strcmp(names[m], names[n]) == 0)
+                fault_add(fault, "types: %s is named twice", names[n]);
+    }
+    return fault->total == before;
+}
+
+static void take_names(Types *types, const TypesTask *task) {
+    const Experiment *experiment = task->experiment;
+    for (size_t n = 0; n < task->name_count; n++)
         types->parameters[n] =
             (TypesParameter){.name = task->names[n], .nominal = experiment->nominal(experiment->given, task->names[n])};
-    }
     types->parameter_count = task->name_count;
-    return fault->total == before;
 }
 
 bool types_tell(Types *types, const TypesTask *task, Fault *fault) {
     assert(!task->thorough || task->thorough->observable_count == task->experiment->observable_count);
     *types = (Types){0};
-    if (!take_names(types, task, fault))
+    if (!types_check(task->experiment, task->names, task->name_count, fault))
         return false;
+    take_names(types, task);
     lay_out_points(types);
     Work work = {.task = task, .types = types};
     work.all = types->point_count * TYPES_STARTS + 2 * types->parameter_count * NEIGHBOURS_STEPS * NEIGHBOURS_STARTS;
@@ -349,7 +355,8 @@ bool types_tell(Types *types, const TypesTask *task, Fault *fault) {
         gather_answers(&work, i);
     find_sensitivities(types);
     decide_kind(types, task->experiment->periods);
-    find_neighbours(&work);
+    if (!task->window_only)
+        find_neighbours(&work);
     types->stopped = is_stopped(task);
     bunch_clear(&work.window);
     pthread_mutex_destroy(&work.mutex);

@@ -90,6 +90,7 @@ typedef struct TypesTask {
                                    first is believed */
     const char *const *names;   /* (name_count) of the parameters */
     size_t name_count;
+    bool window_only; /* neighbours are not looked for */
     int jobs;
     const volatile sig_atomic_t *stop;
     void (*progress)(void *context, size_t done, size_t all); /* trials; from one thread at a time; NULL: none */
@@ -98,6 +99,9 @@ typedef struct TypesTask {
 
 /* "I", "II", "III", "unresolved" */
 const char *types_kind_name(TypesKind kind);
+
+/* Can types be told in a window of these names (name_count)? False: a fault. */
+bool types_check(const Experiment *experiment, const char *const *names, size_t name_count, Fault *fault);
 
 /* Tells the type. False: a fault, of a name that is no parameter's or too many of them. */
 bool types_tell(Types *types, const TypesTask *task, Fault *fault);

@@ -1,0 +1,150 @@
+#include "study/typed.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/digest.h"
+
+/* An experiment of which some parameters have other nominal values. */
+typedef struct Fixed {
+    const Experiment *of;
+    const char *const *names; /* (count) */
+    const double *values;
+    size_t count;
+} Fixed;
+
+/* The index of a name, or the count. */
+static size_t find_name(const char *const *names, size_t count, const char *name) {
+    size_t i = 0;
+    while (i < count && strcmp(names[i], name) != 0)
+        i++;
+    return i;
+}
+
+static const Parameter *fixed_parameter(const void *given, const char *name) {
+    const Fixed *fixed = given;
+    return fixed->of->parameter(fixed->of->given, name);
+}
+
+static double fixed_nominal(const void *given, const char *name) {
+    const Fixed *fixed = given;
+    size_t i = find_name(fixed->names, fixed->count, name);
+    return i < fixed->count ? fixed->values[i] : fixed->of->nominal(fixed->of->given, name);
+}
+
+static void fixed_run(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count,
+                      bool carry, const volatile sig_atomic_t *stop) {
+    const Fixed *fixed = given;
+    size_t width = fixed->count + name_count, used = 0;
+    const char **all = memory_allocate(width, sizeof *all);
+    double *at = memory_allocate(count * width, sizeof *at);
+    const double **before = memory_allocate(count, sizeof *before);
+    for (size_t n = 0; n < width; n++) {
+        bool own = n >= fixed->count;
+        const char *name = own ? names[n - fixed->count] : fixed->names[n];
+        if (!own && find_name(names, name_count, name) < name_count)
+            continue;
+        for (size_t t = 0; t < count; t++)
+            at[t * width + used] = own ? trials[t].at[n - fixed->count] : fixed->values[n];
+        all[used++] = name;
+    }
+    for (size_t t = 0; t < count; t++) {
+        before[t] = trials[t].at;
+        trials[t].at = at + t * width;
+    }
+    fixed->of->run(fixed->of->given, all, used, trials, count, carry, stop);
+    for (size_t t = 0; t < count; t++)
+        trials[t].at = before[t];
+    memory_free(before);
+    memory_free(at);
+    memory_free(all);
+}
+
+static Experiment fix(Fixed *fixed) {
+    Experiment experiment = *fixed->of;
+    experiment.given = fixed;
+    experiment.parameter = fixed_parameter;
+    experiment.nominal = fixed_nominal;
+    experiment.unknown = NULL;
+    experiment.run = fixed_run;
+    return experiment;
+}
+
+/* 1, 2, 3; NAN: unresolved, or stopped. */
+static double type_at(const Typed *typed, const char *const *names, size_t name_count, const double *at,
+                      const volatile sig_atomic_t *stop) {
+    Fixed quick = {typed->of, names, at, name_count}, slow = {typed->thorough, names, at, name_count};
+    Experiment experiment = fix(&quick), thorough = {.kind = NULL};
+    if (typed->thorough)
+        thorough = fix(&slow);
+    Types types;
+    Fault fault = {0};
+    bool told = types_tell(&types,
+                           &(TypesTask){.experiment = &experiment,
+                                        .thorough = typed->thorough ? &thorough : NULL,
+                                        .names = typed->names,
+                                        .name_count = typed->name_count,
+                                        .window_only = true,
+                                        .jobs = 1,
+                                        .stop = stop},
+                           &fault);
+    fault_clear(&fault);
+    if (!told || types.stopped || types.kind == TYPES_UNRESOLVED)
+        return NAN;
+    return types.kind;
+}
+
+static void typed_run(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count,
+                      bool carry, const volatile sig_atomic_t *stop) {
+    const Typed *typed = given;
+    typed->of->run(typed->of->given, names, name_count, trials, count, carry, stop);
+    for (size_t t = 0; t < count; t++) {
+        double *type = &trials[t].observed[typed->of->observable_count];
+        *type = NAN;
+        if (trials[t].done && !trials[t].fault)
+            *type = type_at(typed, names, name_count, trials[t].at, stop);
+        if (stop && *stop)
+            trials[t].done = false;
+    }
+}
+
+static const Parameter *typed_parameter(const void *given, const char *name) {
+    const Typed *typed = given;
+    return typed->of->parameter(typed->of->given, name);
+}
+
+static double typed_nominal(const void *given, const char *name) {
+    const Typed *typed = given;
+    return typed->of->nominal(typed->of->given, name);
+}
+
+static void typed_unknown(const void *given, const char *name, const char *place, Fault *fault) {
+    const Typed *typed = given;
+    typed->of->unknown(typed->of->given, name, place, fault);
+}
+
+bool typed_open(Typed *typed, Experiment *experiment, Fault *fault) {
+    const Experiment *of = typed->of;
+    if (!types_check(of, typed->names, typed->name_count, fault))
+        return false;
+    typed->observables = memory_allocate(of->observable_count + 1, sizeof *typed->observables);
+    memcpy(typed->observables, of->observables, of->observable_count * sizeof *typed->observables);
+    typed->observables[of->observable_count] = (Observable){"type", "1", "type I, II or III of the place"};
+    *experiment = *of;
+    experiment->observables = typed->observables;
+    experiment->observable_count++;
+    experiment->batch = 1;
+    experiment->given = typed;
+    experiment->parameter = typed_parameter;
+    experiment->nominal = typed_nominal;
+    experiment->unknown = of->unknown ? typed_unknown : NULL;
+    experiment->run = typed_run;
+    for (size_t n = 0; n < typed->name_count; n++)
+        experiment->identity = digest_text(experiment->identity, typed->names[n]);
+    return true;
+}
+
+void typed_close(Typed *typed) {
+    memory_free(typed->observables);
+    typed->observables = NULL;
+}
