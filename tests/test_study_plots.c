@@ -188,6 +188,22 @@ TEST(a_map_of_periods_has_the_classes_that_there_are_and_the_second_axis_the_rat
     free_study(&study);
 }
 
+TEST(a_map_tells_what_cannot_be_told_from_what_is_not_run) {
+    Study study = make_study(&beam, 3, 2, 1, 1);
+    study.trials[1].observed[OUTCOME] = study.trials[1].observed[REGULAR] = NAN;
+    study.trials[2].observed[OUTCOME] = study.trials[2].observed[REGULAR] = NAN;
+    study.trials[2].done = false;
+    StudyPlots plots = study_plots_make(&study, NULL);
+    static const char *const names[] = {"map-period", "map-regular"};
+    for (size_t n = 0; n < 2; n++) {
+        const Plot *plot = find_plot(&plots, names[n]);
+        CHECK(plot && plot->raster->class_count == 2 && isnan(plot->raster->values[2]));
+        CHECK_TEXT(plot->raster->classes[(size_t)plot->raster->values[1]].name, "cannot be told");
+    }
+    study_plots_free(&plots);
+    free_study(&study);
+}
+
 TEST(attractors_are_told_by_outcome_and_measure_the_most_visited_first) {
     Study study = make_study(&beam, 3, 3, 1, 1);
     static const double measures[] = {759, 500, 759.1, 500.1, 759, 759, 759, 0, 0};
@@ -205,7 +221,8 @@ TEST(attractors_are_told_by_outcome_and_measure_the_most_visited_first) {
     study.axes[1].name = "start.velocity";
     StudyPlots plots = study_plots_make(&study, NULL);
     const Plot *basins = find_plot(&plots, "basins");
-    CHECK(basins && basins->raster->class_count == 4);
+    CHECK(basins && basins->raster->class_count == 5);
+    CHECK_TEXT(basins->raster->classes[4].name, "cannot be told");
     CHECK_TEXT(basins->raster->classes[0].name, "A: period 1, 759 N");
     study_plots_free(&plots);
     free_study(&study);

@@ -343,6 +343,12 @@ TEST(names_that_are_no_parameters_are_a_fault) {
     CHECK(fault.count == 1);
     CHECK_TEXT(fault.lines[0], "types: c: a beam has no such number");
     fault_clear(&fault);
+    const char *twice[] = {"b", "b"};
+    task.names = twice;
+    CHECK(!types_tell(&types, &task, &fault));
+    CHECK(fault.count == 1);
+    CHECK_TEXT(fault.lines[0], "types: b is named twice");
+    fault_clear(&fault);
 }
 
 TEST(stopped_it_says_nothing) {

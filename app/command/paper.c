@@ -30,7 +30,10 @@ static json_t *make_answer(const Paper *paper, const PaperClaim *claims) {
 }
 
 static void print_claims(const Paper *paper, const PaperClaim *claims) {
-    printf("Gu and Dubowsky (1995) beside %s\n", paper->path);
+    size_t met = 0;
+    for (size_t i = 0; i < PAPER_CLAIMS; i++)
+        met += claims[i].met == PAPER_MET;
+    printf("%zu of %d claims of Gu and Dubowsky (1995) are met by %s\n", met, PAPER_CLAIMS, paper->path);
     for (size_t i = 0; i < PAPER_CLAIMS; i++)
         printf("\n%s: %s: %s\n  paper  %s\n  ours   %s\n", paper_met_name(claims[i].met), claims[i].place,
                claims[i].claim, claims[i].paper, claims[i].ours);

@@ -270,9 +270,21 @@ static int answer_study(const StudyJob *job) {
     return !written ? EXIT_WRONG_INPUT : any ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }
 
+/* The paper's page has ranges, runs and types of its own. */
+static bool is_one_question(const Options *options, Fault *fault) {
+    const StudyRequest *asked = &options->study;
+    bool ranges = asked->axis_count || asked->spread_count || asked->pass_count || asked->runs;
+    if (!options->paper || !(ranges || options->types || options->measured))
+        return true;
+    fault_add(fault, "clearance: --paper goes without --vary, --runs, --spread, --sweep, --types and --measured");
+    return false;
+}
+
 int command_study(const Options *options) {
     StudyJob job = {.options = options};
     Fault fault = {0};
+    if (!is_one_question(options, &fault))
+        return house_file_report(&fault);
     if (options->out && !output_directory(options->out))
         return EXIT_WRONG_INPUT;
     if (options->types && !options->study.axis_count && options->study.runs < 2)

@@ -151,8 +151,12 @@ static void print_ranges(const Study *study, const StudyLaboratory *laboratory, 
             print_range(study, laboratory, axis, &ranges[r]);
         }
     } else {
-        printf("%s at %zu of %zu values, the answer changes %zu times", laboratory->regular,
-               values_of(ranges, count, SUMMARY_REGULAR), study->axes[axis].steps, count - 1);
+        printf("%s at %zu of %zu values", laboratory->regular, values_of(ranges, count, SUMMARY_REGULAR),
+               study->axes[axis].steps);
+        size_t untold = values_of(ranges, count, SUMMARY_UNTOLD);
+        if (untold)
+            printf(" (at %zu it cannot be told)", untold);
+        printf(", the answer changes %zu times", count - 1);
         const char *before = "; the longest stretches: ";
         for (SummaryState state = SUMMARY_REGULAR; state <= SUMMARY_IRREGULAR; state++) {
             const SummaryRange *range = longest(ranges, count, state);
@@ -288,13 +292,20 @@ static void print_share(const Study *study, const StudyLaboratory *laboratory) {
     montecarlo_clear(&point);
 }
 
+static void print_count(const StudyLaboratory *laboratory, const SummaryCount *count) {
+    printf("%s in %zu of %zu runs", laboratory->regular, count->regular, count->done - count->faults);
+    if (count->untold)
+        printf(", in %zu it cannot be told", count->untold);
+    printf("\n");
+}
+
 void study_words_print(const Study *study, const StudyLaboratory *laboratory, const char *file) {
     SummaryCount count = summary_count(study);
     print_title(study, file);
     if (study->axis_count == 0)
         print_share(study, laboratory);
     if (study->axis_count == 2)
-        printf("%s in %zu of %zu runs\n", laboratory->regular, count.regular, count.done - count.faults);
+        print_count(laboratory, &count);
     for (size_t pass = 0; pass < study->pass_count; pass++)
         for (size_t a = 0; a < study->axis_count; a++) {
             if (study->pass_count > 1)

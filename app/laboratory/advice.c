@@ -8,6 +8,7 @@ typedef struct Terms {
     const char *kind;
     const char *headline[4];         /* by TypesKind */
     const char *regular, *irregular; /* sentences' beginnings */
+    const char *unsure;
     const char *stays, *becomes_not; /* where nothing changes with one number alone */
     const char *again;               /* where it is regular again */
     const char *measure;
@@ -17,10 +18,11 @@ typedef struct Terms {
 
 static const Terms terms[] = {
     {.kind = "beam",
-     .headline = {"No type, for something cannot be told", "Type I: run it here",
-                  "Type II: run it here only with close tolerances", "Type III: do not run it here"},
+     .headline = {"No type can be told", "Type I: run it here", "Type II: run it here only with close tolerances",
+                  "Type III: do not run it here"},
      .regular = "It is periodic",
      .irregular = "It is not periodic",
+     .unsure = "It cannot be told whether it is periodic",
      .stays = "It stays periodic",
      .becomes_not = "It does not become periodic",
      .again = "it is periodic again",
@@ -28,10 +30,11 @@ static const Terms terms[] = {
      .changes = "has another period",
      .longer = "a larger run.transient_cycles may tell"},
     {.kind = "house",
-     .headline = {"No type, for something cannot be told", "Type I: this way out can be relied on",
+     .headline = {"No type can be told", "Type I: this way out can be relied on",
                   "Type II: this way out depends on small things", "Type III: do not rely on this way out"},
      .regular = "Everybody gets out",
      .irregular = "Not everybody gets out",
+     .unsure = "It cannot be told whether everybody gets out",
      .stays = "Everybody gets out also",
      .becomes_not = "Not everybody gets out either",
      .again = "everybody gets out",
@@ -160,7 +163,7 @@ static void add_reason(Text *text, const Types *types, const Experiment *experim
         add_answers(text, types, experiment, types->worst);
         break;
     case TYPES_CANNOT_BE_TOLD:
-        text_format(text, "%s or not, which cannot be told, ", words->regular);
+        text_format(text, "%s ", words->unsure);
         add_place(text, types, experiment, types->worst);
         text_add(text, ",");
         add_starts(text, worst->untold, "any");

@@ -238,7 +238,7 @@ static void make_spectrum(Plot *plot, const Given *given) {
     }
     spectrum_clear(&spectrum);
     plot->title = "Spectrum of the deflection";
-    plot->x = (PlotAxis){.title = "frequency; 1, 2, 3: multiples of the drive's", .unit = "Hz", .high = end};
+    plot->x = (PlotAxis){.title = "frequency (dotted: multiples of the drive's)", .unit = "Hz", .high = end};
     plot->y = (PlotAxis){.title = "amplitude", .unit = "mm", .logarithmic = true};
     if (largest > 0) {
         plot->y.high = pow(10, ceil(log10(largest)));

@@ -63,6 +63,10 @@ size_t study_axes_find(const Study *study, const char *name) {
     return o;
 }
 
+bool study_axes_is_mark(const Study *study, size_t observable) {
+    return strcmp(study->experiment->kind, "house") == 0 && observable == study->experiment->outcome;
+}
+
 double study_axes_mean(const double *values, size_t count) {
     double sum = 0;
     size_t counted = 0;

@@ -22,6 +22,11 @@ double study_axes_value(const Trial *trial, size_t observable);
 /* The index of the observable of that name; the count: there is none. */
 size_t study_axes_find(const Study *study, const char *name);
 
+/* Is it a number that only marks, as those of the ways out of a house, which says no more than whether two are the
+ * same?
+ */
+bool study_axes_is_mark(const Study *study, size_t observable);
+
 /* The mean of what is a number, and the values below which a share of them lies (0.05: 5 %); NAN without any. `values`
  * (count) are sorted. */
 double study_axes_mean(const double *values, size_t count);

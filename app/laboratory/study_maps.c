@@ -1,5 +1,6 @@
 #include "laboratory/study_maps.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -232,20 +233,24 @@ static void classify_attractors(Map *map) {
     static const Role roles[] = {ROLE_CLASS_FIRST,  ROLE_CLASS_FOURTH, ROLE_TYPE_SECOND,
                                  ROLE_CLASS_SECOND, ROLE_CLASS_SIXTH,  ROLE_CLASS_THIRD};
     static const char *const marks[] = {"A", "B", "C", "D", "E", "F", "G", "H", "I"};
-    enum { SHOWN = sizeof marks / sizeof *marks, REST = SHOWN, WILD = SHOWN + 1, ROLES = sizeof roles / sizeof *roles };
+    enum { SHOWN = sizeof marks / sizeof *marks, REST = SHOWN, WILD, UNTOLD, ROLES = sizeof roles / sizeof *roles };
     size_t cells = map->columns * map->rows;
     int *found = arena_allocate(map->arena, cells * sizeof *found);
     Attractor *list;
     size_t count = list_attractors(map->study, map->pass, found, &list);
     PlotClass classes[CLASSES_MOST] = {[REST] = {"others", "+", ROLE_CLASS_NONE, PLOT_PATTERN_CROSSED},
-                                       [WILD] = {"not regular", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN}};
+                                       [WILD] = {"not regular", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
+                                       [UNTOLD] = CANNOT_BE_TOLD};
     for (size_t a = 0; a < SHOWN && a < count; a++)
         classes[a] = (PlotClass){study_axes_text(map->arena, "%s: %s", marks[a], attractor_name(map, &list[a])),
                                  marks[a], roles[a % ROLES], (PlotPattern)(a % PLOT_PATTERNS)};
     for (size_t i = 0; i < cells; i++)
-        map->values[i] = found[i] == -2 ? NAN : found[i] == -1 ? WILD : found[i] < SHOWN ? found[i] : REST;
+        map->values[i] = found[i] == -2     ? (was_run(map, i) ? UNTOLD : NAN)
+                         : found[i] == -1   ? WILD
+                         : found[i] < SHOWN ? found[i]
+                                            : REST;
     memory_free(list);
-    keep_classes(map, classes, WILD + 1);
+    keep_classes(map, classes, UNTOLD + 1);
 }
 
 /* A quantity; false: it is the same everywhere, or not known. */
@@ -257,8 +262,7 @@ static bool fill_quantity(Map *map, size_t observable) {
         high = fmax(high, isfinite(map->values[i]) ? map->values[i] : high);
     }
     const Observable *shown = &map->study->experiment->observables[observable];
-    map->raster->value = (PlotAxis){.title = shown->name, .unit = shown->unit};
-    map->to->plot.title = shown->meaning;
+    map->raster->value = study_axes_observable(shown).axis;
     return low < high;
 }
 
@@ -332,11 +336,18 @@ static void end_map(StudyPlots *plots, Map *map, const Measured *measured, bool 
     plots->count++;
 }
 
+/* A heading begins with a capital. */
+static const char *capital(Arena *arena, const char *words) {
+    char *heading = (char *)arena_text(arena, words);
+    heading[0] = (char)toupper((unsigned char)heading[0]);
+    return heading;
+}
+
 /* How an observable is shown. */
 static bool fill_map(Map *map, size_t observable) {
     const Experiment *experiment = map->study->experiment;
     const Observable *shown = &experiment->observables[observable];
-    map->to->plot.title = shown->meaning;
+    map->to->plot.title = capital(map->arena, shown->meaning);
     map->raster->value.title = shown->name;
     if (strcmp(shown->name, "type") == 0) {
         map->to->plot.title = "Regions of types";
@@ -364,7 +375,7 @@ void study_maps_add(StudyPlots *plots, const Study *study, const Measured *measu
         for (size_t o = 0; o < study->experiment->observable_count; o++) {
             const char *name = study->experiment->observables[o].name;
             Map map = begin_map(plots, study, pass, study_axes_text(&plots->arena, "map-%s", name));
-            if (fill_map(&map, o))
+            if (!study_axes_is_mark(study, o) && fill_map(&map, o))
                 end_map(plots, &map, measured, strcmp(name, "type") != 0);
         }
         if (is_start(&study->axes[0]) && is_start(&study->axes[1])) {

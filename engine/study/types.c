@@ -4,6 +4,7 @@
 #include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/parallel.h"
 #include "study/bunch.h"
@@ -320,9 +321,13 @@ bool types_check(const Experiment *experiment, const char *const *names, size_t 
     size_t before = fault->total;
     if (name_count > TYPES_PARAMETERS_MOST)
         fault_add(fault, "types of %zu parameters: at most %d would be right", name_count, TYPES_PARAMETERS_MOST);
-    for (size_t n = 0; n < name_count && fault->total == before; n++)
+    for (size_t n = 0; n < name_count && fault->total == before; n++) {
         if (!experiment->parameter(experiment->given, names[n]))
             tell_unknown(experiment, names[n], fault);
+        for (size_t m = 0; m < n; m++)
+            if (strcmp(names[m], names[n]) == 0)
+                fault_add(fault, "types: %s is named twice", names[n]);
+    }
     return fault->total == before;
 }
 
