@@ -160,3 +160,19 @@ TEST(the_trace_holds_the_peaks_force_and_no_force_inside_the_clearance) {
     CHECK(largest <= response.peaks.max && largest > 0.97 * response.peaks.max);
     response_clear(&response);
 }
+
+/* From a start that only decays, where nothing drives it and nothing is touched. */
+TEST(a_beam_that_comes_to_rest_is_periodic) {
+    Beam beam = oscillator_beam("ibs", "drive.force=0");
+    Rig rig = oscillator_beam_rig("ibs", "drive.force=0");
+    double start[STATES_MOST];
+    oscillator_start(&rig, 1, start);
+    Response response;
+    response_run(&response, &rig, &beam, start, NULL);
+    CHECK_TEXT(response_verdict_name(response.verdict), "periodic");
+    CHECK(response.orbit.period == 1);
+    CHECK(response.peaks.max == 0);
+    response_clear(&response);
+    rig_clear(&rig);
+    beam_free(&beam);
+}

@@ -250,7 +250,8 @@ static void tell_lane(const Case *one, const LanesRun *lane) {
     list_peaks(trial, lane->peak, lane->recorded);
     if (!whole)
         return;
-    int period = section_period(lane->deflection, lane->velocity, lane->recorded, 2 * M_PI * lane->frequency);
+    int period = section_period(lane->deflection, lane->velocity, lane->recorded, 2 * M_PI * lane->frequency,
+                                RIG_REST * lane->clearance);
     if (period != SECTION_UNTOLD)
         tell_regular(trial, period != SECTION_NONE, (size_t)period);
 }

@@ -19,9 +19,9 @@ static double length_of(const double *vector, size_t count) {
     return sqrt(sum);
 }
 
-/* How far apart, as a share of how large; equal ones, also nothing and nothing, are not apart. */
-static double share(double apart, double size) {
-    return apart > 0 ? apart / size : 0;
+/* How far apart, as a share of how large, or of what is at rest; equal ones are not apart. */
+static double share(double apart, double size, double rest) {
+    return apart > 0 ? apart / fmax(size, rest) : 0;
 }
 
 bool orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative, const volatile sig_atomic_t *stop) {
@@ -81,13 +81,14 @@ bool orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period
     memcpy(orbit->point, start, states * sizeof *start);
     double *derivative = memory_allocate(states * states, sizeof *derivative);
     double *gap = memory_allocate(states, sizeof *gap);
+    double rest = rig_rest_state(rig);
     bool good = true, found = false;
     for (int i = 0; i < ITERATIONS_MOST && good && !found; i++) {
         memcpy(gap, orbit->point, states * sizeof *gap);
         good = orbit_map(rig, gap, period, derivative, stop);
         for (size_t k = 0; k < states; k++)
             gap[k] -= orbit->point[k];
-        orbit->error = share(length_of(gap, states), length_of(orbit->point, states));
+        orbit->error = share(length_of(gap, states), length_of(orbit->point, states), rest);
         found = good && orbit->error < CONVERGED;
         if (!found)
             good = good && orbit->error < FAR && newton_step(orbit->point, derivative, gap, states);
@@ -105,13 +106,13 @@ bool orbit_is_stable(const Orbit *orbit) {
 }
 
 double orbit_distance(const Orbit *orbit, const Rig *rig, const double *state) {
-    double nearest = HUGE_VAL, *point = memory_allocate(2 * orbit->states, sizeof *point),
+    double rest = rig_rest_state(rig), nearest = HUGE_VAL, *point = memory_allocate(2 * orbit->states, sizeof *point),
            *apart = point + orbit->states;
     memcpy(point, orbit->point, orbit->states * sizeof *point);
     for (size_t i = 0; i < orbit->period; i++) {
         for (size_t k = 0; k < orbit->states; k++)
             apart[k] = state[k] - point[k];
-        nearest = fmin(nearest, share(length_of(apart, orbit->states), length_of(point, orbit->states)));
+        nearest = fmin(nearest, share(length_of(apart, orbit->states), length_of(point, orbit->states), rest));
         orbit_map(rig, point, 1, NULL, NULL);
     }
     memory_free(point);

@@ -131,11 +131,12 @@ static bool tangent_grows(const Watch *watch) {
 static bool find_orbit(Response *response, const Watch *watch) {
     const Section *seen = &watch->analysed;
     const Rig *rig = watch->motion.rig;
+    double rest = rig_rest_state(rig);
     if (tangent_grows(watch))
         return false;
     for (size_t period = 1; period <= ORBIT_PERIOD_MOST && period < seen->count; period++) {
         Orbit orbit;
-        if (section_return(seen, period) > NEAR_RETURN ||
+        if (section_return(seen, period, rest) > NEAR_RETURN ||
             !orbit_find(&orbit, rig, section_last(seen), period, watch->stop))
             continue;
         if (orbit_is_stable(&orbit) && orbit_distance(&orbit, rig, section_last(seen)) < NEAR_RETURN) {

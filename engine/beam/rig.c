@@ -257,3 +257,15 @@ void rig_clear_shared(Rig *rig) {
 double rig_free_amplitude(const Rig *rig) {
     return hypot(rig->steady_free.row_sine[REGIME_TIP], rig->steady_free.row_cosine[REGIME_TIP]);
 }
+
+double rig_rest_deflection(const Rig *rig) {
+    return RIG_REST * (rig->clearance + rig_free_amplitude(rig));
+}
+
+double rig_rest_state(const Rig *rig) {
+    const Modes *modes = &rig->modes;
+    double squares = 0; /* of the tip's deflection by each coordinate of a state */
+    for (size_t i = 0; i < modes->count; i++)
+        squares += modes->tip[i] * modes->tip[i] / (modes->frequency[i] * modes->frequency[i]);
+    return squares > 0 ? rig_rest_deflection(rig) / sqrt(squares) : 0;
+}

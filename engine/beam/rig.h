@@ -70,3 +70,11 @@ void rig_clear_shared(Rig *rig);
 
 /* m, the steady amplitude of the tip when there is no joint: nothing touches while it is below the clearance. */
 double rig_free_amplitude(const Rig *rig);
+
+/* Below this share of the room that the tip has, of the clearance and of how far it would swing without the joint, a
+ * motion is at rest: nothing is told by how it differs. */
+#define RIG_REST 1e-2
+
+/* m, such a deflection of the tip; and sqrt(J), the least state with it. */
+double rig_rest_deflection(const Rig *rig);
+double rig_rest_state(const Rig *rig);

@@ -53,7 +53,7 @@ SectionPeaks section_peaks(const Section *section) {
     return peaks;
 }
 
-double section_return(const Section *section, size_t lag) {
+double section_return(const Section *section, size_t lag, double rest) {
     assert(lag < section->count);
     const double *last = section_last(section), *before = last - lag * section->states;
     double apart = 0, size = 0;
@@ -61,19 +61,19 @@ double section_return(const Section *section, size_t lag) {
         apart += (last[i] - before[i]) * (last[i] - before[i]);
         size += last[i] * last[i];
     }
-    return size > 0 ? sqrt(apart / size) : 0;
+    return apart > 0 ? sqrt(apart) / fmax(sqrt(size), rest) : 0;
 }
 
 /* The tip as a point of one unit, m/s. */
 typedef struct Tip {
     const double *deflection, *velocity;
-    double omega;
+    double omega, rest;
 } Tip;
 
 static double return_of(const Tip *tip, size_t at, size_t lag) {
     double along = tip->omega * (tip->deflection[at] - tip->deflection[at - lag]);
     double apart = hypot(along, tip->velocity[at] - tip->velocity[at - lag]);
-    return apart > 0 ? apart / hypot(tip->omega * tip->deflection[at], tip->velocity[at]) : 0;
+    return apart > 0 ? apart / fmax(hypot(tip->omega * tip->deflection[at], tip->velocity[at]), tip->rest) : 0;
 }
 
 /* The largest return after `lag` cycles, of those at `from` up to before `to`. */
@@ -99,8 +99,8 @@ static bool returns_settle(const Tip *tip, size_t count, size_t lag) {
     return before < RETURN_SETTLING;
 }
 
-int section_period(const double *deflection, const double *velocity, size_t count, double omega) {
-    Tip tip = {deflection, velocity, omega};
+int section_period(const double *deflection, const double *velocity, size_t count, double omega, double rest) {
+    Tip tip = {deflection, velocity, omega, omega * rest};
     bool told = true;
     for (size_t lag = 1; lag <= SECTION_PERIOD_MOST; lag++) {
         size_t span = count / 2 > 2 * lag ? count / 2 : 2 * lag;

@@ -28,8 +28,8 @@ typedef struct SectionPeaks {
 
 SectionPeaks section_peaks(const Section *section);
 
-/* |x_last - x_(last - lag)| / |x_last|; lag below the count. */
-double section_return(const Section *section, size_t lag);
+/* |x_last - x_(last - lag)| / |x_last|, of `rest` at least (rig_rest_state); lag below the count. */
+double section_return(const Section *section, size_t lag, double rest);
 
 enum {
     SECTION_PERIOD_MOST = 16, /* cycles */
@@ -38,9 +38,9 @@ enum {
 };
 
 /* Quickly told by how the tip returns: after how many cycles, 1 to SECTION_PERIOD_MOST, a motion repeats that was seen
- * at the end of each of `count` cycles (deflection, m; velocity, m/s) of a drive of `omega` rad/s; else SECTION_NONE or
- * SECTION_UNTOLD. Nothing is certified: orbit.h does that. */
-int section_period(const double *deflection, const double *velocity, size_t count, double omega);
+ * at the end of each of `count` cycles (deflection, m; velocity, m/s) of a drive of `omega` rad/s, deflections below
+ * `rest` (m) being none; else SECTION_NONE or SECTION_UNTOLD. Nothing is certified: orbit.h does that. */
+int section_period(const double *deflection, const double *velocity, size_t count, double omega, double rest);
 
 static inline const double *section_last(const Section *section) {
     return section->state + (section->count - 1) * section->states;
