@@ -25,7 +25,7 @@ enum {
     TYPES_STARTS = 16,          /* seeds 0 to 15 at each point */
     TYPES_PARAMETERS_MOST = 8,  /* of a window */
     TYPES_ANSWERS_MOST = 16,    /* at a point: as many as starts */
-    TYPES_THOROUGH_MOST = 64,   /* trials that are made again thoroughly, at most */
+    TYPES_THOROUGH_MOST = 256,  /* trials that are made again thoroughly, at most: as many as a window mostly has */
     TYPES_UNTOLD_MOST = 4,      /* of them that cannot be told then either, before the others are left alone */
     TYPES_THOROUGH_AT_ONCE = 2, /* of them before it is seen whether that is enough */
 };
