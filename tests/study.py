@@ -195,6 +195,7 @@ def check_beams(folder):
     expect(2, "study", beam, "--vary", "joint.release=1:2:3", says="joint.release is no number")
     expect(2, "study", beam, "--vary", "drive.frequency=0:20:3", says="0 is out of range, must be from 1 to 100000 Hz")
     expect(2, "study", beam, "--runs", "2", "--route", "A", says="--route is for houses")
+    expect(2, "study", beam, "--types", "beam.modes", says="beam.modes is a whole number")
 
 
 def check_paper(folder):
