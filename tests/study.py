@@ -195,6 +195,7 @@ def check_beams(folder):
     expect(2, "study", beam, "--vary", "joint.release=1:2:3", says="joint.release is no number")
     expect(2, "study", beam, "--vary", "drive.frequency=0:20:3", says="0 is out of range, must be from 1 to 100000 Hz")
     expect(2, "study", beam, "--runs", "2", "--route", "A", says="--route is for houses")
+    expect(2, "study", beam, "--types", "beam.modes", says="beam.modes is a whole number")
 
 
 def check_paper(folder):
@@ -266,8 +267,12 @@ def check_wrong_use(folder):
         ("--vary", f"{delay}=1:2:3", "--vary", f"{delay}=1:2:4"): "is varied already",
         ("--vary", f"{delay}=1:2:3", "--vary", "run.dt=1:2:3", "--vary", "run.cell=1:2:3"): "(at most twice)",
         ("--vary", f"{delay}=1:2:100000", "--runs", "100000"): "the study has 10000000000 runs",
-        ("--paper", "--vary", f"{delay}=1:2:3"): "--paper goes without --vary",
-        ("--paper", "--types", delay): "--paper goes without --vary",
+        ("--paper", "--vary", f"{delay}=1:2:3"): "--vary has no effect with --paper, must be left out",
+        ("--paper", "--types", delay): "--types has no effect with --paper",
+        ("--paper", "--route", "A"): "--route has no effect with --paper",
+        ("--paper", "--seed", "3"): "--seed has no effect with --paper",
+        ("--types", delay, "--spread", f"{delay}=0.1"): "--spread has no effect with --types without --vary",
+        ("--types", delay, "--measured", "x.csv"): "--measured has no effect with --types without --vary",
         ("--types", f"{delay},{delay}"): f"types: {delay} is named twice",
         ("--runs", "0"): "--runs takes N",
         ("--runs", "many"): "--runs takes N",

@@ -26,6 +26,11 @@ typedef struct TypeAnswer {
     char each[EACH]; /* how long a run is */
 } TypeAnswer;
 
+static void type_close(TypeAnswer *answer) {
+    beam_experiment_close(&answer->quick);
+    beam_experiment_close(&answer->thorough);
+}
+
 static bool type_tell(TypeAnswer *answer, const Beam *beam, const Options *options, Fault *fault) {
     const char *place = options->files[0];
     snprintf(answer->each, EACH, "%d cycles", beam->transient_cycles + beam->cycles);
@@ -36,13 +41,10 @@ static bool type_tell(TypeAnswer *answer, const Beam *beam, const Options *optio
         return false;
     }
     beam_experiment_be_thorough(&answer->thorough);
-    types_answer_tell(&answer->types, &answer->quick, &answer->thorough, window, WINDOW, options, fault);
-    return true;
-}
-
-static void type_close(TypeAnswer *answer) {
-    beam_experiment_close(&answer->quick);
-    beam_experiment_close(&answer->thorough);
+    if (types_answer_tell(&answer->types, &answer->quick, &answer->thorough, window, WINDOW, options, fault))
+        return true;
+    type_close(answer);
+    return false;
 }
 
 /* Words ----------------------------------------------------------------------------------------------------------- */
@@ -158,7 +160,7 @@ static json_t *make_answer(const Response *response, const TypeAnswer *type, con
 }
 
 static bool write_data(const Response *response, json_t *answer, const char *out) {
-    char path[4096];
+    char path[OUTPUT_PATH];
     snprintf(path, sizeof path, "%s/summary.json", out);
     int error = answer_write(answer, path);
     if (!error) {

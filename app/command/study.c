@@ -273,10 +273,22 @@ static int answer_study(const StudyJob *job) {
 /* The paper's page has ranges, runs and types of its own. */
 static bool is_one_question(const Options *options, Fault *fault) {
     const StudyRequest *asked = &options->study;
-    bool ranges = asked->axis_count || asked->spread_count || asked->pass_count || asked->runs;
-    if (!options->paper || !(ranges || options->types || options->measured))
+    bool paper = options->paper, ranges = asked->axis_count || asked->runs > 1;
+    const char *own = paper ? "--paper" : options->types && !ranges ? "--types without --vary" : NULL;
+    const char *idle = asked->axis_count                ? "--vary"
+                       : asked->runs                    ? "--runs"
+                       : asked->spread_count            ? "--spread"
+                       : asked->pass_count              ? "--sweep"
+                       : options->measured              ? "--measured"
+                       : options->thorough              ? "--thorough"
+                       : paper && options->types        ? "--types"
+                       : paper && options->route        ? "--route"
+                       : paper && options->driving >= 0 ? "--driving"
+                       : paper && options->seed_said    ? "--seed"
+                                                        : NULL;
+    if (!own || !idle)
         return true;
-    fault_add(fault, "clearance: --paper goes without --vary, --runs, --spread, --sweep, --types and --measured");
+    fault_add(fault, "clearance: %s has no effect with %s, must be left out", idle, own);
     return false;
 }
 

@@ -5,17 +5,6 @@
 #include "laboratory/beam_experiment.h"
 #include "laboratory/house_experiment.h"
 
-static void tell_unknown(const void *given, const char *name, const char *place, Fault *fault) {
-    (void)given;
-    JsonFile file = {.path = (char *)place};
-    JsonNode node = json_root(&file);
-    const Parameter *row = parameters_find(beam_table(), name);
-    if (row)
-        json_fault(&node, fault, "%s is no number", row->name);
-    else
-        parameters_fault_unknown(beam_table(), name, &node, fault);
-}
-
 static bool open_beam(Experiment *experiment, const Options *options, Fault *fault) {
     const char *foreign = options->route ? "--route" : options->driving >= 0 ? "--driving" : NULL;
     if (foreign)
@@ -23,7 +12,6 @@ static bool open_beam(Experiment *experiment, const Options *options, Fault *fau
     if (foreign ||
         !beam_experiment_open(experiment, options->files[0], options->settings, options->setting_count, fault))
         return false;
-    experiment->unknown = tell_unknown;
     if (options->thorough)
         beam_experiment_be_thorough(experiment);
     return true;

@@ -13,7 +13,7 @@ Vec2 beam_joint_tip(const BeamJoint *joint, double deflection);
 /* m of the drawing, how far a stop's face is from the middle while nothing presses it. */
 double beam_joint_face(const BeamJoint *joint, const Beam *beam);
 
-/* What stays: what holds the stops; in the loupe also the size of the clearance. `length` is the beam's, m. */
+/* What stays: what holds the stops; in the loupe also the size of the clearance. */
 void beam_joint_still(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint);
 
 /* The stops, pressed out where the tip is in them, below the tip; and above it the force of an impact. */

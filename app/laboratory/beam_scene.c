@@ -185,10 +185,8 @@ static void still_joint(Scene *scene, const Beam *beam, const BeamScale *scale) 
 }
 
 static Primitive *add_frame(Scene *scene, Box box) {
-    Vec2 corners[] = {box.low, vec2(box.high.x, box.low.y), box.high, vec2(box.low.x, box.high.y)};
-    Primitive *frame = scene_add_polygon(scene, ROLE_PANEL, corners, 4);
+    Primitive *frame = beam_pieces_block(scene, ROLE_PANEL, box);
     frame->edge = ROLE_ROOM;
-    frame->width = EDGE;
     return frame;
 }
 

@@ -119,7 +119,6 @@ static Map begin_map(StudyPlots *plots, const Study *study, size_t pass, const c
                .y = study_axes_parameter(study, 1, &plots->arena),
                .arena = &plots->arena,
                .to = &plots->plots[plots->count]};
-    static const char *const passes[] = {"reset", "up", "down"};
     map.raster = arena_allocate(map.arena, sizeof *map.raster);
     map.values = arena_allocate(map.arena, map.columns * map.rows * sizeof *map.values);
     map.classes = arena_allocate(map.arena, CLASSES_MOST * sizeof *map.classes);
@@ -127,7 +126,7 @@ static Map begin_map(StudyPlots *plots, const Study *study, size_t pass, const c
     axis_box(&study->axes[0], map.x.factor, &map.raster->box.low.x, &map.raster->box.high.x);
     axis_box(&study->axes[1], map.y.factor, &map.raster->box.low.y, &map.raster->box.high.y);
     bool several = study->pass_count > 1;
-    const char *way = several ? passes[study->passes[pass]] : NULL;
+    const char *way = several ? study_pass_name(study->passes[pass]) : NULL;
     *map.to = (StudyPlot){.name = study_axes_text(map.arena, "%s%s%s", name, way ? "-" : "", way ? way : ""),
                           .plot = {.x = map.x.axis, .y = map.y.axis, .raster = map.raster, .note = way}};
     map.to->plot.series = arena_allocate(map.arena, 2 * sizeof *map.to->plot.series);

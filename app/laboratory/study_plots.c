@@ -19,7 +19,7 @@
 enum {
     BARS_LEAST = 5,
     BARS_MOST = 40,
-    GUIDES_MOST = 64,
+    GUIDES_MOST = 4, /* of a plot, besides a band for every other step */
     MARKS_MOST = 8 /* measured series of one plot */,
     SIGNS_MOST = 60 /* points of a line */
 };
@@ -47,16 +47,16 @@ typedef struct Sweep {
 
 static Plot *add_plot(StudyPlots *plots, const Study *study, const char *name, size_t areas) {
     StudyPlot *added = &plots->plots[plots->count++];
+    size_t bands = study->axis_count ? study->axes[0].steps / 2 + 1 : 0;
     added->name = name;
     added->plot.series = arena_allocate(&plots->arena, (2 * study->pass_count + MARKS_MOST) * sizeof(PlotSeries));
-    added->plot.guides = arena_allocate(&plots->arena, GUIDES_MOST * sizeof(PlotGuide));
+    added->plot.guides = arena_allocate(&plots->arena, (GUIDES_MOST + bands) * sizeof(PlotGuide));
     added->plot.areas = arena_allocate(&plots->arena, (areas + 1) * sizeof(PlotArea));
     return &added->plot;
 }
 
 static void add_guide(Plot *plot, PlotGuide guide) {
-    if (plot->guide_count < GUIDES_MOST)
-        plot->guides[plot->guide_count++] = guide;
+    plot->guides[plot->guide_count++] = guide;
 }
 
 static size_t steps_of(const Study *study) {

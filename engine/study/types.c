@@ -322,8 +322,11 @@ bool types_check(const Experiment *experiment, const char *const *names, size_t 
     if (name_count > TYPES_PARAMETERS_MOST)
         fault_add(fault, "types of %zu parameters: at most %d would be right", name_count, TYPES_PARAMETERS_MOST);
     for (size_t n = 0; n < name_count && fault->total == before; n++) {
-        if (!experiment->parameter(experiment->given, names[n]))
+        const Parameter *parameter = experiment->parameter(experiment->given, names[n]);
+        if (!parameter)
             tell_unknown(experiment, names[n], fault);
+        else if (parameter->kind == PARAMETER_WHOLE)
+            fault_add(fault, "types: %s is a whole number, a window of 1 %% has only its centre", names[n]);
         for (size_t m = 0; m < n; m++)
             if (strcmp(names[m], names[n]) == 0)
                 fault_add(fault, "types: %s is named twice", names[n]);
