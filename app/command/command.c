@@ -336,14 +336,15 @@ enum {
 
 static void print_help(void) {
     printf("clearance " CLEARANCE_VERSION
-           ": does a wheelchair user get out, how long does it take, where is the danger?\n\n");
+           ": does a wheelchair user get out, how long does it take, where is the danger?\n"
+           "And a beam that rattles in its clearance: is it periodic or chaotic, and what does that mean?\n\n");
     for (size_t v = 0; v < VERBS; v++)
         printf("%s", verbs[v].examples);
     printf("\n");
     for (size_t v = 0; v < VERBS; v++)
         printf("  clearance %-8s %-16s %s\n", verbs[v].name, verbs[v].usage, verbs[v].meaning);
-    printf("\n`clearance VERB --help` tells a verb's options. Exit codes: 0 everybody gets out, 1 the answer is no,\n"
-           "2 wrong use or bad input, 3 a fault of the program.\n");
+    printf("\n`clearance VERB --help` tells a verb's options. Exit codes: 0 everybody gets out, or the beam's\n"
+           "motion can be told; 1 the answer is no; 2 wrong use or bad input, 3 a fault of the program.\n");
 }
 
 static void print_verb_help(const Verb *verb) {

@@ -33,12 +33,11 @@ SummaryCount summary_count(const Study *study) {
 }
 
 static SummaryState state_of(const SummaryCount *count) {
+    if (count->untold > count->regular + count->irregular)
+        return SUMMARY_UNTOLD;
     if (count->regular && count->irregular)
         return SUMMARY_MIXED;
-    return count->regular     ? SUMMARY_REGULAR
-           : count->irregular ? SUMMARY_IRREGULAR
-           : count->untold    ? SUMMARY_UNTOLD
-                              : SUMMARY_NOTHING;
+    return count->regular ? SUMMARY_REGULAR : count->irregular ? SUMMARY_IRREGULAR : SUMMARY_NOTHING;
 }
 
 static void count_point(SummaryCount *count, const Study *study, size_t pass, size_t i1, size_t i0) {

@@ -6,10 +6,10 @@
 /* Of all runs that were looked at. */
 typedef enum SummaryState {
     SUMMARY_NOTHING,   /* none is done, or none could be run */
-    SUMMARY_REGULAR,   /* all that can be told */
-    SUMMARY_IRREGULAR, /* none that can be told */
+    SUMMARY_REGULAR,   /* all that can be told, at least half of them */
+    SUMMARY_IRREGULAR, /* none of those */
     SUMMARY_MIXED,     /* some */
-    SUMMARY_UNTOLD,    /* it cannot be told of any */
+    SUMMARY_UNTOLD,    /* it cannot be told of most */
 } SummaryState;
 
 /* "nothing", "regular", "not regular", "mixed", "cannot be told" */
