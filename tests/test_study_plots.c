@@ -250,11 +250,3 @@ TEST(measured_columns_are_the_study_s_parameters_and_observables) {
     arena_clear(&arena);
     free_study(&study);
 }
-
-TEST(quantiles_lie_between_the_values_and_pass_over_what_is_none) {
-    double values[] = {3, NAN, 1, 2, NAN};
-    CHECK_NEAR(study_axes_quantile(values, 5, 0.5), 2, 0);
-    CHECK_NEAR(study_axes_quantile(values, 5, 0.25), 1.5, 0);
-    CHECK_NEAR(study_axes_mean(values, 5), 2, 0);
-    CHECK(isnan(study_axes_mean(NULL, 0)));
-}

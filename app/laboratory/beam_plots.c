@@ -15,10 +15,6 @@
 #define MILLI 1000.0 /* mm a m, ms a s */
 
 enum {
-    TIME,
-    DEFLECTION,
-    VELOCITY,
-    FORCE,             /* columns of the trace */
     CYCLES_SHOWN = 8,  /* against time */
     ORBITS_SHOWN = 60, /* cycles in the phase plane: more are a blot */
     FEW = 16,          /* places in the section that are shown as signs */
@@ -59,14 +55,14 @@ static size_t last_rows(const Trace *trace, size_t cycles, size_t *count) {
 }
 
 static double factor_of(size_t column) {
-    return column == TIME || column == DEFLECTION ? MILLI : 1;
+    return column == RESPONSE_TIME || column == RESPONSE_DEFLECTION ? MILLI : 1;
 }
 
 /* A column of the trace, from a row on, as it is shown; time from the beginning of the first cycle that is shown. */
 static double *take_column(const Given *given, size_t column, size_t from, size_t count) {
     const Trace *trace = &given->response->trace;
     double *values = arena_allocate(given->arena, (count + 1) * sizeof *values);
-    double begin = column == TIME && count ? trace_row(trace, from)[TIME] : 0;
+    double begin = column == RESPONSE_TIME && count ? trace_row(trace, from)[RESPONSE_TIME] : 0;
     for (size_t i = 0; i < count; i++)
         values[i] = factor_of(column) * (trace_row(trace, from + i)[column] - begin);
     return values;
@@ -109,7 +105,8 @@ static void lay_measured(Plot *plot, const Given *given, size_t x, size_t y) {
 static void make_phase(Plot *plot, const Given *given) {
     const Trace *trace = &given->response->trace;
     size_t count, from = last_rows(trace, ORBITS_SHOWN, &count);
-    const double *x = take_column(given, DEFLECTION, from, count), *y = take_column(given, VELOCITY, from, count);
+    const double *x = take_column(given, RESPONSE_DEFLECTION, from, count),
+                 *y = take_column(given, RESPONSE_VELOCITY, from, count);
     bool tangle = given->response->verdict != RESPONSE_PERIODIC;
     plot->title = "Phase plane of the tip";
     plot->x = (PlotAxis){.title = "deflection", .unit = "mm"};
@@ -127,7 +124,7 @@ static void make_phase(Plot *plot, const Given *given) {
     section->symbol = SYMBOL_DIAMOND;
     section->size = tangle ? SIGN / 1.4 : SIGN;
     plot->series[0].heading = plot->series[0].name = "tip";
-    lay_measured(plot, given, DEFLECTION, VELOCITY);
+    lay_measured(plot, given, RESPONSE_DEFLECTION, RESPONSE_VELOCITY);
 }
 
 /* Few places say nothing of how large the motion is: they are shown where they are in the phase plane. */
@@ -136,7 +133,8 @@ static void show_whole_plane(Plot *plot, const Given *given) {
     double edge = MILLI * given->beam->clearance;
     Box reach = {{-edge, 0}, {edge, 0}};
     for (size_t i = 0; i < trace->rows; i++)
-        reach = box_include(reach, vec2(MILLI * trace_row(trace, i)[DEFLECTION], trace_row(trace, i)[VELOCITY]));
+        reach = box_include(
+            reach, vec2(MILLI * trace_row(trace, i)[RESPONSE_DEFLECTION], trace_row(trace, i)[RESPONSE_VELOCITY]));
     plot->x.low = 1.1 * reach.low.x;
     plot->x.high = 1.1 * reach.high.x;
     plot->y.low = 1.1 * reach.low.y;
@@ -167,7 +165,7 @@ static void make_poincare(Plot *plot, const Given *given) {
         show_whole_plane(plot, given);
     add_clearance(plot, given, true);
     add_nought(plot, false);
-    lay_measured(plot, given, DEFLECTION, VELOCITY);
+    lay_measured(plot, given, RESPONSE_DEFLECTION, RESPONSE_VELOCITY);
 }
 
 static void make_against_time(Plot *plot, const Given *given, size_t column) {
@@ -175,8 +173,8 @@ static void make_against_time(Plot *plot, const Given *given, size_t column) {
     plot->x = (PlotAxis){.title = "time from a phase 0 of the drive", .unit = "ms"};
     plot->x.high = MILLI * (double)CYCLES_SHOWN / given->beam->frequency;
     add_nought(plot, false);
-    add_line(plot, take_column(given, TIME, from, count), take_column(given, column, from, count), count);
-    lay_measured(plot, given, TIME, column);
+    add_line(plot, take_column(given, RESPONSE_TIME, from, count), take_column(given, column, from, count), count);
+    lay_measured(plot, given, RESPONSE_TIME, column);
 }
 
 static void make_force(Plot *plot, const Given *given) {
@@ -188,20 +186,20 @@ static void make_force(Plot *plot, const Given *given) {
         snprintf(title, sizeof title, "Force of the joint, peaks %.0f to %.0f N", peaks->min, peaks->max);
     plot->title = arena_text(given->arena, title);
     plot->y = (PlotAxis){.title = "force on the tip, upwards", .unit = "N"};
-    make_against_time(plot, given, FORCE);
+    make_against_time(plot, given, RESPONSE_FORCE);
 }
 
 static void make_displacement(Plot *plot, const Given *given) {
     plot->title = "Deflection of the tip";
     plot->y = (PlotAxis){.title = "deflection", .unit = "mm"};
     add_clearance(plot, given, false);
-    make_against_time(plot, given, DEFLECTION);
+    make_against_time(plot, given, RESPONSE_DEFLECTION);
 }
 
 static void make_velocity(Plot *plot, const Given *given) {
     plot->title = "Velocity of the tip";
     plot->y = (PlotAxis){.title = "velocity", .unit = "m/s"};
-    make_against_time(plot, given, VELOCITY);
+    make_against_time(plot, given, RESPONSE_VELOCITY);
 }
 
 /* Whole periods of the motion, so that its lines are not smeared. */
@@ -211,7 +209,7 @@ static Spectrum deflection_spectrum(const Given *given) {
     if (period && cycles >= period)
         cycles -= cycles % period;
     double interval = 1 / (given->beam->frequency * RESPONSE_SAMPLES);
-    return spectrum_make(trace->values + DEFLECTION, cycles * RESPONSE_SAMPLES, trace->width, interval);
+    return spectrum_make(trace->values + RESPONSE_DEFLECTION, cycles * RESPONSE_SAMPLES, trace->width, interval);
 }
 
 static void add_multiples(Plot *plot, const Given *given) {
@@ -267,10 +265,10 @@ const char *beam_plots_name(size_t index) {
 }
 
 const MeasuredKind *beam_plots_kinds(size_t *count) {
-    static const MeasuredKind kinds[] = {[TIME] = {"time", "t", "s"},
-                                         [DEFLECTION] = {"deflection", "displacement", "m"},
-                                         [VELOCITY] = {"velocity", "v", "m/s"},
-                                         [FORCE] = {"force", "F", "N"}};
+    static const MeasuredKind kinds[] = {[RESPONSE_TIME] = {"time", "t", "s"},
+                                         [RESPONSE_DEFLECTION] = {"deflection", "displacement", "m"},
+                                         [RESPONSE_VELOCITY] = {"velocity", "v", "m/s"},
+                                         [RESPONSE_FORCE] = {"force", "F", "N"}};
     *count = sizeof kinds / sizeof *kinds;
     return kinds;
 }

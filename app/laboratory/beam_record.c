@@ -121,15 +121,14 @@ const BeamImpact *beam_record_last_impact(const BeamRecord *record, double time,
 
 /* The largest force or, where nothing is touched, the largest deflection. */
 static void find_hardest(BeamRecord *record) {
-    enum { TIME, DISPLACEMENT, FORCE = 3 };
     const Trace *trace = &record->response->trace;
-    int column = record->largest > 0 ? FORCE : DISPLACEMENT;
+    int column = record->largest > 0 ? RESPONSE_FORCE : RESPONSE_DEFLECTION;
     double most = 0;
     for (size_t row = 0; row < trace->rows; row++) {
         const double *values = trace_row(trace, row);
-        if (fabs(values[column]) > most * (1 + ALIKE) && values[TIME] < record->time) {
+        if (fabs(values[column]) > most * (1 + ALIKE) && values[RESPONSE_TIME] < record->time) {
             most = fabs(values[column]);
-            record->hardest = values[TIME];
+            record->hardest = values[RESPONSE_TIME];
         }
     }
 }

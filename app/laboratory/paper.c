@@ -236,7 +236,7 @@ static PaperMet met_verdict(const Response *response, ResponseVerdict verdict) {
 static double tip_speed(const Response *response) {
     double most = 0;
     for (size_t row = 0; row < response->trace.rows; row++)
-        most = fmax(most, fabs(trace_row(&response->trace, row)[2]));
+        most = fmax(most, fabs(trace_row(&response->trace, row)[RESPONSE_VELOCITY]));
     return most;
 }
 

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -65,35 +64,4 @@ size_t study_axes_find(const Study *study, const char *name) {
 
 bool study_axes_is_mark(const Study *study, size_t observable) {
     return strcmp(study->experiment->kind, "house") == 0 && observable == study->experiment->outcome;
-}
-
-double study_axes_mean(const double *values, size_t count) {
-    double sum = 0;
-    size_t counted = 0;
-    for (size_t i = 0; i < count; i++)
-        if (isfinite(values[i])) {
-            sum += values[i];
-            counted++;
-        }
-    return counted ? sum / (double)counted : NAN;
-}
-
-/* What is no number last. */
-static int compare(const void *a, const void *b) {
-    double p = *(const double *)a, q = *(const double *)b;
-    if (isnan(p) || isnan(q))
-        return isnan(p) - isnan(q);
-    return (p > q) - (p < q);
-}
-
-double study_axes_quantile(double *values, size_t count, double share) {
-    qsort(values, count, sizeof *values, compare);
-    while (count && isnan(values[count - 1]))
-        count--;
-    if (!count)
-        return NAN;
-    double place = share * (double)(count - 1);
-    size_t below = (size_t)place;
-    double above = values[below + 1 < count ? below + 1 : below];
-    return values[below] + (place - (double)below) * (above - values[below]);
 }

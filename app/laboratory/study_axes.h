@@ -27,10 +27,5 @@ size_t study_axes_find(const Study *study, const char *name);
  */
 bool study_axes_is_mark(const Study *study, size_t observable);
 
-/* The mean of what is a number, and the values below which a share of them lies (0.05: 5 %); NAN without any. `values`
- * (count) are sorted. */
-double study_axes_mean(const double *values, size_t count);
-double study_axes_quantile(double *values, size_t count, double share);
-
 /* The same name with more behind it, in the arena. */
 const char *study_axes_text(Arena *arena, const char *format, ...) __attribute__((format(printf, 2, 3)));

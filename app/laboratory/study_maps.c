@@ -161,6 +161,12 @@ static bool was_run(const Map *map, size_t cell) {
     return true;
 }
 
+/* Of several runs of a place, classes are the first one's. */
+static void note_first(Map *map) {
+    if (map->study->runs > 1)
+        map->to->plot.note = study_axes_text(map->arena, "the first of %zu runs", map->study->runs);
+}
+
 #define CANNOT_BE_TOLD                                                                                                 \
     { "cannot be told", "?", ROLE_CLASS_NONE, PLOT_PATTERN_RISING }
 
@@ -204,6 +210,7 @@ static void classify_period(Map *map) {
         double class = period_class(study_axes_value(trial, period), told ? study_axes_value(trial, touches) : NAN);
         map->values[i] = isnan(class) && was_run(map, i) ? untold : class;
     }
+    note_first(map);
     keep_classes(map, classes, sizeof classes / sizeof *classes);
 }
 
@@ -217,6 +224,7 @@ static void classify_type(Map *map) {
         double value = study_axes_value(map_trial(map, 0, i), type);
         map->values[i] = value >= 1 && value <= 3 ? value - 1 : was_run(map, i) ? 3 : NAN;
     }
+    note_first(map);
     keep_classes(map, classes, 4);
 }
 
@@ -249,6 +257,7 @@ static void classify_attractors(Map *map) {
                          : found[i] < SHOWN ? found[i]
                                             : REST;
     memory_free(list);
+    note_first(map);
     keep_classes(map, classes, UNTOLD + 1);
 }
 

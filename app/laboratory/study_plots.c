@@ -6,6 +6,7 @@
 #include "laboratory/measured_marks.h"
 #include "laboratory/study_axes.h"
 #include "laboratory/study_maps.h"
+#include "study/montecarlo.h"
 
 /* Design points. */
 #define LINE_WIDTH 2.0
@@ -13,8 +14,6 @@
 #define PASS_GROWTH 4.0 /* of the signs of a class for each pass that is painted over them */
 
 /* Of the values, what is shown of many runs. */
-#define LOW_SHARE 0.05
-#define HIGH_SHARE 0.95
 
 enum {
     BARS_LEAST = 5,
@@ -154,10 +153,11 @@ static void add_curve(Sweep *sweep, size_t pass, size_t observable, size_t error
         const Trial *trial = study_trial(study, pass, 0, 0, i);
         take_runs(study, pass, i, observable, runs);
         x[i] = sweep->scale.factor * trial->at[0];
-        mean[i] = study_axes_mean(runs, study->runs);
+        Distribution of = montecarlo_distribution(runs, study->runs);
+        mean[i] = of.mean;
         double apart = error < known_errors ? study_axes_value(trial, error) : 0;
-        low[i] = study->runs > 1 ? study_axes_quantile(runs, study->runs, LOW_SHARE) : mean[i] - apart;
-        high[i] = study->runs > 1 ? study_axes_quantile(runs, study->runs, HIGH_SHARE) : mean[i] + apart;
+        low[i] = study->runs > 1 ? of.low : mean[i] - apart;
+        high[i] = study->runs > 1 ? of.high : mean[i] + apart;
     }
     memory_free(runs);
     if (study->runs > 1)
@@ -257,10 +257,10 @@ static void add_observable(StudyPlots *plots, Sweep sweep, size_t observable) {
 /* No axis -----------------------------------------------------------------------------------------------------------
  */
 
-/* How many of the sorted values (count) each bar of equal width holds, as a curve with a step at each end. */
-static void add_bars(Plot *plot, const double *values, size_t count, Arena *arena) {
+/* How many of the values (count) each bar of equal width holds, as a curve with a step at each end. */
+static void add_bars(Plot *plot, const Distribution *of, const double *values, size_t count, Arena *arena) {
     size_t bars = (size_t)real_clamp(ceil(sqrt((double)count)), BARS_LEAST, BARS_MOST);
-    double low = values[0], width = (values[count - 1] - low) / (double)bars;
+    double low = of->least, width = (of->greatest - low) / (double)bars;
     double *x = arena_allocate(arena, 2 * bars * sizeof *x), *high = arena_allocate(arena, 2 * bars * sizeof *high);
     double *foot = arena_allocate(arena, 2 * bars * sizeof *foot);
     for (size_t b = 0; b < bars; b++) {
@@ -289,22 +289,19 @@ static void add_histogram(StudyPlots *plots, const Study *study, size_t observab
             values[count++] = value;
     }
     Plot *plot = add_plot(plots, study, shown->name, 1);
-    double low = study_axes_quantile(values, count, LOW_SHARE), high = study_axes_quantile(values, count, HIGH_SHARE);
+    Distribution of = montecarlo_distribution(values, count);
     plot->title = study_axes_text(arena, "%zu runs", count);
-    plot->note = study_axes_text(arena, "mean %.4g, 5 to 95 %%: %.4g to %.4g %s", study_axes_mean(values, count), low,
-                                 high, shown->unit);
+    plot->note =
+        study_axes_text(arena, "mean %.4g, 5 to 95 %%: %.4g to %.4g %s", of.mean, of.low, of.high, shown->unit);
     plot->x = study_axes_observable(shown).axis;
     plot->y = (PlotAxis){.title = "runs"};
-    add_bars(plot, values, count, arena);
-    add_guide(plot, (PlotGuide){.upright = true,
-                                .at = study_axes_mean(values, count),
-                                .name = "mean",
-                                .role = ROLE_WALL,
-                                .style = LINE_SOLID});
+    add_bars(plot, &of, values, count, arena);
     add_guide(plot,
-              (PlotGuide){.upright = true, .at = low, .name = "5 %", .role = ROLE_DIM_TEXT, .style = LINE_DASHED});
+              (PlotGuide){.upright = true, .at = of.mean, .name = "mean", .role = ROLE_WALL, .style = LINE_SOLID});
     add_guide(plot,
-              (PlotGuide){.upright = true, .at = high, .name = "95 %", .role = ROLE_DIM_TEXT, .style = LINE_DASHED});
+              (PlotGuide){.upright = true, .at = of.low, .name = "5 %", .role = ROLE_DIM_TEXT, .style = LINE_DASHED});
+    add_guide(plot,
+              (PlotGuide){.upright = true, .at = of.high, .name = "95 %", .role = ROLE_DIM_TEXT, .style = LINE_DASHED});
 }
 
 /* All -------------------------------------------------------------------------------------------------------------- */

@@ -19,7 +19,10 @@ enum { ZERO_ONE_CYCLES = 4000 };
 /* So near to an orbit, of the state's length, a motion is on it. */
 static const double SETTLED = 1e-3;
 
-static const TraceColumn columns[] = {{"time", "s"}, {"displacement", "m"}, {"velocity", "m/s"}, {"force", "N"}};
+static const TraceColumn columns[] = {[RESPONSE_TIME] = {"time", "s"},
+                                      [RESPONSE_DEFLECTION] = {"displacement", "m"},
+                                      [RESPONSE_VELOCITY] = {"velocity", "m/s"},
+                                      [RESPONSE_FORCE] = {"force", "N"}};
 
 const char *response_verdict_name(ResponseVerdict verdict) {
     static const char *const names[] = {"periodic", "chaotic", "unresolved", "chatters", "diverged"};

@@ -29,6 +29,14 @@ enum { RESPONSE_CYCLES_LEAST = 2000, RESPONSE_CYCLES_MOST = 16000 };
 
 enum { RESPONSE_TRACE_CYCLES = 100, RESPONSE_SAMPLES = 200 /* rows of the trace: cycles at most, samples a cycle */ };
 
+/* Columns of the trace. */
+typedef enum ResponseColumn {
+    RESPONSE_TIME,
+    RESPONSE_DEFLECTION, /* m, of the tip */
+    RESPONSE_VELOCITY,
+    RESPONSE_FORCE, /* N, of the joint on the tip */
+} ResponseColumn;
+
 typedef struct Response {
     ResponseVerdict verdict;
     double *start;    /* (states) sqrt(J), at the end of the transient */
