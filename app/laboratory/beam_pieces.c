@@ -1,5 +1,7 @@
 #include "laboratory/beam_pieces.h"
 
+#include "laboratory/burst.h"
+
 /* Design points. */
 #define SPRING_WIDTH 2.5
 #define GROUND_WIDTH 3.0
@@ -11,7 +13,7 @@
 #define HEAD_LENGTH 4.0 /* of an arrow's head, half shafts */
 #define HEAD_HALF 2.4   /* likewise */
 
-enum { SPRING_COILS = 5, SPIRAL_POINTS = 48, BURST_POINTS = 16 };
+enum { SPRING_COILS = 5, SPIRAL_POINTS = 48 };
 
 void beam_pieces_spring(Scene *scene, Vec2 from, Vec2 to, double half) {
     Vec2 points[2 * SPRING_COILS + 4], way = vec2_sub(to, from), across = vec2_scale(vec2_left(vec2_unit(way)), half);
@@ -81,10 +83,5 @@ void beam_pieces_arrow(Scene *scene, Role role, Vec2 foot, Vec2 point, double ha
 }
 
 void beam_pieces_burst(Scene *scene, Vec2 at, double radius) {
-    Vec2 star[BURST_POINTS];
-    for (int k = 0; k < BURST_POINTS; k++)
-        star[k] = vec2_along(at, k % 2 ? radius / 2 : radius, vec2_heading(2 * M_PI * k / BURST_POINTS));
-    Primitive *burst = scene_add_polygon(scene, ROLE_DANGER_MIDDLE, star, BURST_POINTS);
-    burst->edge = ROLE_WALL;
-    burst->width = EDGE;
+    burst_add(scene, at, radius)->width = EDGE;
 }

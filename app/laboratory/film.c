@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "laboratory/blockage_scene.h"
+#include "laboratory/burst.h"
 #include "laboratory/crowd_scene.h"
 #include "laboratory/figure.h"
 #include "laboratory/people_scene.h"
@@ -34,8 +35,6 @@
 #define ROUNDING 1e-6 /* samples: times of the record are sums of steps */
 #define WALKER_OPACITY 0.10
 #define SPACE_OPACITY 0.13
-
-enum { BURST_POINTS = 16 };
 
 /* How far a person's way has been added. */
 typedef struct Progress {
@@ -349,11 +348,7 @@ static void add_chairs(Film *film, size_t count) {
 /* A star whose size tells the force, and the force in words. */
 static void add_burst(Scene *scene, Vec2 at, double force) {
     double radius = fmin(CONTACT_MOST, CONTACT_RADIUS * sqrt(force / CONTACT_FORCE));
-    Vec2 star[BURST_POINTS];
-    for (int k = 0; k < BURST_POINTS; k++)
-        star[k] = vec2_along(at, k % 2 ? radius / 2 : radius, vec2_heading(2 * M_PI * k / BURST_POINTS));
-    Primitive *burst = scene_add_polygon(scene, ROLE_DANGER_MIDDLE, star, BURST_POINTS);
-    burst->edge = ROLE_WALL;
+    Primitive *burst = burst_add(scene, at, radius);
     burst->width = CONTACT_EDGE;
     burst->base = CONTACT_HEIGHT;
 }
