@@ -15,9 +15,7 @@
 
 /* Type ------------------------------------------------------------------------------------------------------------ */
 
-/* The numbers of a beam in whose window its type is told. */
-static const char *const window[] = {"drive.frequency", "beam.length", "joint.clearance", "drive.force"};
-enum { WINDOW = sizeof window / sizeof *window, EACH = 32 };
+enum { EACH = 32 /* room for "400 cycles" */ };
 
 /* What the type was told by; type_close releases it. */
 typedef struct TypeAnswer {
@@ -41,7 +39,8 @@ static bool type_tell(TypeAnswer *answer, const Beam *beam, const Options *optio
         return false;
     }
     beam_experiment_be_thorough(&answer->thorough);
-    if (types_answer_tell(&answer->types, &answer->quick, &answer->thorough, window, WINDOW, options, fault))
+    if (types_answer_tell(&answer->types, &answer->quick, &answer->thorough, beam_experiment_window,
+                          BEAM_EXPERIMENT_WINDOW, options, fault))
         return true;
     type_close(answer);
     return false;

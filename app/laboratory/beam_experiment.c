@@ -9,6 +9,8 @@
 #include "beam/lanes.h"
 #include "beam/response.h"
 
+const char *const beam_experiment_window[] = {"drive.frequency", "beam.length", "joint.clearance", "drive.force"};
+
 /* Trials that are made together: enough to fill the lanes, few enough that two threads share a window of types. */
 enum { BATCH = 16, LONG = 100000 /* cycles: of longer ones, one, for the memory's sake */ };
 

@@ -39,6 +39,10 @@ typedef enum BeamObservable {
     BEAM_OBSERVABLES,
 } BeamObservable;
 
+/* What a beam's type is told in a window of. */
+enum { BEAM_EXPERIMENT_WINDOW = 4 };
+extern const char *const beam_experiment_window[BEAM_EXPERIMENT_WINDOW];
+
 /* The experiment of a beam file changed by settings (setting_count), of quick trials. False: faults, and there is
  * nothing to close. */
 bool beam_experiment_open(Experiment *experiment, const char *path, const char *const *settings, size_t setting_count,

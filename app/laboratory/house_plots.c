@@ -1,8 +1,8 @@
 #include "laboratory/house_plots.h"
 
-#include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "laboratory/census.h"
 #include "laboratory/people_scene.h"
 #include "laboratory/trail.h"
@@ -160,13 +160,6 @@ static PlotSeries *add_series(Plot *plot, const HousePlot *definition, const Sub
     return series;
 }
 
-static const char *joined(Arena *arena, const char *first, const char *second) {
-    size_t room = strlen(first) + strlen(second) + 2;
-    char *text = arena_allocate(arena, room);
-    snprintf(text, room, "%s %s", first, second);
-    return text;
-}
-
 /* The same people as they were before, below the others; one name for all of them. */
 static void add_ghosts(Plot *plot, const HousePlot *definition, const Subjects *subjects, const Subjects *ghosts,
                        Arena *arena) {
@@ -175,7 +168,7 @@ static void add_ghosts(Plot *plot, const HousePlot *definition, const Subjects *
             if (strcmp(ghosts->house->people[ghosts->list[g].person].id,
                        subjects->house->people[subjects->list[i].person].id) == 0) {
                 PlotSeries *ghost = add_series(plot, definition, &ghosts->list[g]);
-                ghost->heading = joined(arena, ghosts->list[g].name, "before");
+                ghost->heading = text_in_arena(arena, "%s before", ghosts->list[g].name);
                 ghost->name = plot->series_count == 1 ? "before" : NULL;
                 ghost->role = ROLE_GHOST;
                 ghost->style = LINE_DASHED;
@@ -184,7 +177,6 @@ static void add_ghosts(Plot *plot, const HousePlot *definition, const Subjects *
 }
 
 static const char *note_of(const HousePlot *definition, const Subjects *subjects, Arena *arena) {
-    char note[64];
     bool moving = false, touching = definition->y != TRACE_BODY_FORCE;
     for (size_t i = 0; i < subjects->count; i++) {
         moving = moving || subjects->list[i].count > 1;
@@ -194,8 +186,7 @@ static const char *note_of(const HousePlot *definition, const Subjects *subjects
         return moving ? "no contact" : "nobody sets off";
     if (subjects->count == subjects->people)
         return NULL;
-    snprintf(note, sizeof note, "%zu of %zu people", subjects->count, subjects->people);
-    return arena_text(arena, note);
+    return text_in_arena(arena, "%zu of %zu people", subjects->count, subjects->people);
 }
 
 static Plot make_plot(const HousePlot *definition, const Subjects *subjects, const Subjects *ghosts, Arena *arena) {

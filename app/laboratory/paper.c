@@ -1,11 +1,11 @@
 #include "laboratory/paper.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/parallel.h"
+#include "base/text.h"
 #include "laboratory/beam_experiment.h"
 
 /* The paper's numbers, as they are read. */
@@ -39,15 +39,6 @@ enum { SWEEP_STEPS = 301, LENGTH_STEPS = 61, MAP_FREQUENCIES = 111, MAP_CLEARANC
 #define TYPES_STEP 20.0
 
 /* Runs ------------------------------------------------------------------------------------------------------------ */
-
-__attribute__((format(printf, 2, 3))) static const char *say(Paper *paper, const char *format, ...) {
-    char text[256];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    return arena_text(&paper->arena, text);
-}
 
 static void tell(const PaperOptions *options, const char *what) {
     if (options->progress)
@@ -142,13 +133,12 @@ static bool make_studies(Paper *paper, const PaperOptions *options, Fault *fault
 }
 
 static bool make_types(Paper *paper, const PaperOptions *options, Fault *fault) {
-    static const char *const names[] = {"drive.frequency", "beam.length", "joint.clearance", "drive.force"};
     bool good = true;
     for (size_t i = 0; i < PAPER_TYPES && good && !stopped(options); i++) {
         Beam beam = paper->beam;
         Experiment quick, thorough;
         paper->frequency[i] = beam.frequency = TYPES_FROM + TYPES_STEP * (double)i;
-        tell(options, say(paper, "types at %.0f Hz", beam.frequency));
+        tell(options, text_in_arena(&paper->arena, "types at %.0f Hz", beam.frequency));
         good = beam_experiment_of(&quick, &beam, options->path, fault);
         if (!good)
             break;
@@ -158,8 +148,8 @@ static bool make_types(Paper *paper, const PaperOptions *options, Fault *fault) 
             good = types_tell(&paper->types[i],
                               &(TypesTask){.experiment = &quick,
                                            .thorough = &thorough,
-                                           .names = names,
-                                           .name_count = sizeof names / sizeof *names,
+                                           .names = beam_experiment_window,
+                                           .name_count = BEAM_EXPERIMENT_WINDOW,
                                            .jobs = options->jobs,
                                            .stop = options->stop},
                               fault);
@@ -218,13 +208,14 @@ static PaperMet met_if(bool met) {
 static const char *say_response(Paper *paper, const Response *response) {
     switch (response->verdict) {
     case RESPONSE_PERIODIC:
-        return say(paper, "periodic, period %zu, %.0f N", response->orbit.period, response->peaks.max);
+        return text_in_arena(&paper->arena, "periodic, period %zu, %.0f N", response->orbit.period,
+                             response->peaks.max);
     case RESPONSE_CHAOTIC:
-        return say(paper, "chaotic, exponent %+.2f a cycle, %.0f to %.0f N", response->exponent.value,
-                   response->peaks.min, response->peaks.max);
+        return text_in_arena(&paper->arena, "chaotic, exponent %+.2f a cycle, %.0f to %.0f N", response->exponent.value,
+                             response->peaks.min, response->peaks.max);
     default:
-        return say(paper, "%s, %.0f to %.0f N", response_verdict_name(response->verdict), response->peaks.min,
-                   response->peaks.max);
+        return text_in_arena(&paper->arena, "%s, %.0f to %.0f N", response_verdict_name(response->verdict),
+                             response->peaks.min, response->peaks.max);
     }
 }
 
@@ -283,7 +274,7 @@ static const char *say_types(Paper *paper, size_t *met, size_t *all) {
 void paper_claims(Paper *paper, PaperClaim claims[PAPER_CLAIMS]) {
     const Response *periodic = &paper->responses[PAPER_PERIODIC], *chaotic = &paper->responses[PAPER_CHAOTIC];
     const Response *nominal = &paper->responses[PAPER_NOMINAL], *longer = &paper->responses[PAPER_LONGER];
-    const char *near = say(paper, "within %.0f %%", 100 * AGREES);
+    const char *near = text_in_arena(&paper->arena, "within %.0f %%", 100 * AGREES);
     double ratio = chaotic->peaks.min > 0 ? chaotic->peaks.max / chaotic->peaks.min : NAN, frequency = 0;
     double rise = longer->peaks.max / nominal->peaks.max - 1, speed = tip_speed(chaotic);
     double most = sweep_peak(paper, &frequency);
@@ -294,28 +285,33 @@ void paper_claims(Paper *paper, PaperClaim claims[PAPER_CLAIMS]) {
          met_verdict(periodic, RESPONSE_PERIODIC), "a stable orbit is certified"},
         {"chaotic", "figures 3 to 6", "at 300 Hz it is chaotic", "chaotic", say_response(paper, chaotic),
          met_verdict(chaotic, RESPONSE_CHAOTIC), "exponent above 0 by three errors, and K above 0.8"},
-        {"chaos-peaks", "text", "peaks in chaos at 300 Hz", say(paper, "%.0f to %.0f N", CHAOS_LEAST, CHAOS_MOST),
-         say(paper, "%.0f to %.0f N", chaotic->peaks.min, chaotic->peaks.max),
+        {"chaos-peaks", "text", "peaks in chaos at 300 Hz",
+         text_in_arena(&paper->arena, "%.0f to %.0f N", CHAOS_LEAST, CHAOS_MOST),
+         text_in_arena(&paper->arena, "%.0f to %.0f N", chaotic->peaks.min, chaotic->peaks.max),
          met_if(agrees(chaotic->peaks.min, CHAOS_LEAST) && agrees(chaotic->peaks.max, CHAOS_MOST)), near},
         {"chaos-ratio", "text", "the largest is two or three times the smallest", "2 to 3",
-         isfinite(ratio) ? say(paper, "%.1f", ratio) : "no contact", met_if(ratio >= 2 - AGREES && ratio <= 3 + AGREES),
-         "between them, to a tenth"},
-        {"tip-speed", "figure 3", "largest speed of the tip at 300 Hz", say(paper, "about %.1f m/s", TIP_SPEED),
-         say(paper, "%.2f m/s", speed), met_if(agrees(speed, TIP_SPEED)), near},
-        {"nominal", "figure 10", "at 290 Hz, 281.2 mm long: periodic", say(paper, "periodic, %.0f N", NOMINAL_PEAK),
-         say_response(paper, nominal),
+         isfinite(ratio) ? text_in_arena(&paper->arena, "%.1f", ratio) : "no contact",
+         met_if(ratio >= 2 - AGREES && ratio <= 3 + AGREES), "between them, to a tenth"},
+        {"tip-speed", "figure 3", "largest speed of the tip at 300 Hz",
+         text_in_arena(&paper->arena, "about %.1f m/s", TIP_SPEED), text_in_arena(&paper->arena, "%.2f m/s", speed),
+         met_if(agrees(speed, TIP_SPEED)), near},
+        {"nominal", "figure 10", "at 290 Hz, 281.2 mm long: periodic",
+         text_in_arena(&paper->arena, "periodic, %.0f N", NOMINAL_PEAK), say_response(paper, nominal),
          met_if(nominal->verdict == RESPONSE_PERIODIC && agrees(nominal->peaks.max, NOMINAL_PEAK)),
-         say(paper, "periodic, and %s", near)},
+         text_in_arena(&paper->arena, "periodic, and %s", near)},
         {"longer", "figure 10", "1 % longer, 284 mm: chaotic, peaks a third higher",
-         say(paper, "chaotic, at most %.0f N, %+.0f %%", LONGER_PEAK, 100 * (LONGER_PEAK / NOMINAL_PEAK - 1)),
-         isfinite(rise) ? say(paper, "%s, %+.0f %%", say_response(paper, longer), 100 * rise)
+         text_in_arena(&paper->arena, "chaotic, at most %.0f N, %+.0f %%", LONGER_PEAK,
+                       100 * (LONGER_PEAK / NOMINAL_PEAK - 1)),
+         isfinite(rise) ? text_in_arena(&paper->arena, "%s, %+.0f %%", say_response(paper, longer), 100 * rise)
                         : say_response(paper, longer),
          met_if(longer->verdict == RESPONSE_CHAOTIC && agrees(longer->peaks.max, LONGER_PEAK)),
-         say(paper, "chaotic, and %s", near)},
-        {"sweep-peak", "figure 8", "largest peak over the frequencies", say(paper, "about %.0f N", SWEEP_PEAK),
-         say(paper, "%.0f N at %.0f Hz", most, frequency), met_if(agrees(most, SWEEP_PEAK)), near},
+         text_in_arena(&paper->arena, "chaotic, and %s", near)},
+        {"sweep-peak", "figure 8", "largest peak over the frequencies",
+         text_in_arena(&paper->arena, "about %.0f N", SWEEP_PEAK),
+         text_in_arena(&paper->arena, "%.0f N at %.0f Hz", most, frequency), met_if(agrees(most, SWEEP_PEAK)), near},
         {"quiet", "figure 8", "below 130 Hz no chaos is spoken of", "periodic",
-         say(paper, "not periodic at %zu of %zu frequencies", loud, quiet_all), met_if(loud == 0), "all periodic"},
+         text_in_arena(&paper->arena, "not periodic at %zu of %zu frequencies", loud, quiet_all), met_if(loud == 0),
+         "all periodic"},
         {"types", "figure 9", "type III from 160 to 300 Hz", "III throughout", types, met_if(met_types == all_types),
          "all of them"},
     };

@@ -1,8 +1,6 @@
 #include "laboratory/study_axes.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -12,17 +10,6 @@
 #define BRIEF 0.1  /* s */
 
 #define MILLI 1000.0
-
-const char *study_axes_text(Arena *arena, const char *format, ...) {
-    Text text = {0};
-    va_list arguments;
-    va_start(arguments, format);
-    text_vformat(&text, format, arguments);
-    va_end(arguments);
-    const char *kept = arena_text(arena, text.text);
-    memory_free(text.text);
-    return kept;
-}
 
 /* "joint.clearance" as "joint clearance". */
 static const char *spoken(Arena *arena, const char *name) {

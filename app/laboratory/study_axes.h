@@ -26,6 +26,3 @@ size_t study_axes_find(const Study *study, const char *name);
  * same?
  */
 bool study_axes_is_mark(const Study *study, size_t observable);
-
-/* The same name with more behind it, in the arena. */
-const char *study_axes_text(Arena *arena, const char *format, ...) __attribute__((format(printf, 2, 3)));

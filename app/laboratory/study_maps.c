@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "laboratory/measured_marks.h"
 #include "laboratory/study_axes.h"
 
@@ -127,7 +128,7 @@ static Map begin_map(StudyPlots *plots, const Study *study, size_t pass, const c
     axis_box(&study->axes[1], map.y.factor, &map.raster->box.low.y, &map.raster->box.high.y);
     bool several = study->pass_count > 1;
     const char *way = several ? study_pass_name(study->passes[pass]) : NULL;
-    *map.to = (StudyPlot){.name = study_axes_text(map.arena, "%s%s%s", name, way ? "-" : "", way ? way : ""),
+    *map.to = (StudyPlot){.name = text_in_arena(map.arena, "%s%s%s", name, way ? "-" : "", way ? way : ""),
                           .plot = {.x = map.x.axis, .y = map.y.axis, .raster = map.raster, .note = way}};
     map.to->plot.series = arena_allocate(map.arena, 2 * sizeof *map.to->plot.series);
     return map;
@@ -164,7 +165,7 @@ static bool was_run(const Map *map, size_t cell) {
 /* Of several runs of a place, classes are the first one's. */
 static void note_first(Map *map) {
     if (map->study->runs > 1)
-        map->to->plot.note = study_axes_text(map->arena, "the first of %zu runs", map->study->runs);
+        map->to->plot.note = text_in_arena(map->arena, "the first of %zu runs", map->study->runs);
 }
 
 #define CANNOT_BE_TOLD                                                                                                 \
@@ -232,8 +233,8 @@ static const char *attractor_name(const Map *map, const Attractor *attractor) {
     const Experiment *experiment = map->study->experiment;
     const Observable *outcome = &experiment->observables[experiment->outcome];
     const Observable *measure = &experiment->observables[experiment->measure];
-    return study_axes_text(map->arena, "%s %g, %.4g %s", outcome->name, attractor->outcome, attractor->measure,
-                           measure->unit);
+    return text_in_arena(map->arena, "%s %g, %.4g %s", outcome->name, attractor->outcome, attractor->measure,
+                         measure->unit);
 }
 
 static void classify_attractors(Map *map) {
@@ -249,8 +250,8 @@ static void classify_attractors(Map *map) {
                                        [WILD] = {"not regular", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
                                        [UNTOLD] = CANNOT_BE_TOLD};
     for (size_t a = 0; a < SHOWN && a < count; a++)
-        classes[a] = (PlotClass){study_axes_text(map->arena, "%s: %s", marks[a], attractor_name(map, &list[a])),
-                                 marks[a], roles[a % ROLES], (PlotPattern)(a % PLOT_PATTERNS)};
+        classes[a] = (PlotClass){text_in_arena(map->arena, "%s: %s", marks[a], attractor_name(map, &list[a])), marks[a],
+                                 roles[a % ROLES], (PlotPattern)(a % PLOT_PATTERNS)};
     for (size_t i = 0; i < cells; i++)
         map->values[i] = found[i] == -2     ? (was_run(map, i) ? UNTOLD : NAN)
                          : found[i] == -1   ? WILD
@@ -382,7 +383,7 @@ void study_maps_add(StudyPlots *plots, const Study *study, const Measured *measu
     for (size_t pass = 0; pass < study->pass_count; pass++) {
         for (size_t o = 0; o < study->experiment->observable_count; o++) {
             const char *name = study->experiment->observables[o].name;
-            Map map = begin_map(plots, study, pass, study_axes_text(&plots->arena, "map-%s", name));
+            Map map = begin_map(plots, study, pass, text_in_arena(&plots->arena, "map-%s", name));
             if (!study_axes_is_mark(study, o) && fill_map(&map, o))
                 end_map(plots, &map, measured, strcmp(name, "type") != 0);
         }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "laboratory/measured_marks.h"
 #include "laboratory/study_axes.h"
 #include "laboratory/study_maps.h"
@@ -102,13 +103,13 @@ static void lay_measured_series(Sweep *sweep) {
             strcmp(observable->unit, experiment->series->unit) == 0)
             shape +=
                 measured_marks_add(sweep->plot, sweep->measured, x, (MeasuredAxis){observable->name, 1},
-                                   study_axes_text(sweep->arena, "measured %s", observable->name), shape, sweep->arena);
+                                   text_in_arena(sweep->arena, "measured %s", observable->name), shape, sweep->arena);
     }
 }
 
 static void add_orbit_diagram(StudyPlots *plots, Sweep sweep) {
     const Observable *listed = sweep.study->experiment->series;
-    sweep.plot = add_plot(plots, sweep.study, study_axes_text(sweep.arena, "%ss", listed->name), 0);
+    sweep.plot = add_plot(plots, sweep.study, text_in_arena(sweep.arena, "%ss", listed->name), 0);
     sweep.plot->title = "Orbit diagram";
     sweep.plot->x = sweep.scale.axis;
     sweep.plot->y = study_axes_observable(listed).axis;
@@ -238,7 +239,7 @@ static bool is_exponent(const char *name) {
 static void add_observable(StudyPlots *plots, Sweep sweep, size_t observable) {
     const Study *study = sweep.study;
     const Observable *shown = &study->experiment->observables[observable];
-    size_t error = study_axes_find(study, study_axes_text(sweep.arena, "%s_error", shown->name));
+    size_t error = study_axes_find(study, text_in_arena(sweep.arena, "%s_error", shown->name));
     sweep.plot = add_plot(plots, study, shown->name, study->pass_count);
     sweep.plot->x = sweep.scale.axis;
     sweep.plot->y = study_axes_observable(shown).axis;
@@ -290,9 +291,8 @@ static void add_histogram(StudyPlots *plots, const Study *study, size_t observab
     }
     Plot *plot = add_plot(plots, study, shown->name, 1);
     Distribution of = montecarlo_distribution(values, count);
-    plot->title = study_axes_text(arena, "%zu runs", count);
-    plot->note =
-        study_axes_text(arena, "mean %.4g, 5 to 95 %%: %.4g to %.4g %s", of.mean, of.low, of.high, shown->unit);
+    plot->title = text_in_arena(arena, "%zu runs", count);
+    plot->note = text_in_arena(arena, "mean %.4g, 5 to 95 %%: %.4g to %.4g %s", of.mean, of.low, of.high, shown->unit);
     plot->x = study_axes_observable(shown).axis;
     plot->y = (PlotAxis){.title = "runs"};
     add_bars(plot, &of, values, count, arena);

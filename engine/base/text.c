@@ -100,6 +100,17 @@ void text_format(Text *text, const char *format, ...) {
     va_end(arguments);
 }
 
+const char *text_in_arena(Arena *arena, const char *format, ...) {
+    Text text = {0};
+    va_list arguments;
+    va_start(arguments, format);
+    text_vformat(&text, format, arguments);
+    va_end(arguments);
+    const char *kept = arena_text(arena, text.text);
+    memory_free(text.text);
+    return kept;
+}
+
 char *text_beside(const char *path) {
     size_t room = strlen(path) + 32;
     char *beside = memory_allocate(room, 1);

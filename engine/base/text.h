@@ -4,6 +4,8 @@
 #include <stdarg.h>
 #include <stddef.h>
 
+#include "base/memory.h"
+
 /* The word of `words` (count) nearest to `word` by insertions, deletions and replacements (Levenshtein), or NULL when
  * none is near enough to be what was meant: at most a third of the word, and at least two characters, may differ. */
 const char *text_nearest(const char *word, const char *const *words, size_t count);
@@ -22,6 +24,9 @@ void text_add(Text *text, const char *more);
 /* Adds what printf, or vprintf, would print. */
 void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void text_vformat(Text *text, const char *format, va_list arguments) __attribute__((format(printf, 2, 0)));
+
+/* What printf would print, as long as the arena lives. */
+const char *text_in_arena(Arena *arena, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* The name of a file beside `path`, of this process, to be renamed to it when it is whole; memory_free it. */
 char *text_beside(const char *path);
