@@ -4,7 +4,8 @@ set -eu
 cd "$(dirname "$0")/.."
 . app/packages.sh
 
-install_packages $build_packages python3 python3-jsonschema clang-format poppler-utils libsundials-dev
+install_packages $build_packages python3 python3-jsonschema clang-format poppler-utils libsundials-dev \
+    xvfb xauth xdotool imagemagick
 
 if [ ! -f build-test/build.ninja ]; then
     echo "configuring in build-test/"

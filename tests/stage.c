@@ -55,7 +55,7 @@ Stage stage_begin(OffscreenKind kind, int width, int height, Theme theme) {
     if (!stage.offscreen)
         check_skip(message);
     stage.page = vec2_scale(vec2(width, height), 1 / layout_unit(width, height));
-    stage.paint = paint_gl_create(offscreen_gl(stage.offscreen), width, height, theme);
+    stage.paint = paint_gl_create(offscreen_gl(stage.offscreen), width, height, layout_unit(width, height), theme);
     CHECK(stage.paint);
     return stage;
 }

@@ -65,7 +65,7 @@ static void paint_film(const Golden *golden, const House *house, const Observati
     film_show(film, golden->time);
     layout_make_over(&added, &still, film_added(film));
     layout_make_over(&moving, &still, film_moving(film));
-    PaintGl *paint = paint_gl_create(offscreen_gl(offscreen), WIDTH, HEIGHT, golden->theme);
+    PaintGl *paint = paint_gl_create(offscreen_gl(offscreen), WIDTH, HEIGHT, layout_unit(WIDTH, HEIGHT), golden->theme);
     paint_gl_still(paint, (Layer){film_still(film), &still});
     paint_gl_add(paint, (Layer){film_added(film), &added});
     paint_gl_frame(paint, (Layer){film_moving(film), &moving});

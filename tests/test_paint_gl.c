@@ -340,8 +340,8 @@ TEST(a_picture_that_is_too_large_has_no_painter) {
     enum { TOO_LARGE = 1 << 20 /* pixels a side */ };
     Stage stage = stage_begin(OFFSCREEN_ANY, WIDTH, HEIGHT, THEME_PAPER);
     const Gl *gl = offscreen_gl(stage.offscreen);
-    CHECK(!paint_gl_create(gl, TOO_LARGE, TOO_LARGE, THEME_PAPER));
-    PaintGl *small = paint_gl_create(gl, 64, 36, THEME_PAPER);
+    CHECK(!paint_gl_create(gl, TOO_LARGE, TOO_LARGE, 1, THEME_PAPER));
+    PaintGl *small = paint_gl_create(gl, 64, 36, layout_unit(64, 36), THEME_PAPER);
     CHECK(small);
     paint_gl_destroy(small);
     stage_end(&stage);

@@ -43,7 +43,8 @@ static PaintGl *create_painter(Studio *studio) {
         fprintf(stderr, "clearance: %s\n", message);
         return NULL;
     }
-    PaintGl *paint = paint_gl_create(offscreen_gl(studio->offscreen), options->width, options->height, options->theme);
+    PaintGl *paint = paint_gl_create(offscreen_gl(studio->offscreen), options->width, options->height,
+                                     layout_unit(options->width, options->height), options->theme);
     if (!paint) {
         fprintf(stderr, "clearance: OpenGL has no room for pictures of %d x %d pixels: smaller ones would do\n",
                 options->width, options->height);

@@ -313,7 +313,7 @@ static void place_panels(Layout *layout, const Scene *scene, bool below) {
 }
 
 static void place_plan(Layout *layout, const Scene *scene) {
-    Vec2 middle = vec2_scale(vec2_add(scene->box.low, scene->box.high), 0.5);
+    Vec2 middle = vec2_add(vec2_scale(vec2_add(scene->box.low, scene->box.high), 0.5), scene->camera.pan);
     if (scene->camera.kind == VIEW_RAISED) {
         layout->view = view_raised(scene->camera, scene->box, scene->top, layout->plan);
         layout->metre = view_scale(&layout->view, middle, 0);

@@ -77,11 +77,11 @@ static void make_programs(PaintGl *paint) {
                   drawing_solid_light[2]);
 }
 
-PaintGl *paint_gl_create(const Gl *gl, int width, int height, Theme theme) {
+PaintGl *paint_gl_create(const Gl *gl, int width, int height, double unit, Theme theme) {
     PaintGl *paint = memory_allocate(1, sizeof *paint);
     *paint = (PaintGl){.gl = gl, .width = width, .height = height};
     paint->drawing.theme = theme;
-    paint->drawing.unit = layout_unit(width, height);
+    paint->drawing.unit = unit;
     bool good = paint_gl_target_make(&paint->still, gl, width, height, 0);
     good = paint_gl_target_make(&paint->frame, gl, width, height, 0) && good;
     make_programs(paint);

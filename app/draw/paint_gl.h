@@ -15,9 +15,10 @@
 
 typedef struct PaintGl PaintGl;
 
-/* For pictures of width x height pixels, with the functions of the current context, which must outlive it; NULL when it
- * has no room for such a picture. Layouts of its layers are made for a page of that size over layout_unit. */
-PaintGl *paint_gl_create(const Gl *gl, int width, int height, Theme theme);
+/* For pictures of width x height pixels, `unit` of them a design point, with the functions of the current context, which
+ * must outlive it; NULL when it has no room for such a picture. Layouts of its layers are made for a page of that size
+ * over the unit. */
+PaintGl *paint_gl_create(const Gl *gl, int width, int height, double unit, Theme theme);
 void paint_gl_destroy(PaintGl *paint);
 
 /* Draws the static layer anew; panels are empty then. The layer may go. */

@@ -55,6 +55,12 @@ View view_raised(Camera camera, Box box, double top, Box place) {
         view.rows[0][column] = scale * view.rows[0][column] + shift.x * view.rows[3][column];
         view.rows[1][column] = scale * view.rows[1][column] + shift.y * view.rows[3][column];
     }
+    Vec2 centre = vec2_scale(vec2_add(box.low, box.high), 0.5);
+    Vec2 away = vec2_sub(view_point(&view, centre, 0), view_point(&view, vec2_add(centre, camera.pan), 0));
+    for (int column = 0; column < 4; column++) {
+        view.rows[0][column] += away.x * view.rows[3][column];
+        view.rows[1][column] += away.y * view.rows[3][column];
+    }
     return view;
 }
 
@@ -65,6 +71,14 @@ static double row_value(const double row[4], Vec2 at, double height) {
 Vec2 view_point(const View *view, Vec2 at, double height) {
     double w = row_value(view->rows[3], at, height);
     return vec2(row_value(view->rows[0], at, height) / w, row_value(view->rows[1], at, height) / w);
+}
+
+Vec2 view_floor(const View *view, Vec2 page) {
+    const double *x = view->rows[0], *y = view->rows[1], *w = view->rows[3];
+    double a = x[0] - page.x * w[0], b = x[1] - page.x * w[1], c = page.x * w[3] - x[3];
+    double d = y[0] - page.y * w[0], e = y[1] - page.y * w[1], f = page.y * w[3] - y[3];
+    double determinant = a * e - b * d;
+    return vec2((c * e - b * f) / determinant, (a * f - c * d) / determinant);
 }
 
 double view_depth(const View *view, Vec2 at, double height) {

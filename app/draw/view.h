@@ -23,6 +23,7 @@ typedef struct Camera {
     double azimuth;   /* degrees, of the raised view: 0 looks up the plan, along +y; 90 from the right, along -x */
     double elevation; /* degrees above the floor, more than 0, at most 90 */
     double zoom;      /* 1: as large as fits; 0 counts as 1 */
+    Vec2 pan;         /* m, from the middle of what must be seen to what stands in the middle of the picture */
 } Camera;
 
 /* Of the raised view, where nobody asks for another. */
@@ -41,6 +42,9 @@ View view_raised(Camera camera, Box box, double top, Box place);
 
 /* The page's point of one in the house, `height` m above the floor. */
 Vec2 view_point(const View *view, Vec2 at, double height);
+
+/* The place on the floor, m, that is seen at a point of the page. */
+Vec2 view_floor(const View *view, Vec2 page);
 
 /* How near the point is, from -1, near, to 1. */
 double view_depth(const View *view, Vec2 at, double height);

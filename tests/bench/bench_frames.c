@@ -81,7 +81,7 @@ static void measure(const Show *show, const Gl *gl, ViewKind view, int width, in
     double writing[TURNS] = {0};
     char directory[] = "/tmp/clearance-frames-XXXXXX";
     Screen screen = {.film = film_create(&show->house, &show->observation, &options),
-                     .paint = paint_gl_create(gl, width, height, THEME_PAPER),
+                     .paint = paint_gl_create(gl, width, height, layout_unit(width, height), THEME_PAPER),
                      .pixels = memory_allocate((size_t)width * (size_t)height, 4)};
     layout_make(&screen.still, film_still(screen.film), vec2(width / unit, height / unit));
     double begin = bench_clock();
