@@ -206,7 +206,7 @@ TEST(labels_keep_off_lines_and_off_each_other) {
 
 TEST(nothing_of_a_part_that_is_looked_at_lies_outside_the_frame) {
     Scene scene = plain_scene();
-    scene.camera = (Camera){VIEW_RAISED, 10, 60, 3};
+    scene.camera = (Camera){.kind = VIEW_RAISED, .azimuth = 10, .elevation = 60, .zoom = 3};
     for (int x = 0; x <= 6; x++)
         for (int y = 0; y <= 4; y++)
             scene_add_label(&scene, ROLE_TEXT, 17, vec2(x, y), scene_text(&scene, "#%d %d", x, y))->fixed = x % 2;

@@ -37,25 +37,26 @@ static void check_fit(Camera camera) {
 TEST(the_raised_view_fits_from_everywhere) {
     for (double azimuth = -180; azimuth < 180; azimuth += 30)
         for (double elevation = 5; elevation <= 90; elevation += 17)
-            check_fit((Camera){VIEW_RAISED, azimuth, elevation, 1});
+            check_fit((Camera){.kind = VIEW_RAISED, .azimuth = azimuth, .elevation = elevation, .zoom = 1});
 }
 
 /* From the front: what is to the right is right, what is behind or higher is farther up. */
 TEST(the_raised_view_looks_up_the_plan) {
-    View view = view_raised((Camera){VIEW_RAISED, 0, 40, 1}, HOUSE, TOP, PLACE);
+    View view = view_raised((Camera){.kind = VIEW_RAISED, .azimuth = 0, .elevation = 40, .zoom = 1}, HOUSE, TOP, PLACE);
     Vec2 here = view_point(&view, vec2(4, 1), 0);
     CHECK(view_point(&view, vec2(5, 1), 0).x > here.x);
     CHECK(view_point(&view, vec2(4, 2), 0).y < here.y);
     CHECK(view_point(&view, vec2(4, 1), 1).y < here.y);
     CHECK_NEAR(view_point(&view, vec2(4, 1), 1).x, here.x, 1e-9); /* the middle of the house: no lean */
-    View right = view_raised((Camera){VIEW_RAISED, 90, 40, 1}, HOUSE, TOP, PLACE);
+    View right =
+        view_raised((Camera){.kind = VIEW_RAISED, .azimuth = 90, .elevation = 40, .zoom = 1}, HOUSE, TOP, PLACE);
     here = view_point(&right, vec2(4, 1), 0);
     CHECK(view_point(&right, vec2(4, 2), 0).x > here.x);
     CHECK(view_point(&right, vec2(3, 1), 0).y < here.y);
 }
 
 TEST(the_scale_is_the_slope_across) {
-    Camera camera = {VIEW_RAISED, 0, 35, 1.5};
+    Camera camera = {.kind = VIEW_RAISED, .azimuth = 0, .elevation = 35, .zoom = 1.5};
     View view = view_raised(camera, HOUSE, TOP, PLACE);
     for (double y = -2; y <= 5; y += 1.4) {
         double step = 1e-4;
@@ -67,8 +68,8 @@ TEST(the_scale_is_the_slope_across) {
 }
 
 TEST(zoom_enlarges_about_the_middle) {
-    View one = view_raised((Camera){VIEW_RAISED, 30, 50, 1}, HOUSE, TOP, PLACE);
-    View two = view_raised((Camera){VIEW_RAISED, 30, 50, 2}, HOUSE, TOP, PLACE);
+    View one = view_raised((Camera){.kind = VIEW_RAISED, .azimuth = 30, .elevation = 50, .zoom = 1}, HOUSE, TOP, PLACE);
+    View two = view_raised((Camera){.kind = VIEW_RAISED, .azimuth = 30, .elevation = 50, .zoom = 2}, HOUSE, TOP, PLACE);
     Vec2 middle = vec2_scale(vec2_add(PLACE.low, PLACE.high), 0.5);
     Vec2 a = vec2_sub(view_point(&one, vec2(0, 0), 1), middle), b = vec2_sub(view_point(&two, vec2(0, 0), 1), middle);
     CHECK_NEAR(b.x, 2 * a.x, 1e-9);
