@@ -211,6 +211,10 @@ typedef struct LiveKind {
     /* The words behind "clearance" that make what is shown: "run", FILE, "--set", ... (count) */
     const char *const *(*command)(const void *live, size_t *count);
 
+    /* Writes what is shown, with its changed numbers, as a file that can be opened again; false: a fault says why not.
+     */
+    bool (*save)(const void *live, const char *path, Fault *fault);
+
     /* Fills mono samples, -1 to 1, of the stretch from one time to another; false: it is silent. */
     bool (*sound)(const void *live, double from, double to, float *samples, size_t count);
 } LiveKind;
