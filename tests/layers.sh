@@ -27,10 +27,13 @@ sources() {
     forbid 'house knows a neighbour' '#include "(beam|crank|study|exchange)/' $(sources engine/house)
     forbid 'beam knows a neighbour' '#include "(house|crank|study|exchange)/' $(sources engine/beam)
     forbid 'study knows a laboratory' '#include "(house|beam|crank|exchange)/' $(sources engine/study)
-    forbid 'draw knows a laboratory or a command' '#include "(command|report|document|laboratory|house|beam)/' $(sources app/draw)
-    forbid 'a document knows more than draw and base' '#include "(command|report|laboratory|house|beam|exchange|mechanics)/' $(sources app/document)
-    forbid 'a laboratory knows a report or a command' '#include "(command|report|document)/' $(sources app/laboratory)
-    forbid 'a report knows a command' '#include "command/' $(sources app/report)
+    forbid 'draw knows a laboratory or a command' '#include "(command|report|document|laboratory|window|house|beam)/' $(sources app/draw)
+    forbid 'a document knows more than draw and base' '#include "(command|report|laboratory|window|house|beam|exchange|mechanics)/' $(sources app/document)
+    forbid 'a laboratory knows a report or a command' '#include "(command|report|document|window)/' $(sources app/laboratory)
+    forbid 'a report knows a command or the window' '#include "(command|window)/' $(sources app/report)
+    forbid 'the window knows a command' '#include "command/' $(sources app/window)
+    forbid 'SDL outside the window' '#include *<SDL' $(sources engine app | grep -v app/window/)
+    forbid 'Dear ImGui outside its adaptor' '#include *[<"]imgui' $(sources engine app | grep -v app/window/ui.cpp)
     forbid 'OpenGL outside its painter' '#include "draw/(gl|shaders)\.h"' \
         $(sources engine app | grep -vE 'app/draw/(gl|offscreen|paint_gl[a-z_]*|shaders)\.[ch]')
     forbid 'Box2D outside its adaptor' 'box2d/' $(sources engine app | grep -v house/broadphase.cpp)
@@ -43,7 +46,7 @@ sources() {
 for object in $(find "${1:-build-test}" -path '*clearance_*.a.p/*.c.o'); do
     module=$(basename "$object" .c.o)
     case $object in
-    *clearance_app*) module=$(echo "$module" | sed 's/^\(document\|draw\|laboratory\|report\|command\)_//') ;;
+    *clearance_app*) module=$(echo "$module" | sed 's/^\(document\|draw\|laboratory\|report\|command\|window\)_//') ;;
     *) module=$(echo "$module" | sed 's/^\(base\|mechanics\|house\|beam\|study\|exchange\)_//') ;;
     esac
     nm --defined-only -g "$object" | awk '$2 == "T" { print $3 }' | while read -r name; do
@@ -53,7 +56,7 @@ for object in $(find "${1:-build-test}" -path '*clearance_*.a.p/*.c.o'); do
             # memory.c has the arena, and a verb's file command_VERB
             case $module/$name in
             memory/arena_*) ;;
-            cases/command_cases | check/command_check | compare/command_compare | loci/command_loci | run/command_run | schema/command_schema | study/command_study) ;;
+            cases/command_cases | check/command_check | compare/command_compare | loci/command_loci | open/command_open | run/command_run | schema/command_schema | study/command_study) ;;
             *) echo "exported name: $name in $module.c does not begin with $module" >>"$breaches" ;;
             esac
             ;;

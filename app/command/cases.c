@@ -19,6 +19,7 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "house/trial.h"
+#include "laboratory/shipped.h"
 
 /* Case files --------------------------------------------------------------------------------------------------------*/
 
@@ -92,7 +93,7 @@ static void show_progress(void *context, size_t done, size_t all) {
 static void run_cases(Verification *cases, size_t count, const Options *options, Fault *fault) {
     Progress progress = {.begin = time(NULL)};
     bool show = !options->quiet && isatty(STDERR_FILENO);
-    TrialOptions trial = {.profiles = house_file_profiles(),
+    TrialOptions trial = {.profiles = shipped_places()->profiles,
                           .seed = options->seed,
                           .jobs = options->jobs,
                           .stop = &command_interrupted,

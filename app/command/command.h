@@ -34,6 +34,7 @@ typedef struct Options {
     int jobs;
     bool json, quiet;
     int width, height; /* pixels */
+    bool size_said, theme_said;
     Theme theme;
     double frames;     /* pictures a s of the film; 0: none */
     double slow;       /* simulated time is shown so many times slower; 0: not said */
@@ -47,10 +48,14 @@ typedef struct Options {
     bool report;            /* write one */
     const char *observed;   /* file of measured loci, or NULL */
     StudyRequest study;
-    bool paper;        /* study the paper's claims */
-    bool thorough;     /* tell each run of a beam as `run` does */
-    const char *types; /* names of parameters, parted by commas, or NULL */
-    char **arguments;  /* (argument_count) the command line, as given */
+    bool paper;          /* study the paper's claims */
+    bool thorough;       /* tell each run of a beam as `run` does */
+    const char *types;   /* names of parameters, parted by commas, or NULL */
+    int text;            /* size of the window's text, 1 to 3; 0: not said */
+    const char *script;  /* file for the window to follow, or NULL */
+    double benchmark;    /* s, of the window; 0: none */
+    bool reduced_motion; /* in the window */
+    char **arguments;    /* (argument_count) the command line, as given */
     int argument_count;
     Arena arena; /* holds what was made of the words */
 } Options;
@@ -67,5 +72,6 @@ int command_check(const Options *options);
 int command_cases(const Options *options);
 int command_compare(const Options *options);
 int command_loci(const Options *options);
+int command_open(const Options *options);
 int command_schema(const Options *options);
 int command_study(const Options *options);

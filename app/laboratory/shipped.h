@@ -1,12 +1,12 @@
-/* What comes with the program: houses, beams, profiles. Looked for in this order: $CLEARANCE_ASSETS, beside the source
- * that the program was built from, where it was installed. Paths are good as long as the program runs. */
+/* What comes with the program: houses, beams, profiles. Its assets are where $CLEARANCE_ASSETS says, otherwise beside
+ * the source that the program was built from, otherwise where it was installed; the houses are within them or beside
+ * them. */
 #pragma once
 
-/* The folder of a kind of asset: "profiles", "beams". */
-const char *shipped_assets(const char *kind);
+typedef struct Shipped {
+    const char *profiles, *beams, *houses; /* folders */
+    const char *default_house;             /* a file: what the window opens when nobody says what */
+} Shipped;
 
-/* The folder of houses: $CLEARANCE_ASSETS/houses, if there is one, and so on. */
-const char *shipped_houses(void);
-
-/* What the window opens when nobody says what. */
-const char *shipped_default_house(void);
+/* Found once; lives as long as the program. Any thread may ask. */
+const Shipped *shipped_places(void);

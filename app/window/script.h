@@ -1,7 +1,7 @@
 /* `--script FILE`: what a person would do, as a text file, for tests and lessons. One command a line; words are parted
  * by blanks, and quoted with " when they hold some (\" \\ \n \t within); from # on it is a comment.
  *
- *     key Ctrl+M        type "2.5"         mouse X Y           click X Y [right|double]
+ *     key Ctrl+M        type "2.5"         mouse X Y           click X Y [left|right|double]
  *     drag X1 Y1 X2 Y2  wheel NOTCHES      wait FRAMES         until complete|idle|answered [SECONDS]
  *     open FILE         laboratory house|beam                  set NAME VALUE
  *     play  pause       seek SECONDS       speed TIMES         resize WIDTH HEIGHT
@@ -73,7 +73,7 @@ const ScriptCommand *script_next(Script *script);
 /* The word of a kind, "click". */
 const char *script_word(ScriptKind kind);
 
-/* Adds a fault `file:line: what` about a command that could not be done. */
+/* Adds a fault `file:line:1: what` about a command that could not be done. */
 void script_fault(const Script *script, const ScriptCommand *command, Fault *fault, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 

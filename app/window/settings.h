@@ -56,10 +56,11 @@ typedef struct Settings {
     Arena arena;
 } Settings;
 
-/* Reads both files; `notes` gets a line for what could not be read, or that there is no place to remember in. */
+/* Reads both files; `notes` gets a line for each that could not be read. */
 void settings_open(Settings *settings, Fault *notes);
 
-/* Writes what has changed, beside and renamed; quick when nothing has. A failure adds a line the first time. */
+/* Writes what has changed, beside and renamed; quick when nothing has. A failure, also that there is
+ * no place, adds a line the first time. */
 void settings_save(Settings *settings, Fault *notes);
 void settings_close(Settings *settings);
 
