@@ -211,7 +211,7 @@ static void add_house(Scene *scene, const House *house, const Observation *obser
     bool crowd = is_crowd(census);
     plan_scene_solids(scene, house);
     if (before)
-        people_scene_ghost(scene, before);
+        people_scene_ghost(scene, before, "before");
     if (crowd)
         crowd_scene_ways(scene, house, observation, census);
     else
@@ -231,7 +231,8 @@ void house_scene_say_before(Scene *scene, Before before) {
         return;
     wording_headline(before.house, before.observation, headline, sizeof headline);
     *headline = (char)tolower((unsigned char)*headline);
-    scene->detail = scene_text(scene, "before: %s%s%s", headline, *scene->detail ? "; now: " : "", scene->detail);
+    scene->detail = scene_text(scene, "%s: %s%s%s", house_scene_before_word(before), headline,
+                               *scene->detail ? "; now: " : "", scene->detail);
 }
 
 void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation, Before before) {

@@ -16,7 +16,12 @@ void house_scene_make(Scene *scene, const House *house, const Observation *obser
 typedef struct Before {
     const House *house;
     const Observation *observation;
+    const char *word; /* for it, where it is not "before"; or NULL */
 } Before;
+
+static inline const char *house_scene_before_word(Before before) {
+    return before.word ? before.word : "before";
+}
 
 /* The same with what was before: its ways behind, its answer beside the own. */
 void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation, Before before);
