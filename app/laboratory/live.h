@@ -90,6 +90,8 @@ typedef struct LiveParameter {
     const Parameter *row;   /* a number, a whole one, a flag or a choice */
     const char *meaning;    /* a sentence */
     const char *provenance; /* or NULL */
+    const char *unit;       /* in which it is shown, "mm"; NULL: the row's */
+    double factor;          /* value shown = value x factor; 0 counts as 1 */
     double value;           /* of a choice: the place of the word; of a flag 0 or 1 */
     double initial;         /* in the file */
     double low, high;       /* of a slider: the useful part of the row's range; typed values may go beyond it */
