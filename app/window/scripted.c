@@ -34,7 +34,7 @@ static json_t *json_box(const Window *window, Box box) {
 }
 
 /* JSON has no number for what is none. */
-static json_t *json_number(double value) {
+static json_t *number_or_null(double value) {
     return isfinite(value) ? json_real(value) : json_null();
 }
 
@@ -64,8 +64,8 @@ static json_t *charts_state(const Charts *charts) {
         ChartAxes axes = charts_axes(chart);
         json_t *one = json_pack("{s:[f,f],s:[f,f],s:i,s:i}", "x", axes.x[0], axes.x[1], "y", axes.y[0], axes.y[1],
                                 "views", (int)chart->view_count, "corner", chart->box.corner);
-        json_object_set_new(one, "cursor", json_number(chart->live.cursor));
-        json_object_set_new(one, "own_cursor", json_number(chart->cursor));
+        json_object_set_new(one, "cursor", number_or_null(chart->live.cursor));
+        json_object_set_new(one, "own_cursor", number_or_null(chart->cursor));
         json_object_set_new(state, chart->live.name, one);
     }
     return state;
@@ -76,7 +76,7 @@ static json_t *parameters_state(const Room *room) {
     size_t count;
     const LiveParameter *parameters = room->kind->parameters(room->live, &count);
     for (size_t i = 0; i < count; i++)
-        json_object_set_new(state, parameters[i].name, json_number(parameters[i].value));
+        json_object_set_new(state, parameters[i].name, number_or_null(parameters[i].value));
     return state;
 }
 
@@ -117,19 +117,19 @@ static void add_room(json_t *state, Window *window) {
     json_object_set_new(state, "file", json_string(room->path));
     json_object_set_new(state, "title", json_string(room->kind->title(room->live)));
     json_object_set_new(state, "digest", json_string(digest));
-    json_object_set_new(state, "time", json_number(player->time));
-    json_object_set_new(state, "begin", json_number(span.begin));
-    json_object_set_new(state, "end", json_number(span.end));
-    json_object_set_new(state, "step", json_number(span.step));
+    json_object_set_new(state, "time", number_or_null(player->time));
+    json_object_set_new(state, "begin", number_or_null(span.begin));
+    json_object_set_new(state, "end", number_or_null(span.end));
+    json_object_set_new(state, "step", number_or_null(span.step));
     json_object_set_new(state, "complete", json_boolean(span.complete));
     json_object_set_new(state, "playing", json_boolean(player->playing));
-    json_object_set_new(state, "speed", json_number(player_speed(player)));
-    json_object_set_new(state, "achieved", json_number(player->achieved));
+    json_object_set_new(state, "speed", number_or_null(player_speed(player)));
+    json_object_set_new(state, "achieved", number_or_null(player->achieved));
     json_object_set_new(state, "loops", json_boolean(player->loops));
     json_object_set_new(state, "follows", json_boolean(room->follows));
     json_object_set_new(state, "raised", json_boolean(room->camera.kind == VIEW_RAISED));
-    json_object_set_new(state, "zoom", json_number(room->camera.zoom));
-    json_object_set_new(state, "azimuth", json_number(room->camera.azimuth));
+    json_object_set_new(state, "zoom", number_or_null(room->camera.zoom));
+    json_object_set_new(state, "azimuth", number_or_null(room->camera.azimuth));
     json_object_set_new(state, "layers", json_integer(room->layers));
     json_object_set_new(state, "clock", json_string(room->kind->clock(room->live, player->time)));
     json_object_set_new(state, "selected",
@@ -149,7 +149,7 @@ json_t *scripted_state(Window *window) {
     json_object_set_new(state, "laboratory", json_string(window_room(window)->kind->word));
     json_object_set_new(state, "width", json_integer(window->width));
     json_object_set_new(state, "height", json_integer(window->height));
-    json_object_set_new(state, "text", json_number(window->text));
+    json_object_set_new(state, "text", number_or_null(window->text));
     json_object_set_new(state, "theme", json_string(window->theme == THEME_BOARD ? "board" : "paper"));
     json_object_set_new(state, "sheet", json_string(sheets[window->sheet]));
     json_object_set_new(state, "panel", json_boolean(window->panel));
