@@ -17,6 +17,10 @@
 
 volatile sig_atomic_t command_interrupted;
 
+bool command_shows_progress(const Options *options) {
+    return !options->quiet && (isatty(STDERR_FILENO) || getenv("CLEARANCE_PROGRESS"));
+}
+
 /* Verbs ----------------------------------------------------------------------------------------------------------- */
 
 enum {

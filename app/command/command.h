@@ -63,6 +63,10 @@ typedef struct Options {
 /* Set by Ctrl-C; a second one ends at once. */
 extern volatile sig_atomic_t command_interrupted;
 
+/* Is progress wanted on standard error? When that is a terminal, and not --quiet, or when $CLEARANCE_PROGRESS is set,
+ * as by a window that shows how far its export is. Each piece begins with a carriage return and holds no line break. */
+bool command_shows_progress(const Options *options);
+
 /* Reads argv, runs the verb, returns the exit code. */
 int command_main(int argc, char **argv);
 

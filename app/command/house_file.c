@@ -2,7 +2,6 @@
 
 #include <stdio.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "house/run.h"
 #include "laboratory/shipped.h"
@@ -48,7 +47,7 @@ static void show_progress(void *context, double time) {
 void house_file_run(Observation *observation, const House *house, const Options *options, size_t route) {
     Progress progress = {.shown = false};
     clock_gettime(CLOCK_MONOTONIC, &progress.begin);
-    bool show = !options->quiet && isatty(STDERR_FILENO);
+    bool show = command_shows_progress(options);
     RunOptions run = {.route = route,
                       .jobs = options->jobs,
                       .stop = &command_interrupted,

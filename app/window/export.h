@@ -1,16 +1,13 @@
-/* Handing on what is shown. Two ways: the program's own command line in a child process, for runs, frames, films and
- * reports; and files of what is seen now. No file is ever written over: NAME, NAME-2, NAME-3 ... */
+/* Handing on what is shown, by the program's own command line in a child process: runs, frames, films and reports. No
+ * file is ever written over: NAME, NAME-2, NAME-3 ... For files of what is seen now, see snapshot.h. */
 #pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "base/fault.h"
-#include "draw/palette.h"
-#include "draw/plot.h"
-#include "draw/scene.h"
 
-/* Where -------------------------------------------------------------------------------------------------------------*/
+/* Where ------------------------------------------------------------------------------------------------------------ */
 
 /* The folder for what is handed on, made if needed: out/clearance when there is a folder out/ here that can be written
  * to, otherwise $HOME/clearance, otherwise clearance/ here. NULL: none can be written to, a fault says so. memory_free
@@ -22,8 +19,7 @@ char *export_folder(Fault *fault);
  * it. */
 char *export_free_name(const char *folder, const char *name, const char *const *endings);
 
-/* A command
- * -----------------------------------------------------------------------------------------------------------*/
+/* A command -------------------------------------------------------------------------------------------------------- */
 
 /* The words behind "clearance", quoted for a shell: "clearance run 'my house.json' --set door.d1.width=0.8".
  * memory_free it. */
@@ -65,35 +61,3 @@ void export_cancel(Export *export);
 
 /* Ends it, if need be, and releases it. */
 void export_end(Export *export);
-
-/* What is seen now ------------------------------------------------------------------------------------------------- */
-
-enum { EXPORT_PNG = 1, EXPORT_SVG = 2, EXPORT_PDF = 4, EXPORT_CSV = 8 };
-
-/* What stands in NAME.json beside the pictures. */
-typedef struct ExportNote {
-    const char *shows;          /* a sentence or a title */
-    const char *const *command; /* (command_count) that makes it, or none */
-    size_t command_count;
-    double time;        /* s, shown; NAN: none */
-    const char *digest; /* of the run, or NULL */
-} ExportNote;
-
-/* A view: layers painted over each other. */
-typedef struct ExportView {
-    const Scene *still, *added, *moving; /* `added` and `moving` may be NULL */
-    int width, height;                   /* pixels */
-    Theme theme;
-    const unsigned char
-        *pixels; /* as shown: width x height of 4 bytes, rows from the top, for the PNG; NULL: painted */
-} ExportView;
-
-/* Write FOLDER/NAME.png, .svg, .pdf (EXPORT_..., added up) and .json. Returns the path without ending, for
- * memory_free; NULL: a fault says why not. The plot may also be written as CSV. */
-char *export_view(const ExportView *view, int kinds, const char *folder, const char *name, const ExportNote *note,
-                  Fault *fault);
-char *export_plot(const Plot *plot, int width, int height, Theme theme, int kinds, const char *folder, const char *name,
-                  const ExportNote *note, Fault *fault);
-
-/* A picture of pixels alone, as the whole window: to exactly this path. 0, or errno. */
-int export_pixels(const char *path, const unsigned char *pixels, int width, int height);

@@ -17,8 +17,7 @@ enum {
     PIXELS_MOST = 16384,
 };
 
-/* Grammar
- * -------------------------------------------------------------------------------------------------------------*/
+/* Grammar ---------------------------------------------------------------------------------------------------------- */
 
 /* What stands where behind the command's word. */
 typedef enum ArgumentKind {
@@ -88,8 +87,7 @@ const char *script_word(ScriptKind kind) {
     return rows[kind].word;
 }
 
-/* Words of a line
- * -----------------------------------------------------------------------------------------------------*/
+/* Words of a line -------------------------------------------------------------------------------------------------- */
 
 /* The file that is read, and the line. */
 typedef struct Reader {
@@ -178,8 +176,7 @@ static int read_words(const Reader *reader, const char *end, Word words[LINE_WOR
     }
 }
 
-/* Commands
- * ------------------------------------------------------------------------------------------------------------*/
+/* Commands --------------------------------------------------------------------------------------------------------- */
 
 static bool read_double(const char *word, double *value) {
     char *end;
@@ -343,8 +340,7 @@ const ScriptCommand *script_next(Script *script) {
     return script->at < script->count ? &script->commands[script->at++] : NULL;
 }
 
-/* Doing
- * ---------------------------------------------------------------------------------------------------------------*/
+/* Doing ------------------------------------------------------------------------------------------------------------ */
 
 void script_fault(const Script *script, const ScriptCommand *command, Fault *fault, const char *format, ...) {
     Text text = {0};

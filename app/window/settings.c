@@ -17,8 +17,7 @@
 #define SPEED_LEAST 1e-6
 #define SPEED_MOST 1e6
 
-/* Tables
- * --------------------------------------------------------------------------------------------------------------*/
+/* Tables ----------------------------------------------------------------------------------------------------------- */
 
 #define LIKES(kind_, field_) .name = #field_, .kind = kind_, .offset = offsetof(SettingsLikes, field_), .unit = "1"
 
@@ -65,8 +64,7 @@ static const Parameter state_rows[] = {
 };
 static const ParameterTable state_table = {"state", state_rows, sizeof state_rows / sizeof *state_rows};
 
-/* Places
- * --------------------------------------------------------------------------------------------------------------*/
+/* Places ----------------------------------------------------------------------------------------------------------- */
 
 /* What an XDG variable names, or its place in the home; a relative path does not count. NULL: there is none. */
 static char *base_folder(const char *variable, const char *in_home) {
@@ -96,8 +94,7 @@ char *settings_cache_folder(void) {
     return NULL;
 }
 
-/* Reading
- * -------------------------------------------------------------------------------------------------------------*/
+/* Reading ---------------------------------------------------------------------------------------------------------- */
 
 static void remember_recent(Settings *settings, const char *path) {
     if (settings->recent_count < SETTINGS_RECENT_MOST)
@@ -172,8 +169,7 @@ void settings_open(Settings *settings, Fault *notes) {
     read_file(settings, settings->state_path, &state_table, &settings->state, &settings->state_written, notes);
 }
 
-/* Writing
- * -------------------------------------------------------------------------------------------------------------*/
+/* Writing ---------------------------------------------------------------------------------------------------------- */
 
 /* 0, or errno: ENOENT without a place. */
 static int write_object(const char *path, json_t *object) {
@@ -236,8 +232,7 @@ void settings_close(Settings *settings) {
     *settings = (Settings){.told = false};
 }
 
-/* What is in it
- * -------------------------------------------------------------------------------------------------------*/
+/* What is in it ---------------------------------------------------------------------------------------------------- */
 
 SettingsLaboratory *settings_laboratory(Settings *settings, const char *word) {
     return strcmp(word, "beam") == 0 ? &settings->state.beam : &settings->state.house;
