@@ -15,9 +15,9 @@
 
 typedef struct PaintGl PaintGl;
 
-/* For pictures of width x height pixels, `unit` of them a design point, with the functions of the current context, which
- * must outlive it; NULL when it has no room for such a picture. Layouts of its layers are made for a page of that size
- * over the unit. */
+/* For pictures of width x height pixels, `unit` of them a design point, with the functions of the current context,
+ * which must outlive it; NULL when it has no room for such a picture. Layouts of its layers are made for a page of that
+ * size over the unit. */
 PaintGl *paint_gl_create(const Gl *gl, int width, int height, double unit, Theme theme);
 void paint_gl_destroy(PaintGl *paint);
 
@@ -37,3 +37,6 @@ void paint_gl_frame(PaintGl *paint, Layer moving);
 
 /* The last frame: width x height pixels of 4 bytes, blue, green, red and 255, rows from the top. */
 void paint_gl_read(PaintGl *paint, unsigned char *pixels);
+
+/* The framebuffer that holds the last frame, row 0 at the top, and its size in pixels. */
+GLuint paint_gl_framebuffer(const PaintGl *paint, int *width, int *height);
