@@ -346,3 +346,9 @@ void paint_gl_read(PaintGl *paint, unsigned char *pixels) {
     gl->ReadPixels(0, 0, paint->width, paint->height, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels);
     assert(gl->GetError() == GL_NO_ERROR);
 }
+
+GLuint paint_gl_framebuffer(const PaintGl *paint, int *width, int *height) {
+    *width = paint->width;
+    *height = paint->height;
+    return paint->frame.framebuffer;
+}

@@ -41,3 +41,6 @@ void paint_gl_frame(PaintGl *paint, Layer moving);
 
 /* The last frame: width x height pixels of 4 bytes, blue, green, red and 255, rows from the top. */
 void paint_gl_read(PaintGl *paint, unsigned char *pixels);
+
+/* The framebuffer that holds the last frame, row 0 at the top, and its size in pixels. */
+GLuint paint_gl_framebuffer(const PaintGl *paint, int *width, int *height);

@@ -14,6 +14,9 @@ typedef struct PaintGlScreen PaintGlScreen;
 PaintGlScreen *paint_gl_screen_create(const Gl *gl);
 void paint_gl_screen_destroy(PaintGlScreen *screen);
 
+/* Where there is no window, as in tests: from now on it draws on a picture of its own. */
+void paint_gl_screen_leave_window(PaintGlScreen *screen);
+
 /* Begins a frame of width x height pixels, all of one colour. */
 void paint_gl_screen_begin(PaintGlScreen *screen, int width, int height, Colour ground);
 

@@ -138,3 +138,27 @@ const char shaders_text_fragment[] = //
     "    float opacity = colour.a * texture(words, place).r;\n"
     "    ink = vec4(colour.rgb * opacity, opacity);\n"
     "}\n";
+
+const char shaders_screen_vertex[] = //
+    "#version 330 core\n"
+    "uniform vec2 canvas;\n"
+    "in vec4 at;\n"
+    "in vec4 rgba;\n"
+    "out vec4 colour;\n"
+    "out vec2 place;\n"
+    "void main() {\n"
+    "    gl_Position = vec4(at.x / canvas.x * 2.0 - 1.0, 1.0 - at.y / canvas.y * 2.0, 0.0, 1.0);\n"
+    "    place = at.zw;\n"
+    "    colour = rgba;\n"
+    "}\n";
+
+const char shaders_screen_fragment[] = //
+    "#version 330 core\n"
+    "uniform sampler2D picture;\n"
+    "in vec4 colour;\n"
+    "in vec2 place;\n"
+    "out vec4 ink;\n"
+    "void main() {\n"
+    "    vec4 mixed = colour * texture(picture, place);\n"
+    "    ink = vec4(mixed.rgb * mixed.a, mixed.a);\n"
+    "}\n";

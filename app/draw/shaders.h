@@ -11,3 +11,6 @@ extern const char shaders_face_vertex[], shaders_face_fragment[];
 /* Words: rectangles out of a picture of them; their colour is the corner's, their opacity the picture's. Uniforms:
  * `canvas` and `atlas`, sizes in pixels. */
 extern const char shaders_text_vertex[], shaders_text_fragment[];
+
+/* Triangles over a window: place in pixels, y down; the corner's colour times the picture's. Uniform: `canvas`. */
+extern const char shaders_screen_vertex[], shaders_screen_fragment[];

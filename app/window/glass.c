@@ -150,6 +150,7 @@ static void translate(const Glass *glass, const SDL_Event *from, GlassEvent *eve
         event->at = vec2(from->button.x * density, from->button.y * density);
         event->button = button_of(from->button.button);
         event->down = from->type == SDL_MOUSEBUTTONDOWN;
+        event->twice = event->down && from->button.clicks == 2;
         event->mods = mods_of((unsigned)SDL_GetModState());
         break;
     case SDL_MOUSEWHEEL:
@@ -199,6 +200,7 @@ static void push_mouse(const Glass *glass, const GlassEvent *event) {
         static const Uint8 buttons[] = {SDL_BUTTON_LEFT, SDL_BUTTON_RIGHT, SDL_BUTTON_MIDDLE};
         to = (SDL_Event){.button = {.type = event->down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP,
                                     .button = buttons[event->button],
+                                    .clicks = event->twice ? 2 : 1,
                                     .x = x,
                                     .y = y}};
     }

@@ -37,6 +37,7 @@ typedef struct GlassEvent {
     Vec2 at; /* pixels */
     int button;
     bool down;
+    bool twice;   /* it is the second press of a double click */
     double wheel; /* notches */
     char text[GLASS_TEXT_MOST];
 } GlassEvent;

@@ -189,6 +189,7 @@ static void add_click(Scripted *scripted, const ScriptCommand *command) {
     add_event(scripted, mouse_event(x, y));
     for (int i = 0; i < (command->choice == SCRIPT_DOUBLE ? 2 : 1); i++) {
         add_event(scripted, button_event(x, y, button, true));
+        scripted->events[scripted->event_count - 1].twice = i == 1;
         add_event(scripted, button_event(x, y, button, false));
     }
 }

@@ -39,9 +39,9 @@ typedef struct UiInput {
     double unit;       /* pixels a design point: layout_unit times the size of text */
     double seconds;    /* since the frame before */
     Vec2 mouse;        /* pixels; negative: not in the window */
-    bool down[3];      /* left, right, middle */
+    bool down[3];      /* left, right, middle: now, or since the frame before for a moment */
+    bool twice;        /* the left one went down for the second time of a double click */
     double wheel;      /* notches, up positive */
-    const char *text;  /* typed, UTF-8, or NULL */
 } UiInput;
 
 /* Keys that widgets understand; the window gives them what its own table of keys has not used. */
@@ -85,8 +85,13 @@ void ui_set_theme(Ui *ui, Theme theme);
 void ui_begin(Ui *ui, const UiInput *input);
 void ui_end(Ui *ui);
 
-/* True: the widget with the focus, an open field or an open popup has used the key. Call before ui_begin. */
+/* True: the widget with the focus or an open field has used the key. Call before ui_begin. Escape closes an open field,
+ * takes back a number that could not be used, or hides a tooltip; over a modal pane that has none of them open it is
+ * not used, and whoever opened the pane closes it. */
 bool ui_key(Ui *ui, UiKey key, bool shift, bool control);
+
+/* Words that were typed, UTF-8, in their order among the keys; without an open field nothing happens. */
+void ui_type(Ui *ui, const char *words);
 
 /* Is a text field open? Then letters are its. Is the mouse over a widget or a popup, or held by one? */
 bool ui_types(const Ui *ui);
@@ -202,8 +207,10 @@ void ui_draw_line(Ui *ui, Vec2 from, Vec2 to, Role role, double width);
 void ui_draw_polyline(Ui *ui, const Vec2 *points, size_t count, bool closed, Role role, double width);
 void ui_draw_disc(Ui *ui, Vec2 middle, double radius, Role role);
 void ui_draw_diamond(Ui *ui, Vec2 middle, double radius, Role role);
-void ui_draw_words(Ui *ui, UiLetters letters, Role role, Vec2 at, double aligned,
-                   const char *words); /* 0 left, 1 right */
+
+/* One line: at.y is the middle of the capitals; at.x the left end (aligned 0), the middle (0.5) or the right one (1).
+ */
+void ui_draw_words(Ui *ui, UiLetters letters, Role role, Vec2 at, double aligned, const char *words);
 
 /* A box that is grabbed by the mouse: where it is held, design points of the window. */
 typedef struct UiGrab {

@@ -101,11 +101,6 @@ static void take_key(Window *window, const GlassEvent *event) {
 
 /* Events ----------------------------------------------------------------------------------------------------------- */
 
-static void take_text(Window *window, const char *text) {
-    size_t used = strlen(window->typed);
-    snprintf(window->typed + used, sizeof window->typed - used, "%s", text);
-}
-
 static void take(Window *window, const GlassEvent *event) {
     window->dirty |= event->kind != GLASS_NOTHING;
     switch (event->kind) {
@@ -116,7 +111,7 @@ static void take(Window *window, const GlassEvent *event) {
         take_key(window, event);
         break;
     case GLASS_TEXT:
-        take_text(window, event->text);
+        ui_type(window->ui, event->text);
         break;
     case GLASS_MOUSE:
         window->mouse = event->at;
@@ -124,6 +119,7 @@ static void take(Window *window, const GlassEvent *event) {
     case GLASS_BUTTON:
         window->mouse = event->at;
         window->input.down[event->button] = event->down;
+        window->input.twice |= event->twice && event->button == GLASS_LEFT;
         break;
     case GLASS_WHEEL:
         window->input.wheel += event->wheel;
@@ -183,7 +179,6 @@ static void fill_input(Window *window, double seconds) {
     input->unit = window->unit;
     input->seconds = seconds;
     input->mouse = window->mouse;
-    input->text = *window->typed ? window->typed : NULL;
 }
 
 static void show_panes(Window *window) {
@@ -211,7 +206,7 @@ static void draw(Window *window, double seconds) {
     show_panes(window);
     ui_end(window->ui);
     window->input.wheel = 0;
-    *window->typed = 0;
+    window->input.twice = false;
 }
 
 /* Whether what is shown moves by itself. */

@@ -55,7 +55,6 @@ typedef struct Window {
     double unit;       /* pixels a design point */
     Frame frame;
     UiInput input;
-    char typed[GLASS_TEXT_MOST];
     Vec2 mouse; /* pixels */
 
     Sheet sheet;

@@ -1,0 +1,161 @@
+#include "window/number.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of each unit how many of the first unit of its kind it is. */
+static const struct {
+    const char *name;
+    int kind;
+    double factor;
+} units[] = {
+    {"m", 0, 1},     {"mm", 0, 1e-3},   {"cm", 0, 1e-2},   {"km", 0, 1e3},    {"um", 0, 1e-6},
+    {"µm", 0, 1e-6}, {"ft", 0, 0.3048}, {"'", 0, 0.3048},  {"in", 0, 0.0254}, {"\"", 0, 0.0254},
+    {"s", 1, 1},     {"ms", 1, 1e-3},   {"min", 1, 60},    {"Hz", 2, 1},      {"hz", 2, 1},
+    {"kHz", 2, 1e3}, {"N", 3, 1},       {"kN", 3, 1e3},    {"mN", 3, 1e-3},   {"kg", 4, 1},
+    {"g", 4, 1e-3},  {"t", 4, 1e3},     {"deg", 5, 1},     {"°", 5, 1},       {"rad", 5, 57.29577951308232},
+    {"%", 6, 1},     {"m/s", 7, 1},     {"cm/s", 7, 1e-2}, {"mm/s", 7, 1e-3}, {"km/h", 7, 1 / 3.6},
+    {"N/m", 8, 1},   {"kN/m", 8, 1e3},  {"N/mm", 8, 1e3},  {"MN/m", 8, 1e6},  {"N s/m", 9, 1},
+    {"Ns/m", 9, 1},  {"Pa", 10, 1},     {"kPa", 10, 1e3},  {"MPa", 10, 1e6},  {"GPa", 10, 1e9},
+};
+enum { UNITS = sizeof units / sizeof *units };
+
+/* Where reading is. */
+typedef struct Reader {
+    const char *at;
+    const char *unit;
+    char *reason;
+} Reader;
+
+static bool refuse(const Reader *reader, const char *why, const char *what, size_t bytes) {
+    snprintf(reader->reason, NUMBER_REASON, why, (int)(bytes < 24 ? bytes : 24), what);
+    return false;
+}
+
+static bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+static void skip_spaces(Reader *reader) {
+    for (;;) {
+        if (is_space(*reader->at))
+            reader->at++;
+        else if (strncmp(reader->at, "\u00A0", 2) == 0)
+            reader->at += 2;
+        else
+            return;
+    }
+}
+
+static bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/* Digits with a point or a comma, and an exponent; nothing else that strtod would take. */
+static bool read_digits(Reader *reader, double *value) {
+    char text[64];
+    size_t size = 0;
+    int digits = 0, points = 0;
+    const char *at = reader->at;
+    for (; is_digit(*at) || *at == '.' || *at == ','; at++) {
+        digits += is_digit(*at);
+        points += !is_digit(*at);
+        if (size < sizeof text - 8)
+            text[size++] = *at == ',' ? '.' : *at;
+    }
+    if (!digits || points > 1 || size >= sizeof text - 8)
+        return false;
+    if (*at == 'e' || *at == 'E') {
+        const char *sign = at + 1, *first = sign + (*sign == '-' || *sign == '+');
+        const char *end = first;
+        while (is_digit(*end))
+            end++;
+        if (end > first && end - at < 7) {
+            memcpy(text + size, at, (size_t)(end - at));
+            size += (size_t)(end - at);
+            at = end;
+        }
+    }
+    text[size] = 0;
+    *value = strtod(text, NULL);
+    reader->at = at;
+    return isfinite(*value);
+}
+
+static bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (unsigned char)c >= 0x80 || c == '/' || c == '%' ||
+           c == '\'' || c == '"' || c == '^';
+}
+
+static int find_unit(const char *name, size_t bytes) {
+    for (int i = 0; i < UNITS; i++)
+        if (strlen(units[i].name) == bytes && strncmp(units[i].name, name, bytes) == 0)
+            return i;
+    return -1;
+}
+
+/* The factor of the unit that follows, to the reader's own; without one it is 1. */
+static bool read_unit(Reader *reader, double *factor) {
+    skip_spaces(reader);
+    *factor = 1;
+    size_t own = strlen(reader->unit), bytes = 0;
+    if (own && strncmp(reader->at, reader->unit, own) == 0 && !is_letter(reader->at[own])) {
+        reader->at += own;
+        return true;
+    }
+    while (is_letter(reader->at[bytes]) && !(bytes && (reader->at[0] == '\'' || reader->at[0] == '"')))
+        bytes++;
+    if (!bytes)
+        return true;
+    int index = find_unit(reader->at, bytes), owned = find_unit(reader->unit, own);
+    if (index < 0)
+        return refuse(reader, "no number or unit: \"%.*s\"", reader->at, bytes);
+    if (owned < 0 || units[index].kind != units[owned].kind)
+        return refuse(reader, "another kind of unit: %.*s", reader->at, bytes);
+    *factor = units[index].factor / units[owned].factor;
+    reader->at += bytes;
+    return true;
+}
+
+/* A number and its unit; of feet the inches may follow without a sign. */
+static bool read_term(Reader *reader, double *value) {
+    double part, factor;
+    const char *begin = reader->at;
+    if (!read_digits(reader, &part)) {
+        size_t bytes = strcspn(begin, " ");
+        return bytes ? refuse(reader, "no number: \"%.*s\"", begin, bytes)
+                     : refuse(reader, "a number is missing%.*s", "", 0);
+    }
+    if (!read_unit(reader, &factor))
+        return false;
+    *value = part * factor;
+    return true;
+}
+
+bool number_read(const char *words, const char *unit, double *value, char reason[NUMBER_REASON]) {
+    Reader reader = {words, unit ? unit : "", reason};
+    double sum = 0, sign = 1, part;
+    skip_spaces(&reader);
+    if (!*reader.at)
+        return refuse(&reader, "nothing is typed%.*s", "", 0);
+    for (bool first = true; *reader.at; first = false) {
+        bool minus = *reader.at == '-' || strncmp(reader.at, "−", 3) == 0;
+        if (minus || *reader.at == '+') {
+            sign = minus ? -1 : 1;
+            reader.at += strncmp(reader.at, "−", 3) == 0 ? 3 : 1;
+        } else if (!first && !(reader.at[-1] == 't' || reader.at[-1] == '\'' || is_space(reader.at[-1]))) {
+            return refuse(&reader, "no number: \"%.*s\"", words, strlen(words));
+        }
+        skip_spaces(&reader);
+        if (!read_term(&reader, &part))
+            return false;
+        sum += sign * part;
+        skip_spaces(&reader);
+    }
+    if (!isfinite(sum))
+        return refuse(&reader, "no number: \"%.*s\"", words, strlen(words));
+    *value = sum;
+    return true;
+}
