@@ -97,8 +97,8 @@ static bool do_chart(Window *window, Chart *chart, Action action, int mods) {
 
 /* Handing on ------------------------------------------------------------------------------------------------------- */
 
-static ExportNote note_of(const Room *room) {
-    ExportNote note = {.shows = room->kind->title(room->live), .time = room->player.time};
+static SnapshotNote note_of(const Room *room) {
+    SnapshotNote note = {.shows = room->kind->title(room->live), .time = room->player.time};
     note.command = room->kind->command(room->live, &note.command_count);
     return note;
 }
@@ -110,15 +110,16 @@ static char *write_view(Room *room, const char *folder, const char *name, Fault 
     LiveSpan span = room->kind->span(room->live);
     room->kind->show(room->live, span.begin);
     room->kind->show(room->live, room->player.time); /* from the beginning: all that has been added */
-    ExportView view = {.still = room->kind->still(room->live),
-                       .added = room->kind->added(room->live),
-                       .moving = room->kind->moving(room->live),
-                       .width = scenery->width,
-                       .height = scenery->height,
-                       .theme = scenery->theme,
-                       .pixels = pixels};
-    ExportNote note = note_of(room);
-    char *path = export_view(&view, EXPORT_PNG | EXPORT_SVG, folder, name, &note, fault);
+    SnapshotView view = {.still = room->kind->still(room->live),
+                         .added = room->kind->added(room->live),
+                         .moving = room->kind->moving(room->live),
+                         .width = scenery->width,
+                         .height = scenery->height,
+                         .theme = scenery->theme,
+                         .pixels = pixels};
+    SnapshotNote note = note_of(room);
+    bool raised = room->camera.kind == VIEW_RAISED;
+    char *path = snapshot_view(&view, raised ? SNAPSHOT_PNG : SNAPSHOT_PNG | SNAPSHOT_SVG, folder, name, &note, fault);
     memory_free(pixels);
     scenery_forget(&room->scenery);
     return path;
@@ -131,16 +132,17 @@ bool act_plot_picture(Window *window) {
     if (!folder || !room->live || !room->scenery.painted)
         return false;
     const Chart *chart = act_focused_chart(window);
-    ExportNote note = note_of(room);
+    SnapshotNote note = note_of(room);
     snprintf(name, sizeof name, "%s%s%s", room->kind->title(room->live), chart ? " " : "",
              chart ? chart->live.name : "");
     if (chart)
-        path = export_plot(&chart->shown, PLOT_WIDTH, PLOT_HEIGHT, window->theme, EXPORT_PNG | EXPORT_SVG | EXPORT_CSV,
-                           folder, name, &note, &fault);
+        path = snapshot_plot(&chart->shown, PLOT_WIDTH, PLOT_HEIGHT, window->theme,
+                             SNAPSHOT_PNG | SNAPSHOT_SVG | SNAPSHOT_CSV, folder, name, &note, &fault);
     else
         path = write_view(room, folder, name, &fault);
     if (path)
-        act_say(window, "written: %s.png, .svg%s and .json", path, chart ? ", .csv" : "");
+        act_say(window, "written: %s.png%s%s and .json", path,
+                !chart && room->camera.kind == VIEW_RAISED ? "" : ", .svg", chart ? ", .csv" : "");
     act_complain(window, &fault, NAN);
     memory_free(path);
     memory_free(folder);

@@ -229,7 +229,7 @@ static void fail(Scripted *scripted, Window *window, Fault *fault) {
 static void write_picture(Window *window, const char *path) {
     unsigned char *pixels = memory_allocate((size_t)window->width * (size_t)window->height, 4);
     paint_gl_screen_read(window->screen, pixels);
-    int error = export_pixels(path, pixels, window->width, window->height);
+    int error = snapshot_pixels(path, pixels, window->width, window->height);
     if (error)
         act_say(window, "%s: %s", path, strerror(error));
     memory_free(pixels);
@@ -241,7 +241,7 @@ static void write_view(Window *window, const char *path) {
         return;
     unsigned char *pixels = memory_allocate((size_t)scenery->width * (size_t)scenery->height, 4);
     paint_gl_read(scenery->paint, pixels);
-    export_pixels(path, pixels, scenery->width, scenery->height);
+    snapshot_pixels(path, pixels, scenery->width, scenery->height);
     memory_free(pixels);
 }
 

@@ -11,6 +11,7 @@
 #include "window/pace.h"
 #include "window/room.h"
 #include "window/settings.h"
+#include "window/snapshot.h"
 #include "window/sound.h"
 #include "window/ui.h"
 #include "window/window.h"
