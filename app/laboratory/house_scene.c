@@ -26,6 +26,10 @@ static bool holds_word(const char *text, const char *word) {
     return false;
 }
 
+bool house_scene_is_assumed(const Plan *plan) {
+    return holds_word(plan->note, ASSUMED);
+}
+
 /* "cannot pass door d2", and so on: why somebody is not out. */
 static const char *failure(Scene *scene, const PersonObservation *person) {
     const char *what = person->blockage.what;
@@ -103,7 +107,7 @@ static void say_no(Scene *scene, const House *house, const Observation *observat
 
 static void say_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     scene->name = arena_text(&scene->arena, *house->plan.name ? house->plan.name : "house");
-    scene->note = holds_word(house->plan.note, ASSUMED) ? arena_text(&scene->arena, house->plan.note) : "";
+    scene->note = house_scene_is_assumed(&house->plan) ? arena_text(&scene->arena, house->plan.note) : "";
     scene->clock = observation->time > 0 ? scene_text(scene, "0 to %.1f s", observation->time) : "";
     if (!census->people) {
         scene->title_role = ROLE_TEXT;

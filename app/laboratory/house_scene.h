@@ -12,6 +12,9 @@
 /* Fills an empty scene; scene_clear releases it. House and observation belong together and may go before the scene. */
 void house_scene_make(Scene *scene, const House *house, const Observation *observation);
 
+/* Does the plan's note say that it was assumed, not measured? */
+bool house_scene_is_assumed(const Plan *plan);
+
 /* What was before, in this house or in another one; nothing when `observation` is NULL. */
 typedef struct Before {
     const House *house;
