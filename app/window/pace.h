@@ -12,6 +12,7 @@ typedef struct Pace {
     size_t count, capacity;
     bool counting;
     double begun, worked; /* s: when counting began; that simulating took since */
+    double first;         /* s, from the program's beginning to the first picture; 0: there has been none */
 } Pace;
 
 /* Waits until the next picture is due; returns the s on the wall since the last. */
@@ -19,6 +20,9 @@ double pace_wait(Pace *pace);
 
 /* A picture took so many s, of them so many for simulating. */
 void pace_note(Pace *pace, double seconds, double simulating);
+
+/* The first picture is shown now. */
+void pace_note_first(Pace *pace);
 
 void pace_count(Pace *pace);
 

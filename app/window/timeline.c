@@ -14,6 +14,7 @@
 #define HEAD_HEIGHT 26.0
 #define TICK_HEIGHT 16.0
 #define LEAST_TRACK 90.0
+#define LEAST_BUTTON 30.0
 #define CLOCK_WIDEST "00000.0 s"
 
 static Vec2 middle_of(Box box) {
@@ -29,7 +30,8 @@ typedef struct Row {
 /* A button for an action, at the left or at the right of what is free. */
 static void add_button(Row *row, Action action, const char *label, bool chosen, bool at_right) {
     double pad = row->window->frame.compact ? BUTTON_PAD / 2 : BUTTON_PAD;
-    double width = fmax(ui_extent(row->window->ui, UI_BODY, label).x + pad, 30);
+    const char *widest = action == ACTION_PLAY ? "Pause" : label; /* nothing moves when its words change */
+    double width = fmax(ui_extent(row->window->ui, UI_BOLD, widest).x + pad, LEAST_BUTTON);
     double left = at_right ? row->right - width : row->left;
     ui_at(row->window->ui, (Box){{left, row->bar.low.y + MARGIN}, {left + width, row->bar.high.y - MARGIN}});
     UiButton button = {
@@ -46,7 +48,8 @@ static void add_button(Row *row, Action action, const char *label, bool chosen, 
 static void add_words(Row *row, UiLetters letters, const char *words, const char *widest, bool at_right) {
     double width = fmax(ui_extent(row->window->ui, letters, words).x, ui_extent(row->window->ui, letters, widest).x);
     double left = at_right ? row->right - width : row->left, y = middle_of(row->bar).y;
-    ui_draw_words(row->window->ui, letters, ROLE_TEXT, vec2(left, y), 0, words);
+    double at = at_right ? left + width / 2 : left;
+    ui_draw_words(row->window->ui, letters, ROLE_TEXT, vec2(at, y), at_right ? 0.5 : 0, words);
     if (at_right)
         row->right = left - GAP;
     else

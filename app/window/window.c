@@ -286,6 +286,7 @@ static void turn(Window *window, Scripted *scripted) {
     draw(window, seconds);
     scripted_go_on(scripted, window);
     glass_swap(window->glass);
+    pace_note_first(&window->pace);
     pace_note(&window->pace, glass_now() - begun, window_room(window)->worked - worked);
 }
 
