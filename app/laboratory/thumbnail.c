@@ -60,11 +60,11 @@ static void tell(Thumbnail *thumbnail, const char *path, const char *name, const
 
 /* Scenes ----------------------------------------------------------------------------------------------------------- */
 
-#define PERSON 0.35 /* m, radius of somebody at the start */
-#define CROWD_OPACITY 0.2
-#define REACH 1e-6      /* of its length, at least: so far it can bend */
-#define BEND 0.9        /* of the clearance: so far the tip is drawn from the middle */
-#define BEAM_BEFORE 0.1 /* of the beam's length: what is seen before it, behind it, above and below */
+#define PERSON 0.35        /* m, radius of somebody at the start */
+#define CROWD_OPACITY 0.12 /* of each crowd: several may stand in one place */
+#define REACH 1e-6         /* of its length, at least: so far it can bend */
+#define BEND 0.9           /* of the clearance: so far the tip is drawn from the middle */
+#define BEAM_BEFORE 0.1    /* of the beam's length: what is seen before it, behind it, above and below */
 #define BEAM_BEHIND 0.12
 #define BEAM_HALF 0.21
 
