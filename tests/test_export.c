@@ -211,3 +211,13 @@ TEST(a_program_that_is_not_there_is_a_fault) {
     CHECK_TEXT(fault.count ? fault.lines[0] : "", "the program cannot start itself: No such file or directory");
     fault_clear(&fault);
 }
+
+TEST(this_program_is_started_where_none_is_named) {
+    Fault fault = {0};
+    const char *words[] = {"no test is called so"}; /* of this one: it ends with 1 */
+    Export *export = export_begin(&(ExportOrder){.words = words, .word_count = 1}, &fault);
+    CHECK(export);
+    Watched watched = watch(export);
+    CHECK(watched.status->stage == EXPORT_DONE && watched.status->no);
+    export_end(export);
+}

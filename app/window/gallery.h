@@ -32,8 +32,8 @@ void gallery_set_theme(Gallery *gallery, Theme theme);
 /* Takes over what has come; true: something has. */
 bool gallery_update(Gallery *gallery);
 
-/* Is all there that will come? */
-bool gallery_complete(const Gallery *gallery);
+/* Is all there, and taken over, that will come? */
+bool gallery_complete(Gallery *gallery);
 
 /* Good until the next gallery_update or gallery_set_theme. */
 const GalleryItem *gallery_items(const Gallery *gallery, size_t *count);
