@@ -92,6 +92,18 @@ void paint_gl_screen_show(PaintGlScreen *screen, const PaintGl *paint, int x, in
     gl->BlitFramebuffer(0, 0, width, height, x, top, x + width, top - height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+void paint_gl_screen_box(PaintGlScreen *screen, Colour colour, int left, int top, int width, int height) {
+    const Gl *gl = screen->gl;
+    if (width <= 0 || height <= 0)
+        return;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, screen->framebuffer);
+    gl->Enable(GL_SCISSOR_TEST);
+    gl->Scissor(left, screen->height - top - height, width, height);
+    gl->ClearColor((GLfloat)colour.red, (GLfloat)colour.green, (GLfloat)colour.blue, 1);
+    gl->Clear(GL_COLOR_BUFFER_BIT);
+    gl->Disable(GL_SCISSOR_TEST);
+}
+
 void paint_gl_screen_read(PaintGlScreen *screen, unsigned char *pixels) {
     const Gl *gl = screen->gl;
     size_t stride = 4 * (size_t)screen->width, height = (size_t)screen->height;

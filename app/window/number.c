@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of each unit how many of the first unit of its kind it is. */
+/* How much each unit is of the first one of its kind. */
 static const struct {
     const char *name;
     int kind;
@@ -20,7 +20,7 @@ static const struct {
     {"N/m", 8, 1},   {"kN/m", 8, 1e3},  {"N/mm", 8, 1e3},  {"MN/m", 8, 1e6},  {"N s/m", 9, 1},
     {"Ns/m", 9, 1},  {"Pa", 10, 1},     {"kPa", 10, 1e3},  {"MPa", 10, 1e6},  {"GPa", 10, 1e9},
 };
-enum { UNITS = sizeof units / sizeof *units };
+enum { UNITS = sizeof units / sizeof *units, NONE = -1 };
 
 /* Where reading is. */
 typedef struct Reader {
@@ -84,78 +84,87 @@ static bool read_digits(Reader *reader, double *value) {
     return isfinite(*value);
 }
 
-static bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (unsigned char)c >= 0x80 || c == '/' || c == '%' ||
-           c == '\'' || c == '"' || c == '^';
+static bool is_minus(const char *at) {
+    return *at == '-' || strncmp(at, "−", 3) == 0;
+}
+
+static bool is_letter(const char *at) {
+    return (*at >= 'a' && *at <= 'z') || (*at >= 'A' && *at <= 'Z') || ((unsigned char)*at >= 0x80 && !is_minus(at)) ||
+           (*at && strchr("/%'\"^", *at));
 }
 
 static int find_unit(const char *name, size_t bytes) {
     for (int i = 0; i < UNITS; i++)
         if (strlen(units[i].name) == bytes && strncmp(units[i].name, name, bytes) == 0)
             return i;
-    return -1;
+    return NONE;
 }
 
-/* The factor of the unit that follows, to the reader's own; without one it is 1. */
-static bool read_unit(Reader *reader, double *factor) {
+static bool is_quote(char c) {
+    return c == '\'' || c == '"';
+}
+
+/* The unit that follows, or else the reader's own. */
+static bool read_unit(Reader *reader, int *unit) {
     skip_spaces(reader);
-    *factor = 1;
     size_t own = strlen(reader->unit), bytes = 0;
-    if (own && strncmp(reader->at, reader->unit, own) == 0 && !is_letter(reader->at[own])) {
+    int owned = *unit = find_unit(reader->unit, own);
+    if (own && strncmp(reader->at, reader->unit, own) == 0 && !is_letter(reader->at + own)) {
         reader->at += own;
         return true;
     }
-    while (is_letter(reader->at[bytes]) && !(bytes && (reader->at[0] == '\'' || reader->at[0] == '"')))
+    while (is_letter(reader->at + bytes) && !(bytes && is_quote(*reader->at)))
         bytes++;
     if (!bytes)
         return true;
-    int index = find_unit(reader->at, bytes), owned = find_unit(reader->unit, own);
-    if (index < 0)
-        return refuse(reader, "no number or unit: \"%.*s\"", reader->at, bytes);
-    if (owned < 0 || units[index].kind != units[owned].kind)
+    *unit = find_unit(reader->at, bytes);
+    if (*unit == NONE)
+        return refuse(reader, "not a number or a unit: %.*s", reader->at, bytes);
+    if (owned == NONE || units[*unit].kind != units[owned].kind)
         return refuse(reader, "another kind of unit: %.*s", reader->at, bytes);
-    *factor = units[index].factor / units[owned].factor;
     reader->at += bytes;
     return true;
 }
 
-/* A number and its unit; of feet the inches may follow without a sign. */
-static bool read_term(Reader *reader, double *value) {
-    double part, factor;
-    const char *begin = reader->at;
-    if (!read_digits(reader, &part)) {
-        size_t bytes = strcspn(begin, " ");
-        return bytes ? refuse(reader, "no number: \"%.*s\"", begin, bytes)
-                     : refuse(reader, "a number is missing%.*s", "", 0);
-    }
-    if (!read_unit(reader, &factor))
+static bool is_named(int unit, const char *name, const char *sign) {
+    return unit != NONE && (strcmp(units[unit].name, name) == 0 || strcmp(units[unit].name, sign) == 0);
+}
+
+/* A number and its unit. Between two there is a sign, or else they are feet and inches. */
+static bool read_term(Reader *reader, bool joined, int *unit, double *value) {
+    int before = *unit, owned = find_unit(reader->unit, strlen(reader->unit));
+    if (!read_digits(reader, value))
+        return refuse(reader, "not a number%.*s", "", 0);
+    if (!read_unit(reader, unit))
         return false;
-    *value = part * factor;
+    if (joined && !(is_named(before, "ft", "'") && is_named(*unit, "in", "\"")))
+        return refuse(reader, "not one number%.*s", "", 0);
+    if (owned != NONE)
+        *value *= units[*unit].factor / units[owned].factor;
     return true;
 }
 
 bool number_read(const char *words, const char *unit, double *value, char reason[NUMBER_REASON]) {
     Reader reader = {words, unit ? unit : "", reason};
     double sum = 0, sign = 1, part;
+    int last = NONE;
     skip_spaces(&reader);
     if (!*reader.at)
         return refuse(&reader, "nothing is typed%.*s", "", 0);
     for (bool first = true; *reader.at; first = false) {
-        bool minus = *reader.at == '-' || strncmp(reader.at, "−", 3) == 0;
-        if (minus || *reader.at == '+') {
+        bool minus = is_minus(reader.at), joined = !first && !minus && *reader.at != '+';
+        if (!joined)
             sign = minus ? -1 : 1;
-            reader.at += strncmp(reader.at, "−", 3) == 0 ? 3 : 1;
-        } else if (!first && !(reader.at[-1] == 't' || reader.at[-1] == '\'' || is_space(reader.at[-1]))) {
-            return refuse(&reader, "no number: \"%.*s\"", words, strlen(words));
-        }
+        if (minus || *reader.at == '+')
+            reader.at += *reader.at == '-' || *reader.at == '+' ? 1 : 3;
         skip_spaces(&reader);
-        if (!read_term(&reader, &part))
+        if (!read_term(&reader, joined, &last, &part))
             return false;
         sum += sign * part;
         skip_spaces(&reader);
     }
     if (!isfinite(sum))
-        return refuse(&reader, "no number: \"%.*s\"", words, strlen(words));
+        return refuse(&reader, "too large%.*s", "", 0);
     *value = sum;
     return true;
 }

@@ -76,12 +76,19 @@ bool is_japanese(unsigned code) {
 
 } // namespace
 
+/* A box of one colour, among the commands of a list. */
+struct Ground {
+    Colour colour;
+    int left, top, width, height;
+};
+
 struct UiPencil {
     PaintGlScreen *screen;
     ImGuiContext *context;
     std::vector<ImDrawList *> lists;
     ImDrawList *list;
     std::vector<ImDrawIdx> indices; /* of one command */
+    std::vector<Ground> grounds;
     double unit;                    /* pixels a design point, of places */
     double made_unit, seen_unit;    /* of letters; of the frame before */
     std::vector<unsigned char> regular, bold, japanese;
@@ -194,6 +201,10 @@ ImVec2 snapped(const UiPencil *pencil, Vec2 place) {
     return ImVec2(pixel(pencil, place.x), pixel(pencil, place.y));
 }
 
+/* Its place among the commands of a list says when a ground is drawn; it is never called. */
+void mark_ground(const ImDrawList *, const ImDrawCmd *) {
+}
+
 float thickness(const UiPencil *pencil, double width) {
     return std::fmax(1.0f, pixel(pencil, width));
 }
@@ -211,7 +222,7 @@ Vec2 ui_pencil_extent(UiPencil *pencil, UiLetters letters, const char *words, si
     want(pencil, words, words + bytes);
     const ImFont *font = font_of(pencil, letters);
     ImVec2 size = font->CalcTextSizeA(font->FontSize, HUGE_VALF, 0, words, words + bytes);
-    return vec2(size.x / pencil->unit, size.y / pencil->unit);
+    return vec2_scale(vec2(size.x, size.y), 1 / pencil->unit);
 }
 
 size_t ui_pencil_wrap(UiPencil *pencil, UiLetters letters, const char *words, double width) {
@@ -236,6 +247,13 @@ void ui_pencil_words(UiPencil *pencil, UiLetters letters, UiInk ink, Vec2 at, co
 }
 
 /* Shapes ----------------------------------------------------------------------------------------------------------- */
+
+void ui_pencil_ground(UiPencil *pencil, Box box, Colour colour) {
+    ImVec2 low = snapped(pencil, box.low), high = snapped(pencil, box.high);
+    int left = static_cast<int>(low.x), top = static_cast<int>(low.y);
+    pencil->list->AddCallback(mark_ground, reinterpret_cast<void *>(pencil->grounds.size()));
+    pencil->grounds.push_back({colour, left, top, static_cast<int>(high.x) - left, static_cast<int>(high.y) - top});
+}
 
 void ui_pencil_box(UiPencil *pencil, Box box, UiInk ink) {
     pencil->list->AddRectFilled(snapped(pencil, box.low), snapped(pencil, box.high), ink_of(ink));
@@ -329,6 +347,10 @@ void ui_pencil_begin(UiPencil *pencil, int width, int height, double unit, doubl
 
 namespace {
 
+void draw_ground(UiPencil *pencil, const Ground &ground) {
+    paint_gl_screen_box(pencil->screen, ground.colour, ground.left, ground.top, ground.width, ground.height);
+}
+
 /* A command's triangles know only few of the list's vertices: those are sent. */
 void send(UiPencil *pencil, const ImDrawList *list, const ImDrawCmd &command) {
     const ImDrawIdx *from = list->IdxBuffer.Data + command.IdxOffset;
@@ -354,7 +376,10 @@ void send(UiPencil *pencil, const ImDrawList *list, const ImDrawCmd &command) {
 void ui_pencil_end(UiPencil *pencil) {
     for (const ImDrawList *list : pencil->lists)
         for (const ImDrawCmd &command : list->CmdBuffer)
-            if (command.ElemCount)
+            if (command.UserCallback == mark_ground)
+                draw_ground(pencil, pencil->grounds[reinterpret_cast<size_t>(command.UserCallbackData)]);
+            else if (command.ElemCount)
                 send(pencil, list, command);
+    pencil->grounds.clear();
     ImGui::EndFrame();
 }

@@ -26,7 +26,7 @@ extern "C" {
 
 typedef struct UiPencil UiPencil;
 
-enum { UI_REASON = 160 /* bytes of what is wrong with a number */ };
+enum { UI_REASON = 256 /* bytes of what is wrong with a number */ };
 
 typedef uint32_t UiInk; /* red, green, blue, opacity: bytes from the lowest */
 
@@ -50,6 +50,7 @@ size_t ui_pencil_wrap(UiPencil *pencil, UiLetters letters, const char *words, do
 
 /* Boxes lie on whole pixels. at.y is the middle of the capitals. */
 void ui_pencil_words(UiPencil *pencil, UiLetters letters, UiInk ink, Vec2 at, const char *words, size_t bytes);
+void ui_pencil_ground(UiPencil *pencil, Box box, Colour colour); /* large and opaque: the quick way */
 void ui_pencil_box(UiPencil *pencil, Box box, UiInk ink);
 void ui_pencil_frame(UiPencil *pencil, Box box, double width, UiInk ink);
 void ui_pencil_polyline(UiPencil *pencil, const Vec2 *points, size_t count, bool closed, double width, UiInk ink);

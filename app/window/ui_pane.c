@@ -93,7 +93,8 @@ static void bring_into_view(Ui *ui, UiPlace *place) {
 
 static void begin_flow(Ui *ui, UiPlace *place) {
     double margin = box_width(place->box) <= NARROW ? NARROW_MARGIN : MARGIN;
-    ui->inner = (Box){{place->box.low.x + margin, place->box.low.y}, {place->box.high.x - margin, place->box.high.y}};
+    double right = ui_pane_overflows(place) ? fmax(margin, BAR_WIDTH + UI_FRAME + UI_RIM) : margin;
+    ui->inner = (Box){{place->box.low.x + margin, place->box.low.y}, {place->box.high.x - right, place->box.high.y}};
     ui->first_y = ui->y = place->box.low.y + TOP_MARGIN - place->scroll;
     ui->row_count = ui->row_index = 0;
     ui->at_given = false;
@@ -106,7 +107,7 @@ static void draw_ground(Ui *ui, const UiPane *pane) {
     if (pane->modal)
         ui_pencil_box(ui->pencil, ui->window, (UiInk)lrint(255 * DIM) << 24);
     if (pane->ground != ROLE_COUNT)
-        ui_pencil_box(ui->pencil, pane->box, ui_frame_ink(ui, pane->ground, 1));
+        ui_pencil_ground(ui->pencil, pane->box, palette_colour(ui->theme, pane->ground));
     if (pane->modal)
         ui_pencil_frame(ui->pencil, box_expand(pane->box, UI_RIM), UI_RIM, ui_frame_ink(ui, ROLE_TEXT, 1));
 }

@@ -21,7 +21,7 @@ static void print_value(const UiSlider *slider, double value, char *text, size_t
 }
 
 bool ui_slider_is_wrong(const UiSlider *slider, const char *text, double *value, char reason[UI_REASON]) {
-    char why[NUMBER_REASON], least[64], most[64];
+    char why[NUMBER_REASON] = "", least[64], most[64];
     double typed;
     bool read = number_read(text, slider->unit, &typed, why);
     double slack = 1e-9 * fmax(fabs(slider->least), fabs(slider->most)); /* 1500 mm is 1.5 m, whatever rounding says */
@@ -33,7 +33,10 @@ bool ui_slider_is_wrong(const UiSlider *slider, const char *text, double *value,
     }
     print_value(slider, slider->least, least, sizeof least);
     print_value(slider, slider->most, most, sizeof most);
-    snprintf(reason, UI_REASON, "%s to %s", least, most);
+    if (read)
+        snprintf(reason, UI_REASON, "%s to %s", least, most);
+    else
+        snprintf(reason, UI_REASON, "%s to %s; %s", least, most, why);
     return true;
 }
 
