@@ -27,21 +27,11 @@ sources() {
     forbid 'house knows a neighbour' '#include "(beam|crank|study|exchange)/' $(sources engine/house)
     forbid 'beam knows a neighbour' '#include "(house|crank|study|exchange)/' $(sources engine/beam)
     forbid 'study knows a laboratory' '#include "(house|beam|crank|exchange)/' $(sources engine/study)
-<<<<<<< HEAD
-    forbid 'draw knows a laboratory or a command' '#include "(command|report|document|laboratory|window|house|beam)/' $(sources app/draw)
-    forbid 'a document knows more than draw and base' '#include "(command|report|laboratory|window|house|beam|exchange|mechanics)/' $(sources app/document)
-    forbid 'a laboratory knows a report or a command' '#include "(command|report|document|window)/' $(sources app/laboratory)
-    forbid 'a report knows a command or the window' '#include "(command|window)/' $(sources app/report)
-    forbid 'the window knows a command' '#include "command/' $(sources app/window)
-    forbid 'SDL outside the window' '#include *<SDL' $(sources engine app | grep -v app/window/)
-    forbid 'Dear ImGui outside its adaptor' '#include *[<"]imgui' $(sources engine app | grep -v app/window/ui.cpp)
-=======
     forbid 'draw knows a laboratory, a command or the window' '#include "(command|report|document|window|laboratory|house|beam)/' $(sources app/draw)
     forbid 'a document knows more than draw and base' '#include "(command|report|window|laboratory|house|beam|exchange|mechanics)/' $(sources app/document)
     forbid 'a laboratory knows a report, a command or the window' '#include "(command|report|document|window)/' $(sources app/laboratory)
     forbid 'a report knows a command or the window' '#include "(command|window)/' $(sources app/report)
     forbid 'the window knows a command or a report' '#include "(command|report|document)/' $(sources app/window)
->>>>>>> ui
     forbid 'OpenGL outside its painter' '#include "draw/(gl|shaders)\.h"' \
         $(sources engine app | grep -vE 'app/draw/(gl|offscreen|paint_gl[a-z_]*|shaders)\.[ch]')
     forbid 'SDL outside the window' '#include *[<"]SDL' $(sources app | grep -v app/window/)
@@ -59,10 +49,7 @@ for object in $(find "${1:-build-test}" -path '*clearance_*.a.p/*.c.o' -o -path 
     module=$(basename "$object" .o)
     module=${module%.c*}
     case $object in
-<<<<<<< HEAD
-=======
     *clearance_app*/window_ui_*) module=ui ;;
->>>>>>> ui
     *clearance_app*) module=$(echo "$module" | sed 's/^\(document\|draw\|laboratory\|report\|command\|window\)_//') ;;
     *) module=$(echo "$module" | sed 's/^\(base\|mechanics\|house\|beam\|study\|exchange\)_//') ;;
     esac
