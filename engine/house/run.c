@@ -10,7 +10,7 @@
 #include "house/replan.h"
 #include "house/world.h"
 
-/* simulated s between two looks at `stop` and reports of progress */
+/* simulated s between two reports of progress */
 static const double LOOK_UP = 0.2;
 
 enum { TEAM_WORTH = 300 /* people: with fewer a step is over before a second thread has begun */ };
@@ -77,10 +77,10 @@ static Reason run_world(World *world, Journeys *journeys, Observer *observer, Gr
             replan_strays(world, journeys, group->jobs, options->stop);
             next_stray += REPLAN_PERIOD;
         }
+        if (parallel_stopped(options->stop))
+            return REASON_INTERRUPTED;
         if (time >= next_look) {
             next_look += LOOK_UP;
-            if (parallel_stopped(options->stop))
-                return REASON_INTERRUPTED;
             look_up(group, world);
         }
         WorldStatus status = world_step(world, NULL);
