@@ -79,3 +79,8 @@ bool beam_numbers_same_rig(const Beam *a, const Beam *b) {
 bool beam_numbers_followed(const Beam *beam, const Rig *rig) {
     return 1 / (beam->frequency * rig->cell) <= RIG_CELLS_MOST;
 }
+
+bool beam_numbers_same(const Beam *a, const Beam *b) {
+    return a->frequency == b->frequency && a->force == b->force && a->clearance == b->clearance &&
+           beam_numbers_same_rig(a, b);
+}

@@ -18,3 +18,6 @@ bool beam_numbers_same_rig(const Beam *a, const Beam *b);
 
 /* Is the drive fast enough for the rig's cells? Of one that is not, rig_build says why. */
 bool beam_numbers_followed(const Beam *beam, const Rig *rig);
+
+/* Are all their numbers the same? */
+bool beam_numbers_same(const Beam *a, const Beam *b);
