@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-const LiveKind *const live_kinds[] = {&house_live};
+const LiveKind *const live_kinds[] = {&house_live, &beam_live};
 const size_t live_kind_count = sizeof live_kinds / sizeof *live_kinds;
 
 /* Longer than any house or beam that is opened in a window. */
