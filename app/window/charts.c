@@ -29,22 +29,21 @@ void charts_clear(Charts *charts, PaintGlScreen *screen) {
     charts->count = 0;
 }
 
-/* Is the name among those, separated by commas? */
-static bool is_among(const char *name, const char *names) {
-    size_t length = strlen(name);
-    for (const char *at = names; *at; at += strcspn(at, ","), at += *at == ',')
-        if (strncmp(at, name, length) == 0 && (at[length] == ',' || !at[length]))
-            return true;
-    return false;
+/* The index of the plot with a name of so many bytes; the number of plots: there is none. */
+static size_t find_plot(const LiveKind *kind, const void *live, const char *name, size_t length) {
+    size_t count = kind->plot_count(live), i = 0;
+    while (i < count &&
+           (strlen(kind->plot(live, i).name) != length || memcmp(kind->plot(live, i).name, name, length) != 0))
+        i++;
+    return i;
 }
 
 void charts_choose(Charts *charts, const LiveKind *kind, void *live, const char *names, PaintGlScreen *screen) {
     charts_clear(charts, screen);
-    size_t plots = kind->plot_count(live);
-    for (size_t i = 0; i < plots && charts->count < CHARTS_MOST; i++) {
-        LivePlot plot = kind->plot(live, i);
-        if (is_among(plot.name, names))
-            charts->charts[charts->count++] = (Chart){.live = plot, .cursor = NAN};
+    for (const char *at = names; *at && charts->count < CHARTS_MOST; at += strcspn(at, ","), at += *at == ',') {
+        size_t plot = find_plot(kind, live, at, strcspn(at, ","));
+        if (plot < kind->plot_count(live))
+            charts->charts[charts->count++] = (Chart){.live = kind->plot(live, plot), .cursor = NAN};
     }
 }
 

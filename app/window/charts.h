@@ -42,7 +42,7 @@ typedef struct Charts {
     size_t count;
 } Charts;
 
-/* Makes the charts those of the laboratory's plots whose names are among `names`, separated by commas. */
+/* Makes the charts those of the laboratory's plots that are named, in that order, separated by commas. */
 void charts_choose(Charts *charts, const LiveKind *kind, void *live, const char *names, PaintGlScreen *screen);
 void charts_clear(Charts *charts, PaintGlScreen *screen);
 
