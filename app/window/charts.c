@@ -62,7 +62,8 @@ static void set_axes(Chart *chart) {
 
 /* Takes over what the laboratory says now; a canvas for other axes, another size or another theme is made anew. */
 static void refresh(Chart *chart, const LivePlot *now, int width, int height, double unit, Theme theme) {
-    bool same = chart->canvas && chart->live.revision == now->revision && chart->width == width &&
+    bool same = chart->canvas && chart->live.revision == now->revision &&
+                chart->shown.series_count == now->plot->series_count && chart->width == width &&
                 chart->height == height && chart->unit == unit && chart->theme == theme;
     chart->live = *now;
     set_axes(chart);
