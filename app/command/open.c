@@ -1,4 +1,5 @@
 /* The window. */
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -38,5 +39,7 @@ int command_open(const Options *options) {
                             .script = options->script,
                             .benchmark = options->benchmark,
                             .jobs = options->jobs};
+    signal(SIGINT, SIG_DFL); /* SDL makes closing the window of them, where nobody else has a use for them */
+    signal(SIGTERM, SIG_DFL);
     return window_run(&window);
 }

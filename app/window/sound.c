@@ -10,7 +10,8 @@ enum {
     DEVICE = 1024,     /* samples that the device takes at a time */
     WANTED = 4 * 1024, /* samples queued: 93 ms, some frames of a slow machine */
     ROOM = 2 * WANTED,
-    FADE = 256, /* samples: 6 ms, from silence to full and back */
+    PATIENCE = 500, /* ms, for a device to take the last of it */
+    FADE = 256,     /* samples: 6 ms, from silence to full and back */
 };
 
 struct Sound {
@@ -68,12 +69,20 @@ Sound *sound_open(char message[SOUND_MESSAGE]) {
     return NULL;
 }
 
+static bool is_heard(Sound *sound) {
+    SDL_LockAudioDevice(sound->device);
+    bool heard = sound->gain > 0;
+    SDL_UnlockAudioDevice(sound->device);
+    return heard;
+}
+
 void sound_close(Sound *sound) {
     if (!sound)
         return;
     sound_hush(sound);
-    SDL_Delay(3 * 1000 * DEVICE / SOUND_RATE); /* so that the end of the fade is heard */
-    SDL_CloseAudioDevice(sound->device);
+    for (int waited = 0; waited < PATIENCE && is_heard(sound); waited += 5)
+        SDL_Delay(5);
+    SDL_CloseAudioDevice(sound->device); /* which plays what it has taken */
     SDL_QuitSubSystem(SDL_INIT_AUDIO);
     memory_free(sound);
 }
