@@ -1,207 +1,479 @@
 #include "check.h"
 
+#include <cairo.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "base/digest.h"
 #include "base/memory.h"
-#include "draw/layout.h"
-#include "draw/offscreen.h"
-#include "draw/png.h"
-#include "window/ui.h"
+#include "desk.h"
+#include "draw/text.h"
 
-typedef struct Desk {
-    Offscreen *offscreen;
-    PaintGlScreen *screen;
-    Ui *ui;
-    UiInput input;
-    unsigned char *pixels;
-    bool flag;
-    size_t choice;
-    UiSlider width, gap;
-    char name[64];
-    int pressed; /* of the buttons, how often */
-    bool modal, tall;
-    UiChange change;
-} Desk;
+enum { WIDTH = 1280, HEIGHT = 720 };
 
-static Desk desk_make(int width, int height, double text, Theme theme) {
-    char message[OFFSCREEN_MESSAGE];
-    Desk desk = {.offscreen = offscreen_create(OFFSCREEN_ANY, message)};
-    if (!desk.offscreen)
-        check_skip(message);
-    desk.screen = paint_gl_screen_create(offscreen_gl(desk.offscreen));
-    paint_gl_screen_leave_window(desk.screen);
-    desk.ui = ui_create(desk.screen, theme, (UiClipboard){0});
-    desk.input = (UiInput){.width = width,
-                           .height = height,
-                           .unit = text * layout_unit(width, height),
-                           .seconds = 1.0 / 60,
-                           .mouse = {-1, -1}};
-    desk.pixels = memory_allocate((size_t)width * (size_t)height, 4);
-    desk.width = (UiSlider){.label = "Width",
-                            .unit = "m",
-                            .help = "Width\nHow wide the door is between its jambs.",
-                            .value = 0.9,
-                            .initial = 0.8,
-                            .low = 0.6,
-                            .high = 1.5,
-                            .least = 0.6,
-                            .most = 1.5,
-                            .digits = 2};
-    desk.gap = (UiSlider){.label = "Contact damping",
-                          .unit = "N s/m",
-                          .value = 200,
-                          .initial = 200,
-                          .low = 1,
-                          .high = 10000,
-                          .least = 0,
-                          .most = 1e6,
-                          .logarithmic = true,
-                          .digits = 0};
-    snprintf(desk.name, sizeof desk.name, "L corridor");
-    return desk;
+/* The stops of the panel. */
+enum { SLIDER, DAMPING, CHOICE, FLAG, KEEP, EXPORT, ROW_FIRST, ROW_SECOND, FIELD };
+
+static uint64_t picture_digest(Desk *desk) {
+    desk_picture(desk);
+    return digest_bytes(DIGEST_START, desk->pixels, (size_t)desk->input.width * (size_t)desk->input.height * 4);
 }
 
-static void desk_clear(Desk *desk) {
-    ui_destroy(desk->ui);
-    paint_gl_screen_destroy(desk->screen);
-    offscreen_destroy(desk->offscreen);
-    memory_free(desk->pixels);
+static Vec2 middle(Box box) {
+    return vec2_scale(vec2_add(box.low, box.high), 0.5);
 }
 
-static bool button(Desk *desk, const char *label, bool chosen, bool disabled) {
-    bool used = ui_button(desk->ui, &(UiButton){.label = label,
-                                                .chosen = chosen,
-                                                .disabled = disabled,
-                                                .help = "Name  K\nOne sentence about what it does."});
-    desk->pressed += used;
-    return used;
-}
+/* The focus -------------------------------------------------------------------------------------------------------- */
 
-static void make_rail(Desk *desk, double high) {
-    ui_pane_begin(desk->ui,
-                  &(UiPane){.name = "rail", .box = {{0, 30}, {92, high - 62}}, .ground = ROLE_SHADE, .scrolls = true});
-    static const char *const tools[] = {"S\nselect", "W\nwall", "D\ndoor", "O\nobject", "M\nmeasure"};
-    for (int i = 0; i < 5; i++)
-        button(desk, tools[i], i == 2, false);
-    ui_pane_end(desk->ui);
-}
-
-static void make_panel(Desk *desk, double wide, double high) {
-    Ui *ui = desk->ui;
-    ui_pane_begin(
-        ui, &(UiPane){
-                .name = "panel", .box = {{wide - 344, 30}, {wide, high - 62}}, .ground = ROLE_PANEL, .scrolls = true});
-    ui_heading(ui, "Door d2");
-    desk->change = ui_slider(ui, &desk->width);
-    ui_slider(ui, &desk->gap);
-    static const char *const states[] = {"open", "closed", "locked"};
-    ui_choice(ui, "state", "State", NULL, states, 3, &desk->choice);
-    ui_flag(ui, NULL, "Lock the walls", "Lock the walls", &desk->flag);
-    ui_row(ui, 3);
-    button(desk, "Keep", false, false);
-    button(desk, "Clear", false, true);
-    button(desk, "Export...", false, false);
-    ui_heading(ui, "Dangerous points");
-    ui_list_row(ui, &(UiRow){.mark = "1",
-                             .role = ROLE_DANGER_HIGH,
-                             .shape = ROW_DISC,
-                             .cells = {"door d2", "0.06 m", "410 N"},
-                             .usable = true,
-                             .selected = true});
-    ui_list_row(ui, &(UiRow){.mark = "2",
-                             .role = ROLE_DANGER_MIDDLE,
-                             .shape = ROW_DISC,
-                             .cells = {"wardrobe", "0.11 m", "-2.9 s"},
-                             .usable = true});
-    ui_list_row(
-        ui,
-        &(UiRow){.mark = "A", .role = ROLE_LOCUS, .shape = ROW_LINE, .cells = {"route A with a long name", "12.3 s"}});
-    ui_list_row(ui,
-                &(UiRow){.role = ROLE_GHOST, .shape = ROW_LINE, .style = LINE_DASHED, .cells = {"before", "14.0 s"}});
-    ui_text(ui, UI_SMALL, ROLE_DIM_TEXT,
-            "The number is the smallest clearance on the way, and what it costs: seconds, or the force of a touch.");
-    ui_field(ui, "name", "Name of the house", NULL, desk->name, sizeof desk->name);
-    ui_line(ui, UI_BODY, ROLE_ERROR, "One line that is far too long for the panel in which it stands");
-    ui_pane_end(ui);
-}
-
-static void make_modal(Desk *desk, double wide, double high) {
-    Ui *ui = desk->ui;
-    ui_pane_begin(ui, &(UiPane){.name = "dialog",
-                                .box = {{wide / 2 - 150, high / 2 - 80}, {wide / 2 + 150, high / 2 + 80}},
-                                .ground = ROLE_PAPER,
-                                .modal = true});
-    ui_heading(ui, "Save before closing?");
-    ui_text(ui, UI_BODY, ROLE_TEXT, "The house has been changed.");
-    ui_row(ui, 2);
-    button(desk, "Save", true, false);
-    button(desk, "Do not save", false, false);
-    ui_pane_end(ui);
-}
-
-static void desk_frame(Desk *desk) {
-    Ui *ui = desk->ui;
-    double wide = desk->input.width / desk->input.unit, high = desk->input.height / desk->input.unit;
-    paint_gl_screen_begin(desk->screen, desk->input.width, desk->input.height, (Colour){1, 1, 1});
-    ui_begin(ui, &desk->input);
-    ui_pane_begin(ui, &(UiPane){.name = "menu", .box = {{0, 0}, {wide, 30}}, .ground = ROLE_SHADE});
-    double x = 0;
-    static const char *const menus[] = {"File", "View", "Help"};
-    for (int i = 0; i < 3; i++, x += 60) {
-        ui_at(ui, (Box){{x, 0}, {x + 60, 30}});
-        ui_button(ui, &(UiButton){.label = menus[i], .plain = true});
+static void check_round(double text, Theme theme) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, text, theme);
+    uint64_t seen[DESK_STOPS];
+    desk_frame(&desk);
+    for (int i = 0; i < DESK_STOPS; i++)
+        desk_key(&desk, UI_KEY_NEXT);
+    for (int i = 0; i < DESK_STOPS; i++) {
+        CHECK(desk_key(&desk, UI_KEY_NEXT));
+        seen[i] = picture_digest(&desk);
+        for (int k = 0; k < i; k++)
+            CHECK(seen[k] != seen[i]); /* each stop has its frame, and it is seen */
     }
-    ui_pane_end(ui);
-    ui_pane_begin(
-        ui, &(UiPane){.name = "plan", .box = {{92, 30}, {wide - 344, high - 62}}, .ground = ROLE_PAPER, .stop = true});
-    ui_grab(ui, "plan", (Box){{92, 30}, {wide - 344, high - 62}});
-    ui_draw_words(ui, UI_ANSWER, ROLE_TEXT, vec2(110, 70), 0, "Out in 18.4 s");
-    ui_draw_words(ui, UI_DETAIL, ROLE_TEXT, vec2(110, 110), 0, "narrowest 0.06 m at door d2 → ½ α Ж ✓");
-    ui_draw_polyline(ui, (Vec2[]){{110, 200}, {200, 260}, {300, 180}}, 3, false, ROLE_LOCUS, 4);
-    ui_draw_disc(ui, vec2(350, 200), 12, ROLE_IMPACT);
-    ui_draw_diamond(ui, vec2(390, 200), 9, ROLE_TEXT);
-    ui_pane_end(ui);
-    make_rail(desk, high);
-    make_panel(desk, wide, high);
-    ui_pane_begin(ui, &(UiPane){.name = "timeline", .box = {{0, high - 62}, {wide, high}}, .ground = ROLE_SHADE});
-    ui_at(ui, (Box){{8, high - 52}, {90, high - 12}});
-    button(desk, "Pause", true, false);
-    ui_draw_words(ui, UI_CLOCK, ROLE_TEXT, vec2(104, high - 32), 0, "7.32 s");
-    ui_pane_end(ui);
-    if (desk->modal)
-        make_modal(desk, wide, high);
-    ui_end(ui);
+    for (int i = 0; i < DESK_STOPS; i++) {
+        desk_key(&desk, UI_KEY_NEXT);
+        CHECK(picture_digest(&desk) == seen[i]);
+    }
+    desk_end(&desk);
 }
 
-static void show(Desk *desk, const char *name, int frames) {
-    for (int i = 0; i < frames; i++)
-        desk_frame(desk);
-    paint_gl_screen_read(desk->screen, desk->pixels);
-    char path[100];
-    snprintf(path, sizeof path, "/tmp/ui-%s.png", name);
-    png_write(path, desk->pixels, desk->input.width, desk->input.height);
+TEST(tab_comes_to_every_stop_once_and_goes_round) {
+    check_round(1, THEME_PAPER);
+    check_round(2, THEME_BOARD);
 }
 
-TEST(a_sample_is_shown) {
-    for (int theme = 0; theme < 2; theme++)
-        for (int text = 1; text <= 2; text++) {
-            Desk desk = desk_make(1280, 720, text, (Theme)theme);
-            char name[40];
-            snprintf(name, sizeof name, "%d-%d", theme, text);
-            show(&desk, name, 3);
-            for (int i = 0; i < 10; i++)
-                ui_key(desk.ui, UI_KEY_NEXT, false, false);
-            snprintf(name, sizeof name, "%d-%d-focus", theme, text);
-            show(&desk, name, 3);
-            ui_key(desk.ui, UI_KEY_ENTER, false, false);
-            ui_type(desk.ui, "9999");
-            ui_key(desk.ui, UI_KEY_ENTER, false, false);
-            snprintf(name, sizeof name, "%d-%d-wrong", theme, text);
-            show(&desk, name, 3);
-            desk.modal = true;
-            snprintf(name, sizeof name, "%d-%d-modal", theme, text);
-            show(&desk, name, 3);
-            desk_clear(&desk);
+TEST(shift_tab_goes_back) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    desk_go(&desk, "panel", 2);
+    uint64_t before = picture_digest(&desk);
+    desk_key(&desk, UI_KEY_NEXT);
+    desk_key(&desk, UI_KEY_PREVIOUS);
+    ui_key(desk.ui, UI_KEY_ESCAPE, false, false); /* its help, which it has now by a key as before */
+    desk_go(&desk, "panel", 2);
+    CHECK(picture_digest(&desk) == before);
+    desk_end(&desk);
+}
+
+TEST(f6_comes_to_every_pane) {
+    static const char *const names[] = {"menu", "plan", "rail", "panel", "timeline"};
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    CHECK_TEXT(ui_focus_pane(desk.ui), "");
+    for (int i = 0; i <= DESK_PANES; i++) {
+        CHECK(desk_key(&desk, UI_KEY_PANE));
+        CHECK_TEXT(ui_focus_pane(desk.ui), names[i % DESK_PANES]);
+        CHECK(ui_focus_is_pane(desk.ui) == (i % DESK_PANES == 1));
+    }
+    for (int i = DESK_PANES; i-- > 0;) {
+        desk_key(&desk, UI_KEY_PANE_BACK);
+        CHECK_TEXT(ui_focus_pane(desk.ui), names[i]);
+    }
+    desk_end(&desk);
+}
+
+TEST(the_frame_of_the_focus_is_black_on_paper_and_white_on_the_board) {
+    for (Theme theme = THEME_PAPER; theme < THEME_COUNT; theme++) {
+        Desk desk = desk_begin(WIDTH, HEIGHT, 1, theme);
+        unsigned char ink = theme == THEME_PAPER ? 0 : 255;
+        desk_go(&desk, "plan", 0);
+        desk_picture(&desk);
+        for (int i = 0; i < 3; i++) { /* the plan's left edge, three pixels wide; then the rim */
+            const unsigned char *pixel = desk.pixels + 4 * (400 * WIDTH + (int)desk.canvas.low.x + i);
+            CHECK(pixel[0] == ink && pixel[1] == ink && pixel[2] == ink);
+            CHECK(pixel[12] == 255 - ink || i == 2);
         }
+        desk_end(&desk);
+    }
+}
+
+TEST(a_stop_that_is_gone_leaves_the_focus_to_the_first_of_its_pane) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    desk_go(&desk, "panel", SLIDER);
+    desk.short_panel = true;
+    desk_frame(&desk);
+    CHECK_TEXT(ui_focus_pane(desk.ui), "panel");
+    int before = (int)desk.damping.value;
+    CHECK(desk_key(&desk, UI_KEY_RIGHT));
+    CHECK(desk.damping.value > before);
+    desk_end(&desk);
+}
+
+/* The mouse -------------------------------------------------------------------------------------------------------- */
+
+TEST(a_click_presses_once_and_leaves_the_focus) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_go(&desk, "plan", 0);
+    desk_down(&desk, middle(desk.pause));
+    CHECK(ui_has_mouse(desk.ui));
+    desk_frame(&desk);
+    CHECK(desk.pauses == 0);
+    desk_up(&desk, middle(desk.pause));
+    desk_frame(&desk);
+    CHECK(desk.pauses == 1);
+    CHECK_TEXT(ui_focus_pane(desk.ui), "plan");
+    CHECK(!desk_key(&desk, UI_KEY_SPACE));
+    CHECK(desk.pauses == 1);
+    desk_end(&desk);
+}
+
+TEST(a_press_that_goes_elsewhere_is_none) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    desk_down(&desk, middle(desk.pause));
+    desk_up(&desk, middle(desk.canvas));
+    desk_down(&desk, middle(desk.canvas));
+    desk_up(&desk, middle(desk.pause));
+    desk_frame(&desk);
+    CHECK(desk.pauses == 0);
+    CHECK(!desk.grab.held);
+    desk_end(&desk);
+}
+
+TEST(a_canvas_is_held_outside_its_box_too) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 2, THEME_PAPER);
+    desk_frame(&desk);
+    Vec2 at = middle(desk.canvas), outside = middle(desk.pause);
+    desk_down(&desk, at);
+    CHECK(desk.grab.pressed && desk.grab.held && !desk.grab.twice);
+    CHECK_NEAR(desk.grab.at.x, at.x, 1e-9);
+    CHECK(!ui_has_mouse(desk.ui));
+    desk_move(&desk, outside);
+    CHECK(desk.grab.held && !desk.grab.hovered && !desk.grab.pressed);
+    CHECK_NEAR(desk.grab.delta.y, outside.y - at.y, 1e-9);
+    desk_up(&desk, outside);
+    CHECK(desk.grab.released && !desk.grab.held && desk.pauses == 0);
+    desk_move(&desk, at);
+    desk.input.wheel = -2;
+    desk.input.down[1] = true;
+    desk_frame(&desk);
+    CHECK(desk.grab.wheel == -2 && desk.grab.right_pressed && !desk.grab.pressed);
+    for (int i = 0; i < 30; i++) /* the first press of this test is half a second ago */
+        desk_frame(&desk);
+    desk_down(&desk, at);
+    desk_up(&desk, at);
+    desk_down(&desk, at);
+    CHECK(desk.grab.twice);
+    desk_end(&desk);
+}
+
+TEST(help_comes_after_half_a_second_of_hovering_and_goes_with_escape) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    desk_move(&desk, middle(desk.pause));
+    uint64_t bare = picture_digest(&desk);
+    CHECK(picture_digest(&desk) == bare);
+    for (int i = 0; i < 40; i++)
+        desk_frame(&desk);
+    CHECK(picture_digest(&desk) != bare);
+    CHECK(desk_key(&desk, UI_KEY_ESCAPE));
+    CHECK(picture_digest(&desk) == bare);
+    CHECK(!desk_key(&desk, UI_KEY_ESCAPE));
+    desk_end(&desk);
+}
+
+TEST(help_comes_with_the_focus_of_a_key) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    CHECK(!ui_focus_help(desk.ui));
+    desk_go(&desk, "rail", 0);
+    desk_key(&desk, UI_KEY_NEXT);
+    CHECK_TEXT(ui_focus_help(desk.ui), "Name  K\nOne sentence about what it does.");
+    CHECK(desk_key(&desk, UI_KEY_ESCAPE));
+    CHECK(!desk_key(&desk, UI_KEY_ESCAPE));
+    CHECK(ui_focus_help(desk.ui));
+    desk_end(&desk);
+}
+
+TEST(a_modal_pane_keeps_the_focus_and_the_mouse) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_go(&desk, "plan", 0);
+    desk.modal = true;
+    desk_frame(&desk);
+    desk_down(&desk, middle(desk.pause));
+    desk_up(&desk, middle(desk.pause));
+    CHECK(desk.pauses == 0 && ui_has_mouse(desk.ui));
+    for (int i = 0; i < 5; i++) {
+        desk_key(&desk, i % 2 ? UI_KEY_NEXT : UI_KEY_PANE);
+        CHECK_TEXT(ui_focus_pane(desk.ui), "dialog");
+    }
+    desk_go(&desk, "dialog", 0);
+    CHECK(desk_key(&desk, UI_KEY_ENTER));
+    CHECK(desk.saves == 1);
+    CHECK(!desk_key(&desk, UI_KEY_ESCAPE));
+    desk.modal = false;
+    desk_frame(&desk);
+    CHECK_TEXT(ui_focus_pane(desk.ui), "plan");
+    desk_end(&desk);
+}
+
+/* Widgets by keys -------------------------------------------------------------------------------------------------- */
+
+TEST(buttons_flags_choices_and_rows_have_keys) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    desk_go(&desk, "panel", KEEP);
+    CHECK(desk_key(&desk, UI_KEY_ENTER) && desk_key(&desk, UI_KEY_SPACE));
+    CHECK(desk.keeps == 2);
+    desk_go(&desk, "panel", FLAG);
+    CHECK(desk_key(&desk, UI_KEY_SPACE) && desk.flag);
+    desk_go(&desk, "panel", CHOICE);
+    CHECK(desk_key(&desk, UI_KEY_RIGHT) && desk.choice == 1);
+    CHECK(desk_key(&desk, UI_KEY_END) && desk.choice == 2);
+    CHECK(desk_key(&desk, UI_KEY_RIGHT) && desk.choice == 2);
+    CHECK(desk_key(&desk, UI_KEY_HOME) && desk.choice == 0);
+    desk_go(&desk, "panel", ROW_FIRST);
+    CHECK(desk_key(&desk, UI_KEY_DOWN) && desk_key(&desk, UI_KEY_DOWN) && desk_key(&desk, UI_KEY_ENTER));
+    CHECK(desk.rows == 10);
+    desk_go(&desk, "plan", 0);
+    CHECK(!desk_key(&desk, UI_KEY_ENTER) && !desk_key(&desk, UI_KEY_LEFT) && !desk_key(&desk, UI_KEY_PAGE_DOWN));
+    desk_end(&desk);
+}
+
+TEST(keys_between_two_frames_are_all_used) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    desk_go(&desk, "panel", SLIDER);
+    ui_key(desk.ui, UI_KEY_RIGHT, false, false);
+    ui_key(desk.ui, UI_KEY_RIGHT, false, false);
+    ui_key(desk.ui, UI_KEY_NEXT, false, false);
+    ui_key(desk.ui, UI_KEY_NEXT, false, false);
+    ui_key(desk.ui, UI_KEY_RIGHT, false, false);
+    desk_frame(&desk);
+    CHECK_NEAR(desk.width.value, 0.9, 1e-12);
+    CHECK(desk.choice == 1);
+    ui_key(desk.ui, UI_KEY_PREVIOUS, false, false);
+    ui_key(desk.ui, UI_KEY_PREVIOUS, false, false);
+    ui_key(desk.ui, UI_KEY_ENTER, false, false);
+    ui_type(desk.ui, "1");
+    ui_type(desk.ui, "3");
+    ui_key(desk.ui, UI_KEY_BACKSPACE, false, false);
+    ui_type(desk.ui, ".2");
+    ui_key(desk.ui, UI_KEY_ENTER, false, false);
+    CHECK(!ui_types(desk.ui));
+    CHECK(!ui_key(desk.ui, UI_KEY_SPACE, false, false));
+    desk_frame(&desk);
+    CHECK_NEAR(desk.width.value, 1.2, 1e-12);
+    desk_end(&desk);
+}
+
+TEST(a_slider_goes_by_twentieths_hundredths_and_tenths) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    desk_go(&desk, "panel", SLIDER);
+    CHECK(desk_key(&desk, UI_KEY_RIGHT) && desk.width_change == UI_CHANGED);
+    CHECK_NEAR(desk.width.value, 0.85, 1e-12);
+    desk_key(&desk, UI_KEY_PAGE_UP);
+    CHECK_NEAR(desk.width.value, 0.95, 1e-12);
+    ui_key(desk.ui, UI_KEY_DOWN, true, false);
+    desk_frame(&desk);
+    CHECK_NEAR(desk.width.value, 0.94, 1e-12);
+    desk_key(&desk, UI_KEY_END);
+    CHECK_NEAR(desk.width.value, 1.6, 0);
+    desk_key(&desk, UI_KEY_RIGHT);
+    CHECK_NEAR(desk.width.value, 1.6, 0);
+    desk_key(&desk, UI_KEY_HOME);
+    CHECK_NEAR(desk.width.value, 0.6, 0);
+    desk_key(&desk, UI_KEY_DELETE);
+    CHECK_NEAR(desk.width.value, 0.8, 0);
+    desk_go(&desk, "panel", DAMPING);
+    desk_key(&desk, UI_KEY_HOME);
+    desk_key(&desk, UI_KEY_RIGHT);
+    CHECK_NEAR(desk.damping.value, 2, 0); /* a twentieth of it is less than the next whole number */
+    CHECK(!desk_key(&desk, UI_KEY_SPACE));
+    desk_end(&desk);
+}
+
+TEST(a_slider_is_dragged_and_says_when_the_hand_leaves) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    double left = desk.page.x - 344 + 16 + 6, width = 312 - 12, y = 112;
+    desk_down(&desk, vec2(left + width / 2, y));
+    CHECK(desk.width_change == UI_MOVING);
+    CHECK_NEAR(desk.width.value, 1.1, 1e-12);
+    desk_move(&desk, vec2(left + width * 0.75, y + 300));
+    CHECK_NEAR(desk.width.value, 1.35, 1e-12);
+    desk_move(&desk, vec2(0, y));
+    CHECK_NEAR(desk.width.value, 0.6, 0);
+    CHECK(desk.width_change == UI_MOVING);
+    desk_up(&desk, vec2(left + width / 2, y));
+    CHECK(desk.width_change == UI_CHANGED);
+    CHECK_NEAR(desk.width.value, 1.1, 1e-12);
+    desk_down(&desk, vec2(left + 9, y));
+    desk_up(&desk, vec2(left + 9, y));
+    desk_down(&desk, vec2(left + 9, y));
+    CHECK_NEAR(desk.width.value, 0.8, 0);
+    desk_end(&desk);
+}
+
+/* Typing ----------------------------------------------------------------------------------------------------------- */
+
+TEST(a_typed_value_counts_when_it_is_of_the_range) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    desk_go(&desk, "panel", SLIDER);
+    CHECK(desk_key(&desk, UI_KEY_ENTER) && ui_types(desk.ui));
+    desk_type(&desk, "95 cm");
+    CHECK_NEAR(desk.width.value, 0.95, 1e-12);
+    CHECK(desk.width_change == UI_CHANGED && !ui_types(desk.ui));
+    desk.width.value = 0.8123;
+    desk_frame(&desk);
+    desk_key(&desk, UI_KEY_ENTER);
+    desk_key(&desk, UI_KEY_ENTER);
+    CHECK_NEAR(desk.width.value, 0.8123, 0); /* looked at, not changed */
+    desk_key(&desk, UI_KEY_ENTER);
+    ui_type(desk.ui, "2");
+    desk_key(&desk, UI_KEY_NEXT);
+    CHECK_NEAR(desk.width.value, 2, 0); /* beyond the track, within what may be typed */
+    desk_end(&desk);
+}
+
+TEST(what_cannot_be_used_stays_typed_until_it_is_corrected_or_escaped) {
+    static const char *const words[] = {"abc", "9999", "-1", " ", "1e400", "1\n2\n3", "5 kg", "\xFF\xC0"};
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    desk_go(&desk, "panel", SLIDER);
+    uint64_t before = picture_digest(&desk);
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        desk_key(&desk, UI_KEY_ENTER);
+        desk_key(&desk, UI_KEY_DELETE);
+        snprintf(desk.clipboard, DESK_CLIPBOARD, "%s", words[i]);
+        CHECK(desk_key(&desk, UI_KEY_PASTE));
+        desk_key(&desk, UI_KEY_ENTER);
+        CHECK(ui_types(desk.ui));
+        desk_key(&desk, UI_KEY_NEXT);
+        CHECK(!ui_types(desk.ui));
+        desk_key(&desk, UI_KEY_PREVIOUS);
+        ui_key(desk.ui, UI_KEY_SPACE, false, false);
+        CHECK(picture_digest(&desk) != before);
+        CHECK_NEAR(desk.width.value, 0.8, 0);
+        CHECK(desk_key(&desk, UI_KEY_ESCAPE));
+        desk_go(&desk, "panel", SLIDER);
+        CHECK(picture_digest(&desk) == before);
+    }
+    desk_key(&desk, UI_KEY_ENTER);
+    desk_type(&desk, "9999");
+    desk_key(&desk, UI_KEY_SELECT_ALL);
+    desk_type(&desk, "0,7");
+    CHECK_NEAR(desk.width.value, 0.7, 1e-12);
+    desk_end(&desk);
+}
+
+TEST(a_field_is_typed_into_as_soon_as_it_has_the_focus) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    desk_go(&desk, "panel", FIELD);
+    CHECK(ui_types(desk.ui));
+    ui_type(desk.ui, "Küche");
+    desk_frame(&desk);
+    CHECK_TEXT(desk.name, "Küche");
+    ui_key(desk.ui, UI_KEY_LEFT, true, false);
+    ui_key(desk.ui, UI_KEY_LEFT, true, false);
+    ui_key(desk.ui, UI_KEY_CUT, false, true);
+    ui_key(desk.ui, UI_KEY_HOME, false, false);
+    ui_key(desk.ui, UI_KEY_PASTE, false, true);
+    desk_frame(&desk);
+    CHECK_TEXT(desk.name, "heKüc");
+    CHECK(desk_key(&desk, UI_KEY_SPACE)); /* the window plays nothing while somebody types */
+    CHECK(desk_key(&desk, UI_KEY_ESCAPE));
+    CHECK_TEXT(desk.name, "L corridor");
+    CHECK(!ui_types(desk.ui) && !desk.entered);
+    desk_key(&desk, UI_KEY_ENTER);
+    desk_type(&desk, "漢字 and more than there is room for in 32 bytes");
+    CHECK(desk.entered);
+    CHECK_TEXT(desk.name, "漢字 and more than there is r");
+    desk_end(&desk);
+}
+
+TEST(a_field_is_opened_by_the_mouse_and_left_by_it) {
+    Desk desk = desk_begin(WIDTH, 1000, 1, THEME_PAPER);
+    desk_go(&desk, "plan", 0);
+    Vec2 value = {desk.page.x - 20, 88};
+    desk_down(&desk, value);
+    desk_up(&desk, value);
+    CHECK(ui_types(desk.ui));
+    CHECK_TEXT(ui_focus_pane(desk.ui), "plan");
+    ui_type(desk.ui, "1.5");
+    desk_down(&desk, middle(desk.canvas));
+    desk_up(&desk, middle(desk.canvas));
+    CHECK(!ui_types(desk.ui));
+    CHECK_NEAR(desk.width.value, 1.5, 1e-12);
+    desk_end(&desk);
+}
+
+/* Letters ---------------------------------------------------------------------------------------------------------- */
+
+/* Rows of pixels of one byte in four, or of one, that are rather dark. */
+static int dark_rows(const unsigned char *pixels, int width, int height, int stride, int bytes, int least, int most) {
+    int first = -1, last = -1;
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++) {
+            int value = pixels[y * stride + x * bytes];
+            if (value < least || value > most)
+                continue;
+            first = first < 0 ? y : first;
+            last = y;
+        }
+    return first < 0 ? 0 : last - first + 1;
+}
+
+static int pango_height(double size, bool bold) {
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 400, 300);
+    cairo_t *cairo = cairo_create(surface);
+    text_show(cairo, "H", size, bold, vec2(200, 150));
+    cairo_destroy(cairo);
+    cairo_surface_flush(surface);
+    int rows = dark_rows(cairo_image_surface_get_data(surface), 400, 300, cairo_image_surface_get_stride(surface), 1,
+                         100, 255);
+    cairo_surface_destroy(surface);
+    return rows;
+}
+
+TEST(letters_are_as_high_as_those_of_pictures) {
+    static const double sizes[UI_LETTERS] = {17, 15, 17, 19, 26, 22, 40};
+    for (double text = 1; text <= 3; text += 0.5) {
+        Desk desk = desk_begin(WIDTH, HEIGHT, text, THEME_PAPER);
+        for (UiLetters letters = UI_BODY; letters < UI_LETTERS; letters++) {
+            paint_gl_screen_begin(desk.screen, WIDTH, HEIGHT, (Colour){1, 1, 1});
+            ui_begin(desk.ui, &desk.input);
+            ui_draw_words(desk.ui, letters, ROLE_TEXT, vec2(100, 100), 0.5, "H");
+            ui_end(desk.ui);
+            paint_gl_screen_read(desk.screen, desk.pixels);
+            bool bold = letters == UI_BOLD || letters == UI_HEADING || letters == UI_CLOCK || letters == UI_ANSWER;
+            CHECK_NEAR(dark_rows(desk.pixels, WIDTH, HEIGHT, 4 * WIDTH, 4, 0, 155),
+                       pango_height(sizes[letters] * text, bold), 1);
+        }
+        desk_end(&desk);
+    }
+}
+
+TEST(no_label_is_cut) {
+    static const char *const labels[] = {"Keep", "Clear", "Export...", "open", "closed", "locked"};
+    for (int text = 1; text <= 3; text++) {
+        Desk desk = desk_begin(WIDTH, HEIGHT, text, THEME_PAPER);
+        desk_frame(&desk);
+        for (int i = 0; i < 6; i++) { /* three side by side in the panel */
+            CHECK(ui_extent(desk.ui, UI_BOLD, labels[i]).x < (312 - 2 * 8) / 3.0 - 8);
+            CHECK(ui_extent(desk.ui, UI_BOLD, labels[i]).y < 24);
+        }
+        CHECK(ui_extent(desk.ui, UI_SMALL, "measure").x < 80);
+        desk_end(&desk);
+    }
+}
+
+TEST(letters_of_any_script_can_be_asked_for) {
+    Desk desk = desk_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    desk_frame(&desk);
+    ui_extent(desk.ui, UI_BODY, "żółć 漢字 \xF0\x9F\x98\x80 \xFF\xC3");
+    desk_picture(&desk);
+    CHECK(ui_extent(desk.ui, UI_BODY, "ż").x > 0);
+    desk_end(&desk);
 }

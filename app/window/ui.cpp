@@ -343,6 +343,7 @@ void ui_pencil_begin(UiPencil *pencil, int width, int height, double unit, doubl
         list->PushTextureID(&pencil->atlas);
         list->PushClipRect(ImVec2(0, 0), io.DisplaySize);
     }
+    pencil->list = pencil->lists[UI_LAYER_PANES];
 }
 
 namespace {

@@ -208,8 +208,8 @@ static void draw_mark(Ui *ui, Box box, const UiRow *row) {
             ui_pencil_box(ui->pencil, box_expand((Box){middle, middle}, ROW_DISC_RADIUS - 2), fill);
     }
     if (row->mark)
-        ui_words_in(ui, UI_SMALL, row->shape == ROW_PLAIN ? fill : ink, box_expand((Box){middle, middle}, 14), 0.5,
-                    row->mark);
+        ui_words_in(ui, UI_SMALL, row->shape == ROW_DISC || row->shape == ROW_LINE ? ink : fill,
+                    box_expand((Box){middle, middle}, 14), 0.5, row->mark);
 }
 
 /* Where there are several, the columns at the right are as wide as their widest cell of the frame before. */
@@ -228,11 +228,18 @@ static double draw_cells(Ui *ui, Box box, UiLetters letters, const char *const *
     return right;
 }
 
+/* Rows of a list have nothing between them. */
+static Box next_row(Ui *ui) {
+    if (!ui->at_given && ui->y == ui->list_y)
+        ui->y -= UI_GAP;
+    Box box = ui_pane_next(ui, ROW_HEIGHT);
+    ui->list_y = ui->y;
+    return box;
+}
+
 bool ui_list_row(Ui *ui, const UiRow *row) {
     UiId id = ui_frame_id(ui, row->id ? row->id : row->cells[0]);
-    Box box = ui_pane_next(ui, ROW_HEIGHT);
-    if (!ui->at_given && ui->row_count == 0)
-        ui->y -= UI_GAP; /* rows of a list have nothing between them */
+    Box box = next_row(ui);
     UiTouch touch = row->usable ? ui_frame_touch(ui, id, box, false) : (UiTouch){0};
     bool focused = row->usable && ui_focus_stop(ui, id, UI_IS_ROW, box);
     bool used = row->usable && (ui_focus_used(ui, id) || touch.clicked);

@@ -74,11 +74,10 @@ static void tell(Ui *ui, UiEnd end, const char *text) {
 /* A number that was looked at but not changed keeps the digits that are not shown. */
 static void close_number(Ui *ui, const UiStop *stop, UiEnd end) {
     UiEditor *editor = &ui->editor;
-    bool changed = strcmp(editor->text, editor->original) != 0;
+    bool changed = strcmp(editor->text, editor->original) != 0 || ui_slider_draft(ui, editor->id);
     char reason[UI_REASON];
     double value;
-    bool wrong = end != UI_END_ESCAPED && (changed || ui_slider_draft(ui, editor->id)) &&
-                 ui_slider_is_wrong(stop->number, editor->text, &value, reason);
+    bool wrong = end != UI_END_ESCAPED && changed && ui_slider_is_wrong(stop->number, editor->text, &value, reason);
     if (wrong && end == UI_END_ENTERED) {
         editor->wrong = true;
         return;

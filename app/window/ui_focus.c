@@ -67,12 +67,13 @@ static size_t current_index(const Ui *ui, UiId from) {
     return ui->old_stop_count;
 }
 
+/* Without a focus it is given to the first stop, or the last one. */
+static size_t begin_of_way(const Ui *ui, size_t index, bool back) {
+    return index < ui->old_stop_count ? index : back ? 0 : ui->old_stop_count - 1;
+}
+
 static void go_round(Ui *ui, UiId from, bool back) {
-    size_t count = ui->old_stop_count, index = current_index(ui, from);
-    if (index == count && back)
-        index = 0;
-    else if (index == count)
-        index = count - 1;
+    size_t count = ui->old_stop_count, index = begin_of_way(ui, current_index(ui, from), back);
     for (size_t step = 1; step <= count; step++) {
         const UiStop *stop = &ui->old_stops[(index + (back ? count - step : step)) % count];
         if (reaches(ui, stop)) {
@@ -86,6 +87,7 @@ static void go_round(Ui *ui, UiId from, bool back) {
 static void go_to_pane(Ui *ui, UiId from, bool back) {
     size_t count = ui->old_stop_count, index = current_index(ui, from);
     UiId pane = index < count ? ui->old_stops[index].pane : 0, found = 0;
+    index = begin_of_way(ui, index, back);
     for (size_t step = 1; step <= count && !found; step++) {
         const UiStop *stop = &ui->old_stops[(index + (back ? count - step : step)) % count];
         if (reaches(ui, stop) && stop->pane != pane)

@@ -28,6 +28,8 @@ void ui_destroy(Ui *ui) {
     memory_free(ui->old_stops);
     memory_free(ui->presses);
     memory_free(ui->typed);
+    while (ui->draft_count)
+        ui_slider_drop_draft(ui, ui->drafts[0].id);
     memory_free(ui->drafts);
     ui_editor_clear(ui);
     arena_clear(&ui->stop_texts);
@@ -60,6 +62,7 @@ UiInk ui_frame_ink_on(const Ui *ui, Role role) {
 /* What is uppermost where the mouse is: of what was made in the frame before, the last. */
 static void find_hovered(Ui *ui) {
     ui->hovered = 0;
+    ui->on_canvas = false;
     ui->hovered_pane = NULL;
     for (size_t i = 0; i < ui->place_count; i++) {
         UiPlace *place = ui->places[i];
@@ -70,8 +73,10 @@ static void find_hovered(Ui *ui) {
     for (size_t i = 0; i < ui->old_item_count; i++) {
         const UiItem *item = &ui->old_items[i];
         bool reached = ui->hovered_pane ? item->pane == ui->hovered_pane->id : item->pane == 0 && !ui->modal;
-        if (reached && box_holds(item->box, ui->mouse))
+        if (reached && box_holds(item->box, ui->mouse)) {
             ui->hovered = item->id;
+            ui->on_canvas = item->canvas;
+        }
     }
 }
 
@@ -90,13 +95,15 @@ static void take_mouse(Ui *ui) {
     ui->mouse = vec2_scale(ui->input.mouse, 1 / ui->input.unit);
     ui->moved = vec2_sub(ui->mouse, before);
     ui->clock += ui->input.seconds;
-    ui->twice = ui->wheel_used = false;
+    ui->twice = false;
     for (int i = 0; i < 3; i++) {
         ui->pressed[i] = ui->input.down[i] && !ui->was_down[i];
         ui->released[i] = !ui->input.down[i] && ui->was_down[i];
         ui->was_down[i] = ui->input.down[i];
     }
     find_hovered(ui);
+    if (ui->pressed[0] || ui->pressed[1])
+        ui->by_key = false;
     if (ui->pressed[0])
         press_left(ui);
 }
@@ -222,10 +229,7 @@ UiGrab ui_grab(Ui *ui, const char *id, Box box) {
                    .right_pressed = touch.hovered && ui->pressed[1],
                    .twice = touch.twice,
                    .at = ui->mouse,
-                   .delta = ui->moved};
-    if (touch.hovered && ui->input.wheel != 0) {
-        grab.wheel = ui->input.wheel;
-        ui->wheel_used = true;
-    }
+                   .delta = ui->moved,
+                   .wheel = touch.hovered ? ui->input.wheel : 0};
     return grab;
 }

@@ -109,7 +109,7 @@ typedef struct UiEditor {
 /* A number that was typed and could not be used. */
 typedef struct UiDraft {
     UiId id;
-    char text[64];
+    char *text;
 } UiDraft;
 
 /* What is remembered of a pane from frame to frame. */
@@ -125,7 +125,7 @@ typedef struct UiPlace {
 
 /* What a help says, and where. */
 typedef struct UiTip {
-    UiId id;
+    UiId id, item; /* of the widget, and what of it the mouse is on */
     Box box, pane;
     char text[512];
 } UiTip;
@@ -142,8 +142,9 @@ struct Ui {
     bool pressed[3], released[3], was_down[3], twice;
     double clock, pressed_time;
     UiId hovered, held;
+    double grip; /* design points from the middle of a slider's block to where it is held */
     UiPlace *hovered_pane;
-    bool wheel_used;
+    bool on_canvas;
     UiItem *items, *old_items;
     size_t item_count, item_capacity, old_item_count, old_item_capacity;
 
@@ -174,8 +175,8 @@ struct Ui {
     UiId modal;
     int order;
     Role ground;
-    Box inner; /* where things flow, as if it had no end */
-    double y, first_y;
+    Box inner;                 /* where things flow, as if it had no end */
+    double y, first_y, list_y; /* below the last row of a list */
     int row_count, row_index;
     double row_height;
     bool at_given;

@@ -61,7 +61,7 @@ bool ui_pane_overflows(const UiPlace *place) {
 }
 
 static void scroll_by_wheel(Ui *ui, UiPlace *place) {
-    if (ui->hovered_pane == place && !ui->wheel_used)
+    if (ui->hovered_pane == place && !ui->on_canvas)
         place->scroll -= NOTCH * ui->input.wheel;
 }
 
@@ -95,6 +95,7 @@ static void begin_flow(Ui *ui, UiPlace *place) {
     double margin = box_width(place->box) <= NARROW ? NARROW_MARGIN : MARGIN;
     double right = ui_pane_overflows(place) ? fmax(margin, BAR_WIDTH + UI_FRAME + UI_RIM) : margin;
     ui->inner = (Box){{place->box.low.x + margin, place->box.low.y}, {place->box.high.x - right, place->box.high.y}};
+    ui->list_y = -HUGE_VAL;
     ui->first_y = ui->y = place->box.low.y + TOP_MARGIN - place->scroll;
     ui->row_count = ui->row_index = 0;
     ui->at_given = false;

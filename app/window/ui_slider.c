@@ -68,18 +68,19 @@ UiDraft *ui_slider_draft(const Ui *ui, UiId id) {
 
 void ui_slider_drop_draft(Ui *ui, UiId id) {
     UiDraft *draft = ui_slider_draft(ui, id);
-    if (draft)
-        *draft = ui->drafts[--ui->draft_count];
+    if (!draft)
+        return;
+    memory_free(draft->text);
+    *draft = ui->drafts[--ui->draft_count];
 }
 
 void ui_slider_keep_draft(Ui *ui, UiId id, const char *text) {
-    UiDraft *draft = ui_slider_draft(ui, id);
-    if (!draft) {
-        ui->drafts = memory_reserve(ui->drafts, &ui->draft_capacity, ui->draft_count + 1, sizeof *ui->drafts);
-        draft = &ui->drafts[ui->draft_count++];
-    }
-    draft->id = id;
-    snprintf(draft->text, sizeof draft->text, "%s", text);
+    ui_slider_drop_draft(ui, id);
+    size_t bytes = strlen(text) + 1;
+    ui->drafts = memory_reserve(ui->drafts, &ui->draft_capacity, ui->draft_count + 1, sizeof *ui->drafts);
+    UiDraft *draft = &ui->drafts[ui->draft_count++];
+    *draft = (UiDraft){id, memory_allocate(bytes, 1)};
+    memcpy(draft->text, text, bytes);
 }
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
@@ -147,12 +148,16 @@ static UiChange slide(Ui *ui, UiSlider *slider, const Parts *parts, UiTouch touc
         ui->held = 0;
         return UI_CHANGED;
     }
-    if (touch.held) {
-        Box track = parts->track;
-        double part = (ui->mouse.x - track.low.x - BLOCK / 2) / fmax(1, box_width(track) - BLOCK);
-        if (touch.pressed || ui->moved.x != 0)
-            slider->value = value_at(slider, part);
+    double left = parts->track.low.x + BLOCK / 2, width = fmax(1, box_width(parts->track) - BLOCK);
+    if (touch.pressed)
         ui_slider_drop_draft(ui, parts->id);
+    if (touch.pressed) { /* beside the block it comes to the mouse, on it it is held where it is */
+        double off = ui->mouse.x - left - width * part_of(slider, slider->value);
+        ui->grip = fabs(off) <= BLOCK / 2 ? off : 0;
+        if (ui->grip == 0)
+            slider->value = value_at(slider, (ui->mouse.x - left) / width);
+    } else if ((touch.held || touch.released) && ui->moved.x != 0) {
+        slider->value = value_at(slider, (ui->mouse.x - ui->grip - left) / width);
     }
     return touch.released ? UI_CHANGED : touch.held ? UI_MOVING : UI_SAME;
 }

@@ -11,6 +11,7 @@
 
 static void set(Ui *ui, UiTip *tip, UiId id, Box box, const char *help) {
     tip->id = id;
+    tip->item = ui->hovered;
     tip->box = box;
     tip->pane = ui->place ? ui->place->box : ui->window;
     snprintf(tip->text, sizeof tip->text, "%s", help);
@@ -32,7 +33,7 @@ void ui_tip_offer(Ui *ui, UiId id, Box box, const char *help, bool hovered, bool
 void ui_tip_frame_begin(Ui *ui) {
     bool kept = ui->tip_shown && box_holds(ui->tip_box, ui->mouse);
     ui->leave_time = kept ? 0 : ui->leave_time + ui->input.seconds;
-    if (ui->leave_time > GRACE || ui->pressed[0] || (ui->hovered && ui->hovered != ui->hover_tip.id && !kept))
+    if (ui->leave_time > GRACE || ui->pressed[0] || (ui->hovered && ui->hovered != ui->hover_tip.item && !kept))
         ui->hover_tip.id = 0;
     if (!ui->hover_tip.id)
         ui->hover_time = 0;
