@@ -100,6 +100,19 @@ Primitive *scene_add_label(Scene *scene, Role role, double size, Vec2 at, const 
     return label;
 }
 
+void scene_add_all(Scene *scene, const Scene *other) {
+    for (size_t i = 0; i < other->count; i++) {
+        const Primitive *from = &other->primitives[i];
+        Primitive *copy = scene_add(scene, from->kind, from->points, from->count);
+        const Vec2 *points = copy->points;
+        *copy = *from;
+        copy->points = points;
+        copy->text = arena_text(&scene->arena, from->text);
+        if (from->starts)
+            copy->starts = scene_copy(scene, from->starts, from->ring_count + 1, sizeof *from->starts);
+    }
+}
+
 void scene_bind_label(Scene *scene, Primitive *label, const Vec2 *outline, size_t count) {
     Vec2 *points = arena_allocate(&scene->arena, (count + 1) * sizeof *points);
     points[0] = label->points[0];

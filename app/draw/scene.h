@@ -166,6 +166,9 @@ Primitive *scene_add_dimension(Scene *scene, Role edge, double width, Vec2 from,
 Primitive *scene_add_label(Scene *scene, Role role, double size, Vec2 at, const char *text);
 SceneRow *scene_add_row(Scene *scene, RowKind kind, const char *first);
 
+/* Adds a copy of all that another one shows. */
+void scene_add_all(Scene *scene, const Scene *other);
+
 /* Gives a label the outline of what it names. */
 void scene_bind_label(Scene *scene, Primitive *label, const Vec2 *outline, size_t count);
 

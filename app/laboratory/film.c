@@ -107,7 +107,9 @@ static void make_still(Film *film) {
     if (film->options.before.observation && !(hidden & FILM_GHOST))
         people_scene_ghost(scene, film->options.before.observation, house_scene_before_word(film->options.before));
     route_scene_add(scene, house, film->observation, film->options.shown & FILM_ROUTES,
-                    film->options.shown & FILM_WIDTHS);
+                    film->options.shown & FILM_WIDTHS, NULL);
+    if (film->options.ways)
+        scene_add_all(scene, film->options.ways);
     if (!film->crowd)
         keep_ways_clear(film);
     if (!film->crowd)
@@ -122,7 +124,8 @@ static void make_still(Film *film) {
 Film *film_create(const House *house, const Observation *observation, const FilmOptions *options) {
     Film *film = memory_allocate(1, sizeof *film);
     *film = (Film){.house = house, .observation = observation, .options = *options, .time = -1};
-    film->trails = trail_list(observation);
+    film->listed = options->trails ? NULL : trail_list(observation);
+    film->trails = options->trails ? options->trails : film->listed;
     film->progress = memory_allocate(house->person_count, sizeof *film->progress);
     film->standing = memory_allocate(house->person_count, sizeof *film->standing);
     film->poses = memory_allocate(house->person_count, sizeof *film->poses);
@@ -136,7 +139,7 @@ Film *film_create(const House *house, const Observation *observation, const Film
 /* Of somebody, from nothing. */
 static void begin_progress(Film *film, size_t i) {
     const Trail *trail = &film->trails[i];
-    film->progress[i] = (Progress){.row = 0};
+    film->progress[i] = (Progress){.begun = trail->count};
     if (!trail->count)
         return;
     film->progress[i].last_body = trail_pose(trail, trail_begin(trail));
@@ -144,12 +147,9 @@ static void begin_progress(Film *film, size_t i) {
 }
 
 void film_extend(Film *film) {
-    Trail *before = film->trails;
-    film->trails = trail_list(film->observation);
     for (size_t i = 0; i < film->house->person_count; i++)
-        if (!before[i].count)
+        if (!film->progress[i].begun)
             begin_progress(film, i);
-    trail_free_list(before);
 }
 
 void film_forget(Film *film) {
@@ -164,7 +164,8 @@ void film_destroy(Film *film) {
     scene_clear(&film->still);
     scene_clear(&film->added);
     scene_clear(&film->moving);
-    trail_free_list(film->trails);
+    if (film->listed)
+        trail_free_list(film->listed);
     if (film->ghosts)
         trail_free_list(film->ghosts);
     memory_free(film->progress);

@@ -5,6 +5,7 @@
 
 #include "draw/scene.h"
 #include "laboratory/house_scene.h"
+#include "laboratory/trail.h"
 
 /* What is shown on demand. */
 enum {
@@ -38,7 +39,9 @@ typedef struct FilmOptions {
     Before before; /* whose loci are shown as "before" */
     bool live;     /* for a window: bodies are left as often however long the run becomes, and whoever was before is
                       seen moving, too */
-    Box box;       /* m, what must be seen; without a width: the plan and all ways */
+    const Trail *trails; /* (person_count) of the observation, where somebody else lists them; otherwise NULL */
+    const Scene *ways;   /* what route_scene_add makes, to be shown with the plan; or NULL */
+    Box box;             /* m, what must be seen; without a width: the plan and all ways */
 } FilmOptions;
 
 typedef struct Film Film;
@@ -47,7 +50,7 @@ typedef struct Film Film;
 Film *film_create(const House *house, const Observation *observation, const FilmOptions *options);
 void film_destroy(Film *film);
 
-/* The observation has more rows: those it had are the same. */
+/* The observation has more rows, and `trails` hold them: those it had are the same. */
 void film_extend(Film *film);
 
 /* From another place, but in the same kind of view; nothing is made anew. */

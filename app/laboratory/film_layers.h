@@ -9,6 +9,7 @@
 
 /* How far a person's way has been added. */
 typedef struct Progress {
+    bool begun;     /* somebody who has rows */
     size_t row;     /* of the trail, the last one added */
     double length;  /* m, of the locus */
     double body;    /* s, when the next body is left behind */
@@ -19,12 +20,13 @@ struct Film {
     const House *house;
     const Observation *observation;
     FilmOptions options;
-    Trail *trails;      /* (person_count) */
-    Trail *ghosts;      /* (people of the one before) whose bodies are shown; NULL: none are */
-    Progress *progress; /* (person_count) */
-    Standing *standing; /* (person_count) room for who is there */
-    Pose *poses;        /* (person_count) room for walkers of one profile */
-    bool *door_open;    /* (doors of the plan) at the time that is shown */
+    const Trail *trails; /* (person_count) */
+    Trail *listed;       /* the same, when they are its own */
+    Trail *ghosts;       /* (people of the one before) whose bodies are shown; NULL: none are */
+    Progress *progress;  /* (person_count) */
+    Standing *standing;  /* (person_count) room for who is there */
+    Pose *poses;         /* (person_count) room for walkers of one profile */
+    bool *door_open;     /* (doors of the plan) at the time that is shown */
     bool crowd;
     bool several;   /* people of more than one route take part */
     bool small;     /* a house so large that chairs are signs rather than likenesses */

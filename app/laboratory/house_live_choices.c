@@ -40,7 +40,7 @@ void house_live_choices_list(HouseLive *live) {
     if (live->before)
         add_word(live, ghost, "before", live->ghost == GHOST_BEFORE);
     if (rides)
-        add_word(live, ghost, profile_driving_name(house_live_part_rival(live)), live->ghost == GHOST_RIVAL);
+        add_word(live, ghost, profile_driving_name(house_live_follow_other(live)), live->ghost == GHOST_RIVAL);
     if (live->plan.route_count > 1) {
         LiveChoice *route = add_choice(live, ROUTE, "Whose route is driven: everybody's, or one alone.");
         add_word(live, route, "everybody", !live->wish.route);
@@ -61,8 +61,9 @@ void house_live_choices_list(HouseLive *live) {
 
 static void take_ghost(HouseLive *live, const char *word) {
     live->ghost = strcmp(word, "none") == 0 ? GHOST_NONE : strcmp(word, "before") == 0 ? GHOST_BEFORE : GHOST_RIVAL;
-    live->remake = true;
-    live->changed |= LIVE_ALL;
+    live->retell = true;
+    live->changed |= LIVE_WORDS | LIVE_PLOTS;
+    house_live_show_anew(live);
 }
 
 void house_live_choices_take(HouseLive *live, size_t choice, size_t word) {
@@ -73,10 +74,11 @@ void house_live_choices_take(HouseLive *live, size_t choice, size_t word) {
         take_ghost(live, taken->words[word]);
     } else if (strcmp(taken->name, ROUTE) == 0) {
         live->wish.route = word ? live->plan.routes[word - 1].id : NULL;
-        house_live_part_ask(live);
+        house_live_follow_ask(live);
     } else {
         live->wish.driving = (int)word - 1;
-        house_live_part_ask(live);
+        house_live_follow_keep(live, true);
+        house_live_follow_ask(live);
     }
     house_live_choices_list(live);
 }

@@ -1,4 +1,4 @@
-/* What a house at work consists of: for the files house_live_*.c. */
+/* What a house at work consists of: for the files house_live*.c. */
 #pragma once
 
 #include "laboratory/film.h"
@@ -10,27 +10,44 @@
 
 typedef enum HouseGhost { GHOST_NONE, GHOST_BEFORE, GHOST_RIVAL } HouseGhost;
 
+/* In the order of the keys 1 to 9. */
+typedef enum HouseLayer {
+    LAYER_RINGS,
+    LAYER_LOCI,
+    LAYER_GHOST,
+    LAYER_DANGER,
+    LAYER_WIDTHS,
+    LAYER_GRID,
+    LAYER_NAMES,
+    LAYER_FORCES,
+    LAYER_CIRCLES,
+    LAYERS,
+} HouseLayer;
+_Static_assert((int)LAYERS <= (int)LIVE_LAYERS_MOST, "a key for each layer");
+
 enum { HOUSE_CHOICES = 3, HOUSE_CHOICE_WORDS = 32 /* of one choice, at most */ };
 
-/* The plots of what is shown, and how far their axes have grown. */
-typedef struct LiveHousePlots {
+/* Plots of what is shown, and how far their axes have grown. */
+typedef struct ShownPlots {
     HousePlots plots;
     bool made;
     unsigned revision[HOUSE_PLOTS_KNOWN];
     Box grown[HOUSE_PLOTS_KNOWN]; /* while the run goes on */
-    size_t person;                /* whose they are, or SIZE_MAX */
-} LiveHousePlots;
+} ShownPlots;
 
 /* What is said of what is shown. */
 typedef struct HouseWords {
-    Scene scene; /* holds answer, rows and texts */
-    LiveRow *rows;
-    LiveTick *ticks;
+    Scene run;                   /* holds what is said of the run: its answer, its list */
+    Scene moment;                /* holds what is said of what is selected, and of before and now */
+    double before[HAZARDS_MOST]; /* s, shortly before somebody comes to each dangerous point */
+    LiveRow *rows;               /* (row_count) */
+    LiveTick *ticks;             /* (tick_count) */
     size_t row_count, row_capacity, tick_count, tick_capacity;
     const char *title, *detail;
     Role role;
     double said; /* s, of a steady clock, when they were last made */
     double time; /* s, the moment that they tell of */
+    char doing[96], done[96], clock[32], name[HOUSE_THING_NAME];
 } HouseWords;
 
 typedef struct HouseLive {
@@ -44,62 +61,74 @@ typedef struct HouseLive {
     HouseRun *older;  /* begun before the latest was asked for; NULL: none */
     HouseRun *before; /* kept, perhaps the one shown; NULL: none */
     HouseRun *rival;  /* the same house with the other way of driving; NULL: none */
-    bool rival_over;  /* and can be shown */
-    bool kept_itself; /* the one before, by the first change */
+    HouseRun *ways;   /* planned in the house that is shown; NULL: none */
+    bool rival_over, ways_over;
+    bool kept_itself; /* the one before, by a change */
 
     Observation growing;            /* of the one shown while it goes on */
     const Observation *observation; /* of the one shown */
-    bool whole;                     /* it is over */
-    Film *film;
-    Trail *trails; /* (person_count) of the one shown */
-    bool remake;   /* the film must be made anew */
-    bool fresh;    /* nothing of the film has been shown yet */
-    Scene nothing; /* shown before anything is read */
+    TrailGrowth trails;             /* of that */
+    bool whole;                     /* the one shown is over */
+    Film *film;                     /* NULL: to be made */
+    bool fresh;                     /* nothing of the film has been shown yet */
+    Scene nothing;                  /* shown before anything is read */
 
     HouseGhost ghost;
     Camera camera;
     unsigned layers;
     LiveThing selected;
     unsigned changed; /* LIVE_... since the last update */
+    bool retell;      /* words of the run are to be made anew, not only those of the moment */
     HouseValues values;
-    LiveHousePlots plots;
+    ShownPlots plots;
     HouseWords words;
     Text trouble;
     double trouble_time; /* s */
-    double time;         /* s, shown last */
 
     LiveChoice choices[HOUSE_CHOICES]; /* (choice_count) */
     const char *choice_words[HOUSE_CHOICES][HOUSE_CHOICE_WORDS];
     size_t choice_count;
-    const char **command; /* (command_count) */
-    size_t command_count;
+    const char **command; /* of house_live_command_words */
     Arena command_arena;
-    char clock[32], doing[96], done[96], name[HOUSE_THING_NAME];
 } HouseLive;
 
-/* s, of a steady clock. */
-double house_live_part_now(void);
-
 /* What can be pointed at. Something is shown. */
-static inline HouseScenery house_live_part_scenery(const HouseLive *live) {
-    return (HouseScenery){&live->shown->house, live->observation, live->trails};
+static inline HouseScenery house_live_scenery(const HouseLive *live) {
+    return (HouseScenery){&live->shown->house, live->observation, live->trails.trails};
 }
 
+/* Runs: asks for one of the present wish and values; keeps the one shown as before, or forgets the one before; takes
+ * over what has come, `time` is shown. */
+void house_live_follow_ask(HouseLive *live);
+void house_live_follow_keep(HouseLive *live, bool by_itself);
+void house_live_follow_forget(HouseLive *live);
+void house_live_follow_all(HouseLive *live, double time);
+void house_live_follow_end(HouseLive *live);
+
 /* What is shown as a ghost; none: without an observation. */
-Before house_live_part_ghost(const HouseLive *live);
+Before house_live_follow_ghost(const HouseLive *live);
 
 /* The way of driving that the house has not. */
-int house_live_part_rival(const HouseLive *live);
+int house_live_follow_other(const HouseLive *live);
 
-/* Of how much of the record it is known that it will not change any more, s. */
-double house_live_part_end(const HouseLive *live);
+/* Up to when the record will not change any more, s. */
+double house_live_follow_reach(const HouseLive *live);
+
+/* The film is to be made anew before it is shown again. */
+void house_live_show_anew(HouseLive *live);
+
+/* Makes it, where that is to be. */
+void house_live_show_make(HouseLive *live);
 
 /* The plots of what is shown now; `anew`: of another run, person or ghost, not only of more of the same. */
 void house_live_plots_make(HouseLive *live, bool anew);
 void house_live_plots_clear(HouseLive *live);
 LivePlot house_live_plots_at(const HouseLive *live, size_t index);
 
-/* Makes all words; `time` is shown. */
+/* s, of a steady clock. */
+double house_live_words_now(void);
+
+/* Makes the words that are not as they should be; `time` is shown. */
 void house_live_words_make(HouseLive *live, double time);
 void house_live_words_clear(HouseLive *live);
 
@@ -115,8 +144,5 @@ bool house_live_words_does_other(HouseLive *live);
 void house_live_choices_list(HouseLive *live);
 void house_live_choices_take(HouseLive *live, size_t choice, size_t word);
 
-/* Asks for a run of the present wish and values. */
-void house_live_part_ask(HouseLive *live);
-
-/* Releases a run that is neither shown nor before. */
-void house_live_part_release(HouseLive *live, HouseRun *run);
+/* The words behind "clearance" that make what is shown. */
+const char *const *house_live_command_words(HouseLive *live, size_t *count);

@@ -49,13 +49,13 @@ static bool grow_axes(Plot *plot, Box *grown, bool timed) {
 
 void house_live_plots_make(HouseLive *live, bool anew) {
     static const PlotChoice all = {.indices = {0, 1, 2, 3, 4}, .count = HOUSE_PLOTS_KNOWN};
-    LiveHousePlots *plots = &live->plots;
+    ShownPlots *plots = &live->plots;
+    size_t person = live->selected.kind == HOUSE_PERSON ? live->selected.index : SIZE_MAX;
     if (plots->made)
         house_plots_free(&plots->plots);
     plots->made = true;
-    plots->person = live->selected.kind == HOUSE_PERSON ? live->selected.index : SIZE_MAX;
-    plots->plots =
-        house_plots_make_of(&live->shown->house, live->observation, house_live_part_ghost(live), plots->person, &all);
+    plots->plots = house_plots_make_of(&live->shown->house, live->observation, live->trails.trails,
+                                       house_live_follow_ghost(live), person, &all);
     for (size_t i = 0; i < HOUSE_PLOTS_KNOWN; i++) {
         Plot *plot = &plots->plots.plots[i];
         if (anew)

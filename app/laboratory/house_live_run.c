@@ -1,11 +1,13 @@
 #include "laboratory/house_live_run.h"
 
+#include <stdio.h>
 #include <string.h>
 #include <time.h>
 
 #include "base/parallel.h"
 #include "house/observer.h"
 #include "house/run.h"
+#include "laboratory/route_scene.h"
 
 static double now(void) {
     struct timespec time;
@@ -29,6 +31,7 @@ HouseRun *house_live_run_create(const HouseWish *wish) {
 
 void house_live_run_destroy(HouseRun *run) {
     observation_free(&run->observation);
+    scene_clear(&run->ways);
     house_free(&run->house);
     fault_clear(&run->fault);
     trace_clear(&run->fresh);
@@ -82,6 +85,18 @@ static void make_room(HouseRun *run) {
     run->fresh = empty.trace;
 }
 
+static void drive(HouseRun *run) {
+    size_t route = run->wish.route ? plan_find_route(&run->house.plan, run->wish.route) : SIZE_MAX;
+    RunOptions how = {.route = route, .jobs = run->wish.jobs, .stop = &run->stop, .record = take_piece, .context = run};
+    run_house(&run->observation, &run->house, &how);
+}
+
+static void make_ways(HouseRun *run) {
+    Observation all = house_live_run_begin(run);
+    route_scene_add(&run->ways, &run->house, &all, true, true, &run->stop);
+    observation_free(&all);
+}
+
 void house_live_run_make(HouseRun *run) {
     HouseOptions options = {.profiles = run->wish.profiles,
                             .settings = run->wish.settings,
@@ -95,9 +110,10 @@ void house_live_run_make(HouseRun *run) {
     }
     make_room(run);
     enter(run, HOUSE_PLANS);
-    size_t route = run->wish.route ? plan_find_route(&run->house.plan, run->wish.route) : SIZE_MAX;
-    RunOptions how = {.route = route, .jobs = run->wish.jobs, .stop = &run->stop, .record = take_piece, .context = run};
-    run_house(&run->observation, &run->house, &how);
+    if (run->wish.job == HOUSE_JOB_WAYS)
+        make_ways(run);
+    else
+        drive(run);
     enter(run, parallel_stopped(&run->stop) ? HOUSE_STOPPED : HOUSE_OVER);
 }
 
@@ -132,6 +148,26 @@ double house_live_run_reach(HouseRun *run) {
     double reach = reach_of(run);
     pthread_mutex_unlock(&run->mutex);
     return reach;
+}
+
+bool house_live_run_say(HouseRun *run, const char *who, char *words, size_t size) {
+    switch (house_live_run_stage(run)) {
+    case HOUSE_WAITS:
+    case HOUSE_READS:
+        snprintf(words, size, "%sreading the house", who);
+        return true;
+    case HOUSE_PLANS:
+        snprintf(words, size, "%splanning the ways", who);
+        return true;
+    case HOUSE_DRIVES:
+        snprintf(words, size, "%scomputed %.1f s", who, house_live_run_reach(run));
+        return true;
+    case HOUSE_OVER:
+    case HOUSE_FAILED:
+    case HOUSE_STOPPED:
+        break;
+    }
+    return false;
 }
 
 Observation house_live_run_begin(const HouseRun *run) {

@@ -9,9 +9,18 @@
 
 #include "house/house.h"
 #include "house/observation.h"
+#include "draw/scene.h"
 
-/* What is to be run. */
+/* What is to be made. */
+typedef enum HouseJob {
+    HOUSE_JOB_RUN,   /* the run to be shown */
+    HOUSE_JOB_RIVAL, /* one to compare it with */
+    HOUSE_JOB_WAYS,  /* only the planned ways, as a scene */
+    HOUSE_JOBS,
+} HouseJob;
+
 typedef struct HouseWish {
+    HouseJob job;
     const char *path;            /* of the house file */
     const char *profiles;        /* directory of the shipped ones */
     const char *const *settings; /* (setting_count) NAME=VALUE */
@@ -27,7 +36,7 @@ typedef enum HouseStage {
     HOUSE_READS,
     HOUSE_PLANS,   /* the house is there, nothing is recorded */
     HOUSE_DRIVES,  /* something is */
-    HOUSE_OVER,    /* the observation is there */
+    HOUSE_OVER,    /* the observation, or the ways, are there */
     HOUSE_FAILED,  /* the fault says why there is no house */
     HOUSE_STOPPED, /* what is recorded is all that there will be */
 } HouseStage;
@@ -40,6 +49,7 @@ typedef struct HouseRun {
     /* The worker's, until the stage says that they are there; then they stay as they are. */
     House house;
     Observation observation;
+    Scene ways;
     Fault fault;
 
     volatile sig_atomic_t stop;
@@ -71,6 +81,9 @@ double house_live_run_age(HouseRun *run);
 
 /* s, up to when everything is recorded; more will come after it. */
 double house_live_run_reach(HouseRun *run);
+
+/* How far it is, in words behind `who`, "computed 12.3 s"; false: it is over. */
+bool house_live_run_say(HouseRun *run, const char *who, char *words, size_t size);
 
 /* An observation without rows, to be filled by house_live_run_take: of everybody who takes part. */
 Observation house_live_run_begin(const HouseRun *run);

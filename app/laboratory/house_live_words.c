@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "laboratory/house_live_parts.h"
 #include "laboratory/people_scene.h"
@@ -12,6 +13,12 @@
 enum { TICKS_MOST = 2000 };
 
 #define NEW_CONTACT 0.1 /* s: a body that has been free for less is still touching */
+
+double house_live_words_now(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
 
 static LiveRow *add_row(HouseLive *live, RowKind kind, const char *first) {
     HouseWords *words = &live->words;
@@ -39,8 +46,8 @@ static const double *row_at(const Trail *trail, double time) {
 }
 
 static void say_moment(HouseLive *live, size_t person, double time) {
-    Scene *scene = &live->words.scene;
-    const double *row = row_at(&live->trails[person], time);
+    Scene *scene = &live->words.moment;
+    const double *row = row_at(&live->trails.trails[person], time);
     if (!row)
         return;
     double reach = live->shown->house.people[person].profile->space_reach;
@@ -53,12 +60,12 @@ static void say_moment(HouseLive *live, size_t person, double time) {
 
 static const char *result_of(HouseLive *live, const PersonObservation *observed) {
     if (observed->completed)
-        return scene_text(&live->words.scene, "out in %.1f s", observed->time);
+        return scene_text(&live->words.moment, "out in %.1f s", observed->time);
     return live->whole ? observation_reason(observed->reason) : "on the way";
 }
 
 static void say_narrowest(HouseLive *live, size_t person) {
-    Scene *scene = &live->words.scene;
+    Scene *scene = &live->words.moment;
     const House *house = &live->shown->house;
     const PersonObservation *observed = &live->observation->people[person];
     char place[HOUSE_THING_NAME];
@@ -74,7 +81,7 @@ static void say_narrowest(HouseLive *live, size_t person) {
 }
 
 static void say_person(HouseLive *live, size_t i, double time) {
-    Scene *scene = &live->words.scene;
+    Scene *scene = &live->words.moment;
     const Inhabitant *person = &live->shown->house.people[i];
     const PersonObservation *observed = &live->observation->people[i];
     add_pair(live, "profile", arena_text(&scene->arena, person->profile->name));
@@ -96,7 +103,7 @@ static void say_person(HouseLive *live, size_t i, double time) {
 
 static void say_door(HouseLive *live, const Door *door) {
     static const char *const kinds[] = {"opening", "hinged", "sliding"}, *const states[] = {"open", "closed", "locked"};
-    Scene *scene = &live->words.scene;
+    Scene *scene = &live->words.moment;
     add_pair(live, "clear width", scene_text(scene, "%.3f m", door->width));
     add_pair(live, "kind", kinds[door->kind]);
     add_pair(live, "state", states[door->state]);
@@ -104,14 +111,14 @@ static void say_door(HouseLive *live, const Door *door) {
 }
 
 static void say_hazard(HouseLive *live, const Hazard *hazard) {
-    Scene *scene = &live->words.scene;
+    Scene *scene = &live->words.moment;
     add_pair(live, "clearance", people_scene_clearance(scene, hazard->clearance));
     add_pair(live, "hardest contact", scene_text(scene, "%.0f N", hazard->peak_force));
     add_pair(live, "lost time", scene_text(scene, "%.1f s", hazard->lost_time));
 }
 
 static void say_selected(HouseLive *live, double time) {
-    Scene *scene = &live->words.scene;
+    Scene *scene = &live->words.moment;
     const Plan *plan = &live->shown->house.plan;
     LiveThing thing = live->selected;
     char name[HOUSE_THING_NAME];
@@ -168,8 +175,8 @@ static void add_comparison(HouseLive *live, const char *what, const char *before
 }
 
 static void compare(HouseLive *live) {
-    Before ghost = house_live_part_ghost(live);
-    Scene *scene = &live->words.scene;
+    Before ghost = house_live_follow_ghost(live);
+    Scene *scene = &live->words.moment;
     if (!ghost.observation || !live->whole)
         return;
     Totals before = totals_of(ghost.observation), now = totals_of(live->observation);
@@ -191,24 +198,27 @@ static void compare(HouseLive *live) {
 /* What the scene lists: dangerous points and people
  * ------------------------------------------------------------------*/
 
-/* When somebody is nearest to a dangerous point, less so much that one sees them come; s. */
-static double time_before(const HouseLive *live, const Hazard *hazard) {
-    double least = HUGE_VAL, time = 0;
-    const Trace *trace = &live->observation->trace;
-    for (size_t r = 0; r < trace->rows; r++) {
-        const double *row = trace_row(trace, r);
-        double distance = vec2_distance(vec2(row[TRACE_X], row[TRACE_Y]), hazard->at);
-        if (distance < least) {
-            least = distance;
-            time = row[TRACE_TIME];
+/* When somebody is nearest to each dangerous point, less so much that one sees them come; s. */
+static void find_times(HouseLive *live) {
+    const Observation *observation = live->observation;
+    double least[HAZARDS_MOST], *before = live->words.before;
+    for (size_t h = 0; h < observation->hazard_count; h++)
+        least[h] = HUGE_VAL;
+    for (size_t r = 0; r < observation->trace.rows && observation->hazard_count; r++) {
+        const double *row = trace_row(&observation->trace, r);
+        for (size_t h = 0; h < observation->hazard_count; h++) {
+            double distance = vec2_distance(vec2(row[TRACE_X], row[TRACE_Y]), observation->hazards[h].at);
+            if (distance >= least[h])
+                continue;
+            least[h] = distance;
+            before[h] = fmax(0, row[TRACE_TIME] - AHEAD);
         }
     }
-    return fmax(0, time - AHEAD);
 }
 
 /* Rows of the scene's list with what they mean: the n-th below a heading is the n-th of its kind. */
 static void add_listed(HouseLive *live) {
-    const Scene *scene = &live->words.scene;
+    const Scene *scene = &live->words.run;
     const House *house = &live->shown->house;
     size_t hazard = 0, person = 0;
     for (size_t i = 0; i < scene->row_count; i++) {
@@ -216,7 +226,7 @@ static void add_listed(HouseLive *live) {
         row->row = scene->rows[i];
         if (row->row.kind == ROW_DISC) {
             row->thing = (LiveThing){HOUSE_HAZARD, hazard};
-            row->time = time_before(live, &live->observation->hazards[hazard++]);
+            row->time = live->words.before[hazard++];
         } else if (row->row.kind == ROW_LINE && house->person_count <= PEOPLE_SCENE_INDIVIDUALS) {
             while (person < house->person_count && !live->observation->people[person].took_part)
                 person++;
@@ -247,7 +257,7 @@ static void make_ticks(HouseLive *live) {
     live->words.tick_count = 0;
     for (size_t i = 0; i < observation->person_count; i++) {
         const PersonObservation *person = &observation->people[i];
-        const Trail *trail = &live->trails[i];
+        const Trail *trail = &live->trails.trails[i];
         double touched = -HUGE_VAL;
         for (size_t r = 0; r < trail->count; r++) {
             const double *row = trail->rows[r];
@@ -271,8 +281,8 @@ static void make_ticks(HouseLive *live) {
 
 /* "before 24.1 s, -5.7 s (-24 %)" */
 static const char *against(HouseLive *live) {
-    Before ghost = house_live_part_ghost(live);
-    Scene *scene = &live->words.scene;
+    Before ghost = house_live_follow_ghost(live);
+    Scene *scene = &live->words.moment;
     if (!ghost.observation)
         return "";
     const char *word = house_scene_before_word(ghost);
@@ -286,41 +296,48 @@ static const char *against(HouseLive *live) {
 
 static void say_answer(HouseLive *live) {
     HouseWords *words = &live->words;
+    const Scene *run = &words->run;
     if (!live->whole) {
-        bool driving = live->observation->trace.rows;
-        words->title = driving ? "Driving ..." : "Planning ...";
+        words->title = live->observation->trace.rows ? "Driving ..." : "Planning ...";
         words->role = ROLE_TEXT;
         words->detail = "";
         return;
     }
     const char *than = against(live);
-    words->title = words->scene.title;
-    words->role = words->scene.title_role;
+    words->title = run->title;
+    words->role = run->title_role;
     words->detail =
-        *than ? scene_text(&words->scene, "%s%s%s", than, *words->scene.detail ? "; " : "", words->scene.detail)
-              : words->scene.detail;
+        *than ? scene_text(&words->moment, "%s%s%s", than, *run->detail ? "; " : "", run->detail) : run->detail;
+}
+
+/* What is said of the run as a whole. */
+static void tell_run(HouseLive *live) {
+    Census census = census_take(&live->shown->house, live->observation);
+    scene_clear(&live->words.run);
+    house_scene_say(&live->words.run, &live->shown->house, live->observation, &census);
+    census_clear(&census);
+    find_times(live);
+    make_ticks(live);
+    live->retell = false;
 }
 
 void house_live_words_make(HouseLive *live, double time) {
     HouseWords *words = &live->words;
-    scene_clear(&words->scene);
     words->row_count = 0;
-    words->said = house_live_part_now();
+    words->said = house_live_words_now();
     words->time = time;
-    if (!live->shown)
-        return;
-    Census census = census_take(&live->shown->house, live->observation);
-    house_scene_begin(&words->scene, &live->shown->house, live->observation, &census);
-    census_clear(&census);
+    if (live->retell)
+        tell_run(live);
+    scene_clear(&words->moment);
     say_answer(live);
     say_selected(live, time);
     compare(live);
     add_listed(live);
-    make_ticks(live);
 }
 
 void house_live_words_clear(HouseLive *live) {
-    scene_clear(&live->words.scene);
+    scene_clear(&live->words.run);
+    scene_clear(&live->words.moment);
     memory_free(live->words.rows);
     memory_free(live->words.ticks);
     live->words = (HouseWords){.title = NULL};
@@ -329,54 +346,54 @@ void house_live_words_clear(HouseLive *live) {
 bool house_live_words_moved(const HouseLive *live, double time) {
     if (!live->shown || live->selected.kind != HOUSE_PERSON || time == live->words.time)
         return false;
-    const Trail *trail = &live->trails[live->selected.index];
-    return house_live_part_now() - live->words.said >= MOMENT && row_at(trail, time) != row_at(trail, live->words.time);
+    const Trail *trail = &live->trails.trails[live->selected.index];
+    return house_live_words_now() - live->words.said >= MOMENT &&
+           row_at(trail, time) != row_at(trail, live->words.time);
 }
 
 /* What is in work, in words; NULL: nothing. */
-static const char *say_doing(HouseLive *live, HouseRun *run, const char *who) {
-    switch (house_live_run_stage(run)) {
-    case HOUSE_WAITS:
-    case HOUSE_READS:
-        snprintf(live->doing, sizeof live->doing, "%sreading the house", who);
-        break;
-    case HOUSE_PLANS:
-        snprintf(live->doing, sizeof live->doing, "%splanning the ways", who);
-        break;
-    case HOUSE_DRIVES:
-        snprintf(live->doing, sizeof live->doing, "%scomputed %.1f s", who, house_live_run_reach(run));
-        break;
-    case HOUSE_OVER:
-    case HOUSE_FAILED:
-    case HOUSE_STOPPED:
-        return NULL;
+static const char *say_doing(HouseLive *live) {
+    HouseWords *words = &live->words;
+    char who[32] = "";
+    HouseRun *run = live->latest;
+    if (!run && live->shown && !live->whole)
+        run = live->shown;
+    if (!run && live->rival && !live->rival_over) {
+        run = live->rival;
+        snprintf(who, sizeof who, "%s: ", profile_driving_name(run->wish.driving));
     }
-    return live->doing;
+    if (!run && live->ways && !live->ways_over)
+        run = live->ways;
+    return run && house_live_run_say(run, who, words->doing, sizeof words->doing) ? words->doing : NULL;
+}
+
+/* Before anything is shown. */
+static LiveAnswer answer_nothing(HouseLive *live) {
+    if (live->latest)
+        return (LiveAnswer){
+            .title = "Reading ...", .role = ROLE_TEXT, .detail = "", .doing = say_doing(live), .part = NAN};
+    return (LiveAnswer){.title = "This house cannot be run",
+                        .role = ROLE_ERROR,
+                        .detail = live->trouble.text ? live->trouble.text : "",
+                        .part = NAN};
 }
 
 LiveAnswer house_live_words_answer(HouseLive *live) {
     const HouseWords *words = &live->words;
-    LiveAnswer answer = {.title = live->shown ? words->title : "Reading ...",
-                         .role = live->shown ? words->role : ROLE_TEXT,
-                         .detail = live->shown ? words->detail : "",
-                         .stale = live->shown && live->latest,
-                         .part = NAN};
-    if (live->latest)
-        answer.doing = say_doing(live, live->latest, "");
-    else if (live->shown && !live->whole)
-        answer.doing = say_doing(live, live->shown, "");
-    else if (live->rival && !live->rival_over) {
-        char who[32];
-        snprintf(who, sizeof who, "%s: ", profile_driving_name(live->rival->wish.driving));
-        answer.doing = say_doing(live, live->rival, who);
-    }
-    return answer;
+    if (!live->shown)
+        return answer_nothing(live);
+    return (LiveAnswer){.title = words->title ? words->title : "Planning ...",
+                        .role = words->role,
+                        .detail = words->detail ? words->detail : "",
+                        .stale = live->latest,
+                        .doing = say_doing(live),
+                        .part = NAN};
 }
 
 bool house_live_words_does_other(HouseLive *live) {
-    LiveAnswer answer = house_live_words_answer(live);
-    const char *doing = answer.doing ? answer.doing : "";
-    bool other = strcmp(doing, live->done) != 0;
-    snprintf(live->done, sizeof live->done, "%s", doing);
+    HouseWords *words = &live->words;
+    const char *doing = say_doing(live);
+    bool other = strcmp(doing ? doing : "", words->done) != 0;
+    snprintf(words->done, sizeof words->done, "%s", doing ? doing : "");
     return other;
 }

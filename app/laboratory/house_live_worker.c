@@ -6,21 +6,29 @@ struct HouseWorker {
     pthread_t thread;
     pthread_mutex_t mutex;
     pthread_cond_t asked;
-    HouseRun *waiting[2]; /* the urgent one, the other one */
-    HouseRun *current;    /* in work */
-    bool forsaken;        /* the current one is abandoned */
+    HouseRun *waiting[HOUSE_JOBS];
+    HouseRun *current; /* in work */
+    bool forsaken;     /* the current one is abandoned */
     bool ends;
 };
 
+/* The first that waits; HOUSE_JOBS: none does. */
+static int first_waiting(const HouseWorker *worker) {
+    int job = 0;
+    while (job < HOUSE_JOBS && !worker->waiting[job])
+        job++;
+    return job;
+}
+
 /* The next one, or NULL: it ends. The mutex is locked. */
 static HouseRun *wait_for_run(HouseWorker *worker) {
-    while (!worker->ends && !worker->waiting[0] && !worker->waiting[1])
+    while (!worker->ends && first_waiting(worker) == HOUSE_JOBS)
         pthread_cond_wait(&worker->asked, &worker->mutex);
     if (worker->ends)
         return NULL;
-    int which = worker->waiting[0] ? 0 : 1;
-    HouseRun *run = worker->waiting[which];
-    worker->waiting[which] = NULL;
+    int job = first_waiting(worker);
+    HouseRun *run = worker->waiting[job];
+    worker->waiting[job] = NULL;
     return run;
 }
 
@@ -60,9 +68,9 @@ void house_live_worker_destroy(HouseWorker *worker) {
     memory_free(worker);
 }
 
-void house_live_worker_ask(HouseWorker *worker, HouseRun *run, bool urgent) {
+void house_live_worker_ask(HouseWorker *worker, HouseRun *run) {
     pthread_mutex_lock(&worker->mutex);
-    worker->waiting[urgent ? 0 : 1] = run;
+    worker->waiting[run->wish.job] = run;
     pthread_cond_signal(&worker->asked);
     pthread_mutex_unlock(&worker->mutex);
 }
@@ -71,7 +79,7 @@ void house_live_worker_abandon(HouseWorker *worker, HouseRun *run) {
     if (!run)
         return;
     pthread_mutex_lock(&worker->mutex);
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < HOUSE_JOBS; i++)
         if (worker->waiting[i] == run)
             worker->waiting[i] = NULL;
     bool in_work = worker->current == run;

@@ -132,11 +132,9 @@ static void name_subjects(Subjects *subjects) {
 }
 
 /* The people of a run, chairs before walkers, or one of them, each with a copy of their rows. */
-static Subjects take_subjects(const House *house, const Observation *observation, size_t person, Arena *arena) {
+static Subjects take_subjects(const House *house, const Observation *observation, const Trail *trails, size_t person,
+                              Arena *arena) {
     Subjects subjects = {.house = house, .observation = observation, .alone = person != SIZE_MAX};
-    if (!observation->person_count)
-        return subjects;
-    Trail *trails = trail_list(observation);
     for (size_t i = 0; i < observation->person_count; i++)
         subjects.people += observation->people[i].took_part;
     for (int walks = 0; walks <= 1; walks++)
@@ -144,7 +142,6 @@ static Subjects take_subjects(const House *house, const Observation *observation
             if ((person == SIZE_MAX || person == i) && trails[i].count &&
                 census_walks(house->people[i].profile) == walks && subjects.count < PEOPLE_SCENE_INDIVIDUALS)
                 add_subject(&subjects, &trails[i], i, arena);
-    trail_free_list(trails);
     name_subjects(&subjects);
     return subjects;
 }
@@ -213,12 +210,16 @@ static size_t like_before(const House *house, Before before, size_t person) {
     return SIZE_MAX;
 }
 
-HousePlots house_plots_make_of(const House *house, const Observation *observation, Before before, size_t person,
-                               const PlotChoice *choice) {
+HousePlots house_plots_make_of(const House *house, const Observation *observation, const Trail *trails, Before before,
+                               size_t person, const PlotChoice *choice) {
     HousePlots plots = {.choice = *choice};
-    Subjects subjects = take_subjects(house, observation, person, &plots.arena), ghosts = {.count = 0};
-    if (before.observation)
-        ghosts = take_subjects(before.house, before.observation, like_before(house, before, person), &plots.arena);
+    Subjects subjects = take_subjects(house, observation, trails, person, &plots.arena), ghosts = {.count = 0};
+    if (before.observation) {
+        Trail *others = trail_list(before.observation);
+        ghosts =
+            take_subjects(before.house, before.observation, others, like_before(house, before, person), &plots.arena);
+        trail_free_list(others);
+    }
     ghosts.word = text_in_arena(&plots.arena, "%s", house_scene_before_word(before));
     for (size_t i = 0; i < choice->count; i++)
         plots.plots[i] = make_plot(&known[choice->indices[i]], &subjects, &ghosts, &plots.arena);
@@ -227,8 +228,11 @@ HousePlots house_plots_make_of(const House *house, const Observation *observatio
 
 HousePlots house_plots_make(const House *house, const Observation *observation, const House *ghost_house,
                             const Observation *ghost, const PlotChoice *choice) {
-    return house_plots_make_of(house, observation, (Before){.house = ghost_house, .observation = ghost}, SIZE_MAX,
-                               choice);
+    Trail *trails = trail_list(observation);
+    HousePlots plots = house_plots_make_of(house, observation, trails,
+                                           (Before){.house = ghost_house, .observation = ghost}, SIZE_MAX, choice);
+    trail_free_list(trails);
+    return plots;
 }
 
 void house_plots_free(HousePlots *plots) {

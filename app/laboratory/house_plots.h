@@ -6,6 +6,7 @@
 #include "house/observation.h"
 #include "laboratory/house_scene.h"
 #include "laboratory/plot_choice.h"
+#include "laboratory/trail.h"
 
 enum { HOUSE_PLOTS_KNOWN = 5 /* plots */ };
 
@@ -27,9 +28,10 @@ typedef struct HousePlots {
  * `ghost_house` and `ghost` are NULL when nothing was before. house_plots_free releases them. */
 HousePlots house_plots_make(const House *house, const Observation *observation, const House *ghost_house,
                             const Observation *ghost, const PlotChoice *choice);
-/* The same of one person (index into House.people; SIZE_MAX: of all) and with what was before under its own word. */
-HousePlots house_plots_make_of(const House *house, const Observation *observation, Before before, size_t person,
-                               const PlotChoice *choice);
+/* The same of one person (index into House.people; SIZE_MAX: of all) and with what was before under its own word. The
+ * trails are the observation's. */
+HousePlots house_plots_make_of(const House *house, const Observation *observation, const Trail *trails, Before before,
+                               size_t person, const PlotChoice *choice);
 void house_plots_free(HousePlots *plots);
 
 /* How many points of a series of a plot (index into `plots`) lie at or before a time, s. */

@@ -195,9 +195,13 @@ static Box whole_box(const House *house, const Observation *observation) {
 }
 
 bool house_scene_begin(Scene *scene, const House *house, const Observation *observation, const Census *census) {
-    bool crowd = is_crowd(census);
     *scene = (Scene){.grid = HOUSE_SCENE_GRID, .top = PLAN_SCENE_CUT};
     scene->box = whole_box(house, observation);
+    return house_scene_say(scene, house, observation, census);
+}
+
+bool house_scene_say(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+    bool crowd = is_crowd(census);
     say_answer(scene, house, observation, census);
     list_hazards(scene, house, observation, crowd);
     if (crowd)

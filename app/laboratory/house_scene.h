@@ -38,5 +38,7 @@ void house_scene_say_before(Scene *scene, Before before);
 /* The same as house_scene_make, of a part of the plan (m), without what lies elsewhere, and without answer and list. */
 void house_scene_make_detail(Scene *scene, const House *house, const Observation *observation, Box box);
 
-/* What stills and films have in common: the answer, what has to be seen, and the list beside it. Is it a crowd? */
+/* What stills and films have in common: the answer and the list beside it; and with them what has to be seen. Is it a
+ * crowd? */
+bool house_scene_say(Scene *scene, const House *house, const Observation *observation, const Census *census);
 bool house_scene_begin(Scene *scene, const House *house, const Observation *observation, const Census *census);

@@ -49,13 +49,14 @@ static void add_widths(Scene *scene, const House *house, size_t person, const Ro
     track_free(&track);
 }
 
-void route_scene_add(Scene *scene, const House *house, const Observation *observation, bool routes, bool widths) {
+void route_scene_add(Scene *scene, const House *house, const Observation *observation, bool routes, bool widths,
+                     const volatile sig_atomic_t *stop) {
     if (!routes && !widths)
         return;
     bool *part = memory_allocate(house->person_count, sizeof *part);
     for (size_t i = 0; i < house->person_count; i++)
         part[i] = observation->people[i].took_part && !census_walks(house->people[i].profile);
-    Journeys journeys = journey_plan_all(house, part, 1, NULL);
+    Journeys journeys = journey_plan_all(house, part, 1, stop);
     for (size_t i = 0; i < house->person_count; i++) {
         const Journey *journey = &journeys.of[i];
         if (!part[i] || !journey->track.count)

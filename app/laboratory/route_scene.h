@@ -1,8 +1,11 @@
 /* The planned ways, and the widths of the passages round whose corners they lead. */
 #pragma once
 
+#include <signal.h>
+
 #include "draw/scene.h"
 #include "house/observation.h"
 
-/* Plans anew what chairs that took part intended at the start. */
-void route_scene_add(Scene *scene, const House *house, const Observation *observation, bool routes, bool widths);
+/* Plans anew what chairs that took part intended at the start, until `stop` (may be NULL) is set. */
+void route_scene_add(Scene *scene, const House *house, const Observation *observation, bool routes, bool widths,
+                     const volatile sig_atomic_t *stop);

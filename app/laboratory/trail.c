@@ -1,5 +1,7 @@
 #include "laboratory/trail.h"
 
+#include <stdint.h>
+
 static size_t row_person(const double *row) {
     return (size_t)row[TRACE_PERSON];
 }
@@ -28,6 +30,39 @@ Trail *trail_list(const Observation *observation) {
 void trail_free_list(Trail *trails) {
     memory_free(trails[0].rows);
     memory_free(trails);
+}
+
+/* The trace has moved in memory. */
+static void follow_trace(TrailGrowth *growth, const double *values) {
+    uintptr_t before = (uintptr_t)growth->values;
+    for (size_t p = 0; p < growth->count && growth->values != values; p++)
+        for (size_t i = 0; i < growth->trails[p].count; i++)
+            growth->trails[p].rows[i] = values + ((uintptr_t)growth->trails[p].rows[i] - before) / sizeof *values;
+    growth->values = values;
+}
+
+void trail_grow(TrailGrowth *growth, const Observation *observation) {
+    const Trace *trace = &observation->trace;
+    if (!growth->trails) {
+        growth->count = observation->person_count;
+        growth->trails = memory_allocate(growth->count, sizeof *growth->trails);
+        growth->capacities = memory_allocate(growth->count, sizeof *growth->capacities);
+    }
+    follow_trace(growth, trace->values);
+    for (; growth->rows < trace->rows; growth->rows++) {
+        const double *row = trace_row(trace, growth->rows);
+        Trail *trail = &growth->trails[row_person(row)];
+        trail->rows = memory_reserve(trail->rows, &growth->capacities[row_person(row)], trail->count + 1, sizeof row);
+        trail->rows[trail->count++] = row;
+    }
+}
+
+void trail_clear(TrailGrowth *growth) {
+    for (size_t p = 0; p < growth->count; p++)
+        memory_free(growth->trails[p].rows);
+    memory_free(growth->trails);
+    memory_free(growth->capacities);
+    *growth = (TrailGrowth){.trails = NULL};
 }
 
 double trail_begin(const Trail *trail) {

@@ -12,6 +12,17 @@ typedef struct Trail {
 Trail *trail_list(const Observation *observation);
 void trail_free_list(Trail *trails);
 
+/* The same of an observation that gets more rows: what is new is added. Zero is none; trail_clear releases it. */
+typedef struct TrailGrowth {
+    Trail *trails; /* (count) by person */
+    size_t *capacities;
+    size_t count, rows;
+    const double *values; /* of the trace, when rows were added last */
+} TrailGrowth;
+
+void trail_grow(TrailGrowth *growth, const Observation *observation);
+void trail_clear(TrailGrowth *growth);
+
 /* Where and how the person stands at a time; between rows in proportion. The trail has a row. */
 Pose trail_pose(const Trail *trail, double time);
 

@@ -1,0 +1,339 @@
+/* What is in work for a house that is shown, and what takes the place of what: the runs that have been asked for, the
+ * one shown, the one before, the rival, the planned ways. */
+#include <string.h>
+
+#include "base/parallel.h"
+#include "laboratory/house_live_parts.h"
+#include "laboratory/people_scene.h"
+
+#define GRACE 0.3    /* s: a run that is over within so much is waited for before anything of it is shown, or stopped */
+#define MARGIN 2     /* samples at the end of a record that still changes are not shown */
+#define TAKE_PART 16 /* rows are taken over when they are such a part of all, so that this costs little in sum */
+#define TAKE_NEAR 1.0 /* s: or when what is shown comes so near to the end */
+
+enum { GHOSTS_MOST = 60 /* people: of more nobody could be told apart */ };
+
+/* Neither shown nor before any more. */
+static void release(HouseLive *live, HouseRun *run) {
+    if (run && run != live->shown && run != live->before)
+        house_live_worker_abandon(live->worker, run);
+}
+
+Before house_live_follow_ghost(const HouseLive *live) {
+    if (live->ghost == GHOST_BEFORE && live->before && live->before != live->shown &&
+        live->before->house.person_count <= GHOSTS_MOST)
+        return (Before){.house = &live->before->house, .observation = &live->before->observation};
+    if (live->ghost == GHOST_RIVAL && live->rival_over && live->rival->house.person_count <= GHOSTS_MOST)
+        return (Before){.house = &live->rival->house,
+                        .observation = &live->rival->observation,
+                        .word = profile_driving_name(live->rival->wish.driving)};
+    return (Before){.house = NULL};
+}
+
+int house_live_follow_other(const HouseLive *live) {
+    const House *house = &live->shown->house;
+    for (size_t k = 0; k < house->profile_count; k++)
+        if (house->profiles[k].driving != DRIVING_WALKER)
+            return house->profiles[k].driving == DRIVING_MIURA ? DRIVING_DRIVER : DRIVING_MIURA;
+    return DRIVING_MIURA;
+}
+
+double house_live_follow_reach(const HouseLive *live) {
+    if (!live->shown)
+        return 0;
+    const Observation *observation = live->observation;
+    return live->whole ? observation->time : fmax(0, observation->time - MARGIN * observation->sample);
+}
+
+/* Asking -------------------------------------------------------------------------------------------------------- */
+
+/* Keeps the present values with a run, to come back to them. */
+static void note_values(const HouseLive *live, HouseRun *run) {
+    double *values = memory_allocate(live->values.count, sizeof *values);
+    for (size_t i = 0; i < live->values.count; i++)
+        values[i] = live->values.rows[i].value;
+    house_live_run_note(run, values, live->values.count);
+    memory_free(values);
+}
+
+static HouseRun *ask(HouseLive *live, HouseJob job, int driving) {
+    const char **settings = memory_allocate(live->wish.setting_count + live->values.count, sizeof *settings);
+    Arena arena = {0};
+    HouseWish wish = live->wish;
+    wish.job = job;
+    wish.settings = settings;
+    wish.driving = driving;
+    for (size_t i = 0; i < live->wish.setting_count; i++)
+        settings[i] = live->wish.settings[i];
+    wish.setting_count += house_live_value_settings(&live->values, settings + live->wish.setting_count, &arena);
+    HouseRun *run = house_live_run_create(&wish);
+    note_values(live, run);
+    house_live_worker_ask(live->worker, run);
+    arena_clear(&arena);
+    memory_free(settings);
+    live->changed |= LIVE_WORDS;
+    return run;
+}
+
+/* What belongs to the one shown, and would belong to another one. */
+static void drop_companions(HouseLive *live) {
+    release(live, live->rival);
+    release(live, live->ways);
+    live->rival = live->ways = NULL;
+    live->rival_over = live->ways_over = false;
+}
+
+void house_live_follow_ask(HouseLive *live) {
+    if (live->latest && house_live_run_stage(live->latest) == HOUSE_WAITS) {
+        release(live, live->latest);
+    } else if (live->latest) {
+        release(live, live->older);
+        live->older = live->latest;
+    }
+    if ((live->rival && !live->rival_over) || (live->ways && !live->ways_over)) {
+        drop_companions(live); /* the worker has something else to do */
+        house_live_show_anew(live);
+    }
+    live->latest = ask(live, HOUSE_JOB_RUN, live->wish.driving);
+    live->changed |= LIVE_PARAMETERS;
+}
+
+void house_live_follow_keep(HouseLive *live, bool by_itself) {
+    if (!live->whole || (by_itself && live->before))
+        return;
+    HouseRun *last = live->before;
+    live->before = live->shown;
+    release(live, last);
+    live->kept_itself = by_itself;
+    live->ghost = by_itself && live->ghost != GHOST_NONE ? live->ghost : GHOST_BEFORE;
+    live->retell = true;
+    house_live_show_anew(live);
+    house_live_choices_list(live);
+}
+
+void house_live_follow_forget(HouseLive *live) {
+    HouseRun *last = live->before;
+    live->before = NULL;
+    release(live, last);
+    live->kept_itself = false;
+    live->ghost = live->ghost == GHOST_BEFORE ? GHOST_NONE : live->ghost;
+    live->retell = true;
+    live->changed |= LIVE_WORDS | LIVE_PLOTS;
+    house_live_show_anew(live);
+    house_live_choices_list(live);
+}
+
+/* Trouble ------------------------------------------------------------------------------------------------------- */
+
+static void say_trouble(HouseLive *live, double time) {
+    live->trouble_time = time;
+    live->changed |= LIVE_TROUBLE | LIVE_WORDS;
+}
+
+static void clear_trouble(HouseLive *live) {
+    memory_free(live->trouble.text);
+    live->trouble = (Text){0};
+    live->changed |= LIVE_WORDS;
+}
+
+/* Whose numbers were lost, when, and what would help. */
+static void tell_divergence(HouseLive *live) {
+    for (size_t i = 0; i < live->observation->person_count; i++) {
+        const PersonObservation *person = &live->observation->people[i];
+        const Inhabitant *who = &live->shown->house.people[i];
+        if (person->reason != REASON_DIVERGED)
+            continue;
+        text_format(&live->trouble,
+                    "%sthe numbers of person %s diverged at %.3f s, the run ends with the last good state: smaller "
+                    "run.dt or softer contact of %s would help",
+                    live->trouble.used ? "\n" : "", who->id, person->time, who->profile->name);
+        say_trouble(live, person->time);
+    }
+}
+
+/* There is no such house: everything is again as in the one shown, which is made again if it was stopped. */
+static void turn_back(HouseLive *live, HouseRun *run) {
+    clear_trouble(live);
+    for (size_t i = 0; i < run->fault.count; i++)
+        text_format(&live->trouble, "%s%s", i ? "\n" : "", run->fault.lines[i]);
+    say_trouble(live, 0);
+    live->changed |= LIVE_PARAMETERS;
+    if (!live->shown)
+        return;
+    for (size_t i = 0; i < live->values.count; i++)
+        live->values.rows[i].value = live->shown->values[i];
+    live->wish.driving = live->shown->wish.driving;
+    house_live_choices_list(live);
+    if (!live->whole && house_live_run_stage(live->shown) == HOUSE_STOPPED)
+        house_live_follow_ask(live);
+}
+
+/* What is shown ------------------------------------------------------------------------------------------------- */
+
+/* A person is the same by name; a dangerous point of another run is another one. */
+static void select_again(HouseLive *live, const House *before, const House *now) {
+    LiveThing *thing = &live->selected;
+    if (thing->kind == HOUSE_HAZARD)
+        *thing = (LiveThing){0, 0};
+    if (thing->kind != HOUSE_PERSON)
+        return;
+    const char *id = before->people[thing->index].id;
+    for (size_t i = 0; i < now->person_count; i++)
+        if (strcmp(now->people[i].id, id) == 0) {
+            thing->index = i;
+            return;
+        }
+    *thing = (LiveThing){0, 0};
+}
+
+/* The one shown is over: its own observation takes the place of the one that grew. */
+static void finish(HouseLive *live) {
+    house_live_show_anew(live);
+    trail_clear(&live->trails);
+    observation_free(&live->growing);
+    live->whole = true;
+    live->observation = &live->shown->observation;
+    trail_grow(&live->trails, live->observation);
+    tell_divergence(live);
+    live->retell = true;
+    live->changed |= LIVE_WORDS | LIVE_PLOTS;
+}
+
+/* Another run takes the place of the one shown. */
+static void swap_in(HouseLive *live, HouseRun *run) {
+    HouseRun *last = live->shown;
+    house_live_show_anew(live);
+    trail_clear(&live->trails);
+    observation_free(&live->growing);
+    clear_trouble(live);
+    if (last)
+        select_again(live, &last->house, &run->house);
+    live->shown = run;
+    live->whole = false;
+    live->growing = house_live_run_begin(run);
+    live->observation = &live->growing;
+    release(live, last);
+    drop_companions(live);
+    if (house_live_run_stage(run) == HOUSE_OVER) {
+        finish(live);
+    } else {
+        house_live_run_take(run, &live->growing, 1);
+        trail_grow(&live->trails, live->observation);
+    }
+    if (!live->values.count) { /* the first house tells which there are */
+        house_live_value_list(&live->values, &run->house);
+        note_values(live, run);
+    }
+    live->retell = true;
+    live->changed |= LIVE_ALL & ~LIVE_TROUBLE;
+    house_live_choices_list(live);
+}
+
+/* Following ----------------------------------------------------------------------------------------------------- */
+
+/* Is it time to show a run that has been asked for? */
+static bool is_ready(HouseLive *live, HouseRun *run, double time) {
+    HouseStage stage = house_live_run_stage(run);
+    if (stage == HOUSE_OVER || (!live->shown && (stage == HOUSE_PLANS || stage == HOUSE_DRIVES)))
+        return true;
+    return stage == HOUSE_DRIVES && house_live_run_age(run) > GRACE && house_live_run_reach(run) > time + TAKE_NEAR;
+}
+
+static void follow_asked(HouseLive *live, HouseRun **asked, double time) {
+    HouseRun *run = *asked;
+    if (!run)
+        return;
+    bool latest = asked == &live->latest;
+    HouseStage stage = house_live_run_stage(run);
+    if (stage == HOUSE_FAILED || stage == HOUSE_STOPPED) {
+        *asked = NULL;
+        if (latest && stage == HOUSE_FAILED)
+            turn_back(live, run);
+        release(live, run);
+    } else if (is_ready(live, run, time)) {
+        *asked = NULL;
+        if (latest) {
+            release(live, live->older);
+            live->older = NULL;
+        }
+        swap_in(live, run);
+    }
+}
+
+/* What has begun before the latest was asked for may end, so that something is seen while a slider moves, but not for
+ * long. */
+static void hurry(HouseLive *live) {
+    if (!live->latest || house_live_run_stage(live->latest) != HOUSE_WAITS)
+        return;
+    if (live->older && house_live_run_age(live->older) > GRACE) {
+        release(live, live->older);
+        live->older = NULL;
+    }
+    if (live->shown && !live->whole)
+        parallel_stop(&live->shown->stop);
+}
+
+static void follow_shown(HouseLive *live, double time) {
+    if (!live->shown || live->whole)
+        return;
+    if (house_live_run_stage(live->shown) == HOUSE_OVER) {
+        finish(live);
+        return;
+    }
+    bool near = time + TAKE_NEAR > house_live_follow_reach(live);
+    size_t least = near ? 1 : live->observation->trace.rows / TAKE_PART + 1;
+    if (!house_live_run_take(live->shown, &live->growing, least))
+        return;
+    trail_grow(&live->trails, live->observation);
+    if (live->film)
+        film_extend(live->film);
+    house_live_plots_make(live, false);
+    if (house_live_words_now() - live->words.said > GRACE) {
+        live->retell = true;
+        live->changed |= LIVE_WORDS;
+    }
+}
+
+/* Asks for something that belongs to the one shown, when it is wanted and is not there; true: it has come just now. */
+static bool follow_companion(HouseLive *live, HouseRun **companion, bool *over, HouseJob job, int driving) {
+    if (*over)
+        return false;
+    if (!*companion)
+        *companion = ask(live, job, driving);
+    HouseStage stage = house_live_run_stage(*companion);
+    *over = stage == HOUSE_OVER;
+    if (*over)
+        house_live_show_anew(live);
+    return *over;
+}
+
+static void follow_companions(HouseLive *live) {
+    if (!live->whole || live->latest)
+        return;
+    bool crowd = live->shown->house.person_count > PEOPLE_SCENE_INDIVIDUALS;
+    if (live->ghost == GHOST_RIVAL &&
+        follow_companion(live, &live->rival, &live->rival_over, HOUSE_JOB_RIVAL, house_live_follow_other(live))) {
+        live->retell = true;
+        live->changed |= LIVE_WORDS | LIVE_PLOTS;
+    }
+    if (live->layers & 1u << LAYER_WIDTHS && !crowd)
+        follow_companion(live, &live->ways, &live->ways_over, HOUSE_JOB_WAYS, live->wish.driving);
+}
+
+void house_live_follow_all(HouseLive *live, double time) {
+    follow_asked(live, &live->older, time);
+    follow_asked(live, &live->latest, time);
+    hurry(live);
+    follow_shown(live, time);
+    follow_companions(live);
+}
+
+void house_live_follow_end(HouseLive *live) {
+    HouseRun *runs[] = {live->shown, live->before != live->shown ? live->before : NULL, live->latest, live->older};
+    drop_companions(live);
+    for (size_t i = 0; i < sizeof runs / sizeof *runs; i++)
+        house_live_worker_abandon(live->worker, runs[i]);
+    house_live_worker_destroy(live->worker);
+    trail_clear(&live->trails);
+    observation_free(&live->growing);
+}

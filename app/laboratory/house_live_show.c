@@ -1,0 +1,50 @@
+/* The layers of a house that is shown. */
+#include "laboratory/house_live_parts.h"
+
+#define OUTSIDE 1.0 /* m, round exits: there people are seen to leave */
+
+/* The plan, and room before its exits: the same while people go out and wherever they drive. */
+static Box box_of(const House *house) {
+    Box box = house->outline.box;
+    for (size_t e = 0; e < house->plan.exit_count; e++) {
+        const Exit *exit = &house->plan.exits[e];
+        Vec2 across = vec2_scale(vec2_left(vec2_unit(vec2_sub(exit->to, exit->from))), OUTSIDE);
+        box = box_include(box_include(box, vec2_add(exit->from, across)), vec2_sub(exit->from, across));
+        box = box_include(box_include(box, vec2_add(exit->to, across)), vec2_sub(exit->to, across));
+    }
+    return box_expand(box, HOUSE_SCENE_MARGIN);
+}
+
+static int hidden_of(unsigned layers) {
+    static const int bits[][2] = {{LAYER_RINGS, FILM_RINGS},   {LAYER_LOCI, FILM_LOCI}, {LAYER_GHOST, FILM_GHOST},
+                                  {LAYER_DANGER, FILM_DANGER}, {LAYER_GRID, FILM_GRID}, {LAYER_NAMES, FILM_NAMES},
+                                  {LAYER_FORCES, FILM_FORCES}};
+    int hidden = 0;
+    for (size_t i = 0; i < sizeof bits / sizeof *bits; i++)
+        hidden |= layers & 1u << bits[i][0] ? 0 : bits[i][1];
+    return hidden;
+}
+
+void house_live_show_anew(HouseLive *live) {
+    if (live->film)
+        film_destroy(live->film);
+    live->film = NULL;
+    live->changed |= LIVE_VIEW;
+}
+
+void house_live_show_make(HouseLive *live) {
+    if (live->film)
+        return;
+    bool ways = live->ways_over && live->layers & 1u << LAYER_WIDTHS;
+    FilmOptions options = {.camera = live->camera,
+                           .bare = true,
+                           .shown = live->layers & 1u << LAYER_CIRCLES ? FILM_CIRCLES : 0,
+                           .hidden = hidden_of(live->layers),
+                           .before = house_live_follow_ghost(live),
+                           .live = true,
+                           .trails = live->trails.trails,
+                           .ways = ways ? &live->ways->ways : NULL,
+                           .box = box_of(&live->shown->house)};
+    live->film = film_create(&live->shown->house, live->observation, &options);
+    live->fresh = true;
+}
