@@ -477,3 +477,34 @@ TEST(letters_of_any_script_can_be_asked_for) {
     CHECK(ui_extent(desk.ui, UI_BODY, "ż").x > 0);
     pane_end(&desk);
 }
+
+/* Anything --------------------------------------------------------------------------------------------------------- */
+
+TEST(a_thousand_frames_of_anything_are_survived) {
+    static const char *const words[] = {"0.7", "9", "-", "漢", "\xC3", " m", "e", "abc def", ",", "\n"};
+    Desk desk = desk_begin(640, 480, 1.5, THEME_BOARD);
+    unsigned long state = 1;
+    for (int i = 0; i < 1000; i++) {
+        for (int k = 0; k < 4; k++) {
+            state = state * 6364136223846793005u + 1442695040888963407u;
+            unsigned what = (unsigned)(state >> 33);
+            if (what % 3 == 0)
+                ui_type(desk.ui, words[what / 3 % 10]);
+            else
+                ui_key(desk.ui, what / 3 % UI_KEYS, what / 128 % 4 == 0, what / 1024 % 4 == 0);
+            desk.input.down[k % 3] = what / 4096 % 3 == 0;
+            if (what / 8192 % 3 == 0)
+                desk.input.mouse = vec2(what / 16384 % 660 - 10.0, what / 3 % 500 - 10.0);
+            desk.input.wheel = what / 4 % 16 == 0 ? (int)(what / 64 % 7) - 3 : 0;
+        }
+        desk.modal = i / 50 % 4 == 3;
+        desk.short_panel = i / 30 % 3 == 2;
+        desk.input.unit = i / 100 % 2 ? 1.5 : 2.25;
+        desk.page = vec2(640 / desk.input.unit, 480 / desk.input.unit);
+        desk_frame(&desk);
+        CHECK(desk.width.value >= 0.5 && desk.width.value <= 2);
+        CHECK(desk.damping.value >= 0 && desk.damping.value <= 1e5);
+        CHECK(desk.choice < 3 && strlen(desk.name) < sizeof desk.name);
+    }
+    desk_end(&desk);
+}

@@ -8,9 +8,9 @@
 #define PADDING 8.0
 #define LINE 19.0 /* of several lines in a button */
 #define FLAG_BOX 20.0
-#define ROW_HEIGHT 30.0
+#define ROW_HEIGHT 32.0
 #define ROW_MARK 34.0 /* a disc, or a piece of line, and some room */
-#define ROW_DISC_RADIUS 12.0
+#define ROW_DISC_RADIUS 11.0
 #define ROW_GAP 14.0
 #define CHOICE_GAP 4.0
 
@@ -241,9 +241,10 @@ bool ui_list_row(Ui *ui, const UiRow *row) {
     UiId id = ui_frame_id(ui, row->id ? row->id : row->cells[0]);
     Box box = next_row(ui);
     UiTouch touch = row->usable ? ui_frame_touch(ui, id, box, false) : (UiTouch){0};
-    bool focused = row->usable && ui_focus_stop(ui, id, UI_IS_ROW, box);
-    bool used = row->usable && (ui_focus_used(ui, id) || touch.clicked);
     Box wide = {{box.low.x - 6, box.low.y}, {box.high.x + 6, box.high.y}};
+    /* the frame of the focus hides nothing of the rows beside it */
+    bool focused = row->usable && ui_focus_stop(ui, id, UI_IS_ROW, box_expand(wide, -UI_FRAME - UI_RIM));
+    bool used = row->usable && (ui_focus_used(ui, id) || touch.clicked);
     if (row->selected || touch.hovered)
         ui_pencil_box(ui->pencil, wide, ui_frame_ink(ui, ROLE_SHADE, row->selected ? 1 : 0.6));
     if (row->selected)

@@ -158,6 +158,7 @@ static void mind_modal(Ui *ui) {
     if (ui->modal && ui->focus_pane != ui->modal) {
         if (ui->editor.id)
             ui_editor_close(ui, UI_END_LEFT);
+        ui->hover_tip.id = 0;
         if (!ui->keeps) {
             ui->kept = ui->focus;
             ui->kept_pane = ui->focus_pane;
