@@ -1,6 +1,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "beam/beam.h"
 #include "check.h"
@@ -51,6 +52,35 @@ TEST(settings_change_a_beam_and_say_so) {
         if (strcmp(beam_table()->rows[r].name, "drive.frequency") == 0)
             CHECK_TEXT(beam.provenance[r], "assumed: set for this run");
     beam_free(&beam);
+}
+
+static bool same_number(const Parameter *row, const Beam *a, const Beam *b) {
+    const char *one = (const char *)a + row->offset, *other = (const char *)b + row->offset;
+    if (row->kind == PARAMETER_NUMBER)
+        return *(const double *)one == *(const double *)other;
+    return *(const int *)one == *(const int *)other;
+}
+
+TEST(a_beam_that_is_written_reads_the_same) {
+    const char *settings[] = {"drive.frequency=291.3", "joint.release=gap", "beam.modes=4"};
+    Beam beam = {0}, again = {0};
+    Fault fault = {0};
+    CHECK(beam_read(&beam, draft_source("assets/beams/ibs-r.json"), settings, 3, &fault));
+    char path[DRAFT_PATH];
+    draft_write(path, "");
+    CHECK(beam_write(&beam, path) == 0);
+    CHECK(beam_is_file(path) && beam_read(&again, path, NULL, 0, &fault));
+    print_faults(&fault);
+    for (size_t r = 0; r < beam_table()->count; r++) {
+        CHECK(same_number(&beam_table()->rows[r], &beam, &again));
+        CHECK_TEXT(again.provenance[r], beam.provenance[r]);
+    }
+    CHECK_TEXT(again.name, beam.name);
+    CHECK_TEXT(again.note, beam.note);
+    CHECK(beam_write(&beam, "/there/is/none.json") != 0);
+    beam_free(&beam);
+    beam_free(&again);
+    unlink(path);
 }
 
 TEST(a_wrong_setting_leaves_the_beam_and_names_what_would_be_right) {

@@ -482,7 +482,7 @@ TEST(letters_of_any_script_can_be_asked_for) {
 
 TEST(a_thousand_frames_of_anything_are_survived) {
     static const char *const words[] = {"0.7", "9", "-", "漢", "\xC3", " m", "e", "abc def", ",", "\n"};
-    Desk desk = desk_begin(640, 480, 1.5, THEME_BOARD);
+    Pane desk = pane_begin(640, 480, 1.5, THEME_BOARD);
     unsigned long state = 1;
     for (int i = 0; i < 1000; i++) {
         for (int k = 0; k < 4; k++) {
@@ -501,10 +501,10 @@ TEST(a_thousand_frames_of_anything_are_survived) {
         desk.short_panel = i / 30 % 3 == 2;
         desk.input.unit = i / 100 % 2 ? 1.5 : 2.25;
         desk.page = vec2(640 / desk.input.unit, 480 / desk.input.unit);
-        desk_frame(&desk);
+        pane_frame(&desk);
         CHECK(desk.width.value >= 0.5 && desk.width.value <= 2);
         CHECK(desk.damping.value >= 0 && desk.damping.value <= 1e5);
         CHECK(desk.choice < 3 && strlen(desk.name) < sizeof desk.name);
     }
-    desk_end(&desk);
+    pane_end(&desk);
 }

@@ -11,6 +11,7 @@
 #include "laboratory/beam_numbers.h"
 #include "laboratory/beam_traces.h"
 #include "laboratory/beam_view.h"
+#include "laboratory/live_save.h"
 
 /* The beam at work. The motion runs on the caller's thread, as far as it is reached for, into a record; pictures and
  * plots are made of the record; what takes longer is a worker's. */
@@ -517,6 +518,12 @@ static const char *const *command(const void *context, size_t *count) {
     return live->command;
 }
 
+static bool save(const void *context, const char *path, Fault *fault) {
+    size_t count;
+    const char *const *words = command(context, &count);
+    return live_save_beam(words, count, path, fault);
+}
+
 static bool sound(const void *context, double from, double to, float *samples, size_t count) {
     BeamLive *live = (BeamLive *)context;
     const BeamTape *tape = &live->tape;
@@ -577,5 +584,6 @@ const LiveKind beam_live = {
     .name_thing = name_thing,
     .outline = outline,
     .command = command,
+    .save = save,
     .sound = sound,
 };

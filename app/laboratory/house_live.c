@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "laboratory/house_live_parts.h"
+#include "laboratory/live_save.h"
 
 #define STEP (1.0 / 30) /* s, of one shown frame */
 #define FASTEST 16.0
@@ -330,6 +331,12 @@ static const char *const *command(const void *context, size_t *count) {
     return house_live_command_words((HouseLive *)context, count);
 }
 
+static bool save(const void *context, const char *path, Fault *fault) {
+    size_t count;
+    const char *const *words = command(context, &count);
+    return live_save_house(words, count, path, fault);
+}
+
 static bool sound(const void *context, double from, double to, float *samples, size_t count) {
     (void)context;
     (void)from;
@@ -409,5 +416,6 @@ const LiveKind house_live = {
     .name_thing = name_thing,
     .outline = outline,
     .command = command,
+    .save = save,
     .sound = sound,
 };

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/provenance.h"
+#include "base/text.h"
 
 #define NUMBER(name_, field_, unit_, low_, high_, meaning_)                                                            \
     {                                                                                                                  \
@@ -55,6 +56,9 @@ static const ParameterTable table = {"beam", beam_rows, ROWS};
 static const char *const groups[] = {"beam", "pivot", "shaker", "drive", "joint", "run"};
 enum { GROUPS = sizeof groups / sizeof *groups };
 
+/* Of a value that is given bare. */
+#define WITHOUT "given without provenance"
+
 /* How the provenance of a value in a file begins. */
 #define SOURCES "paper|reconstructed|identified|literature: |assumed"
 
@@ -65,7 +69,7 @@ const ParameterTable *beam_table(void) {
 /* A value, bare or as {"value": .., "provenance": ..}. */
 static void read_value(Beam *beam, size_t row, const JsonNode *group, const char *name, Fault *fault) {
     JsonNode node = json_member(group, name);
-    beam->provenance[row] = node.value ? "given without provenance" : "assumed: the usual value";
+    beam->provenance[row] = node.value ? WITHOUT : "assumed: the usual value";
     if (!node.value) {
         if (beam_rows[row].needed)
             json_fault(group, fault, "%s has no \"%s\" (%s, %s)", group->key, name, beam_rows[row].meaning,
@@ -220,6 +224,57 @@ bool beam_read(Beam *beam, const char *path, const char *const *settings, size_t
     beam_free(beam);
     *beam = read;
     return true;
+}
+
+/* Writing: one value a line ---------------------------------------------------------------------------------------- */
+
+static void add_json(Text *lines, json_t *value) {
+    char *line = json_line(value);
+    text_add(lines, line);
+    memory_free(line);
+    json_decref(value);
+}
+
+static json_t *value_of(const Beam *beam, const Parameter *row) {
+    const void *field = (const char *)beam + row->offset;
+    if (row->kind == PARAMETER_NUMBER)
+        return json_number(*(const double *)field);
+    if (row->kind == PARAMETER_WHOLE)
+        return json_integer(*(const int *)field);
+    char *word = parameters_words(row, beam);
+    json_t *value = json_string(word);
+    memory_free(word);
+    return value;
+}
+
+static void add_group(Text *lines, const Beam *beam, const char *group) {
+    text_format(lines, ",\n  \"%s\": {", group);
+    const char *between = "\n    ";
+    for (size_t i = 0; i < ROWS; i++) {
+        const char *name = provenance_name(&beam_rows[i], group);
+        if (!name)
+            continue;
+        text_format(lines, "%s\"%s\": ", between, name);
+        bool told = strcmp(beam->provenance[i], WITHOUT) != 0;
+        json_t *value = value_of(beam, &beam_rows[i]);
+        add_json(lines, told ? json_pack("{s:o,s:s}", "value", value, "provenance", beam->provenance[i]) : value);
+        between = ",\n    ";
+    }
+    text_add(lines, "\n  }");
+}
+
+int beam_write(const Beam *beam, const char *path) {
+    Text lines = {0};
+    text_add(&lines, "{\n  \"format\": \"clearance-beam\", \"version\": 1,\n  \"name\": ");
+    add_json(&lines, json_string(beam->name));
+    text_add(&lines, ",\n  \"note\": ");
+    add_json(&lines, json_string(beam->note));
+    for (size_t g = 0; g < GROUPS; g++)
+        add_group(&lines, beam, groups[g]);
+    text_add(&lines, "\n}\n");
+    int error = text_write_file(path, lines.text, lines.used);
+    memory_free(lines.text);
+    return error;
 }
 
 void beam_free(Beam *beam) {

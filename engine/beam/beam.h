@@ -74,6 +74,10 @@ bool beam_read(Beam *beam, const char *path, const char *const *settings, size_t
  * False: faults at the place `place`. */
 bool beam_check(const Beam *beam, const char *place, Fault *fault);
 
+/* Writes the beam, each value with its provenance, so that reading it again gives the same beam. Beside and renamed. 0,
+ * or errno. */
+int beam_write(const Beam *beam, const char *path);
+
 void beam_free(Beam *beam);
 
 json_t *beam_schema(void);

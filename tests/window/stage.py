@@ -25,7 +25,7 @@ def beam(name):
 
 
 def check(good, what, detail=""):
-    print(("ok   " if good else "FAIL ") + what + ("" if good else f": {detail}"), flush=True)
+    print(("ok   " if good else "FAIL ") + what + ("" if good else f": {str(detail)[:500]}"), flush=True)
     if not good:
         failed.append(what)
 
