@@ -7,7 +7,7 @@
 
 #define ZOOM_LEAST 0.2
 #define ZOOM_MOST 64.0
-#define ZOOM_NEAR 8.0   /* times its size is seen around what is selected */
+#define ZOOM_NEAR 3.0   /* times its size is seen around what is selected */
 #define FOLLOW_FREE 0.2 /* of the view: who is followed moves freely within it */
 
 Room room_make(const LiveKind *kind) {

@@ -276,7 +276,8 @@ static void move_on(Window *window, double seconds) {
 /* One turn of the loop. */
 static void turn(Window *window, Scripted *scripted) {
     bool lively = is_lively(window, scripted);
-    double seconds = pace_wait(&window->pace), begun = glass_now();
+    bool hurried = scripted_is_busy(scripted) && !scripted->until && !glass_is_seen(window->glass);
+    double seconds = pace_wait(&window->pace, hurried), begun = glass_now();
     take_events(window, lively ? 0 : IDLE_WAIT);
     double worked = window_room(window)->worked;
     move_on(window, seconds);
