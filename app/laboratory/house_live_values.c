@@ -52,8 +52,7 @@ enum { KEY_DOORS = 6 /* whose widths are shown without being asked for */ };
 
 #define COUNT(array_) (sizeof(array_) / sizeof *(array_))
 
-/* The list
- * -----------------------------------------------------------------------------------------------------------*/
+/* The list -------------------------------------------------------------------------------------------------------- */
 
 static double read_field(const Parameter *row, const void *object) {
     const char *field = (const char *)object + row->offset;
@@ -256,8 +255,7 @@ void house_live_value_sort(HouseValues *values, const House *house, LiveThing se
                 values->listed[listed++] = values->rows[i];
 }
 
-/* Setting them
- * -------------------------------------------------------------------------------------------------------*/
+/* Setting them ---------------------------------------------------------------------------------------------------- */
 
 size_t house_live_value_find(const HouseValues *values, const char *name) {
     for (size_t i = 0; i < values->count; i++)
