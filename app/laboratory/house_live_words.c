@@ -8,6 +8,7 @@
 #include "laboratory/people_scene.h"
 
 #define MOMENT 0.1 /* s, of a steady clock, from one time that the present numbers are told to the next */
+#define ALIKE 0.05 /* s: times that are told alike */
 #define AHEAD 2.0  /* s, before somebody comes to a dangerous point: from there it is seen how */
 
 enum { TICKS_MOST = 2000 };
@@ -286,6 +287,8 @@ static const char *against(HouseLive *live) {
         return scene_text(scene, "%s not out", word);
     if (!live->observation->completed || before <= 0)
         return scene_text(scene, "%s %.1f s", word, before);
+    if (fabs(more) < ALIKE)
+        return scene_text(scene, "%s %.1f s, the same", word, before);
     return scene_text(scene, "%s %.1f s, %+.1f s (%+.0f %%)", word, before, more, 100 * more / before);
 }
 
