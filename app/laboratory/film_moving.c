@@ -177,9 +177,9 @@ void film_moving_make(Film *film) {
     for (size_t d = 0; d < film->house->plan.door_count; d++)
         film->door_open[d] = film->observation->door_opened[d] <= film->time;
     plan_scene_moving(scene, film->house, film->observation->door_opened, film->time);
-    add_ghosts(film);
     add_walkers(film, count);
     add_chairs(film, count);
+    add_ghosts(film);
     for (size_t i = 0; i < count && !(film->options.hidden & FILM_FORCES); i++)
         add_contact(film, &film->standing[i]);
     for (size_t i = 0; i < count && !film->crowd && !(film->options.hidden & FILM_NAMES); i++)
@@ -187,5 +187,7 @@ void film_moving_make(Film *film) {
     if (film->crowd)
         add_exits(film);
     bool alone = film->house->plan.run.routes == ROUTES_ALONE && film->several;
+    if (film->options.live)
+        return; /* a window has a clock of its own */
     scene->clock = scene_text(scene, alone ? "%.1f s of separate runs, one over the other" : "%.1f s", film->time);
 }

@@ -31,7 +31,7 @@ static unsigned update(void *context, double time) {
     return changed | (house_live_words_does_other(live) ? LIVE_WORDS : 0);
 }
 
-/* Opening and closing ------------------------------------------------------------------------------------------- */
+/* Opening and closing --------------------------------------------------------------------------------------------- */
 
 static void keep_wish(HouseLive *live, const char *path, const LiveOptions *options) {
     const char **settings = arena_allocate(&live->arena, (options->setting_count + 1) * sizeof *settings);
@@ -93,7 +93,7 @@ static void close_house(void *context) {
     memory_free(live);
 }
 
-/* Showing ------------------------------------------------------------------------------------------------------- */
+/* Showing --------------------------------------------------------------------------------------------------------- */
 
 static LiveSpan span(const void *context) {
     const HouseLive *live = context;
@@ -111,6 +111,7 @@ static double reach(void *context, double time) {
 
 static bool show(void *context, double time) {
     HouseLive *live = context;
+    house_live_show_make(live);
     if (!live->film)
         return false;
     if (live->fresh)
@@ -122,6 +123,7 @@ static bool show(void *context, double time) {
 
 static const Scene *still(const void *context) {
     const HouseLive *live = context;
+    house_live_show_make((HouseLive *)context); /* if a call since the last update has made it void */
     return live->film ? film_still(live->film) : &live->nothing;
 }
 
@@ -164,7 +166,7 @@ static size_t until(const void *context, size_t plot, size_t series, double time
     return house_plots_until(&live->plots.plots, plot, series, time);
 }
 
-/* Words --------------------------------------------------------------------------------------------------------- */
+/* Words ----------------------------------------------------------------------------------------------------------- */
 
 static LiveAnswer answer(const void *context) {
     return house_live_words_answer((HouseLive *)context);
@@ -204,7 +206,7 @@ static const char *trouble(const void *context, double *time) {
     return live->trouble.text;
 }
 
-/* Changing ------------------------------------------------------------------------------------------------------ */
+/* Changing -------------------------------------------------------------------------------------------------------- */
 
 static const LiveParameter *parameters(const void *context, size_t *count) {
     const HouseLive *live = context;
@@ -233,8 +235,13 @@ static bool set(void *context, const char *name, double value, Fault *fault) {
 
 static void reset(void *context) {
     HouseLive *live = context;
-    for (size_t i = 0; i < live->values.count; i++)
+    bool changed = false;
+    for (size_t i = 0; i < live->values.count; i++) {
+        changed = changed || live->values.rows[i].value != live->values.rows[i].initial;
         live->values.rows[i].value = live->values.rows[i].initial;
+    }
+    if (!changed)
+        return;
     if (live->kept_itself)
         house_live_follow_forget(live);
     house_live_follow_ask(live);
@@ -280,7 +287,7 @@ static void clear(void *context, double time) {
     house_live_follow_forget(context);
 }
 
-/* Pointing ------------------------------------------------------------------------------------------------------ */
+/* Pointing -------------------------------------------------------------------------------------------------------- */
 
 static LiveThing pick(const void *context, Vec2 at, double time, LiveThing below) {
     const HouseLive *live = context;

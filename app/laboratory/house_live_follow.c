@@ -11,8 +11,6 @@
 #define TAKE_PART 16 /* rows are taken over when they are such a part of all, so that this costs little in sum */
 #define TAKE_NEAR 1.0 /* s: or when what is shown comes so near to the end */
 
-enum { GHOSTS_MOST = 60 /* people: of more nobody could be told apart */ };
-
 /* Neither shown nor before any more. */
 static void release(HouseLive *live, HouseRun *run) {
     if (run && run != live->shown && run != live->before)
@@ -20,10 +18,9 @@ static void release(HouseLive *live, HouseRun *run) {
 }
 
 Before house_live_follow_ghost(const HouseLive *live) {
-    if (live->ghost == GHOST_BEFORE && live->before && live->before != live->shown &&
-        live->before->house.person_count <= GHOSTS_MOST)
+    if (live->ghost == GHOST_BEFORE && live->before && live->before != live->shown)
         return (Before){.house = &live->before->house, .observation = &live->before->observation};
-    if (live->ghost == GHOST_RIVAL && live->rival_over && live->rival->house.person_count <= GHOSTS_MOST)
+    if (live->ghost == GHOST_RIVAL && live->rival_over)
         return (Before){.house = &live->rival->house,
                         .observation = &live->rival->observation,
                         .word = profile_driving_name(live->rival->wish.driving)};
@@ -45,7 +42,7 @@ double house_live_follow_reach(const HouseLive *live) {
     return live->whole ? observation->time : fmax(0, observation->time - MARGIN * observation->sample);
 }
 
-/* Asking -------------------------------------------------------------------------------------------------------- */
+/* Asking ---------------------------------------------------------------------------------------------------------- */
 
 /* Keeps the present values with a run, to come back to them. */
 static void note_values(const HouseLive *live, HouseRun *run) {
@@ -123,7 +120,7 @@ void house_live_follow_forget(HouseLive *live) {
     house_live_choices_list(live);
 }
 
-/* Trouble ------------------------------------------------------------------------------------------------------- */
+/* Trouble --------------------------------------------------------------------------------------------------------- */
 
 static void say_trouble(HouseLive *live, double time) {
     live->trouble_time = time;
@@ -168,7 +165,7 @@ static void turn_back(HouseLive *live, HouseRun *run) {
         house_live_follow_ask(live);
 }
 
-/* What is shown ------------------------------------------------------------------------------------------------- */
+/* What is shown --------------------------------------------------------------------------------------------------- */
 
 /* A person is the same by name; a dangerous point of another run is another one. */
 static void select_again(HouseLive *live, const House *before, const House *now) {
@@ -229,7 +226,7 @@ static void swap_in(HouseLive *live, HouseRun *run) {
     house_live_choices_list(live);
 }
 
-/* Following ----------------------------------------------------------------------------------------------------- */
+/* Following ------------------------------------------------------------------------------------------------------- */
 
 /* Is it time to show a run that has been asked for? */
 static bool is_ready(HouseLive *live, HouseRun *run, double time) {

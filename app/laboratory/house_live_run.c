@@ -56,7 +56,7 @@ static void enter(HouseRun *run, HouseStage stage) {
     pthread_mutex_unlock(&run->mutex);
 }
 
-/* Making it ---------------------------------------------------------------------------------------------------------*/
+/* Making it ------------------------------------------------------------------------------------------------------- */
 
 static void take_piece(void *context, const RunPiece *piece) {
     HouseRun *run = context;
@@ -117,7 +117,7 @@ void house_live_run_make(HouseRun *run) {
     enter(run, parallel_stopped(&run->stop) ? HOUSE_STOPPED : HOUSE_OVER);
 }
 
-/* Watching it -------------------------------------------------------------------------------------------------------*/
+/* Watching it ----------------------------------------------------------------------------------------------------- */
 
 HouseStage house_live_run_stage(HouseRun *run) {
     pthread_mutex_lock(&run->mutex);

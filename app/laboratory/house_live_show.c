@@ -1,6 +1,8 @@
 /* The layers of a house that is shown. */
 #include "laboratory/house_live_parts.h"
 
+enum { GHOSTS_MOST = 60 /* people: of more nobody could be told apart */ };
+
 #define OUTSIDE 1.0 /* m, round exits: there people are seen to leave */
 
 /* The plan, and room before its exits: the same while people go out and wherever they drive. */
@@ -33,14 +35,16 @@ void house_live_show_anew(HouseLive *live) {
 }
 
 void house_live_show_make(HouseLive *live) {
-    if (live->film)
+    if (live->film || !live->shown)
         return;
+    Before ghost = house_live_follow_ghost(live);
+    bool is_crowd = ghost.house && ghost.house->person_count > GHOSTS_MOST;
     bool ways = live->ways_over && live->layers & 1u << LAYER_WIDTHS;
     FilmOptions options = {.camera = live->camera,
                            .bare = true,
                            .shown = live->layers & 1u << LAYER_CIRCLES ? FILM_CIRCLES : 0,
                            .hidden = hidden_of(live->layers),
-                           .before = house_live_follow_ghost(live),
+                           .before = is_crowd ? (Before){.house = NULL} : ghost,
                            .live = true,
                            .trails = live->trails.trails,
                            .ways = ways ? &live->ways->ways : NULL,

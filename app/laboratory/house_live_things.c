@@ -66,8 +66,7 @@ void house_live_thing_name(const House *house, const Observation *observation, L
                  id);
 }
 
-/* Outlines
- * -----------------------------------------------------------------------------------------------------------*/
+/* Outlines -------------------------------------------------------------------------------------------------------- */
 
 /* A strip along a segment, counter-clockwise. */
 static size_t outline_strip(Vec2 from, Vec2 to, double depth, Vec2 *points) {
@@ -148,8 +147,7 @@ size_t house_live_thing_outline(const HouseScenery *scenery, LiveThing thing, do
     return 0;
 }
 
-/* Picking
- * ------------------------------------------------------------------------------------------------------------*/
+/* Picking --------------------------------------------------------------------------------------------------------- */
 
 typedef struct Hit {
     LiveThing thing;
@@ -181,8 +179,17 @@ static bool on_wall(const Wall *wall, Vec2 p) {
     return false;
 }
 
+/* Somebody whose outline need not be made. */
+static bool is_far(const HouseScenery *scenery, size_t person, Vec2 at, double time) {
+    const Profile *profile = scenery->house->people[person].profile;
+    const Trail *trail = &scenery->trails[person];
+    return !trail->count || vec2_distance(trail_pose(trail, time).at, at) > profile->length + profile->width;
+}
+
 static bool hits(const HouseScenery *scenery, Hit *hit, Vec2 at, double time) {
     Vec2 points[LIVE_OUTLINE_MOST];
+    if (hit->thing.kind == HOUSE_PERSON && is_far(scenery, hit->thing.index, at, time))
+        return false;
     size_t count = house_live_thing_outline(scenery, hit->thing, time, points);
     hit->area = area_of(points, count);
     if (hit->thing.kind == HOUSE_WALL)

@@ -46,14 +46,13 @@ static const char *const key_rows[] = {"body.length", "body.width", "drive.free_
 
 enum { KEY_DOORS = 6 /* whose widths are shown without being asked for */ };
 
-#define ROUND 1.0       /* m, a slider of a place reaches so far to both sides */
+#define AROUND 1.0      /* m, a slider of a place reaches so far to both sides */
 #define DECADE 10.0     /* a logarithmic one so many times up and down */
 #define STIFF_FROM 10.0 /* what is larger and has a range of many decades has a logarithmic slider */
 
 #define COUNT(array_) (sizeof(array_) / sizeof *(array_))
 
-/* The list
- * -----------------------------------------------------------------------------------------------------------*/
+/* The list -------------------------------------------------------------------------------------------------------- */
 
 static double read_field(const Parameter *row, const void *object) {
     const char *field = (const char *)object + row->offset;
@@ -80,6 +79,14 @@ static bool spans_decades(const Parameter *row, double value) {
            strcmp(row->unit, "s") != 0;
 }
 
+/* Somewhere on the floor, or along a wall. */
+static bool is_place(const Offer *offer) {
+    size_t length = offer ? strlen(offer->name) : 0;
+    return length && strncmp(offer->name, "size", 4) != 0 &&
+           (strcmp(offer->name, "at") == 0 || strcmp(offer->name + length - 2, ".x") == 0 ||
+            strcmp(offer->name + length - 2, ".y") == 0);
+}
+
 static void set_range(LiveParameter *live, const Offer *offer) {
     const Parameter *row = live->row;
     double value = live->initial;
@@ -88,12 +95,9 @@ static void set_range(LiveParameter *live, const Offer *offer) {
     if (offer && offer->low < offer->high) {
         live->low = fmin(offer->low, value);
         live->high = fmax(offer->high, 1.5 * value);
-    } else if (strcmp(row->unit, "m") == 0 && row->low < 0) {
-        live->low = value - ROUND;
-        live->high = value + ROUND;
-    } else if (offer && strcmp(offer->name, "at") == 0) {
-        live->low = value - ROUND;
-        live->high = value + ROUND;
+    } else if (is_place(offer)) {
+        live->low = value - AROUND;
+        live->high = value + AROUND;
     } else if (spans_decades(row, value)) {
         live->logarithmic = true;
         live->low = value / DECADE;
@@ -256,8 +260,7 @@ void house_live_value_sort(HouseValues *values, const House *house, LiveThing se
                 values->listed[listed++] = values->rows[i];
 }
 
-/* Setting them
- * -------------------------------------------------------------------------------------------------------*/
+/* Setting them ---------------------------------------------------------------------------------------------------- */
 
 size_t house_live_value_find(const HouseValues *values, const char *name) {
     for (size_t i = 0; i < values->count; i++)

@@ -8,6 +8,7 @@
 #include "laboratory/people_scene.h"
 
 #define MOMENT 0.1 /* s, of a steady clock, from one time that the present numbers are told to the next */
+#define ALIKE 0.05 /* s: times that are told alike */
 #define AHEAD 2.0  /* s, before somebody comes to a dangerous point: from there it is seen how */
 
 enum { TICKS_MOST = 2000 };
@@ -32,8 +33,7 @@ static void add_pair(HouseLive *live, const char *what, const char *value) {
     add_row(live, ROW_PLAIN, what)->row.cells[1] = value;
 }
 
-/* The selected thing
- * -------------------------------------------------------------------------------------------------*/
+/* The selected thing ---------------------------------------------------------------------------------------------- */
 
 /* The row of the trace at or before a time; NULL: none. */
 static const double *row_at(const Trail *trail, double time) {
@@ -92,7 +92,7 @@ static void say_person(HouseLive *live, size_t i, double time) {
         return;
     }
     add_pair(live, "result", result_of(live, observed));
-    add_pair(live, "way so long", scene_text(scene, "%.2f m", observed->path_length));
+    add_pair(live, "length of the way", scene_text(scene, "%.2f m", observed->path_length));
     say_narrowest(live, i);
     add_pair(live, "contacts", scene_text(scene, "%d", observed->contacts));
     if (observed->contacts)
@@ -145,8 +145,7 @@ static void say_selected(HouseLive *live, double time) {
     }
 }
 
-/* Before and now
- * -----------------------------------------------------------------------------------------------------*/
+/* Before and now -------------------------------------------------------------------------------------------------- */
 
 typedef struct Totals {
     double time, narrowest, force, ring;
@@ -195,8 +194,7 @@ static void compare(HouseLive *live) {
     add_comparison(live, "space pressed", ring, scene_text(scene, "%.1f s", now.ring));
 }
 
-/* What the scene lists: dangerous points and people
- * ------------------------------------------------------------------*/
+/* What the scene lists: dangerous points and people --------------------------------------------------------------- */
 
 /* When somebody is nearest to each dangerous point, less so much that one sees them come; s. */
 static void find_times(HouseLive *live) {
@@ -236,8 +234,7 @@ static void add_listed(HouseLive *live) {
     }
 }
 
-/* Ticks
- * --------------------------------------------------------------------------------------------------------------*/
+/* Ticks ----------------------------------------------------------------------------------------------------------- */
 
 static void add_tick(HouseLive *live, double time, LiveTickKind kind) {
     HouseWords *words = &live->words;
@@ -276,8 +273,7 @@ static void make_ticks(HouseLive *live) {
         qsort(live->words.ticks, live->words.tick_count, sizeof *live->words.ticks, compare_ticks);
 }
 
-/* The answer
- * ---------------------------------------------------------------------------------------------------------*/
+/* The answer ------------------------------------------------------------------------------------------------------ */
 
 /* "before 24.1 s, -5.7 s (-24 %)" */
 static const char *against(HouseLive *live) {
@@ -291,6 +287,8 @@ static const char *against(HouseLive *live) {
         return scene_text(scene, "%s not out", word);
     if (!live->observation->completed || before <= 0)
         return scene_text(scene, "%s %.1f s", word, before);
+    if (fabs(more) < ALIKE)
+        return scene_text(scene, "%s %.1f s, the same", word, before);
     return scene_text(scene, "%s %.1f s, %+.1f s (%+.0f %%)", word, before, more, 100 * more / before);
 }
 
