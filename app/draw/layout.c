@@ -444,9 +444,9 @@ void layout_make(Layout *layout, const Scene *scene, Vec2 page) {
     bool below = divide_page(layout, scene);
     place_plan(layout, scene);
     place_grid(layout, scene);
-    if (scene->bare)
+    if (scene->bare && !scene->unscaled)
         place_scale_bar(layout, scene, layout->plan.high.y - FOOT_HEIGHT / 2);
-    else
+    else if (!scene->bare)
         place_margins(layout, scene);
     if (scene->panels && !scene->bare)
         place_panels(layout, scene, below);

@@ -95,6 +95,16 @@ static void ask(BeamLive *live, bool verdict) {
         beam_worker_ask_verdict(live->worker, &live->beam);
 }
 
+/* The answer goes with the record. */
+static void look_at_answer(BeamLive *live) {
+    if (live->looked == live->tape.front)
+        return;
+    live->looked = live->tape.front;
+    BeamLately lately = beam_answer_look(&live->tape);
+    beam_answer_write(&live->answer, &live->tape, &live->beam, &lately, live->told ? &live->verdict : NULL);
+    live->news |= LIVE_WORDS;
+}
+
 static void *open_live(const char *path, const LiveOptions *options, Fault *fault) {
     BeamLive *live = memory_allocate(1, sizeof *live);
     if (!read_files(live, path, options, fault)) {
@@ -116,6 +126,7 @@ static void *open_live(const char *path, const LiveOptions *options, Fault *faul
     show_choices(live);
     beam_tape_advance(&live->tape);
     ask(live, true);
+    look_at_answer(live);
     live->news = LIVE_ALL & ~LIVE_TROUBLE;
     return live;
 }
@@ -233,12 +244,7 @@ static unsigned update(void *context, double time) {
     BeamNews news;
     beam_worker_take(live->worker, &news);
     take_news(live, &news);
-    if (live->looked != live->tape.front) {
-        live->looked = live->tape.front;
-        BeamLately lately = beam_answer_look(&live->tape);
-        beam_answer_write(&live->answer, &live->tape, &live->beam, &lately, live->told ? &live->verdict : NULL);
-        live->news |= LIVE_WORDS;
-    }
+    look_at_answer(live);
     char before[sizeof live->answer.doing];
     memcpy(before, live->answer.doing, sizeof before);
     note_doing(live, &news);
