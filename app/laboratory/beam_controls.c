@@ -33,7 +33,7 @@ static const Looks all_looks[] = {
     {"beam.density", "Density", NULL, 1, 0.5, 2, 0, 0, 0, 0, false, false},
     {"beam.damping_ratio", "Damping of the modes", "%", 100, 0, 3, 0, 0.1, 0, 0, false, false},
     {"beam.modes", "Natural modes kept", NULL, 1, 0, 0, 1, 24, 0, 0, false, false},
-    {"beam.elements", "Finite elements", NULL, 1, 0, 0, 4, 60, 0, 0, false, false},
+    {"beam.elements", "Finite elements", NULL, 1, 0, 0, 8, 60, 0, 0, false, false},
     {"pivot.position", "Place", "mm", 1e3, 0, 0, 0, 0.1, 0, 0, false, false},
     {"pivot.translational_stiffness", "Stiffness", "MN/m", 1e-6, 0.1, 10, 0, 0, 0, 0, true, false},
     {"pivot.rotational_stiffness", "Stiffness against turning", NULL, 1, 0, 3, 0, 100, 0, 0, false, false},
@@ -69,7 +69,9 @@ static void set_range(LiveParameter *parameter, const Looks *looks) {
     double value = parameter->initial;
     bool about = looks->high > 0 && value > 0;
     parameter->low = fmax(about ? looks->low * value : looks->least, parameter->row->low);
-    parameter->high = fmin(fmax(about ? looks->high * value : 0, looks->most), parameter->row->high);
+    parameter->high = fmax(about ? looks->high * value : 0, looks->most);
+    if (parameter->row->kind != PARAMETER_CHOICE)
+        parameter->high = fmin(parameter->high, parameter->row->high);
     if (!about) {
         parameter->low = fmin(parameter->low, value);
         parameter->high = fmax(parameter->high, value);

@@ -16,7 +16,7 @@
 #define BEHIND_ALONE 0.15 /* where there is no loupe */
 #define HIGH 0.195        /* of the picture, above the beam */
 #define LOW -0.195        /* and below it */
-#define MAGNIFIED_AT 0.05 /* where it says how much larger deflections are drawn */
+#define MAGNIFIED_AT 0.66 /* where it says how much larger deflections are drawn */
 #define REST_BEFORE 0.04  /* so far before the beam its rest line begins */
 #define PIVOT_GROUND 0.030
 #define PIVOT_SPRING 0.016
@@ -105,15 +105,16 @@ static size_t joint_count(const BeamScale *scale) {
     return scale->parts & BEAM_SCENE_LOUPE ? BEAM_JOINTS : 1;
 }
 
-Box beam_scene_box(const BeamScale *scale) {
+Box beam_scene_box(const BeamScale *scale, bool alone) {
     double behind = scale->parts & BEAM_SCENE_LOUPE ? BEHIND : BEHIND_ALONE, length = scale->length;
-    return (Box){{-BEFORE * length, LOW * length}, {(1 + behind) * length, HIGH * length}};
+    double words = alone && scale->parts & BEAM_SCENE_LOUPE && scale->parts & BEAM_SCENE_NAMES ? 2 * ROW : 0;
+    return (Box){{-BEFORE * length, (LOW - words) * length}, {(1 + behind) * length, HIGH * length}};
 }
 
 void beam_scene_words(Scene *scene, const Beam *beam, const Rig *rig, const Response *response, const BeamScale *scale,
                       double slow) {
     bool resolved = response->verdict == RESPONSE_PERIODIC || response->verdict == RESPONSE_CHAOTIC;
-    scene->box = beam_scene_box(scale);
+    scene->box = beam_scene_box(scale, false);
     scene->panel_height = PANELS_HEIGHT;
     scene->unscaled = true;
     scene->title = beam_words_title(scene, beam, rig, response);
@@ -169,9 +170,10 @@ static void still_pivot(Scene *scene, const Beam *beam, const BeamScale *scale) 
 static void still_shaker(Scene *scene, const Beam *beam, const BeamScale *scale) {
     double length = scale->length, x = beam->shaker_position, bottom = FLOOR * length;
     const char *mass = beam->shaker_mass > 0 ? beam_words_quantity(scene, beam->shaker_mass, "kg") : "no mass";
-    const char *rows[] = {"shaker", scene_text(scene, "%s, %s, %s; %s", beam_words_quantity(scene, beam->force, "N"),
-                                               mass, beam_words_quantity(scene, beam->shaker_stiffness, "N/m"),
-                                               beam_words_provenance(scene, beam, "drive.force"))};
+    const char *rows[] = {scene_text(scene, "shaker: %s", beam_words_quantity(scene, beam->force, "N")),
+                          scene_text(scene, "%s, %s; %s", mass,
+                                     beam_words_quantity(scene, beam->shaker_stiffness, "N/m"),
+                                     beam_words_provenance(scene, beam, "drive.force"))};
     add_ground(scene, scale, vec2(x, bottom), YOKE_HALF + YOKE_DEPTH, -1);
     for (int side = -1; side <= 1; side += 2)
         beam_pieces_block(scene, ROLE_FURNITURE,
@@ -242,11 +244,11 @@ static void add_magnified(Scene *scene, Vec2 at, const char *text) {
 
 void beam_scene_magnified(Scene *scene, const BeamScale *scale) {
     double length = scale->length;
-    add_magnified(scene, vec2(MAGNIFIED_AT * length, (LOW + ROW / 2) * length),
+    add_magnified(scene, vec2(MAGNIFIED_AT * length, (HIGH - ROW / 2) * length),
                   scene_text(scene, "deflection drawn %.9g times larger", scale->joint[0].factor));
     if (scale->parts & BEAM_SCENE_LOUPE)
-        add_magnified(scene, vec2((1 + LOUPE_LEFT + LOUPE_SEEN / 2) * length, (HIGH - ROW) * length),
-                      scene_text(scene, "%.9g times", scale->joint[1].factor));
+        add_magnified(scene, vec2((1 + LOUPE_LEFT + LOUPE_RIM) * length, (HIGH - ROW) * length),
+                      scene_text(scene, "\u00d7%.9g", scale->joint[1].factor));
 }
 
 /* What moves --------------------------------------------------------------------------------------------------------*/

@@ -47,8 +47,8 @@ BeamScale beam_scene_scale(const Beam *beam, double reach, double tip_reach);
 void beam_scene_words(Scene *scene, const Beam *beam, const Rig *rig, const Response *response, const BeamScale *scale,
                       double slow);
 
-/* What must be seen. */
-Box beam_scene_box(const BeamScale *scale);
+/* What must be seen; `alone`: with nothing round it, where words below the loupe would find room. */
+Box beam_scene_box(const BeamScale *scale, bool alone);
 
 /* How much larger deflections are drawn, for a picture that has no words round it. */
 void beam_scene_magnified(Scene *scene, const BeamScale *scale);

@@ -15,7 +15,7 @@
 #define DOT 2.4
 
 enum {
-    SAMPLES = 320,       /* a cycle, so that a line through them looks smooth */
+    SAMPLES = 256,       /* a cycle, so that a line through them looks smooth */
     PHASE_PAGE = 20,     /* cycles that a page of the phase plane gets, */
     PHASE_KEPT = 4,      /* beside the last ones of the page before */
     FORCE_PAGE = 8,      /* cycles against time */
@@ -342,7 +342,8 @@ static void make_spectrum(BeamTraces *traces, BeamTape *tape, size_t from, size_
 static void show_spectrum(BeamTraces *traces, BeamTape *tape, size_t cycle) {
     const BeamPart *part = beam_tape_part(tape, cycle);
     const BeamPage *page = &traces->pages[BEAM_TRACE_SPECTRUM];
-    if (traces->waves_serial != part->serial || traces->version != tape->version)
+    bool onwards = traces->waves_serial == part->serial && traces->version == tape->version;
+    if (!onwards)
         memset(traces->waves_of, 0, sizeof traces->waves_of);
     traces->waves_serial = part->serial;
     if (turn_page(traces, BEAM_TRACE_SPECTRUM, tape, cycle, SPECTRUM_PAGE, 0)) {
@@ -353,9 +354,12 @@ static void show_spectrum(BeamTraces *traces, BeamTape *tape, size_t cycle) {
         if (to >= first + SPECTRUM_LEAST)
             make_spectrum(traces, tape, to > first + BEAM_TRACE_SPECTRA ? to - BEAM_TRACE_SPECTRA : first, to);
     }
-    size_t end = part->first + (page->number + 1) * SPECTRUM_PAGE * page->stride;
-    if (cycle + BEAM_TRACE_SPECTRA >= end && cycle < tape->front)
-        wave_of(traces, tape, cycle);
+    size_t end = part->first + (page->number + 1) * SPECTRUM_PAGE * page->stride, from = cycle + 1;
+    if (onwards && traces->last < cycle && cycle - traces->last < BEAM_TRACE_SPECTRA)
+        from = traces->last + 1;
+    for (; from <= cycle && cycle < tape->front; from++)
+        if (from + BEAM_TRACE_SPECTRA >= end) /* for the next one: a little with each picture */
+            wave_of(traces, tape, from);
 }
 
 /* -------------------------------------------------------------------------------------------------------------------*/
@@ -370,6 +374,7 @@ void beam_traces_show(BeamTraces *traces, BeamTape *tape, double time) {
     show_force(traces, tape, cycle);
     show_spectrum(traces, tape, cycle);
     traces->version = tape->version;
+    traces->last = cycle;
     take_curves(traces);
 }
 

@@ -48,7 +48,8 @@ typedef struct BeamTraces {
     size_t seen_to;         /* cycle */
     Box plane;              /* that the points lie in */
     size_t cleared;         /* what was drawn of cycles before this one is forgotten */
-    unsigned version;       /* of the tape, when shown last */
+    unsigned version;       /* of the tape, when shown last, */
+    size_t last;            /* and the cycle */
     double shown, steps[2]; /* s, the time that was shown last; cycles between the last two pairs of pictures */
     size_t strides[BEAM_TRACES];
     double waves[BEAM_TRACE_SPECTRA][BEAM_TRACE_WAVES]; /* m, deflections of the last cycles */

@@ -13,7 +13,7 @@ static void make_still(BeamView *view, const Beam *beam) {
     Scene *still = &view->still;
     scene_reset(still);
     still->bare = still->unscaled = true;
-    still->box = beam_scene_box(&view->scale);
+    still->box = beam_scene_box(&view->scale, true);
     still->camera = view->camera;
     beam_scene_still(still, beam, &view->scale);
     beam_scene_magnified(still, &view->scale);
