@@ -152,6 +152,18 @@ def check_wrong_use():
         expect(0, *arguments)
 
 
+def check_open():
+    """Without a display there is no window, and it is said what there is."""
+    nothing = {"DISPLAY": "", "WAYLAND_DISPLAY": "", "SDL_VIDEODRIVER": ""}
+    for arguments in ([], ["open"], ["open", house("straight-corridor")], [house("straight-corridor")], ["nowhere.json"]):
+        done = expect(2, *arguments, says="there is no display", **nothing)
+        check(done.stderr.count("\n") == 1 and "clearance run" in done.stderr, f"{arguments}: {done.stderr}")
+    expect(2, "open", "--text", "4", says="--text takes 1|2|3")
+    expect(2, "open", "--benchmark-window", "0", says="--benchmark-window takes SECONDS")
+    expect(2, "--theem", "board", says="did you mean --theme?")
+    expect(2, "open", "a.json", "b.json", says="one argument too many")
+
+
 def check_files():
     with tempfile.TemporaryDirectory(prefix="clearance out ä ") as out:
         expect(0, "run", house("two-chairs-corridor"), "--out", out, "--size", "800x450", "--theme", "board")
@@ -221,7 +233,7 @@ def check_interrupt():
         check(os.path.exists(os.path.join(out, "summary.json")), "interrupted: what there is is kept")
 
 
-for part in (check_answers, check_crowds, check_beams, check_options, check_wrong_use, check_files, check_cases,
-             check_interrupt):
+for part in (check_answers, check_crowds, check_beams, check_options, check_wrong_use, check_open, check_files,
+             check_cases, check_interrupt):
     part()
 end()

@@ -37,7 +37,7 @@ void draft_plan(Plan *plan, const char *members) {
 
 static int is_data(const struct dirent *entry) {
     const char *end = strrchr(entry->d_name, '.');
-    return end && (strcmp(end, ".json") == 0 || strcmp(end, ".csv") == 0);
+    return end && (strcmp(end, ".json") == 0 || strcmp(end, ".csv") == 0 || strcmp(end, ".script") == 0);
 }
 
 char **draft_list(const char *directory, size_t *count) {

@@ -2,7 +2,9 @@
 
 #include "house/run.h"
 
+#include <pthread.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "case.h"
 #include "check.h"
@@ -221,4 +223,61 @@ TEST(it_is_known_when_a_door_was_opened) {
         CHECK(!isfinite(observation.door_opened[d]) || outline_door_moves(&house.plan.doors[d]));
     observation_free(&observation);
     house_free(&house);
+}
+
+/* What a run has handed over, group by group. */
+typedef struct Handed {
+    Trace traces[8];
+    double time[8];
+    bool over[8];
+    size_t pieces, early; /* `early`: rows later than the piece says */
+    pthread_mutex_t mutex;
+} Handed;
+
+static void take_piece(void *context, const RunPiece *piece) {
+    Handed *handed = context;
+    pthread_mutex_lock(&handed->mutex);
+    CHECK(piece->group < piece->group_count && piece->group_count <= 8 && !handed->over[piece->group]);
+    CHECK(piece->time >= handed->time[piece->group]);
+    Trace *trace = &handed->traces[piece->group];
+    for (size_t r = 0; r < piece->row_count; r++) {
+        const double *row = piece->rows + r * TRACE_COLUMNS;
+        CHECK(piece->part[(size_t)row[TRACE_PERSON]]);
+        handed->early += row[TRACE_TIME] < handed->time[piece->group];
+        trace_add(trace, row);
+    }
+    handed->time[piece->group] = piece->time;
+    handed->over[piece->group] = piece->over;
+    handed->pieces++;
+    pthread_mutex_unlock(&handed->mutex);
+}
+
+/* Its pieces, put together, are the trace of the run; and the run is the one that nobody watches. */
+TEST(a_record_comes_in_pieces) {
+    static const char *const names[] = {"ube-techno-house", "two-chairs-corridor"};
+    for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
+        House house;
+        case_house(&house, names[n], -1, NULL);
+        Observation alone = case_run(&house, 1), watched;
+        Handed handed = {.mutex = PTHREAD_MUTEX_INITIALIZER};
+        for (size_t g = 0; g < 8; g++)
+            trace_init(&handed.traces[g], observation_columns, TRACE_COLUMNS);
+        run_house(&watched, &house,
+                  &(RunOptions){.route = SIZE_MAX, .jobs = 2, .record = take_piece, .context = &handed});
+        CHECK(watched.digest == alone.digest && watched.trace.rows == alone.trace.rows);
+        CHECK(handed.pieces > 20 && handed.early == 0);
+        size_t rows = 0;
+        for (size_t g = 0; g < 8; g++) {
+            for (size_t r = 0; r < handed.traces[g].rows; r++)
+                CHECK(memcmp(trace_row(&handed.traces[g], r), trace_row(&alone.trace, rows + r),
+                             TRACE_COLUMNS * sizeof(double)) == 0);
+            rows += handed.traces[g].rows;
+            CHECK(!handed.traces[g].rows == !handed.over[g]);
+            trace_clear(&handed.traces[g]);
+        }
+        CHECK(rows == alone.trace.rows);
+        observation_free(&alone);
+        observation_free(&watched);
+        house_free(&house);
+    }
 }

@@ -8,7 +8,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "base/memory.h"
 #include "base/text.h"
@@ -19,6 +18,7 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "house/trial.h"
+#include "laboratory/shipped.h"
 
 /* Case files --------------------------------------------------------------------------------------------------------*/
 
@@ -91,8 +91,8 @@ static void show_progress(void *context, size_t done, size_t all) {
 
 static void run_cases(Verification *cases, size_t count, const Options *options, Fault *fault) {
     Progress progress = {.begin = time(NULL)};
-    bool show = !options->quiet && isatty(STDERR_FILENO);
-    TrialOptions trial = {.profiles = house_file_profiles(),
+    bool show = command_shows_progress(options);
+    TrialOptions trial = {.profiles = shipped_places()->profiles,
                           .seed = options->seed,
                           .jobs = options->jobs,
                           .stop = &command_interrupted,

@@ -13,12 +13,26 @@
 #include "house/profile.h"
 #include "laboratory/beam_plots.h"
 #include "laboratory/film.h"
+#include "window/settings.h"
 
 volatile sig_atomic_t command_interrupted;
 
+bool command_shows_progress(const Options *options) {
+    return !options->quiet && (isatty(STDERR_FILENO) || getenv("CLEARANCE_PROGRESS"));
+}
+
 /* Verbs ----------------------------------------------------------------------------------------------------------- */
 
-enum { FOR_RUN = 1, FOR_CHECK = 2, FOR_COMPARE = 4, FOR_LOCI = 8, FOR_SCHEMA = 16, FOR_CASES = 32, FOR_STUDY = 64 };
+enum {
+    FOR_RUN = 1,
+    FOR_CHECK = 2,
+    FOR_COMPARE = 4,
+    FOR_LOCI = 8,
+    FOR_SCHEMA = 16,
+    FOR_CASES = 32,
+    FOR_STUDY = 64,
+    FOR_OPEN = 128
+};
 enum { FOR_HOUSES = FOR_RUN | FOR_CHECK | FOR_COMPARE | FOR_LOCI | FOR_STUDY, FOR_FILMS = FOR_RUN | FOR_COMPARE };
 
 typedef struct Verb {
@@ -32,6 +46,12 @@ typedef struct Verb {
 } Verb;
 
 static const Verb verbs[] = {
+    {"open", FOR_OPEN, 0, 1, "[HOUSE|BEAM]",
+     "the window, in which it moves and all can be changed; `clearance` alone opens it, too",
+     "  clearance\n"
+     "  clearance open houses/ube-techno-house.json\n"
+     "  clearance open assets/beams/ibs.json --set drive.frequency=290 --theme board\n",
+     command_open},
     {"run", FOR_RUN, 1, 1, "HOUSE|BEAM",
      "simulate an evacuation to the end, or a beam in its clearance: the answer, and with --out data and pictures",
      "  clearance run houses/ube-techno-house.json --out out\n"
@@ -157,7 +177,7 @@ static bool take_size(Options *options, const char *value) {
     int used = 0;
     bool good = sscanf(value, "%dx%d%n", &options->width, &options->height, &used) == 2 && !value[used];
     return good && options->width >= 320 && options->height >= 200 && options->width <= 16384 &&
-           options->height <= 16384;
+           options->height <= 16384 && (options->size_said = true);
 }
 
 /* A number of a range, alone. */
@@ -223,6 +243,7 @@ static bool take_measured(Options *options, const char *value) {
 
 static bool take_theme(Options *options, const char *value) {
     options->theme = strcmp(value, "board") == 0 ? THEME_BOARD : THEME_PAPER;
+    options->theme_said = true;
     return strcmp(value, "board") == 0 || strcmp(value, "paper") == 0;
 }
 
@@ -260,8 +281,29 @@ static bool take_runs(Options *options, const char *value) {
     return good;
 }
 
+static bool take_text(Options *options, const char *value) {
+    long long number;
+    bool good = take_whole(value, 1, SETTINGS_TEXT_MOST, &number);
+    options->text = good ? (int)number : 0;
+    return good;
+}
+
+static bool take_script(Options *options, const char *value) {
+    options->script = value;
+    return *value;
+}
+
+static bool take_benchmark(Options *options, const char *value) {
+    return take_number(value, 0.1, 1e6, &options->benchmark);
+}
+
+static bool take_reduced_motion(Options *options, const char *value) {
+    (void)value;
+    return options->reduced_motion = true;
+}
+
 static const Option option_rows[] = {
-    {"--set", "NAME=VALUE", FOR_HOUSES, "change a parameter, for instance door.d1.width=0.8 (repeatable)",
+    {"--set", "NAME=VALUE", FOR_HOUSES | FOR_OPEN, "change a parameter, for instance door.d1.width=0.8 (repeatable)",
      take_setting},
     {"--out", "DIR", FOR_RUN,
      "write summary.json, trace.csv, of a house trajectory.sqlite, and plan.png or beam.png, .svg and .pdf there",
@@ -293,12 +335,12 @@ static const Option option_rows[] = {
     {"--observed", "FILE", FOR_RUN, "measured loci for the report: CSV with columns time, x, y and person",
      take_observed},
     {"--json", NULL, FOR_HOUSES | FOR_CASES, "the answer as one JSON object and nothing else", take_json},
-    {"--route", "ID", FOR_RUN | FOR_STUDY, "only this route's people", take_route},
-    {"--driving", "miura|driver", FOR_HOUSES & ~FOR_LOCI, "drive everybody this way", take_driving},
+    {"--route", "ID", FOR_RUN | FOR_STUDY | FOR_OPEN, "only this route's people", take_route},
+    {"--driving", "miura|driver", (FOR_HOUSES & ~FOR_LOCI) | FOR_OPEN, "drive everybody this way", take_driving},
     {"--until", "SECONDS", FOR_RUN | FOR_COMPARE | FOR_STUDY, "give up at this simulated time", take_until},
-    {"--seed", "N", FOR_HOUSES | FOR_CASES, "seed of all chance, from 0 (default 1)", take_seed},
-    {"--jobs", "N", FOR_HOUSES | FOR_CASES, "threads, from 1 (default: one a processor); the answer is the same",
-     take_jobs},
+    {"--seed", "N", FOR_HOUSES | FOR_CASES | FOR_OPEN, "seed of all chance, from 0 (default 1)", take_seed},
+    {"--jobs", "N", FOR_HOUSES | FOR_CASES | FOR_OPEN,
+     "threads, from 1 (default: one a processor); the answer is the same", take_jobs},
     {"--frames", "FPS", FOR_FILMS,
      "write so many pictures of each second (of a beam: of film) to DIR/frames/frame-00001.png and so on", take_frames},
     {"--movie", "FILE", FOR_FILMS, "make a film of them (30 a second where --frames does not say), by ffmpeg",
@@ -324,11 +366,20 @@ static const Option option_rows[] = {
      take_measured},
     {"--size", "WxH", FOR_FILMS | FOR_STUDY,
      "size of the pictures in pixels, 320x200 to 16384x16384 (default 1280x720)", take_size},
+    {"--size", "WxH", FOR_OPEN, "size of the window in pixels, 320x200 to 16384x16384 (default: as last time)",
+     take_size},
     {"--theme", THEME_WORDS, FOR_FILMS | FOR_STUDY, "light or dark pictures", take_theme},
+    {"--theme", THEME_WORDS, FOR_OPEN, "light or dark (default: as last time)", take_theme},
+    {"--text", "1|2|3", FOR_OPEN, "size of the text (default: as last time)", take_text},
+    {"--reduced-motion", NULL, FOR_OPEN, "nothing moves but what is simulated", take_reduced_motion},
+    {"--script", "FILE", FOR_OPEN, "do what this file says, as a person would; for tests and lessons", take_script},
+    {"--benchmark-window", "SECONDS", FOR_OPEN, "play for so long, say how many pictures a second there were, and end",
+     take_benchmark},
     {"--quiet", NULL, FOR_HOUSES | FOR_CASES, "no progress", take_quiet},
 };
 enum {
     OPTIONS = sizeof option_rows / sizeof *option_rows,
+    NAME_WIDTH = 10,
     ARGUMENT_WIDTH = 22, /* characters: what is longer has a line of its own */
 };
 
@@ -354,9 +405,10 @@ static void print_verb_help(const Verb *verb) {
         const char *argument = option->argument ? option->argument : "";
         if (!(option->marks & verb->mark))
             continue;
-        printf("  %-10s %-*s", option->name, ARGUMENT_WIDTH, argument);
-        if (strlen(argument) > ARGUMENT_WIDTH)
-            printf("\n%*s", ARGUMENT_WIDTH + 13, "");
+        size_t wide = strlen(option->name) > NAME_WIDTH ? strlen(option->name) - NAME_WIDTH : 0;
+        printf("  %-*s %-*s", NAME_WIDTH, option->name, ARGUMENT_WIDTH - (int)wide, argument);
+        if (strlen(argument) + wide > ARGUMENT_WIDTH)
+            printf("\n%*s", NAME_WIDTH + ARGUMENT_WIDTH + 3, "");
         printf(" %s\n", option->meaning);
     }
 }
@@ -409,7 +461,8 @@ static void free_options(Options *options) {
     arena_clear(&options->arena);
 }
 
-static int run_verb(const Verb *verb, int argc, char **argv) {
+/* The verb's own words begin at argv[first]. */
+static int run_verb(const Verb *verb, int argc, char **argv, int first) {
     Options options = {.seed = 1,
                        .driving = -1,
                        .jobs = parallel_processors(),
@@ -423,7 +476,7 @@ static int run_verb(const Verb *verb, int argc, char **argv) {
     options.settings = memory_allocate((size_t)argc, sizeof *options.settings);
     options.files = memory_allocate((size_t)argc, sizeof *options.files);
     int code = 0;
-    for (int i = 2; i < argc && !code; i++) {
+    for (int i = first; i < argc && !code; i++) {
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
             print_verb_help(verb);
             free_options(&options);
@@ -452,25 +505,34 @@ static void interrupt(int signal_number) {
     command_interrupted = 1;
 }
 
+/* A word that is no verb and looks like a file. */
+static bool is_file(const char *word) {
+    size_t length = strlen(word);
+    return strchr(word, '/') || (length > 5 && strcmp(word + length - 5, ".json") == 0) || access(word, F_OK) == 0;
+}
+
 static int dispatch(int argc, char **argv) {
     signal(SIGINT, interrupt);
     signal(SIGTERM, interrupt);
     signal(SIGXFSZ, SIG_IGN); /* a file that would be too large is told of as any other that cannot be written */
-    if (argc < 2 || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
+    const char *word = argc < 2 ? "open" : argv[1];
+    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0) {
         print_help();
-        return argc < 2 ? EXIT_WRONG_INPUT : 0;
+        return 0;
     }
-    if (strcmp(argv[1], "--version") == 0) {
+    if (strcmp(word, "--version") == 0) {
         printf("clearance " CLEARANCE_VERSION "\n");
         return 0;
     }
     const char *names[VERBS];
     for (size_t v = 0; v < VERBS; v++) {
         names[v] = verbs[v].name;
-        if (strcmp(argv[1], verbs[v].name) == 0)
-            return run_verb(&verbs[v], argc, argv);
+        if (strcmp(word, verbs[v].name) == 0)
+            return run_verb(&verbs[v], argc, argv, 2);
     }
-    return wrong_use("unknown verb", argv[1], names, VERBS);
+    if (*word == '-' || is_file(word))
+        return run_verb(&verbs[0], argc, argv, 1);
+    return wrong_use("unknown verb", word, names, VERBS);
 }
 
 int command_main(int argc, char **argv) {

@@ -34,6 +34,7 @@ typedef struct Options {
     int jobs;
     bool json, quiet;
     int width, height; /* pixels */
+    bool size_said, theme_said;
     Theme theme;
     double frames;     /* pictures a s of the film; 0: none */
     double slow;       /* simulated time is shown so many times slower; 0: not said */
@@ -47,16 +48,24 @@ typedef struct Options {
     bool report;            /* write one */
     const char *observed;   /* file of measured loci, or NULL */
     StudyRequest study;
-    bool paper;        /* study the paper's claims */
-    bool thorough;     /* tell each run of a beam as `run` does */
-    const char *types; /* names of parameters, parted by commas, or NULL */
-    char **arguments;  /* (argument_count) the command line, as given */
+    bool paper;          /* study the paper's claims */
+    bool thorough;       /* tell each run of a beam as `run` does */
+    const char *types;   /* names of parameters, parted by commas, or NULL */
+    int text;            /* size of the window's text, 1 to 3; 0: not said */
+    const char *script;  /* file for the window to follow, or NULL */
+    double benchmark;    /* s, of the window; 0: none */
+    bool reduced_motion; /* in the window */
+    char **arguments;    /* (argument_count) the command line, as given */
     int argument_count;
     Arena arena; /* holds what was made of the words */
 } Options;
 
 /* Set by Ctrl-C; a second one ends at once. */
 extern volatile sig_atomic_t command_interrupted;
+
+/* Is progress wanted on standard error? When that is a terminal, and not --quiet, or when $CLEARANCE_PROGRESS is set,
+ * as by a window that shows how far its export is. Each piece begins with a carriage return and holds no line break. */
+bool command_shows_progress(const Options *options);
 
 /* Reads argv, runs the verb, returns the exit code. */
 int command_main(int argc, char **argv);
@@ -67,5 +76,6 @@ int command_check(const Options *options);
 int command_cases(const Options *options);
 int command_compare(const Options *options);
 int command_loci(const Options *options);
+int command_open(const Options *options);
 int command_schema(const Options *options);
 int command_study(const Options *options);

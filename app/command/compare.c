@@ -98,7 +98,8 @@ static json_t *differences(const House houses[2], const Observation observations
 static bool write_results(const House houses[2], const Observation observations[2], const Options *options) {
     if (options->out) {
         Scene scene = {0};
-        house_scene_make_compared(&scene, &houses[1], &observations[1], (Before){&houses[0], &observations[0]});
+        house_scene_make_compared(&scene, &houses[1], &observations[1],
+                                  (Before){.house = &houses[0], .observation = &observations[0]});
         bool written = output_stills(&scene, options);
         scene_clear(&scene);
         if (!written)
@@ -106,7 +107,8 @@ static bool write_results(const House houses[2], const Observation observations[
     }
     return report_files_write_comparison(houses, observations, options) &&
            (!frames_wanted(options) ||
-            frames_write(&houses[1], &observations[1], (Before){&houses[0], &observations[0]}, options));
+            frames_write(&houses[1], &observations[1], (Before){.house = &houses[0], .observation = &observations[0]},
+                         options));
 }
 
 int command_compare(const Options *options) {

@@ -1,23 +1,13 @@
 #include "command/house_file.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "house/run.h"
-
-const char *house_file_profiles(void) {
-    static char path[4096];
-    const char *assets = getenv("CLEARANCE_ASSETS");
-    if (!assets)
-        assets = access(CLEARANCE_SOURCE_ASSETS, R_OK) == 0 ? CLEARANCE_SOURCE_ASSETS : CLEARANCE_INSTALLED_ASSETS;
-    snprintf(path, sizeof path, "%s/profiles", assets);
-    return path;
-}
+#include "laboratory/shipped.h"
 
 bool house_file_read(House *house, const Options *options, size_t index, Fault *fault) {
-    HouseOptions house_options = {.profiles = house_file_profiles(),
+    HouseOptions house_options = {.profiles = shipped_places()->profiles,
                                   .settings = options->settings,
                                   .setting_count = options->setting_count,
                                   .seed = options->seed,
@@ -57,7 +47,7 @@ static void show_progress(void *context, double time) {
 void house_file_run(Observation *observation, const House *house, const Options *options, size_t route) {
     Progress progress = {.shown = false};
     clock_gettime(CLOCK_MONOTONIC, &progress.begin);
-    bool show = !options->quiet && isatty(STDERR_FILENO);
+    bool show = command_shows_progress(options);
     RunOptions run = {.route = route,
                       .jobs = options->jobs,
                       .stop = &command_interrupted,

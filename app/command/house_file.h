@@ -5,10 +5,6 @@
 #include "house/house.h"
 #include "house/observation.h"
 
-/* Where the shipped profiles are: $CLEARANCE_ASSETS/profiles, beside the source the program was built from, or
- * installed. */
-const char *house_file_profiles(void);
-
 /* Reads file `index` of the command line. False: the faults. */
 bool house_file_read(House *house, const Options *options, size_t index, Fault *fault);
 

@@ -3,27 +3,12 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
+#include "base/text.h"
 #include "draw/paint_cairo.h"
 
 bool output_directory(const char *path) {
-    char part[OUTPUT_PATH];
-    int length = snprintf(part, sizeof part, "%s", path), error = 0;
-    if (length + OUTPUT_NAME >= OUTPUT_PATH)
-        error = ENAMETOOLONG;
-    for (char *slash = part + 1; !error && *slash; slash++) {
-        if (*slash != '/')
-            continue;
-        *slash = 0;
-        error = mkdir(part, 0777) && errno != EEXIST ? errno : 0;
-        *slash = '/';
-    }
-    if (!error)
-        error = mkdir(part, 0777) && errno != EEXIST ? errno : 0;
-    if (!error && access(part, W_OK | X_OK))
-        error = errno;
+    int error = strlen(path) + OUTPUT_NAME < OUTPUT_PATH ? text_make_folder(path) : ENAMETOOLONG;
     if (error)
         output_failed(path, error);
     return !error;

@@ -1,7 +1,6 @@
 #include "command/paper.h"
 
 #include <stdio.h>
-#include <unistd.h>
 
 #include "command/answer.h"
 #include "command/house_file.h"
@@ -70,7 +69,7 @@ int paper_answer(const Options *options) {
         fault_add(&fault, "clearance: --paper is of a beam, %s is no beam", options->files[0]);
         return house_file_report(&fault);
     }
-    bool show = !options->quiet && isatty(STDERR_FILENO);
+    bool show = command_shows_progress(options);
     bool made = paper_make(&paper,
                            &(PaperOptions){.path = options->files[0],
                                            .settings = options->settings,

@@ -168,7 +168,7 @@ static bool is_whole(const Study *study) {
 
 static void run_study(StudyJob *job, Store *store) {
     const Options *options = job->options;
-    bool show = !options->quiet && isatty(STDERR_FILENO);
+    bool show = command_shows_progress(options);
     clock_gettime(CLOCK_MONOTONIC, &job->begin);
     job->done_before = study_done(&job->study);
     study_run(&job->study, &(StudyOptions){.jobs = options->jobs,

@@ -1,9 +1,9 @@
 #include "command/study_laboratory.h"
 
 #include "beam/beam.h"
-#include "command/house_file.h"
 #include "laboratory/beam_experiment.h"
 #include "laboratory/house_experiment.h"
+#include "laboratory/shipped.h"
 
 static bool open_beam(Experiment *experiment, const Options *options, Fault *fault) {
     const char *foreign = options->route ? "--route" : options->driving >= 0 ? "--driving" : NULL;
@@ -22,7 +22,7 @@ static bool open_house(Experiment *experiment, const Options *options, Fault *fa
         fault_add(fault, "clearance: --thorough is for beams, %s is a house", options->files[0]);
         return false;
     }
-    HouseOptions house_options = {.profiles = house_file_profiles(),
+    HouseOptions house_options = {.profiles = shipped_places()->profiles,
                                   .settings = options->settings,
                                   .setting_count = options->setting_count,
                                   .seed = options->seed,

@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 #include "laboratory/advice.h"
 
@@ -30,7 +29,7 @@ bool types_answer_tell(Types *types, const Experiment *experiment, const Experim
                        size_t name_count, const Options *options, Fault *fault) {
     Progress progress = {.shown = false};
     clock_gettime(CLOCK_MONOTONIC, &progress.begin);
-    bool show = !options->quiet && isatty(STDERR_FILENO);
+    bool show = command_shows_progress(options);
     TypesTask task = {.experiment = experiment,
                       .thorough = thorough,
                       .names = names,

@@ -444,10 +444,10 @@ void layout_make(Layout *layout, const Scene *scene, Vec2 page) {
     bool below = divide_page(layout, scene);
     place_plan(layout, scene);
     place_grid(layout, scene);
-    if (scene->bare)
-        place_scale_bar(layout, scene, layout->plan.high.y - FOOT_HEIGHT / 2);
-    else
+    if (!scene->bare)
         place_margins(layout, scene);
+    else if (!scene->unscaled)
+        place_scale_bar(layout, scene, layout->plan.high.y - FOOT_HEIGHT / 2);
     if (scene->panels && !scene->bare)
         place_panels(layout, scene, below);
     else if (below)

@@ -15,7 +15,7 @@ enum { SAMPLES = 4 /* of a pixel of the static layer where faces meet; more take
 struct PaintGl {
     const Gl *gl;
     int width, height;
-    PaintGlTarget still, frame;
+    PaintGlTarget ground, still, frame; /* ground: the static layer as it was at first, when something was added */
     GLuint shapes_program, faces_program, array, buffers[2];
     Drawing drawing; /* used again for each layer */
     Ink shapes;      /* around words */
@@ -26,7 +26,9 @@ struct PaintGl {
     Caption *captions; /* (caption_count) of the static layer that moving things may hide: drawn in each frame */
     Sample *samples;   /* (sample_count) */
     size_t caption_count, caption_capacity, sample_count, sample_capacity;
-    Arena arena; /* holds their words */
+    size_t first_captions, first_samples; /* of them those that the static layer had at first */
+    bool added;                           /* something has been added since */
+    Arena arena;                          /* holds their words */
 };
 
 /* Making ----------------------------------------------------------------------------------------------------------- */
@@ -84,6 +86,7 @@ PaintGl *paint_gl_create(const Gl *gl, int width, int height, double unit, Theme
     paint->drawing.unit = unit;
     bool good = paint_gl_target_make(&paint->still, gl, width, height, 0);
     good = paint_gl_target_make(&paint->frame, gl, width, height, 0) && good;
+    good = paint_gl_target_make(&paint->ground, gl, width, height, 0) && good;
     make_programs(paint);
     make_buffers(paint);
     paint->text = paint_gl_text_create(gl, width, height, paint->drawing.unit);
@@ -100,6 +103,7 @@ void paint_gl_destroy(PaintGl *paint) {
     paint_gl_text_destroy(paint->text);
     paint_gl_target_clear(&paint->still, gl);
     paint_gl_target_clear(&paint->frame, gl);
+    paint_gl_target_clear(&paint->ground, gl);
     gl->DeleteProgram(paint->shapes_program);
     gl->DeleteProgram(paint->faces_program);
     gl->DeleteVertexArrays(1, &paint->array);
@@ -271,10 +275,29 @@ void paint_gl_still(PaintGl *paint, Layer ground) {
     draw_captions(paint, paint->captions, paint->caption_count, paint->samples, paint->sample_count);
     forget_captions(paint);
     keep_captions(paint, layout, true);
+    paint->first_captions = paint->caption_count;
+    paint->first_samples = paint->sample_count;
+    paint->added = false;
     assert(paint->gl->GetError() == GL_NO_ERROR);
 }
 
+/* Before the first addition. */
+static void keep_ground(PaintGl *paint) {
+    if (!paint->added)
+        paint_gl_target_copy(&paint->still, &paint->ground, paint->gl, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    paint->added = true;
+}
+
+void paint_gl_rewind(PaintGl *paint) {
+    if (paint->added)
+        paint_gl_target_copy(&paint->ground, &paint->still, paint->gl, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    paint->caption_count = paint->first_captions;
+    paint->sample_count = paint->first_samples;
+    paint->added = false;
+}
+
 void paint_gl_add(PaintGl *paint, Layer more) {
+    keep_ground(paint);
     begin(paint, &paint->still);
     draw_layer(paint, more);
     keep_captions(paint, more.layout, true);
@@ -293,6 +316,7 @@ void paint_gl_panel(PaintGl *paint, int index, const unsigned char *pixels, int 
     int bottom = clamped(y + h, 0, height < paint->height - top ? height : paint->height - top);
     if (right <= x || bottom <= y)
         return;
+    keep_ground(paint);
     gl->BindTexture(GL_TEXTURE_2D, paint->still.colour);
     gl->PixelStorei(GL_UNPACK_ROW_LENGTH, stride / 4);
     gl->TexSubImage2D(GL_TEXTURE_2D, 0, left + x, top + y, right - x, bottom - y, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,

@@ -4,6 +4,7 @@
  *
  *     paint_gl_still    ground, grid, list, primitives, words: the static layer
  *     paint_gl_add      more for it, as loci grow
+ *     paint_gl_rewind   the static layer as it was at first
  *     paint_gl_panel    a plot has changed
  *     paint_gl_frame    static layer, moving layer, words
  *     paint_gl_read     the frame's pixels                                                                           */
@@ -26,6 +27,9 @@ void paint_gl_still(PaintGl *paint, Layer ground);
 
 /* Adds a layer made by layout_make_over to the static one, over it. Its solids have no shadows. */
 void paint_gl_add(PaintGl *paint, Layer more);
+
+/* Takes back all that paint_gl_add and paint_gl_panel have put onto the static layer. */
+void paint_gl_rewind(PaintGl *paint);
 
 /* Copies the part x, y, w, h of a picture of layout->panels[index], which has changed. The picture is cairo's RGB24 or
  * opaque ARGB32, width x height pixels, a pixel of it a pixel of the page. */

@@ -2,6 +2,7 @@
 
 #include <assert.h>
 #include <cairo.h>
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -190,4 +191,22 @@ int plot_canvas_stride(const PlotCanvas *canvas) {
 
 Vec2 plot_canvas_place(const PlotCanvas *canvas, Vec2 value) {
     return vec2_scale(plot_layout_point(&canvas->layout, value), canvas->unit);
+}
+
+Box plot_canvas_frame(const PlotCanvas *canvas) {
+    Box frame = canvas->layout.sheet.frame;
+    return (Box){vec2_scale(frame.low, canvas->unit), vec2_scale(frame.high, canvas->unit)};
+}
+
+/* The value so far along an axis, 0 to 1. */
+static double value_along(const PlotTicks *ticks, double part) {
+    if (ticks->logarithmic)
+        return ticks->low * pow(ticks->high / ticks->low, part);
+    return ticks->low + part * (ticks->high - ticks->low);
+}
+
+Vec2 plot_canvas_value(const PlotCanvas *canvas, Vec2 place) {
+    Box frame = plot_canvas_frame(canvas);
+    return vec2(value_along(&canvas->layout.x, (place.x - frame.low.x) / box_width(frame)),
+                value_along(&canvas->layout.y, (frame.high.y - place.y) / box_height(frame)));
 }

@@ -33,3 +33,7 @@ int plot_canvas_stride(const PlotCanvas *canvas);
 
 /* Where a value is, in pixels. */
 Vec2 plot_canvas_place(const PlotCanvas *canvas, Vec2 value);
+
+/* What the axes enclose, in pixels, y down; and the value that is there. */
+Box plot_canvas_frame(const PlotCanvas *canvas);
+Vec2 plot_canvas_value(const PlotCanvas *canvas, Vec2 place);

@@ -5,9 +5,11 @@
 #include <string.h>
 
 #include "base/digest.h"
+#include "base/parallel.h"
 #include "base/random.h"
 #include "beam/lanes.h"
 #include "beam/response.h"
+#include "laboratory/beam_numbers.h"
 
 const char *const beam_experiment_window[] = {"drive.frequency", "beam.length", "joint.clearance", "drive.force"};
 
@@ -89,14 +91,9 @@ static void tell_unknown(const void *given, const char *name, const char *place,
         parameters_fault_unknown(beam_table(), name, &node, fault);
 }
 
-static double number_of(const Parameter *row, const void *object) {
-    const void *field = (const char *)object + row->offset;
-    return row->kind == PARAMETER_WHOLE ? *(const int *)field : *(const double *)field;
-}
-
 static double nominal(const void *given, const char *name) {
     const Parameter *row = find_parameter(given, name);
-    return !row || is_of_start(row) ? 0 : number_of(row, &((const Given *)given)->beam);
+    return !row || is_of_start(row) ? 0 : beam_numbers_get(row, &((const Given *)given)->beam);
 }
 
 /* Trials ---------------------------------------------------------------------------------------------------------- */
@@ -137,24 +134,6 @@ static void make_case(const Given *given, const char *const *names, size_t name_
         keep_fault(trial, &fault);
         made->made = true;
     }
-}
-
-/* Is a rig of the one a rig of the other, but for the drive and the clearance? */
-static bool same_rig(const Beam *a, const Beam *b) {
-    Beam like = *b;
-    like.frequency = a->frequency;
-    like.force = a->force;
-    like.clearance = a->clearance;
-    const ParameterTable *table = beam_table();
-    for (size_t i = 0; i < table->count; i++)
-        if (is_number(&table->rows[i]) && number_of(&table->rows[i], a) != number_of(&table->rows[i], &like))
-            return false;
-    return true;
-}
-
-/* Is the drive fast enough for the rig's cells? Of one that is not, rig_build says why. */
-static bool is_followed(const Beam *beam, const Rig *rig) {
-    return 1 / (beam->frequency * rig->cell) <= RIG_CELLS_MOST;
 }
 
 /* m, how far the amplitude of the drive would push the tip without the joint, if it stood still. */
@@ -292,7 +271,7 @@ static void run_thoroughly(const Case *one, const Rig *rig, double *state, const
     Response response;
     response_run(&response, &own, &one->beam, state, stop);
     tell_response(one->trial, &response);
-    one->trial->done = !(stop && *stop);
+    one->trial->done = !parallel_stopped(stop);
     if (response.section.count)
         memcpy(state, section_last(&response.section), response.section.states * sizeof *state);
     response_clear(&response);
@@ -307,14 +286,14 @@ static void run_cases(const Given *given, Case **cases, size_t count, const Rig 
     }
     if (!given->thorough)
         run_quickly(cases, count, rig, states, stop);
-    for (size_t i = 0; i < count && given->thorough && !(stop && *stop); i++)
+    for (size_t i = 0; i < count && given->thorough && !parallel_stopped(stop); i++)
         run_thoroughly(cases[i], rig, states + i * 2 * rig->modes.count, stop);
 }
 
 /* The rig of a case: the given one, or `own`, made for it. NULL: there is none, and the trial says why. */
 static const Rig *find_rig(const Given *given, Case *one, Rig *own) {
     Fault fault = {0};
-    if (same_rig(&one->beam, &given->beam) && is_followed(&one->beam, &given->rig))
+    if (beam_numbers_same_rig(&one->beam, &given->beam) && beam_numbers_followed(&one->beam, &given->rig))
         return &given->rig;
     if (rig_build(own, &one->beam, given->beam.name, &fault))
         return own;
@@ -326,14 +305,15 @@ static const Rig *find_rig(const Given *given, Case *one, Rig *own) {
 /* Trials that share a rig are made together. */
 static void run_apart(const Given *given, Case *cases, size_t count, const volatile sig_atomic_t *stop) {
     Case **group = memory_allocate(count, sizeof *group);
-    for (size_t i = 0; i < count && !(stop && *stop); i++) {
+    for (size_t i = 0; i < count && !parallel_stopped(stop); i++) {
         Rig own = {0};
         const Rig *rig = cases[i].made ? NULL : find_rig(given, &cases[i], &own);
         if (!rig)
             continue;
         size_t members = 0, size = 2 * rig->modes.count;
         for (size_t j = i; j < count; j++)
-            if (!cases[j].made && same_rig(&cases[i].beam, &cases[j].beam) && is_followed(&cases[j].beam, rig))
+            if (!cases[j].made && beam_numbers_same_rig(&cases[i].beam, &cases[j].beam) &&
+                beam_numbers_followed(&cases[j].beam, rig))
                 group[members++] = &cases[j];
         double *states = memory_allocate(members * size, sizeof *states);
         for (size_t j = 0; j < members; j++)
@@ -348,65 +328,50 @@ static void run_apart(const Given *given, Case *cases, size_t count, const volat
 
 /* Carried runs ---------------------------------------------------------------------------------------------------- */
 
-/* The last state of the trial before, as each mode's share of the tip's deflection and velocity. */
-typedef struct Carried {
-    double *share; /* (2 x modes) m, m/s */
-    size_t modes;  /* 0: there is none */
-} Carried;
-
-static void take_carried(Carried *carried, const Modes *modes, const double *state) {
-    memory_free(carried->share);
-    carried->share = memory_allocate(2 * modes->count, sizeof(double));
-    carried->modes = modes->count;
-    for (size_t i = 0; i < modes->count; i++) {
-        carried->share[2 * i] = modes->tip[i] * state[i] / modes->frequency[i];
-        carried->share[2 * i + 1] = modes->tip[i] * state[modes->count + i];
-        if (!isfinite(carried->share[2 * i] + carried->share[2 * i + 1]))
-            carried->modes = 0;
-    }
-}
-
-static void give_carried(const Carried *carried, const Modes *modes, double *state) {
-    memset(state, 0, 2 * modes->count * sizeof *state);
-    for (size_t i = 0; i < modes->count && i < carried->modes; i++)
-        if (modes->tip[i] != 0) {
-            state[i] = carried->share[2 * i] / modes->tip[i] * modes->frequency[i];
-            state[modes->count + i] = carried->share[2 * i + 1] / modes->tip[i];
-        }
-}
-
-static void run_carried(const Given *given, Case *cases, size_t count, const volatile sig_atomic_t *stop) {
-    Carried carried = {0};
-    for (size_t i = 0; i < count && !(stop && *stop); i++) {
+static void run_carried(const Given *given, Case *cases, size_t count, BeamCarry *carry,
+                        const volatile sig_atomic_t *stop) {
+    for (size_t i = 0; i < count && !parallel_stopped(stop); i++) {
         Rig own = {0};
         const Rig *rig = cases[i].made ? NULL : find_rig(given, &cases[i], &own);
         if (!rig)
             continue;
         double *state = memory_allocate(2 * rig->modes.count, sizeof *state);
-        if (carried.modes)
-            give_carried(&carried, &rig->modes, state);
-        else
+        if (!beam_carry_give(carry, &rig->modes, state))
             make_start(&cases[i], rig, state);
         run_cases(given, &(Case *){&cases[i]}, 1, rig, state, stop);
-        take_carried(&carried, &rig->modes, state);
+        beam_carry_take(carry, &rig->modes, state);
         memory_free(state);
         if (rig == &own)
             rig_clear(&own);
     }
-    memory_free(carried.share);
 }
 
-static void run(const void *context, const char *const *names, size_t name_count, Trial *trials, size_t count,
-                bool carry, const volatile sig_atomic_t *stop) {
-    const Given *given = context;
+/* `carry`: one after the other, from what it holds; NULL: each from its own start. */
+static void run_trials(const Given *given, const char *const *names, size_t name_count, Trial *trials, size_t count,
+                       BeamCarry *carry, const volatile sig_atomic_t *stop) {
     Case *cases = memory_allocate(count, sizeof *cases);
     for (size_t i = 0; i < count; i++) {
         for (size_t k = 0; k < BEAM_OBSERVABLES; k++)
             trials[i].observed[k] = NAN;
         make_case(given, names, name_count, &trials[i], &cases[i]);
     }
-    (carry ? run_carried : run_apart)(given, cases, count, stop);
+    if (carry)
+        run_carried(given, cases, count, carry, stop);
+    else
+        run_apart(given, cases, count, stop);
     memory_free(cases);
+}
+
+static void run(const void *context, const char *const *names, size_t name_count, Trial *trials, size_t count,
+                bool carry, const volatile sig_atomic_t *stop) {
+    BeamCarry from_start = {0};
+    run_trials(context, names, name_count, trials, count, carry ? &from_start : NULL, stop);
+    beam_carry_clear(&from_start);
+}
+
+void beam_experiment_run_on(const Experiment *experiment, const char *name, Trial *trials, size_t count,
+                            BeamCarry *carry, const volatile sig_atomic_t *stop) {
+    run_trials(experiment->given, &name, 1, trials, count, carry, stop);
 }
 
 /* Opening --------------------------------------------------------------------------------------------------------- */

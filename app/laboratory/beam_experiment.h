@@ -22,6 +22,7 @@
 
 #include "base/fault.h"
 #include "beam/beam.h"
+#include "laboratory/beam_carry.h"
 #include "study/experiment.h"
 
 typedef enum BeamObservable {
@@ -53,5 +54,11 @@ bool beam_experiment_of(Experiment *experiment, const Beam *beam, const char *pl
 
 /* From now on, each trial is told thoroughly. */
 void beam_experiment_be_thorough(Experiment *experiment);
+
+/* Trials (count) of one parameter, one after the other, the first from where `carry` was left: a carried pass in
+ * pieces.
+ */
+void beam_experiment_run_on(const Experiment *experiment, const char *name, Trial *trials, size_t count,
+                            BeamCarry *carry, const volatile sig_atomic_t *stop);
 
 void beam_experiment_close(Experiment *experiment);

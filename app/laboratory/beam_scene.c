@@ -5,17 +5,19 @@
 #include "laboratory/beam_words.h"
 
 /* Of the beam's length: where everything is. */
-#define THINNEST 0.008   /* half of the thickness, as drawn, at least: a thinner beam could not be seen */
-#define THICKEST 0.03    /* and at most */
-#define RISE 0.115       /* the largest deflection, magnified, at most */
-#define TIP_RISE 0.105   /* and that of the tip */
-#define FLOOR -0.175     /* of pivot and shaker */
-#define ROW 0.031        /* from one row of words to the next */
-#define BEFORE 0.11      /* of the picture, before the beam */
-#define BEHIND 0.53      /* and behind it */
-#define HIGH 0.195       /* of the picture, above the beam */
-#define LOW -0.195       /* and below it */
-#define REST_BEFORE 0.04 /* so far before the beam its rest line begins */
+#define THINNEST 0.008    /* half of the thickness, as drawn, at least: a thinner beam could not be seen */
+#define THICKEST 0.03     /* and at most */
+#define RISE 0.115        /* the largest deflection, magnified, at most */
+#define TIP_RISE 0.105    /* and that of the tip */
+#define FLOOR -0.175      /* of pivot and shaker */
+#define ROW 0.031         /* from one row of words to the next */
+#define BEFORE 0.11       /* of the picture, before the beam */
+#define BEHIND 0.53       /* and behind it */
+#define BEHIND_ALONE 0.15 /* where there is no loupe */
+#define HIGH 0.195        /* of the picture, above the beam */
+#define LOW -0.195        /* and below it */
+#define MAGNIFIED_AT 0.05 /* where it says how much larger deflections are drawn */
+#define REST_BEFORE 0.04  /* so far before the beam its rest line begins */
 #define PIVOT_GROUND 0.030
 #define PIVOT_SPRING 0.016
 #define PIVOT_SPIRAL 0.030
@@ -89,7 +91,7 @@ static BeamJoint joint_of(const Beam *beam, const BeamScale *scale, double reach
 }
 
 BeamScale beam_scene_scale(const Beam *beam, double reach, double tip_reach) {
-    BeamScale scale = {.length = beam->length};
+    BeamScale scale = {.parts = BEAM_SCENE_ALL, .length = beam->length};
     double half = beam->thickness / 2;
     scale.half = fmax(THINNEST * beam->length, fmin(half, THICKEST * beam->length));
     scale.to_scale = scale.half == half;
@@ -99,18 +101,26 @@ BeamScale beam_scene_scale(const Beam *beam, double reach, double tip_reach) {
     return scale;
 }
 
+static size_t joint_count(const BeamScale *scale) {
+    return scale->parts & BEAM_SCENE_LOUPE ? BEAM_JOINTS : 1;
+}
+
+Box beam_scene_box(const BeamScale *scale) {
+    double behind = scale->parts & BEAM_SCENE_LOUPE ? BEHIND : BEHIND_ALONE, length = scale->length;
+    return (Box){{-BEFORE * length, LOW * length}, {(1 + behind) * length, HIGH * length}};
+}
+
 void beam_scene_words(Scene *scene, const Beam *beam, const Rig *rig, const Response *response, const BeamScale *scale,
                       double slow) {
-    double length = scale->length;
     bool resolved = response->verdict == RESPONSE_PERIODIC || response->verdict == RESPONSE_CHAOTIC;
-    scene->box = (Box){{-BEFORE * length, LOW * length}, {(1 + BEHIND) * length, HIGH * length}};
+    scene->box = beam_scene_box(scale);
     scene->panel_height = PANELS_HEIGHT;
     scene->unscaled = true;
     scene->title = beam_words_title(scene, beam, rig, response);
     scene->title_role = resolved ? ROLE_TEXT : ROLE_ERROR;
     scene->detail = beam_words_detail(scene, response);
     scene->name = scene_text(scene, "%s, %g mm long: deflection \u00d7 %.9g, in the loupe \u00d7 %.9g", beam->name,
-                             1000 * length, scale->joint[0].factor, scale->joint[1].factor);
+                             1000 * scale->length, scale->joint[0].factor, scale->joint[1].factor);
     const char *moment = response->peaks.count ? "at the largest force" : "at the largest deflection";
     const char *slower = slow > 0 ? scene_text(scene, "%g times slower", slow) : moment;
     scene->note = scene_text(scene, "%s; thickness%s to scale, %s", slower, scale->to_scale ? "" : " not",
@@ -119,7 +129,7 @@ void beam_scene_words(Scene *scene, const Beam *beam, const Rig *rig, const Resp
 
 /* Rows of words to one side of a place, downwards; a piece's name is bold, what is told of it is not. */
 static void add_rows(Scene *scene, const BeamScale *scale, Vec2 at, int side, const char *const *rows, size_t count) {
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count && scale->parts & BEAM_SCENE_NAMES; i++) {
         Vec2 from = vec2(at.x, at.y - ROW * scale->length * (double)i), to = vec2(from.x + side, from.y);
         Primitive *label =
             scene_add_label(scene, i ? ROLE_DIM_TEXT : ROLE_TEXT, i ? SMALL_LETTERS : NAME_LETTERS, from, rows[i]);
@@ -179,9 +189,10 @@ static void still_joint(Scene *scene, const Beam *beam, const BeamScale *scale) 
                           beam_words_provenance(scene, beam, "joint.stiffness")};
     if (!scale->stops)
         rows[0] = scene_text(scene, "stops: far outside, at \u00b1%.4g mm", 1000 * beam->clearance);
-    for (int i = 0; i < BEAM_JOINTS && scale->stops; i++)
+    for (size_t i = 0; i < joint_count(scale) && scale->stops; i++)
         beam_joint_still(scene, beam, scale, &scale->joint[i]);
-    add_rows(scene, scale, vec2((1 + LOUPE_LEFT) * length, (LOW - 0.4 * ROW) * length), 1, rows, 2);
+    if (scale->parts & BEAM_SCENE_LOUPE)
+        add_rows(scene, scale, vec2((1 + LOUPE_LEFT) * length, (LOW - 0.4 * ROW) * length), 1, rows, 2);
 }
 
 static Primitive *add_frame(Scene *scene, Box box) {
@@ -212,12 +223,30 @@ static void add_rest(Scene *scene, double from, double to) {
 
 void beam_scene_still(Scene *scene, const Beam *beam, const BeamScale *scale) {
     double length = scale->length;
-    still_loupe(scene, scale);
     add_rest(scene, -REST_BEFORE * length, (1 + LOUPE_SEEN) * length);
-    add_rest(scene, (1 + LOUPE_LEFT) * length, (1 + LOUPE_RIGHT) * length);
+    if (scale->parts & BEAM_SCENE_LOUPE) {
+        still_loupe(scene, scale);
+        add_rest(scene, (1 + LOUPE_LEFT) * length, (1 + LOUPE_RIGHT) * length);
+    }
     still_pivot(scene, beam, scale);
     still_shaker(scene, beam, scale);
     still_joint(scene, beam, scale);
+}
+
+static void add_magnified(Scene *scene, Vec2 at, const char *text) {
+    Vec2 right = vec2(at.x + 1, at.y);
+    Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, SMALL_LETTERS, at, text);
+    scene_bind_label(scene, label, &right, 1);
+    label->fixed = true;
+}
+
+void beam_scene_magnified(Scene *scene, const BeamScale *scale) {
+    double length = scale->length;
+    add_magnified(scene, vec2(MAGNIFIED_AT * length, (LOW + ROW / 2) * length),
+                  scene_text(scene, "deflection drawn %.9g times larger", scale->joint[0].factor));
+    if (scale->parts & BEAM_SCENE_LOUPE)
+        add_magnified(scene, vec2((1 + LOUPE_LEFT + LOUPE_SEEN / 2) * length, (HIGH - ROW) * length),
+                      scene_text(scene, "%.9g times", scale->joint[1].factor));
 }
 
 /* What moves --------------------------------------------------------------------------------------------------------*/
@@ -305,14 +334,15 @@ void beam_scene_moving(Scene *scene, const Beam *beam, const BeamScale *scale, c
                        const BeamMoment *moment) {
     double tip = shape->deflection[shape->count - 1];
     add_shaker(scene, beam, scale, shape);
-    for (int i = 0; i < BEAM_JOINTS && scale->stops; i++)
+    for (size_t i = 0; i < joint_count(scale) && scale->stops; i++)
         beam_joint_stops(scene, beam, scale, &scale->joint[i], tip);
     add_beam(scene, scale, shape);
-    for (int i = 0; i < BEAM_JOINTS; i++)
+    for (size_t i = 0; i < joint_count(scale); i++)
         add_tip(scene, scale, &scale->joint[i], tip);
     add_pivot(scene, beam, scale, shape);
-    add_drive(scene, beam, scale, shape, moment->drive);
-    for (int i = 0; i < BEAM_JOINTS && scale->stops; i++)
+    if (scale->parts & BEAM_SCENE_FORCES)
+        add_drive(scene, beam, scale, shape, moment->drive);
+    for (size_t i = 0; i < joint_count(scale) && scale->stops && scale->parts & BEAM_SCENE_FORCES; i++)
         beam_joint_contact(scene, beam, scale, &scale->joint[i], tip, moment);
     scene->clock = scene_text(scene, "cycle %zu, %.2f ms", moment->cycle, 1000 * moment->time);
 }

@@ -27,8 +27,12 @@ typedef struct BeamJoint {
 
 enum { BEAM_JOINTS = 2 };
 
+/* What of it is drawn. */
+enum { BEAM_SCENE_LOUPE = 1, BEAM_SCENE_FORCES = 2, BEAM_SCENE_NAMES = 4, BEAM_SCENE_ALL = 7 };
+
 /* How it is drawn. */
 typedef struct BeamScale {
+    unsigned parts;               /* BEAM_SCENE_...: all, unless the caller says otherwise */
     double length;                /* m, of the beam */
     double half;                  /* m, half of the beam's thickness, as drawn */
     bool to_scale;                /* the thickness is the beam's */
@@ -42,6 +46,12 @@ BeamScale beam_scene_scale(const Beam *beam, double reach, double tip_reach);
 /* The answer, the name and what must be said; `slow`: so many times slower, or 0 for a still picture. */
 void beam_scene_words(Scene *scene, const Beam *beam, const Rig *rig, const Response *response, const BeamScale *scale,
                       double slow);
+
+/* What must be seen. */
+Box beam_scene_box(const BeamScale *scale);
+
+/* How much larger deflections are drawn, for a picture that has no words round it. */
+void beam_scene_magnified(Scene *scene, const BeamScale *scale);
 
 /* What stays: grounds, rest line, the clearance's size, names. */
 void beam_scene_still(Scene *scene, const Beam *beam, const BeamScale *scale);

@@ -18,12 +18,27 @@ int film_shown(const char *words, const char **unknown);
 
 #define FILM_WORDS "circles,routes,widths"
 
+/* What is shown unless it is hidden. */
+enum {
+    FILM_RINGS = 1,  /* personal spaces */
+    FILM_LOCI = 2,   /* ways so far, and the bodies left on them */
+    FILM_GHOST = 4,  /* what was before */
+    FILM_DANGER = 8, /* discs of dangerous points */
+    FILM_GRID = 16,
+    FILM_NAMES = 32,  /* of people, furniture, rooms and doors */
+    FILM_FORCES = 64, /* stars of contacts */
+};
+
 typedef struct FilmOptions {
     Camera camera;
     bool bare;     /* the house alone, without answer and list */
     int panels;    /* places for plots beside the plan, in place of the list */
-    int shown;     /* FILM_..., added up */
+    int shown;     /* FILM_CIRCLES and so on, added up */
+    int hidden;    /* FILM_RINGS and so on, added up */
     Before before; /* whose loci are shown as "before" */
+    bool live;     /* for a window: bodies are left as often however long the run becomes, and whoever was before is
+                      seen moving, too */
+    Box box;       /* m, what must be seen; without a width: the plan and all ways */
 } FilmOptions;
 
 typedef struct Film Film;
@@ -31,6 +46,15 @@ typedef struct Film Film;
 /* House and observation must outlive it. film_destroy releases it. */
 Film *film_create(const House *house, const Observation *observation, const FilmOptions *options);
 void film_destroy(Film *film);
+
+/* The observation has more rows: those it had are the same. */
+void film_extend(Film *film);
+
+/* From another place, but in the same kind of view; nothing is made anew. */
+void film_look(Film *film, Camera camera);
+
+/* The next film_show begins from nothing: film_added then holds all. */
+void film_forget(Film *film);
 
 /* The layer that stays. */
 const Scene *film_still(const Film *film);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/digest.h"
+#include "base/parallel.h"
 #include "house/run.h"
 
 typedef struct HouseGiven {
@@ -139,7 +140,7 @@ static void run_one(const HouseGiven *given, const char *const *names, size_t na
         size_t route = given->route ? plan_find_route(&house.plan, given->route) : SIZE_MAX;
         Observation observation;
         run_house(&observation, &house, &(RunOptions){.route = route, .jobs = 1, .stop = stop});
-        trial->done = !stop || !*stop;
+        trial->done = !parallel_stopped(stop);
         if (trial->done)
             observe(trial, &house, &observation);
         observation_free(&observation);
@@ -156,7 +157,7 @@ static void run_one(const HouseGiven *given, const char *const *names, size_t na
 static void run(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count, bool carry,
                 const volatile sig_atomic_t *stop) {
     (void)carry; /* everybody begins at the start */
-    for (size_t i = 0; i < count && !(stop && *stop); i++)
+    for (size_t i = 0; i < count && !parallel_stopped(stop); i++)
         run_one(given, names, name_count, &trials[i], stop);
 }
 

@@ -29,6 +29,8 @@ typedef struct Subjects {
     const Observation *observation;
     Subject list[PEOPLE_SCENE_INDIVIDUALS]; /* (count) */
     size_t count, people;                   /* shown, and who took part */
+    bool alone;                             /* one was asked for */
+    const char *word;                       /* for them, when they are what was before */
 } Subjects;
 
 typedef struct HousePlot {
@@ -129,9 +131,9 @@ static void name_subjects(Subjects *subjects) {
     }
 }
 
-/* The people of a run, chairs before walkers, each with a copy of their rows. */
-static Subjects take_subjects(const House *house, const Observation *observation, Arena *arena) {
-    Subjects subjects = {.house = house, .observation = observation};
+/* The people of a run, chairs before walkers, or one of them, each with a copy of their rows. */
+static Subjects take_subjects(const House *house, const Observation *observation, size_t person, Arena *arena) {
+    Subjects subjects = {.house = house, .observation = observation, .alone = person != SIZE_MAX};
     if (!observation->person_count)
         return subjects;
     Trail *trails = trail_list(observation);
@@ -139,8 +141,8 @@ static Subjects take_subjects(const House *house, const Observation *observation
         subjects.people += observation->people[i].took_part;
     for (int walks = 0; walks <= 1; walks++)
         for (size_t i = 0; i < observation->person_count; i++)
-            if (trails[i].count && census_walks(house->people[i].profile) == walks &&
-                subjects.count < PEOPLE_SCENE_INDIVIDUALS)
+            if ((person == SIZE_MAX || person == i) && trails[i].count &&
+                census_walks(house->people[i].profile) == walks && subjects.count < PEOPLE_SCENE_INDIVIDUALS)
                 add_subject(&subjects, &trails[i], i, arena);
     trail_free_list(trails);
     name_subjects(&subjects);
@@ -168,8 +170,8 @@ static void add_ghosts(Plot *plot, const HousePlot *definition, const Subjects *
             if (strcmp(ghosts->house->people[ghosts->list[g].person].id,
                        subjects->house->people[subjects->list[i].person].id) == 0) {
                 PlotSeries *ghost = add_series(plot, definition, &ghosts->list[g]);
-                ghost->heading = text_in_arena(arena, "%s before", ghosts->list[g].name);
-                ghost->name = plot->series_count == 1 ? "before" : NULL;
+                ghost->heading = text_in_arena(arena, "%s %s", ghosts->list[g].name, ghosts->word);
+                ghost->name = plot->series_count == 1 ? ghosts->word : NULL;
                 ghost->role = ROLE_GHOST;
                 ghost->style = LINE_DASHED;
                 ghost->width = THIN_WIDTH;
@@ -184,7 +186,7 @@ static const char *note_of(const HousePlot *definition, const Subjects *subjects
     }
     if (!moving || !touching)
         return moving ? "no contact" : "nobody sets off";
-    if (subjects->count == subjects->people)
+    if (subjects->count == subjects->people || subjects->alone)
         return NULL;
     return text_in_arena(arena, "%zu of %zu people", subjects->count, subjects->people);
 }
@@ -203,15 +205,30 @@ static Plot make_plot(const HousePlot *definition, const Subjects *subjects, con
     return plot;
 }
 
-HousePlots house_plots_make(const House *house, const Observation *observation, const House *ghost_house,
-                            const Observation *ghost, const PlotChoice *choice) {
+/* Who has the same name in what was before; SIZE_MAX: nobody, or everybody is meant. */
+static size_t like_before(const House *house, Before before, size_t person) {
+    for (size_t i = 0; person != SIZE_MAX && i < before.house->person_count; i++)
+        if (strcmp(before.house->people[i].id, house->people[person].id) == 0)
+            return i;
+    return SIZE_MAX;
+}
+
+HousePlots house_plots_make_of(const House *house, const Observation *observation, Before before, size_t person,
+                               const PlotChoice *choice) {
     HousePlots plots = {.choice = *choice};
-    Subjects subjects = take_subjects(house, observation, &plots.arena), ghosts = {.count = 0};
-    if (ghost)
-        ghosts = take_subjects(ghost_house, ghost, &plots.arena);
+    Subjects subjects = take_subjects(house, observation, person, &plots.arena), ghosts = {.count = 0};
+    if (before.observation)
+        ghosts = take_subjects(before.house, before.observation, like_before(house, before, person), &plots.arena);
+    ghosts.word = text_in_arena(&plots.arena, "%s", house_scene_before_word(before));
     for (size_t i = 0; i < choice->count; i++)
         plots.plots[i] = make_plot(&known[choice->indices[i]], &subjects, &ghosts, &plots.arena);
     return plots;
+}
+
+HousePlots house_plots_make(const House *house, const Observation *observation, const House *ghost_house,
+                            const Observation *ghost, const PlotChoice *choice) {
+    return house_plots_make_of(house, observation, (Before){.house = ghost_house, .observation = ghost}, SIZE_MAX,
+                               choice);
 }
 
 void house_plots_free(HousePlots *plots) {

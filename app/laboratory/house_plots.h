@@ -4,6 +4,7 @@
 
 #include "draw/plot.h"
 #include "house/observation.h"
+#include "laboratory/house_scene.h"
 #include "laboratory/plot_choice.h"
 
 enum { HOUSE_PLOTS_KNOWN = 5 /* plots */ };
@@ -26,6 +27,9 @@ typedef struct HousePlots {
  * `ghost_house` and `ghost` are NULL when nothing was before. house_plots_free releases them. */
 HousePlots house_plots_make(const House *house, const Observation *observation, const House *ghost_house,
                             const Observation *ghost, const PlotChoice *choice);
+/* The same of one person (index into House.people; SIZE_MAX: of all) and with what was before under its own word. */
+HousePlots house_plots_make_of(const House *house, const Observation *observation, Before before, size_t person,
+                               const PlotChoice *choice);
 void house_plots_free(HousePlots *plots);
 
 /* How many points of a series of a plot (index into `plots`) lie at or before a time, s. */

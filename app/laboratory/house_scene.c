@@ -26,6 +26,10 @@ static bool holds_word(const char *text, const char *word) {
     return false;
 }
 
+bool house_scene_is_assumed(const Plan *plan) {
+    return holds_word(plan->note, ASSUMED);
+}
+
 /* "cannot pass door d2", and so on: why somebody is not out. */
 static const char *failure(Scene *scene, const PersonObservation *person) {
     const char *what = person->blockage.what;
@@ -103,7 +107,7 @@ static void say_no(Scene *scene, const House *house, const Observation *observat
 
 static void say_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     scene->name = arena_text(&scene->arena, *house->plan.name ? house->plan.name : "house");
-    scene->note = holds_word(house->plan.note, ASSUMED) ? arena_text(&scene->arena, house->plan.note) : "";
+    scene->note = house_scene_is_assumed(&house->plan) ? arena_text(&scene->arena, house->plan.note) : "";
     scene->clock = observation->time > 0 ? scene_text(scene, "0 to %.1f s", observation->time) : "";
     if (!census->people) {
         scene->title_role = ROLE_TEXT;
@@ -211,7 +215,7 @@ static void add_house(Scene *scene, const House *house, const Observation *obser
     bool crowd = is_crowd(census);
     plan_scene_solids(scene, house);
     if (before)
-        people_scene_ghost(scene, before);
+        people_scene_ghost(scene, before, "before");
     if (crowd)
         crowd_scene_ways(scene, house, observation, census);
     else
@@ -231,7 +235,8 @@ void house_scene_say_before(Scene *scene, Before before) {
         return;
     wording_headline(before.house, before.observation, headline, sizeof headline);
     *headline = (char)tolower((unsigned char)*headline);
-    scene->detail = scene_text(scene, "before: %s%s%s", headline, *scene->detail ? "; now: " : "", scene->detail);
+    scene->detail = scene_text(scene, "%s: %s%s%s", house_scene_before_word(before), headline,
+                               *scene->detail ? "; now: " : "", scene->detail);
 }
 
 void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation, Before before) {

@@ -12,11 +12,19 @@
 /* Fills an empty scene; scene_clear releases it. House and observation belong together and may go before the scene. */
 void house_scene_make(Scene *scene, const House *house, const Observation *observation);
 
+/* Does the plan's note say that it was assumed, not measured? */
+bool house_scene_is_assumed(const Plan *plan);
+
 /* What was before, in this house or in another one; nothing when `observation` is NULL. */
 typedef struct Before {
     const House *house;
     const Observation *observation;
+    const char *word; /* for it, where it is not "before"; or NULL */
 } Before;
+
+static inline const char *house_scene_before_word(Before before) {
+    return before.word ? before.word : "before";
+}
 
 /* The same with what was before: its ways behind, its answer beside the own. */
 void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation, Before before);

@@ -90,6 +90,8 @@ typedef struct LiveParameter {
     const Parameter *row;   /* a number, a whole one, a flag or a choice */
     const char *meaning;    /* a sentence */
     const char *provenance; /* or NULL */
+    const char *unit;       /* in which it is shown, "mm"; NULL: the row's */
+    double factor;          /* value shown = value x factor; 0 counts as 1 */
     double value;           /* of a choice: the place of the word; of a flag 0 or 1 */
     double initial;         /* in the file */
     double low, high;       /* of a slider: the useful part of the row's range; typed values may go beyond it */
@@ -210,6 +212,10 @@ typedef struct LiveKind {
 
     /* The words behind "clearance" that make what is shown: "run", FILE, "--set", ... (count) */
     const char *const *(*command)(const void *live, size_t *count);
+
+    /* Writes what is shown, with its changed numbers, as a file that can be opened again; false: a fault says why not.
+     */
+    bool (*save)(const void *live, const char *path, Fault *fault);
 
     /* Fills mono samples, -1 to 1, of the stretch from one time to another; false: it is silent. */
     bool (*sound)(const void *live, double from, double to, float *samples, size_t count);

@@ -46,7 +46,7 @@ static void tell(const PaperOptions *options, const char *what) {
 }
 
 static bool stopped(const PaperOptions *options) {
-    return options->stop && *options->stop;
+    return parallel_stopped(options->stop);
 }
 
 typedef struct RunTask {

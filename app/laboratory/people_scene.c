@@ -138,8 +138,12 @@ static void add_ring(Scene *scene, const House *house, size_t person, Pose pose,
     ring->keep_clear = KEEP_RING;
 }
 
+double people_scene_least_interval(bool several) {
+    return several ? 2 * GHOST_SECONDS : GHOST_SECONDS;
+}
+
 double people_scene_interval(const Trail *trail, bool several) {
-    double least = several ? 2 * GHOST_SECONDS : GHOST_SECONDS;
+    double least = people_scene_least_interval(several);
     double duration = trail_end(trail) - trail_begin(trail);
     return fmax(least, ceil(duration / (GHOSTS_MOST * GHOST_SECONDS)) * GHOST_SECONDS);
 }
@@ -172,7 +176,7 @@ static void add_locus(Scene *scene, const Trail *trail, LocusLook look) {
     memory_free(points);
 }
 
-void people_scene_ghost(Scene *scene, const Observation *before) {
+void people_scene_ghost(Scene *scene, const Observation *before, const char *word) {
     static const LocusLook look = {ROLE_GHOST, LINE_DASHED, LOCUS_WIDTH};
     Trail *trails = trail_list(before);
     for (size_t i = 0; i < before->person_count; i++) {
@@ -180,7 +184,7 @@ void people_scene_ghost(Scene *scene, const Observation *before) {
             continue;
         add_locus(scene, &trails[i], look);
         Pose middle = trail_pose(&trails[i], (trail_begin(&trails[i]) + trail_end(&trails[i])) / 2);
-        scene_add_label(scene, look.role, LETTERS, middle.at, "before")->optional = true;
+        scene_add_label(scene, look.role, LETTERS, middle.at, word)->optional = true;
     }
     trail_free_list(trails);
 }

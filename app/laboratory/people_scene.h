@@ -46,9 +46,10 @@ void people_scene_body(Scene *scene, const Profile *profile, Pose pose, Role rol
 
 /* From one body shown to the next, s: a multiple of 2 s that leaves the way to be seen; `several` ways overlap. */
 double people_scene_interval(const Trail *trail, bool several);
+double people_scene_least_interval(bool several);
 
-/* The loci of an observation that is not the one shown: dashed, "before". */
-void people_scene_ghost(Scene *scene, const Observation *before);
+/* The loci of an observation that is not the one shown: dashed, with a word such as "before". */
+void people_scene_ghost(Scene *scene, const Observation *before, const char *word);
 
 /* The ticks of a locus after `from` s and up to `to` s. */
 void people_scene_ticks(Scene *scene, const Trail *trail, Role role, double from, double to);

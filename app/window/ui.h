@@ -162,6 +162,14 @@ typedef struct UiRow {
 } UiRow;
 bool ui_list_row(Ui *ui, const UiRow *row);
 
+/* A picture with a name and a few lines below it: an item of a gallery, in a row of its like. True: chosen. */
+typedef struct UiCard {
+    const char *id, *name, *words;
+    const ScreenTexture *picture; /* or NULL: not yet */
+    double picture_height, words_height;
+} UiCard;
+bool ui_card(Ui *ui, const UiCard *card);
+
 /* A tick box. */
 bool ui_flag(Ui *ui, const char *id, const char *label, const char *help, bool *value);
 

@@ -212,7 +212,7 @@ static void draw_mark(Ui *ui, Box box, const UiRow *row) {
                     box_expand((Box){middle, middle}, 14), 0.5, row->mark);
 }
 
-/* The columns at the right are as wide as their widest cell of the frame before. */
+/* Where there are several, the columns at the right are as wide as their widest cell of the frame before. */
 static double draw_cells(Ui *ui, Box box, UiLetters letters, const char *const *cells) {
     double right = box.high.x;
     int count = !cells[0] ? 0 : !cells[1] ? 1 : !cells[2] ? 2 : 3;
@@ -220,10 +220,10 @@ static double draw_cells(Ui *ui, Box box, UiLetters letters, const char *const *
         double width = ui_extent(ui, letters, cells[column]).x;
         double *columns[] = {ui->place ? &ui->place->columns[0][column - 1] : &width,
                              ui->place ? &ui->place->columns[1][column - 1] : &width};
-        *columns[1] = fmax(*columns[1], width);
+        *columns[1] = count > 2 ? fmax(*columns[1], width) : *columns[1];
         ui_words_in(ui, letters, ui_frame_ink(ui, ROLE_TEXT, 1), (Box){{right - width, box.low.y}, {right, box.high.y}},
                     1, cells[column]);
-        right -= fmax(width, *columns[0]) + ROW_GAP;
+        right -= (count > 2 ? fmax(width, *columns[0]) : width) + ROW_GAP;
     }
     return right;
 }

@@ -1,7 +1,18 @@
 /* Independent pieces of work on several threads. */
 #pragma once
 
+#include <signal.h>
+#include <stdbool.h>
 #include <stddef.h>
+
+/* A flag that ends work early, set by a signal's handler or by another thread; NULL is never set. */
+static inline bool parallel_stopped(const volatile sig_atomic_t *stop) {
+    return stop && __atomic_load_n(stop, __ATOMIC_RELAXED);
+}
+
+static inline void parallel_stop(volatile sig_atomic_t *stop) {
+    __atomic_store_n(stop, 1, __ATOMIC_RELAXED);
+}
 
 /* Calls `work(context, i)` once for every i below `count`, on up to `jobs` threads (1: on this one). Which thread does
  * which piece is not determined: a piece may write only what is its own. */

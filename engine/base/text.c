@@ -145,3 +145,15 @@ int text_write_file(const char *path, const char *text, size_t size) {
 int text_write_quickly(const char *path, const char *text, size_t size) {
     return write_beside(path, text, size, false);
 }
+
+int text_make_folder(const char *path) {
+    char *part = strcpy(memory_allocate(strlen(path) + 1, 1), path);
+    int error = 0;
+    for (size_t end = 0; path[end] && !error; part[end] = path[end]) {
+        end += 1 + strcspn(path + end + 1, "/");
+        part[end] = 0;
+        error = mkdir(part, 0777) && errno != EEXIST ? errno : 0;
+    }
+    memory_free(part);
+    return error ? error : access(path, W_OK | X_OK) ? errno : 0;
+}

@@ -36,3 +36,6 @@ int text_write_file(const char *path, const char *text, size_t size);
 
 /* The same without waiting for the disk: for many files that can be made again. */
 int text_write_quickly(const char *path, const char *text, size_t size);
+
+/* Makes a folder and those above it, where they are not there. 0, or errno, also when it cannot be written to. */
+int text_make_folder(const char *path);

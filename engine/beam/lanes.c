@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/parallel.h"
 
 /* A lane is a motion whose blocks lie across the others'. As long as it is open or in contact and nothing can happen
  * before the end of a cell, it hops with the others by vector instructions; otherwise it steps alone, by motion_step.
@@ -363,7 +364,7 @@ void lanes_run(const Rig *rig, LanesRun *runs, size_t count, const volatile sig_
         lanes.next = lanes.now;
         lanes.now = next;
         hop_lanes(&lanes);
-    } while (any_runs(&lanes) && !(stop && *stop));
+    } while (any_runs(&lanes) && !parallel_stopped(stop));
     for (size_t l = 0; l < LANES; l++)
         if (lanes.lane[l].run)
             end_run(&lanes, l);

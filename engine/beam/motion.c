@@ -185,6 +185,35 @@ void motion_set_state(Motion *motion, const double *state) {
     read_rows(motion, motion->z, 0, &motion->now);
 }
 
+/* The place, the time since the last switch, the reading, the blocks. */
+enum { SAVED_BLOCKS = 2 + (int)(sizeof(MotionReading) / sizeof(double)) };
+
+size_t motion_saved_size(const Rig *rig) {
+    return SAVED_BLOCKS + 2 * room_of(rig);
+}
+
+void motion_save(const Motion *motion, double *saved) {
+    size_t blocks = regime_of(motion)->blocks;
+    assert(motion->phase == 0);
+    saved[0] = motion->place;
+    saved[1] = motion->since;
+    memcpy(saved + 2, &motion->now, sizeof motion->now);
+    memcpy(saved + SAVED_BLOCKS, motion->z.re, blocks * sizeof *saved);
+    memcpy(saved + SAVED_BLOCKS + blocks, motion->z.im, blocks * sizeof *saved);
+}
+
+void motion_restore(Motion *motion, const double *saved) {
+    motion->place = (MotionPlace)saved[0];
+    motion->status = MOTION_GOOD;
+    motion->phase = 0;
+    motion->since = saved[1];
+    motion->cycle_switches = 0;
+    memcpy(&motion->now, saved + 2, sizeof motion->now);
+    size_t blocks = regime_of(motion)->blocks;
+    memcpy(motion->z.re, saved + SAVED_BLOCKS, blocks * sizeof *saved);
+    memcpy(motion->z.im, saved + SAVED_BLOCKS + blocks, blocks * sizeof *saved);
+}
+
 static RegimeVector tangent_blocks(const Motion *motion, size_t index) {
     size_t from = index * room_of(motion->rig);
     return (RegimeVector){motion->tangent.re + from, motion->tangent.im + from};

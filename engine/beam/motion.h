@@ -78,6 +78,12 @@ void motion_copy(Motion *to, const Motion *from);
 void motion_state(const Motion *motion, double *state);
 void motion_set_state(Motion *motion, const double *state);
 
+/* A motion at phase 0, but for its tangents and for what it counts, as numbers (motion_saved_size of its rig):
+ * restored, it goes on with the same bits, which a state, being computed from it, does not promise. A cycle begins. */
+size_t motion_saved_size(const Rig *rig);
+void motion_save(const Motion *motion, double *saved);
+void motion_restore(Motion *motion, const double *saved);
+
 /* Tangent vector `index`, as a state. */
 void motion_tangent(const Motion *motion, size_t index, double *tangent);
 void motion_set_tangent(Motion *motion, size_t index, const double *tangent);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/parallel.h"
 
 /* Newton's iteration ends when what is left is this share of the state: rounding leaves some 1e-13. */
 static const double CONVERGED = 1e-11;
@@ -29,9 +30,9 @@ bool orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative,
     Motion motion = motion_create(rig, derivative ? states : 0);
     motion_set_state(&motion, state);
     motion_unit_tangents(&motion);
-    for (size_t i = 0; i < cycles && motion.status == MOTION_GOOD && !(stop && *stop); i++)
+    for (size_t i = 0; i < cycles && motion.status == MOTION_GOOD && !parallel_stopped(stop); i++)
         motion_cycle(&motion);
-    bool good = motion.status == MOTION_GOOD && !(stop && *stop);
+    bool good = motion.status == MOTION_GOOD && !parallel_stopped(stop);
     motion_state(&motion, state);
     for (size_t t = 0; t < motion.tangents; t++)
         motion_tangent(&motion, t, derivative + t * states);

@@ -4,6 +4,7 @@
 
 #include "base/digest.h"
 #include "base/memory.h"
+#include "base/parallel.h"
 
 /* A return so near, of the state's length, is worth Newton's iteration; the orbit must then be as near. A chaotic
  * motion returns so near now and then, but to an orbit that does not attract. */
@@ -39,7 +40,7 @@ typedef struct Watch {
 } Watch;
 
 static bool goes_on(const Watch *watch) {
-    return watch->motion.status == MOTION_GOOD && !(watch->stop && *watch->stop);
+    return watch->motion.status == MOTION_GOOD && !parallel_stopped(watch->stop);
 }
 
 static void pass_transient(Watch *watch, int cycles) {

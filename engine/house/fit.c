@@ -5,6 +5,7 @@
 
 #include "base/heap.h"
 #include "base/memory.h"
+#include "base/parallel.h"
 
 /* The widest path (maximin; Pollack 1960) of the rectangle's growth over a lattice of the body's middle and heading,
  * six neighbours a node: the growth of a path is the least on it, and the search always goes on from the node with the
@@ -213,7 +214,7 @@ static int widest_way(Lattice *lattice, int x, int y, int turn) {
     double swing = 2 * M_PI / lattice->turns * lattice->body->half_length, cell = lattice->cell;
     enter(lattice, x, y, turn, -1, 0);
     const volatile sig_atomic_t *stop = lattice->query->stop;
-    while (lattice->heap_count > 0 && lattice->state_count < MOST_STATES && !(stop && *stop)) {
+    while (lattice->heap_count > 0 && lattice->state_count < MOST_STATES && !parallel_stopped(stop)) {
         int index = heap_take(lattice->heap, &lattice->heap_count).state;
         State state = lattice->states[index];
         if (arrived(lattice, &state))

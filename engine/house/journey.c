@@ -92,6 +92,8 @@ static void make_fields(void *context, size_t index) {
     Planning *planning = context;
     const House *house = planning->house;
     Itinerary *itinerary = planning->journeys->itineraries[planning->first_itinerary + index];
+    if (parallel_stopped(planning->stop))
+        return; /* then nobody asks them */
     for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
         Goal goal = itinerary->fields[leg].goal;
         march_init(&itinerary->fields[leg], &house->plan, &house->space, itinerary->profile->width / 2,
@@ -158,7 +160,9 @@ static void plan_journey(void *context, size_t k) {
     route_free(&journey->route);
     track_free(&journey->track);
     *journey = (Journey){.via = place->via};
-    if (planning->house->people[place->person].profile->driving == DRIVING_WALKER)
+    if (parallel_stopped(planning->stop))
+        journey->route = (Route){.answer = ROUTE_CANNOT_PASS, .exit = SIZE_MAX};
+    else if (planning->house->people[place->person].profile->driving == DRIVING_WALKER)
         plan_walk(planning, place, journey);
     else
         plan_ride(planning, place, journey);
@@ -214,7 +218,8 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
     }
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
-    explain_walkers(planning, count);
+    if (!parallel_stopped(planning->stop))
+        explain_walkers(planning, count);
 }
 
 Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {

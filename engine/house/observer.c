@@ -192,6 +192,14 @@ static void watch_contact(PersonObservation *person, Stretch *stretch, Watched *
     }
 }
 
+/* Known at once, so that it can be shown while the others are on their way. */
+static void note_out(Observer *observer, size_t i) {
+    PersonObservation *person = &observer->people[i];
+    person->completed = true;
+    person->exit = observer->world->exit[i];
+    person->time = observer->world->ended[i];
+}
+
 static void watch_person(Observer *observer, size_t i) {
     const World *world = observer->world;
     PersonObservation *person = &observer->people[i];
@@ -220,6 +228,8 @@ static void watch_person(Observer *observer, size_t i) {
     watched->time = time;
     watched->offset = world->drive[i].offset;
     watched->done = ended(world, i);
+    if (world->phase[i] == PHASE_OUT)
+        note_out(observer, i);
 }
 
 static void watch_if_going(Observer *observer, size_t i) {
@@ -282,11 +292,11 @@ void observer_end(Observer *observer, Reason reason) {
             add_last_row(observer, i);
         PersonObservation *person = &observer->people[i];
         const Route *route = &world->journeys[i].route;
-        person->completed = world->phase[i] == PHASE_OUT;
-        if (person->completed)
-            person->exit = world->exit[i];
-        else
-            person->reason = world->phase[i] == PHASE_STUCK ? (Reason)world->reason[i] : reason;
+        if (world->phase[i] == PHASE_OUT) {
+            note_out(observer, i);
+            continue;
+        }
+        person->reason = world->phase[i] == PHASE_STUCK ? (Reason)world->reason[i] : reason;
         person->time = ended(world, i) ? world->ended[i] : clock_time(&world->clock);
         if (person->reason == REASON_CANNOT_PASS)
             person->blockage = route->blockage;

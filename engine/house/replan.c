@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "base/memory.h"
+#include "base/parallel.h"
 #include "house/observation.h"
 
 double replan_next(const World *world, double time) {
@@ -87,7 +88,7 @@ static void plan_again(World *world, Journeys *journeys, bool strays, int jobs, 
     }
     if (count)
         journey_plan_again(journeys, world->house, places, count, clock_time(&world->clock), jobs, stop);
-    for (size_t k = 0; k < count; k++)
+    for (size_t k = 0; k < count && !parallel_stopped(stop); k++)
         set_out(world, places[k].person, strays);
     memory_free(places);
 }

@@ -1,5 +1,6 @@
 /* Planning anew while people are on the way: when an exit has closed, whoever was on the way to it turns to another;
- * when a crowd has pushed a chair off its way, it looks for a new one from where it is. */
+ * when a crowd has pushed a chair off its way, it looks for a new one from where it is. Once `stop` is set nobody finds
+ * or takes a way, and the world must not move any more. */
 #pragma once
 
 #include <signal.h>

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/parallel.h"
 #include "house/blockage.h"
 #include "house/fit.h"
 #include "house/search.h"
@@ -248,7 +249,7 @@ static void explain_not_drivable(Route *route, const RouteQuery *query, const Le
     size_t *pins = memory_allocate(legs->count, sizeof *pins);
     SearchTrack track = {0};
     bool found = false;
-    for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings && !found; i++) {
+    for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings && !found && !parallel_stopped(query->stop); i++) {
         Rectangle smaller = shrunk(body, shrinkings[i]);
         found = search_legs(query, legs, &smaller, &grains[2], &track, pins) == SEARCH_FOUND;
     }
@@ -301,7 +302,7 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
     FitPlace tightest;
     SearchAnswer answer = search_legs(query, legs, body, &grains[0], &track, pins);
     bool quick = answer == SEARCH_FOUND;
-    if (!quick) {
+    if (!quick && !parallel_stopped(query->stop)) {
         route->fits = fit_margin(query, body, legs->goals, legs->count, &tightest) + FIT_BIAS >= 0;
         for (int grain = 1; grain < GRAINS && route->fits && answer != SEARCH_FOUND; grain++) {
             /* The finest can only end where the last one came to an end. */
@@ -316,7 +317,9 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
             try_roomier(route, query, legs, body);
     } else {
         search_track_clear(&track);
-        if (route->fits)
+        if (parallel_stopped(query->stop))
+            route->fits = false; /* it was not looked for to the end */
+        else if (route->fits)
             explain_not_drivable(route, query, legs, body, &tightest);
         else {
             blockage_of_fit(&route->blockage, query, body, &tightest);

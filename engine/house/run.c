@@ -10,8 +10,8 @@
 #include "house/replan.h"
 #include "house/world.h"
 
-/* simulated s between two looks at `stop` and reports of progress */
-static const double LOOK_UP = 0.5;
+/* simulated s between two reports of progress */
+static const double LOOK_UP = 0.2;
 
 enum { TEAM_WORTH = 300 /* people: with fewer a step is over before a second thread has begun */ };
 
@@ -20,9 +20,11 @@ typedef struct Group {
     const House *house;
     const RunOptions *options;
     int jobs;                  /* threads of its own */
+    size_t index, count;       /* of all groups */
     bool *part;                /* (person_count) */
     PersonObservation *people; /* of all groups: each writes its own */
     Observer observer;
+    size_t told; /* rows of the trace */
     uint64_t digest, steps;
     int wall_crossings;
 } Group;
@@ -34,7 +36,32 @@ static bool goes_on(World *world, Journeys *journeys, const Group *group) {
     return world_goes_on(world);
 }
 
-static Reason run_world(World *world, Journeys *journeys, Observer *observer, const Group *group, bool reports) {
+/* Hands over what has been recorded since the last time. */
+static void tell_piece(Group *group, const World *world, bool over) {
+    const Observer *observer = &group->observer;
+    uint64_t step = world->clock.step;
+    RunPiece piece = {.group = group->index,
+                      .group_count = group->count,
+                      .part = group->part,
+                      .time = (double)(step - step % observer->sample_steps) * group->house->plan.run.dt,
+                      .over = over,
+                      .row_count = observer->trace.rows - group->told,
+                      .people = group->people,
+                      .door_opened = observer->door_opened};
+    piece.rows = piece.row_count ? trace_row(&observer->trace, group->told) : NULL;
+    group->told = observer->trace.rows;
+    group->options->record(group->options->context, &piece);
+}
+
+static void look_up(Group *group, const World *world) {
+    const RunOptions *options = group->options;
+    if (options->progress && group->index == 0)
+        options->progress(options->context, clock_time(&world->clock));
+    if (options->record)
+        tell_piece(group, world, false);
+}
+
+static Reason run_world(World *world, Journeys *journeys, Observer *observer, Group *group) {
     const RunOptions *options = group->options;
     double until = world->house->plan.run.until, next_look = 0, next_closing = replan_next(world, 0);
     double next_stray = REPLAN_PERIOD;
@@ -50,12 +77,11 @@ static Reason run_world(World *world, Journeys *journeys, Observer *observer, co
             replan_strays(world, journeys, group->jobs, options->stop);
             next_stray += REPLAN_PERIOD;
         }
+        if (parallel_stopped(options->stop))
+            return REASON_INTERRUPTED;
         if (time >= next_look) {
             next_look += LOOK_UP;
-            if (options->stop && *options->stop)
-                return REASON_INTERRUPTED;
-            if (options->progress && reports)
-                options->progress(options->context, time);
+            look_up(group, world);
         }
         WorldStatus status = world_step(world, NULL);
         observer_watch(observer);
@@ -72,8 +98,10 @@ static void run_group(void *context, size_t index) {
     World world = world_create(group->house, journeys.of, group->part);
     world.team = parallel_team_create(world.present_count > TEAM_WORTH ? group->jobs : 1);
     observer_init(&group->observer, &world, group->people);
-    Reason reason = run_world(&world, &journeys, &group->observer, group, index == 0);
+    Reason reason = run_world(&world, &journeys, &group->observer, group);
     observer_end(&group->observer, reason);
+    if (options->record)
+        tell_piece(group, &world, true);
     group->digest = world.digest;
     group->steps = world.clock.step;
     group->wall_crossings = world.wall_crossings;
@@ -145,6 +173,8 @@ void run_house(Observation *observation, const House *house, const RunOptions *o
         observation->door_opened[d] = HUGE_VAL;
     size_t group_count = make_groups(groups, house, options);
     for (size_t g = 0; g < group_count; g++) {
+        groups[g].index = g;
+        groups[g].count = group_count;
         groups[g].house = house;
         groups[g].options = options;
         groups[g].jobs = group_count > 1 ? 1 : options->jobs;

@@ -5,6 +5,7 @@
 
 #include "base/heap.h"
 #include "base/memory.h"
+#include "base/parallel.h"
 
 /* Hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010): poses are real numbers, moved by primitives; of those that
  * fall into one cell of the grid over (x, y, heading, direction) only the cheapest goes on, and another one only with
@@ -333,7 +334,7 @@ static void write_track(const Search *search, SearchTrack *track, int last) {
 static SearchAnswer search_run(Search *search, SearchTrack *track) {
     const volatile sig_atomic_t *stop = search->field->ground->stop;
     for (size_t expanded = 0; search->open_count > 0;) {
-        if (stop && *stop)
+        if (parallel_stopped(stop))
             return SEARCH_GAVE_UP;
         int node = open_take(search->open, &search->open_count).node;
         if (search->nodes[node].exit != -1) {

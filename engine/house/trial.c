@@ -44,7 +44,7 @@ static bool concerns(const VerificationCheck *check, int side, const Trial *tria
 }
 
 static bool stopped(const TrialOptions *options) {
-    return options->stop && *options->stop;
+    return parallel_stopped(options->stop);
 }
 
 static void run_trial(Trial *trial, const TrialOptions *options) {

@@ -76,7 +76,7 @@ static void look_outwards(void *context, size_t i) {
     *neighbour = (Neighbour){.value = NAN, .share = NAN};
     size_t at_once = experiment->batch > NEIGHBOURS_STARTS ? experiment->batch / NEIGHBOURS_STARTS : 1, step = 0;
     bool on = experiment->nominal(experiment->given, task->names[i / 2]) != 0;
-    while (on && step < NEIGHBOURS_STEPS && !(task->stop && *task->stop)) {
+    while (on && step < NEIGHBOURS_STEPS && !parallel_stopped(task->stop)) {
         size_t last = step + at_once < NEIGHBOURS_STEPS ? step + at_once : NEIGHBOURS_STEPS;
         on = look(task, i / 2, i % 2 ? 1 : -1, step, last, neighbour);
         tell_done(task, last - step);

@@ -240,7 +240,7 @@ typedef struct Work {
 } Work;
 
 static bool stopped(const StudyOptions *options) {
-    return options->stop && *options->stop;
+    return parallel_stopped(options->stop);
 }
 
 static void add_piece(Work *work, size_t first, bool carry) {

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/digest.h"
+#include "base/parallel.h"
 
 /* An experiment of which some parameters have other nominal values. */
 typedef struct Fixed {
@@ -103,7 +104,7 @@ static void typed_run(const void *given, const char *const *names, size_t name_c
         *type = NAN;
         if (trials[t].done && !trials[t].fault)
             *type = type_at(typed, names, name_count, trials[t].at, stop);
-        if (stop && *stop)
+        if (parallel_stopped(stop))
             trials[t].done = false;
     }
 }

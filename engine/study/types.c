@@ -24,7 +24,7 @@ typedef struct Work {
 } Work;
 
 static bool is_stopped(const TypesTask *task) {
-    return task->stop && *task->stop;
+    return parallel_stopped(task->stop);
 }
 
 static void tell_done(void *context, size_t trials) {

@@ -5,7 +5,7 @@ set -eu
 cd "$(dirname "$0")/../.."
 . app/packages.sh
 seconds=${1:-60}
-targets="plan profile beam parameters set observed measured"
+targets="plan profile beam parameters set observed measured script"
 build=build-fuzz
 
 install_packages $build_packages clang libclang-rt-14-dev
@@ -34,6 +34,7 @@ cp assets/profiles/*.json tests/data/bad/profiles/*.json $build/seeds/profile/
 cp assets/beams/*.json tests/data/bad/beams/*.json $build/seeds/beam/
 cp tests/data/bad-observed/*.csv $build/seeds/observed/
 cp tests/data/bad-measured/*.csv $build/seeds/measured/
+cp tests/data/bad-scripts/*.script $build/seeds/script/
 split -l 1 -a 3 tests/fuzz/values.txt $build/seeds/parameters/
 split -l 2 -a 3 tests/fuzz/settings.txt $build/seeds/set/
 

@@ -1,0 +1,45 @@
+/* The window. */
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "command/command.h"
+#include "window/window.h"
+
+static bool is_set(const char *name) {
+    const char *value = getenv(name);
+    return value && *value;
+}
+
+/* What is asked for by a script or a benchmark needs nobody who looks. */
+static bool can_be_seen(const Options *options) {
+    return options->script || options->benchmark > 0 || is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") ||
+           is_set("SDL_VIDEODRIVER");
+}
+
+int command_open(const Options *options) {
+    if (!can_be_seen(options)) {
+        fprintf(stderr,
+                "clearance: there is no display for a window here; without one, `clearance run %s` simulates, and "
+                "`clearance --help` tells more\n",
+                options->file_count ? options->files[0] : "FILE");
+        return EXIT_WRONG_INPUT;
+    }
+    WindowOptions window = {.file = options->file_count ? options->files[0] : NULL,
+                            .settings = options->settings,
+                            .setting_count = options->setting_count,
+                            .route = options->route,
+                            .driving = options->driving,
+                            .seed = options->seed,
+                            .width = options->size_said ? options->width : 0,
+                            .height = options->size_said ? options->height : 0,
+                            .theme = options->theme_said ? (int)options->theme : -1,
+                            .text = options->text,
+                            .reduced_motion = options->reduced_motion,
+                            .script = options->script,
+                            .benchmark = options->benchmark,
+                            .jobs = options->jobs};
+    signal(SIGINT, SIG_DFL); /* SDL makes closing the window of them, where nobody else has a use for them */
+    signal(SIGTERM, SIG_DFL);
+    return window_run(&window);
+}

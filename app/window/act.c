@@ -1,0 +1,512 @@
+#include "window/act.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "laboratory/shipped.h"
+#include "window/act_plot.h"
+
+#define ZOOM_STEP 1.25
+#define PAN_STEP 0.1   /* of the view */
+#define TURN_STEP 15.0 /* degrees */
+#define TEXT_STEP 0.25
+#define TEXT_MOST 3.0
+#define STEPS_MANY 10
+
+#define DEFAULT_BEAM "ibs.json"
+
+/* Saying ----------------------------------------------------------------------------------------------------------- */
+
+void act_say(Window *window, const char *format, ...) {
+    char words[512];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(words, sizeof words, format, arguments);
+    va_end(arguments);
+    messages_say(&window->messages, MESSAGE_SAID, NAN, "%s", words);
+    window->dirty = true;
+}
+
+void act_complain(Window *window, Fault *fault, double time) {
+    if (fault->count)
+        messages_take(&window->messages, fault, time);
+    window->dirty = true;
+}
+
+/* Opening ---------------------------------------------------------------------------------------------------------- */
+
+static LiveOptions options_of(const Window *window, bool first) {
+    const WindowOptions *given = window->options;
+    LiveOptions options = {
+        .profiles = shipped_places()->profiles, .driving = -1, .seed = given->seed, .jobs = given->jobs};
+    if (first) {
+        options.settings = given->settings;
+        options.setting_count = given->setting_count;
+        options.route = given->route;
+        options.driving = given->driving;
+    }
+    return options;
+}
+
+static size_t room_of(const LiveKind *kind) {
+    return kind == &beam_live ? ROOM_BEAM : ROOM_HOUSE;
+}
+
+static bool open_in(Window *window, size_t index, const char *path) {
+    Fault fault = {0};
+    Room *room = &window->rooms[index];
+    const char *first = window->options->file ? window->options->file : shipped_places()->default_house;
+    bool given = strcmp(path, first) == 0 && !room->live;
+    LiveOptions options = options_of(window, given);
+    bool opened = room_open(room, path, &options, window->screen, &fault);
+    act_complain(window, &fault, NAN);
+    if (opened)
+        settings_add_recent(&window->settings, path);
+    return opened;
+}
+
+static void enter(Window *window, size_t index) {
+    Room *left = window_room(window);
+    if (window->current != index && left->live) {
+        LiveSpan span = left->kind->span(left->live);
+        player_pause(&left->player, &span);
+    }
+    window->current = index;
+    window->rooms[index].charts_wait = true;
+    window->dirty = true;
+}
+
+bool act_open(Window *window, const char *path) {
+    size_t index = room_of(live_kind_of(path));
+    if (!open_in(window, index, path))
+        return false;
+    enter(window, index);
+    return true;
+}
+
+void act_enter(Window *window, size_t index) {
+    char path[WINDOW_PATH];
+    const Shipped *shipped = shipped_places();
+    snprintf(path, sizeof path, "%s/" DEFAULT_BEAM, shipped->beams);
+    if (window->rooms[index].live || open_in(window, index, index == ROOM_BEAM ? path : shipped->default_house))
+        enter(window, index);
+}
+
+/* Numbers ---------------------------------------------------------------------------------------------------------- */
+
+bool act_set(Window *window, const char *name, double value) {
+    Room *room = window_room(window);
+    Fault fault = {0};
+    bool good = room->live && room->kind->set(room->live, name, value, &fault);
+    act_complain(window, &fault, NAN);
+    return good;
+}
+
+/* Sheets ----------------------------------------------------------------------------------------------------------- */
+
+void act_show_sheet(Window *window, Sheet sheet) {
+    window->sheet = sheet;
+    window->dirty = true;
+}
+
+void act_close_sheet(Window *window) {
+    window->sheet = SHEET_NONE;
+    window->dirty = true;
+}
+
+static void show_menu(Window *window) {
+    window->menu = MENU_FILE;
+    act_show_sheet(window, SHEET_MENU);
+}
+
+static void show_gallery(Window *window) {
+    if (!window->gallery)
+        window->gallery = gallery_create(window->theme);
+    act_show_sheet(window, SHEET_GALLERY);
+}
+
+static void show_open(Window *window) {
+    Fault fault = {0};
+    const char *folder = *window->settings.state.folder ? window->settings.state.folder : ".";
+    if (folder_read(&window->folder, folder, &fault) || folder_read(&window->folder, ".", &fault))
+        act_show_sheet(window, SHEET_OPEN);
+    act_complain(window, &fault, NAN);
+}
+
+static void show_save(Window *window) {
+    Room *room = window_room(window);
+    static const char *const endings[] = {".json", NULL};
+    char *folder = act_folder(window);
+    if (!folder || !room->live)
+        return;
+    char *name = export_free_name(folder, room->kind->title(room->live), endings);
+    snprintf(window->field, sizeof window->field, "%s.json", name);
+    memory_free(name);
+    memory_free(folder);
+    act_show_sheet(window, SHEET_SAVE);
+}
+
+char *act_folder(Window *window) {
+    Fault fault = {0};
+    char *folder = export_folder(&fault);
+    act_complain(window, &fault, NAN);
+    return folder;
+}
+
+static void explain(Window *window) {
+    const char *help = ui_focus_help(window->ui);
+    snprintf(window->hold, sizeof window->hold, "%s",
+             help ? help : "Tab goes from widget to widget, F6 from pane to pane; F1 shows all keys");
+    act_show_sheet(window, SHEET_EXPLAIN);
+}
+
+/* Looks ------------------------------------------------------------------------------------------------------------ */
+
+static void set_text(Window *window, double size) {
+    window->text = fmin(fmax(size, 1), TEXT_MOST);
+    window->settings.likes.text = (int)lround(window->text);
+    act_say(window, "letters: %.0f %%", 100 * window->text);
+}
+
+static void set_theme(Window *window) {
+    window->theme = window->theme == THEME_PAPER ? THEME_BOARD : THEME_PAPER;
+    window->settings.likes.theme = (int)window->theme;
+    ui_set_theme(window->ui, window->theme);
+    if (window->gallery)
+        gallery_set_theme(window->gallery, window->theme);
+}
+
+static void set_fullscreen(Window *window) {
+    window->fullscreen = !window->fullscreen;
+    window->settings.likes.full_screen = window->fullscreen;
+    glass_set_fullscreen(window->glass, window->fullscreen);
+}
+
+static Vec2 looked_at(const Room *room) {
+    Box frame = room->scenery.still.frame;
+    return scenery_floor(&room->scenery, vec2_scale(vec2_add(frame.low, frame.high), 0.5));
+}
+
+/* By parts of the view, on the page. */
+static void pan(Room *room, double right, double down) {
+    Box frame = room->scenery.still.frame;
+    Vec2 middle = vec2_scale(vec2_add(frame.low, frame.high), 0.5);
+    Vec2 aside = vec2_add(middle, vec2(right * PAN_STEP * box_width(frame), down * PAN_STEP * box_height(frame)));
+    room_pan(room, vec2_sub(scenery_floor(&room->scenery, aside), scenery_floor(&room->scenery, middle)));
+}
+
+static void turn(Room *room, double degrees) {
+    room->camera.azimuth = remainder(room->camera.azimuth + degrees, 360);
+    room_look(room);
+}
+
+static void toggle_raised(Window *window, Room *room) {
+    if (!room->kind->raised) {
+        act_say(window, "a beam is seen from the side only");
+        return;
+    }
+    room->camera.kind = room->camera.kind == VIEW_RAISED ? VIEW_PLAN : VIEW_RAISED;
+    room_look(room);
+}
+
+static void follow(Window *window, Room *room) {
+    room->follows = !room->follows;
+    if (room->follows && !room->kind->selected(room->live).kind)
+        room_select(room, room->kind->next(room->live, (LiveThing){0}, 1));
+    if (room->follows && room->camera.zoom < 2)
+        room_show_selected(room);
+    act_say(window, room->follows ? "following what is selected" : "not following");
+}
+
+static void toggle_layer(Window *window, Room *room, int32_t key) {
+    size_t layer = (size_t)(key - '1');
+    if (key < '1' || layer >= room->kind->layer_count)
+        return;
+    room->layers ^= 1u << layer;
+    room->kind->reveal(room->live, room->layers);
+    act_say(window, "%s: %s", room->kind->layers[layer], room->layers & 1u << layer ? "shown" : "hidden");
+}
+
+/* The transport ---------------------------------------------------------------------------------------------------- */
+
+static void transport(Room *room, Action action) {
+    Player *player = &room->player;
+    LiveSpan span = room->kind->span(room->live);
+    double second = span.pace;
+    switch (action) {
+    case ACTION_PLAY:
+        player_toggle(player, &span);
+        break;
+    case ACTION_STEP:
+    case ACTION_STEP_BACK:
+        player_step(player, action == ACTION_STEP ? 1 : -1, &span);
+        break;
+    case ACTION_STEP_TEN:
+    case ACTION_STEP_BACK_TEN:
+        player_step(player, action == ACTION_STEP_TEN ? STEPS_MANY : -STEPS_MANY, &span);
+        break;
+    case ACTION_SECOND:
+    case ACTION_SECOND_BACK:
+        player_seek(player, player->time + (action == ACTION_SECOND ? second : -second), &span);
+        break;
+    case ACTION_SLOWER:
+    case ACTION_FASTER:
+        player_change_speed(player, action == ACTION_FASTER ? 1 : -1, &span);
+        break;
+    case ACTION_NORMAL_SPEED:
+        player_normal_speed(player);
+        break;
+    case ACTION_START:
+        player_seek(player, span.begin, &span);
+        break;
+    case ACTION_NOW:
+        player_seek(player, span.end, &span);
+        break;
+    case ACTION_LOOP:
+        player->loops = !player->loops;
+        break;
+    case ACTION_MARK_IN:
+        player->in = player->time;
+        player->loops = true;
+        break;
+    case ACTION_MARK_OUT:
+        player->out = player->time;
+        player->loops = true;
+        break;
+    default:
+        break;
+    }
+}
+
+static void again(Room *room) {
+    bool playing = room->player.playing;
+    room->kind->again(room->live);
+    LiveSpan span = room->kind->span(room->live);
+    player_seek(&room->player, span.begin, &span);
+    room->player.playing = playing;
+}
+
+static void next_word(Window *window, Room *room, const char *name) {
+    size_t count;
+    const LiveChoice *choices = room->kind->choices(room->live, &count);
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(choices[i].name, name) == 0) {
+            size_t word = (choices[i].chosen + 1) % choices[i].count;
+            act_say(window, "%s: %s", name, choices[i].words[word]);
+            room->kind->choose(room->live, i, word);
+            return;
+        }
+    act_say(window, "there is no %s here", name);
+}
+
+static void toggle_sound(Window *window) {
+    char message[SOUND_MESSAGE] = "sound is off";
+    if (window->sound) {
+        sound_close(window->sound);
+        window->sound = NULL;
+    } else {
+        window->sound = sound_open(message);
+    }
+    window->settings.likes.sound = window->sound;
+    act_say(window, "%s", window->sound ? "sound is on: the tip's motion is heard while a beam plays" : message);
+}
+
+/* Things ----------------------------------------------------------------------------------------------------------- */
+
+/* Round the things of the view; past the last one the focus goes on. */
+static void walk_things(Window *window, Room *room, int step) {
+    LiveThing now = room->kind->selected(room->live), next = room->kind->next(room->live, now, step);
+    LiveThing first = room->kind->next(room->live, (LiveThing){0}, step);
+    if (!next.kind || (now.kind && live_same(next, first))) {
+        room_select(room, (LiveThing){0});
+        ui_key(window->ui, step > 0 ? UI_KEY_PANE : UI_KEY_PANE_BACK, false, false);
+        return;
+    }
+    room_select(room, next);
+}
+
+/* One step back: what is open, then what is typed or chosen, then the selection. */
+static void escape(Window *window, Room *room) {
+    Chart *chart = act_focused_chart(window);
+    if (window->sheet != SHEET_NONE)
+        act_close_sheet(window);
+    else if (chart && chart->box.corner)
+        chart->box.corner = 0;
+    else if (messages_last(&window->messages) && messages_last(&window->messages)->number > window->dismissed)
+        window->dismissed = messages_last(&window->messages)->number;
+    else if (room->live)
+        room_select(room, (LiveThing){0});
+}
+
+Chart *act_focused_chart(Window *window) {
+    const char *pane = ui_focus_pane(window->ui);
+    Charts *charts = &window_room(window)->charts;
+    if (strncmp(pane, "plot:", 5) != 0)
+        return NULL;
+    for (size_t i = 0; i < charts->count; i++)
+        if (strcmp(charts->charts[i].live.name, pane + 5) == 0)
+            return &charts->charts[i];
+    return NULL;
+}
+
+/* What works without anything open. */
+static bool do_window(Window *window, Action action) {
+    switch (action) {
+    case ACTION_OPEN:
+        show_open(window);
+        return true;
+    case ACTION_GALLERY:
+        show_gallery(window);
+        return true;
+    case ACTION_QUIT:
+        window->quit = true;
+        return true;
+    case ACTION_PANEL:
+        window->panel = !window->panel;
+        return true;
+    case ACTION_PLOTS:
+        window->plots = !window->plots;
+        return true;
+    case ACTION_PRESENT:
+        window->present = !window->present;
+        return true;
+    case ACTION_FULLSCREEN:
+        set_fullscreen(window);
+        return true;
+    case ACTION_THEME:
+        set_theme(window);
+        return true;
+    case ACTION_LARGER:
+        set_text(window, window->text + TEXT_STEP);
+        return true;
+    case ACTION_SMALLER:
+        set_text(window, window->text - TEXT_STEP);
+        return true;
+    case ACTION_NORMAL_SIZE:
+        set_text(window, 1);
+        return true;
+    case ACTION_HOUSE:
+        act_enter(window, ROOM_HOUSE);
+        return true;
+    case ACTION_BEAM:
+        act_enter(window, ROOM_BEAM);
+        return true;
+    case ACTION_MENU:
+        show_menu(window);
+        return true;
+    case ACTION_MESSAGES:
+        act_show_sheet(window, SHEET_MESSAGES);
+        return true;
+    case ACTION_HELP:
+        act_show_sheet(window, SHEET_KEYS);
+        return true;
+    case ACTION_EXPLAIN:
+        explain(window);
+        return true;
+    case ACTION_ABOUT:
+        act_show_sheet(window, SHEET_ABOUT);
+        return true;
+    case ACTION_SOUND:
+        toggle_sound(window);
+        return true;
+    case ACTION_ESCAPE:
+        escape(window, window_room(window));
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* What concerns the laboratory: its files and its things. */
+static bool do_room(Window *window, Room *room, Action action) {
+    switch (action) {
+    case ACTION_SAVE:
+        show_save(window);
+        return true;
+    case ACTION_EXPORT:
+        act_show_sheet(window, SHEET_EXPORT);
+        return true;
+    case ACTION_UNDO_ALL:
+        room->kind->reset(room->live);
+        act_say(window, "every number is as in the file");
+        return true;
+    case ACTION_KEEP:
+        room->kind->keep(room->live, room->player.time);
+        act_say(window, "kept as \"before\"");
+        return true;
+    case ACTION_GHOST:
+        next_word(window, room, "Ghost");
+        return true;
+    case ACTION_SWEEP:
+        next_word(window, room, "Sweep");
+        return true;
+    case ACTION_CLEAR:
+        room->kind->clear(room->live, room->player.time);
+        return true;
+    case ACTION_AGAIN:
+        again(room);
+        return true;
+    case ACTION_NEXT_THING:
+        walk_things(window, room, 1);
+        return true;
+    case ACTION_PREVIOUS_THING:
+        walk_things(window, room, -1);
+        return true;
+    case ACTION_EDIT_NUMBERS:
+        window->panel = true;
+        ui_focus(window->ui, "panel");
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* What moves the eye. */
+static bool do_view(Window *window, Room *room, Action action, int32_t key) {
+    switch (action) {
+    case ACTION_FIT:
+        room_fit(room);
+        return true;
+    case ACTION_ZOOM_IN:
+    case ACTION_ZOOM_OUT:
+        room_zoom(room, action == ACTION_ZOOM_IN ? ZOOM_STEP : 1 / ZOOM_STEP, looked_at(room));
+        return true;
+    case ACTION_ZOOM_SELECTION:
+        room_show_selected(room);
+        return true;
+    case ACTION_RAISED:
+        toggle_raised(window, room);
+        return true;
+    case ACTION_FOLLOW:
+        follow(window, room);
+        return true;
+    case ACTION_TURN_LEFT:
+    case ACTION_TURN_RIGHT:
+        turn(room, action == ACTION_TURN_LEFT ? -TURN_STEP : TURN_STEP);
+        return true;
+    case ACTION_PAN_LEFT:
+    case ACTION_PAN_RIGHT:
+        pan(room, action == ACTION_PAN_LEFT ? -1 : 1, 0);
+        return true;
+    case ACTION_PAN_UP:
+    case ACTION_PAN_DOWN:
+        pan(room, 0, action == ACTION_PAN_UP ? -1 : 1);
+        return true;
+    case ACTION_LAYER:
+        toggle_layer(window, room, key);
+        return true;
+    default:
+        return false;
+    }
+}
+
+void act_do(Window *window, Action action, int32_t key, int mods) {
+    Room *room = window_room(window);
+    window->dirty = true;
+    if (do_window(window, action) || !room->live || act_plot_do(window, action, mods))
+        return;
+    if (!do_room(window, room, action) && !do_view(window, room, action, key))
+        transport(room, action);
+}

@@ -1,0 +1,30 @@
+/* What each action does. */
+#pragma once
+
+#include "window/window_state.h"
+
+/* Does it, as asked for by a key (its code and mods) or, with 0, by a menu or a button. */
+void act_do(Window *window, Action action, int32_t key, int mods);
+
+/* Opens a file in the laboratory it is of, and shows that; a fault goes to the messages, and what is open stays. */
+bool act_open(Window *window, const char *path);
+
+/* Shows a laboratory, with its default file when nothing is open in it. */
+void act_enter(Window *window, size_t room);
+
+/* Changes a number; a fault goes to the messages. */
+bool act_set(Window *window, const char *name, double value);
+
+/* Says something: a line above the strip, and in the log. */
+void act_say(Window *window, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void act_complain(Window *window, Fault *fault, double time);
+
+/* Opens a sheet, closes what is open. */
+void act_show_sheet(Window *window, Sheet sheet);
+void act_close_sheet(Window *window);
+
+/* The chart that has the focus; NULL: none. */
+Chart *act_focused_chart(Window *window);
+
+/* The folder into which pictures go; NULL: a fault was said. memory_free it. */
+char *act_folder(Window *window);

@@ -1,0 +1,254 @@
+#include "window/bars.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "window/act.h"
+
+/* Design points. */
+#define MARGIN 14.0
+#define GAP 12.0
+#define BUTTON_PAD 20.0
+#define SHOW_HEIGHT 38.0
+#define PROGRESS_HEIGHT 4.0
+#define MESSAGE_HEIGHT 34.0
+#define KEY_PAD 5.0
+
+static Vec2 middle_of(Box box) {
+    return vec2_scale(vec2_add(box.low, box.high), 0.5);
+}
+
+/* A button as wide as its words, from `left` on; where it ends. */
+static double add_button(Window *window, double left, Box bar, const UiButton *button, bool *pressed) {
+    double width = ui_extent(window->ui, UI_BODY, button->label).x + BUTTON_PAD;
+    ui_at(window->ui, (Box){{left, bar.low.y + 2}, {left + width, bar.high.y - 2}});
+    *pressed = ui_button(window->ui, button);
+    return left + width;
+}
+
+/* Words that end with an ellipsis where there is no more room. */
+static void show_words(Window *window, UiLetters letters, Role role, double left, double right, double y,
+                       const char *words) {
+    double height = ui_extent(window->ui, letters, words).y;
+    if (right - left < height)
+        return;
+    ui_at(window->ui, (Box){{left, y - height / 2}, {right, y + height / 2}});
+    ui_line(window->ui, letters, role, words);
+}
+
+/* The menu --------------------------------------------------------------------------------------------------------- */
+
+static void open_menu(Window *window, KeyMenu menu) {
+    window->menu = menu;
+    act_show_sheet(window, SHEET_MENU);
+}
+
+static double show_menus(Window *window, Box bar) {
+    double left = 2;
+    bool pressed;
+    if (window->frame.compact) {
+        UiButton button = {.label = "Menu", .help = keys_help(&window->words, ACTION_MENU), .plain = true};
+        left = add_button(window, left, bar, &button, &pressed);
+        if (pressed)
+            open_menu(window, MENU_FILE);
+        return left;
+    }
+    for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++) {
+        UiButton button = {
+            .label = keys_menus[menu], .plain = true, .chosen = window->sheet == SHEET_MENU && window->menu == menu};
+        left = add_button(window, left, bar, &button, &pressed);
+        if (pressed)
+            open_menu(window, menu);
+    }
+    return left;
+}
+
+/* From the right; where they begin. */
+static double show_laboratories(Window *window, Box bar) {
+    static const Action actions[ROOMS] = {[ROOM_HOUSE] = ACTION_HOUSE, [ROOM_BEAM] = ACTION_BEAM};
+    const char *labels[ROOMS];
+    double width = 4;
+    for (size_t i = 0; i < ROOMS; i++) {
+        labels[i] = text_in_arena(&window->words, "%s %s", keys_row(actions[i])->name, keys_row(actions[i])->key);
+        width += ui_extent(window->ui, UI_BODY, labels[i]).x + BUTTON_PAD;
+    }
+    double left = bar.high.x - width, begin = left;
+    for (size_t i = 0; i < ROOMS; i++) {
+        bool pressed;
+        UiButton button = {.label = labels[i],
+                           .plain = true,
+                           .chosen = window->current == i,
+                           .help = keys_help(&window->words, actions[i])};
+        left = add_button(window, left, bar, &button, &pressed);
+        if (pressed)
+            act_do(window, actions[i], 0, 0);
+    }
+    return begin;
+}
+
+void bars_show_menu(Window *window) {
+    Box bar = window->frame.menu;
+    if (box_height(bar) <= 0)
+        return;
+    ui_pane_begin(window->ui, &(UiPane){.name = "menu", .box = bar, .ground = ROLE_SHADE});
+    double left = show_menus(window, bar), right = show_laboratories(window, bar);
+    const Room *room = window_room(window);
+    if (room->live) {
+        const char *title = room->kind->title(room->live);
+        double width = ui_extent(window->ui, UI_BOLD, title).x;
+        double begin = fmax(left + GAP, middle_of(bar).x - width / 2);
+        show_words(window, UI_BOLD, ROLE_TEXT, begin, right - GAP, middle_of(bar).y, title);
+    }
+    ui_pane_end(window->ui);
+}
+
+/* The answer ------------------------------------------------------------------------------------------------------- */
+
+/* The first row that has a place or a time. */
+static const LiveRow *first_place(const Room *room) {
+    size_t count;
+    const LiveRow *rows = room->kind->rows(room->live, &count);
+    for (size_t i = 0; i < count; i++)
+        if (rows[i].row.kind == ROW_DISC && rows[i].thing.kind)
+            return &rows[i];
+    return NULL;
+}
+
+static double show_place_button(Window *window, Room *room, Box bar) {
+    const LiveRow *place = first_place(room);
+    const char *label = "Show place";
+    double width = ui_extent(window->ui, UI_BOLD, label).x + BUTTON_PAD;
+    if (!place || bar.high.x < 3 * width)
+        return bar.high.x - MARGIN;
+    double left = bar.high.x - MARGIN - width, y = middle_of(bar).y, half = fmin(SHOW_HEIGHT, box_height(bar) - 8) / 2;
+    ui_at(window->ui, (Box){{left, y - half}, {left + width, y + half}});
+    UiButton button = {.label = label,
+                       .help = "Show place: selects the most dangerous point and goes to 2 s before it"};
+    if (ui_button(window->ui, &button)) {
+        LiveThing thing = place->thing;
+        double time = place->time;
+        room_select(room, thing);
+        room_show_selected(room);
+        if (!isnan(time))
+            room_seek(room, time);
+    }
+    return left - GAP;
+}
+
+/* What is being worked out, as a line that fills. */
+static void show_progress(Window *window, Box bar, const LiveAnswer *answer) {
+    if (!answer->doing || isnan(answer->part))
+        return;
+    Box all = {{bar.low.x, bar.high.y - PROGRESS_HEIGHT}, bar.high};
+    Box done = all;
+    done.high.x = all.low.x + fmin(fmax(answer->part, 0), 1) * box_width(all);
+    ui_draw_box(window->ui, all, ROLE_GRID, 1);
+    ui_draw_box(window->ui, done, ROLE_CHAIR, 1);
+}
+
+void bars_show_answer(Window *window) {
+    Box bar = window->frame.answer;
+    Room *room = window_room(window);
+    ui_pane_begin(window->ui, &(UiPane){.name = "answer", .box = bar, .ground = ROLE_PAPER});
+    if (room->live) {
+        LiveAnswer answer = room->kind->answer(room->live);
+        double right = show_place_button(window, room, bar), y = middle_of(bar).y;
+        double width = ui_extent(window->ui, UI_ANSWER, answer.title).x;
+        UiLetters letters = MARGIN + width > right ? UI_CLOCK : UI_ANSWER;
+        width = ui_extent(window->ui, letters, answer.title).x;
+        show_words(window, letters, answer.stale ? ROLE_DIM_TEXT : answer.role, MARGIN, fmin(right, MARGIN + width + 2),
+                   y, answer.title);
+        const char *detail = answer.detail ? answer.detail : "";
+        if (answer.doing)
+            detail = text_in_arena(&window->words, "%s%s%s", answer.doing, *detail ? "; " : "", detail);
+        double left = MARGIN + width + 2 * GAP, wanted = ui_extent(window->ui, UI_DETAIL, detail).x;
+        show_words(window, left + wanted > right ? UI_BODY : UI_DETAIL, answer.stale ? ROLE_DIM_TEXT : ROLE_TEXT, left,
+                   right, y + 2, detail);
+        show_progress(window, bar, &answer);
+    }
+    ui_pane_end(window->ui);
+}
+
+/* Messages --------------------------------------------------------------------------------------------------------- */
+
+static void show_export(Window *window, Box box) {
+    const ExportStatus *status = export_look(window->export);
+    const char *words = text_in_arena(&window->words, "writing to %s: %s", status->folder, status->doing);
+    show_words(window, UI_BODY, ROLE_TEXT, box.low.x + MARGIN, box.high.x - 100, middle_of(box).y, words);
+    ui_at(window->ui, (Box){{box.high.x - 94, box.low.y + 3}, {box.high.x - 6, box.high.y - 3}});
+    if (ui_button(window->ui,
+                  &(UiButton){.label = "Cancel", .help = "Cancel: ends the writing; what is complete is kept"}))
+        export_cancel(window->export);
+}
+
+void bars_show_message(Window *window) {
+    const Message *last = messages_last(&window->messages);
+    bool told = last && last->number > window->dismissed;
+    if (!told && !window->export)
+        return;
+    Box box = {{window->frame.view.low.x, window->frame.timeline.low.y - MESSAGE_HEIGHT},
+               {window->frame.drawer ? window->frame.page.x : window->frame.page.x - box_width(window->frame.panel),
+                window->frame.timeline.low.y}};
+    ui_pane_begin(window->ui, &(UiPane){.name = "message", .box = box, .ground = ROLE_PANEL});
+    ui_draw_frame(window->ui, box, told && last->kind == MESSAGE_FAULT ? ROLE_ERROR : ROLE_ROOM, 2);
+    if (told) {
+        bool fault = last->kind == MESSAGE_FAULT;
+        const char *words = text_in_arena(&window->words, "%s%s", fault ? "\u26a0 " : "", last->text);
+        show_words(window, UI_BODY, fault ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, box.high.x - 40,
+                   middle_of(box).y, words);
+        ui_at(window->ui, (Box){{box.high.x - 34, box.low.y + 3}, {box.high.x - 6, box.high.y - 3}});
+        if (ui_button(
+                window->ui,
+                &(UiButton){.id = "dismiss", .label = "\u00d7", .help = "Dismiss (Escape): F7 shows all messages"}))
+            window->dismissed = last->number;
+    } else {
+        show_export(window, box);
+    }
+    ui_pane_end(window->ui);
+}
+
+/* The strip -------------------------------------------------------------------------------------------------------- */
+
+static double show_key(Window *window, double left, double y, const KeyRow *row) {
+    Vec2 key = ui_extent(window->ui, UI_SMALL, row->key);
+    Box cap = {{left, y - key.y / 2 - 2}, {left + key.x + 2 * KEY_PAD, y + key.y / 2 + 2}};
+    ui_draw_frame(window->ui, cap, ROLE_ROOM, 1.5);
+    ui_draw_words(window->ui, UI_SMALL, ROLE_TEXT, vec2(left + KEY_PAD, y), 0, row->key);
+    double words = cap.high.x + KEY_PAD;
+    ui_draw_words(window->ui, UI_SMALL, ROLE_TEXT, vec2(words, y), 0, row->strip);
+    return words + ui_extent(window->ui, UI_SMALL, row->strip).x + GAP;
+}
+
+static double key_width(Window *window, const KeyRow *row) {
+    return ui_extent(window->ui, UI_SMALL, row->key).x + 3 * KEY_PAD + ui_extent(window->ui, UI_SMALL, row->strip).x +
+           GAP;
+}
+
+/* Where the mouse points, m; and what is selected. */
+static const char *place_words(Window *window, Room *room) {
+    Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
+    LiveThing thing = room->kind->selected(room->live);
+    const char *name = thing.kind ? room->kind->name_thing(room->live, thing) : "";
+    if (room->kind != &house_live || !box_holds(window->frame.view, at) || !room->scenery.painted)
+        return name;
+    Vec2 floor = scenery_floor(&room->scenery, vec2_sub(at, window->frame.view.low));
+    return text_in_arena(&window->words, "%s   x %.2f  y %.2f m", name, floor.x, floor.y);
+}
+
+void bars_show_strip(Window *window) {
+    Box bar = window->frame.strip;
+    Room *room = window_room(window);
+    if (box_height(bar) <= 0)
+        return;
+    ui_pane_begin(window->ui, &(UiPane){.name = "strip", .box = bar, .ground = ROLE_PAPER});
+    double y = middle_of(bar).y, left = MARGIN / 2, right = bar.high.x - MARGIN;
+    const char *place = room->live ? place_words(window, room) : "";
+    ui_draw_words(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(right, y), 1, place);
+    right -= ui_extent(window->ui, UI_SMALL, place).x + GAP;
+    for (size_t i = 0; i < keys_count; i++) {
+        const KeyRow *row = &keys_table[i];
+        if (row->strip && left + key_width(window, row) < right)
+            left = show_key(window, left, y, row);
+    }
+    ui_pane_end(window->ui);
+}

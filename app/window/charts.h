@@ -1,0 +1,67 @@
+/* The plots beside the view: drawn bit by bit into pictures, with the present marked on them, a cursor that sets a
+ * number, a read-out of the nearest point, and axes that can be zoomed. Axes that somebody has chosen stay until they
+ * are let go. */
+#pragma once
+
+#include "draw/paint_gl_screen.h"
+#include "draw/plot_canvas.h"
+#include "laboratory/live.h"
+#include "window/ui.h"
+
+enum { CHARTS_MOST = 8, CHART_VIEWS_MOST = 16, CHART_WORDS = 160 };
+
+/* What of the axes is shown. */
+typedef struct ChartAxes {
+    double x[2], y[2];
+} ChartAxes;
+
+/* A box that is being chosen by keys: a corner, then the other. */
+typedef struct ChartBox {
+    int corner;    /* 0: none is chosen, 1: the first moves, 2: the other */
+    Vec2 from, to; /* 0 to 1 of the axes */
+} ChartBox;
+
+typedef struct Chart {
+    LivePlot live;
+    Plot shown; /* live.plot with the axes that are shown */
+    PlotCanvas *canvas;
+    ScreenTexture texture;
+    int width, height;
+    double unit;
+    Theme theme;
+    double time;                       /* s, drawn last */
+    ChartAxes views[CHART_VIEWS_MOST]; /* (view_count) the last is shown; none: the plot's own */
+    size_t view_count;
+    ChartBox box;
+    double cursor; /* x, moved by keys and not yet used; NAN: none */
+    Box place;     /* design points of the window */
+} Chart;
+
+typedef struct Charts {
+    Chart charts[CHARTS_MOST]; /* (count) */
+    size_t count;
+} Charts;
+
+/* Makes the charts those of the laboratory's plots that are named, in that order, separated by commas. */
+void charts_choose(Charts *charts, const LiveKind *kind, void *live, const char *names, PaintGlScreen *screen);
+void charts_clear(Charts *charts, PaintGlScreen *screen);
+
+/* Draws a chart in its place, design points, of which `unit` pixels are one. */
+void charts_show(Chart *chart, const LiveKind *kind, const void *live, size_t index, double time, Box place,
+                 double unit, Theme theme, PaintGlScreen *screen, Ui *ui);
+
+/* The values at a point of the window, and back; false: outside of the axes. */
+bool charts_value(const Chart *chart, Vec2 at, Vec2 *value);
+Vec2 charts_place(const Chart *chart, Vec2 value);
+
+/* "x 0.12 mm, y 0.3 m/s" of the point of a series that is nearest to a point of the window; false: none is near. */
+bool charts_read(const Chart *chart, const LiveKind *kind, const void *live, size_t index, double time, Vec2 at,
+                 Vec2 *nearest, char words[CHART_WORDS]);
+
+/* Other axes: a box between two points (values); those before; the plot's own. */
+void charts_zoom(Chart *chart, Vec2 from, Vec2 to);
+void charts_zoom_back(Chart *chart);
+void charts_fit(Chart *chart);
+
+/* The axes shown, whether chosen or the plot's own. */
+ChartAxes charts_axes(const Chart *chart);

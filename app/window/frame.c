@@ -1,0 +1,129 @@
+#include "window/frame.h"
+
+#include <math.h>
+
+/* Design points. */
+#define MENU_HEIGHT 30.0
+#define ANSWER_HEIGHT 60.0
+#define TIMELINE_HEIGHT 62.0
+#define STRIP_HEIGHT 34.0
+#define PANEL_WIDTH 344.0
+#define GAP 6.0
+
+/* Below these a page is small. */
+#define COMPACT_WIDTH 900.0
+#define COMPACT_HEIGHT 470.0
+#define DRAWER_WIDTH 1020.0
+#define COMPACT_ANSWER 48.0
+#define COMPACT_TIMELINE 44.0
+
+/* Of a plot, at least; and the shape that reads best. */
+#define CHART_WIDTH 230.0
+#define CHART_HEIGHT 112.0
+#define CHART_ASPECT 1.6
+#define FIRST_ROW 1.4     /* times as high as the others */
+#define BESIDE_WIDTH 0.38 /* of the place, of plots beside the view */
+#define BESIDE_MOST 440.0
+#define BELOW_HEIGHT 0.36
+#define WIDE_VIEW 3.0 /* what is wider than so many times its height leaves the plots all that it does not need */
+#define WIDE_LEAST 150.0
+#define WIDE_MOST 0.42 /* of the place */
+
+static bool is_there(Box box) {
+    return box_width(box) > 0 && box_height(box) > 0;
+}
+
+/* How many plots stand in each row: the later ones have one more where they do not come out even. */
+static size_t in_row(size_t count, size_t rows, size_t row) {
+    return count / rows + (row >= rows - count % rows);
+}
+
+/* How far from the best shape the plots would be in so many rows; infinite: too small. */
+static double misfit(Box place, size_t count, size_t rows) {
+    double width = box_width(place) / (double)in_row(count, rows, rows - 1), height = box_height(place) / (double)rows;
+    if (width < CHART_WIDTH || height < CHART_HEIGHT)
+        return HUGE_VAL;
+    return fabs(log(width / height / CHART_ASPECT));
+}
+
+static void place_rows(Frame *frame, Box place, size_t count, size_t rows) {
+    bool larger = rows > 1 && in_row(count, rows, 0) < in_row(count, rows, rows - 1);
+    double parts = (double)rows + (larger ? FIRST_ROW - 1 : 0), y = place.low.y;
+    for (size_t row = 0; row < rows; row++) {
+        double height = box_height(place) / parts * (row == 0 && larger ? FIRST_ROW : 1);
+        size_t here = in_row(count, rows, row);
+        double width = box_width(place) / (double)here;
+        for (size_t i = 0; i < here; i++) {
+            Box box = {{place.low.x + (double)i * width, y}, {place.low.x + (double)(i + 1) * width, y + height}};
+            frame->charts[frame->chart_count++] = box_expand(box, -GAP / 2);
+        }
+        y += height;
+    }
+}
+
+/* As many plots as the place holds, the first ones first. */
+static void place_charts(Frame *frame, Box place, size_t count) {
+    for (; count > 0; count--) {
+        size_t best = 0;
+        double least = HUGE_VAL;
+        for (size_t rows = 1; rows <= count; rows++)
+            if (misfit(place, count, rows) < least) {
+                least = misfit(place, count, rows);
+                best = rows;
+            }
+        if (best) {
+            place_rows(frame, place, count, best);
+            return;
+        }
+    }
+}
+
+static double scale_of(Box place, double aspect) {
+    return fmin(box_width(place) / aspect, box_height(place));
+}
+
+/* Divides what is left between the view and its plots: beside or below, whichever leaves the view larger. */
+static void divide(Frame *frame, Box place, const FrameWish *wish) {
+    size_t count = wish->plot_count < FRAME_CHARTS_MOST ? wish->plot_count : FRAME_CHARTS_MOST;
+    frame->view = place;
+    if (!wish->plots || !count)
+        return;
+    Box beside = place, below = place;
+    beside.low.x = place.high.x - fmin(BESIDE_WIDTH * box_width(place), BESIDE_MOST);
+    below.low.y = place.high.y - BELOW_HEIGHT * box_height(place);
+    if (wish->aspect > WIDE_VIEW)
+        below.low.y =
+            place.low.y + fmin(fmax(box_width(place) / wish->aspect, WIDE_LEAST), WIDE_MOST * box_height(place));
+    Box left = place, upper = place;
+    left.high.x = beside.low.x;
+    upper.high.y = below.low.y;
+    bool is_below = wish->aspect > WIDE_VIEW || scale_of(upper, wish->aspect) > scale_of(left, wish->aspect);
+    place_charts(frame, is_below ? below : beside, count);
+    if (!frame->chart_count) {
+        is_below = !is_below;
+        place_charts(frame, is_below ? below : beside, count);
+    }
+    if (frame->chart_count)
+        frame->view = is_below ? upper : left;
+}
+
+Frame frame_make(Vec2 page, const FrameWish *wish) {
+    Frame frame = {.page = page};
+    frame.compact = page.x < COMPACT_WIDTH || page.y < COMPACT_HEIGHT;
+    frame.drawer = page.x < DRAWER_WIDTH;
+    double menu = wish->present ? 0 : MENU_HEIGHT, answer = frame.compact ? COMPACT_ANSWER : ANSWER_HEIGHT;
+    double timeline = frame.compact ? COMPACT_TIMELINE : TIMELINE_HEIGHT;
+    double strip = wish->present || frame.compact ? 0 : STRIP_HEIGHT;
+    double panel = wish->panel && !wish->present ? fmin(PANEL_WIDTH, page.x) : 0;
+    frame.menu = (Box){{0, 0}, {page.x, menu}};
+    frame.answer = (Box){{0, menu}, {page.x, menu + answer}};
+    frame.strip = (Box){{0, page.y - strip}, {page.x, page.y}};
+    frame.timeline = (Box){{0, frame.strip.low.y - timeline}, {page.x, frame.strip.low.y}};
+    Box place = {{0, frame.answer.high.y}, {page.x, frame.timeline.low.y}};
+    frame.panel = (Box){{page.x - panel, place.low.y}, place.high};
+    if (!frame.drawer)
+        place.high.x = frame.panel.low.x;
+    if (is_there(place))
+        divide(&frame, place, wish);
+    return frame;
+}

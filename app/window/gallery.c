@@ -1,0 +1,305 @@
+#include "window/gallery.h"
+
+#include <cairo.h>
+#include <inttypes.h>
+#include <pthread.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/digest.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include "draw/layout.h"
+#include "draw/paint_cairo.h"
+#include "draw/png.h"
+#include "laboratory/shipped.h"
+#include "laboratory/thumbnail.h"
+#include "window/folder.h"
+#include "window/settings.h"
+
+enum {
+    STRIDE = 4 * GALLERY_WIDTH, /* bytes a row */
+    DRAWING = 1,                /* of the pictures: another number when they are drawn in another way */
+};
+
+/* What the thread has found out of a file; the texts and pixels are blocks of their own. */
+typedef struct Found {
+    char *name, *line, *fault;
+    unsigned char *pixels; /* STRIDE x GALLERY_HEIGHT */
+} Found;
+
+struct Gallery {
+    GalleryItem *items; /* (count) the caller's */
+    Found *shown;       /* (count) holds what they point at */
+    size_t count;
+    Arena arena;
+    char *cache; /* folder, or NULL */
+    pthread_t thread;
+    pthread_mutex_t lock; /* of all below */
+    pthread_cond_t changed;
+    Found *found; /* (count) since the last update */
+    bool news, closing;
+    bool drawn; /* all pictures, in this theme */
+    Theme theme;
+    unsigned revision; /* of the theme */
+};
+
+static char *copy_of(const char *text) {
+    return strcpy(memory_allocate(strlen(text) + 1, 1), text);
+}
+
+/* A picture -------------------------------------------------------------------------------------------------------- */
+
+static void paint(const Scene *scene, unsigned char *pixels, Theme theme) {
+    cairo_surface_t *surface =
+        cairo_image_surface_create_for_data(pixels, CAIRO_FORMAT_RGB24, GALLERY_WIDTH, GALLERY_HEIGHT, STRIDE);
+    cairo_t *cairo = cairo_create(surface);
+    double unit = layout_unit(GALLERY_WIDTH, GALLERY_HEIGHT);
+    cairo_scale(cairo, unit, unit);
+    paint_cairo_scene(cairo, scene, vec2(GALLERY_WIDTH / unit, GALLERY_HEIGHT / unit), theme);
+    cairo_destroy(cairo);
+    cairo_surface_finish(surface);
+    cairo_surface_destroy(surface);
+}
+
+/* Where a file's picture is kept; NULL: nowhere. memory_free it. */
+static char *cached_path(const Gallery *gallery, const char *path, Theme theme) {
+    size_t size;
+    char *text = gallery->cache ? text_read_file(path, JSON_LARGEST_FILE, &size) : NULL;
+    if (!text)
+        return NULL;
+    uint64_t digest = digest_text(digest_bytes(DIGEST_START, text, size), CLEARANCE_VERSION);
+    Text cached = {0};
+    text_format(&cached, "%s/picture-%d-%d-%016" PRIx64 ".png", gallery->cache, DRAWING, (int)theme, digest);
+    memory_free(text);
+    return cached.text;
+}
+
+/* False: it is not there, or of another kind. */
+static bool read_cached(const char *path, unsigned char *pixels) {
+    cairo_surface_t *surface = cairo_image_surface_create_from_png(path);
+    bool good = cairo_surface_status(surface) == CAIRO_STATUS_SUCCESS &&
+                cairo_image_surface_get_width(surface) == GALLERY_WIDTH &&
+                cairo_image_surface_get_height(surface) == GALLERY_HEIGHT &&
+                cairo_image_surface_get_format(surface) == CAIRO_FORMAT_RGB24;
+    for (int y = 0; y < GALLERY_HEIGHT && good; y++)
+        memcpy(pixels + y * STRIDE, cairo_image_surface_get_data(surface) + y * cairo_image_surface_get_stride(surface),
+               STRIDE);
+    cairo_surface_destroy(surface);
+    return good;
+}
+
+/* NULL: *fault says why. */
+static unsigned char *picture_of(const Gallery *gallery, const char *path, Theme theme, Fault *fault) {
+    unsigned char *pixels = memory_allocate(GALLERY_HEIGHT, STRIDE);
+    char *cached = cached_path(gallery, path, theme);
+    Thumbnail thumbnail;
+    bool good = cached && read_cached(cached, pixels);
+    if (!good && (good = thumbnail_read(&thumbnail, path, fault))) {
+        paint(&thumbnail.scene, pixels, theme);
+        thumbnail_clear(&thumbnail);
+        if (cached)
+            png_write(cached, pixels, GALLERY_WIDTH, GALLERY_HEIGHT);
+    }
+    memory_free(cached);
+    if (good)
+        return pixels;
+    memory_free(pixels);
+    return NULL;
+}
+
+/* The thread ------------------------------------------------------------------------------------------------------- */
+
+/* Hands over what is not NULL, and releases what it replaces. */
+static void hand_over(Found *to, Found *from) {
+    char **texts[][2] = {{&to->name, &from->name}, {&to->line, &from->line}, {&to->fault, &from->fault}};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        if (*texts[i][1]) {
+            memory_free(*texts[i][0]);
+            *texts[i][0] = *texts[i][1];
+        }
+    if (from->pixels) {
+        memory_free(to->pixels);
+        to->pixels = from->pixels;
+    }
+    *from = (Found){.name = NULL};
+}
+
+static void found_clear(Found *found) {
+    memory_free(found->name);
+    memory_free(found->line);
+    memory_free(found->fault);
+    memory_free(found->pixels);
+}
+
+static void put(Gallery *gallery, size_t i, Found *found) {
+    pthread_mutex_lock(&gallery->lock);
+    hand_over(&gallery->found[i], found);
+    gallery->news = true;
+    pthread_mutex_unlock(&gallery->lock);
+}
+
+static char *fault_line(Fault *fault) {
+    char *line = copy_of(fault->count ? fault->lines[0] : "it cannot be drawn");
+    fault_clear(fault);
+    return line;
+}
+
+static void find_words(Gallery *gallery, size_t i) {
+    Thumbnail thumbnail;
+    Fault fault = {0};
+    Found found = {.name = NULL};
+    if (thumbnail_read(&thumbnail, gallery->items[i].path, &fault)) {
+        found.name = copy_of(thumbnail.name);
+        found.line = copy_of(thumbnail.line);
+        thumbnail_clear(&thumbnail);
+    } else {
+        found.line = copy_of("");
+        found.fault = fault_line(&fault);
+    }
+    put(gallery, i, &found);
+}
+
+static void find_picture(Gallery *gallery, size_t i, Theme theme) {
+    Fault fault = {0};
+    Found found = {.pixels = picture_of(gallery, gallery->items[i].path, theme, &fault)};
+    if (!found.pixels)
+        found.fault = fault_line(&fault);
+    put(gallery, i, &found);
+}
+
+/* Is there still to be drawn in the theme of this revision? */
+static bool goes_on(Gallery *gallery, unsigned revision) {
+    pthread_mutex_lock(&gallery->lock);
+    bool on = !gallery->closing && gallery->revision == revision;
+    pthread_mutex_unlock(&gallery->lock);
+    return on;
+}
+
+/* Waits for another theme; false: it is over. */
+static bool wait_for_theme(Gallery *gallery, unsigned *revision, Theme *theme) {
+    pthread_mutex_lock(&gallery->lock);
+    gallery->drawn = gallery->revision == *revision;
+    gallery->news = true;
+    while (!gallery->closing && gallery->revision == *revision)
+        pthread_cond_wait(&gallery->changed, &gallery->lock);
+    *revision = gallery->revision;
+    *theme = gallery->theme;
+    bool on = !gallery->closing;
+    pthread_mutex_unlock(&gallery->lock);
+    return on;
+}
+
+static void *work(void *context) {
+    Gallery *gallery = context;
+    unsigned revision = 0;
+    Theme theme;
+    pthread_mutex_lock(&gallery->lock);
+    theme = gallery->theme;
+    pthread_mutex_unlock(&gallery->lock);
+    for (size_t i = 0; i < gallery->count; i++)
+        find_words(gallery, i);
+    do
+        for (size_t i = 0; i < gallery->count && goes_on(gallery, revision); i++)
+            find_picture(gallery, i, theme);
+    while (wait_for_theme(gallery, &revision, &theme));
+    return NULL;
+}
+
+/* The list --------------------------------------------------------------------------------------------------------- */
+
+static void add_folder(Gallery *gallery, const char *path, FolderKind kind) {
+    Folder folder = {.count = 0};
+    Fault fault = {0};
+    if (folder_read(&folder, path, &fault)) {
+        size_t capacity = gallery->count;
+        gallery->items =
+            memory_reserve(gallery->items, &capacity, gallery->count + folder.count, sizeof *gallery->items);
+        for (size_t i = 0; i < folder.count; i++)
+            if (folder.entries[i].kind == kind)
+                gallery->items[gallery->count++] =
+                    (GalleryItem){.path = arena_text(&gallery->arena, folder.entries[i].path),
+                                  .name = thumbnail_name_of(folder.entries[i].name, &gallery->arena),
+                                  .line = "",
+                                  .beam = kind == FOLDER_BEAM};
+    }
+    fault_clear(&fault);
+    folder_clear(&folder);
+}
+
+Gallery *gallery_create(Theme theme) {
+    Gallery *gallery = memory_allocate(1, sizeof *gallery);
+    gallery->theme = theme;
+    gallery->cache = settings_cache_folder();
+    add_folder(gallery, shipped_places()->houses, FOLDER_HOUSE);
+    add_folder(gallery, shipped_places()->beams, FOLDER_BEAM);
+    gallery->shown = memory_allocate(gallery->count + 1, sizeof *gallery->shown);
+    gallery->found = memory_allocate(gallery->count + 1, sizeof *gallery->found);
+    pthread_mutex_init(&gallery->lock, NULL);
+    pthread_cond_init(&gallery->changed, NULL);
+    pthread_create(&gallery->thread, NULL, work, gallery);
+    return gallery;
+}
+
+void gallery_destroy(Gallery *gallery) {
+    pthread_mutex_lock(&gallery->lock);
+    gallery->closing = true;
+    pthread_cond_signal(&gallery->changed);
+    pthread_mutex_unlock(&gallery->lock);
+    pthread_join(gallery->thread, NULL);
+    pthread_cond_destroy(&gallery->changed);
+    pthread_mutex_destroy(&gallery->lock);
+    for (size_t i = 0; i < gallery->count; i++) {
+        found_clear(&gallery->found[i]);
+        found_clear(&gallery->shown[i]);
+    }
+    memory_free(gallery->items);
+    memory_free(gallery->found);
+    memory_free(gallery->shown);
+    memory_free(gallery->cache);
+    arena_clear(&gallery->arena);
+    memory_free(gallery);
+}
+
+void gallery_set_theme(Gallery *gallery, Theme theme) {
+    pthread_mutex_lock(&gallery->lock);
+    if (gallery->theme != theme) {
+        gallery->theme = theme;
+        gallery->revision++;
+        gallery->drawn = false;
+        pthread_cond_signal(&gallery->changed);
+    }
+    pthread_mutex_unlock(&gallery->lock);
+}
+
+bool gallery_update(Gallery *gallery) {
+    pthread_mutex_lock(&gallery->lock);
+    bool news = gallery->news;
+    for (size_t i = 0; i < gallery->count && news; i++) {
+        Found *shown = &gallery->shown[i];
+        GalleryItem *item = &gallery->items[i];
+        hand_over(shown, &gallery->found[i]);
+        item->name = shown->name ? shown->name : item->name;
+        item->line = shown->line ? shown->line : "";
+        item->told = shown->line;
+        item->fault = shown->fault;
+        item->pixels = shown->fault ? NULL : shown->pixels;
+    }
+    gallery->news = false;
+    pthread_mutex_unlock(&gallery->lock);
+    return news;
+}
+
+bool gallery_complete(Gallery *gallery) {
+    pthread_mutex_lock(&gallery->lock);
+    bool complete = gallery->drawn && !gallery->news;
+    pthread_mutex_unlock(&gallery->lock);
+    return complete;
+}
+
+const GalleryItem *gallery_items(const Gallery *gallery, size_t *count) {
+    *count = gallery->count;
+    return gallery->items;
+}

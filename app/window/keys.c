@@ -1,0 +1,179 @@
+#include "window/keys.h"
+
+#include <string.h>
+
+#include "window/glass.h"
+
+const char *const keys_menus[MENUS] = {
+    [MENU_FILE] = "File", [MENU_EDIT] = "Edit", [MENU_VIEW] = "View", [MENU_RUN] = "Run", [MENU_HELP] = "Help"};
+
+/* Where two places mean different things by one key, the narrower one stands first. */
+const KeyRow keys_table[] = {
+    {ACTION_OPEN, KEY_ANYWHERE, "Ctrl+O", MENU_FILE, "Open ...", "opens a house or a beam from a file", NULL},
+    {ACTION_GALLERY, KEY_ANYWHERE, "F4", MENU_FILE, "Gallery", "shows the houses and beams there are, with pictures",
+     "gallery"},
+    {ACTION_SAVE, KEY_ANYWHERE, "Ctrl+S", MENU_FILE, "Save a copy ...",
+     "writes what is shown, with its changed numbers, as a file", NULL},
+    {ACTION_PICTURE, KEY_ANYWHERE, "F9", MENU_FILE, "Picture",
+     "writes the view, or the plot with the focus, as PNG and SVG", NULL},
+    {ACTION_FRAMES, KEY_ANYWHERE, "Shift+F9", MENU_FILE, "Frames",
+     "writes a picture for every thirtieth of a simulated second", NULL},
+    {ACTION_EXPORT, KEY_ANYWHERE, "Ctrl+E", MENU_FILE, "Export ...", "writes pictures, plots, data, a film or a report",
+     NULL},
+    {ACTION_COPY_COMMAND, KEY_ANYWHERE, "Ctrl+C", MENU_FILE, "Copy command",
+     "copies the command line that makes what is shown", NULL},
+    {ACTION_QUIT, KEY_ANYWHERE, "Ctrl+Q", MENU_FILE, "Quit", "closes the window", NULL},
+
+    {ACTION_UNDO_ALL, KEY_ANYWHERE, "Alt+R", MENU_EDIT, "Reset scene", "sets every number as it is in the file", NULL},
+    {ACTION_EDIT_NUMBERS, KEY_VIEW, "Return", MENU_EDIT, "Numbers", "goes to the numbers of what is selected", NULL},
+    {ACTION_USE_CURSOR, KEY_PLOT, "Return", MENU_NONE, "Use value", "sets the number to where the cursor stands", NULL},
+    {ACTION_NEXT_THING, KEY_VIEW, "Tab", MENU_EDIT, "Next object",
+     "selects the next person, place of danger, door, piece of furniture, wall, exit", "objects"},
+    {ACTION_PREVIOUS_THING, KEY_VIEW, "Shift+Tab", MENU_EDIT, "Previous object", "selects the one before", NULL},
+    {ACTION_KEEP, KEY_CANVAS, "K", MENU_EDIT, "Keep as before", "keeps what is shown, to be seen behind what follows",
+     "keep"},
+    {ACTION_GHOST, KEY_CANVAS, "G", MENU_EDIT, "Next ghost", "shows what was before, or the other way of driving",
+     "ghost"},
+    {ACTION_CLEAR, KEY_CANVAS, "X", MENU_EDIT, "Clear", "forgets the trace and the points so far", NULL},
+
+    {ACTION_FIT, KEY_CANVAS, "Home", MENU_VIEW, "Fit", "shows all of it", NULL},
+    {ACTION_ZOOM_IN, KEY_CANVAS, "=", MENU_VIEW, "Zoom in", "enlarges about the middle", NULL},
+    {ACTION_ZOOM_IN, KEY_CANVAS, "+", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_ZOOM_IN, KEY_CANVAS, "Shift+=", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_ZOOM_IN, KEY_CANVAS, "Keypad +", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_ZOOM_OUT, KEY_CANVAS, "-", MENU_VIEW, "Zoom out", "makes it smaller", NULL},
+    {ACTION_ZOOM_OUT, KEY_CANVAS, "Keypad -", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_BOX, KEY_PLOT, "Z", MENU_NONE, "Zoom to a box",
+     "arrows move a corner, Return sets it, arrows move the other, Return zooms", NULL},
+    {ACTION_BOX_BACK, KEY_PLOT, "Backspace", MENU_NONE, "View before", "goes back to the axes before", NULL},
+    {ACTION_CURSOR_LEFT, KEY_PLOT, "Left", MENU_NONE, "Cursor left", "moves the cursor; Shift: tenfold", NULL},
+    {ACTION_CURSOR_LEFT, KEY_PLOT, "Shift+Left", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_CURSOR_RIGHT, KEY_PLOT, "Right", MENU_NONE, "Cursor right", "moves the cursor; Shift: tenfold", NULL},
+    {ACTION_CURSOR_RIGHT, KEY_PLOT, "Shift+Right", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_ZOOM_SELECTION, KEY_VIEW, "Z", MENU_VIEW, "Zoom to selection", "shows what is selected from near", NULL},
+    {ACTION_PAN_LEFT, KEY_VIEW, "Left", MENU_NONE, "Look left", "moves the view", NULL},
+    {ACTION_PAN_RIGHT, KEY_VIEW, "Right", MENU_NONE, "Look right", "moves the view", NULL},
+    {ACTION_PAN_UP, KEY_VIEW, "Up", MENU_NONE, "Look up", "moves the view", NULL},
+    {ACTION_PAN_DOWN, KEY_VIEW, "Down", MENU_NONE, "Look down", "moves the view", NULL},
+    {ACTION_RAISED, KEY_CANVAS, "V", MENU_VIEW, "Plan or raised", "looks from above, or from the side", "raised"},
+    {ACTION_TURN_LEFT, KEY_VIEW, "Q", MENU_VIEW, "Turn left", "turns the raised view by 15 degrees", NULL},
+    {ACTION_TURN_RIGHT, KEY_VIEW, "E", MENU_VIEW, "Turn right", "turns it the other way", NULL},
+    {ACTION_FOLLOW, KEY_VIEW, "F", MENU_VIEW, "Follow", "keeps the selected person, or the first, in the middle", NULL},
+    {ACTION_LAYER, KEY_CANVAS, "1", MENU_NONE, "Layers", "1 to 9 show or hide a layer: the panel names them", NULL},
+    {ACTION_LAYER, KEY_CANVAS, "2", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_LAYER, KEY_CANVAS, "3", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_LAYER, KEY_CANVAS, "4", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_LAYER, KEY_CANVAS, "5", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_LAYER, KEY_CANVAS, "6", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_LAYER, KEY_CANVAS, "7", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_LAYER, KEY_CANVAS, "8", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_LAYER, KEY_CANVAS, "9", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_PANEL, KEY_CANVAS, "H", MENU_VIEW, "Panel", "shows or hides the panel", NULL},
+    {ACTION_PLOTS, KEY_CANVAS, "P", MENU_VIEW, "Plots", "shows or hides the plots", "plots"},
+    {ACTION_PRESENT, KEY_ANYWHERE, "F5", MENU_VIEW, "Present", "hides all but picture and answer, letters larger",
+     NULL},
+    {ACTION_FULLSCREEN, KEY_ANYWHERE, "F11", MENU_VIEW, "Full screen", "fills the screen, or not", NULL},
+    {ACTION_THEME, KEY_ANYWHERE, "Ctrl+T", MENU_VIEW, "Light or dark", "paper for bright rooms, board for dark ones",
+     NULL},
+    {ACTION_LARGER, KEY_ANYWHERE, "Ctrl+=", MENU_VIEW, "Larger letters", "up to three times", NULL},
+    {ACTION_LARGER, KEY_ANYWHERE, "Ctrl++", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_LARGER, KEY_ANYWHERE, "Ctrl+Shift+=", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_SMALLER, KEY_ANYWHERE, "Ctrl+-", MENU_VIEW, "Smaller letters", "down to their own size", NULL},
+    {ACTION_NORMAL_SIZE, KEY_ANYWHERE, "Ctrl+0", MENU_VIEW, "Normal letters", "their own size", NULL},
+
+    {ACTION_PLAY, KEY_CANVAS, "Space", MENU_RUN, "Play or pause", "goes on, or holds", "play, pause"},
+    {ACTION_PLAY, KEY_TIMELINE, "Space", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_PLAY, KEY_ANYWHERE, "Alt+K", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_STEP, KEY_CANVAS, ".", MENU_RUN, "Step", "one picture on, and pauses; Shift: ten", "step"},
+    {ACTION_STEP, KEY_TIMELINE, "Right", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_STEP_BACK, KEY_CANVAS, ",", MENU_RUN, "Step back", "one picture back, and pauses; Shift: ten", NULL},
+    {ACTION_STEP_BACK, KEY_TIMELINE, "Left", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_STEP_TEN, KEY_CANVAS, "Shift+.", MENU_NONE, "Ten steps", "ten pictures on", NULL},
+    {ACTION_STEP_TEN, KEY_CANVAS, "Shift+>", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_STEP_BACK_TEN, KEY_CANVAS, "Shift+,", MENU_NONE, "Ten steps back", "ten pictures back", NULL},
+    {ACTION_STEP_BACK_TEN, KEY_CANVAS, "Shift+<", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_SECOND, KEY_TIMELINE, "Shift+Right", MENU_NONE, "A second on", "at speed 1", NULL},
+    {ACTION_SECOND_BACK, KEY_TIMELINE, "Shift+Left", MENU_NONE, "A second back", "at speed 1", NULL},
+    {ACTION_SLOWER, KEY_CANVAS, "[", MENU_RUN, "Slower", "half the speed", "speed"},
+    {ACTION_SLOWER, KEY_TIMELINE, "Down", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_FASTER, KEY_CANVAS, "]", MENU_RUN, "Faster", "twice the speed", NULL},
+    {ACTION_FASTER, KEY_TIMELINE, "Up", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_NORMAL_SPEED, KEY_CANVAS, "\\", MENU_RUN, "Speed 1", "the laboratory's own pace", NULL},
+    {ACTION_AGAIN, KEY_CANVAS, "R", MENU_RUN, "Run again", "from the beginning, with the same numbers", "again"},
+    {ACTION_START, KEY_TIMELINE, "Home", MENU_RUN, "Start", "to the beginning of the record", NULL},
+    {ACTION_NOW, KEY_TIMELINE, "End", MENU_RUN, "Now", "to the end of the record, and on", NULL},
+    {ACTION_NOW, KEY_CANVAS, "End", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_LOOP, KEY_CANVAS, "L", MENU_RUN, "Loop", "plays the marked stretch, or all, again and again", NULL},
+    {ACTION_LOOP, KEY_TIMELINE, "L", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_MARK_IN, KEY_TIMELINE, "I", MENU_RUN, "Mark in", "the loop begins here", NULL},
+    {ACTION_MARK_OUT, KEY_TIMELINE, "O", MENU_RUN, "Mark out", "the loop ends here", NULL},
+    {ACTION_SWEEP, KEY_CANVAS, "U", MENU_RUN, "Sweep", "the orbit diagram from rest, or upwards and downwards", NULL},
+    {ACTION_SOUND, KEY_ANYWHERE, "Ctrl+M", MENU_RUN, "Sound", "makes the tip's motion heard, or not", NULL},
+
+    {ACTION_HELP, KEY_ANYWHERE, "F1", MENU_HELP, "Keys", "shows this card", "keys"},
+    {ACTION_EXPLAIN, KEY_ANYWHERE, "Shift+F1", MENU_HELP, "Explain", "tells about what has the focus", NULL},
+    {ACTION_MESSAGES, KEY_ANYWHERE, "F7", MENU_HELP, "Messages", "shows what was said, and what went wrong", NULL},
+    {ACTION_ABOUT, KEY_ANYWHERE, "Ctrl+I", MENU_HELP, "About", "the program, its version, its sources", NULL},
+    {ACTION_HOUSE, KEY_ANYWHERE, "F2", MENU_NONE, "House", "the laboratory of evacuations", NULL},
+    {ACTION_BEAM, KEY_ANYWHERE, "F3", MENU_NONE, "Beam", "the laboratory of the impact beam", NULL},
+    {ACTION_MENU, KEY_ANYWHERE, "F10", MENU_NONE, "Menu", "opens the menus", NULL},
+    {ACTION_ESCAPE, KEY_ANYWHERE, "Escape", MENU_NONE, "One step back",
+     "closes what is open, or lets go what is selected; it never quits", NULL},
+};
+const size_t keys_count = sizeof keys_table / sizeof *keys_table;
+
+const KeyRow *keys_row(Action action) {
+    for (size_t i = 0; i < keys_count; i++)
+        if (keys_table[i].action == action && keys_table[i].name)
+            return &keys_table[i];
+    return NULL;
+}
+
+void keys_read(const char *words, int32_t *key, int *mods) {
+    static const struct {
+        const char *word;
+        int mod;
+    } known[] = {{"Ctrl+", GLASS_CONTROL}, {"Shift+", GLASS_SHIFT}, {"Alt+", GLASS_ALT}};
+    *mods = 0;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        size_t length = strlen(known[i].word);
+        if (strncmp(words, known[i].word, length) == 0 && words[length]) {
+            *mods |= known[i].mod;
+            words += length;
+        }
+    }
+    *key = glass_key(words);
+}
+
+/* A letter, a digit or a sign alone, which somebody who types by mistake presses too. */
+static bool is_letter(const KeyRow *row) {
+    return !row->key[1];
+}
+
+static bool means(const KeyRow *row, KeyPlace place) {
+    switch (row->place) {
+    case KEY_ANYWHERE:
+        return true;
+    case KEY_CANVAS:
+        return place == KEY_VIEW || place == KEY_PLOT;
+    default:
+        return row->place == place;
+    }
+}
+
+const KeyRow *keys_find(int32_t key, int mods, KeyPlace place, bool letters) {
+    for (size_t i = 0; i < keys_count; i++) {
+        int32_t row_key;
+        int row_mods;
+        keys_read(keys_table[i].key, &row_key, &row_mods);
+        if (row_key == key && row_mods == mods && means(&keys_table[i], place) &&
+            (letters || !is_letter(&keys_table[i])))
+            return &keys_table[i];
+    }
+    return NULL;
+}
+
+const char *keys_help(Arena *arena, Action action) {
+    const KeyRow *row = keys_row(action);
+    return text_in_arena(arena, "%s (%s): %s", row->name, row->key, row->help);
+}

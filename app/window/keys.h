@@ -1,0 +1,119 @@
+/* What can be done, by key, menu and strip: one table. The dispatcher, the card of F1, the menus, the tooltips and the
+ * strip at the foot all read it, so that they cannot differ. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/text.h"
+
+typedef enum Action {
+    ACTION_NONE,
+    ACTION_OPEN,
+    ACTION_SAVE,
+    ACTION_GALLERY,
+    ACTION_PICTURE,
+    ACTION_FRAMES,
+    ACTION_EXPORT,
+    ACTION_COPY_COMMAND,
+    ACTION_QUIT,
+    ACTION_UNDO_ALL,
+    ACTION_KEEP,
+    ACTION_GHOST,
+    ACTION_CLEAR,
+    ACTION_SWEEP,
+    ACTION_FIT,
+    ACTION_ZOOM_IN,
+    ACTION_ZOOM_OUT,
+    ACTION_ZOOM_SELECTION,
+    ACTION_RAISED,
+    ACTION_FOLLOW,
+    ACTION_TURN_LEFT,
+    ACTION_TURN_RIGHT,
+    ACTION_PAN_LEFT,
+    ACTION_PAN_RIGHT,
+    ACTION_PAN_UP,
+    ACTION_PAN_DOWN,
+    ACTION_PANEL,
+    ACTION_PLOTS,
+    ACTION_PRESENT,
+    ACTION_FULLSCREEN,
+    ACTION_THEME,
+    ACTION_LARGER,
+    ACTION_SMALLER,
+    ACTION_NORMAL_SIZE,
+    ACTION_LAYER, /* 1 to 9: the key says which */
+    ACTION_PLAY,
+    ACTION_STEP,
+    ACTION_STEP_BACK,
+    ACTION_STEP_TEN,
+    ACTION_STEP_BACK_TEN,
+    ACTION_SECOND,
+    ACTION_SECOND_BACK,
+    ACTION_SLOWER,
+    ACTION_FASTER,
+    ACTION_NORMAL_SPEED,
+    ACTION_AGAIN,
+    ACTION_START,
+    ACTION_NOW,
+    ACTION_LOOP,
+    ACTION_MARK_IN,
+    ACTION_MARK_OUT,
+    ACTION_SOUND,
+    ACTION_NEXT_THING,
+    ACTION_PREVIOUS_THING,
+    ACTION_EDIT_NUMBERS,
+    ACTION_CURSOR_LEFT,
+    ACTION_CURSOR_RIGHT,
+    ACTION_USE_CURSOR,
+    ACTION_BOX,
+    ACTION_BOX_BACK,
+    ACTION_HOUSE,
+    ACTION_BEAM,
+    ACTION_MENU,
+    ACTION_MESSAGES,
+    ACTION_HELP,
+    ACTION_EXPLAIN,
+    ACTION_ABOUT,
+    ACTION_ESCAPE,
+    ACTIONS,
+} Action;
+
+/* Where a key means it. */
+typedef enum KeyPlace {
+    KEY_ANYWHERE,
+    KEY_CANVAS,   /* the plan, the beam or a plot has the focus */
+    KEY_VIEW,     /* the plan or the beam */
+    KEY_PLOT,     /* a plot */
+    KEY_TIMELINE, /* the timeline, too */
+} KeyPlace;
+
+typedef enum KeyMenu { MENU_NONE, MENU_FILE, MENU_EDIT, MENU_VIEW, MENU_RUN, MENU_HELP, MENUS } KeyMenu;
+
+typedef struct KeyRow {
+    Action action;
+    KeyPlace place;
+    const char *key;   /* "Ctrl+O", "Space", "[" */
+    KeyMenu menu;      /* where it stands in the menus */
+    const char *name;  /* "Open"; NULL: another key of the row above */
+    const char *help;  /* a sentence */
+    const char *strip; /* a word for the strip at the foot, or NULL */
+} KeyRow;
+
+extern const KeyRow keys_table[];
+extern const size_t keys_count;
+extern const char *const keys_menus[MENUS];
+
+/* The row of an action, with its name; NULL: it has none. */
+const KeyRow *keys_row(Action action);
+
+/* What a key means where a place of this kind has the focus; `letters`: single letters mean something. NULL: nothing.
+ * `mods` as in glass.h. */
+const KeyRow *keys_find(int32_t key, int mods, KeyPlace place, bool letters);
+
+/* The key's code and mods. */
+void keys_read(const char *words, int32_t *key, int *mods);
+
+/* "Open (Ctrl+O): ..." */
+const char *keys_help(Arena *arena, Action action);

@@ -1,0 +1,69 @@
+#include "window/messages.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/text.h"
+
+static bool same_time(double a, double b) {
+    return a == b || (isnan(a) && isnan(b));
+}
+
+static bool is_repeated(const Messages *messages, MessageKind kind, double time, const char *text) {
+    const Message *last = messages_last(messages);
+    return last && last->kind == kind && same_time(last->time, time) && strcmp(last->text, text) == 0;
+}
+
+/* Takes the text. */
+static void add(Messages *messages, MessageKind kind, double time, char *text) {
+    if (is_repeated(messages, kind, time, text)) {
+        memory_free(text);
+        return;
+    }
+    Message *message = &messages->ring[messages->total++ % MESSAGES_MOST];
+    memory_free(message->text);
+    *message = (Message){messages->total, kind, text, time};
+}
+
+/* A line of the log is one line. */
+static void join_lines(char *text) {
+    for (char *end = text; (end = strpbrk(end, "\r\n"));)
+        *end = ' ';
+}
+
+void messages_say(Messages *messages, MessageKind kind, double time, const char *format, ...) {
+    Text text = {0};
+    va_list arguments;
+    va_start(arguments, format);
+    text_vformat(&text, format, arguments);
+    va_end(arguments);
+    join_lines(text.text);
+    add(messages, kind, time, text.text);
+}
+
+void messages_take(Messages *messages, Fault *fault, double time) {
+    for (size_t i = 0; i < fault->count; i++)
+        messages_say(messages, MESSAGE_FAULT, time, "%s", fault->lines[i]);
+    if (fault->total > fault->count)
+        messages_say(messages, MESSAGE_FAULT, time, "and %zu more", fault->total - fault->count);
+    fault_clear(fault);
+}
+
+size_t messages_count(const Messages *messages) {
+    return messages->total < MESSAGES_MOST ? messages->total : MESSAGES_MOST;
+}
+
+const Message *messages_at(const Messages *messages, size_t i) {
+    return &messages->ring[(messages->total - messages_count(messages) + i) % MESSAGES_MOST];
+}
+
+const Message *messages_last(const Messages *messages) {
+    return messages->total ? &messages->ring[(messages->total - 1) % MESSAGES_MOST] : NULL;
+}
+
+void messages_clear(Messages *messages) {
+    for (size_t i = 0; i < MESSAGES_MOST; i++)
+        memory_free(messages->ring[i].text);
+    *messages = (Messages){.total = 0};
+}

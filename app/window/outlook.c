@@ -1,0 +1,192 @@
+#include "window/outlook.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "window/act.h"
+#include "window/act_plot.h"
+
+/* Design points. */
+#define MARGIN 12.0
+#define SELECTION_OUTER 6.0
+#define SELECTION_INNER 3.0
+#define STILL_HAND 4.0 /* a right click that moves less opens no pan */
+#define LEAST_SIDE 24.0
+
+#define WHEEL_ZOOM 1.15
+
+static Vec2 middle_of(Box box) {
+    return vec2_scale(vec2_add(box.low, box.high), 0.5);
+}
+
+double outlook_aspect(const Room *room) {
+    if (!room->live)
+        return 1.5;
+    Box box = room->kind->still(room->live)->box;
+    double height = box_height(box);
+    return height > 0 && box_width(box) > 0 ? box_width(box) / height : 1.5;
+}
+
+/* Pictures --------------------------------------------------------------------------------------------------------- */
+
+/* Whole pixels of a place in the window. */
+static void pixels_of(const Window *window, Box box, int *x, int *y, int *width, int *height) {
+    *x = (int)lround(box.low.x * window->unit);
+    *y = (int)lround(box.low.y * window->unit);
+    *width = (int)lround(box.high.x * window->unit) - *x;
+    *height = (int)lround(box.high.y * window->unit) - *y;
+}
+
+void outlook_paint(Window *window) {
+    Room *room = window_room(window);
+    int x, y, width, height;
+    pixels_of(window, window->frame.view, &x, &y, &width, &height);
+    if (!room->live || width < LEAST_SIDE || height < LEAST_SIDE)
+        return;
+    scenery_fit(&room->scenery, glass_gl(window->glass), width, height, window->unit, window->theme);
+    if (room->scenery.paint)
+        scenery_show(&room->scenery, room->kind, room->live, room->player.time);
+    if (room->charts_wait)
+        charts_choose(&room->charts, room->kind, room->live, room->plots, window->screen);
+    room->charts_wait = false;
+}
+
+/* The index of a chart's plot among the laboratory's. */
+static size_t plot_of(const Room *room, const Chart *chart) {
+    size_t count = room->kind->plot_count(room->live), i = 0;
+    while (i < count && strcmp(room->kind->plot(room->live, i).name, chart->live.name) != 0)
+        i++;
+    return i;
+}
+
+/* The view --------------------------------------------------------------------------------------------------------- */
+
+/* Black within white, or the other way round: seen on everything. */
+static void show_selection(Window *window, Room *room) {
+    Vec2 points[LIVE_OUTLINE_MOST];
+    LiveThing thing = room->kind->selected(room->live);
+    size_t count = thing.kind ? room->kind->outline(room->live, thing, room->player.time, points) : 0;
+    for (size_t i = 0; i < count; i++)
+        points[i] = vec2_add(window->frame.view.low, scenery_point(&room->scenery, points[i]));
+    if (!count)
+        return;
+    ui_draw_polyline(window->ui, points, count, true, ROLE_PAPER, SELECTION_OUTER);
+    ui_draw_polyline(window->ui, points, count, true, ROLE_TEXT, SELECTION_INNER);
+}
+
+static void show_view_words(Window *window, const Room *room) {
+    Box view = window->frame.view;
+    const char *note = room->kind->note(room->live);
+    Vec2 extent = ui_extent(window->ui, UI_BODY, note);
+    if (*note) {
+        Vec2 at = {view.low.x + MARGIN, view.high.y - MARGIN - extent.y / 2};
+        ui_draw_box(window->ui, (Box){{at.x - 4, at.y - extent.y / 2}, {at.x + extent.x + 4, at.y + extent.y / 2}},
+                    ROLE_PAPER, 0.8);
+        ui_draw_words(window->ui, UI_BODY, ROLE_DIM_TEXT, at, 0, note);
+    }
+    if (room->player.playing)
+        return;
+    Vec2 size = ui_extent(window->ui, UI_HEADING, "PAUSED");
+    Box tag = {{view.high.x - size.x - 3 * MARGIN, view.low.y + MARGIN},
+               {view.high.x - MARGIN, view.low.y + MARGIN + size.y + 6}};
+    ui_draw_box(window->ui, tag, ROLE_TEXT, 1);
+    ui_draw_words(window->ui, UI_HEADING, ROLE_PAPER, vec2(tag.low.x + MARGIN, middle_of(tag).y), 0, "PAUSED");
+}
+
+static Vec2 floor_at(const Window *window, const Room *room, Vec2 at) {
+    return scenery_floor(&room->scenery, vec2_sub(at, window->frame.view.low));
+}
+
+/* A click selects, a second one on the same place what lies below; the right or middle button moves the view. */
+static void use_mouse(Window *window, Room *room) {
+    UiGrab grab = ui_grab(window->ui, "view", window->frame.view);
+    if (!room->scenery.painted)
+        return;
+    if (grab.hovered && grab.wheel != 0)
+        room_zoom(room, pow(WHEEL_ZOOM, grab.wheel), floor_at(window, room, grab.at));
+    bool pans = window->input.down[GLASS_RIGHT] || window->input.down[GLASS_MIDDLE];
+    if (grab.hovered && pans && (grab.delta.x != 0 || grab.delta.y != 0)) {
+        room_pan(room,
+                 vec2_sub(floor_at(window, room, vec2_sub(grab.at, grab.delta)), floor_at(window, room, grab.at)));
+    }
+    if (grab.pressed) {
+        LiveThing now = room->kind->selected(room->live);
+        Vec2 at = floor_at(window, room, grab.at);
+        LiveThing top = room->kind->pick(room->live, at, room->player.time, (LiveThing){0});
+        room_select(room, live_same(top, now) ? room->kind->pick(room->live, at, room->player.time, now) : top);
+        ui_focus(window->ui, "view");
+        window->dirty = true;
+    }
+}
+
+static void show_view(Window *window, Room *room) {
+    Box view = window->frame.view;
+    ui_pane_begin(window->ui, &(UiPane){.name = "view", .box = view, .ground = ROLE_COUNT, .stop = true});
+    if (room->live) {
+        use_mouse(window, room);
+        show_selection(window, room);
+        show_view_words(window, room);
+    }
+    ui_pane_end(window->ui);
+}
+
+/* The plots -------------------------------------------------------------------------------------------------------- */
+
+static void show_read_out(Window *window, Room *room, Chart *chart, size_t plot, Vec2 at) {
+    char words[CHART_WORDS];
+    Vec2 nearest;
+    if (!charts_read(chart, room->kind, room->live, plot, room->player.time, at, &nearest, words))
+        return;
+    Vec2 extent = ui_extent(window->ui, UI_BODY, words);
+    double left = fmin(fmax(nearest.x + 10, chart->place.low.x), chart->place.high.x - extent.x - 8);
+    double top = fmax(nearest.y - extent.y - 10, chart->place.low.y);
+    ui_draw_disc(window->ui, nearest, 4, ROLE_TEXT);
+    ui_draw_box(window->ui, (Box){{left - 4, top}, {left + extent.x + 4, top + extent.y + 4}}, ROLE_PANEL, 1);
+    ui_draw_words(window->ui, UI_BODY, ROLE_TEXT, vec2(left, top + extent.y / 2 + 2), 0, words);
+}
+
+/* A click sets what the cursor stands for; dragging with the right button zooms to a box, the wheel about the pointer.
+ */
+static void use_chart_mouse(Window *window, Room *room, Chart *chart, size_t plot) {
+    Vec2 value;
+    UiGrab grab = ui_grab(window->ui, chart->live.name, chart->place);
+    if (!chart->canvas || !charts_value(chart, grab.at, &value))
+        return;
+    if (grab.hovered && grab.wheel != 0) {
+        ChartAxes axes = charts_axes(chart);
+        double part = pow(WHEEL_ZOOM, -grab.wheel);
+        charts_zoom(chart, vec2_add(value, vec2(part * (axes.x[0] - value.x), part * (axes.y[0] - value.y))),
+                    vec2_add(value, vec2(part * (axes.x[1] - value.x), part * (axes.y[1] - value.y))));
+        return;
+    }
+    if (grab.pressed) {
+        ui_focus(window->ui, text_in_arena(&window->words, "plot:%s", chart->live.name));
+        act_plot_use(window, chart, value.x);
+    }
+    if (grab.hovered)
+        show_read_out(window, room, chart, plot, grab.at);
+}
+
+static void show_chart(Window *window, Room *room, size_t index) {
+    Chart *chart = &room->charts.charts[index];
+    Box box = window->frame.charts[index];
+    ui_pane_begin(window->ui, &(UiPane){.name = text_in_arena(&window->words, "plot:%s", chart->live.name),
+                                        .box = box,
+                                        .ground = ROLE_PAPER,
+                                        .stop = true});
+    size_t plot = plot_of(room, chart);
+    if (plot < room->kind->plot_count(room->live)) {
+        charts_show(chart, room->kind, room->live, plot, room->player.time, box, window->unit, window->theme,
+                    window->screen, window->ui);
+        use_chart_mouse(window, room, chart, plot);
+    }
+    ui_pane_end(window->ui);
+}
+
+void outlook_show(Window *window) {
+    Room *room = window_room(window);
+    show_view(window, room);
+    for (size_t i = 0; room->live && i < window->frame.chart_count && i < room->charts.count; i++)
+        show_chart(window, room, i);
+}

@@ -1,0 +1,13 @@
+/* The view and the plots beside it, and what is done to them by mouse. */
+#pragma once
+
+#include "window/window_state.h"
+
+/* Draws the pictures; before the panes. */
+void outlook_paint(Window *window);
+
+/* The panes over the pictures: selection, words, mouse. */
+void outlook_show(Window *window);
+
+/* Width over height of what the view shows. */
+double outlook_aspect(const Room *room);

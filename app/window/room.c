@@ -1,0 +1,156 @@
+#include "window/room.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "window/glass.h"
+
+#define ZOOM_LEAST 0.2
+#define ZOOM_MOST 64.0
+#define ZOOM_NEAR 8.0   /* times its size is seen around what is selected */
+#define FOLLOW_FREE 0.2 /* of the view: who is followed moves freely within it */
+
+Room room_make(const LiveKind *kind) {
+    return (Room){.kind = kind,
+                  .player = player_start(),
+                  .layers = kind->layers_at_first,
+                  .plots = kind->plots_at_first,
+                  .charts_wait = true};
+}
+
+static void drop_live(Room *room) {
+    if (room->live)
+        room->kind->close(room->live);
+    memory_free(room->path);
+    room->live = NULL;
+    room->path = NULL;
+}
+
+void room_close(Room *room, PaintGlScreen *screen) {
+    charts_clear(&room->charts, screen);
+    scenery_clear(&room->scenery);
+    drop_live(room);
+}
+
+static char *copy_of(const char *text) {
+    char *copy = memory_allocate(strlen(text) + 1, 1);
+    return strcpy(copy, text);
+}
+
+bool room_open(Room *room, const char *path, const LiveOptions *options, PaintGlScreen *screen, Fault *fault) {
+    void *live = room->kind->open(path, options, fault);
+    if (!live)
+        return false;
+    char *kept = copy_of(path); /* it may be the path of what is closed */
+    charts_clear(&room->charts, screen);
+    drop_live(room);
+    room->live = live;
+    room->path = kept;
+    int power = room->player.power;
+    room->player = player_start();
+    room->player.power = power;
+    room->camera = (Camera){.kind = room->camera.kind, .azimuth = VIEW_AZIMUTH, .elevation = VIEW_ELEVATION, .zoom = 1};
+    room->follows = false;
+    room->charts_wait = true;
+    scenery_forget(&room->scenery);
+    room->kind->reveal(live, room->layers);
+    room_look(room);
+    return true;
+}
+
+/* Keeps what is followed in the middle of the view. */
+static void follow(Room *room) {
+    Box box;
+    LiveThing thing = room->kind->selected(room->live);
+    if (!room->follows || !room->scenery.painted || !room_box(room, thing, &box))
+        return;
+    Vec2 at = scenery_point(&room->scenery, vec2_scale(vec2_add(box.low, box.high), 0.5));
+    Box plan = room->scenery.still.frame;
+    Vec2 middle = vec2_scale(vec2_add(plan.low, plan.high), 0.5), away = vec2_sub(at, middle);
+    if (fabs(away.x) < FOLLOW_FREE * box_width(plan) && fabs(away.y) < FOLLOW_FREE * box_height(plan))
+        return;
+    room_pan(room, vec2_sub(scenery_floor(&room->scenery, at), scenery_floor(&room->scenery, middle)));
+}
+
+unsigned room_update(Room *room, double seconds) {
+    if (!room->live)
+        return 0;
+    const LiveKind *kind = room->kind;
+    double begun = glass_now();
+    LiveSpan span = kind->span(room->live);
+    double wish = player_wish(&room->player, seconds, &span);
+    kind->reach(room->live, wish);
+    unsigned changes = kind->update(room->live, room->player.time);
+    span = kind->span(room->live);
+    player_advance(&room->player, seconds, wish, &span);
+    room->worked += glass_now() - begun;
+    follow(room);
+    if (changes & LIVE_VIEW)
+        scenery_forget(&room->scenery);
+    if (changes & LIVE_PLOTS)
+        room->charts_wait = true;
+    return changes;
+}
+
+/* Looking ---------------------------------------------------------------------------------------------------------- */
+
+void room_look(Room *room) {
+    if (room->live)
+        room->kind->look(room->live, room->camera);
+}
+
+void room_zoom(Room *room, double times, Vec2 about) {
+    double zoom = fmin(fmax(room->camera.zoom * times, ZOOM_LEAST), ZOOM_MOST);
+    const Scene *still = room->kind->still(room->live);
+    Vec2 middle = vec2_add(vec2_scale(vec2_add(still->box.low, still->box.high), 0.5), room->camera.pan);
+    Vec2 moved = vec2_scale(vec2_sub(about, middle), 1 - room->camera.zoom / zoom);
+    room->camera.pan = vec2_add(room->camera.pan, moved);
+    room->camera.zoom = zoom;
+    room_look(room);
+}
+
+void room_pan(Room *room, Vec2 metres) {
+    room->camera.pan = vec2_add(room->camera.pan, metres);
+    room_look(room);
+}
+
+void room_fit(Room *room) {
+    room->camera.pan = vec2(0, 0);
+    room->camera.zoom = 1;
+    room->camera.azimuth = VIEW_AZIMUTH;
+    room->camera.elevation = VIEW_ELEVATION;
+    room->follows = false;
+    room_look(room);
+}
+
+bool room_box(const Room *room, LiveThing thing, Box *box) {
+    Vec2 points[LIVE_OUTLINE_MOST];
+    if (!room->live || !thing.kind)
+        return false;
+    size_t count = room->kind->outline(room->live, thing, room->player.time, points);
+    *box = box_empty();
+    for (size_t i = 0; i < count; i++)
+        *box = box_include(*box, points[i]);
+    return count > 0;
+}
+
+void room_select(Room *room, LiveThing thing) {
+    room->kind->select(room->live, thing);
+}
+
+void room_show_selected(Room *room) {
+    Box box;
+    if (!room_box(room, room->kind->selected(room->live), &box))
+        return;
+    const Scene *still = room->kind->still(room->live);
+    Vec2 all = vec2_scale(vec2_add(still->box.low, still->box.high), 0.5);
+    double size = ZOOM_NEAR * fmax(fmax(box_width(box), box_height(box)), 0.25);
+    room->camera.pan = vec2_sub(vec2_scale(vec2_add(box.low, box.high), 0.5), all);
+    room->camera.zoom = fmin(fmax(fmin(box_width(still->box), box_height(still->box)) / size, 1), ZOOM_MOST);
+    room_look(room);
+}
+
+void room_seek(Room *room, double time) {
+    LiveSpan span = room->kind->span(room->live);
+    player_seek(&room->player, time, &span);
+}

@@ -1,0 +1,50 @@
+/* A laboratory in the window: what is open in it, which moment is shown, and how it is looked at. */
+#pragma once
+
+#include "laboratory/live.h"
+#include "window/charts.h"
+#include "window/player.h"
+#include "window/scenery.h"
+
+typedef struct Room {
+    const LiveKind *kind;
+    void *live; /* NULL: nothing is open */
+    char *path; /* of the file */
+    Player player;
+    Camera camera;
+    unsigned layers;   /* shown, bits */
+    bool follows;      /* what is selected stays in the middle */
+    const char *plots; /* names of those shown, separated by commas; not owned */
+    Scenery scenery;
+    Charts charts;
+    bool charts_wait; /* they are to be chosen anew */
+    double worked;    /* s on the wall, that simulating has taken since it was last set to 0 */
+} Room;
+
+/* Of a laboratory, empty. room_close releases what it holds. */
+Room room_make(const LiveKind *kind);
+void room_close(Room *room, PaintGlScreen *screen);
+
+/* Opens a file in place of what is open. False: faults say why, and what is open stays. */
+bool room_open(Room *room, const char *path, const LiveOptions *options, PaintGlScreen *screen, Fault *fault);
+
+/* Moves on by so many s on the wall, and takes over what has come since; returns LIVE_... */
+unsigned room_update(Room *room, double seconds);
+
+/* Shows what is in the camera now. */
+void room_look(Room *room);
+
+/* Enlarges about a place, m, that stays where it is; moves what is seen; shows all. */
+void room_zoom(Room *room, double times, Vec2 about);
+void room_pan(Room *room, Vec2 metres);
+void room_fit(Room *room);
+
+/* The middle of a thing now, m; false: it is nowhere. And its box. */
+bool room_box(const Room *room, LiveThing thing, Box *box);
+
+/* Selects a thing; brings what is selected before the eye. */
+void room_select(Room *room, LiveThing thing);
+void room_show_selected(Room *room);
+
+/* Shows a moment. */
+void room_seek(Room *room, double time);

@@ -1,0 +1,150 @@
+#include "window/sheet_export.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "window/act.h"
+
+#define WIDTH 760.0 /* design points */
+#define HEIGHT 560.0
+
+/* What can be made by the program's own command line. */
+typedef struct Making {
+    const char *label, *meaning;
+    const char *options[12]; /* NULL-ended; behind the command of what is shown */
+    const char *name;        /* of the folder or file */
+    bool movie;
+} Making;
+
+static const Making makings[] = {
+    {"Data",
+     "summary.json and trace.csv of the run, with pictures of its end as PNG, SVG and PDF",
+     {NULL},
+     "data",
+     false},
+    {"Plots", "every plot as PNG, SVG, PDF and CSV, with units", {"--plots", NULL}, "plots", false},
+    {"Report", "a page to be handed on, as HTML and PDF (houses)", {"--report", NULL}, "report", false},
+    {"Frames", "a picture for every 1/30 of a simulated second, 1280 x 720", {"--frames", "30", NULL}, "frames", false},
+    {"Frames, raised",
+     "the same, seen from the side (houses)",
+     {"--frames", "30", "--view", "raised", NULL},
+     "frames",
+     false},
+    {"Film", "the same as film.mp4, when ffmpeg is installed", {NULL}, "film", true},
+    {"Film, 1920 x 1080", "larger", {"--size", "1920x1080", NULL}, "film", true},
+};
+enum { MAKINGS = sizeof makings / sizeof *makings, OPTIONS_MOST = 16 };
+
+static const char *all_plots(Window *window, const Room *room) {
+    return room->kind == &house_live
+               ? "speed,clearance,force,ring,phase"
+               : text_in_arena(&window->words, "phase,poincare,force,displacement,velocity,spectrum");
+}
+
+static void make(Window *window, const Making *making) {
+    static const char *const folders[] = {"", NULL}, *const films[] = {".mp4", NULL};
+    Room *room = window_room(window);
+    Fault fault = {0};
+    const char *options[OPTIONS_MOST];
+    size_t count = 0;
+    for (size_t i = 0; making->options[i]; i++) {
+        options[count++] = making->options[i];
+        if (strcmp(making->options[i], "--plots") == 0)
+            options[count++] = all_plots(window, room);
+    }
+    options[count++] = "--theme";
+    options[count++] = window->theme == THEME_BOARD ? "board" : "paper";
+    char *folder = act_folder(window);
+    if (!folder || window->export)
+        return;
+    const char *name = text_in_arena(&window->words, "%s %s", room->kind->title(room->live), making->name);
+    char *out = export_free_name(folder, name, making->movie ? films : folders);
+    const char *movie = making->movie ? text_in_arena(&window->words, "%s.mp4", out) : NULL;
+    ExportOrder order = {.options = options, .option_count = count, .out = making->movie ? NULL : out, .movie = movie};
+    order.words = room->kind->command(room->live, &order.word_count);
+    window->export = export_begin(&order, &fault);
+    if (window->export)
+        act_say(window, "writing %s", movie ? movie : out);
+    act_complain(window, &fault, NAN);
+    memory_free(out);
+    memory_free(folder);
+}
+
+static Box centred(const Window *window) {
+    Vec2 page = window->frame.page, half = {fmin(WIDTH, page.x - 16) / 2, fmin(HEIGHT, page.y - 16) / 2};
+    Vec2 middle = vec2_scale(page, 0.5);
+    return (Box){vec2_sub(middle, half), vec2_add(middle, half)};
+}
+
+static void show_now(Window *window) {
+    UiRow now = {.id = "now",
+                 .shape = ROW_PLAIN,
+                 .cells = {"What is seen now: PNG and SVG, and the command that makes it", "F9"},
+                 .usable = true};
+    if (ui_list_row(window->ui, &now)) {
+        act_close_sheet(window);
+        act_do(window, ACTION_PICTURE, 0, 0);
+    }
+}
+
+void sheet_export_show(Window *window) {
+    Room *room = window_room(window);
+    ui_pane_begin(
+        window->ui,
+        &(UiPane){.name = "sheet", .box = centred(window), .ground = ROLE_PANEL, .scrolls = true, .modal = true});
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Export");
+    size_t count;
+    const char *const *words = room->live ? room->kind->command(room->live, &count) : NULL;
+    char *command = words ? export_command(words, count) : NULL;
+    ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, command ? command : "");
+    memory_free(command);
+    if (ui_button(window->ui,
+                  &(UiButton){.label = "Copy command", .help = keys_help(&window->words, ACTION_COPY_COMMAND)}))
+        act_do(window, ACTION_COPY_COMMAND, 0, 0);
+    ui_heading(window->ui, "Now");
+    show_now(window);
+    ui_heading(window->ui, "From the run, in the background");
+    for (size_t i = 0; i < MAKINGS && window->sheet == SHEET_EXPORT; i++) {
+        const char *label = text_in_arena(&window->words, "%s: %s", makings[i].label, makings[i].meaning);
+        if (ui_list_row(window->ui,
+                        &(UiRow){.id = makings[i].label, .shape = ROW_PLAIN, .cells = {label}, .usable = true})) {
+            act_close_sheet(window);
+            make(window, &makings[i]);
+        }
+    }
+    ui_pane_end(window->ui);
+}
+
+/* Saving ----------------------------------------------------------------------------------------------------------- */
+
+static void save(Window *window) {
+    Room *room = window_room(window);
+    Fault fault = {0};
+    if (room->kind->save(room->live, window->field, &fault)) {
+        act_say(window, "saved: %s", window->field);
+        settings_add_recent(&window->settings, window->field);
+        act_close_sheet(window);
+    }
+    act_complain(window, &fault, NAN);
+}
+
+void sheet_export_show_save(Window *window) {
+    Box box = centred(window);
+    box.high.y = box.low.y + 250;
+    ui_pane_begin(window->ui,
+                  &(UiPane){.name = "sheet", .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true});
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save a copy");
+    ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT,
+            "The file that was opened stays as it is. The copy holds the numbers as they are now.");
+    bool typed =
+        ui_field(window->ui, "path", "path of the copy", "Path: Return saves", window->field, sizeof window->field);
+    ui_row(window->ui, 2);
+    bool pressed =
+        ui_button(window->ui, &(UiButton){.label = "Save", .help = "Save: writes the file beside and renames it"});
+    if (ui_button(window->ui, &(UiButton){.label = "Cancel", .help = "Cancel (Escape)"}))
+        act_close_sheet(window);
+    else if (typed || pressed)
+        save(window);
+    ui_pane_end(window->ui);
+}

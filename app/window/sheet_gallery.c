@@ -1,0 +1,113 @@
+#include "window/sheet_gallery.h"
+
+#include <math.h>
+
+#include "window/act.h"
+
+/* Design points. */
+#define EDGE 24.0
+#define ITEM_WIDTH 268.0
+#define PICTURE_HEIGHT 150.0
+#define WORDS_HEIGHT 78.0
+#define GAP 12.0
+#define HEAD 44.0
+
+/* The gallery ------------------------------------------------------------------------------------------------------ */
+
+static void fill_pictures(Window *window, const GalleryItem *items, size_t count) {
+    for (size_t i = 0; i < count && i < GALLERY_MOST; i++)
+        if (items[i].pixels && !window->pictures[i].name)
+            paint_gl_screen_fill(window->screen, &window->pictures[i], items[i].pixels, GALLERY_WIDTH, GALLERY_HEIGHT,
+                                 4 * GALLERY_WIDTH, 0, 0, GALLERY_WIDTH, GALLERY_HEIGHT);
+}
+
+void sheet_gallery_clear(Window *window) {
+    for (size_t i = 0; i < GALLERY_MOST; i++)
+        if (window->pictures[i].name)
+            paint_gl_screen_forget(window->screen, &window->pictures[i]);
+}
+
+/* A picture, a name and a line; true: it was chosen. */
+static bool show_item(Window *window, const GalleryItem *item, size_t index) {
+    UiCard card = {.id = item->path,
+                   .name = item->name,
+                   .words = item->fault ? item->fault : item->line,
+                   .picture = index < GALLERY_MOST && window->pictures[index].name ? &window->pictures[index] : NULL,
+                   .picture_height = PICTURE_HEIGHT,
+                   .words_height = WORDS_HEIGHT};
+    return ui_card(window->ui, &card);
+}
+
+void sheet_gallery_show(Window *window) {
+    size_t count;
+    if (gallery_update(window->gallery))
+        window->dirty = true;
+    const GalleryItem *items = gallery_items(window->gallery, &count);
+    fill_pictures(window, items, count);
+    Box box = box_expand((Box){{0, 0}, window->frame.page}, -EDGE);
+    ui_pane_begin(window->ui,
+                  &(UiPane){.name = "sheet", .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true});
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Gallery: choose one to open it; Escape goes back");
+    int columns = (int)fmax(1, floor(box_width(box) / (ITEM_WIDTH + GAP)));
+    for (size_t i = 0; i < count; i++) {
+        if (i % (size_t)columns == 0)
+            ui_row(window->ui, columns);
+        if (show_item(window, &items[i], i)) {
+            act_close_sheet(window);
+            act_open(window, items[i].path);
+            break;
+        }
+    }
+    ui_pane_end(window->ui);
+}
+
+/* Folders ---------------------------------------------------------------------------------------------------------- */
+
+static const char *kind_words(FolderKind kind) {
+    static const char *const words[] = {[FOLDER_ABOVE] = "folder above",
+                                        [FOLDER_FOLDER] = "folder",
+                                        [FOLDER_HOUSE] = "house",
+                                        [FOLDER_BEAM] = "beam",
+                                        [FOLDER_OTHER] = "other"};
+    return words[kind];
+}
+
+/* Goes into a folder, or opens a file. */
+static void choose(Window *window, const FolderEntry *entry) {
+    Fault fault = {0};
+    const char *path = text_in_arena(&window->words, "%s", entry->path);
+    if (entry->kind == FOLDER_ABOVE || entry->kind == FOLDER_FOLDER) {
+        folder_read(&window->folder, path, &fault);
+        act_complain(window, &fault, NAN);
+        return;
+    }
+    window->settings.state.folder = settings_keep(&window->settings, window->folder.path);
+    act_close_sheet(window);
+    act_open(window, path);
+}
+
+void sheet_gallery_show_open(Window *window) {
+    Box box = box_expand((Box){{0, 0}, window->frame.page}, -3 * EDGE);
+    ui_pane_begin(window->ui,
+                  &(UiPane){.name = "sheet", .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true});
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Open a house or a beam");
+    ui_line(window->ui, UI_BODY, ROLE_DIM_TEXT, window->folder.path);
+    if (ui_field(window->ui, "path", "or type its path", "Path: Return opens it", window->field,
+                 sizeof window->field)) {
+        const char *path = text_in_arena(&window->words, "%s", window->field);
+        act_close_sheet(window);
+        act_open(window, path);
+    }
+    for (size_t i = 0; i < window->folder.count; i++) {
+        const FolderEntry *entry = &window->folder.entries[i];
+        UiRow row = {.id = text_in_arena(&window->words, "entry %zu", i),
+                     .shape = ROW_PLAIN,
+                     .cells = {entry->name, kind_words(entry->kind)},
+                     .usable = true};
+        if (ui_list_row(window->ui, &row)) {
+            choose(window, entry);
+            break;
+        }
+    }
+    ui_pane_end(window->ui);
+}

@@ -1,0 +1,161 @@
+#include "window/timeline.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "window/act.h"
+
+/* Design points. */
+#define MARGIN 8.0
+#define GAP 6.0
+#define BUTTON_PAD 18.0
+#define TRACK_HEIGHT 10.0
+#define HEAD_WIDTH 10.0
+#define HEAD_HEIGHT 26.0
+#define TICK_HEIGHT 16.0
+#define LEAST_TRACK 90.0
+#define LEAST_BUTTON 30.0
+#define CLOCK_WIDEST "00000.0 s"
+
+static Vec2 middle_of(Box box) {
+    return vec2_scale(vec2_add(box.low, box.high), 0.5);
+}
+
+typedef struct Row {
+    Window *window;
+    Box bar;
+    double left, right; /* what is still free */
+} Row;
+
+/* A button for an action, at the left or at the right of what is free. */
+static void add_button(Row *row, Action action, const char *label, bool chosen, bool at_right) {
+    double pad = row->window->frame.compact ? BUTTON_PAD / 2 : BUTTON_PAD;
+    const char *widest = action == ACTION_PLAY ? "Pause" : label; /* nothing moves when its words change */
+    double width = fmax(ui_extent(row->window->ui, UI_BOLD, widest).x + pad, LEAST_BUTTON);
+    double left = at_right ? row->right - width : row->left;
+    ui_at(row->window->ui, (Box){{left, row->bar.low.y + MARGIN}, {left + width, row->bar.high.y - MARGIN}});
+    UiButton button = {
+        .id = keys_row(action)->name, .label = label, .help = keys_help(&row->window->words, action), .chosen = chosen};
+    if (ui_button(row->window->ui, &button))
+        act_do(row->window, action, 0, 0);
+    if (at_right)
+        row->right = left - GAP;
+    else
+        row->left = left + width + GAP;
+}
+
+/* The words keep their place whatever they are. */
+static void add_words(Row *row, UiLetters letters, const char *words, const char *widest, bool at_right) {
+    double width = fmax(ui_extent(row->window->ui, letters, words).x, ui_extent(row->window->ui, letters, widest).x);
+    double left = at_right ? row->right - width : row->left, y = middle_of(row->bar).y;
+    double at = at_right ? left + width / 2 : left;
+    ui_draw_words(row->window->ui, letters, ROLE_TEXT, vec2(at, y), at_right ? 0.5 : 0, words);
+    if (at_right)
+        row->right = left - GAP;
+    else
+        row->left = left + width + 2 * GAP;
+}
+
+/* "2x", "1/4x"; asked and, while it plays, achieved. */
+static const char *speed_words(Window *window, const Player *player) {
+    double speed = player_speed(player);
+    const char *asked =
+        speed < 1 ? text_in_arena(&window->words, "1/%.0fx", 1 / speed) : text_in_arena(&window->words, "%.0fx", speed);
+    if (!player->playing || isnan(player->achieved))
+        return asked;
+    return text_in_arena(&window->words, "%s (%.3g)", asked, player->achieved);
+}
+
+/* The line --------------------------------------------------------------------------------------------------------- */
+
+typedef struct Track {
+    Box box;
+    LiveSpan span;
+} Track;
+
+static double place_of(const Track *track, double time) {
+    double length = track->span.end - track->span.begin;
+    double part = length > 0 ? (time - track->span.begin) / length : 0;
+    return track->box.low.x + fmin(fmax(part, 0), 1) * box_width(track->box);
+}
+
+static double time_at(const Track *track, double x) {
+    double part = fmin(fmax((x - track->box.low.x) / box_width(track->box), 0), 1);
+    return track->span.begin + part * (track->span.end - track->span.begin);
+}
+
+/* Marks differ by shape: a touch is a stroke below, an exit a diamond, a change a box, trouble a stroke through. */
+static void show_ticks(Ui *ui, const Track *track, const Room *room) {
+    size_t count;
+    const LiveTick *ticks = room->kind->ticks(room->live, &count);
+    double y = middle_of(track->box).y;
+    for (size_t i = 0; i < count; i++) {
+        if (ticks[i].time < track->span.begin || ticks[i].time > track->span.end)
+            continue;
+        double x = place_of(track, ticks[i].time);
+        if (ticks[i].kind == LIVE_TICK_CONTACT)
+            ui_draw_line(ui, vec2(x, y + TRACK_HEIGHT / 2), vec2(x, y + TICK_HEIGHT), ROLE_IMPACT, 2);
+        else if (ticks[i].kind == LIVE_TICK_EXIT)
+            ui_draw_diamond(ui, vec2(x, y - TICK_HEIGHT + 2), 5, ROLE_EXIT_TAG);
+        else if (ticks[i].kind == LIVE_TICK_CHANGE)
+            ui_draw_box(ui, (Box){{x - 3, y - TICK_HEIGHT}, {x + 3, y - TICK_HEIGHT + 6}}, ROLE_LOCUS_SECOND, 1);
+        else
+            ui_draw_line(ui, vec2(x, y - TICK_HEIGHT), vec2(x, y + TICK_HEIGHT), ROLE_ERROR, 3);
+    }
+}
+
+static void show_marks(Ui *ui, const Track *track, const Player *player) {
+    if (!player->loops)
+        return;
+    double from = place_of(track, isnan(player->in) ? track->span.begin : player->in);
+    double to = place_of(track, isnan(player->out) ? track->span.end : player->out), y = middle_of(track->box).y;
+    ui_draw_line(ui, vec2(from, y + TICK_HEIGHT), vec2(to, y + TICK_HEIGHT), ROLE_LOCUS_SECOND, 3);
+    ui_draw_line(ui, vec2(from, y - TICK_HEIGHT), vec2(from, y + TICK_HEIGHT), ROLE_LOCUS_SECOND, 2);
+    ui_draw_line(ui, vec2(to, y - TICK_HEIGHT), vec2(to, y + TICK_HEIGHT), ROLE_LOCUS_SECOND, 2);
+}
+
+static void show_track(Window *window, Room *room, Box box) {
+    Ui *ui = window->ui;
+    Track track = {box, room->kind->span(room->live)};
+    double y = middle_of(box).y, head = place_of(&track, room->player.time);
+    Box line = {{box.low.x, y - TRACK_HEIGHT / 2}, {box.high.x, y + TRACK_HEIGHT / 2}};
+    ui_draw_box(ui, line, ROLE_FURNITURE_LINE, 0.45);
+    ui_draw_box(ui, (Box){line.low, {head, line.high.y}}, ROLE_CHAIR, 1);
+    show_marks(ui, &track, &room->player);
+    show_ticks(ui, &track, room);
+    ui_draw_box(ui, (Box){{head - HEAD_WIDTH / 2, y - HEAD_HEIGHT / 2}, {head + HEAD_WIDTH / 2, y + HEAD_HEIGHT / 2}},
+                ROLE_TEXT, 1);
+    UiGrab grab = ui_grab(ui, "track", box_expand(box, HEAD_WIDTH / 2));
+    if (grab.pressed || grab.held) {
+        room_seek(room, time_at(&track, grab.at.x));
+        window->dirty = true;
+    }
+}
+
+void timeline_show(Window *window) {
+    Room *room = window_room(window);
+    Row row = {window, window->frame.timeline, MARGIN, window->frame.timeline.high.x - MARGIN};
+    bool compact = window->frame.compact;
+    ui_pane_begin(window->ui, &(UiPane){.name = "timeline", .box = row.bar, .ground = ROLE_SHADE, .stop = true});
+    if (room->live) {
+        if (!compact)
+            add_button(&row, ACTION_START, "|<", false, false);
+        if (!compact)
+            add_button(&row, ACTION_STEP_BACK, "<", false, false);
+        add_button(&row, ACTION_PLAY, room->player.playing ? "Pause" : "Play", true, false);
+        if (!compact)
+            add_button(&row, ACTION_STEP, ">", false, false);
+        if (!compact)
+            add_button(&row, ACTION_LOOP, "Loop", room->player.loops, false);
+        add_words(&row, compact ? UI_BOLD : UI_CLOCK, room->kind->clock(room->live, room->player.time), CLOCK_WIDEST,
+                  false);
+        if (!compact)
+            add_button(&row, ACTION_NOW, "Now", false, true);
+        add_button(&row, ACTION_FASTER, "+", false, true);
+        add_words(&row, UI_BODY, speed_words(window, &room->player), compact ? "16x" : "16x (15.9)", true);
+        add_button(&row, ACTION_SLOWER, "-", false, true);
+        if (row.right - row.left > LEAST_TRACK)
+            show_track(window, room, (Box){{row.left + GAP, row.bar.low.y}, {row.right - GAP, row.bar.high.y}});
+    }
+    ui_pane_end(window->ui);
+}

@@ -1,0 +1,415 @@
+#include "window/window.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "laboratory/shipped.h"
+#include "window/act.h"
+#include "window/bars.h"
+#include "window/outlook.h"
+#include "window/panel.h"
+#include "window/scripted.h"
+#include "window/sheet_gallery.h"
+#include "window/sheets.h"
+#include "window/timeline.h"
+#include "window/window_state.h"
+
+enum { WIDTH = 1280, HEIGHT = 720 /* pixels, of a window that is new */ };
+
+#define PRESENT_TEXT 1.5   /* times the size of letters, in front of a class */
+#define IDLE_WAIT 0.05     /* s, for an event, while nothing moves */
+#define LEAST_UNIT 0.75    /* pixels a design point: letters are read on the smallest window, too */
+#define SOUND_MOST 4096    /* samples a frame */
+#define BENCHMARK_WARM 3.0 /* s, before frames are counted */
+
+/* Keys ------------------------------------------------------------------------------------------------------------- */
+
+/* What kind of place has the focus. */
+static KeyPlace place_of(const Window *window) {
+    const char *pane = ui_focus_pane(window->ui);
+    if (window->sheet != SHEET_NONE)
+        return KEY_ANYWHERE;
+    if (strncmp(pane, "plot:", 5) == 0)
+        return KEY_PLOT;
+    if (strcmp(pane, "timeline") == 0 && ui_focus_is_pane(window->ui))
+        return KEY_TIMELINE;
+    return strcmp(pane, "view") == 0 || !*pane ? KEY_VIEW : KEY_ANYWHERE;
+}
+
+typedef struct WidgetKey {
+    const char *name;
+    UiKey key;
+    bool control;
+} WidgetKey;
+
+/* The widgets' key, or UI_KEYS. */
+static UiKey widget_key(const GlassEvent *event) {
+    static const WidgetKey known[] = {
+        {"Return", UI_KEY_ENTER, false},
+        {"Keypad Enter", UI_KEY_ENTER, false},
+        {"Space", UI_KEY_SPACE, false},
+        {"Escape", UI_KEY_ESCAPE, false},
+        {"Left", UI_KEY_LEFT, false},
+        {"Right", UI_KEY_RIGHT, false},
+        {"Up", UI_KEY_UP, false},
+        {"Down", UI_KEY_DOWN, false},
+        {"Home", UI_KEY_HOME, false},
+        {"End", UI_KEY_END, false},
+        {"PageUp", UI_KEY_PAGE_UP, false},
+        {"PageDown", UI_KEY_PAGE_DOWN, false},
+        {"Backspace", UI_KEY_BACKSPACE, false},
+        {"Delete", UI_KEY_DELETE, false},
+        {"A", UI_KEY_SELECT_ALL, true},
+        {"C", UI_KEY_COPY, true},
+        {"V", UI_KEY_PASTE, true},
+        {"X", UI_KEY_CUT, true},
+    };
+    bool control = event->mods & GLASS_CONTROL, shift = event->mods & GLASS_SHIFT;
+    if (event->key == glass_key("Tab"))
+        return shift ? UI_KEY_PREVIOUS : UI_KEY_NEXT;
+    if (event->key == glass_key("F6"))
+        return shift ? UI_KEY_PANE_BACK : UI_KEY_PANE;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (event->key == glass_key(known[i].name) && known[i].control == control)
+            return known[i].key;
+    return UI_KEYS;
+}
+
+static bool give_to_widgets(Window *window, const GlassEvent *event) {
+    UiKey key = widget_key(event);
+    if (key == UI_KEYS || event->mods & GLASS_ALT)
+        return false;
+    return ui_key(window->ui, key, event->mods & GLASS_SHIFT, event->mods & GLASS_CONTROL);
+}
+
+/* An open field has the letters; then what the focus is on; then the table; then the widgets again. */
+static void take_key(Window *window, const GlassEvent *event) {
+    KeyPlace place = place_of(window);
+    bool walks = place == KEY_VIEW && event->key == glass_key("Tab"), types = ui_types(window->ui);
+    bool escapes = event->key == glass_key("Escape") && !types && window->sheet != SHEET_NONE;
+    if (!walks && !escapes && (types || place == KEY_ANYWHERE || place == KEY_TIMELINE) &&
+        give_to_widgets(window, event))
+        return;
+    bool letters = !types && place != KEY_ANYWHERE && window->settings.likes.letters;
+    const KeyRow *row = keys_find(event->key, event->mods, place, letters);
+    if (row && !(types && row->action == ACTION_COPY_COMMAND))
+        act_do(window, row->action, event->key, event->mods);
+    else
+        give_to_widgets(window, event);
+}
+
+/* Events ----------------------------------------------------------------------------------------------------------- */
+
+static void take(Window *window, const GlassEvent *event) {
+    window->dirty |= event->kind != GLASS_NOTHING;
+    switch (event->kind) {
+    case GLASS_QUIT:
+        window->quit = true;
+        break;
+    case GLASS_KEY:
+        take_key(window, event);
+        break;
+    case GLASS_TEXT:
+        ui_type(window->ui, event->text);
+        break;
+    case GLASS_MOUSE:
+        window->mouse = event->at;
+        break;
+    case GLASS_BUTTON:
+        window->mouse = event->at;
+        window->input.down[event->button] = event->down;
+        window->input.twice |= event->twice && event->button == GLASS_LEFT;
+        break;
+    case GLASS_WHEEL:
+        window->input.wheel += event->wheel;
+        break;
+    case GLASS_FILE:
+        act_open(window, event->text);
+        break;
+    default:
+        break;
+    }
+}
+
+/* A press and its release must be seen in two frames: the second waits. */
+static void take_events(Window *window, double wait) {
+    GlassEvent event;
+    bool pressed = false;
+    while (glass_next(window->glass, &event, pressed ? 0 : wait)) {
+        wait = 0;
+        take(window, &event);
+        pressed = event.kind == GLASS_BUTTON || event.kind == GLASS_KEY;
+        if (pressed)
+            return;
+    }
+}
+
+/* Frames ----------------------------------------------------------------------------------------------------------- */
+
+/* On whole pixels, so that pictures are copied and not blurred. */
+static Box snapped(const Window *window, Box box) {
+    double unit = window->unit;
+    return (Box){{round(box.low.x * unit) / unit, round(box.low.y * unit) / unit},
+                 {round(box.high.x * unit) / unit, round(box.high.y * unit) / unit}};
+}
+
+static void make_frame(Window *window) {
+    const Room *room = window_room(window);
+    glass_size(window->glass, &window->width, &window->height);
+    double letters = window->text * (window->present ? PRESENT_TEXT : 1);
+    window->unit =
+        fmax(layout_unit(window->width, window->height), LEAST_UNIT * glass_density(window->glass)) * letters;
+    FrameWish wish = {.panel = window->panel,
+                      .plots = window->plots,
+                      .present = window->present,
+                      .plot_count =
+                          room->charts_wait && room->live ? room->kind->plot_count(room->live) : room->charts.count,
+                      .aspect = outlook_aspect(room)};
+    window->frame = frame_make(vec2(window->width / window->unit, window->height / window->unit), &wish);
+    window->frame.view = snapped(window, window->frame.view);
+    for (size_t i = 0; i < window->frame.chart_count; i++)
+        window->frame.charts[i] = snapped(window, window->frame.charts[i]);
+}
+
+static void fill_input(Window *window, double seconds) {
+    UiInput *input = &window->input;
+    input->width = window->width;
+    input->height = window->height;
+    input->unit = window->unit;
+    input->seconds = seconds;
+    input->mouse = window->mouse;
+}
+
+static void show_panes(Window *window) {
+    bars_show_menu(window);
+    bars_show_answer(window);
+    outlook_show(window);
+    panel_show(window);
+    timeline_show(window);
+    bars_show_strip(window);
+    bars_show_message(window);
+    sheets_show(window);
+}
+
+static void draw(Window *window, double seconds) {
+    Room *room = window_room(window);
+    arena_clear(&window->words);
+    make_frame(window);
+    outlook_paint(window);
+    paint_gl_screen_begin(window->screen, window->width, window->height, palette_colour(window->theme, ROLE_PAPER));
+    if (room->live && room->scenery.paint)
+        paint_gl_screen_show(window->screen, room->scenery.paint, (int)lround(window->frame.view.low.x * window->unit),
+                             (int)lround(window->frame.view.low.y * window->unit));
+    fill_input(window, seconds);
+    ui_begin(window->ui, &window->input);
+    show_panes(window);
+    ui_end(window->ui);
+    window->input.wheel = 0;
+    window->input.twice = false;
+}
+
+/* Whether what is shown moves by itself. */
+static bool is_lively(Window *window, const Scripted *scripted) {
+    const Room *room = window_room(window);
+    return window->dirty || scripted_is_busy(scripted) || window->pace.counting || window->export ||
+           (room->live && room->player.playing);
+}
+
+/* Between frames --------------------------------------------------------------------------------------------------- */
+
+static void hear_trouble(Window *window, Room *room) {
+    double time = NAN;
+    const char *trouble = room->kind->trouble(room->live, &time);
+    if (!trouble)
+        return;
+    messages_say(&window->messages, MESSAGE_FAULT, time, "%s", trouble);
+    if (isnan(time))
+        return;
+    LiveSpan span = room->kind->span(room->live);
+    player_pause(&room->player, &span);
+    player_seek(&room->player, time, &span);
+}
+
+static void make_sound(Window *window, const Room *room, double before) {
+    float samples[SOUND_MOST];
+    size_t wanted = window->sound ? sound_room(window->sound) : 0;
+    wanted = wanted < SOUND_MOST ? wanted : SOUND_MOST;
+    if (!wanted)
+        return;
+    if (room->player.playing && room->player.time > before &&
+        room->kind->sound(room->live, before, room->player.time, samples, wanted))
+        sound_feed(window->sound, samples, wanted);
+    else
+        sound_hush(window->sound);
+}
+
+/* What is being written by a child has come to its end. */
+static void end_export(Window *window) {
+    if (!window->export)
+        return;
+    const ExportStatus *status = export_look(window->export);
+    if (status->stage == EXPORT_RUNNING)
+        return;
+    if (status->stage == EXPORT_DONE)
+        act_say(window, "written: %s (%zu files)", status->folder, status->file_count);
+    else
+        messages_say(&window->messages, MESSAGE_FAULT, NAN, "%s", status->reason);
+    export_end(window->export);
+    window->export = NULL;
+}
+
+static void move_on(Window *window, double seconds) {
+    Room *room = window_room(window);
+    double before = room->player.time;
+    for (size_t i = 0; i < ROOMS; i++) {
+        unsigned changes = room_update(&window->rooms[i], i == window->current ? seconds : 0);
+        if (changes & LIVE_TROUBLE)
+            hear_trouble(window, &window->rooms[i]);
+        window->dirty |= changes && i == window->current;
+    }
+    if (room->live)
+        make_sound(window, room, before);
+    end_export(window);
+}
+
+/* One turn of the loop. */
+static void turn(Window *window, Scripted *scripted) {
+    bool lively = is_lively(window, scripted);
+    double seconds = pace_wait(&window->pace), begun = glass_now();
+    take_events(window, lively ? 0 : IDLE_WAIT);
+    double worked = window_room(window)->worked;
+    move_on(window, seconds);
+    if (!is_lively(window, scripted))
+        return;
+    window->dirty = false;
+    draw(window, seconds);
+    scripted_go_on(scripted, window);
+    glass_swap(window->glass);
+    pace_note_first(&window->pace);
+    pace_note(&window->pace, glass_now() - begun, window_room(window)->worked - worked);
+}
+
+/* Beginning and end ------------------------------------------------------------------------------------------------ */
+
+static void take_likes(Window *window) {
+    const WindowOptions *options = window->options;
+    const SettingsLikes *likes = &window->settings.likes;
+    window->theme = (Theme)(options->theme >= 0 ? options->theme : likes->theme);
+    window->text = options->text > 0 ? options->text : likes->text;
+    window->panel = window->plots = true;
+    window->rooms[ROOM_HOUSE] = room_make(&house_live);
+    window->rooms[ROOM_BEAM] = room_make(&beam_live);
+    for (size_t i = 0; i < ROOMS; i++) {
+        const SettingsLaboratory *kept = settings_laboratory(&window->settings, window->rooms[i].kind->word);
+        if (kept->layers >= 0)
+            window->rooms[i].layers = (unsigned)kept->layers;
+        if (*kept->plots)
+            window->rooms[i].plots = kept->plots;
+        window->rooms[i].player.power = kept->speed > 0 ? (int)lround(log2(kept->speed)) : 0;
+    }
+}
+
+static void keep_likes(Window *window) {
+    Fault notes = {0};
+    for (size_t i = 0; i < ROOMS; i++) {
+        const Room *room = &window->rooms[i];
+        SettingsLaboratory *kept = settings_laboratory(&window->settings, room->kind->word);
+        kept->layers = room->layers == room->kind->layers_at_first ? -1 : (int)room->layers;
+        kept->plots = strcmp(room->plots, room->kind->plots_at_first) == 0 ? "" : room->plots;
+        kept->speed = player_speed(&room->player);
+    }
+    if (!window->fullscreen) {
+        window->settings.likes.width = window->width;
+        window->settings.likes.height = window->height;
+    }
+    settings_save(&window->settings, &notes);
+    fault_clear(&notes);
+}
+
+static bool open_glass(Window *window, Fault *fault) {
+    const WindowOptions *options = window->options;
+    const SettingsLikes *likes = &window->settings.likes;
+    int width = options->width > 0 ? options->width : likes->width > 0 ? likes->width : WIDTH;
+    int height = options->height > 0 ? options->height : likes->height > 0 ? likes->height : HEIGHT;
+    window->glass = glass_create(width, height, fault);
+    if (!window->glass)
+        return false;
+    window->screen = paint_gl_screen_create(glass_gl(window->glass));
+    window->ui =
+        ui_create(window->screen, window->theme, (UiClipboard){glass_clipboard, glass_set_clipboard, window->glass});
+    window->mouse = vec2(-1, -1);
+    return true;
+}
+
+static void close_all(Window *window) {
+    if (window->export)
+        export_end(window->export);
+    if (window->sound)
+        sound_close(window->sound);
+    if (window->gallery)
+        gallery_destroy(window->gallery);
+    sheet_gallery_clear(window);
+    for (size_t i = 0; i < ROOMS; i++)
+        room_close(&window->rooms[i], window->screen);
+    ui_destroy(window->ui);
+    paint_gl_screen_destroy(window->screen);
+    glass_destroy(window->glass);
+    folder_clear(&window->folder);
+    arena_clear(&window->words);
+    pace_clear(&window->pace);
+}
+
+static void loop(Window *window, Scripted *scripted) {
+    double begun = glass_now();
+    while (!window->quit) {
+        turn(window, scripted);
+        if (window->options->benchmark > 0 && !window->pace.counting && glass_now() - begun > BENCHMARK_WARM)
+            pace_count(&window->pace);
+        if (window->pace.counting && glass_now() - begun > BENCHMARK_WARM + window->options->benchmark)
+            window->quit = true;
+    }
+    if (window->pace.counting)
+        pace_print(&window->pace, window_room(window)->kind->name, window->width, window->height);
+}
+
+/* The first file: what was asked for, or what is opened when nothing is. */
+static void open_first(Window *window) {
+    const char *file = window->options->file;
+    if (!file || !act_open(window, file))
+        act_open(window, shipped_places()->default_house);
+}
+
+static int fail(Fault *fault) {
+    for (size_t i = 0; i < fault->count; i++)
+        fprintf(stderr, "clearance: %s\n", fault->lines[i]);
+    fault_clear(fault);
+    return 2;
+}
+
+int window_run(const WindowOptions *options) {
+    Window *window = memory_allocate(1, sizeof *window);
+    Scripted scripted = {0};
+    Fault fault = {0};
+    window->options = options;
+    settings_open(&window->settings, &fault);
+    act_complain(window, &fault, NAN);
+    bool good = !options->script || scripted_open(&scripted, options->script, &fault);
+    take_likes(window);
+    good = good && open_glass(window, &fault);
+    int code = good ? 0 : fail(&fault);
+    if (good) {
+        if (window->settings.likes.full_screen)
+            act_do(window, ACTION_FULLSCREEN, 0, 0);
+        open_first(window);
+        loop(window, &scripted);
+        keep_likes(window);
+        close_all(window);
+        code = window->code;
+    }
+    scripted_close(&scripted);
+    messages_clear(&window->messages);
+    settings_close(&window->settings);
+    memory_free(window);
+    return code;
+}

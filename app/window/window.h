@@ -1,0 +1,25 @@
+/* The window. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct WindowOptions {
+    const char *file;            /* NULL: the default house */
+    const char *const *settings; /* (setting_count) NAME=VALUE */
+    size_t setting_count;
+    const char *route; /* id, or NULL */
+    int driving;       /* Driving, or -1 */
+    uint64_t seed;
+    int width, height;   /* pixels; 0: as remembered */
+    int theme;           /* Theme; -1: as remembered */
+    int text;            /* 1 to 3; 0: as remembered */
+    bool reduced_motion; /* otherwise as remembered */
+    const char *script;  /* file, or NULL */
+    double benchmark;    /* s; 0: none */
+    int jobs;            /* threads */
+} WindowOptions;
+
+/* Runs until it is closed; returns the program's exit code. */
+int window_run(const WindowOptions *options);

@@ -1,0 +1,65 @@
+/* Where things are in the window: at every size and with every wish nothing overlaps and all is on the page. */
+
+#include "window/frame.h"
+
+#include "check.h"
+
+static bool is_there(Box box) {
+    return box_width(box) > 1e-9 && box_height(box) > 1e-9;
+}
+
+static bool overlap(Box a, Box b) {
+    const double touch = 1e-6;
+    return is_there(a) && is_there(b) && a.low.x < b.high.x - touch && b.low.x < a.high.x - touch &&
+           a.low.y < b.high.y - touch && b.low.y < a.high.y - touch;
+}
+
+static void check_apart(const Frame *frame) {
+    Box boxes[16];
+    size_t count = 0;
+    const Box bars[] = {frame->menu, frame->answer, frame->view, frame->timeline, frame->strip};
+    for (size_t i = 0; i < sizeof bars / sizeof *bars; i++)
+        boxes[count++] = bars[i];
+    for (size_t i = 0; i < frame->chart_count; i++)
+        boxes[count++] = frame->charts[i];
+    if (!frame->drawer)
+        boxes[count++] = frame->panel;
+    for (size_t i = 0; i < count; i++) {
+        CHECK(boxes[i].low.x >= -1e-9 && boxes[i].high.x <= frame->page.x + 1e-9);
+        CHECK(boxes[i].low.y >= -1e-9 && boxes[i].high.y <= frame->page.y + 1e-9);
+        for (size_t j = 0; j < i; j++)
+            CHECK(!overlap(boxes[i], boxes[j]));
+    }
+}
+
+TEST(nothing_overlaps_at_any_size) {
+    for (double width = 300; width < 1500; width += 53)
+        for (double height = 200; height < 900; height += 47)
+            for (unsigned wishes = 0; wishes < 8; wishes++)
+                for (size_t plots = 0; plots <= FRAME_CHARTS_MOST; plots++) {
+                    FrameWish wish = {wishes & 1, wishes & 2, wishes & 4, plots, wishes & 1 ? 1.2 : 6};
+                    Frame frame = frame_make(vec2(width, height), &wish);
+                    check_apart(&frame);
+                }
+}
+
+TEST(on_a_full_page_the_view_is_large_and_all_plots_are_there) {
+    Frame house = frame_make(vec2(1280, 720), &(FrameWish){true, true, false, 2, 1.2});
+    CHECK(house.chart_count == 2);
+    CHECK(box_width(house.view) >= 500 && box_height(house.view) >= 500);
+    Frame beam = frame_make(vec2(1280, 720), &(FrameWish){true, true, false, 5, 6});
+    CHECK(beam.chart_count == 5);
+    CHECK(box_width(beam.view) >= 900 && box_height(beam.view) >= 120);
+}
+
+TEST(at_twice_the_letters_there_is_still_a_view) {
+    Frame frame = frame_make(vec2(640, 360), &(FrameWish){false, true, false, 2, 1.2});
+    CHECK(frame.compact && frame.drawer);
+    CHECK(box_width(frame.view) >= 250 && box_height(frame.view) >= 200);
+}
+
+TEST(presenting_leaves_answer_view_and_timeline) {
+    Frame frame = frame_make(vec2(853, 480), &(FrameWish){true, true, true, 2, 1.2});
+    CHECK(!is_there(frame.menu) && !is_there(frame.strip) && !is_there(frame.panel));
+    CHECK(is_there(frame.answer) && is_there(frame.view) && is_there(frame.timeline));
+}

@@ -1,0 +1,406 @@
+/* The House laboratory at work: whatever is shown, pointed at and changed meanwhile, a run is the one that the command
+ * line makes; what is wrong is said and changes nothing. */
+
+#include "laboratory/house_live.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+#include "case.h"
+#include "check.h"
+#include "house/run.h"
+#include "laboratory/silhouette.h"
+
+static const LiveKind *const kind = &house_live;
+
+static double now(void) {
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static void *open_live(const char *name, const char *const *settings, size_t setting_count, const char *route) {
+    char path[4096], profiles[4096];
+    snprintf(path, sizeof path, "%s/houses/%s.json", check_source(), name);
+    snprintf(profiles, sizeof profiles, "%s/assets/profiles", check_source());
+    Fault fault = {0};
+    LiveOptions options = {.profiles = profiles,
+                           .settings = settings,
+                           .setting_count = setting_count,
+                           .route = route,
+                           .driving = -1,
+                           .seed = 1,
+                           .jobs = 2};
+    void *live = kind->open(path, &options, &fault);
+    for (size_t i = 0; i < fault.count; i++)
+        printf("%s\n", fault.lines[i]);
+    fault_clear(&fault);
+    return live;
+}
+
+static void rest(void) {
+    nanosleep(&(struct timespec){.tv_nsec = 2000000}, NULL);
+}
+
+/* Until nothing is in work; returns all that has changed. */
+static unsigned settle(void *live, double time) {
+    unsigned changed = 0;
+    double begun = now();
+    do {
+        changed |= kind->update(live, time);
+        rest();
+    } while ((!kind->span(live).complete || kind->answer(live).stale || kind->answer(live).doing) &&
+             now() - begun < 120);
+    changed |= kind->update(live, time);
+    CHECK(kind->span(live).complete && !kind->answer(live).stale);
+    return changed;
+}
+
+static uint64_t digest_of(const char *name, const char *const *settings, const char *route, int driving) {
+    House house;
+    case_house(&house, name, driving, settings);
+    Observation observation;
+    run_house(&observation, &house,
+              &(RunOptions){.route = route ? plan_find_route(&house.plan, route) : SIZE_MAX, .jobs = 1});
+    uint64_t digest = observation.digest;
+    observation_free(&observation);
+    house_free(&house);
+    return digest;
+}
+
+static bool set(void *live, const char *name, double value) {
+    Fault fault = {0};
+    bool good = kind->set(live, name, value, &fault);
+    for (size_t i = 0; i < fault.count; i++)
+        printf("%s\n", fault.lines[i]);
+    CHECK(good == !fault.total);
+    fault_clear(&fault);
+    return good;
+}
+
+static const LiveParameter *parameter(void *live, const char *name) {
+    size_t count;
+    const LiveParameter *all = kind->parameters(live, &count);
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(all[i].name, name) == 0)
+            return &all[i];
+    return NULL;
+}
+
+/* What a painter is given, as text: the whole of the layer that stays and the one that moves. */
+static char *picture_at(void *live, double time) {
+    kind->update(live, time);
+    kind->look(live, (Camera){.zoom = 1}); /* all is added anew */
+    kind->update(live, time);
+    CHECK(!kind->show(live, time));
+    Text text = {0};
+    const Scene *scenes[] = {kind->added(live), kind->moving(live)};
+    for (size_t s = 0; s < 2; s++)
+        for (size_t i = 0; i < scenes[s]->count; i++) {
+            const Primitive *primitive = &scenes[s]->primitives[i];
+            text_format(&text, "%d %d %d %.9f %.9f", primitive->kind, primitive->fill, primitive->edge,
+                        primitive->radius, primitive->begun);
+            for (size_t p = 0; p < primitive->count; p++)
+                text_format(&text, " %.9f,%.9f", primitive->points[p].x, primitive->points[p].y);
+            text_format(&text, " %s\n", primitive->text);
+        }
+    return text.text;
+}
+
+TEST(a_run_in_the_window_is_the_one_of_the_command_line) {
+    static const char *const names[] = {"ube-techno-house", "two-chairs-corridor", "corner-1.20-1.20"};
+    for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
+        void *live = open_live(names[n], NULL, 0, NULL);
+        CHECK(house_live_digest(live) == 0);
+        for (int i = 0; i < 50; i++) { /* whatever is shown meanwhile */
+            kind->update(live, 0.3 * i);
+            double end = kind->span(live).end;
+            kind->show(live, end * (i % 7) / 7);
+            kind->pick(live, vec2(1, 1), end, (LiveThing){0, 0});
+            rest();
+        }
+        CHECK(settle(live, 1) | LIVE_VIEW);
+        CHECK(house_live_digest(live) == digest_of(names[n], NULL, NULL, -1));
+        CHECK(kind->answer(live).role == ROLE_TEXT);
+        kind->close(live);
+    }
+}
+
+TEST(options_of_the_opening_are_kept) {
+    void *live = open_live("ube-techno-house", (const char *[]){"door.d7.width=0.8"}, 1, "C");
+    settle(live, 0);
+    CHECK(house_live_digest(live) ==
+          digest_of("ube-techno-house", (const char *[]){"door.d7.width=0.8", NULL}, "C", -1));
+    CHECK(set(live, "run.patience", 10));
+    settle(live, 0);
+    size_t count;
+    const char *const *words = kind->command(live, &count);
+    CHECK(count == 8 && strcmp(words[0], "run") == 0);
+    CHECK_TEXT(words[3], "door.d7.width=0.8");
+    CHECK_TEXT(words[5], "run.patience=10");
+    CHECK_TEXT(words[7], "C");
+    kind->close(live);
+    CHECK(!open_live("ube-techno-house", NULL, 0, "Z"));
+    CHECK(!open_live("no-such-house", NULL, 0, NULL));
+    CHECK(!open_live("ube-techno-house", (const char *[]){"door.d77.width=0.8"}, 1, NULL));
+}
+
+TEST(a_parameter_makes_another_run_and_reset_the_first) {
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    settle(live, 0);
+    uint64_t first = house_live_digest(live);
+    CHECK(set(live, "door.d5.width", 0.85));
+    CHECK(house_live_digest(live) == 0 && kind->answer(live).stale);
+    unsigned changed = settle(live, 3);
+    CHECK((changed & (LIVE_VIEW | LIVE_WORDS | LIVE_PLOTS | LIVE_PARAMETERS)) ==
+          (LIVE_VIEW | LIVE_WORDS | LIVE_PLOTS | LIVE_PARAMETERS));
+    uint64_t second = house_live_digest(live);
+    CHECK(second == digest_of("ube-techno-house", (const char *[]){"door.d5.width=0.85", NULL}, NULL, -1));
+    CHECK(second != first && strstr(kind->answer(live).detail, "before"));
+    CHECK(parameter(live, "door.d5.width")->value == 0.85 && parameter(live, "door.d5.width")->initial == 0.9);
+    kind->reset(live);
+    settle(live, 3);
+    CHECK(house_live_digest(live) == first && parameter(live, "door.d5.width")->value == 0.9);
+    kind->close(live);
+}
+
+TEST(a_bad_value_changes_nothing) {
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    settle(live, 0);
+    uint64_t first = house_live_digest(live);
+    CHECK(!set(live, "door.d5.width", 900));
+    CHECK(!set(live, "door.d5.width", NAN));
+    CHECK(!set(live, "run.reversals", 1.5));
+    CHECK(!set(live, "door.d5.colour", 1));
+    CHECK(house_live_digest(live) == first && parameter(live, "door.d5.width")->value == 0.9);
+    kind->close(live);
+}
+
+TEST(a_house_that_becomes_bad_keeps_the_last_good_one) {
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    double since;
+    settle(live, 0);
+    uint64_t first = house_live_digest(live);
+    CHECK(!kind->trouble(live, &since));
+    CHECK(set(live, "door.d5.width", 9));
+    unsigned changed = settle(live, 0);
+    CHECK(changed & LIVE_TROUBLE && changed & LIVE_PARAMETERS);
+    CHECK(strstr(kind->trouble(live, &since), "d5"));
+    CHECK(house_live_digest(live) == first && parameter(live, "door.d5.width")->value == 0.9);
+    CHECK(set(live, "door.d5.width", 0.95));
+    settle(live, 0);
+    CHECK(!kind->trouble(live, &since) && house_live_digest(live) != first);
+    kind->close(live);
+}
+
+TEST(the_newest_change_wins) {
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    settle(live, 0);
+    for (int i = 0; i <= 20; i++) {
+        CHECK(set(live, "door.d5.width", 0.8 + 0.01 * i));
+        kind->update(live, 1);
+        if (i % 5 == 0)
+            rest();
+    }
+    CHECK(set(live, "door.d5.width", 0.97));
+    settle(live, 1);
+    CHECK(house_live_digest(live) ==
+          digest_of("ube-techno-house", (const char *[]){"door.d5.width=0.97", NULL}, NULL, -1));
+    kind->close(live);
+}
+
+TEST(a_time_looks_the_same_whenever_it_is_shown) {
+    static const double times[] = {3, 11.7, 0, 7.3, 11.7, 3, 7.3};
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    settle(live, 0);
+    char *first[7];
+    for (size_t i = 0; i < 7; i++)
+        first[i] = picture_at(live, times[i]);
+    CHECK(strcmp(first[0], first[5]) == 0 && strcmp(first[1], first[4]) == 0 && strcmp(first[3], first[6]) == 0);
+    CHECK(strcmp(first[0], first[1]) != 0);
+    for (size_t i = 0; i < 7; i++)
+        memory_free(first[i]);
+    CHECK(kind->show(live, 7.3) && kind->show(live, 7.4) && !kind->show(live, 7.2));
+    kind->close(live);
+}
+
+TEST(what_is_pointed_at_is_found) {
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    settle(live, 0);
+    LiveThing none = {0, 0};
+    LiveThing door = kind->pick(live, vec2(7.86, 4.095), 0, none);
+    CHECK_TEXT(kind->name_thing(live, door), "door d5");
+    CHECK_TEXT(kind->name_thing(live, kind->pick(live, vec2(2.6, 4.7775), 0, none)), "person p-a");
+    CHECK_TEXT(kind->name_thing(live, kind->pick(live, vec2(10, 0), 0, none)), "wall w1");
+    CHECK_TEXT(kind->name_thing(live, kind->pick(live, vec2(1.45, 1.85), 0, none)), "dining table (dining-table)");
+    CHECK_TEXT(kind->name_thing(live, kind->pick(live, vec2(11.05, 4.9), 0, none)), "exit porch");
+    CHECK(kind->pick(live, vec2(50, 50), 0, none).kind == HOUSE_NOTHING);
+    LiveThing below = kind->pick(live, vec2(7.86, 4.095), 0, door);
+    CHECK_TEXT(kind->name_thing(live, below), "wall w2");
+    CHECK(live_same(kind->pick(live, vec2(7.86, 4.095), 0, below), door));
+    Vec2 points[LIVE_OUTLINE_MOST];
+    for (int step = -1; step <= 1; step += 2) {
+        LiveThing thing = kind->next(live, none, step), first = thing;
+        size_t count = 0;
+        do {
+            CHECK(*kind->name_thing(live, thing));
+            CHECK(kind->outline(live, thing, 0, points) >= 4);
+            kind->select(live, thing);
+            CHECK(live_same(kind->selected(live), thing));
+            kind->update(live, 0);
+            thing = kind->next(live, thing, step);
+        } while (!live_same(thing, first) && ++count < 1000);
+        CHECK(count > 40 && count < 100);
+    }
+    kind->select(live, door);
+    CHECK(kind->update(live, 0) & LIVE_PARAMETERS);
+    size_t count, rows;
+    CHECK_TEXT(kind->parameters(live, &count)[0].name, "door.d5.width");
+    CHECK_TEXT(kind->rows(live, &rows)[0].row.cells[0], "Door d5");
+    kind->close(live);
+}
+
+TEST(ticks_rise_and_tell_of_exits) {
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    settle(live, 0);
+    size_t count, exits = 0;
+    const LiveTick *ticks = kind->ticks(live, &count);
+    for (size_t i = 0; i < count; i++) {
+        CHECK(i == 0 || ticks[i].time >= ticks[i - 1].time);
+        CHECK(ticks[i].time >= 0 && ticks[i].time <= kind->span(live).end);
+        exits += ticks[i].kind == LIVE_TICK_EXIT;
+    }
+    CHECK(exits == 4);
+    kind->close(live);
+}
+
+TEST(numbers_of_the_moment_follow_the_time) {
+    void *live = open_live("two-chairs-corridor", NULL, 0, NULL);
+    settle(live, 0);
+    kind->select(live, (LiveThing){HOUSE_PERSON, 0});
+    kind->update(live, 0);
+    size_t count;
+    char first[64] = "";
+    const LiveRow *rows = kind->rows(live, &count);
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(rows[i].row.cells[0], "speed now") == 0)
+            snprintf(first, sizeof first, "%s", rows[i].row.cells[1]);
+    CHECK_TEXT(first, "0.00 m/s");
+    unsigned changed = 0;
+    for (int i = 0; i < 300 && !(changed & LIVE_WORDS); i++) {
+        changed = kind->update(live, 5);
+        rest();
+    }
+    CHECK(changed & LIVE_WORDS);
+    rows = kind->rows(live, &count);
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(rows[i].row.cells[0], "speed now") == 0)
+            CHECK(strcmp(rows[i].row.cells[1], first) != 0);
+    CHECK(kind->plot_count(live) == 5);
+    LivePlot speed = kind->plot(live, 0);
+    CHECK(speed.plot->series_count == 1 && kind->until(live, 0, 0, 5) < speed.plot->series[0].count);
+    kind->close(live);
+}
+
+static size_t find_choice(void *live, const char *name, const char *word, size_t *place) {
+    size_t count;
+    const LiveChoice *all = kind->choices(live, &count);
+    for (size_t c = 0; c < count; c++)
+        for (size_t w = 0; strcmp(all[c].name, name) == 0 && w < all[c].count; w++)
+            if (strcmp(all[c].words[w], word) == 0) {
+                *place = w;
+                return c;
+            }
+    CHECK(!"the choice is there");
+    return 0;
+}
+
+static void choose(void *live, const char *name, const char *word) {
+    size_t place = 0, choice = find_choice(live, name, word, &place);
+    kind->choose(live, choice, place);
+    size_t count;
+    CHECK(kind->choices(live, &count)[choice].chosen == place);
+}
+
+TEST(routes_and_ways_of_driving_can_be_chosen) {
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    settle(live, 0);
+    choose(live, "Driving", "miura");
+    settle(live, 0);
+    CHECK(house_live_digest(live) == digest_of("ube-techno-house", NULL, NULL, DRIVING_MIURA));
+    choose(live, "Route", "B");
+    settle(live, 0);
+    CHECK(house_live_digest(live) == digest_of("ube-techno-house", NULL, "B", DRIVING_MIURA));
+    choose(live, "Driving", "as in the file");
+    choose(live, "Route", "everybody");
+    settle(live, 0);
+    CHECK(house_live_digest(live) == digest_of("ube-techno-house", NULL, NULL, -1));
+    kind->close(live);
+}
+
+static size_t ghosts(const Scene *scene, PrimitiveKind of) {
+    size_t count = 0;
+    for (size_t i = 0; i < scene->count; i++)
+        count += scene->primitives[i].kind == of && scene->primitives[i].edge == ROLE_GHOST;
+    return count;
+}
+
+TEST(ghosts_are_seen_moving) {
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    settle(live, 0);
+    choose(live, "Ghost", "miura");
+    settle(live, 5);
+    kind->show(live, 5);
+    CHECK(ghosts(kind->still(live), PRIMITIVE_LINE) == 4 && ghosts(kind->moving(live), PRIMITIVE_POLYGON) == 4);
+    kind->keep(live, 5);
+    CHECK(set(live, "person.p-a.delay", 2));
+    settle(live, 5);
+    kind->show(live, 5);
+    CHECK(ghosts(kind->moving(live), PRIMITIVE_POLYGON) == 4);
+    size_t count, compared = 0;
+    const LiveRow *rows = kind->rows(live, &count);
+    for (size_t i = 0; i < count; i++)
+        compared += strcmp(rows[i].row.cells[0], "Compare") == 0;
+    CHECK(compared == 1);
+    kind->clear(live, 5);
+    settle(live, 5);
+    kind->show(live, 5);
+    CHECK(ghosts(kind->still(live), PRIMITIVE_LINE) == 0 && ghosts(kind->moving(live), PRIMITIVE_POLYGON) == 0);
+    kind->close(live);
+}
+
+/* A run that takes long is seen from its beginning. */
+TEST(what_is_recorded_can_be_seen_while_more_is_computed) {
+    void *live = open_live("shopping-centre", NULL, 0, NULL);
+    double begun = now(), end = 0;
+    bool grew = false;
+    while (now() - begun < 60 && end < 3) {
+        kind->update(live, end);
+        LiveSpan span = kind->span(live);
+        CHECK(span.end >= end && !span.complete);
+        grew = grew || (end > 0 && span.end > end);
+        end = span.end;
+        kind->show(live, end);
+        rest();
+    }
+    CHECK(grew && kind->moving(live)->count > 0 && house_live_digest(live) == 0);
+    CHECK(strstr(kind->answer(live).doing, "computed") && kind->plot_count(live) == 5);
+    begun = now();
+    kind->close(live);
+    CHECK(now() - begun < 1);
+}
+
+TEST(closing_does_not_wait) {
+    for (int i = 0; i < 10; i++) {
+        void *live = open_live(i % 2 ? "shopping-centre" : "flat-0.910-module", NULL, 0, NULL);
+        double begun = now();
+        for (int k = 0; k < i * i; k++) {
+            kind->update(live, 0);
+            rest();
+        }
+        begun = now();
+        kind->close(live);
+        CHECK(now() - begun < 1);
+    }
+}

@@ -1,0 +1,105 @@
+"""Somebody sees the window for the first time: checks 1 to 9 of the window's conventions, by a real hand."""
+
+import time
+
+import stage
+from stage import check, contrast, differing
+
+screen = stage.Screen("first")
+
+# 1. the default house is moving, nothing lies over it, and the way on is named
+state = screen.until(lambda s: s.get("complete") and s["time"] > 0.5, 60)
+check(state["laboratory"] == "house" and "ube" in state["file"], "the default house is open", state.get("file"))
+check(state["playing"] and state["sheet"] == "none", "it runs, and nothing lies over it", state)
+check(state["answer"]["title"] == "All 4 get out", "the answer is there", state["answer"])
+one = screen.shot("one")
+time.sleep(0.7)
+two = screen.shot("two")
+view = state["frame"]["view"]
+check(differing(one, two, view) > 200, "something moves in the view", differing(one, two, view))
+check(len(stage.colours(one, state["frame"]["strip"])) > 5, "the strip of keys has words")
+
+# 2. the answer is read from the back row
+answer = state["frame"]["answer"]
+title = [answer[0], answer[1], answer[0] + 300, answer[3] - 4]
+height = stage.magick("convert", str(one), "-crop", stage.crop(title), "+repage", "-trim", "-format", "%h", "info:").stdout
+check(int(height) >= 29, "the answer's letters are at least 29 pixels high", height)
+
+# 4. words and shapes stand out
+for name, box, least in (("answer", title, 4.5), ("menu", state["frame"]["menu"], 4.5),
+                         ("panel", state["frame"]["panel"], 4.5), ("strip", state["frame"]["strip"], 4.5),
+                         ("timeline", state["frame"]["timeline"], 3.0), ("view", view, 3.0)):
+    found = stage.colours(one, box)
+    most = max(contrast(found[0][1], other) for _, other in found[:40])
+    check(most >= least, f"{name}: the contrast is at least {least}", most)
+
+# 6. Space, also after a click on a button, and Alt+K while a field is open
+screen.keys("space")
+state = screen.state()
+check(not state["playing"], "Space pauses")
+paused = screen.shot("paused")
+corner = [view[2] - 140, view[1], view[2], view[1] + 50]
+check(differing(two, paused, corner) > 500, "the view says that it is paused")
+screen.keys("space")
+check(screen.state()["playing"], "Space plays")
+x, y = state["frame"]["timeline"][2] - 60, sum(state["frame"]["timeline"][1::2]) / 2
+screen.click(x, y)
+screen.tool("mousemove", 640, 300)
+before = screen.state()["playing"]
+screen.keys("space")
+check(screen.state()["playing"] != before, "Space still toggles after a click on a button of a panel")
+
+# 7. steps
+screen.keys("r")
+screen.until(lambda s: s["time"] > 1)
+state = screen.state()
+if state["playing"]:
+    screen.keys("space")
+begin = screen.state()
+at_first = screen.shot("at-first")
+screen.keys(*["period"] * 10)
+on = screen.state()
+check(abs(on["time"] - begin["time"] - 10 * begin["step"]) < 1e-9, "ten steps are ten frames", (begin["time"], on["time"]))
+check(differing(at_first, screen.shot("ten-on"), view) > 100, "ten steps show something else")
+screen.keys(*["comma"] * 10)
+back = screen.state()
+check(abs(back["time"] - begin["time"]) < 1e-9, "ten steps back are the same moment", (begin["time"], back["time"]))
+check(differing(at_first, screen.shot("ten-back"), view, "0%") == 0, "and the same picture, to the pixel")
+
+# 8. scrubbing
+track = state["frame"]["timeline"]
+middle = [(track[0] + track[2]) / 2, (track[1] + track[3]) / 2]
+screen.click(*middle)
+there = screen.state()
+check(2 < there["time"] < there["end"], "a click on the timeline goes there", there["time"])
+screen.tool("mousemove", 640, 300)
+seen = screen.shot("scrubbed")
+screen.keys("period", "period", "comma", "comma")
+check(abs(screen.state()["time"] - there["time"]) < there["step"], "steps round a place that was scrubbed to")
+screen.keys("End")
+check(screen.state()["time"] == there["end"], "End goes to the end of the record")
+
+# 9. speed
+screen.keys("r", *["bracketright"] * 6)
+state = screen.state()
+check(state["speed"] == 16, "the ladder ends at 16", state["speed"])
+if not state["playing"]:
+    screen.keys("space")
+first = screen.state()
+screen.keys("1", "r")
+state = screen.state()
+check(state["speed"] == 16 and state["playing"], "running again keeps speed and playing", state)
+check(state["layers"] != first["layers"], "and layers")
+screen.keys("1", "backslash")
+check(screen.state()["speed"] == 1, "backslash is speed 1")
+screen.keys("r")
+screen.until(lambda s: s["time"] > 0.2)
+first, begun = screen.state(), time.monotonic()
+time.sleep(3)
+second, ended = screen.state(), time.monotonic()
+moved = (second["time"] - first["time"]) / (ended - begun)
+check(second["achieved"] is not None and abs(second["achieved"] - moved) < 0.15 * max(moved, 0.1),
+      "the achieved speed is what a watch says", (second["achieved"], moved))
+
+screen.end()
+stage.end()

@@ -1,0 +1,66 @@
+"""The keyboard alone: checks 6 (a field is open), 20 and 21 of the window's conventions, and every key of the card."""
+
+import re
+
+import stage
+from stage import act, check, differing
+
+# 21. the focus goes everywhere and comes back, and always has a frame
+tabs = []
+for i in range(60):
+    tabs += ["key Tab", "wait 2", "state STATE"] + ([f"picture FOLDER/tab-{i}.png"] if i % 4 == 0 else [])
+found = act("tabs", "until complete 60", "pause", "wait 3", "picture FOLDER/none.png", *tabs,
+            arguments=[stage.house("corner-0.90-0.90")])
+panes = [state["focus"] for state in found]
+for pane in ("view", "plot:speed", "plot:clearance", "panel", "timeline", "menu", "answer"):
+    check(pane in panes, f"Tab comes to {pane}", sorted(set(panes)))
+first = stage.folder / "tabs" / "none.png"
+for i in range(0, 60, 4):
+    picture = stage.folder / "tabs" / f"tab-{i}.png"
+    check(differing(first, picture) > 50, f"after {i + 1} Tabs a frame is seen")
+found = act("panes", "until complete 60", *(["key F6", "wait 2", "state STATE"] * 12))
+panes = [state["focus"] for state in found]
+check(len(set(panes)) >= 6 and panes[0] in panes[1:], "F6 goes round all panes", panes)
+back = act("panes-back", "until complete 60", *(["key Shift+F6", "wait 2", "state STATE"] * 12))
+check(set(state["focus"] for state in back) == set(panes), "and Shift+F6 back", panes)
+
+# Escape closes whatever is open, and never the window
+for key, sheet in (("F1", "keys"), ("F4", "gallery"), ("F7", "messages"), ("F10", "menu"), ("Ctrl+O", "open"),
+                   ("Ctrl+E", "export"), ("Ctrl+S", "save"), ("Shift+F1", "explain"), ("Ctrl+I", "about")):
+    found = act(f"sheet-{sheet}", "until complete 60", f"key {key}", "wait 4", "state STATE", "picture FOLDER/open.png",
+                "key Escape", "wait 2", "key Escape", "wait 2", "state STATE")
+    check(found[0]["sheet"] == sheet, f"{key} opens {sheet}", found[0]["sheet"])
+    check(found[1]["sheet"] == "none", f"Escape closes {sheet}", found[1]["sheet"])
+
+# every key of the table does something or nothing, but harms nothing; for both laboratories
+table = (stage.source / "app" / "window" / "keys.c").read_text()
+keys = re.findall(r'\{ACTION_\w+,\s*KEY_\w+,\s*"((?:[^"\\]|\\.)+)"', table)
+check(len(keys) > 90, "the table has keys", len(keys))
+keys = [key.replace("\\\\", "\\") for key in keys if key not in ("Ctrl+Q", "Shift+F9")]
+for laboratory in ("house", "beam"):
+    for focus in ("view", "plot", "timeline"):
+        steps = {"view": 0, "plot": 1, "timeline": 4}[focus]
+        lines = [f"laboratory {laboratory}", "until answered 90", "wait 5", *(["key F6", "wait 1"] * steps)]
+        for key in keys:
+            quoted = '"' + key.replace("\\", "\\\\") + '"'
+            lines += [f"key {quoted}", "wait 1", "key Escape", "wait 1"]
+        found = act(f"all-keys-{laboratory}-{focus}", *lines, "state STATE")
+        check(found and found[0]["sheet"] == "none", f"{laboratory}, {focus}: every key of the card was pressed")
+
+# 6. Alt+K while a field is open plays or pauses, and leaves what is typed
+found = act("field", "until complete 60", "pause", "key Ctrl+O", "wait 3", "key Tab", "wait 2", "type abc", "wait 2",
+            "state STATE", "key Alt+K", "wait 2", "state STATE", "picture FOLDER/field.png")
+check(found[0]["types"] and found[1]["types"], "a field is open, before and after", found[0])
+check(found[1]["playing"], "Alt+K plays while it is")
+
+# 20. what cannot be a number
+name = "profile.manual-chair.width"
+for words in ("abc", "9999", "-1", "", "1e400", "1,2,3", "nan", "0.6 kg"):
+    found = act("number-" + "".join(c for c in words if c.isalnum()), "until complete 60", "pause", "key F6", "key F6",
+                "key F6", "wait 2", "state STATE", "key Return", "wait 2", "key Ctrl+A", f'type "{words}"', "wait 2",
+                "key Return", "wait 3", "state STATE", "picture FOLDER/wrong.png", "key Escape", "wait 2",
+                "key Escape", "wait 2", "state STATE", arguments=[stage.house("corner-0.90-0.90")])
+    check(found[1]["parameters"] == found[0]["parameters"], f"{words!r} is no number: nothing has changed")
+    check(not found[2]["types"], f"{words!r}: Escape takes it back")
+
+stage.end()

@@ -1,0 +1,181 @@
+"""What the tests of the window share: a home that is empty, pictures, and the window itself, with a script under SDL's
+offscreen driver or with a real mouse and keyboard under Xvfb."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", "."))
+program = pathlib.Path(sys.argv[1]).resolve()
+folder = pathlib.Path(tempfile.mkdtemp(prefix="clearance-window-"))
+failed = []
+
+
+def house(name):
+    return str(source / "houses" / f"{name}.json")
+
+
+def beam(name):
+    return str(source / "assets" / "beams" / f"{name}.json")
+
+
+def check(good, what, detail=""):
+    print(("ok   " if good else "FAIL ") + what + ("" if good else f": {detail}"), flush=True)
+    if not good:
+        failed.append(what)
+
+
+def end():
+    shutil.rmtree(folder, ignore_errors=True)
+    print(f"{len(failed)} failures")
+    sys.exit(len(failed) != 0)
+
+
+def environment(home, **more):
+    """As on a machine where nobody has used the program yet."""
+    home.mkdir(exist_ok=True)
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "SDL_", "DISPLAY", "WAYLAND_"))}
+    return {**kept, "HOME": str(home), "SDL_AUDIODRIVER": "dummy", **more}
+
+
+def states(path):
+    """The lines of a state file that are whole."""
+    lines = path.read_text().split("\n")[:-1] if path.exists() else []
+    return [json.loads(line) for line in lines]
+
+
+def act(name, *lines, arguments=(), timeout=300, code=0):
+    """Runs a script without a display; `STATE` and `PICTURE` in it are files. Returns the states it wrote."""
+    place = folder / name
+    place.mkdir(exist_ok=True)
+    words = "\n".join(lines).replace("STATE", str(place / "states")).replace("FOLDER", str(place))
+    (place / "script").write_text(words + "\nquit\n")
+    done = subprocess.run([program, "open", *arguments, "--script", str(place / "script")], cwd=place, timeout=timeout,
+                          capture_output=True, text=True,
+                          env=environment(place / "home", SDL_VIDEODRIVER="offscreen"))
+    check(done.returncode == code, f"{name}: the script runs to its end", f"exit code {done.returncode}: {done.stderr}")
+    return states(place / "states")
+
+
+def magick(*arguments):
+    return subprocess.run(arguments, capture_output=True, text=True, timeout=120)
+
+
+def crop(box):
+    """A box as the state has it, for ImageMagick."""
+    x, y, right, bottom = (round(v) for v in box)
+    return f"{right - x}x{bottom - y}+{x}+{y}"
+
+
+def differing(a, b, box=None, fuzz="3%"):
+    """How many pixels differ between two pictures, or parts of them."""
+    part = ["-crop", crop(box), "+repage"] if box else []
+    done = magick("compare", "-metric", "AE", "-fuzz", fuzz, *part, str(a), str(b), "null:")
+    return float(done.stderr.split()[0])
+
+
+def colours(path, box):
+    """The colours of a part, most frequent first: (count, (red, green, blue))."""
+    done = magick("convert", str(path), "-crop", crop(box), "+repage", "-depth", "8", "-format", "%c", "histogram:info:-")
+    found = []
+    for line in done.stdout.splitlines():
+        if ":" in line and "#" in line:
+            code = line.split("#")[1][:6]
+            found.append((int(line.split(":")[0]), tuple(int(code[i:i + 2], 16) for i in (0, 2, 4))))
+    return sorted(found, reverse=True)
+
+
+def contrast(a, b):
+    def luminance(colour):
+        parts = [c / 255 / 12.92 if c / 255 <= 0.04045 else ((c / 255 + 0.055) / 1.055) ** 2.4 for c in colour]
+        return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]
+    low, high = sorted((luminance(a), luminance(b)))
+    return (high + 0.05) / (low + 0.05)
+
+
+class Screen:
+    """The program on a display of its own, used by xdotool, which is as a hand would: no event is made up. A script
+    that only writes the state, again and again, is how it is asked."""
+
+    def __init__(self, name, *arguments, width=1280, height=720, minutes=5):
+        self.place = folder / name
+        self.place.mkdir(exist_ok=True)
+        self.display = self.start_display(width, height)
+        self.log = self.place / "states"
+        script = self.place / "script"
+        script.write_text(f"wait 2\nstate {self.log}\n" * int(minutes * 60 * 20) + "quit\n")
+        self.env = environment(self.place / "home", DISPLAY=self.display)
+        self.errors = open(self.place / "errors", "w")
+        self.program = subprocess.Popen([program, "open", *arguments, "--script", str(script)], cwd=self.place,
+                                        env=self.env, stdout=self.errors, stderr=self.errors)
+        self.until(lambda s: True, 60)
+        window = self.tool("search", "--sync", "--onlyvisible", "--name", "clearance").stdout.split()[0]
+        self.tool("windowfocus", "--sync", window)
+        self.window = window
+
+    def start_display(self, width, height):
+        read, write = os.pipe()
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24",
+                                        "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        return ":" + os.read(read, 20).decode().strip()
+
+    def tool(self, *words):
+        return subprocess.run(["xdotool", *[str(w) for w in words]], env=self.env, capture_output=True, text=True,
+                              timeout=60)
+
+    def state(self):
+        """As it is now: the second line that is written from now on, since the first may have been begun before."""
+        seen = len(states(self.log))
+        for _ in range(1500):
+            now = states(self.log)
+            if len(now) >= seen + 2 or self.program.poll() is not None:
+                break
+            time.sleep(0.02)
+        return states(self.log)[-1]
+
+    def until(self, what, seconds=30):
+        """Waits for a state; returns the last one, whether it came or not."""
+        begun = time.monotonic()
+        while time.monotonic() - begun < seconds and self.program.poll() is None:
+            lines = states(self.log)
+            if lines and what(lines[-1]):
+                return lines[-1]
+            time.sleep(0.05)
+        lines = states(self.log)
+        return lines[-1] if lines else {}
+
+    def keys(self, *names):
+        for name in names:
+            self.tool("key", "--clearmodifiers", name)
+            time.sleep(0.05)
+
+    def type(self, words):
+        self.tool("type", "--delay", "60", words)
+
+    def click(self, x, y, button=1):
+        self.tool("mousemove", round(x), round(y))
+        time.sleep(0.1)
+        self.tool("click", button)
+        time.sleep(0.1)
+
+    def shot(self, name):
+        path = self.place / f"{name}.png"
+        subprocess.run(["import", "-window", "root", str(path)], env=self.env, timeout=60)
+        return path
+
+    def end(self):
+        self.keys("ctrl+q")
+        try:
+            code = self.program.wait(20)
+        except subprocess.TimeoutExpired:
+            self.program.kill()
+            code = "none"
+        self.server.terminate()
+        self.server.wait()
+        check(code == 0, "the window closes", f"exit code {code}: {(self.place / 'errors').read_text()[-2000:]}")
