@@ -215,6 +215,74 @@ TEST(a_modal_pane_keeps_the_focus_and_the_mouse) {
     pane_end(&pane);
 }
 
+static int frames_until_rest(Pane *pane) {
+    int count = 0;
+    while (ui_is_busy(pane->ui) && count < 100) {
+        pane_frame(pane);
+        count++;
+    }
+    return count;
+}
+
+TEST(a_window_at_rest_needs_no_frames) {
+    Pane pane = pane_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+    pane_frame(&pane);
+    CHECK(frames_until_rest(&pane) < 5);
+    ui_key(pane.ui, UI_KEY_NEXT, false, false);
+    CHECK(ui_is_busy(pane.ui));
+    CHECK(frames_until_rest(&pane) < 5);
+    pane_move(&pane, middle(pane.pause));
+    int frames = frames_until_rest(&pane);
+    CHECK(frames > 25 && frames < 40); /* the help comes */
+    uint64_t shown = picture_digest(&pane);
+    CHECK(picture_digest(&pane) == shown);
+    pane_move(&pane, vec2(pane.pause.high.x + 2, pane.pause.low.y));
+    frames = frames_until_rest(&pane);
+    CHECK(frames > 20 && frames < 40); /* and leaves the mouse time to come to it */
+    CHECK(picture_digest(&pane) != shown);
+    pane.modal = true;
+    pane_frame(&pane);
+    CHECK(ui_is_busy(pane.ui)); /* the focus goes there */
+    CHECK(frames_until_rest(&pane) < 5);
+    pane_end(&pane);
+}
+
+static void bare_pane(Pane *pane, bool modal) {
+    paint_gl_screen_begin(pane->screen, WIDTH, HEIGHT, (Colour){1, 1, 1});
+    ui_begin(pane->ui, &pane->input);
+    ui_pane_begin(pane->ui,
+                  &(UiPane){.name = "words", .box = {{100, 100}, {400, 300}}, .scrolls = true, .modal = modal});
+    for (int i = 0; i < 30; i++)
+        ui_line(pane->ui, UI_BODY, ROLE_TEXT, "One of many lines of words");
+    ui_pane_end(pane->ui);
+    ui_end(pane->ui);
+}
+
+TEST(words_that_do_not_fit_are_scrolled_by_keys) {
+    for (int modal = 0; modal < 2; modal++) {
+        Pane pane = pane_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
+        bare_pane(&pane, modal);
+        ui_key(pane.ui, UI_KEY_NEXT, false, false);
+        bare_pane(&pane, modal);
+        CHECK_TEXT(ui_focus_pane(pane.ui), "words");
+        CHECK(ui_focus_is_pane(pane.ui));
+        paint_gl_screen_read(pane.screen, pane.pixels);
+        uint64_t before = digest_bytes(DIGEST_START, pane.pixels, 4 * WIDTH * HEIGHT);
+        CHECK(ui_key(pane.ui, UI_KEY_PAGE_DOWN, false, false));
+        CHECK(!ui_key(pane.ui, UI_KEY_SPACE, false, false));
+        bare_pane(&pane, modal);
+        bare_pane(&pane, modal);
+        paint_gl_screen_read(pane.screen, pane.pixels);
+        CHECK(digest_bytes(DIGEST_START, pane.pixels, 4 * WIDTH * HEIGHT) != before);
+        ui_key(pane.ui, UI_KEY_HOME, false, false);
+        bare_pane(&pane, modal);
+        bare_pane(&pane, modal);
+        paint_gl_screen_read(pane.screen, pane.pixels);
+        CHECK(digest_bytes(DIGEST_START, pane.pixels, 4 * WIDTH * HEIGHT) == before);
+        pane_end(&pane);
+    }
+}
+
 /* Widgets by keys -------------------------------------------------------------------------------------------------- */
 
 TEST(buttons_flags_choices_and_rows_have_keys) {
