@@ -4,7 +4,7 @@
 #include "draw/offscreen.h"
 #include "window/ui.h"
 
-enum { DESK_STOPS = 19, DESK_PANES = 5 /* with the modal pane closed */, DESK_CLIPBOARD = 256 };
+enum { PANE_STOPS = 19, PANE_PANES = 5 /* with the modal pane closed */, PANE_CLIPBOARD = 256 };
 
 typedef struct Pane {
     Offscreen *offscreen;
@@ -13,7 +13,7 @@ typedef struct Pane {
     UiInput input;
     Vec2 page;             /* the window, design points */
     unsigned char *pixels; /* of the last pane_picture: blue, green, red, 255 */
-    char *clipboard;       /* (DESK_CLIPBOARD) */
+    char *clipboard;       /* (PANE_CLIPBOARD) */
     Box canvas, pause;     /* a grab, and the button that counts in `pauses` */
 
     UiSlider width, damping;
@@ -27,19 +27,19 @@ typedef struct Pane {
 
 /* Where there is no OpenGL the test is skipped. pane_end releases it. */
 Pane pane_begin(int width, int height, double text, Theme theme);
-void pane_end(Pane *desk);
+void pane_end(Pane *pane);
 
-void pane_frame(Pane *desk);
-void pane_picture(Pane *desk);
+void pane_frame(Pane *pane);
+void pane_picture(Pane *pane);
 
 /* The mouse, design points; each is a frame. */
-void pane_move(Pane *desk, Vec2 to);
-void pane_down(Pane *desk, Vec2 at);
-void pane_up(Pane *desk, Vec2 at);
+void pane_move(Pane *pane, Vec2 to);
+void pane_down(Pane *pane, Vec2 at);
+void pane_up(Pane *pane, Vec2 at);
 
 /* A key and a frame; returns whether the key was used. pane_type types, and Enter follows. */
-bool pane_key(Pane *desk, UiKey key);
-void pane_type(Pane *desk, const char *words);
+bool pane_key(Pane *pane, UiKey key);
+void pane_type(Pane *pane, const char *words);
 
-/* The focus goes on until it is in the pane, so many stops behind its first. */
-void pane_go(Pane *desk, const char *pane, int stops);
+/* The focus goes on until it is in that pane, so many stops behind its first. */
+void pane_go(Pane *pane, const char *name, int stops);

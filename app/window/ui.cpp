@@ -295,6 +295,10 @@ void ui_pencil_unclip(UiPencil *pencil) {
     pencil->list->PopClipRect();
 }
 
+bool ui_pencil_is_stale(const UiPencil *pencil) {
+    return pencil->wants_more || pencil->unit != pencil->made_unit;
+}
+
 void ui_pencil_layer(UiPencil *pencil, UiLayer layer) {
     pencil->list = pencil->lists[layer];
 }

@@ -93,13 +93,17 @@ bool ui_key(Ui *ui, UiKey key, bool shift, bool control);
 /* Words that were typed, UTF-8, in their order among the keys; without an open field nothing happens. */
 void ui_type(Ui *ui, const char *words);
 
+/* Would another frame look different though nobody does anything? It scrolls, help is about to come, or letters. */
+bool ui_is_busy(const Ui *ui);
+
 /* Is a text field open? Then letters are its. Is the mouse over a widget or a popup, or held by one? */
 bool ui_types(const Ui *ui);
 bool ui_has_mouse(const Ui *ui);
 
 /* Panes. `name` is the pane's identity; one with `scrolls` scrolls what does not fit in it. A pane with `modal` lies
  * over the others, dims them and keeps the focus until Escape or whoever opened it closes it. `stop`: the pane itself
- * is a stop of the focus, like the plan and each plot. */
+ * is a stop of the focus, like the plan and each plot; so is a modal one, or one with more than has room, in which
+ * nothing else is. */
 typedef struct UiPane {
     const char *name;
     Box box;

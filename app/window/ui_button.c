@@ -65,7 +65,8 @@ static void draw_plain(Ui *ui, Box box, UiInk ink, const char *label) {
     char first[256];
     size_t bytes = strcspn(label, "\t");
     snprintf(first, sizeof first, "%.*s", (int)bytes, label);
-    Box inside = {{box.low.x + PADDING, box.low.y}, {box.high.x - PADDING, box.high.y}};
+    double padding = ui_extent(ui, UI_BODY, label).x + 2 * PADDING <= box_width(box) ? PADDING : PADDING / 4;
+    Box inside = {{box.low.x + padding, box.low.y}, {box.high.x - padding, box.high.y}};
     ui_words_in(ui, fitting_letters(ui, UI_BODY, label, box_width(inside)), ink, inside, 0, first);
     if (label[bytes])
         ui_words_in(ui, UI_SMALL, ink, inside, 1, label + bytes + 1);

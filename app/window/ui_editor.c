@@ -156,6 +156,7 @@ static void insert(UiEditor *editor, const char *words) {
 }
 
 void ui_type(Ui *ui, const char *words) {
+    ui_frame_stir(ui);
     if (ui->editor.id)
         insert(&ui->editor, words);
 }

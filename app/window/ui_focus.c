@@ -46,6 +46,7 @@ const UiStop *ui_focus_find(const Ui *ui, UiId id) {
 }
 
 static void give(Ui *ui, const UiStop *stop) {
+    ui_frame_stir(ui);
     ui->focus = stop->id;
     ui->focus_pane = stop->pane;
     ui->reveal = true;
@@ -167,6 +168,7 @@ static void mind_modal(Ui *ui) {
         ui->focus = 0;
         ui->focus_pane = ui->modal;
     } else if (!ui->modal && ui->keeps) {
+        ui_frame_stir(ui);
         ui->focus = ui->kept;
         ui->focus_pane = ui->kept_pane;
         ui->keeps = false;
@@ -318,6 +320,7 @@ static void enter(Ui *ui) {
 }
 
 bool ui_key(Ui *ui, UiKey key, bool shift, bool control) {
+    ui_frame_stir(ui);
     if (key <= UI_KEY_PANE_BACK) {
         go(ui, key);
         return true;

@@ -99,13 +99,25 @@ static void take_mouse(Ui *ui) {
     for (int i = 0; i < 3; i++) {
         ui->pressed[i] = ui->input.down[i] && !ui->was_down[i];
         ui->released[i] = !ui->input.down[i] && ui->was_down[i];
+        if (ui->was_down[i] != ui->input.down[i])
+            ui_frame_stir(ui);
         ui->was_down[i] = ui->input.down[i];
     }
+    if (ui->moved.x != 0 || ui->moved.y != 0 || ui->input.wheel != 0)
+        ui_frame_stir(ui);
     find_hovered(ui);
     if (ui->pressed[0] || ui->pressed[1])
         ui->by_key = false;
     if (ui->pressed[0])
         press_left(ui);
+}
+
+void ui_frame_stir(Ui *ui) {
+    ui->stirred = 2;
+}
+
+bool ui_is_busy(const Ui *ui) {
+    return ui->stirred > 0 || ui_pencil_is_stale(ui->pencil) || ui_tip_comes(ui);
 }
 
 UiId ui_frame_id(const Ui *ui, const char *id) {
@@ -166,6 +178,7 @@ static void swap_items(Ui *ui) {
 }
 
 void ui_end(Ui *ui) {
+    ui->stirred -= ui->stirred > 0;
     swap_items(ui);
     if (!ui->input.down[0] || !find_item(ui, ui->held))
         ui->held = 0;

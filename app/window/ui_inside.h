@@ -37,6 +37,7 @@ UiPencil *ui_pencil_create(PaintGlScreen *screen);
 void ui_pencil_destroy(UiPencil *pencil);
 void ui_pencil_begin(UiPencil *pencil, int width, int height, double unit, double seconds);
 void ui_pencil_end(UiPencil *pencil);
+bool ui_pencil_is_stale(const UiPencil *pencil); /* the next frame has other letters */
 void ui_pencil_layer(UiPencil *pencil, UiLayer layer);
 
 /* Nothing is seen outside the box and those around it, until ui_pencil_unclip. */
@@ -118,9 +119,9 @@ typedef struct UiPlace {
     char *name;
     Box box;
     bool made, modal, stop, scrolls;
-    int order;              /* among the panes of a frame */
-    double scroll, content; /* design points */
-    double columns[2][2];   /* widths of the cells to the right: as they were, as they become */
+    int order;                           /* among the panes of a frame */
+    double scroll, content, seen_scroll; /* design points */
+    double columns[2][2];                /* widths of the cells to the right: as they were, as they become */
 } UiPlace;
 
 /* What a help says, and where. */
@@ -147,6 +148,8 @@ struct Ui {
     bool on_canvas;
     UiItem *items, *old_items;
     size_t item_count, item_capacity, old_item_count, old_item_capacity;
+
+    int stirred; /* frames until what was done is seen */
 
     /* the focus */
     UiId focus, focus_pane;
@@ -181,6 +184,7 @@ struct Ui {
     double row_height;
     bool at_given;
     Box at;
+    size_t first_stop; /* of the pane that is being made */
 
     /* tooltips */
     UiTip hover_tip, focus_tip;
@@ -196,6 +200,8 @@ typedef struct UiTouch {
     bool hovered, pressed, held, released, clicked, twice;
 } UiTouch;
 
+/* Something was done: the next two frames show it. */
+void ui_frame_stir(Ui *ui);
 UiId ui_frame_id(const Ui *ui, const char *id);
 
 /* Makes a box that the mouse can use. */
@@ -269,6 +275,7 @@ void ui_tip_offer(Ui *ui, UiId id, Box box, const char *help, bool hovered, bool
 void ui_tip_frame_begin(Ui *ui);
 void ui_tip_draw(Ui *ui);
 bool ui_tip_hide(Ui *ui);
+bool ui_tip_comes(const Ui *ui); /* or goes, by itself */
 
 #ifdef __cplusplus
 }

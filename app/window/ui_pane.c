@@ -128,12 +128,13 @@ void ui_pane_begin(Ui *ui, const UiPane *pane) {
         ui->modal = id;
     if (pane->scrolls)
         scroll_by_wheel(ui, place);
-    place->scroll = pane->scrolls ? real_clamp(place->scroll, 0, hidden(place)) : 0;
+    place->scroll = place->seen_scroll = pane->scrolls ? real_clamp(place->scroll, 0, hidden(place)) : 0;
     ui->place = place;
     ui->ground = pane->ground;
     draw_ground(ui, pane);
     ui_pencil_clip(ui->pencil, pane->box);
     begin_flow(ui, place);
+    ui->first_stop = ui->stop_count;
     if (pane->stop)
         ui_focus_stop(ui, id, UI_IS_PANE, pane->box);
 }
@@ -162,8 +163,16 @@ static void scroll_by_key(Ui *ui, UiPlace *place) {
         }
 }
 
+/* What has become longer or wider, or was scrolled, is in its place in the next frame. */
+static void mind_change(Ui *ui, UiPlace *place, double content) {
+    bool wider = memcmp(place->columns[0], place->columns[1], sizeof place->columns[0]) != 0;
+    if (place->content != content || place->scroll != place->seen_scroll || wider)
+        ui_frame_stir(ui);
+}
+
 void ui_pane_end(Ui *ui) {
     UiPlace *place = ui->place;
+    double content = place->content;
     if (ui->row_index)
         ui->y += ui->row_height + UI_GAP;
     place->content = ui->y - ui->first_y + TOP_MARGIN; /* below the last widget its gap is the margin */
@@ -171,11 +180,14 @@ void ui_pane_end(Ui *ui) {
         draw_bar(ui, place);
         scroll_by_key(ui, place);
     }
+    if (ui->stop_count == ui->first_stop && (place->modal || ui_pane_overflows(place)))
+        ui_focus_stop(ui, place->id, UI_IS_PANE, place->box);
     if (ui->focus_pane == place->id && ui->focus_made) {
         if (ui->reveal && place->scrolls && ui->focus != place->id)
             bring_into_view(ui, place);
         ui_focus_draw(ui);
     }
+    mind_change(ui, place, content);
     ui_pencil_unclip(ui->pencil);
     ui_pencil_layer(ui->pencil, UI_LAYER_PANES);
     ui->place = NULL;

@@ -40,6 +40,12 @@ void ui_tip_frame_begin(Ui *ui) {
     ui->focus_tip.id = 0;
 }
 
+bool ui_tip_comes(const Ui *ui) {
+    bool waits = ui->hover_tip.id && ui->hover_tip.id != ui->tip_hidden && ui->hover_time < DELAY;
+    bool leaves = ui->hover_tip.id && ui->leave_time > 0;
+    return waits || leaves;
+}
+
 bool ui_tip_hide(Ui *ui) {
     if (!ui->tip_shown)
         return false;

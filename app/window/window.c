@@ -212,8 +212,8 @@ static void draw(Window *window, double seconds) {
 /* Whether what is shown moves by itself. */
 static bool is_lively(Window *window, const Scripted *scripted) {
     const Room *room = window_room(window);
-    return window->dirty || scripted_is_busy(scripted) || window->pace.counting || window->export ||
-           (room->live && room->player.playing);
+    return window->dirty || ui_is_busy(window->ui) || scripted_is_busy(scripted) || window->pace.counting ||
+           window->export || (room->live && room->player.playing);
 }
 
 /* Between frames --------------------------------------------------------------------------------------------------- */
