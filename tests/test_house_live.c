@@ -4,8 +4,10 @@
 #include "laboratory/house_live.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "case.h"
 #include "check.h"
@@ -474,4 +476,60 @@ TEST(closing_does_not_wait) {
         }
         close_at_once(live);
     }
+}
+
+/* Opens a house of these members besides its walls; the file is gone afterwards, but what is shown stays. */
+static void *open_made(const char *path, const char *members) {
+    Text text = {0};
+    text_format(&text,
+                "{\"format\": \"clearance-house\", \"version\": 1, \"walls\": [{\"id\": \"w1\", \"points\": [[0, 0], "
+                "[9, 0]]}]%s}",
+                members);
+    CHECK(text_write_file(path, text.text, text.used) == 0);
+    memory_free(text.text);
+    char profiles[4096];
+    snprintf(profiles, sizeof profiles, "%s/assets/profiles", check_source());
+    Fault fault = {0};
+    void *live = kind->open(path, &(LiveOptions){.profiles = profiles, .driving = -1, .seed = 1, .jobs = 1}, &fault);
+    CHECK(live && !fault.total);
+    return live;
+}
+
+TEST(a_house_that_cannot_be_run_says_why) {
+    char path[] = "/tmp/clearance-live-XXXXXX";
+    close(mkstemp(path));
+    void *live = open_made(path, ", \"people\": [{\"id\": \"p1\", \"profile\": \"nobody\", \"at\": [1, 1]}]");
+    unsigned changed = settle(live, 0);
+    double since;
+    CHECK(changed & LIVE_TROUBLE && strstr(kind->trouble(live, &since), "nobody"));
+    CHECK(kind->answer(live).role == ROLE_ERROR && house_live_digest(live) == 0);
+    size_t count;
+    kind->parameters(live, &count);
+    CHECK(count == 0 && !set(live, "wall.w1.thickness", 0.2));
+    CHECK(!kind->show(live, 0) && kind->still(live)->count == 0 && kind->plot_count(live) == 0);
+    CHECK(kind->next(live, (LiveThing){0, 0}, 1).kind == HOUSE_NOTHING);
+    kind->close(live);
+    live = open_made(path, "");
+    settle(live, 0);
+    CHECK_TEXT(kind->answer(live).title, "Nobody is here");
+    CHECK(!kind->show(live, 0) && kind->still(live)->count > 0 && kind->span(live).end == 0);
+    CHECK(set(live, "wall.w1.thickness", 0.3));
+    settle(live, 0);
+    CHECK(!kind->trouble(live, &since));
+    kind->close(live);
+    unlink(path);
+}
+
+/* Somebody who does not get out, and numbers with which a run would break down. */
+TEST(what_went_wrong_is_told) {
+    void *live = open_live("corner-0.78-0.78", NULL, 0, NULL);
+    settle(live, 0);
+    CHECK(kind->answer(live).role == ROLE_ERROR && strstr(kind->answer(live).title, "annot pass"));
+    kind->close(live);
+    live =
+        open_live("corner-0.90-0.90", (const char *[]){"profile.manual-chair.contact.normal_damping=100000"}, 1, NULL);
+    settle(live, 0);
+    double since;
+    CHECK(strstr(kind->trouble(live, &since), "the step dt"));
+    kind->close(live);
 }

@@ -128,6 +128,12 @@ LivePlot house_live_plots_at(const HouseLive *live, size_t index);
 /* s, of a steady clock. */
 double house_live_words_now(void);
 
+/* A row more; good until the next one. */
+LiveRow *house_live_words_add(HouseLive *live, RowKind kind, const char *first);
+
+/* Rows about what is selected, if anything is. */
+void house_live_about_say(HouseLive *live, double time);
+
 /* Makes the words that are not as they should be; `time` is shown. */
 void house_live_words_make(HouseLive *live, double time);
 void house_live_words_clear(HouseLive *live);

@@ -21,128 +21,12 @@ double house_live_words_now(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static LiveRow *add_row(HouseLive *live, RowKind kind, const char *first) {
+LiveRow *house_live_words_add(HouseLive *live, RowKind kind, const char *first) {
     HouseWords *words = &live->words;
     words->rows = memory_reserve(words->rows, &words->row_capacity, words->row_count + 1, sizeof *words->rows);
     LiveRow *row = &words->rows[words->row_count++];
     *row = (LiveRow){.row = {.kind = kind, .role = ROLE_TEXT, .cells = {first}}, .time = NAN};
     return row;
-}
-
-static void add_pair(HouseLive *live, const char *what, const char *value) {
-    add_row(live, ROW_PLAIN, what)->row.cells[1] = value;
-}
-
-/* The selected thing ---------------------------------------------------------------------------------------------- */
-
-/* The row of the trace at or before a time; NULL: none. */
-static const double *row_at(const Trail *trail, double time) {
-    size_t low = 0, high = trail->count;
-    while (high > low + 1) {
-        size_t middle = low + (high - low) / 2;
-        *(trail->rows[middle][TRACE_TIME] <= time ? &low : &high) = middle;
-    }
-    return trail->count ? trail->rows[low] : NULL;
-}
-
-static void say_moment(HouseLive *live, size_t person, double time) {
-    Scene *scene = &live->words.moment;
-    const double *row = row_at(&live->trails.trails[person], time);
-    if (!row)
-        return;
-    double reach = live->shown->house.people[person].profile->space_reach;
-    bool free = row[TRACE_CLEARANCE] >= reach;
-    add_pair(live, "speed now", scene_text(scene, "%.2f m/s", row[TRACE_SPEED]));
-    add_pair(live, "clearance now",
-             free ? scene_text(scene, "over %.2f m", reach) : people_scene_clearance(scene, row[TRACE_CLEARANCE]));
-    add_pair(live, "contact force now", scene_text(scene, "%.0f N", row[TRACE_BODY_FORCE]));
-}
-
-static const char *result_of(HouseLive *live, const PersonObservation *observed) {
-    if (observed->completed)
-        return scene_text(&live->words.moment, "out in %.1f s", observed->time);
-    return live->whole ? observation_reason(observed->reason) : "on the way";
-}
-
-static void say_narrowest(HouseLive *live, size_t person) {
-    Scene *scene = &live->words.moment;
-    const House *house = &live->shown->house;
-    const PersonObservation *observed = &live->observation->people[person];
-    char place[HOUSE_THING_NAME];
-    if (!(observed->narrowest < house->people[person].profile->space_reach)) {
-        add_pair(live, "narrowest", "stays free");
-        return;
-    }
-    if (observed->narrowest_other >= 0)
-        snprintf(place, sizeof place, "person %s", house->people[observed->narrowest_other].id);
-    else
-        outline_place_name(&house->outline, &house->plan, observed->narrowest_to, place, sizeof place);
-    add_pair(live, scene_text(scene, "narrowest, %s", place), people_scene_clearance(scene, observed->narrowest));
-}
-
-static void say_person(HouseLive *live, size_t i, double time) {
-    Scene *scene = &live->words.moment;
-    const Inhabitant *person = &live->shown->house.people[i];
-    const PersonObservation *observed = &live->observation->people[i];
-    add_pair(live, "profile", arena_text(&scene->arena, person->profile->name));
-    if (person->route)
-        add_pair(live, "route", arena_text(&scene->arena, person->route->id));
-    if (!observed->took_part) {
-        add_pair(live, "takes no part", NULL);
-        return;
-    }
-    add_pair(live, "result", result_of(live, observed));
-    add_pair(live, "length of the way", scene_text(scene, "%.2f m", observed->path_length));
-    say_narrowest(live, i);
-    add_pair(live, "contacts", scene_text(scene, "%d", observed->contacts));
-    if (observed->contacts)
-        add_pair(live, "hardest contact", scene_text(scene, "%.0f N", observed->peak_force));
-    add_pair(live, "personal space pressed", scene_text(scene, "%.1f s", observed->ring_time));
-    say_moment(live, i, time);
-}
-
-static void say_door(HouseLive *live, const Door *door) {
-    static const char *const kinds[] = {"opening", "hinged", "sliding"}, *const states[] = {"open", "closed", "locked"};
-    Scene *scene = &live->words.moment;
-    add_pair(live, "clear width", scene_text(scene, "%.3f m", door->width));
-    add_pair(live, "kind", kinds[door->kind]);
-    add_pair(live, "state", states[door->state]);
-    add_pair(live, "in wall", arena_text(&scene->arena, door->wall));
-}
-
-static void say_hazard(HouseLive *live, const Hazard *hazard) {
-    Scene *scene = &live->words.moment;
-    add_pair(live, "clearance", people_scene_clearance(scene, hazard->clearance));
-    add_pair(live, "hardest contact", scene_text(scene, "%.0f N", hazard->peak_force));
-    add_pair(live, "lost time", scene_text(scene, "%.1f s", hazard->lost_time));
-}
-
-static void say_selected(HouseLive *live, double time) {
-    Scene *scene = &live->words.moment;
-    const Plan *plan = &live->shown->house.plan;
-    LiveThing thing = live->selected;
-    char name[HOUSE_THING_NAME];
-    house_live_thing_name(&live->shown->house, live->observation, thing, name, sizeof name);
-    if (!*name)
-        return;
-    add_row(live, ROW_HEADING, scene_text(scene, "%c%s", *name - ('a' <= *name && *name <= 'z' ? 32 : 0), name + 1));
-    if (thing.kind == HOUSE_PERSON) {
-        say_person(live, thing.index, time);
-    } else if (thing.kind == HOUSE_HAZARD) {
-        say_hazard(live, &live->observation->hazards[thing.index]);
-    } else if (thing.kind == HOUSE_DOOR) {
-        say_door(live, &plan->doors[thing.index]);
-    } else if (thing.kind == HOUSE_FURNITURE) {
-        const Furniture *piece = &plan->furniture[thing.index];
-        add_pair(live, "size", scene_text(scene, "%.2f x %.2f m", piece->size.x, piece->size.y));
-        add_pair(live, "height", scene_text(scene, "%.2f m", piece->height));
-        add_pair(live, "toppled", piece->toppled ? "yes" : "no");
-    } else if (thing.kind == HOUSE_WALL) {
-        add_pair(live, "thickness", scene_text(scene, "%.3f m", plan->walls[thing.index].thickness));
-    } else if (thing.kind == HOUSE_EXIT) {
-        const Exit *exit = &plan->exits[thing.index];
-        add_pair(live, "width", scene_text(scene, "%.2f m", vec2_distance(exit->from, exit->to)));
-    }
 }
 
 /* Before and now -------------------------------------------------------------------------------------------------- */
@@ -168,7 +52,7 @@ static Totals totals_of(const Observation *observation) {
 }
 
 static void add_comparison(HouseLive *live, const char *what, const char *before, const char *now) {
-    LiveRow *row = add_row(live, ROW_PLAIN, what);
+    LiveRow *row = house_live_words_add(live, ROW_PLAIN, what);
     row->row.cells[1] = before;
     row->row.cells[2] = now;
 }
@@ -179,7 +63,7 @@ static void compare(HouseLive *live) {
     if (!ghost.observation || !live->whole)
         return;
     Totals before = totals_of(ghost.observation), now = totals_of(live->observation);
-    LiveRow *heading = add_row(live, ROW_HEADING, "Compare");
+    LiveRow *heading = house_live_words_add(live, ROW_HEADING, "Compare");
     heading->row.cells[1] = house_scene_before_word(ghost);
     heading->row.cells[2] = "now";
     add_comparison(live, "time", before.completed ? scene_text(scene, "%.1f s", before.time) : "not out",
@@ -220,7 +104,7 @@ static void add_listed(HouseLive *live) {
     const House *house = &live->shown->house;
     size_t hazard = 0, person = 0;
     for (size_t i = 0; i < scene->row_count; i++) {
-        LiveRow *row = add_row(live, ROW_PLAIN, NULL);
+        LiveRow *row = house_live_words_add(live, ROW_PLAIN, NULL);
         row->row = scene->rows[i];
         if (row->row.kind == ROW_DISC) {
             row->thing = (LiveThing){HOUSE_HAZARD, hazard};
@@ -328,7 +212,7 @@ void house_live_words_make(HouseLive *live, double time) {
         tell_run(live);
     scene_clear(&words->moment);
     say_answer(live);
-    say_selected(live, time);
+    house_live_about_say(live, time);
     compare(live);
     add_listed(live);
 }
@@ -346,7 +230,7 @@ bool house_live_words_moved(const HouseLive *live, double time) {
         return false;
     const Trail *trail = &live->trails.trails[live->selected.index];
     return house_live_words_now() - live->words.said >= MOMENT &&
-           row_at(trail, time) != row_at(trail, live->words.time);
+           trail_row_at(trail, time) != trail_row_at(trail, live->words.time);
 }
 
 /* What is in work, in words; NULL: nothing. */

@@ -96,6 +96,10 @@ Pose trail_pose(const Trail *trail, double time) {
     return (Pose){.at = vec2_along(from, part, vec2_sub(to, from)), .heading = before[TRACE_HEADING] + part * turn};
 }
 
+const double *trail_row_at(const Trail *trail, double time) {
+    return trail->count ? trail->rows[trail_row(trail, time)] : NULL;
+}
+
 double trail_compression(const Trail *trail, double from, double to) {
     double most = 0;
     for (size_t i = trail_row(trail, from); i < trail->count && trail->rows[i][TRACE_TIME] <= to; i++)

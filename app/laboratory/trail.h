@@ -26,6 +26,9 @@ void trail_clear(TrailGrowth *growth);
 /* Where and how the person stands at a time; between rows in proportion. The trail has a row. */
 Pose trail_pose(const Trail *trail, double time);
 
+/* The row at or before a time, otherwise the first; NULL: there is none. */
+const double *trail_row_at(const Trail *trail, double time);
+
 /* The greatest compression of the personal space from one time to another, m. */
 double trail_compression(const Trail *trail, double from, double to);
 
