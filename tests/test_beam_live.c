@@ -284,6 +284,26 @@ TEST(plots_at_speed_hold_more_cycles) {
     beam_live.close(live);
 }
 
+/* Jumps over more than is kept, between beams of different modes, at the very beginning of the record. */
+TEST(what_is_forgotten_is_not_looked_for) {
+    const char *const settings[] = {"beam.modes=1"};
+    void *live = open_beam("ibs", settings, 1);
+    Fault fault = {0};
+    double time = 0;
+    for (int jump = 0; jump < 6; jump++) {
+        time += (jump % 2 ? 30000 : 11000) / 300.;
+        show_at(live, time);
+        beam_live.update(live, time);
+        LiveSpan span = beam_live.span(live);
+        for (int i = 0; i < 8; i++)
+            show_at(live, span.begin + (span.end - span.begin) * i / 7);
+        show_at(live, span.begin);
+        CHECK(beam_live.set(live, "beam.modes", 1 + jump % 3, &fault));
+        time = beam_live.span(live).end;
+    }
+    beam_live.close(live);
+}
+
 TEST(layers_and_camera_make_another_picture) {
     void *live = open_beam("ibs", NULL, 0);
     show_at(live, 0.01);

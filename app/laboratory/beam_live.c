@@ -157,17 +157,16 @@ static void take_news(BeamLive *live, BeamNews *news) {
 static void note_doing(BeamLive *live, const BeamNews *news) {
     BeamAnswer *answer = &live->answer;
     size_t size = sizeof answer->doing, done = news->sweep_done, all = news->sweep_all;
-    bool sweeps_now = all && done < all && !news->telling;
     answer->live.doing = answer->doing;
     answer->live.part = NAN;
     if (news->telling) {
         snprintf(answer->doing, size, "verdict: running it from rest");
-    } else if (sweeps_now) {
-        snprintf(answer->doing, size, "orbit diagram: %zu of %zu values", done, all);
-        answer->live.part = (double)done / (double)all;
     } else if (news->types_all) {
         snprintf(answer->doing, size, "type: %zu of at most %zu runs", news->types_done, news->types_all);
         answer->live.part = (double)news->types_done / (double)news->types_all;
+    } else if (done < all) {
+        snprintf(answer->doing, size, "orbit diagram: %zu of %zu values", done, all);
+        answer->live.part = (double)done / (double)all;
     } else {
         answer->live.doing = NULL;
     }

@@ -171,6 +171,8 @@ static bool turn_page(BeamTraces *traces, BeamTrace plot, const BeamTape *tape, 
     begin = begin > back + tape->first ? begin - back : tape->first;
     bool cut = begin < traces->cleared && traces->cleared <= cycle;
     BeamPage *page = &traces->pages[plot];
+    if (page->next < tape->first)
+        page->next = tape->first;
     if (page->serial == part->serial && page->version == tape->version && page->stride == stride &&
         page->number == number && page->cut == cut)
         return false;
@@ -357,6 +359,8 @@ static void show_spectrum(BeamTraces *traces, BeamTape *tape, size_t cycle) {
     size_t end = part->first + (page->number + 1) * SPECTRUM_PAGE * page->stride, from = cycle + 1;
     if (onwards && traces->last < cycle && cycle - traces->last < BEAM_TRACE_SPECTRA)
         from = traces->last + 1;
+    if (from < tape->first)
+        from = tape->first;
     for (; from <= cycle && cycle < tape->front; from++)
         if (from + BEAM_TRACE_SPECTRA >= end) /* for the next one: a little with each picture */
             wave_of(traces, tape, from);

@@ -8,7 +8,10 @@
 
 #include "base/parallel.h"
 
-enum { GIVES_WAY = 10 /* how nice the thread is */ };
+enum {
+    GIVES_WAY = 10, /* how nice the thread is */
+    COARSE = 121,   /* values of the orbit diagram that come before the type; the others come after it */
+};
 
 typedef struct Question {
     bool asked;
@@ -151,6 +154,14 @@ static void wait_for_questions(BeamWorker *worker) {
     pthread_cond_timedwait(&worker->wake, &worker->lock, &at);
 }
 
+static bool sweeps(const BeamWorker *worker) {
+    return worker->sweeps && !worker->swept && !worker->sweep.asked;
+}
+
+static bool wants_type(const BeamWorker *worker) {
+    return worker->told && !worker->typed && !worker->verdict.asked && !worker->sweep.asked;
+}
+
 /* Threads that this one starts are as nice. */
 static void *work(void *context) {
     BeamWorker *worker = context;
@@ -162,9 +173,9 @@ static void *work(void *context) {
             tell_verdict(worker);
         else if (is_due(&worker->sweep, now))
             begin_sweep(worker);
-        else if (worker->sweeps && !worker->swept && !worker->sweep.asked)
+        else if (sweeps(worker) && (worker->sweeping.done < COARSE || !wants_type(worker)))
             go_on_sweeping(worker);
-        else if (worker->told && !worker->typed && !worker->verdict.asked && !worker->sweep.asked)
+        else if (wants_type(worker))
             tell_type(worker);
         else
             wait_for_questions(worker);

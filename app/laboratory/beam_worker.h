@@ -1,5 +1,5 @@
-/* What a running beam has worked out beside it, on a thread that gives way to others: the verdict, the orbit diagram,
- * the type; in this order, the newest question first. */
+/* What a running beam has worked out beside it, on a thread that gives way to others: the verdict, the orbit diagram
+ * coarsely, the type, the rest of the diagram. The newest question wins. */
 #pragma once
 
 #include "laboratory/beam_sweep.h"
