@@ -140,7 +140,7 @@ static void add_basis(BeamAnswer *answer, const BeamVerdict *verdict) {
     if (verdict->verdict == RESPONSE_PERIODIC)
         add_row(answer, ROW_PLAIN, "largest multiplier", text_in_arena(arena, "%.3f", verdict->multiplier));
     else if (isfinite(verdict->exponent.value))
-        add_row(answer, ROW_PLAIN, "largest exponent",
+        add_row(answer, ROW_PLAIN, "exponent",
                 text_in_arena(arena, "%+.3f \u00B1 %.3f per cycle", verdict->exponent.value, verdict->exponent.error));
     if (isfinite(verdict->zero_one))
         add_row(answer, ROW_PLAIN, "K of the 0-1 test", text_in_arena(arena, "%.3f", verdict->zero_one));

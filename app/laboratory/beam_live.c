@@ -61,7 +61,7 @@ static void *open_live(const char *path, const LiveOptions *options, Fault *faul
     }
     live->path = strcpy(memory_allocate(strlen(path) + 1, 1), path);
     live->tape.place = live->opened.name;
-    live->view.parts = BEAM_SCENE_ALL;
+    live->view.parts = BEAM_SCENE_ALL & ~BEAM_SCENE_SOURCES;
     beam_traces_open(&live->traces);
     beam_diagram_open(&live->diagram);
     live->worker = beam_worker_start(options->jobs);
@@ -236,10 +236,10 @@ static const char *trouble(const void *context, double *time) {
     return beam_live_has_ended(live) ? live->trouble : NULL;
 }
 
-static const char *const layer_names[] = {"loupe", "forces", "names"};
+static const char *const layer_names[] = {"loupe", "forces", "names", "sources"};
 static const char *const layer_meanings[] = {"the tip between its stops, enlarged",
-                                             "the shaker's force, and those of the stops",
-                                             "what the parts are called, and their numbers"};
+                                             "the shaker's force, and those of the stops", "what the parts are called",
+                                             "below each name its numbers, and where they come from"};
 
 /* Nothing in the picture can be selected. */
 
@@ -282,10 +282,11 @@ const LiveKind beam_live = {
     .name = "Beam",
     .word = "beam",
     .plots_at_first = "phase,orbit,force,poincare,spectrum",
+    .numbers_first = true,
     .layers = layer_names,
     .meanings = layer_meanings,
     .layer_count = sizeof layer_names / sizeof *layer_names,
-    .layers_at_first = BEAM_SCENE_ALL,
+    .layers_at_first = BEAM_SCENE_ALL & ~BEAM_SCENE_SOURCES,
     .open = open_live,
     .close = close_live,
     .update = update,

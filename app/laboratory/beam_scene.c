@@ -16,7 +16,7 @@
 #define BEHIND_ALONE 0.15 /* where there is no loupe */
 #define HIGH 0.195        /* of the picture, above the beam */
 #define LOW -0.195        /* and below it */
-#define MAGNIFIED_AT 0.66 /* where it says how much larger deflections are drawn */
+#define MAGNIFIED_AT 0.2  /* where it says how much larger deflections are drawn */
 #define REST_BEFORE 0.04  /* so far before the beam its rest line begins */
 #define PIVOT_GROUND 0.030
 #define PIVOT_SPRING 0.016
@@ -107,7 +107,7 @@ static size_t joint_count(const BeamScale *scale) {
 
 Box beam_scene_box(const BeamScale *scale, bool alone) {
     double behind = scale->parts & BEAM_SCENE_LOUPE ? BEHIND : BEHIND_ALONE, length = scale->length;
-    double words = alone && scale->parts & BEAM_SCENE_LOUPE && scale->parts & BEAM_SCENE_NAMES ? 2 * ROW : 0;
+    double words = alone ? (scale->parts & BEAM_SCENE_SOURCES ? 2 : 1) * ROW : 0;
     return (Box){{-BEFORE * length, (LOW - words) * length}, {(1 + behind) * length, HIGH * length}};
 }
 
@@ -130,7 +130,8 @@ void beam_scene_words(Scene *scene, const Beam *beam, const Rig *rig, const Resp
 
 /* Rows of words to one side of a place, downwards; a piece's name is bold, what is told of it is not. */
 static void add_rows(Scene *scene, const BeamScale *scale, Vec2 at, int side, const char *const *rows, size_t count) {
-    for (size_t i = 0; i < count && scale->parts & BEAM_SCENE_NAMES; i++) {
+    size_t shown = !(scale->parts & BEAM_SCENE_NAMES) ? 0 : scale->parts & BEAM_SCENE_SOURCES ? count : 1;
+    for (size_t i = 0; i < shown; i++) {
         Vec2 from = vec2(at.x, at.y - ROW * scale->length * (double)i), to = vec2(from.x + side, from.y);
         Primitive *label =
             scene_add_label(scene, i ? ROLE_DIM_TEXT : ROLE_TEXT, i ? SMALL_LETTERS : NAME_LETTERS, from, rows[i]);
@@ -244,7 +245,7 @@ static void add_magnified(Scene *scene, Vec2 at, const char *text) {
 
 void beam_scene_magnified(Scene *scene, const BeamScale *scale) {
     double length = scale->length;
-    add_magnified(scene, vec2(MAGNIFIED_AT * length, (HIGH - ROW / 2) * length),
+    add_magnified(scene, vec2(MAGNIFIED_AT * length, (LOW - 0.4 * ROW) * length),
                   scene_text(scene, "deflection drawn %.9g times larger", scale->joint[0].factor));
     if (scale->parts & BEAM_SCENE_LOUPE)
         add_magnified(scene, vec2((1 + LOUPE_LEFT + LOUPE_RIM) * length, (HIGH - ROW) * length),

@@ -28,7 +28,13 @@ typedef struct BeamJoint {
 enum { BEAM_JOINTS = 2 };
 
 /* What of it is drawn. */
-enum { BEAM_SCENE_LOUPE = 1, BEAM_SCENE_FORCES = 2, BEAM_SCENE_NAMES = 4, BEAM_SCENE_ALL = 7 };
+enum {
+    BEAM_SCENE_LOUPE = 1,
+    BEAM_SCENE_FORCES = 2,
+    BEAM_SCENE_NAMES = 4,
+    BEAM_SCENE_SOURCES = 8, /* below each name its other numbers, and where they come from */
+    BEAM_SCENE_ALL = 15,
+};
 
 /* How it is drawn. */
 typedef struct BeamScale {

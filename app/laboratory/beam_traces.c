@@ -65,8 +65,8 @@ void beam_traces_open(BeamTraces *traces) {
                                  .x = {.title = "displacement at phase 0", .unit = "mm"},
                                  .y = {.title = "velocity at phase 0", .unit = "m/s"}},
         [BEAM_TRACE_FORCE] = {.title = "Force on the tip", .y = {.title = "force", .unit = "N"}},
-        [BEAM_TRACE_SPECTRUM] = {.title = "Spectrum of the displacement",
-                                 .x = {.title = "frequency (dotted: multiples of the drive's)", .unit = "Hz"},
+        [BEAM_TRACE_SPECTRUM] = {.title = "Spectrum",
+                                 .x = {.title = "frequency", .unit = "Hz"},
                                  .y = {.title = "amplitude", .unit = "mm", .logarithmic = true}}};
     *traces = (BeamTraces){.shown = -1};
     for (size_t p = 0; p < BEAM_TRACES; p++) {

@@ -138,6 +138,7 @@ typedef struct LiveKind {
     size_t layer_count;          /* at most LIVE_LAYERS_MOST */
     unsigned layers_at_first;    /* bits */
     bool raised;                 /* it can be looked at from the side */
+    bool numbers_first;          /* the panel begins with the parameters */
 
     /* Begins with a file; the first pictures come with an update. NULL: faults say why. Reading that takes longer than
      * some 50 ms is done in the background, and its faults come as trouble. `close` ends all threads. */

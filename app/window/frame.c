@@ -27,7 +27,7 @@
 #define BELOW_HEIGHT 0.36
 #define WIDE_VIEW 3.0 /* what is wider than so many times its height leaves the plots all that it does not need */
 #define WIDE_LEAST 150.0
-#define WIDE_MOST 0.42 /* of the place */
+#define WIDE_MOST 0.36 /* of the place */
 
 static bool is_there(Box box) {
     return box_width(box) > 0 && box_height(box) > 0;

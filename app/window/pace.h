@@ -15,7 +15,8 @@ typedef struct Pace {
     double first;         /* s, from the program's beginning to the first picture; 0: there has been none */
 } Pace;
 
-/* Waits until the next picture is due, unless nobody waits for it (`hurried`); returns the s on the wall since the last.
+/* Waits until the next picture is due, unless nobody waits for it (`hurried`); returns the s on the wall since the
+ * last.
  */
 double pace_wait(Pace *pace, bool hurried);
 

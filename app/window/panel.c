@@ -241,9 +241,12 @@ void panel_show(Window *window) {
     ui_pane_begin(window->ui,
                   &(UiPane){.name = "panel", .box = window->frame.panel, .ground = ROLE_PANEL, .scrolls = true});
     if (room->live) {
-        show_rows(window, room);
+        if (!room->kind->numbers_first)
+            show_rows(window, room);
         show_parameters(window, room, true);
         show_presets(window, room);
+        if (room->kind->numbers_first)
+            show_rows(window, room);
         show_choices(window, room);
         show_more(window, room);
         show_plots(window, room);

@@ -337,6 +337,9 @@ static bool open_glass(Window *window, Fault *fault) {
     if (!window->glass)
         return false;
     window->screen = paint_gl_screen_create(glass_gl(window->glass));
+    if (!glass_is_seen(window->glass))
+        paint_gl_screen_leave_window(
+            window->screen); /* without a display a window's own picture keeps its first size */
     window->ui =
         ui_create(window->screen, window->theme, (UiClipboard){glass_clipboard, glass_set_clipboard, window->glass});
     window->mouse = vec2(-1, -1);
