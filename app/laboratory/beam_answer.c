@@ -21,7 +21,8 @@ BeamLately beam_answer_look(const BeamTape *tape) {
         velocity[i] = next->velocity;
         memcpy(peak + 2 * i, cycle->peak, sizeof cycle->peak);
     }
-    lately.peaks = section_peaks(&(Section){.count = count, .peak = peak});
+    size_t last = count / 2; /* the settled part of those that settle */
+    lately.peaks = section_peaks(&(Section){.count = count - last, .peak = peak + 2 * last});
     lately.period = section_period(deflection, velocity, count, part->rig.omega, rig_rest_deflection(&part->rig));
     return lately;
 }

@@ -11,7 +11,7 @@ enum { BEAM_ANSWER_LATELY = 128 /* cycles that are looked at */ };
 typedef struct BeamLately {
     size_t cycles;      /* since the last change */
     int period;         /* as section_period */
-    SectionPeaks peaks; /* of the cycles that are looked at */
+    SectionPeaks peaks; /* of the later half of the cycles that are looked at */
 } BeamLately;
 
 BeamLately beam_answer_look(const BeamTape *tape);

@@ -8,7 +8,7 @@
 
 /* Design points. */
 #define DOT 2.2
-#define SIGN 4.5
+#define SIGN 4.0
 
 const char *const beam_diagram_over[BEAM_DIAGRAM_OVER] = {"drive.frequency", "drive.force",     "joint.clearance",
                                                           "beam.length",     "joint.stiffness", "joint.damping"};
@@ -17,10 +17,10 @@ const char *const beam_diagram_words[BEAM_DIAGRAM_OVER] = {"excitation frequency
 
 void beam_diagram_open(BeamDiagram *diagram) {
     static const PlotSeries looks[BEAM_SWEEP_PASSES + 1] = {
-        {.role = ROLE_GHOST, .symbol = SYMBOL_BOX, .size = SIGN, .open = true},
+        {.role = ROLE_GHOST, .symbol = SYMBOL_TRIANGLE, .size = SIGN},
         {.role = ROLE_WALL, .symbol = SYMBOL_DISC, .size = DOT},
-        {.role = ROLE_LOCUS, .symbol = SYMBOL_TRIANGLE, .size = SIGN},
-        {.role = ROLE_LOCUS_SECOND, .symbol = SYMBOL_BOX, .size = SIGN, .open = true}};
+        {.role = ROLE_LOCUS, .symbol = SYMBOL_BOX, .size = SIGN, .open = true},
+        {.role = ROLE_LOCUS_SECOND, .symbol = SYMBOL_DISC, .size = DOT}}; /* within the boxes, where both are */
     *diagram = (BeamDiagram){.revision = 1};
     memcpy(diagram->series, looks, sizeof looks);
     diagram->plot = (Plot){.title = "Orbit diagram: peak force",
