@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """Somebody sees the window for the first time: checks 1 to 9 of the window's conventions, by a real hand."""
 
 import time

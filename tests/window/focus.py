@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """The keyboard alone: checks 6 (a field is open), 20 and 21 of the window's conventions, and every key of the card."""
 
 import re

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """Both laboratories at work in the window: playing, scrubbing, changing numbers, switching, pictures, sizes; checks 8,
 22, 23 and 24 of the window's conventions, and that the digest is the headless one."""
 
