@@ -108,7 +108,7 @@ check("haotic" in found[1]["answer"]["title"], "300 Hz is chaotic", found[1]["an
 check(found[1]["end"] > found[0]["end"] + 0.5, "hundreds of cycles have passed", (found[0]["end"], found[1]["end"]))
 
 # 24. pictures and what lies beside them
-found = act("picture", "until complete 60", "pause", "seek 5", "wait 3", "key F9", "wait 5", "state STATE", "key F6", "wait 2",
+found = act("picture", "until complete 60", "pause", "seek 5", "wait 3", "key F9", "wait 5", "state STATE", "click 750 220", "wait 2",
             "key F9", "wait 5", "state STATE", "key F9", "wait 5", "key Ctrl+C", "wait 2", "state STATE")
 made = stage.folder / "picture" / "home" / "clearance"
 names = sorted(p.name for p in made.iterdir()) if made.is_dir() else []
