@@ -102,5 +102,17 @@ moved = (second["time"] - first["time"]) / (ended - begun)
 check(second["achieved"] is not None and abs(second["achieved"] - moved) < 0.15 * max(moved, 0.1),
       "the achieved speed is what a watch says", (second["achieved"], moved))
 
+# the other laboratory, the gallery, a picture, a sheet, and out
+screen.keys("F3")
+state = screen.until(lambda s: s["laboratory"] == "beam" and not s["answer"]["stale"], 90)
+check(state["laboratory"] == "beam" and not state["answer"]["stale"], "F3 is the beam, and it is answered", state["answer"])
+screen.keys("F4")
+check(screen.state()["sheet"] == "gallery", "F4 is the gallery")
+time.sleep(2)
+screen.keys("Escape", "F9")
+check("written" in (screen.state()["message"] or ""), "F9 writes a picture", screen.state()["message"])
+screen.keys("ctrl+e", "Escape", "ctrl+t", "F2")
+check(screen.state()["laboratory"] == "house", "F2 is the house again")
+
 screen.end()
 stage.end()
