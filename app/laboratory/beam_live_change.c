@@ -109,10 +109,11 @@ void beam_live_change_again(void *context) {
     fault_clear(&none);
 }
 
-void beam_live_change_keep(void *context, double time) {
+bool beam_live_change_keep(void *context, double time) {
     BeamLive *live = context;
     beam_traces_keep(&live->traces, time);
     beam_diagram_keep(&live->diagram, true);
+    return true;
 }
 
 void beam_live_change_clear(void *context, double time) {

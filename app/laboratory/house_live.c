@@ -275,11 +275,11 @@ static void again(void *context) {
         house_live_follow_ask(live);
 }
 
-static void keep(void *context, double time) {
+static bool keep(void *context, double time) {
     HouseLive *live = context;
     (void)time;
-    house_live_follow_keep(live, false);
     live->changed |= LIVE_WORDS | LIVE_PLOTS;
+    return house_live_follow_keep(live, false);
 }
 
 static void clear(void *context, double time) {

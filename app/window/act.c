@@ -139,7 +139,7 @@ static void show_save(Window *window) {
     Room *room = window_room(window);
     static const char *const endings[] = {".json", NULL};
     char *folder = act_folder(window);
-    if (!folder || !room->live)
+    if (!folder)
         return;
     char *name = export_free_name(folder, room->kind->title(room->live), endings);
     snprintf(window->field, sizeof window->field, "%s.json", name);
@@ -433,8 +433,10 @@ static bool do_room(Window *window, Room *room, Action action) {
         act_say(window, "every number is as in the file");
         return true;
     case ACTION_KEEP:
-        room->kind->keep(room->live, room->player.time);
-        act_say(window, "kept as \"before\"");
+        act_say(window, "%s",
+                room->kind->keep(room->live, room->player.time)
+                    ? "kept as \"before\""
+                    : "nothing is kept yet: the run is still being computed");
         return true;
     case ACTION_GHOST:
         next_word(window, room, "Ghost");
