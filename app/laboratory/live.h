@@ -106,7 +106,7 @@ typedef struct LivePreset {
 
 /* A plot beside the view. Its series may grow from update to update; what of them is drawn, live->until tells. */
 typedef struct LivePlot {
-    const char *name;  /* "phase": in names of files, of --plots where that knows it */
+    const char *name;  /* "phase": in names of files, of --plots where that knows it; lives as long as the program */
     const char *title; /* for menus */
     const Plot *plot;  /* good until the next update */
     unsigned revision; /* another number: other axes or series, what was drawn is void */
