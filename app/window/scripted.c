@@ -1,5 +1,6 @@
 #include "window/scripted.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -141,7 +142,8 @@ static void add_room(json_t *state, Window *window) {
     json_object_set_new(state, "command", command_state(room));
 }
 
-json_t *scripted_state(Window *window) {
+/* All that can be asked for; new, json_decref it. */
+static json_t *state_of(Window *window) {
     static const char *const sheets[SHEETS] = {"none", "menu",   "keys",     "gallery", "open",
                                                "save", "export", "messages", "explain", "about"};
     const Message *last = messages_last(&window->messages);
@@ -226,12 +228,15 @@ static void fail(Scripted *scripted, Window *window, Fault *fault) {
     window->code = 1;
 }
 
+static void say_error(Window *window, const char *path, int error) {
+    if (error)
+        act_say(window, "%s cannot be written: %s", path, strerror(error));
+}
+
 static void write_picture(Window *window, const char *path) {
     unsigned char *pixels = memory_allocate((size_t)window->width * (size_t)window->height, 4);
     paint_gl_screen_read(window->screen, pixels);
-    int error = snapshot_pixels(path, pixels, window->width, window->height);
-    if (error)
-        act_say(window, "%s: %s", path, strerror(error));
+    say_error(window, path, snapshot_pixels(path, pixels, window->width, window->height));
     memory_free(pixels);
 }
 
@@ -241,24 +246,26 @@ static void write_view(Window *window, const char *path) {
         return;
     unsigned char *pixels = memory_allocate((size_t)scenery->width * (size_t)scenery->height, 4);
     paint_gl_read(scenery->paint, pixels);
-    snapshot_pixels(path, pixels, scenery->width, scenery->height);
+    say_error(window, path, snapshot_pixels(path, pixels, scenery->width, scenery->height));
     memory_free(pixels);
 }
 
 static void write_state(Window *window, const char *path) {
-    json_t *state = scripted_state(window);
+    json_t *state = state_of(window);
     FILE *file = fopen(path, "a");
     if (file) {
         json_dumpf(state, file, JSON_COMPACT | JSON_SORT_KEYS);
         fputc('\n', file);
         fclose(file);
+    } else {
+        say_error(window, path, errno);
     }
     json_decref(state);
 }
 
 static void expect(Scripted *scripted, Window *window, const ScriptCommand *command) {
     Fault fault = {0};
-    json_t *state = scripted_state(window);
+    json_t *state = state_of(window);
     if (!script_expect(&scripted->script, command, state, &fault))
         fail(scripted, window, &fault);
     json_decref(state);
@@ -269,10 +276,19 @@ static void set(Scripted *scripted, Window *window, const ScriptCommand *command
     Room *room = window_room(window);
     if (isnan(command->numbers[0]))
         script_fault(&scripted->script, command, &fault, "%s is no number", command->words[1]);
-    else if (room->live)
+    else
         room->kind->set(room->live, command->words[0], command->numbers[0], &fault);
     if (fault.count)
         act_complain(window, &fault, NAN);
+}
+
+/* What concerns a laboratory needs one that is open; false: a fault. */
+static bool can_be_done(const Scripted *scripted, const Room *room, const ScriptCommand *command, Fault *fault) {
+    bool concerns = command->kind == SCRIPT_SET || command->kind == SCRIPT_PLAY || command->kind == SCRIPT_PAUSE ||
+                    command->kind == SCRIPT_SEEK || command->kind == SCRIPT_SPEED;
+    if (concerns && !room->live)
+        script_fault(&scripted->script, command, fault, "%s: nothing is open", script_word(command->kind));
+    return !concerns || room->live;
 }
 
 static void set_speed(Room *room, double speed) {
@@ -290,6 +306,11 @@ static void set_playing(Room *room, bool playing) {
 static void run(Scripted *scripted, Window *window, const ScriptCommand *command) {
     Room *room = window_room(window);
     const double *numbers = command->numbers;
+    Fault fault = {0};
+    if (!can_be_done(scripted, room, command, &fault)) {
+        fail(scripted, window, &fault);
+        return;
+    }
     switch (command->kind) {
     case SCRIPT_KEY:
         add_key(scripted, command->words[0]);
