@@ -282,15 +282,6 @@ static void set(Scripted *scripted, Window *window, const ScriptCommand *command
         act_complain(window, &fault, NAN);
 }
 
-/* What concerns a laboratory needs one that is open; false: a fault. */
-static bool can_be_done(const Scripted *scripted, const Room *room, const ScriptCommand *command, Fault *fault) {
-    bool concerns = command->kind == SCRIPT_SET || command->kind == SCRIPT_PLAY || command->kind == SCRIPT_PAUSE ||
-                    command->kind == SCRIPT_SEEK || command->kind == SCRIPT_SPEED;
-    if (concerns && !room->live)
-        script_fault(&scripted->script, command, fault, "%s: nothing is open", script_word(command->kind));
-    return !concerns || room->live;
-}
-
 static void set_speed(Room *room, double speed) {
     LiveSpan span = room->kind->span(room->live);
     player_normal_speed(&room->player);
@@ -303,33 +294,62 @@ static void set_playing(Room *room, bool playing) {
         player_toggle(&room->player, &span);
 }
 
-static void run(Scripted *scripted, Window *window, const ScriptCommand *command) {
-    Room *room = window_room(window);
+/* As if by a hand; false: it is another command. */
+static bool run_input(Scripted *scripted, const ScriptCommand *command) {
     const double *numbers = command->numbers;
+    switch (command->kind) {
+    case SCRIPT_KEY:
+        add_key(scripted, command->words[0]);
+        return true;
+    case SCRIPT_TYPE:
+        add_text(scripted, command->words[0]);
+        return true;
+    case SCRIPT_MOUSE:
+        add_event(scripted, mouse_event(numbers[0], numbers[1]));
+        return true;
+    case SCRIPT_CLICK:
+        add_click(scripted, command);
+        return true;
+    case SCRIPT_DRAG:
+        add_drag(scripted, numbers);
+        return true;
+    case SCRIPT_WHEEL:
+        add_event(scripted, (GlassEvent){.kind = GLASS_WHEEL, .wheel = numbers[0]});
+        return true;
+    default:
+        return false;
+    }
+}
+
+static void run_in_room(Scripted *scripted, Window *window, const ScriptCommand *command) {
+    Room *room = window_room(window);
     Fault fault = {0};
-    if (!can_be_done(scripted, room, command, &fault)) {
+    if (!room->live) {
+        script_fault(&scripted->script, command, &fault, "%s: nothing is open", script_word(command->kind));
         fail(scripted, window, &fault);
         return;
     }
     switch (command->kind) {
-    case SCRIPT_KEY:
-        add_key(scripted, command->words[0]);
+    case SCRIPT_SET:
+        set(scripted, window, command);
         break;
-    case SCRIPT_TYPE:
-        add_text(scripted, command->words[0]);
+    case SCRIPT_SEEK:
+        room_seek(room, command->numbers[0]);
         break;
-    case SCRIPT_MOUSE:
-        add_event(scripted, mouse_event(numbers[0], numbers[1]));
+    case SCRIPT_SPEED:
+        set_speed(room, command->numbers[0]);
         break;
-    case SCRIPT_CLICK:
-        add_click(scripted, command);
-        break;
-    case SCRIPT_DRAG:
-        add_drag(scripted, numbers);
-        break;
-    case SCRIPT_WHEEL:
-        add_event(scripted, (GlassEvent){.kind = GLASS_WHEEL, .wheel = numbers[0]});
-        break;
+    default:
+        set_playing(room, command->kind == SCRIPT_PLAY);
+    }
+}
+
+static void run(Scripted *scripted, Window *window, const ScriptCommand *command) {
+    const double *numbers = command->numbers;
+    window->dirty = true;
+    if (run_input(scripted, command))
+        return;
+    switch (command->kind) {
     case SCRIPT_WAIT:
         scripted->waits = numbers[0];
         break;
@@ -344,17 +364,11 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
         act_enter(window, (size_t)command->choice);
         break;
     case SCRIPT_SET:
-        set(scripted, window, command);
-        break;
     case SCRIPT_PLAY:
     case SCRIPT_PAUSE:
-        set_playing(room, command->kind == SCRIPT_PLAY);
-        break;
     case SCRIPT_SEEK:
-        room_seek(room, numbers[0]);
-        break;
     case SCRIPT_SPEED:
-        set_speed(room, numbers[0]);
+        run_in_room(scripted, window, command);
         break;
     case SCRIPT_RESIZE:
         glass_resize(window->glass, (int)numbers[0], (int)numbers[1]);
@@ -374,7 +388,6 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
     default:
         window->quit = true;
     }
-    window->dirty = true;
 }
 
 /* Has come what it waits for? */
