@@ -32,8 +32,8 @@ sources() {
     forbid 'a laboratory knows a report, a command or the window' '#include "(command|report|document|window)/' $(sources app/laboratory)
     forbid 'a report knows a command or the window' '#include "(command|window)/' $(sources app/report)
     forbid 'the window knows a command or a report' '#include "(command|report|document)/' $(sources app/window)
-    forbid 'OpenGL outside its painter' '#include "draw/(gl|shaders)\.h"' \
-        $(sources engine app | grep -vE 'app/draw/(gl|offscreen|paint_gl[a-z_]*|shaders)\.[ch]')
+    forbid 'OpenGL outside its painter and the window that has the context' '#include "draw/(gl|shaders)\.h"' \
+        $(sources engine app | grep -vE 'app/(draw/(gl|offscreen|paint_gl[a-z_]*|shaders)|window/glass)\.[ch]')
     forbid 'SDL outside the window' '#include *[<"]SDL' $(sources app | grep -v app/window/)
     forbid 'Dear ImGui outside the pencil of the widgets' '#include *[<"](imgui|imstb)' $(sources engine app | grep -v app/window/ui.cpp)
     forbid 'widgets from inside' '#include "window/ui_inside\.h"' $(sources app | grep -vE 'app/window/ui(_[a-z]+)?\.(c|cpp)')

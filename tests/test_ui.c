@@ -113,7 +113,6 @@ TEST(a_click_presses_once_and_leaves_the_focus) {
     Pane pane = pane_begin(WIDTH, HEIGHT, 1, THEME_PAPER);
     pane_go(&pane, "plan", 0);
     pane_down(&pane, middle(pane.pause));
-    CHECK(ui_has_mouse(pane.ui));
     pane_frame(&pane);
     CHECK(pane.pauses == 0);
     pane_up(&pane, middle(pane.pause));
@@ -145,7 +144,6 @@ TEST(a_canvas_is_held_outside_its_box_too) {
     pane_down(&pane, at);
     CHECK(pane.grab.pressed && pane.grab.held && !pane.grab.twice);
     CHECK_NEAR(pane.grab.at.x, at.x, 1e-9);
-    CHECK(!ui_has_mouse(pane.ui));
     pane_move(&pane, outside);
     CHECK(pane.grab.held && !pane.grab.hovered && !pane.grab.pressed);
     CHECK_NEAR(pane.grab.delta.y, outside.y - at.y, 1e-9);
@@ -200,7 +198,7 @@ TEST(a_modal_pane_keeps_the_focus_and_the_mouse) {
     pane_frame(&pane);
     pane_down(&pane, middle(pane.pause));
     pane_up(&pane, middle(pane.pause));
-    CHECK(pane.pauses == 0 && ui_has_mouse(pane.ui));
+    CHECK(pane.pauses == 0);
     for (int i = 0; i < 5; i++) {
         pane_key(&pane, i % 2 ? UI_KEY_NEXT : UI_KEY_PANE);
         CHECK_TEXT(ui_focus_pane(pane.ui), "dialog");

@@ -59,6 +59,16 @@ static bool same_task(const BeamSweepTask *a, const BeamSweepTask *b) {
     return beam_numbers_same(&a->beam, &like);
 }
 
+static void begin_anew(BeamDiagram *diagram) {
+    const BeamSweepTask *task = &diagram->task;
+    for (size_t s = 1; s <= BEAM_SWEEP_PASSES; s++)
+        diagram->points[s].count = 0;
+    diagram->plot.x.title = beam_diagram_words[diagram->over];
+    diagram->plot.x.low = diagram->factor * task->from;
+    diagram->plot.x.high = diagram->factor * task->to;
+    diagram->revision++;
+}
+
 void beam_diagram_ask(BeamDiagram *diagram, const BeamControls *controls, const Beam *beam, BeamWorker *worker) {
     const LiveParameter *parameter = beam_controls_find(controls, beam_diagram_over[diagram->over]);
     BeamSweepTask task = {.beam = *beam, .name = parameter->name, .carried = diagram->carried};
@@ -67,8 +77,14 @@ void beam_diagram_ask(BeamDiagram *diagram, const BeamControls *controls, const 
     beam_controls_words(parameter, parameter->value, diagram->cursor, sizeof diagram->cursor);
     if (same_task(&diagram->task, &task))
         return;
+    bool other = !diagram->task.name || strcmp(diagram->task.name, task.name) != 0;
     diagram->task = task;
     diagram->plot.x.unit = parameter->unit ? parameter->unit : parameter->row->unit;
+    if (other) { /* what is shown has nothing to do with it */
+        diagram->points[0].count = 0;
+        begin_anew(diagram);
+        take_points(diagram);
+    }
     beam_worker_ask_sweep(worker, &task);
 }
 
@@ -80,16 +96,6 @@ static double round_up(double value) {
     while (i + 1 < sizeof steps / sizeof *steps && steps[i] * power < value)
         i++;
     return steps[i] * power;
-}
-
-static void begin_anew(BeamDiagram *diagram) {
-    const BeamSweepTask *task = &diagram->task;
-    for (size_t s = 1; s <= BEAM_SWEEP_PASSES; s++)
-        diagram->points[s].count = 0;
-    diagram->plot.x.title = beam_diagram_words[diagram->over];
-    diagram->plot.x.low = diagram->factor * task->from;
-    diagram->plot.x.high = diagram->factor * task->to;
-    diagram->revision++;
 }
 
 void beam_diagram_take(BeamDiagram *diagram, BeamNews *news) {

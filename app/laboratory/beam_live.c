@@ -66,10 +66,10 @@ static void *open_live(const char *path, const LiveOptions *options, Fault *faul
     beam_diagram_open(&live->diagram);
     live->worker = beam_worker_start(options->jobs);
     beam_live_change_show_choices(live);
-    beam_tape_advance(&live->tape);
+    live->news = LIVE_ALL & ~LIVE_TROUBLE;
+    beam_live_advance(live);
     beam_live_change_ask(live, true);
     look_at_answer(live);
-    live->news = LIVE_ALL & ~LIVE_TROUBLE;
     return live;
 }
 
@@ -105,9 +105,13 @@ static LiveSpan span(const void *context) {
                       .fastest = 1024};
 }
 
-static void note_trouble(BeamLive *live) {
+void beam_live_advance(BeamLive *live) {
+    live->news |= live->tape.next ? LIVE_WORDS : 0;
+    if (beam_tape_advance(&live->tape))
+        return;
     arena_clear(&live->troubles);
     live->trouble = beam_answer_trouble(&live->tape, &live->troubles);
+    live->looked = SIZE_MAX;
     live->news |= LIVE_TROUBLE | LIVE_WORDS;
 }
 
@@ -116,9 +120,7 @@ static double reach(void *context, double time) {
     BeamTape *tape = &live->tape;
     double until = clock_now() + BUSY_MOST;
     while (tape->front_time <= time && !beam_live_has_ended(live)) {
-        live->news |= tape->next ? LIVE_WORDS : 0;
-        if (!beam_tape_advance(tape))
-            note_trouble(live);
+        beam_live_advance(live);
         if (clock_now() > until)
             break;
     }
@@ -168,6 +170,7 @@ static void note_doing(BeamLive *live, const BeamNews *news) {
         snprintf(answer->doing, size, "orbit diagram: %zu of %zu values", done, all);
         answer->live.part = (double)done / (double)all;
     } else {
+        *answer->doing = 0;
         answer->live.doing = NULL;
     }
 }

@@ -35,6 +35,9 @@ typedef struct BeamLive {
     char clock[64];
 } BeamLive;
 
+/* Records one more cycle, or notes what is the trouble: the record has ended. */
+void beam_live_advance(BeamLive *live);
+
 /* Has the record come to an end, so that nothing more comes until something is changed? */
 static inline bool beam_live_has_ended(const BeamLive *live) {
     return live->tape.status != MOTION_GOOD && !live->tape.next;

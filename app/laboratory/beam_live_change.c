@@ -100,7 +100,7 @@ void beam_live_change_again(void *context) {
     BeamLive *live = context;
     Fault none = {0};
     if (beam_tape_restart(&live->tape, &live->beam, &none)) {
-        beam_tape_advance(&live->tape);
+        beam_live_advance(live);
         beam_traces_forget(&live->traces, 0);
         live->shown = 0;
         live->looked = SIZE_MAX;
@@ -109,10 +109,11 @@ void beam_live_change_again(void *context) {
     fault_clear(&none);
 }
 
-void beam_live_change_keep(void *context, double time) {
+bool beam_live_change_keep(void *context, double time) {
     BeamLive *live = context;
     beam_traces_keep(&live->traces, time);
     beam_diagram_keep(&live->diagram, true);
+    return true;
 }
 
 void beam_live_change_clear(void *context, double time) {

@@ -17,6 +17,6 @@ void beam_live_change_prefer(void *context, size_t preset);
 const LiveChoice *beam_live_change_choices(const void *context, size_t *count);
 void beam_live_change_choose(void *context, size_t choice, size_t word);
 void beam_live_change_again(void *context);
-void beam_live_change_keep(void *context, double time);
+bool beam_live_change_keep(void *context, double time);
 void beam_live_change_clear(void *context, double time);
 const char *const *beam_live_change_command(const void *context, size_t *count);

@@ -106,6 +106,12 @@ static void tell_type(BeamWorker *worker) {
 
 /* Orbit diagram -----------------------------------------------------------------------------------------------------*/
 
+/* The lock is held. */
+static void forget_points(BeamWorker *worker) {
+    for (int pass = 0; pass < BEAM_SWEEP_PASSES; pass++)
+        beam_sweep_points_clear(&worker->news.points[pass]);
+}
+
 static void begin_sweep(BeamWorker *worker) {
     BeamSweepTask task = worker->task;
     take_up(&worker->sweep);
@@ -117,8 +123,7 @@ static void begin_sweep(BeamWorker *worker) {
     worker->swept = !worker->sweeps;
     fault_clear(&fault);
     pthread_mutex_lock(&worker->lock);
-    for (int pass = 0; pass < BEAM_SWEEP_PASSES; pass++)
-        beam_sweep_points_clear(&worker->news.points[pass]);
+    forget_points(worker);
     worker->news.swept = worker->news.sweep_begins = true;
     worker->news.sweep_done = 0;
     worker->news.sweep_all = beam_sweep_values(&task);
@@ -214,8 +219,7 @@ void beam_worker_stop(BeamWorker *worker) {
     if (worker->sweeps)
         beam_sweep_close(&worker->sweeping);
     beam_verdict_clear(&worker->news.told);
-    for (int pass = 0; pass < BEAM_SWEEP_PASSES; pass++)
-        beam_sweep_points_clear(&worker->news.points[pass]);
+    forget_points(worker);
     pthread_cond_destroy(&worker->wake);
     pthread_mutex_destroy(&worker->lock);
     memory_free(worker);
@@ -240,6 +244,7 @@ void beam_worker_ask_verdict(BeamWorker *worker, const Beam *beam) {
 void beam_worker_ask_sweep(BeamWorker *worker, const BeamSweepTask *task) {
     pthread_mutex_lock(&worker->lock);
     worker->task = *task;
+    forget_points(worker);
     ask(worker, &worker->sweep);
     pthread_mutex_unlock(&worker->lock);
 }

@@ -9,8 +9,13 @@
 #define STEP (1.0 / 30) /* s, of one shown frame */
 #define FASTEST 16.0
 
+static size_t rows_recorded(const HouseLive *live) {
+    return live->shown ? live->observation->trace.rows : 0;
+}
+
 static unsigned update(void *context, double time) {
     HouseLive *live = context;
+    size_t rows = rows_recorded(live);
     house_live_follow_all(live, time);
     if (house_live_words_moved(live, time))
         live->changed |= LIVE_WORDS;
@@ -28,7 +33,8 @@ static unsigned update(void *context, double time) {
         if (changed & LIVE_PARAMETERS)
             house_live_value_sort(&live->values, &live->shown->house, live->selected);
     }
-    return changed | (house_live_words_does_other(live) ? LIVE_WORDS : 0);
+    bool other = house_live_words_does_other(live) || rows_recorded(live) != rows;
+    return changed | (other ? LIVE_WORDS : 0);
 }
 
 /* Opening and closing --------------------------------------------------------------------------------------------- */
@@ -62,7 +68,10 @@ static void *open_house(const char *path, const LiveOptions *options, Fault *fau
     Plan plan = {0};
     if (!plan_read(&plan, path, options->settings, options->setting_count, fault))
         return NULL;
-    if (!know_route(&plan, path, options->route, fault)) {
+    HouseWorker *worker = know_route(&plan, path, options->route, fault) ? house_live_worker_create() : NULL;
+    if (!worker && !fault->total)
+        fault_add(fault, "%s cannot be run: the system gives no more threads, close some other programs", path);
+    if (!worker) {
         plan_free(&plan);
         return NULL;
     }
@@ -71,7 +80,7 @@ static void *open_house(const char *path, const LiveOptions *options, Fault *fau
     live->nothing = (Scene){.box = {{0, 0}, {1, 1}}, .bare = true, .unscaled = true};
     live->layers = house_live.layers_at_first;
     keep_wish(live, path, options);
-    live->worker = house_live_worker_create();
+    live->worker = worker;
     house_live_choices_list(live);
     house_live_follow_ask(live);
     return live;
@@ -275,11 +284,11 @@ static void again(void *context) {
         house_live_follow_ask(live);
 }
 
-static void keep(void *context, double time) {
+static bool keep(void *context, double time) {
     HouseLive *live = context;
     (void)time;
-    house_live_follow_keep(live, false);
     live->changed |= LIVE_WORDS | LIVE_PLOTS;
+    return house_live_follow_keep(live, false);
 }
 
 static void clear(void *context, double time) {

@@ -44,8 +44,10 @@ double house_live_follow_reach(const HouseLive *live) {
 
 /* Asking ---------------------------------------------------------------------------------------------------------- */
 
-/* Keeps the present values with a run, to come back to them. */
+/* Keeps the present values with a run, to come back to them; NULL is none. */
 static void note_values(const HouseLive *live, HouseRun *run) {
+    if (!run)
+        return;
     double *values = memory_allocate(live->values.count, sizeof *values);
     for (size_t i = 0; i < live->values.count; i++)
         values[i] = live->values.rows[i].value;
@@ -95,9 +97,9 @@ void house_live_follow_ask(HouseLive *live) {
     live->changed |= LIVE_PARAMETERS;
 }
 
-void house_live_follow_keep(HouseLive *live, bool by_itself) {
+bool house_live_follow_keep(HouseLive *live, bool by_itself) {
     if (!live->whole || (by_itself && live->before))
-        return;
+        return false;
     HouseRun *last = live->before;
     live->before = live->shown;
     release(live, last);
@@ -106,6 +108,7 @@ void house_live_follow_keep(HouseLive *live, bool by_itself) {
     live->retell = true;
     house_live_show_anew(live);
     house_live_choices_list(live);
+    return true;
 }
 
 void house_live_follow_forget(HouseLive *live) {
@@ -153,7 +156,7 @@ static void turn_back(HouseLive *live, HouseRun *run) {
     clear_trouble(live);
     for (size_t i = 0; i < run->fault.count; i++)
         text_format(&live->trouble, "%s%s", i ? "\n" : "", run->fault.lines[i]);
-    say_trouble(live, 0);
+    say_trouble(live, NAN);
     live->changed |= LIVE_PARAMETERS;
     if (!live->shown)
         return;
@@ -220,6 +223,7 @@ static void swap_in(HouseLive *live, HouseRun *run) {
     if (!live->values.count) { /* the first house tells which there are */
         house_live_value_list(&live->values, &run->house);
         note_values(live, run);
+        note_values(live, live->latest); /* asked for before they were known */
     }
     live->retell = true;
     live->changed |= LIVE_ALL & ~LIVE_TROUBLE;

@@ -83,7 +83,7 @@ typedef struct HouseLive {
     ShownPlots plots;
     HouseWords words;
     Text trouble;
-    double trouble_time; /* s */
+    double trouble_time; /* s; NAN: of no moment */
 
     LiveChoice choices[HOUSE_CHOICES]; /* (choice_count) */
     const char *choice_words[HOUSE_CHOICES][HOUSE_CHOICE_WORDS];
@@ -97,10 +97,10 @@ static inline HouseScenery house_live_scenery(const HouseLive *live) {
     return (HouseScenery){&live->shown->house, live->observation, live->trails.trails};
 }
 
-/* Runs: asks for one of the present wish and values; keeps the one shown as before, or forgets the one before; takes
- * over what has come, `time` is shown. */
+/* Runs: asks for one of the present wish and values; keeps the one shown as before (false: it is not over, or
+ * `by_itself` there is one already), or forgets the one before; takes over what has come, `time` is shown. */
 void house_live_follow_ask(HouseLive *live);
-void house_live_follow_keep(HouseLive *live, bool by_itself);
+bool house_live_follow_keep(HouseLive *live, bool by_itself);
 void house_live_follow_forget(HouseLive *live);
 void house_live_follow_all(HouseLive *live, double time);
 void house_live_follow_end(HouseLive *live);

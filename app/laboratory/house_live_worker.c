@@ -49,12 +49,20 @@ static void *work(void *context) {
     return NULL;
 }
 
+static void release(HouseWorker *worker) {
+    pthread_cond_destroy(&worker->asked);
+    pthread_mutex_destroy(&worker->mutex);
+    memory_free(worker);
+}
+
 HouseWorker *house_live_worker_create(void) {
     HouseWorker *worker = memory_allocate(1, sizeof *worker);
     pthread_mutex_init(&worker->mutex, NULL);
     pthread_cond_init(&worker->asked, NULL);
-    pthread_create(&worker->thread, NULL, work, worker);
-    return worker;
+    if (pthread_create(&worker->thread, NULL, work, worker) == 0)
+        return worker;
+    release(worker);
+    return NULL;
 }
 
 void house_live_worker_destroy(HouseWorker *worker) {
@@ -63,9 +71,7 @@ void house_live_worker_destroy(HouseWorker *worker) {
     pthread_cond_signal(&worker->asked);
     pthread_mutex_unlock(&worker->mutex);
     pthread_join(worker->thread, NULL);
-    pthread_cond_destroy(&worker->asked);
-    pthread_mutex_destroy(&worker->mutex);
-    memory_free(worker);
+    release(worker);
 }
 
 void house_live_worker_ask(HouseWorker *worker, HouseRun *run) {

@@ -5,7 +5,8 @@
 
 typedef struct HouseWorker HouseWorker;
 
-/* house_live_worker_destroy stops what is in work and waits for that; all runs must have been abandoned. */
+/* NULL: there is no thread to be had. house_live_worker_destroy stops what is in work and waits for that; all runs must
+ * have been abandoned. */
 HouseWorker *house_live_worker_create(void);
 void house_live_worker_destroy(HouseWorker *worker);
 

@@ -106,7 +106,7 @@ typedef struct LivePreset {
 
 /* A plot beside the view. Its series may grow from update to update; what of them is drawn, live->until tells. */
 typedef struct LivePlot {
-    const char *name;  /* "phase": in names of files, of --plots where that knows it */
+    const char *name;  /* "phase": in names of files, of --plots where that knows it; lives as long as the program */
     const char *title; /* for menus */
     const Plot *plot;  /* good until the next update */
     unsigned revision; /* another number: other axes or series, what was drawn is void */
@@ -127,7 +127,7 @@ typedef struct LiveChoice {
     size_t count, chosen;
 } LiveChoice;
 
-enum { LIVE_LAYERS_MOST = 9, LIVE_CHOICES_MOST = 4, LIVE_OUTLINE_MOST = 128 };
+enum { LIVE_LAYERS_MOST = 9, LIVE_OUTLINE_MOST = 128 };
 
 typedef struct LiveKind {
     const char *name;            /* "House" */
@@ -180,7 +180,8 @@ typedef struct LiveKind {
     const LiveRow *(*rows)(const void *live, size_t *count);
     const LiveTick *(*ticks)(const void *live, size_t *count);
 
-    /* What last went wrong, with cause and cure, and since when (s); NULL: nothing. The last good state stays. */
+    /* What last went wrong, with cause and cure, and since when (s; NAN: at no moment of what is shown); NULL: nothing.
+     * The last good state stays. */
     const char *(*trouble)(const void *live, double *time);
 
     /* Parameters, good until the next update that changes them. False: a fault says what would be right, and the value
@@ -195,10 +196,10 @@ typedef struct LiveKind {
     const LiveChoice *(*choices)(const void *live, size_t *count);
     void (*choose)(void *live, size_t choice, size_t word);
 
-    /* Begins anew with the same parameters; keeps what is shown as "before" (true), or forgets it (false); forgets the
-     * trace and the points so far. */
+    /* Begins anew with the same parameters; keeps what is shown as "before" (false: there is nothing to keep yet);
+     * forgets that, and the trace and the points so far. */
     void (*again)(void *live);
-    void (*keep)(void *live, double time);
+    bool (*keep)(void *live, double time);
     void (*clear)(void *live, double time);
 
     /* What lies at a place, m on the floor; `below`: what lies below this one there. */

@@ -73,8 +73,11 @@ static void enter(Window *window, size_t index) {
         LiveSpan span = left->kind->span(left->live);
         player_pause(&left->player, &span);
     }
+    Room *entered = &window->rooms[index];
     window->current = index;
-    window->rooms[index].charts_wait = true;
+    entered->charts_wait = true;
+    glass_set_title(window->glass,
+                    text_in_arena(&window->words, "%s - clearance", entered->kind->title(entered->live)));
     window->dirty = true;
 }
 
@@ -139,7 +142,7 @@ static void show_save(Window *window) {
     Room *room = window_room(window);
     static const char *const endings[] = {".json", NULL};
     char *folder = act_folder(window);
-    if (!folder || !room->live)
+    if (!folder)
         return;
     char *name = export_free_name(folder, room->kind->title(room->live), endings);
     snprintf(window->field, sizeof window->field, "%s.json", name);
@@ -351,8 +354,8 @@ Chart *act_focused_chart(Window *window) {
     return NULL;
 }
 
-/* What works without anything open. */
-static bool do_window(Window *window, Action action) {
+/* What opens and closes sheets. */
+static bool do_sheet(Window *window, Action action) {
     switch (action) {
     case ACTION_OPEN:
         show_open(window);
@@ -360,6 +363,32 @@ static bool do_window(Window *window, Action action) {
     case ACTION_GALLERY:
         show_gallery(window);
         return true;
+    case ACTION_MENU:
+        show_menu(window);
+        return true;
+    case ACTION_MESSAGES:
+        act_show_sheet(window, SHEET_MESSAGES);
+        return true;
+    case ACTION_HELP:
+        act_show_sheet(window, SHEET_KEYS);
+        return true;
+    case ACTION_EXPLAIN:
+        explain(window);
+        return true;
+    case ACTION_ABOUT:
+        act_show_sheet(window, SHEET_ABOUT);
+        return true;
+    case ACTION_ESCAPE:
+        escape(window, window_room(window));
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* What works without anything open. */
+static bool do_window(Window *window, Action action) {
+    switch (action) {
     case ACTION_QUIT:
         window->quit = true;
         return true;
@@ -379,40 +408,18 @@ static bool do_window(Window *window, Action action) {
         set_theme(window);
         return true;
     case ACTION_LARGER:
-        set_text(window, window->text + TEXT_STEP);
-        return true;
     case ACTION_SMALLER:
-        set_text(window, window->text - TEXT_STEP);
+        set_text(window, window->text + (action == ACTION_LARGER ? TEXT_STEP : -TEXT_STEP));
         return true;
     case ACTION_NORMAL_SIZE:
         set_text(window, 1);
         return true;
     case ACTION_HOUSE:
-        act_enter(window, ROOM_HOUSE);
-        return true;
     case ACTION_BEAM:
-        act_enter(window, ROOM_BEAM);
-        return true;
-    case ACTION_MENU:
-        show_menu(window);
-        return true;
-    case ACTION_MESSAGES:
-        act_show_sheet(window, SHEET_MESSAGES);
-        return true;
-    case ACTION_HELP:
-        act_show_sheet(window, SHEET_KEYS);
-        return true;
-    case ACTION_EXPLAIN:
-        explain(window);
-        return true;
-    case ACTION_ABOUT:
-        act_show_sheet(window, SHEET_ABOUT);
+        act_enter(window, action == ACTION_HOUSE ? ROOM_HOUSE : ROOM_BEAM);
         return true;
     case ACTION_SOUND:
         toggle_sound(window);
-        return true;
-    case ACTION_ESCAPE:
-        escape(window, window_room(window));
         return true;
     default:
         return false;
@@ -433,8 +440,10 @@ static bool do_room(Window *window, Room *room, Action action) {
         act_say(window, "every number is as in the file");
         return true;
     case ACTION_KEEP:
-        room->kind->keep(room->live, room->player.time);
-        act_say(window, "kept as \"before\"");
+        act_say(window, "%s",
+                room->kind->keep(room->live, room->player.time)
+                    ? "kept as \"before\""
+                    : "nothing is kept yet: the run is still being computed");
         return true;
     case ACTION_GHOST:
         next_word(window, room, "Ghost");
@@ -505,7 +514,7 @@ static bool do_view(Window *window, Room *room, Action action, int32_t key) {
 void act_do(Window *window, Action action, int32_t key, int mods) {
     Room *room = window_room(window);
     window->dirty = true;
-    if (do_window(window, action) || !room->live || act_plot_do(window, action, mods))
+    if (do_sheet(window, action) || do_window(window, action) || !room->live || act_plot_do(window, action, mods))
         return;
     if (!do_room(window, room, action) && !do_view(window, room, action, key))
         transport(room, action);

@@ -38,13 +38,28 @@ static size_t find_plot(const LiveKind *kind, const void *live, const char *name
     return i;
 }
 
+/* Takes a plot's chart out of those that there were, with the axes somebody has chosen; a new one: there was none. */
+static Chart take_chart(Charts *before, const LivePlot *plot) {
+    for (size_t i = 0; i < before->count; i++)
+        if (strcmp(before->charts[i].live.name, plot->name) == 0) {
+            Chart chart = before->charts[i];
+            before->charts[i] = before->charts[--before->count];
+            return chart;
+        }
+    return (Chart){.live = *plot, .cursor = NAN};
+}
+
 void charts_choose(Charts *charts, const LiveKind *kind, void *live, const char *names, PaintGlScreen *screen) {
-    charts_clear(charts, screen);
+    Charts before = *charts;
+    charts->count = 0;
     for (const char *at = names; *at && charts->count < CHARTS_MOST; at += strcspn(at, ","), at += *at == ',') {
         size_t plot = find_plot(kind, live, at, strcspn(at, ","));
-        if (plot < kind->plot_count(live))
-            charts->charts[charts->count++] = (Chart){.live = kind->plot(live, plot), .cursor = NAN};
+        if (plot == kind->plot_count(live))
+            continue;
+        LivePlot shown = kind->plot(live, plot);
+        charts->charts[charts->count++] = take_chart(&before, &shown);
     }
+    charts_clear(&before, screen);
 }
 
 /* Drawing ---------------------------------------------------------------------------------------------------------- */
@@ -104,7 +119,8 @@ static void draw(Chart *chart, const LiveKind *kind, const void *live, size_t in
 
 /* Over the picture ------------------------------------------------------------------------------------------------- */
 
-Vec2 charts_place(const Chart *chart, Vec2 value) {
+/* Where a value is, design points of the window. */
+static Vec2 place_of(const Chart *chart, Vec2 value) {
     return vec2_along(chart->place.low, 1 / chart->unit, plot_canvas_place(chart->canvas, value));
 }
 
@@ -120,7 +136,7 @@ static void mark_tail(const Chart *chart, const PlotSeries *series, size_t first
     Vec2 points[PIECES_MOST];
     size_t pieces = 0, stride = (count - first) / PIECES_MOST + 1;
     for (size_t i = first; i < count; i += stride) {
-        Vec2 at = charts_place(chart, plot_value(series, i));
+        Vec2 at = place_of(chart, plot_value(series, i));
         if (isfinite(at.x) && isfinite(at.y) && box_holds(frame, at))
             points[pieces++] = at;
     }
@@ -141,7 +157,7 @@ static void mark_present(const Chart *chart, const LiveKind *kind, const void *l
         size_t first = chart->live.tail > 0 ? kind->until(live, index, s, time - chart->live.tail) : count;
         if (first < count)
             mark_tail(chart, series, first, count, frame, ui);
-        Vec2 at = charts_place(chart, plot_value(series, count - 1));
+        Vec2 at = place_of(chart, plot_value(series, count - 1));
         if (isfinite(at.x) && isfinite(at.y) && box_holds(frame, at))
             ui_draw_disc(ui, at, NOW_RADIUS, chart->live.now == ROLE_PAPER ? series->role : chart->live.now);
     }
@@ -150,7 +166,7 @@ static void mark_present(const Chart *chart, const LiveKind *kind, const void *l
 /* An upright line with words on it. */
 static void draw_cursor(const Chart *chart, double x, const char *words, Ui *ui) {
     Box frame = frame_of(chart);
-    double at = charts_place(chart, vec2(x, plot_canvas_value(chart->canvas, vec2(0, 0)).y)).x;
+    double at = place_of(chart, vec2(x, plot_canvas_value(chart->canvas, vec2(0, 0)).y)).x;
     if (!(at >= frame.low.x && at <= frame.high.x))
         return;
     ui_draw_line(ui, vec2(at, frame.low.y), vec2(at, frame.high.y), ROLE_IMPACT, CURSOR_WIDTH);
@@ -217,7 +233,7 @@ bool charts_read(const Chart *chart, const LiveKind *kind, const void *live, siz
         const PlotSeries *series = &chart->shown.series[s];
         size_t count = kind->until(live, index, s, time);
         for (size_t i = 0; i < count && i < series->count; i++) {
-            Vec2 place = charts_place(chart, plot_value(series, i));
+            Vec2 place = place_of(chart, plot_value(series, i));
             double apart = vec2_distance(place, at);
             if (apart >= least)
                 continue;

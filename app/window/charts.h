@@ -42,7 +42,8 @@ typedef struct Charts {
     size_t count;
 } Charts;
 
-/* Makes the charts those of the laboratory's plots that are named, in that order, separated by commas. */
+/* Makes the charts those of the laboratory's plots that are named, in that order, separated by commas. What was drawn
+ * of one that stays, and its axes, stay. */
 void charts_choose(Charts *charts, const LiveKind *kind, void *live, const char *names, PaintGlScreen *screen);
 void charts_clear(Charts *charts, PaintGlScreen *screen);
 
@@ -50,9 +51,8 @@ void charts_clear(Charts *charts, PaintGlScreen *screen);
 void charts_show(Chart *chart, const LiveKind *kind, const void *live, size_t index, double time, Box place,
                  double unit, Theme theme, PaintGlScreen *screen, Ui *ui);
 
-/* The values at a point of the window, and back; false: outside of the axes. */
+/* The values at a point of the window; false: outside of the axes. */
 bool charts_value(const Chart *chart, Vec2 at, Vec2 *value);
-Vec2 charts_place(const Chart *chart, Vec2 value);
 
 /* "x 0.12 mm, y 0.3 m/s" of the point of a series that is nearest to a point of the window; false: none is near. */
 bool charts_read(const Chart *chart, const LiveKind *kind, const void *live, size_t index, double time, Vec2 at,

@@ -22,6 +22,7 @@ enum {
     NAME_LONGEST = 100, /* bytes of a file's name, without number and ending */
     NUMBERS_MOST = 100000,
     LINE_MOST = 1000, /* characters of a line that a child says */
+    FAILED = 2,       /* exit code of what could not be done */
 };
 
 /* s: so long a child may take to finish what it has begun, and to go when nobody waits for it. */
@@ -41,8 +42,8 @@ char *export_folder(Fault *fault) {
         if (*places[i] && !error)
             return strcpy(memory_allocate(strlen(places[i]) + 1, 1), places[i]);
     }
-    fault_add(fault, "there is no folder to write to: neither %s nor clearance/ here can be made: %s", in_home,
-              strerror(error));
+    fault_add(fault, "there is no folder to write to: neither %s nor clearance/ here can be made: %s",
+              *in_home ? in_home : "$HOME/clearance", strerror(error));
     return NULL;
 }
 
@@ -313,7 +314,9 @@ const ExportStatus *export_look(Export *export) {
     if (export->child) {
         pid_t ended = waitpid(export->child, &how, WNOHANG);
         take_said(export);
-        if (ended == export->child)
+        if (ended < 0)
+            how = FAILED << 8; /* nobody can tell how it ended */
+        if (ended)
             conclude(export, how);
         else if (export->cancelled && seconds_since(&export->asked) > PATIENCE)
             kill(export->child, SIGKILL);

@@ -37,6 +37,7 @@ struct Gallery {
     Arena arena;
     char *cache; /* folder, or NULL */
     pthread_t thread;
+    bool runs;            /* there is a thread */
     pthread_mutex_t lock; /* of all below */
     pthread_cond_t changed;
     Found *found; /* (count) since the last update */
@@ -239,7 +240,8 @@ Gallery *gallery_create(Theme theme) {
     gallery->found = memory_allocate(gallery->count + 1, sizeof *gallery->found);
     pthread_mutex_init(&gallery->lock, NULL);
     pthread_cond_init(&gallery->changed, NULL);
-    pthread_create(&gallery->thread, NULL, work, gallery);
+    gallery->runs = pthread_create(&gallery->thread, NULL, work, gallery) == 0;
+    gallery->drawn = !gallery->runs; /* names without pictures, then */
     return gallery;
 }
 
@@ -248,7 +250,8 @@ void gallery_destroy(Gallery *gallery) {
     gallery->closing = true;
     pthread_cond_signal(&gallery->changed);
     pthread_mutex_unlock(&gallery->lock);
-    pthread_join(gallery->thread, NULL);
+    if (gallery->runs)
+        pthread_join(gallery->thread, NULL);
     pthread_cond_destroy(&gallery->changed);
     pthread_mutex_destroy(&gallery->lock);
     for (size_t i = 0; i < gallery->count; i++) {
@@ -268,7 +271,7 @@ void gallery_set_theme(Gallery *gallery, Theme theme) {
     if (gallery->theme != theme) {
         gallery->theme = theme;
         gallery->revision++;
-        gallery->drawn = false;
+        gallery->drawn = !gallery->runs;
         pthread_cond_signal(&gallery->changed);
     }
     pthread_mutex_unlock(&gallery->lock);

@@ -26,7 +26,7 @@ typedef enum GlassKind {
 } GlassKind;
 
 enum { GLASS_SHIFT = 1, GLASS_CONTROL = 2, GLASS_ALT = 4 };
-enum { GLASS_LEFT, GLASS_RIGHT, GLASS_MIDDLE, GLASS_BUTTONS };
+enum { GLASS_LEFT, GLASS_RIGHT, GLASS_MIDDLE };
 enum { GLASS_TEXT_MOST = 4096 };
 
 typedef struct GlassEvent {

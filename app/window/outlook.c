@@ -146,8 +146,7 @@ static void show_read_out(Window *window, Room *room, Chart *chart, size_t plot,
     ui_draw_words(window->ui, UI_BODY, ROLE_TEXT, vec2(left, top + extent.y / 2 + 2), 0, words);
 }
 
-/* A click sets what the cursor stands for; dragging with the right button zooms to a box, the wheel about the pointer.
- */
+/* A click sets what the cursor stands for; the wheel zooms about the pointer. */
 static void use_chart_mouse(Window *window, Room *room, Chart *chart, size_t plot) {
     Vec2 value;
     UiGrab grab = ui_grab(window->ui, chart->live.name, chart->place);

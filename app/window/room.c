@@ -58,11 +58,23 @@ bool room_open(Room *room, const char *path, const LiveOptions *options, PaintGl
     return true;
 }
 
+/* What a thing takes up now, m; false: it is nowhere. */
+static bool box_of(const Room *room, LiveThing thing, Box *box) {
+    Vec2 points[LIVE_OUTLINE_MOST];
+    if (!room->live || !thing.kind)
+        return false;
+    size_t count = room->kind->outline(room->live, thing, room->player.time, points);
+    *box = box_empty();
+    for (size_t i = 0; i < count; i++)
+        *box = box_include(*box, points[i]);
+    return count > 0;
+}
+
 /* Keeps what is followed in the middle of the view. */
 static void follow(Room *room) {
     Box box;
     LiveThing thing = room->kind->selected(room->live);
-    if (!room->follows || !room->scenery.painted || !room_box(room, thing, &box))
+    if (!room->follows || !room->scenery.painted || !box_of(room, thing, &box))
         return;
     Vec2 at = scenery_point(&room->scenery, vec2_scale(vec2_add(box.low, box.high), 0.5));
     Box plan = room->scenery.still.frame;
@@ -123,24 +135,13 @@ void room_fit(Room *room) {
     room_look(room);
 }
 
-bool room_box(const Room *room, LiveThing thing, Box *box) {
-    Vec2 points[LIVE_OUTLINE_MOST];
-    if (!room->live || !thing.kind)
-        return false;
-    size_t count = room->kind->outline(room->live, thing, room->player.time, points);
-    *box = box_empty();
-    for (size_t i = 0; i < count; i++)
-        *box = box_include(*box, points[i]);
-    return count > 0;
-}
-
 void room_select(Room *room, LiveThing thing) {
     room->kind->select(room->live, thing);
 }
 
 void room_show_selected(Room *room) {
     Box box;
-    if (!room_box(room, room->kind->selected(room->live), &box))
+    if (!box_of(room, room->kind->selected(room->live), &box))
         return;
     const Scene *still = room->kind->still(room->live);
     Vec2 all = vec2_scale(vec2_add(still->box.low, still->box.high), 0.5);

@@ -18,7 +18,7 @@ typedef struct Room {
     Scenery scenery;
     Charts charts;
     bool charts_wait; /* they are to be chosen anew */
-    double worked;    /* s on the wall, that simulating has taken since it was last set to 0 */
+    double worked;    /* s on the wall, that simulating has taken */
 } Room;
 
 /* Of a laboratory, empty. room_close releases what it holds. */
@@ -38,9 +38,6 @@ void room_look(Room *room);
 void room_zoom(Room *room, double times, Vec2 about);
 void room_pan(Room *room, Vec2 metres);
 void room_fit(Room *room);
-
-/* The middle of a thing now, m; false: it is nowhere. And its box. */
-bool room_box(const Room *room, LiveThing thing, Box *box);
 
 /* Selects a thing; brings what is selected before the eye. */
 void room_select(Room *room, LiveThing thing);

@@ -2,18 +2,16 @@
 
 #include <math.h>
 
-bool scenery_fit(Scenery *scenery, const Gl *gl, int width, int height, double unit, Theme theme) {
+void scenery_fit(Scenery *scenery, const Gl *gl, int width, int height, double unit, Theme theme) {
     if (scenery->paint && scenery->width == width && scenery->height == height && scenery->unit == unit &&
         scenery->theme == theme)
-        return false;
+        return;
     scenery_clear(scenery);
-    scenery->gl = gl;
     scenery->width = width;
     scenery->height = height;
     scenery->unit = unit;
     scenery->theme = theme;
     scenery->paint = paint_gl_create(gl, width, height, unit, theme);
-    return true;
 }
 
 void scenery_clear(Scenery *scenery) {

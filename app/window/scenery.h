@@ -6,7 +6,6 @@
 #include "laboratory/live.h"
 
 typedef struct Scenery {
-    const Gl *gl;
     PaintGl *paint; /* NULL: there is no place for it yet */
     int width, height;
     double unit; /* pixels a design point */
@@ -15,8 +14,8 @@ typedef struct Scenery {
     Layout still, added, moving;
 } Scenery;
 
-/* Makes it that large; true: it is empty then. */
-bool scenery_fit(Scenery *scenery, const Gl *gl, int width, int height, double unit, Theme theme);
+/* Makes it that large; of another size than before it is empty. */
+void scenery_fit(Scenery *scenery, const Gl *gl, int width, int height, double unit, Theme theme);
 void scenery_clear(Scenery *scenery);
 
 /* What stays has changed. */

@@ -1,5 +1,6 @@
 #include "window/scripted.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -141,7 +142,8 @@ static void add_room(json_t *state, Window *window) {
     json_object_set_new(state, "command", command_state(room));
 }
 
-json_t *scripted_state(Window *window) {
+/* All that can be asked for; new, json_decref it. */
+static json_t *state_of(Window *window) {
     static const char *const sheets[SHEETS] = {"none", "menu",   "keys",     "gallery", "open",
                                                "save", "export", "messages", "explain", "about"};
     const Message *last = messages_last(&window->messages);
@@ -226,12 +228,15 @@ static void fail(Scripted *scripted, Window *window, Fault *fault) {
     window->code = 1;
 }
 
+static void say_error(Window *window, const char *path, int error) {
+    if (error)
+        act_say(window, "%s cannot be written: %s", path, strerror(error));
+}
+
 static void write_picture(Window *window, const char *path) {
     unsigned char *pixels = memory_allocate((size_t)window->width * (size_t)window->height, 4);
     paint_gl_screen_read(window->screen, pixels);
-    int error = snapshot_pixels(path, pixels, window->width, window->height);
-    if (error)
-        act_say(window, "%s: %s", path, strerror(error));
+    say_error(window, path, snapshot_pixels(path, pixels, window->width, window->height));
     memory_free(pixels);
 }
 
@@ -241,24 +246,26 @@ static void write_view(Window *window, const char *path) {
         return;
     unsigned char *pixels = memory_allocate((size_t)scenery->width * (size_t)scenery->height, 4);
     paint_gl_read(scenery->paint, pixels);
-    snapshot_pixels(path, pixels, scenery->width, scenery->height);
+    say_error(window, path, snapshot_pixels(path, pixels, scenery->width, scenery->height));
     memory_free(pixels);
 }
 
 static void write_state(Window *window, const char *path) {
-    json_t *state = scripted_state(window);
+    json_t *state = state_of(window);
     FILE *file = fopen(path, "a");
     if (file) {
         json_dumpf(state, file, JSON_COMPACT | JSON_SORT_KEYS);
         fputc('\n', file);
         fclose(file);
+    } else {
+        say_error(window, path, errno);
     }
     json_decref(state);
 }
 
 static void expect(Scripted *scripted, Window *window, const ScriptCommand *command) {
     Fault fault = {0};
-    json_t *state = scripted_state(window);
+    json_t *state = state_of(window);
     if (!script_expect(&scripted->script, command, state, &fault))
         fail(scripted, window, &fault);
     json_decref(state);
@@ -269,7 +276,7 @@ static void set(Scripted *scripted, Window *window, const ScriptCommand *command
     Room *room = window_room(window);
     if (isnan(command->numbers[0]))
         script_fault(&scripted->script, command, &fault, "%s is no number", command->words[1]);
-    else if (room->live)
+    else
         room->kind->set(room->live, command->words[0], command->numbers[0], &fault);
     if (fault.count)
         act_complain(window, &fault, NAN);
@@ -287,28 +294,62 @@ static void set_playing(Room *room, bool playing) {
         player_toggle(&room->player, &span);
 }
 
-static void run(Scripted *scripted, Window *window, const ScriptCommand *command) {
-    Room *room = window_room(window);
+/* As if by a hand; false: it is another command. */
+static bool run_input(Scripted *scripted, const ScriptCommand *command) {
     const double *numbers = command->numbers;
     switch (command->kind) {
     case SCRIPT_KEY:
         add_key(scripted, command->words[0]);
-        break;
+        return true;
     case SCRIPT_TYPE:
         add_text(scripted, command->words[0]);
-        break;
+        return true;
     case SCRIPT_MOUSE:
         add_event(scripted, mouse_event(numbers[0], numbers[1]));
-        break;
+        return true;
     case SCRIPT_CLICK:
         add_click(scripted, command);
-        break;
+        return true;
     case SCRIPT_DRAG:
         add_drag(scripted, numbers);
-        break;
+        return true;
     case SCRIPT_WHEEL:
         add_event(scripted, (GlassEvent){.kind = GLASS_WHEEL, .wheel = numbers[0]});
+        return true;
+    default:
+        return false;
+    }
+}
+
+static void run_in_room(Scripted *scripted, Window *window, const ScriptCommand *command) {
+    Room *room = window_room(window);
+    Fault fault = {0};
+    if (!room->live) {
+        script_fault(&scripted->script, command, &fault, "%s: nothing is open", script_word(command->kind));
+        fail(scripted, window, &fault);
+        return;
+    }
+    switch (command->kind) {
+    case SCRIPT_SET:
+        set(scripted, window, command);
         break;
+    case SCRIPT_SEEK:
+        room_seek(room, command->numbers[0]);
+        break;
+    case SCRIPT_SPEED:
+        set_speed(room, command->numbers[0]);
+        break;
+    default:
+        set_playing(room, command->kind == SCRIPT_PLAY);
+    }
+}
+
+static void run(Scripted *scripted, Window *window, const ScriptCommand *command) {
+    const double *numbers = command->numbers;
+    window->dirty = true;
+    if (run_input(scripted, command))
+        return;
+    switch (command->kind) {
     case SCRIPT_WAIT:
         scripted->waits = numbers[0];
         break;
@@ -323,17 +364,11 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
         act_enter(window, (size_t)command->choice);
         break;
     case SCRIPT_SET:
-        set(scripted, window, command);
-        break;
     case SCRIPT_PLAY:
     case SCRIPT_PAUSE:
-        set_playing(room, command->kind == SCRIPT_PLAY);
-        break;
     case SCRIPT_SEEK:
-        room_seek(room, numbers[0]);
-        break;
     case SCRIPT_SPEED:
-        set_speed(room, numbers[0]);
+        run_in_room(scripted, window, command);
         break;
     case SCRIPT_RESIZE:
         glass_resize(window->glass, (int)numbers[0], (int)numbers[1]);
@@ -353,7 +388,6 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
     default:
         window->quit = true;
     }
-    window->dirty = true;
 }
 
 /* Has come what it waits for? */

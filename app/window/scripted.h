@@ -1,8 +1,6 @@
 /* Carries out a script, command by command, and tells the window's state for it. */
 #pragma once
 
-#include <jansson.h>
-
 #include "window/script.h"
 #include "window/window_state.h"
 
@@ -28,6 +26,3 @@ void scripted_go_on(Scripted *scripted, Window *window);
 
 /* Is there anything left to do? */
 bool scripted_is_busy(const Scripted *scripted);
-
-/* All that can be asked for; new, json_decref it. */
-json_t *scripted_state(Window *window);

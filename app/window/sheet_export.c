@@ -55,8 +55,12 @@ static void make(Window *window, const Making *making) {
     }
     options[count++] = "--theme";
     options[count++] = window->theme == THEME_BOARD ? "board" : "paper";
+    if (window->export) {
+        act_say(window, "something is being written already: cancel it, or wait until it is over");
+        return;
+    }
     char *folder = act_folder(window);
-    if (!folder || window->export)
+    if (!folder)
         return;
     const char *name = text_in_arena(&window->words, "%s %s", room->kind->title(room->live), making->name);
     char *out = export_free_name(folder, name, making->movie ? films : folders);

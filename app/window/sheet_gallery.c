@@ -14,9 +14,10 @@
 
 /* The gallery ------------------------------------------------------------------------------------------------------ */
 
-static void fill_pictures(Window *window, const GalleryItem *items, size_t count) {
+/* `anew`: some have come, perhaps in another theme. */
+static void fill_pictures(Window *window, const GalleryItem *items, size_t count, bool anew) {
     for (size_t i = 0; i < count && i < GALLERY_MOST; i++)
-        if (items[i].pixels && !window->pictures[i].name)
+        if (items[i].pixels && (anew || !window->pictures[i].name))
             paint_gl_screen_fill(window->screen, &window->pictures[i], items[i].pixels, GALLERY_WIDTH, GALLERY_HEIGHT,
                                  4 * GALLERY_WIDTH, 0, 0, GALLERY_WIDTH, GALLERY_HEIGHT);
 }
@@ -40,10 +41,10 @@ static bool show_item(Window *window, const GalleryItem *item, size_t index) {
 
 void sheet_gallery_show(Window *window) {
     size_t count;
-    if (gallery_update(window->gallery))
-        window->dirty = true;
+    bool news = gallery_update(window->gallery);
+    window->dirty |= news;
     const GalleryItem *items = gallery_items(window->gallery, &count);
-    fill_pictures(window, items, count);
+    fill_pictures(window, items, count, news);
     Box box = box_expand((Box){{0, 0}, window->frame.page}, -EDGE);
     ui_pane_begin(window->ui,
                   &(UiPane){.name = "sheet", .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true});

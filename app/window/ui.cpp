@@ -218,6 +218,10 @@ const ImVec2 *exact_points(UiPencil *pencil, const Vec2 *points, size_t count) {
 
 } // namespace
 
+double ui_pencil_size(UiLetters letters) {
+    return LETTERS[letters].size;
+}
+
 Vec2 ui_pencil_extent(UiPencil *pencil, UiLetters letters, const char *words, size_t bytes) {
     want(pencil, words, words + bytes);
     const ImFont *font = font_of(pencil, letters);

@@ -96,9 +96,8 @@ void ui_type(Ui *ui, const char *words);
 /* Would another frame look different though nobody does anything? It scrolls, help is about to come, or letters. */
 bool ui_is_busy(const Ui *ui);
 
-/* Is a text field open? Then letters are its. Is the mouse over a widget or a popup, or held by one? */
+/* Is a text field open? Then letters are its. */
 bool ui_types(const Ui *ui);
-bool ui_has_mouse(const Ui *ui);
 
 /* Panes. `name` is the pane's identity; one with `scrolls` scrolls what does not fit in it. A pane with `modal` lies
  * over the others, dims them and keeps the focus until Escape or whoever opened it closes it. `stop`: the pane itself

@@ -149,11 +149,6 @@ static const UiItem *find_item(const Ui *ui, UiId id) {
     return NULL;
 }
 
-bool ui_has_mouse(const Ui *ui) {
-    const UiItem *item = find_item(ui, ui->held ? ui->held : ui->hovered);
-    return ui->modal || (item && !item->canvas) || (ui->tip_shown && box_holds(ui->tip_box, ui->mouse));
-}
-
 /* Frames ----------------------------------------------------------------------------------------------------------- */
 
 void ui_begin(Ui *ui, const UiInput *input) {

@@ -44,6 +44,9 @@ void ui_pencil_layer(UiPencil *pencil, UiLayer layer);
 void ui_pencil_clip(UiPencil *pencil, Box box);
 void ui_pencil_unclip(UiPencil *pencil);
 
+/* Design points, of the letters. */
+double ui_pencil_size(UiLetters letters);
+
 Vec2 ui_pencil_extent(UiPencil *pencil, UiLetters letters, const char *words, size_t bytes);
 
 /* How many bytes of the words are one line no wider than that; they end before a space or the end of a line. */
@@ -266,7 +269,6 @@ void ui_words_in(Ui *ui, UiLetters letters, UiInk ink, Box box, double aligned, 
 
 /* Wrapped words from the top of a box downwards; returns how high they are. Opacity 0 only measures. */
 double ui_words_wrapped(Ui *ui, UiLetters letters, UiInk ink, Box box, const char *words);
-double ui_words_size(UiLetters letters);
 
 /* ui_tip.c --------------------------------------------------------------------------------------------------------- */
 

@@ -5,11 +5,6 @@
 #define ELLIPSIS "…"
 #define HEADING_HEIGHT 30.0
 
-double ui_words_size(UiLetters letters) {
-    static const double sizes[UI_LETTERS] = {17, 15, 17, 19, 26, 22, 40};
-    return sizes[letters];
-}
-
 /* As many bytes from the beginning as have room. */
 static size_t fitting(Ui *ui, UiLetters letters, const char *words, size_t bytes, double width) {
     while (bytes > 0 && ui_pencil_extent(ui->pencil, letters, words, bytes).x > width) {
@@ -39,7 +34,7 @@ void ui_words_in(Ui *ui, UiLetters letters, UiInk ink, Box box, double aligned, 
 }
 
 double ui_words_wrapped(Ui *ui, UiLetters letters, UiInk ink, Box box, const char *words) {
-    double spacing = UI_SPACING * ui_words_size(letters), top = box.low.y;
+    double spacing = UI_SPACING * ui_pencil_size(letters), top = box.low.y;
     while (*words) {
         size_t bytes = ui_pencil_wrap(ui->pencil, letters, words, box_width(box));
         if (ink >> 24)
@@ -62,7 +57,7 @@ void ui_text(Ui *ui, UiLetters letters, Role role, const char *words) {
 }
 
 void ui_line(Ui *ui, UiLetters letters, Role role, const char *words) {
-    Box box = ui_pane_next(ui, fmax(UI_LINE_HEIGHT, UI_SPACING * ui_words_size(letters)));
+    Box box = ui_pane_next(ui, fmax(UI_LINE_HEIGHT, UI_SPACING * ui_pencil_size(letters)));
     ui_words_in(ui, letters, ui_frame_ink(ui, role, 1), box, 0, words);
 }
 

@@ -135,12 +135,9 @@ static void take(Window *window, const GlassEvent *event) {
 /* A press and its release must be seen in two frames: the second waits. */
 static void take_events(Window *window, double wait) {
     GlassEvent event;
-    bool pressed = false;
-    while (glass_next(window->glass, &event, pressed ? 0 : wait)) {
-        wait = 0;
+    for (; glass_next(window->glass, &event, wait); wait = 0) {
         take(window, &event);
-        pressed = event.kind == GLASS_BUTTON || event.kind == GLASS_KEY;
-        if (pressed)
+        if (event.kind == GLASS_BUTTON || event.kind == GLASS_KEY)
             return;
     }
 }
@@ -212,8 +209,9 @@ static void draw(Window *window, double seconds) {
 /* Whether what is shown moves by itself. */
 static bool is_lively(Window *window, const Scripted *scripted) {
     const Room *room = window_room(window);
+    bool draws = window->sheet == SHEET_GALLERY && !gallery_complete(window->gallery);
     return window->dirty || ui_is_busy(window->ui) || scripted_is_busy(scripted) || window->pace.counting ||
-           window->export || (room->live && room->player.playing);
+           window->export || draws || (room->live && room->player.playing);
 }
 
 /* Between frames --------------------------------------------------------------------------------------------------- */
