@@ -6,6 +6,7 @@
 #include "window/act.h"
 
 /* Design points. */
+#define TWO_LINES 1.8 /* times the width, that words of two lines take at most: lines end between words */
 #define MARGIN 14.0
 #define GAP 12.0
 #define BUTTON_PAD 20.0
@@ -146,6 +147,33 @@ static void show_progress(Window *window, Box bar, const LiveAnswer *answer) {
     ui_draw_box(window->ui, done, ROLE_CHAIR, 1);
 }
 
+/* In one line, or small in two: the numbers are what a class wants to read. What is being worked out stands behind
+ * them, so that nothing moves when it is done. */
+static void show_detail(Window *window, const LiveAnswer *answer, double left, double right, double y) {
+    const char *detail = answer->detail ? answer->detail : "";
+    Role role = answer->stale ? ROLE_DIM_TEXT : ROLE_TEXT;
+    UiLetters letters = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
+    if (ui_extent(window->ui, letters, detail).x > TWO_LINES * (right - left))
+        letters = UI_SMALL;
+    Vec2 size = ui_extent(window->ui, letters, detail);
+    if (left + size.x > right && size.x < TWO_LINES * (right - left)) {
+        ui_at(window->ui, (Box){{left, y - size.y}, {right, y + size.y}});
+        ui_text(window->ui, letters, role, detail);
+        return;
+    }
+    show_words(window, letters, role, left, right, y, detail);
+    left += *detail ? size.x + GAP : 0;
+    if (answer->doing && left + GAP < right)
+        show_words(window, UI_BODY, ROLE_DIM_TEXT, left, right, y, answer->doing);
+}
+
+/* Large, unless the numbers would then have no room. */
+static UiLetters title_letters(Window *window, const LiveAnswer *answer, double right) {
+    double width = ui_extent(window->ui, UI_ANSWER, answer->title).x, room = right - MARGIN - width - 2 * GAP;
+    double wanted = answer->detail ? ui_extent(window->ui, UI_BODY, answer->detail).x : 0;
+    return room < 0 || wanted > TWO_LINES * room ? UI_CLOCK : UI_ANSWER;
+}
+
 void bars_show_answer(Window *window) {
     Box bar = window->frame.answer;
     Room *room = window_room(window);
@@ -153,17 +181,11 @@ void bars_show_answer(Window *window) {
     if (room->live) {
         LiveAnswer answer = room->kind->answer(room->live);
         double right = show_place_button(window, room, bar), y = middle_of(bar).y;
-        double width = ui_extent(window->ui, UI_ANSWER, answer.title).x;
-        UiLetters letters = MARGIN + width > right ? UI_CLOCK : UI_ANSWER;
-        width = ui_extent(window->ui, letters, answer.title).x;
+        UiLetters letters = title_letters(window, &answer, right);
+        double width = ui_extent(window->ui, letters, answer.title).x;
         show_words(window, letters, answer.stale ? ROLE_DIM_TEXT : answer.role, MARGIN, fmin(right, MARGIN + width + 2),
                    y, answer.title);
-        const char *detail = answer.detail ? answer.detail : "";
-        if (answer.doing)
-            detail = text_in_arena(&window->words, "%s%s%s", answer.doing, *detail ? "; " : "", detail);
-        double left = MARGIN + width + 2 * GAP, wanted = ui_extent(window->ui, UI_DETAIL, detail).x;
-        show_words(window, left + wanted > right ? UI_BODY : UI_DETAIL, answer.stale ? ROLE_DIM_TEXT : ROLE_TEXT, left,
-                   right, y + 2, detail);
+        show_detail(window, &answer, MARGIN + width + 2 * GAP, right, y + 2);
         show_progress(window, bar, &answer);
     }
     ui_pane_end(window->ui);

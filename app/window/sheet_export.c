@@ -19,7 +19,7 @@ typedef struct Making {
 
 static const Making makings[] = {
     {"Data",
-     "summary.json and trace.csv of the run, with pictures of its end as PNG, SVG and PDF",
+     "summary.json, trace.csv, the end as PNG, SVG and PDF",
      {NULL},
      "data",
      false},

@@ -238,7 +238,10 @@ size_t ui_pencil_wrap(UiPencil *pencil, UiLetters letters, const char *words, do
     const char *end = font->CalcWordWrapPositionA(1, words, words + line, static_cast<float>(width * pencil->unit));
     if (end == words) /* not even one letter has room: the line has one, all the same */
         next_code(&end, words + line);
-    return static_cast<size_t>(end - words);
+    const char *blank = end; /* ImGui parts words behind a point, too: "0." and "040 m" */
+    while (blank > words && *blank != ' ')
+        blank--;
+    return static_cast<size_t>((blank > words && end < words + line ? blank : end) - words);
 }
 
 void ui_pencil_words(UiPencil *pencil, UiLetters letters, UiInk ink, Vec2 at, const char *words, size_t bytes) {

@@ -135,7 +135,7 @@ void ui_gap(Ui *ui, double height);
 void ui_text(Ui *ui, UiLetters letters, Role role, const char *words);
 void ui_line(Ui *ui, UiLetters letters, Role role, const char *words);
 
-/* A heading with a line above it. */
+/* A heading with a line above it, wrapped where the pane is narrow. */
 void ui_heading(Ui *ui, const char *words);
 
 /* Every widget: `id` tells it from others of the pane; `help` is the tooltip, name, key and one sentence, or NULL. */

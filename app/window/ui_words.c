@@ -1,3 +1,4 @@
+#include <math.h>
 #include <string.h>
 
 #include "window/ui_inside.h"
@@ -67,6 +68,9 @@ void ui_heading(Ui *ui, const char *words) {
         ui_pencil_box(ui->pencil, rule, ui_frame_ink(ui, ROLE_ROOM, 0.35));
         ui_gap(ui, UI_GAP);
     }
-    Box box = ui_pane_next(ui, HEADING_HEIGHT);
-    ui_words_in(ui, UI_HEADING, ui_frame_ink(ui, ROLE_TEXT, 1), box, 0, words);
+    double spacing = UI_SPACING * ui_words_size(UI_HEADING);
+    double height = ui_words_wrapped(ui, UI_HEADING, 0, (Box){{0, 0}, {ui_pane_width(ui), 0}}, words);
+    Box box = ui_pane_next(ui, HEADING_HEIGHT + fmax(height - spacing, 0));
+    box.low.y += (HEADING_HEIGHT - spacing) / 2;
+    ui_words_wrapped(ui, UI_HEADING, ui_frame_ink(ui, ROLE_TEXT, 1), box, words);
 }
