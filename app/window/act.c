@@ -181,6 +181,14 @@ static void set_theme(Window *window) {
         gallery_set_theme(window->gallery, window->theme);
 }
 
+/* Where it lies over the view it is closed at first. */
+static void toggle_panel(Window *window) {
+    if (window->frame.drawer)
+        window->drawer = !window->drawer;
+    else
+        window->panel = !window->panel;
+}
+
 static void set_fullscreen(Window *window) {
     window->fullscreen = !window->fullscreen;
     window->settings.likes.full_screen = window->fullscreen;
@@ -393,7 +401,7 @@ static bool do_window(Window *window, Action action) {
         window->quit = true;
         return true;
     case ACTION_PANEL:
-        window->panel = !window->panel;
+        toggle_panel(window);
         return true;
     case ACTION_PLOTS:
         window->plots = !window->plots;
@@ -464,7 +472,7 @@ static bool do_room(Window *window, Room *room, Action action) {
         walk_things(window, room, -1);
         return true;
     case ACTION_EDIT_NUMBERS:
-        window->panel = true;
+        window->panel = window->drawer = true;
         ui_focus(window->ui, "panel");
         return true;
     default:

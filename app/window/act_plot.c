@@ -125,12 +125,12 @@ static char *write_view(Room *room, const char *folder, const char *name, Fault 
     return path;
 }
 
-bool act_plot_picture(Window *window) {
+static void write_picture(Window *window) {
     Room *room = window_room(window);
     Fault fault = {0};
-    char *folder = act_folder(window), name[WINDOW_PATH], *path = NULL;
-    if (!folder || !room->live || !room->scenery.painted)
-        return false;
+    char *folder = room->scenery.painted ? act_folder(window) : NULL, name[WINDOW_PATH], *path = NULL;
+    if (!folder)
+        return;
     const Chart *chart = act_focused_chart(window);
     SnapshotNote note = note_of(room);
     snprintf(name, sizeof name, "%s%s%s", room->kind->title(room->live), chart ? " " : "",
@@ -146,7 +146,6 @@ bool act_plot_picture(Window *window) {
     act_complain(window, &fault, NAN);
     memory_free(path);
     memory_free(folder);
-    return path;
 }
 
 /* In a child process, so that the picture goes on. */
@@ -154,8 +153,13 @@ static void begin_frames(Window *window) {
     static const char *const options[] = {"--frames", FRAMES_RATE};
     static const char *const endings[] = {"", NULL};
     Room *room = window_room(window);
-    char *folder = act_folder(window), name[WINDOW_PATH];
-    if (!folder || window->export)
+    char name[WINDOW_PATH];
+    if (window->export) {
+        act_say(window, "something is being written already: when it is done, or cancelled, the next can begin");
+        return;
+    }
+    char *folder = act_folder(window);
+    if (!folder)
         return;
     Fault fault = {0};
     snprintf(name, sizeof name, "%s frames", room->kind->title(room->live));
@@ -186,7 +190,7 @@ bool act_plot_do(Window *window, Action action, int mods) {
         return true;
     switch (action) {
     case ACTION_PICTURE:
-        act_plot_picture(window);
+        write_picture(window);
         return true;
     case ACTION_FRAMES:
         begin_frames(window);

@@ -8,6 +8,3 @@ bool act_plot_do(Window *window, Action action, int mods);
 
 /* Sets the number that a plot's cursor stands for to a value of x. */
 void act_plot_use(Window *window, const Chart *chart, double x);
-
-/* Writes the view, or the plot that has the focus, as PNG and SVG; returns false when it could not. */
-bool act_plot_picture(Window *window);

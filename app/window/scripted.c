@@ -401,9 +401,9 @@ static bool has_come(const Scripted *scripted, Window *window) {
     case SCRIPT_COMPLETE:
         return span.complete && !answer.stale;
     case SCRIPT_ANSWERED:
-        return !answer.stale;
+        return !answer.stale && (span.complete || span.endless);
     default:
-        return !answer.stale && !answer.doing && !window->export;
+        return !answer.stale && (span.complete || span.endless) && !answer.doing && !window->export;
     }
 }
 

@@ -18,11 +18,7 @@ typedef struct Making {
 } Making;
 
 static const Making makings[] = {
-    {"Data",
-     "summary.json, trace.csv, the end as PNG, SVG and PDF",
-     {NULL},
-     "data",
-     false},
+    {"Data", "summary.json, trace.csv, the end as PNG, SVG and PDF", {NULL}, "data", false},
     {"Plots", "every plot as PNG, SVG, PDF and CSV, with units", {"--plots", NULL}, "plots", false},
     {"Report", "a page to be handed on, as HTML and PDF (houses)", {"--report", NULL}, "report", false},
     {"Frames", "a picture for every 1/30 of a simulated second, 1280 x 720", {"--frames", "30", NULL}, "frames", false},

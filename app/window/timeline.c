@@ -63,7 +63,7 @@ static const char *speed_words(Window *window, const Player *player) {
         speed < 1 ? text_in_arena(&window->words, "1/%.0fx", 1 / speed) : text_in_arena(&window->words, "%.0fx", speed);
     if (!player->playing || isnan(player->achieved))
         return asked;
-    return text_in_arena(&window->words, "%s (%.3g)", asked, player->achieved);
+    return text_in_arena(&window->words, "%s (%.2gx)", asked, player->achieved);
 }
 
 /* The line --------------------------------------------------------------------------------------------------------- */
@@ -152,7 +152,7 @@ void timeline_show(Window *window) {
         if (!compact)
             add_button(&row, ACTION_NOW, "Now", false, true);
         add_button(&row, ACTION_FASTER, "+", false, true);
-        add_words(&row, UI_BODY, speed_words(window, &room->player), compact ? "16x" : "16x (15.9)", true);
+        add_words(&row, UI_BODY, speed_words(window, &room->player), compact ? "16x" : "16x (0.98x)", true);
         add_button(&row, ACTION_SLOWER, "-", false, true);
         if (row.right - row.left > LEAST_TRACK)
             show_track(window, room, (Box){{row.left + GAP, row.bar.low.y}, {row.right - GAP, row.bar.high.y}});

@@ -68,7 +68,7 @@ void ui_heading(Ui *ui, const char *words) {
         ui_pencil_box(ui->pencil, rule, ui_frame_ink(ui, ROLE_ROOM, 0.35));
         ui_gap(ui, UI_GAP);
     }
-    double spacing = UI_SPACING * ui_words_size(UI_HEADING);
+    double spacing = UI_SPACING * ui_pencil_size(UI_HEADING);
     double height = ui_words_wrapped(ui, UI_HEADING, 0, (Box){{0, 0}, {ui_pane_width(ui), 0}}, words);
     Box box = ui_pane_next(ui, HEADING_HEIGHT + fmax(height - spacing, 0));
     box.low.y += (HEADING_HEIGHT - spacing) / 2;

@@ -18,6 +18,7 @@
 enum { WIDTH = 1280, HEIGHT = 720 /* pixels, of a window that is new */ };
 
 #define PRESENT_TEXT 1.5   /* times the size of letters, in front of a class */
+#define NOTE_STAY 6.0      /* s, that a line is seen which nobody has to act on: F7 keeps it */
 #define IDLE_WAIT 0.05     /* s, for an event, while nothing moves */
 #define LEAST_UNIT 0.75    /* pixels a design point: letters are read on the smallest window, too */
 #define SOUND_MOST 4096    /* samples a frame */
@@ -163,7 +164,12 @@ static void make_frame(Window *window) {
                       .plot_count =
                           room->charts_wait && room->live ? room->kind->plot_count(room->live) : room->charts.count,
                       .aspect = outlook_aspect(room)};
-    window->frame = frame_make(vec2(window->width / window->unit, window->height / window->unit), &wish);
+    Vec2 page = {window->width / window->unit, window->height / window->unit};
+    window->frame = frame_make(page, &wish);
+    if (window->frame.drawer && !window->drawer) {
+        wish.panel = false;
+        window->frame = frame_make(page, &wish);
+    }
     window->frame.view = snapped(window, window->frame.view);
     for (size_t i = 0; i < window->frame.chart_count; i++)
         window->frame.charts[i] = snapped(window, window->frame.charts[i]);
@@ -257,6 +263,20 @@ static void end_export(Window *window) {
     window->export = NULL;
 }
 
+/* What was merely said goes by itself; what went wrong stays until it is put away. */
+static void forget_notes(Window *window) {
+    const Message *last = messages_last(&window->messages);
+    if (last && last->number != window->noted) {
+        window->noted = last->number;
+        window->noted_at = glass_now();
+    }
+    if (last && last->kind == MESSAGE_SAID && last->number > window->dismissed &&
+        glass_now() - window->noted_at > NOTE_STAY) {
+        window->dismissed = last->number;
+        window->dirty = true;
+    }
+}
+
 static void move_on(Window *window, double seconds) {
     Room *room = window_room(window);
     double before = room->player.time;
@@ -269,6 +289,7 @@ static void move_on(Window *window, double seconds) {
     if (room->live)
         make_sound(window, room, before);
     end_export(window);
+    forget_notes(window);
 }
 
 /* One turn of the loop. */

@@ -41,6 +41,8 @@ typedef struct Window {
     Settings settings;
     Messages messages;
     size_t dismissed;                     /* number of the last message that was put away */
+    size_t noted;                         /* number of the last message that was seen, */
+    double noted_at;                      /* s on the wall, and since when */
     Gallery *gallery;                     /* NULL: not looked at yet */
     ScreenTexture pictures[GALLERY_MOST]; /* of its items */
     Sound *sound;                         /* NULL: off */
@@ -51,6 +53,7 @@ typedef struct Window {
     Theme theme;
     double text; /* size of letters, 1 to 3 */
     bool present, panel, plots, fullscreen, more;
+    bool drawer; /* the panel is open where it lies over the view */
 
     int width, height; /* pixels */
     double unit;       /* pixels a design point */

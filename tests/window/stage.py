@@ -37,10 +37,12 @@ def end():
 
 
 def environment(home, **more):
-    """As on a machine where nobody has used the program yet."""
+    """As on a machine where nobody has used the program yet. Leaks are not looked for: SDL unloads the graphics driver,
+    whose own cannot be told from ours then."""
     home.mkdir(exist_ok=True)
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "SDL_", "DISPLAY", "WAYLAND_"))}
-    return {**kept, "HOME": str(home), "SDL_AUDIODRIVER": "dummy", **more}
+    return {**kept, "HOME": str(home), "SDL_AUDIODRIVER": "dummy",
+            "ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":detect_leaks=0", **more}
 
 
 def states(path):
@@ -50,16 +52,14 @@ def states(path):
 
 
 def act(name, *lines, arguments=(), timeout=300, code=0):
-    """Runs a script without a display; `STATE` is a file, `FOLDER` a folder. Returns the states it wrote. Leaks are looked
-    for under Xvfb only: SDL's offscreen driver unloads the graphics driver, whose own can then not be told from ours."""
+    """Runs a script without a display; `STATE` is a file, `FOLDER` a folder. Returns the states it wrote."""
     place = folder / name
     place.mkdir(exist_ok=True)
     words = "\n".join(lines).replace("STATE", str(place / "states")).replace("FOLDER", str(place))
     (place / "script").write_text(words + "\nquit\n")
     done = subprocess.run([program, "open", *arguments, "--script", str(place / "script")], cwd=place, timeout=timeout,
                           capture_output=True, text=True,
-                          env=environment(place / "home", SDL_VIDEODRIVER="offscreen",
-                                          ASAN_OPTIONS=os.environ.get("ASAN_OPTIONS", "") + ":detect_leaks=0"))
+                          env=environment(place / "home", SDL_VIDEODRIVER="offscreen"))
     check(done.returncode == code, f"{name}: the script runs to its end", f"exit code {done.returncode}: {done.stderr}")
     return states(place / "states")
 
