@@ -1,7 +1,7 @@
 #include "laboratory/live_save.h"
 
-#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/memory.h"
 #include "beam/beam.h"
@@ -18,15 +18,12 @@ static size_t list_settings(const char *const *words, size_t count, const char *
     return found;
 }
 
-/* The file that is open, by whatever name, is not written over. */
-static bool is_same_file(const char *from, const char *to, Fault *fault) {
-    char *a = realpath(from, NULL), *b = realpath(to, NULL);
-    bool same = a && b && strcmp(a, b) == 0;
-    free(a);
-    free(b);
-    if (same)
-        fault_add(fault, "%s: this is the file that is open, a copy must have another name", to);
-    return same;
+/* Nothing is ever written over. */
+static bool is_there(const char *path, Fault *fault) {
+    bool there = access(path, F_OK) == 0;
+    if (there)
+        fault_add(fault, "%s: there is such a file already, a copy must have another name", path);
+    return there;
 }
 
 static bool say(int error, const char *path, Fault *fault) {
@@ -39,8 +36,7 @@ bool live_save_house(const char *const *words, size_t count, const char *path, F
     const char **settings = memory_allocate(count, sizeof *settings);
     size_t setting_count = list_settings(words, count, settings);
     Plan plan = {0};
-    bool good = !is_same_file(words[FILE_WORD], path, fault) &&
-                plan_read(&plan, words[FILE_WORD], settings, setting_count, fault) &&
+    bool good = !is_there(path, fault) && plan_read(&plan, words[FILE_WORD], settings, setting_count, fault) &&
                 say(plan_write(&plan, path), path, fault);
     plan_free(&plan);
     memory_free(settings);
@@ -51,8 +47,7 @@ bool live_save_beam(const char *const *words, size_t count, const char *path, Fa
     const char **settings = memory_allocate(count, sizeof *settings);
     size_t setting_count = list_settings(words, count, settings);
     Beam beam = {0};
-    bool good = !is_same_file(words[FILE_WORD], path, fault) &&
-                beam_read(&beam, words[FILE_WORD], settings, setting_count, fault) &&
+    bool good = !is_there(path, fault) && beam_read(&beam, words[FILE_WORD], settings, setting_count, fault) &&
                 say(beam_write(&beam, path), path, fault);
     beam_free(&beam);
     memory_free(settings);

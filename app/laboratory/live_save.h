@@ -1,5 +1,5 @@
 /* What is shown, with its changed numbers, as a file: the file that was opened, read again with the settings of the
- * laboratory's command, and written elsewhere. */
+ * laboratory's command, and written to where no file is yet. */
 #pragma once
 
 #include <stdbool.h>

@@ -124,4 +124,15 @@ check(len(pngs) == 3 and pngs[1].read_bytes() == pngs[2].read_bytes() or pngs[0]
       "the same picture twice is the same bytes")
 check("copied: clearance run" in found[2]["message"], "Ctrl+C copies the command", found[2]["message"])
 
+# a copy with its changed numbers, never over another file
+mine = stage.folder / "mine.json"
+mine.write_text("mine")
+found = act("save", "until complete 60", "set door.d4.width 0.85", "until complete 60", "key Ctrl+S", "wait 4", "key Return",
+            "wait 10", "state STATE", "key Ctrl+S", "wait 4", "key Ctrl+A", f'type "{mine}"', "wait 2", "key Return",
+            "wait 6", "state STATE")
+path = found[0]["message"].partition(": ")[2]
+saved = json.loads(open(path).read())
+check([d["width"] for d in saved["doors"] if d["id"] == "d4"] == [0.85], "Ctrl+S saves a copy with the changed number")
+check(mine.read_text() == "mine" and "already" in found[1]["message"], "never over another file", found[1]["message"])
+
 stage.end()
