@@ -235,9 +235,8 @@ static void toggle_layer(Window *window, Room *room, int32_t key) {
     size_t layer = (size_t)(key - '1');
     if (key < '1' || layer >= room->kind->layer_count)
         return;
-    room->layers ^= 1u << layer;
-    room->kind->reveal(room->live, room->layers);
-    act_say(window, "%s: %s", room->kind->layers[layer], room->layers & 1u << layer ? "shown" : "hidden");
+    room_toggle_layer(room, layer);
+    act_say(window, "%s: %s", room->kind->layers[layer], room_layers(room) & 1u << layer ? "shown" : "hidden");
 }
 
 /* The transport ---------------------------------------------------------------------------------------------------- */

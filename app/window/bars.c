@@ -119,7 +119,7 @@ static double show_place_button(Window *window, Room *room, Box bar) {
     const LiveRow *place = first_place(room);
     const char *label = "Show place";
     double width = ui_extent(window->ui, UI_BOLD, label).x + BUTTON_PAD;
-    if (!place || bar.high.x < 3 * width)
+    if (!place || window->frame.compact || bar.high.x < 3 * width)
         return bar.high.x - MARGIN;
     double left = bar.high.x - MARGIN - width, y = middle_of(bar).y, half = fmin(SHOW_HEIGHT, box_height(bar) - 8) / 2;
     ui_at(window->ui, (Box){{left, y - half}, {left + width, y + half}});

@@ -80,7 +80,8 @@ static void show_view_words(Window *window, const Room *room) {
     const char *note = room->kind->note(room->live);
     Vec2 extent = ui_extent(window->ui, UI_BODY, note);
     if (*note) {
-        Vec2 at = {view.low.x + MARGIN, view.high.y - MARGIN - extent.y / 2};
+        double below = window->frame.compact ? view.low.y + extent.y : view.high.y - MARGIN - extent.y / 2;
+        Vec2 at = {view.low.x + MARGIN, below};
         ui_draw_box(window->ui, (Box){{at.x - 4, at.y - extent.y / 2}, {at.x + extent.x + 4, at.y + extent.y / 2}},
                     ROLE_PAPER, 0.8);
         ui_draw_words(window->ui, UI_BODY, ROLE_DIM_TEXT, at, 0, note);

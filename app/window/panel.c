@@ -194,7 +194,7 @@ static void show_more(Window *window, Room *room) {
 static void show_layers(Window *window, Room *room) {
     ui_heading(window->ui, "Layers");
     for (size_t i = 0; i < room->kind->layer_count; i++) {
-        bool shown = room->layers >> i & 1;
+        bool shown = room_layers(room) >> i & 1;
         const char *label = text_in_arena(&window->words, "%zu  %s", i + 1, room->kind->layers[i]);
         const char *help =
             text_in_arena(&window->words, "%s (%zu): %s", room->kind->layers[i], i + 1, room->kind->meanings[i]);

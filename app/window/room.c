@@ -53,7 +53,7 @@ bool room_open(Room *room, const char *path, const LiveOptions *options, PaintGl
     room->follows = false;
     room->charts_wait = true;
     scenery_forget(&room->scenery);
-    room->kind->reveal(live, room->layers);
+    room->kind->reveal(live, room_layers(room));
     room_look(room);
     return true;
 }
@@ -102,6 +102,37 @@ unsigned room_update(Room *room, double seconds) {
     if (changes & LIVE_PLOTS)
         room->charts_wait = true;
     return changes;
+}
+
+/* Layers ----------------------------------------------------------------------------------------------------------- */
+
+static bool is_names(const Room *room, size_t layer) {
+    return strcmp(room->kind->layers[layer], "names") == 0;
+}
+
+unsigned room_layers(const Room *room) {
+    unsigned layers = room->layers;
+    for (size_t i = 0; i < room->kind->layer_count && room->cramped; i++)
+        if (is_names(room, i))
+            layers = room->named ? layers | 1u << i : layers & ~(1u << i);
+    return layers;
+}
+
+void room_toggle_layer(Room *room, size_t layer) {
+    if (room->cramped && is_names(room, layer))
+        room->named = !room->named;
+    else
+        room->layers ^= 1u << layer;
+    room->kind->reveal(room->live, room_layers(room));
+}
+
+void room_cramp(Room *room, bool cramped) {
+    if (room->cramped == cramped)
+        return;
+    room->cramped = cramped;
+    room->named = false;
+    if (room->live)
+        room->kind->reveal(room->live, room_layers(room));
 }
 
 /* Looking ---------------------------------------------------------------------------------------------------------- */

@@ -12,7 +12,9 @@ typedef struct Room {
     char *path; /* of the file */
     Player player;
     Camera camera;
-    unsigned layers;   /* shown, bits */
+    unsigned layers;   /* shown where there is room for them, bits */
+    bool cramped;      /* letters are so large that names have no room */
+    bool named;        /* they are shown all the same */
     bool follows;      /* what is selected stays in the middle */
     const char *plots; /* names of those shown, separated by commas; not owned */
     Scenery scenery;
@@ -30,6 +32,11 @@ bool room_open(Room *room, const char *path, const LiveOptions *options, PaintGl
 
 /* Moves on by so many s on the wall, and takes over what has come since; returns LIVE_... */
 unsigned room_update(Room *room, double seconds);
+
+/* The layers that are shown now; shows or hides one; where letters are large, names are hidden at first. */
+unsigned room_layers(const Room *room);
+void room_toggle_layer(Room *room, size_t layer);
+void room_cramp(Room *room, bool cramped);
 
 /* Shows what is in the camera now. */
 void room_look(Room *room);

@@ -131,7 +131,7 @@ static void add_room(json_t *state, Window *window) {
     json_object_set_new(state, "raised", json_boolean(room->camera.kind == VIEW_RAISED));
     json_object_set_new(state, "zoom", number_or_null(room->camera.zoom));
     json_object_set_new(state, "azimuth", number_or_null(room->camera.azimuth));
-    json_object_set_new(state, "layers", json_integer(room->layers));
+    json_object_set_new(state, "layers", json_integer(room_layers(room)));
     json_object_set_new(state, "clock", json_string(room->kind->clock(room->live, player->time)));
     json_object_set_new(state, "selected",
                         thing.kind ? json_string(room->kind->name_thing(room->live, thing)) : json_null());

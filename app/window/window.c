@@ -199,6 +199,7 @@ static void draw(Window *window, double seconds) {
     Room *room = window_room(window);
     arena_clear(&window->words);
     make_frame(window);
+    room_cramp(room, window->frame.compact);
     outlook_paint(window);
     paint_gl_screen_begin(window->screen, window->width, window->height, palette_colour(window->theme, ROLE_PAPER));
     if (room->live && room->scenery.paint)
