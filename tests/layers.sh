@@ -76,7 +76,7 @@ done
 
 if command -v clang-format >/dev/null; then
     # shellcheck disable=SC2046
-    clang-format --dry-run $(sources engine app tests | grep -v '\.cpp$') 2>&1 | grep 'warning:' | sed 's/^/format: /' >>"$breaches"
+    clang-format --dry-run $(sources engine app tests) 2>&1 | grep 'warning:' | sed 's/^/format: /' >>"$breaches"
 fi
 
 sort -u "$breaches"

@@ -29,7 +29,8 @@ constexpr const char *JAPANESE = FONTS "opentype/ipafont-gothic/ipag.ttf";
  * is what ImGui calls the size. */
 constexpr double CAPITAL = 1493.0 / 2048, SPAN = 2384.0 / 2048;
 
-constexpr const char *SIGNS = "–—‘’“”„…•′″€™←↑→↓↔↕⇧−∞≈≠≤≥√∑Δ∂■□▪▲△▶▸▼▾◀◂◆◇○●◌✓✔✗✕⚠⏸▮∆αβγδεζηθκλμνξπρστφχψωΓΘΛΠΣΦΨΩ"
+constexpr const char *SIGNS = "–—‘’“”„…•′″€™←↑→↓↔↕⇧−∞≈≠≤≥√∑Δ∂■□▪▲△▶▸▼▾◀◂◆◇○●◌✓✔✗✕⚠⏸▮∆αβγδεζηθκλμνξπρστφχψωΓΘΛΠΣΦΨ"
+                              "Ω"
                               "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺₀₁₂₃₄₅₆₇₈₉\xEF\xBF\xBD";
 
 struct Letters {
@@ -89,8 +90,8 @@ struct UiPencil {
     ImDrawList *list;
     std::vector<ImDrawIdx> indices; /* of one command */
     std::vector<Ground> grounds;
-    double unit;                    /* pixels a design point, of places */
-    double made_unit, seen_unit;    /* of letters; of the frame before */
+    double unit;                 /* pixels a design point, of places */
+    double made_unit, seen_unit; /* of letters; of the frame before */
     std::vector<unsigned char> regular, bold, japanese;
     std::vector<bool> wanted; /* codes that the atlas has, or is to have */
     bool wants_more, wants_japanese;
@@ -171,7 +172,8 @@ void make_atlas(UiPencil *pencil) {
     pencil->wants_more = pencil->wants_japanese = false;
 }
 
-/* A window that is being resized asks for other letters in every frame: they are made when it asks for the same twice. */
+/* A window that is being resized asks for other letters in every frame: they are made when it asks for the same twice.
+ */
 void renew_atlas(UiPencil *pencil) {
     bool settled = pencil->made_unit == 0 || pencil->unit == pencil->seen_unit;
     pencil->seen_unit = pencil->unit;
@@ -375,7 +377,8 @@ void send(UiPencil *pencil, const ImDrawList *list, const ImDrawCmd &command) {
     for (unsigned i = 0; i < command.ElemCount; i++)
         pencil->indices[i] = static_cast<ImDrawIdx>(from[i] - low);
     const ImDrawVert *vertices = list->VtxBuffer.Data + command.VtxOffset + low;
-    static_assert(sizeof(ImDrawVert) == sizeof(ScreenVertex) && sizeof(ImDrawIdx) == sizeof(unsigned short), "as ImGui");
+    static_assert(sizeof(ImDrawVert) == sizeof(ScreenVertex) && sizeof(ImDrawIdx) == sizeof(unsigned short),
+                  "as ImGui");
     int left = static_cast<int>(command.ClipRect.x), top = static_cast<int>(command.ClipRect.y);
     paint_gl_screen_mesh(pencil->screen, reinterpret_cast<const ScreenVertex *>(vertices), size_t(high - low) + 1,
                          pencil->indices.data(), command.ElemCount,
