@@ -29,7 +29,9 @@ constexpr const char *JAPANESE = FONTS "opentype/ipafont-gothic/ipag.ttf";
  * is what ImGui calls the size. */
 constexpr double CAPITAL = 1493.0 / 2048, SPAN = 2384.0 / 2048;
 
-constexpr const char *SIGNS = "–—‘’“”„…•′″€™←↑→↓↔↕⇧−∞≈≠≤≥√∑Δ∂■□▪▲△▶▸▼▾◀◂◆◇○●◌✓✔✗✕⚠⏸▮∆αβγδεζηθκλμνξπρστφχψωΓΘΛΠΣΦΨ"
+constexpr const char *SIGNS = "–—‘’“”„…•′″€™←↑→↓↔↕⇧−∞≈≠≤≥√∑Δ∂■□▪▲△▶▸▼▾◀◂◆◇○●◌✓✔✗✕⚠⏸▮∆αβγδεζηθκλμνξπρστφχψωΓΘΛΠΣ"
+                              "Φ"
+                              "Ψ"
                               "Ω"
                               "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺₀₁₂₃₄₅₆₇₈₉\xEF\xBF\xBD";
 
