@@ -29,7 +29,8 @@ constexpr const char *JAPANESE = FONTS "opentype/ipafont-gothic/ipag.ttf";
  * is what ImGui calls the size. */
 constexpr double CAPITAL = 1493.0 / 2048, SPAN = 2384.0 / 2048;
 
-/* clang-format off: it measures such signs differently from one time to the next */
+/* It measures such signs differently from one time to the next. */
+/* clang-format off */
 constexpr const char *SIGNS = "–—‘’“”„…•′″€™←↑→↓↔↕⇧−∞≈≠≤≥√∑Δ∂■□▪▲△▶▸▼▾◀◂◆◇○●◌✓✔✗✕⚠⏸▮"
                               "∆"
                               "αβγδεζηθκλμνξπρστφχψωΓΘΛΠΣΦΨΩ⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺₀₁₂₃₄₅₆₇₈₉\xEF\xBF\xBD";
