@@ -140,8 +140,9 @@ typedef struct LiveKind {
     bool raised;                 /* it can be looked at from the side */
     bool numbers_first;          /* the panel begins with the parameters */
 
-    /* Begins with a file; the first pictures come with an update. NULL: faults say why. Reading that takes longer than
-     * some 50 ms is done in the background, and its faults come as trouble. `close` ends all threads. */
+    /* Begins with a file (`path` NULL: with an empty one, where there is an editor); the first pictures come with an
+     * update. NULL: faults say why. Reading that takes longer than some 50 ms is done in the background, and its faults
+     * come as trouble. `close` ends all threads. */
     void *(*open)(const char *path, const LiveOptions *options, Fault *fault);
     void (*close)(void *live);
 
@@ -221,6 +222,8 @@ typedef struct LiveKind {
 
     /* Fills mono samples, -1 to 1, of the stretch from one time to another; false: it is silent. */
     bool (*sound)(const void *live, double from, double to, float *samples, size_t count);
+
+    const struct LiveEditor *editor; /* see live_edit.h; NULL: nothing can be edited */
 } LiveKind;
 
 /* The laboratories; live_kind_of tells whose a file is, by what is in it (a house's when nothing can be told). */
