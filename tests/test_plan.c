@@ -76,6 +76,37 @@ TEST(every_shipped_house_is_written_as_it_is_shipped) {
     draft_free_list(paths, count);
 }
 
+TEST(a_house_in_memory_is_read_as_if_from_its_file) {
+    size_t count;
+    char **paths = draft_list("houses", &count);
+    for (size_t i = 0; i < count; i++) {
+        House house = {0};
+        Fault fault = {0};
+        HouseOptions options = {.profiles = "assets/profiles", .driving = -1};
+        char *shipped = draft_read(draft_source(paths[i]));
+        CHECK(house_read_text(&house, "/nowhere/at-all.json", shipped, &options, &fault));
+        CHECK_TEXT(house.plan.path, "/nowhere/at-all.json");
+        char *written = plan_text(&house.plan);
+        CHECK_TEXT(written, shipped);
+        memory_free(written);
+        memory_free(shipped);
+        fault_clear(&fault);
+        house_free(&house);
+    }
+    draft_free_list(paths, count);
+}
+
+TEST(a_fault_of_a_text_in_memory_says_where_in_the_text) {
+    Plan plan = {.name = "untouched"};
+    Fault fault = {0};
+    CHECK(!plan_read_text(&plan, "drawn.json", "{\"format\": \"clearance-house\",\n \"version\": 2}", NULL, 0, &fault));
+    CHECK(fault.count > 0 && strncmp(fault.lines[0], "drawn.json:2:13: ", 17) == 0);
+    CHECK(!plan_read_text(&plan, "drawn.json", "\n", NULL, 0, &fault));
+    CHECK_TEXT(fault.lines[fault.count - 1], "drawn.json:1:1: empty, must hold one object { ... }");
+    CHECK_TEXT(plan.name, "untouched");
+    fault_clear(&fault);
+}
+
 TEST(every_shipped_house_says_that_its_plan_is_assumed) {
     size_t count;
     char **paths = draft_list("houses", &count);

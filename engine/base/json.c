@@ -42,13 +42,8 @@ static void fault_syntax(const char *path, const char *text, const json_error_t 
     }
 }
 
-bool json_read(JsonFile *file, const char *path, Fault *fault) {
-    size_t size = 0;
-    char *text = text_read_file(path, JSON_LARGEST_FILE, &size);
-    if (!text) {
-        fault_add(fault, "%s:1:1: cannot be read: %s", path, strerror(errno));
-        return false;
-    }
+/* The values of a text, which the file owns from now on, or which is released with the fault. */
+static bool read_values(JsonFile *file, const char *path, char *text, size_t size, Fault *fault) {
     static const char mark[] = "\xef\xbb\xbf"; /* some editors begin UTF-8 with it */
     if (strncmp(text, mark, strlen(mark)) == 0) {
         size -= strlen(mark);
@@ -66,6 +61,23 @@ bool json_read(JsonFile *file, const char *path, Fault *fault) {
     file->text = text;
     file->root = root;
     return true;
+}
+
+bool json_read(JsonFile *file, const char *path, Fault *fault) {
+    size_t size = 0;
+    char *text = text_read_file(path, JSON_LARGEST_FILE, &size);
+    if (!text) {
+        fault_add(fault, "%s:1:1: cannot be read: %s", path, strerror(errno));
+        return false;
+    }
+    return read_values(file, path, text, size, fault);
+}
+
+bool json_read_memory(JsonFile *file, const char *path, const char *text, Fault *fault) {
+    size_t size = strlen(text);
+    char *copy = memory_allocate(size + 1, 1);
+    memcpy(copy, text, size);
+    return read_values(file, path, copy, size, fault);
 }
 
 void json_free(JsonFile *file) {

@@ -29,6 +29,10 @@ typedef struct JsonNode {
 enum { JSON_LARGEST_FILE = 64 * 1024 * 1024 /* bytes: a house of a hundred thousand walls has a sixth of it */ };
 
 bool json_read(JsonFile *file, const char *path, Fault *fault);
+
+/* The same of `text`, ended by 0, which need not be on the disk: faults begin with `path` and point into the text. */
+bool json_read_memory(JsonFile *file, const char *path, const char *text, Fault *fault);
+
 void json_free(JsonFile *file);
 
 JsonNode json_root(const JsonFile *file);

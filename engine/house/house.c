@@ -116,10 +116,9 @@ static void build_vicinity(House *house) {
         vicinity_init(&house->vicinity, &house->outline, &house->plan, reach);
 }
 
-static bool read_parts(House *house, const char *path, const HouseOptions *options, Fault *fault) {
+/* All that follows from the plan, which has been read. */
+static bool build_parts(House *house, const char *path, const HouseOptions *options, Fault *fault) {
     size_t before = fault->total;
-    if (!plan_read(&house->plan, path, options->settings, options->setting_count, fault))
-        return false;
     read_profiles(house, path, options, fault);
     if (fault->total == before)
         for (size_t i = 0; i < house->plan.override_count; i++)
@@ -138,9 +137,14 @@ static bool read_parts(House *house, const char *path, const HouseOptions *optio
     return fault->total == before;
 }
 
-bool house_read(House *house, const char *path, const HouseOptions *options, Fault *fault) {
+/* From `text`, or, where that is NULL, from the file. */
+static bool read_house(House *house, const char *path, const char *text, const HouseOptions *options, Fault *fault) {
     House read = {.seed = options->seed};
-    if (!read_parts(&read, path, options, fault)) {
+    const char *const *settings = options->settings;
+    size_t count = options->setting_count;
+    bool planned = text ? plan_read_text(&read.plan, path, text, settings, count, fault)
+                        : plan_read(&read.plan, path, settings, count, fault);
+    if (!planned || !build_parts(&read, path, options, fault)) {
         house_free(&read);
         return false;
     }
@@ -148,6 +152,14 @@ bool house_read(House *house, const char *path, const HouseOptions *options, Fau
     *house = read;
     house->space.outline = &house->outline;
     return true;
+}
+
+bool house_read(House *house, const char *path, const HouseOptions *options, Fault *fault) {
+    return read_house(house, path, NULL, options, fault);
+}
+
+bool house_read_text(House *house, const char *path, const char *text, const HouseOptions *options, Fault *fault) {
+    return read_house(house, path, text, options, fault);
 }
 
 void house_free(House *house) {

@@ -53,6 +53,11 @@ typedef struct HouseOptions {
 
 /* Reads a house file and the profiles it names. False: faults say where and what, and the house is as it was. */
 bool house_read(House *house, const char *path, const HouseOptions *options, Fault *fault);
+
+/* The same of a house file's `text`, ended by 0, which need not be on the disk: faults are of `path`, and profiles
+ * beside it come first. */
+bool house_read_text(House *house, const char *path, const char *text, const HouseOptions *options, Fault *fault);
+
 void house_free(House *house);
 
 /* As plan_parameter, of the profiles too: "profile.manual-chair.width". */

@@ -153,6 +153,10 @@ typedef struct Plan {
  * the whole. False: faults say where and what, and the plan is as it was. */
 bool plan_read(Plan *plan, const char *path, const char *const *settings, size_t setting_count, Fault *fault);
 
+/* The same of a house file's `text`, ended by 0, which need not be on the disk: faults and plan->path are of `path`. */
+bool plan_read_text(Plan *plan, const char *path, const char *text, const char *const *settings, size_t setting_count,
+                    Fault *fault);
+
 /* The parameter that a setting's NAME means, "door.d1.width" or "person.p1.at.x", and what has it. NULL: a fault, which
  * begins with `place`, says what there is instead. */
 const Parameter *plan_parameter(const Plan *plan, const char *name, const void **object, const char *place,
@@ -163,6 +167,9 @@ bool plan_is_of_profile(const char *name);
 
 /* Writes the plan so that reading it again gives the same plan. Beside and renamed. 0, or errno. */
 int plan_write(const Plan *plan, const char *path);
+
+/* What plan_write writes; memory_free it. */
+char *plan_text(const Plan *plan);
 
 void plan_free(Plan *plan);
 
