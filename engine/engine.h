@@ -43,6 +43,7 @@
 #include "house/hazard.h"
 #include "house/locus.h"
 #include "house/replan.h"
+#include "house/shake.h"
 #include "house/run.h"
 #include "house/measure.h"
 #include "house/verification.h"

@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "house/shake.h"
 
 /* m: of a route's point for people on foot, so that a crowd can pass it side by side. Assumed. */
 static const double VIA_RADIUS = 1.5;
@@ -156,13 +157,16 @@ static void plan_ride(const Planning *planning, const Whereabouts *place, Journe
 static void plan_journey(void *context, size_t k) {
     Planning *planning = context;
     const Whereabouts *place = &planning->places[k];
+    const Inhabitant *person = &planning->house->people[place->person];
     Journey *journey = &planning->journeys->of[place->person];
     route_free(&journey->route);
     track_free(&journey->track);
     *journey = (Journey){.via = place->via};
     if (parallel_stopped(planning->stop))
         journey->route = (Route){.answer = ROUTE_CANNOT_PASS, .exit = SIZE_MAX};
-    else if (planning->house->people[place->person].profile->driving == DRIVING_WALKER)
+    else if (person->under)
+        journey->route = shake_route(&planning->house->plan, person);
+    else if (person->profile->driving == DRIVING_WALKER)
         plan_walk(planning, place, journey);
     else
         plan_ride(planning, place, journey);
