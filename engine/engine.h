@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/vec2.h"
+#include "base/rectangle.h"
 #include "base/memory.h"
 #include "base/heap.h"
 #include "base/fault.h"
@@ -45,6 +46,7 @@
 #include "house/replan.h"
 #include "house/shake.h"
 #include "house/run.h"
+#include "house/suggest.h"
 #include "house/measure.h"
 #include "house/verification.h"
 #include "house/trial.h"

@@ -47,7 +47,8 @@ static const Verb verbs[] = {
     {"check", FOR_CHECK, 1, 1, "HOUSE",
      "find faults, then say for each person whether they can get out, and if not, why",
      "  clearance check houses/flat-0.910-module.json\n"
-     "  clearance check houses/flat-0.910-module.json --set door.d1.width=0.90 --json\n",
+     "  clearance check houses/flat-0.910-module.json --set door.d1.width=0.90 --json\n"
+     "  clearance check houses/flat-0.910-module.json --suggest\n",
      command_check},
     {"compare", FOR_COMPARE, 2, 2, "HOUSE_A HOUSE_B", "run both and show what differs",
      "  clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json\n"

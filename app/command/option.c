@@ -194,6 +194,12 @@ static bool take_runs(Options *options, const char *value) {
     return good;
 }
 
+static bool take_suggest(Options *options, const char *value) {
+    (void)value;
+    options->suggest = true;
+    return true;
+}
+
 static bool take_text(Options *options, const char *value) {
     long long number;
     bool good = take_whole(value, 1, SETTINGS_TEXT_MOST, &number);
@@ -243,6 +249,10 @@ const Option option_rows[] = {
      take_thorough},
     {"--paper", NULL, FOR_STUDY,
      "of a beam: each claim and figure of Gu and Dubowsky's paper beside ours; --out has them as a page", take_paper},
+    {"--suggest", NULL, FOR_CHECK,
+     "when somebody does not get out: the smallest changes that let everybody out, doors widened, furniture moved, "
+     "turned or stood up, each tried by simulation",
+     take_suggest},
     {"--report", NULL, FOR_RUN | FOR_COMPARE, "write report.html and report.pdf to --out, to be handed on",
      take_report},
     {"--observed", "FILE", FOR_RUN, "measured loci for the report: CSV with columns time, x, y and person",

@@ -79,6 +79,7 @@ typedef struct Planning {
     const volatile sig_atomic_t *stop;
     Journeys *journeys;
     bool again;             /* people are on the way already */
+    bool terse;             /* where they stick is not asked */
     size_t first_itinerary; /* without fields */
 } Planning;
 
@@ -120,6 +121,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
                         .pressed = planning->again ? PRESSED : 0,
                         .most_reversals = house->plan.run.reversals,
                         .fields = planning->journeys->fields,
+                        .terse = planning->terse,
                         .stop = planning->stop};
 }
 
@@ -222,11 +224,12 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
     }
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
-    if (!parallel_stopped(planning->stop))
+    if (!parallel_stopped(planning->stop) && !planning->terse)
         explain_walkers(planning, count);
 }
 
-Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+static Journeys plan_from_start(const House *house, const bool *part, bool terse, int jobs,
+                                const volatile sig_atomic_t *stop) {
     Journeys journeys = {.of = memory_allocate(house->person_count, sizeof *journeys.of),
                          .count = house->person_count,
                          .fields = fields_create()};
@@ -236,10 +239,23 @@ Journeys journey_plan_all(const House *house, const bool *part, int jobs, const 
         if (!part || part[i])
             places[count++] =
                 (Whereabouts){.person = i, .at = house->people[i].at, .heading = house->people[i].heading};
-    Planning planning = {.house = house, .places = places, .stop = stop, .journeys = &journeys};
+    Planning planning = {.house = house, .places = places, .stop = stop, .journeys = &journeys, .terse = terse};
     plan_all(&planning, count, jobs);
     memory_free(places);
     return journeys;
+}
+
+Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+    return plan_from_start(house, part, false, jobs, stop);
+}
+
+bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop) {
+    Journeys journeys = plan_from_start(house, part, true, 1, stop);
+    bool all = true;
+    for (size_t i = 0; i < house->person_count; i++)
+        all &= (part && !part[i]) || journeys.of[i].route.answer == ROUTE_FOUND;
+    journey_free_all(&journeys);
+    return all;
 }
 
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,

@@ -6,6 +6,7 @@
 
 #include "base/digest.h"
 #include "base/random.h"
+#include "base/rectangle.h"
 #include "base/text.h"
 
 /* m: a body that is touched by less is not caught, as rounding decides there. */
@@ -27,37 +28,12 @@ size_t shake_settings(const Plan *plan, const bool *topples, const char **settin
     return count;
 }
 
-/* How far two ranges overlap; negative: they are apart. */
-static double overlap(double low_a, double high_a, double low_b, double high_b) {
-    return fmin(high_a, high_b) - fmax(low_a, low_b);
-}
-
-/* Of a rectangle along `axis`, in the frame of another one about `middle`. */
-static bool is_apart(const Vec2 corners[4], Vec2 middle, Vec2 axis, double half_length, double half_width) {
-    Vec2 low = {HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL};
-    for (int i = 0; i < 4; i++) {
-        Vec2 own = vec2_unturn(vec2_sub(corners[i], middle), axis);
-        low = vec2(fmin(low.x, own.x), fmin(low.y, own.y));
-        high = vec2(fmax(high.x, own.x), fmax(high.y, own.y));
-    }
-    return overlap(low.x, high.x, -half_length, half_length) < GRAZED ||
-           overlap(low.y, high.y, -half_width, half_width) < GRAZED;
-}
-
-/* Lies a rectangle (corners) on the body's? Two rectangles are apart when they are along a side of one of them. */
 static bool catches_rectangle(const Vec2 corners[4], const Inhabitant *person) {
     const Profile *profile = person->profile;
-    Vec2 axis = vec2_heading(person->heading), side = vec2_unit(vec2_sub(corners[1], corners[0]));
-    double half_length = profile->length / 2, half_width = profile->width / 2;
-    Vec2 middle = vec2_along(person->at, half_length - profile->axle, axis), body[4];
-    for (int i = 0; i < 4; i++) {
-        Vec2 own = {i == 0 || i == 3 ? -half_length : half_length, i < 2 ? -half_width : half_width};
-        body[i] = vec2_add(middle, vec2_turn(own, axis));
-    }
-    Vec2 centre = vec2_scale(vec2_add(corners[0], corners[2]), 0.5);
-    return !is_apart(corners, middle, axis, half_length, half_width) &&
-           !is_apart(body, centre, side, vec2_distance(corners[0], corners[1]) / 2,
-                     vec2_distance(corners[1], corners[2]) / 2);
+    Vec2 axis = vec2_heading(person->heading), body[4];
+    Vec2 middle = vec2_along(person->at, profile->length / 2 - profile->axle, axis);
+    rectangle_corners(middle, axis, vec2(profile->length, profile->width), body);
+    return rectangle_overlap(corners, body) > GRAZED;
 }
 
 static bool catches_disc(const Vec2 corners[4], Vec2 at, double radius) {
