@@ -59,7 +59,8 @@ static const Verb verbs[] = {
      "  clearance study houses/flat-0.910-module.json --vary door.d3.width=0.7:1:31 --out out\n"
      "  clearance study houses/corner-0.90-0.90.json --vary profile.manual-chair.width=0.5:0.7:11 --vary "
      "profile.manual-chair.length=1:1.2:5\n"
-     "  clearance study houses/ube-techno-house.json --runs 100 --spread profile.manual-chair.free_speed=0.1\n",
+     "  clearance study houses/ube-techno-house.json --runs 100 --spread profile.manual-chair.free_speed=0.1\n"
+     "  clearance study houses/ube-techno-house.json --shake 100 --report --out out\n",
      command_study},
     {"loci", FOR_LOCI, 1, SIZE_MAX, "HOUSE ...",
      "drive each house both ways, miura and driver: times, and how far apart the loci are",
