@@ -47,6 +47,7 @@ typedef struct Options {
     const char *measured;   /* file of measured points, or NULL */
     bool report;            /* write one */
     const char *observed;   /* file of measured loci, or NULL */
+    bool suggest;           /* the smallest changes that let everybody out */
     StudyRequest study;
     bool paper;          /* study the paper's claims */
     bool thorough;       /* tell each run of a beam as `run` does */

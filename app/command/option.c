@@ -194,6 +194,19 @@ static bool take_runs(Options *options, const char *value) {
     return good;
 }
 
+static bool take_shakes(Options *options, const char *value) {
+    long long number;
+    bool good = take_whole(value, 1, STUDY_RUNS_MOST, &number);
+    options->study.shakes = good ? (size_t)number : 0;
+    return good;
+}
+
+static bool take_suggest(Options *options, const char *value) {
+    (void)value;
+    options->suggest = true;
+    return true;
+}
+
 static bool take_text(Options *options, const char *value) {
     long long number;
     bool good = take_whole(value, 1, SETTINGS_TEXT_MOST, &number);
@@ -231,6 +244,10 @@ const Option option_rows[] = {
      "from FROM to TO in STEPS values, both ends among them, for instance door.d1.width=0.7:1:31 (at most twice)",
      take_vary},
     {"--runs", "N", FOR_STUDY, "runs of each point, with seeds of their own, 1 to 100000 (default 1)", take_runs},
+    {"--shake", "N", FOR_STUDY,
+     "of a house: so many earthquakes, with seeds from --seed on; in each, furniture topples by its probability, then "
+     "ways are planned anew: who gets out how often and how fast, what stops them",
+     take_shakes},
     {"--spread", "NAME=SHARE", FOR_STUDY,
      "in each run the number is off by a normal deviate of this share of it, such as 0.02 (repeatable)", take_spread},
     {"--sweep", "reset,up,down", FOR_STUDY,
@@ -243,8 +260,12 @@ const Option option_rows[] = {
      take_thorough},
     {"--paper", NULL, FOR_STUDY,
      "of a beam: each claim and figure of Gu and Dubowsky's paper beside ours; --out has them as a page", take_paper},
-    {"--report", NULL, FOR_RUN | FOR_COMPARE, "write report.html and report.pdf to --out, to be handed on",
-     take_report},
+    {"--suggest", NULL, FOR_CHECK,
+     "when somebody does not get out: the smallest changes that let everybody out, doors widened, furniture moved, "
+     "turned or stood up, each tried by simulation",
+     take_suggest},
+    {"--report", NULL, FOR_RUN | FOR_COMPARE | FOR_STUDY,
+     "write report.html and report.pdf to --out, to be handed on; of a study, with --shake", take_report},
     {"--observed", "FILE", FOR_RUN, "measured loci for the report: CSV with columns time, x, y and person",
      take_observed},
     {"--json", NULL, FOR_HOUSES | FOR_CASES, "the answer as one JSON object and nothing else", take_json},
