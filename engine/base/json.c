@@ -45,10 +45,13 @@ static void fault_syntax(const char *path, const char *text, const json_error_t 
 bool json_read(JsonFile *file, const char *path, Fault *fault) {
     size_t size = 0;
     char *text = text_read_file(path, JSON_LARGEST_FILE, &size);
-    if (!text) {
-        fault_add(fault, "%s:1:1: cannot be read: %s", path, strerror(errno));
-        return false;
-    }
+    if (text)
+        return json_take(file, path, text, size, fault);
+    fault_add(fault, "%s:1:1: cannot be read: %s", path, strerror(errno));
+    return false;
+}
+
+bool json_take(JsonFile *file, const char *path, char *text, size_t size, Fault *fault) {
     static const char mark[] = "\xef\xbb\xbf"; /* some editors begin UTF-8 with it */
     if (strncmp(text, mark, strlen(mark)) == 0) {
         size -= strlen(mark);

@@ -29,6 +29,10 @@ typedef struct JsonNode {
 enum { JSON_LARGEST_FILE = 64 * 1024 * 1024 /* bytes: a house of a hundred thousand walls has a sixth of it */ };
 
 bool json_read(JsonFile *file, const char *path, Fault *fault);
+
+/* The same of a text of `size` bytes, ended by 0, which is taken over also when it is no JSON; `path` is for faults. */
+bool json_take(JsonFile *file, const char *path, char *text, size_t size, Fault *fault);
+
 void json_free(JsonFile *file);
 
 JsonNode json_root(const JsonFile *file);

@@ -210,18 +210,16 @@ static void read_house(Plan *plan, const JsonNode *root, const char *const *sett
     plan_check_whole(&check);
 }
 
-bool plan_read(Plan *plan, const char *path, const char *const *settings, size_t setting_count, Fault *fault) {
+/* Releases the file. */
+static bool read_file(Plan *plan, JsonFile *file, const char *const *settings, size_t setting_count, Fault *fault) {
     size_t before = fault->total;
-    JsonFile file = {0};
-    if (!json_read(&file, path, fault))
-        return false;
     Plan read = {0};
-    JsonNode root = json_root(&file);
+    JsonNode root = json_root(file);
     if (!json_is_object(root.value))
         json_fault(&root, fault, "a house must be an object { ... }");
     else if (json_check_header(&root, "house", "clearance-house", fault))
         read_house(&read, &root, settings, setting_count, fault);
-    json_free(&file);
+    json_free(file);
     if (fault->total != before) {
         plan_free(&read);
         return false;
@@ -229,6 +227,18 @@ bool plan_read(Plan *plan, const char *path, const char *const *settings, size_t
     plan_free(plan);
     *plan = read;
     return true;
+}
+
+bool plan_read(Plan *plan, const char *path, const char *const *settings, size_t setting_count, Fault *fault) {
+    JsonFile file = {0};
+    return json_read(&file, path, fault) && read_file(plan, &file, settings, setting_count, fault);
+}
+
+bool plan_read_text(Plan *plan, const char *path, const char *text, Fault *fault) {
+    JsonFile file = {0};
+    size_t size = strlen(text);
+    char *copy = strcpy(memory_allocate(size + 1, 1), text);
+    return json_take(&file, path, copy, size, fault) && read_file(plan, &file, NULL, 0, fault);
 }
 
 void plan_free(Plan *plan) {
@@ -257,7 +267,7 @@ static void lines_add_list(Text *lines, const Plan *plan, const PlanList *list) 
     text_add(lines, count ? "\n  ]" : "]");
 }
 
-int plan_write(const Plan *plan, const char *path) {
+char *plan_text(const Plan *plan) {
     Text lines = {0};
     text_add(&lines, "{\n  \"format\": \"clearance-house\", \"version\": 1,\n  \"name\": ");
     lines_add_json(&lines, json_string(plan->name));
@@ -281,8 +291,13 @@ int plan_write(const Plan *plan, const char *path) {
         lines_add_json(&lines, overrides);
     }
     text_add(&lines, "\n}\n");
-    int error = text_write_file(path, lines.text, lines.used);
-    memory_free(lines.text);
+    return lines.text;
+}
+
+int plan_write(const Plan *plan, const char *path) {
+    char *text = plan_text(plan);
+    int error = text_write_file(path, text, strlen(text));
+    memory_free(text);
     return error;
 }
 

@@ -153,6 +153,9 @@ typedef struct Plan {
  * the whole. False: faults say where and what, and the plan is as it was. */
 bool plan_read(Plan *plan, const char *path, const char *const *settings, size_t setting_count, Fault *fault);
 
+/* The same of a text that stands in no file; faults begin with `path`. */
+bool plan_read_text(Plan *plan, const char *path, const char *text, Fault *fault);
+
 /* The parameter that a setting's NAME means, "door.d1.width" or "person.p1.at.x", and what has it. NULL: a fault, which
  * begins with `place`, says what there is instead. */
 const Parameter *plan_parameter(const Plan *plan, const char *name, const void **object, const char *place,
@@ -163,6 +166,9 @@ bool plan_is_of_profile(const char *name);
 
 /* Writes the plan so that reading it again gives the same plan. Beside and renamed. 0, or errno. */
 int plan_write(const Plan *plan, const char *path);
+
+/* What it would write; memory_free it. */
+char *plan_text(const Plan *plan);
 
 void plan_free(Plan *plan);
 
