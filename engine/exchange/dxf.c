@@ -18,11 +18,14 @@ static const double JAMB = 0.3;               /* m: how far from the walls a shu
 static const double AS_NEAR = 0.05;           /* m: both ends of an arc are about as near to a wall */
 static const double IN_WALL = 0.15;           /* m: how far beside a wall's line a shut leaf may be to lie in it */
 
+enum { LEAF_POINTS = 50000 /* of lines on layers of doors, beyond which no leaves are looked for among them */ };
+
 typedef struct Drawing {
     HouseBuilder *builder;
     DxfFile file;
     DxfShapes shapes;
-    double unit; /* m */
+    double unit;        /* m */
+    size_t leaf_points; /* of lines on layers of doors */
 } Drawing;
 
 /* The unit -------------------------------------------------------------------------------------------------------- */
@@ -198,7 +201,7 @@ static double distance_to_walls(const Drawing *drawing, Vec2 at) {
 static bool is_leaf(const Drawing *drawing, Vec2 hinge, Vec2 end) {
     const DxfShapes *shapes = &drawing->shapes;
     double near = 0.1 * vec2_distance(hinge, end);
-    for (size_t s = 0; s < shapes->count; s++) {
+    for (size_t s = 0; s < shapes->count && drawing->leaf_points < LEAF_POINTS; s++) {
         const DxfShape *shape = &shapes->list[s];
         const Vec2 *points = points_of(drawing, shape);
         for (size_t i = 0; i + 1 < shape->count && shape->role == DXF_DOORS && !shape->arc; i++) {
@@ -262,12 +265,16 @@ static void add_door(Drawing *drawing, const DxfShape *shape) {
 static void add_doors(Drawing *drawing) {
     const DxfShapes *shapes = &drawing->shapes;
     size_t arcs = 0, lines = 0;
+    for (size_t s = 0; s < shapes->count; s++) {
+        bool line = shapes->list[s].role == DXF_DOORS && !shapes->list[s].arc;
+        lines += line;
+        drawing->leaf_points += line ? shapes->list[s].count : 0;
+    }
     for (size_t s = 0; s < shapes->count && !drawing->builder->failed; s++) {
         const DxfShape *shape = &shapes->list[s];
         drawing->builder->line = shape->line;
         if (shape->role != DXF_DOORS)
             continue;
-        lines += !shape->arc;
         arcs += shape->arc;
         if (arcs > HOUSE_BUILDER_FEW)
             house_builder_fail(drawing->builder, "more than %d arcs on layers of doors, must be fewer",

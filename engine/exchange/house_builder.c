@@ -21,7 +21,7 @@ static const double WIDEST_DOOR = 100; /* m */
 
 enum {
     TEXT_LONGEST = 80, /* bytes of a name */
-    NOTE_LONGEST = 600 /* bytes of a note after which nothing is added */
+    NOTE_KINDS = 4     /* of what is left out, that the note names */
 };
 
 void house_builder_init(HouseBuilder *builder, const char *path, const ImportOptions *options, ImportReport *report,
@@ -283,17 +283,42 @@ size_t house_builder_crowd(HouseBuilder *builder, const Vec2 *area, size_t point
     return builder->plan.crowd_count - 1;
 }
 
+/* The route that leads the same way, or NULL. */
+static PlanRoute *find_route(const Plan *plan, const Vec2 *via, size_t count, const char *exit) {
+    for (size_t r = 0; r < plan->route_count; r++) {
+        PlanRoute *route = &plan->routes[r];
+        if (route->via.count == count && (!count || memcmp(route->via.at, via, count * sizeof *via) == 0) &&
+            strcmp(route->exit, exit) == 0)
+            return route;
+    }
+    return NULL;
+}
+
+/* There is room for twice as many as there are whenever these are a power of two. */
+static void add_to_route(HouseBuilder *builder, PlanRoute *route, const char *who) {
+    Ids *people = &route->people;
+    if ((people->count & (people->count - 1)) == 0) {
+        const char **more = arena_allocate(&builder->plan.arena, (2 * people->count + 1) * sizeof *more);
+        for (size_t i = 0; i < people->count; i++)
+            more[i] = people->at[i];
+        people->at = more;
+    }
+    people->at[people->count++] = who;
+}
+
 void house_builder_route(HouseBuilder *builder, const char *who, const Vec2 *via, size_t count, size_t exit) {
+    const char *id = exit < builder->plan.exit_count ? builder->plan.exits[exit].id : "";
     Vec2 *kept = keep_points(builder, via, count);
-    PlanRoute *route = kept ? add_element(builder, LIST_ROUTES, &builder->route_capacity, 2 * HOUSE_BUILDER_FEW) : NULL;
-    if (!route)
-        return;
-    route->people.at = arena_allocate(&builder->plan.arena, sizeof *route->people.at);
-    route->people.at[0] = who;
-    route->people.count = 1;
-    route->via = (Points){kept, count};
-    if (exit < builder->plan.exit_count)
-        route->exit = builder->plan.exits[exit].id;
+    PlanRoute *route = kept ? find_route(&builder->plan, kept, count, id) : NULL;
+    if (kept && !route) {
+        route = add_element(builder, LIST_ROUTES, &builder->route_capacity, HOUSE_BUILDER_FEW);
+        if (route) {
+            route->via = (Points){kept, count};
+            route->exit = id;
+        }
+    }
+    if (route)
+        add_to_route(builder, route, who);
 }
 
 /* The end --------------------------------------------------------------------------------------------------------- */
@@ -377,11 +402,19 @@ static bool stands_free(const Plan *plan, Vec2 at) {
     return is_free;
 }
 
-static void drop_route_of(Plan *plan, const char *who) {
+/* Takes somebody out of the routes; one of nobody goes. */
+static void drop_from_routes(Plan *plan, const char *who) {
     size_t kept = 0;
-    for (size_t r = 0; r < plan->route_count; r++)
-        if (strcmp(plan->routes[r].people.at[0], who) != 0)
+    for (size_t r = 0; r < plan->route_count; r++) {
+        Ids *people = &plan->routes[r].people;
+        size_t left = 0;
+        for (size_t i = 0; i < people->count; i++)
+            if (strcmp(people->at[i], who) != 0)
+                people->at[left++] = people->at[i];
+        people->count = left;
+        if (left)
             plan->routes[kept++] = plan->routes[r];
+    }
     plan->route_count = kept;
 }
 
@@ -392,7 +425,7 @@ static void drop_walled_in(HouseBuilder *builder) {
         if (stands_free(plan, plan->people[p].at))
             plan->people[kept++] = plan->people[p];
         else
-            drop_route_of(plan, plan->people[p].id);
+            drop_from_routes(plan, plan->people[p].id);
     }
     import_report_leave(builder->report, plan->person_count - kept, "people who stand inside something");
     plan->person_count = kept;
@@ -408,20 +441,18 @@ static void note_what_lacks(HouseBuilder *builder) {
         import_report_note(builder->report, "nobody lives here yet: add people");
 }
 
-/* Where the plan comes from and what it lacks, for whoever opens it in a year. */
+/* Where the plan comes from and what it lacks, for whoever opens it in a year; the report says all of it. */
 static const char *house_note(HouseBuilder *builder) {
     const ImportReport *report = builder->report;
     const char *slash = strrchr(builder->path, '/');
+    size_t kinds = report->left_out_count, named = kinds > NOTE_KINDS ? NOTE_KINDS - 1 : kinds;
     Text note = {0};
-    text_format(&note, "Imported from %s (%s).", slash ? slash + 1 : builder->path, report->format);
-    for (size_t i = 0; i < report->left_out_count && note.used < NOTE_LONGEST; i++)
-        text_format(&note, "%s %s (%zu)", i ? "," : " Not taken over:", report->left_out[i].what,
+    text_format(&note, "Imported from %s (%s)", slash ? slash + 1 : builder->path, report->format);
+    for (size_t i = 0; i < named; i++)
+        text_format(&note, "%s %s (%zu)", i ? "," : "; not taken over:", report->left_out[i].what,
                     report->left_out[i].count);
-    if (report->left_out_count)
-        text_add(&note, ".");
-    for (size_t i = 0; i < report->note_count && note.used < NOTE_LONGEST; i++)
-        text_format(&note, "%s %s", i ? ";" : " Note:", report->notes[i]);
-    text_add(&note, report->note_count ? "." : "");
+    if (named < kinds)
+        text_format(&note, " and %zu kinds more", kinds - named);
     text_make_plain(note.text);
     const char *kept = arena_text(&builder->plan.arena, note.text);
     memory_free(note.text);

@@ -69,7 +69,8 @@ size_t house_builder_exit(HouseBuilder *builder, Vec2 from, Vec2 to);
 size_t house_builder_person(HouseBuilder *builder, Vec2 at, double heading, double speed);
 size_t house_builder_crowd(HouseBuilder *builder, const Vec2 *area, size_t points, size_t count, double delay);
 
-/* The route of somebody: `via` (count) are passed in order; exit SIZE_MAX: any. */
+/* Gives somebody a route, one that others have too where it leads the same way: `via` (count) are passed in order; exit
+ * SIZE_MAX: any. */
 void house_builder_route(HouseBuilder *builder, const char *who, const Vec2 *via, size_t count, size_t exit);
 
 /* Names the house; otherwise it has the file's name. */

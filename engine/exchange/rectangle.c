@@ -2,7 +2,7 @@
 
 static const double ROUNDING = 1e-9; /* 1, or degree */
 
-enum { TRIES = 256 /* directions of sides */ };
+enum { TRIES = 64 /* directions of sides */ };
 
 /* The box of an outline along the unit vector `axis`. */
 static Box turned_box(const Vec2 *points, size_t count, Vec2 axis) {

@@ -231,7 +231,7 @@ static void add_furniture(const Converter *converter, const HomePiece *piece) {
 }
 
 static size_t add_pieces(const Converter *converter) {
-    size_t elsewhere = 0;
+    size_t elsewhere = 0, doors = 0;
     for (size_t p = 0; p < converter->home->piece_count && !converter->builder->failed; p++) {
         const HomePiece *piece = &converter->home->pieces[p];
         const char *why = harmless(converter, piece);
@@ -240,6 +240,8 @@ static size_t add_pieces(const Converter *converter) {
             elsewhere++;
         else if (why)
             import_report_leave(converter->builder->report, 1, "%s", why);
+        else if (piece->opens && ++doors > HOUSE_BUILDER_FEW)
+            house_builder_fail(converter->builder, "more than %d doors, must be fewer", HOUSE_BUILDER_FEW);
         else if (piece->opens)
             add_door(converter, piece);
         else
@@ -273,7 +275,6 @@ static bool convert(Converter *converter) {
     HouseBuilder *builder = converter->builder;
     if (!choose_level(converter))
         return false;
-    house_builder_name(builder, home->name);
     size_t elsewhere = add_walls(converter);
     elsewhere += add_pieces(converter);
     elsewhere += add_rooms(converter);
@@ -288,7 +289,7 @@ static bool convert(Converter *converter) {
 }
 
 bool sh3d_read(HouseBuilder *builder) {
-    Home home = {.name = ""};
+    Home home = {0};
     Converter converter = {
         .home = &home, .builder = builder, .unit = builder->options->unit > 0 ? builder->options->unit : 0.01};
     bool good = sh3d_home_read(&home, builder) && convert(&converter);

@@ -170,8 +170,6 @@ static void XMLCALL begin(void *context, const XML_Char *name, const XML_Char **
         house_builder_fail(reader->builder, "Home.xml begins with <%.40s>, must begin with <home>", name);
     else if (reader->depth == DEEPEST)
         house_builder_fail(reader->builder, "Home.xml is nested too deeply, must be at most %d deep", DEEPEST);
-    else if (reader->depth == 0)
-        reader->home->name = text(reader, attributes, "name");
     else if (strcmp(name, "wall") == 0)
         begin_wall(reader, attributes);
     else if (strcmp(name, "doorOrWindow") == 0)

@@ -39,7 +39,6 @@ typedef struct HomeLevel {
 
 /* Zero is empty; sh3d_home_clear releases what is read. */
 typedef struct Home {
-    const char *name;
     HomeWall *walls; /* (wall_count), and so on */
     HomePiece *pieces;
     HomeSash *sashes;

@@ -24,7 +24,6 @@ enum {
 typedef struct Shape {
     Vec2 *points; /* (count); memory_free it */
     size_t count;
-    bool round;
 } Shape;
 
 typedef struct Target {
@@ -82,7 +81,6 @@ static void set_circle(Shape *shape, Vec2 centre, double radius) {
     for (size_t i = 0; i < CIRCLE_SIDES; i++)
         shape->points[i] = vec2_along(centre, radius, vec2_heading(2 * M_PI * (double)i / CIRCLE_SIDES));
     shape->count = CIRCLE_SIDES;
-    shape->round = true;
 }
 
 static bool set_polygon(Reader *reader, Shape *shape, const JsonNode *node) {
@@ -192,7 +190,7 @@ static void add_outline(HouseBuilder *builder, const Shape *shape) {
 static void take_obstacle(Reader *reader, const JsonNode *element, const Shape *shape) {
     (void)element;
     Rectangle box = rectangle_around(shape->points, shape->count);
-    if (!shape->round && is_rectangle(shape, &box))
+    if (is_rectangle(shape, &box))
         add_rectangle(reader->builder, &box);
     else
         add_outline(reader->builder, shape);

@@ -1,11 +1,14 @@
 #include "exchange/walkable.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "house/solids.h"
 
 static const double MARGIN = 1;        /* m, round the plan: the way past an open door */
 static const double HALF_LEAST = 5e-4; /* m: a wall of no thickness that ends within the area is twice this thick */
+
+enum { MOST_CELLS = 5000 /* into which walls of no thickness cut the area: each is looked for in all others */ };
 
 typedef struct Area {
     GEOSContextHandle_t geos;
@@ -148,7 +151,7 @@ static bool is_inhabited(const Area *area, const GEOSGeometry *shape) {
 
 static void add_cells(const Area *area, const GEOSGeometry *geometry, Cells *cells) {
     GEOSContextHandle_t geos = area->geos;
-    if (GEOSisEmpty_r(geos, geometry) != 0)
+    if (GEOSisEmpty_r(geos, geometry) != 0 || cells->count > MOST_CELLS)
         return;
     if (GEOSGeomTypeId_r(geos, geometry) != GEOS_POLYGON) {
         for (int i = 0; i < GEOSGetNumGeometries_r(geos, geometry); i++)
@@ -261,8 +264,11 @@ static char *wkt_of(Area *area) {
     Cells cells = {0};
     if (area->cells)
         add_cells(area, area->cells, &cells);
-    GEOSGeometry *all = choose_cells(area, &cells);
-    char *text = all && cells.count ? write_area(area, all) : NULL;
+    if (cells.count > MOST_CELLS)
+        snprintf(area->solids.message, sizeof area->solids.message,
+                 "walls of no thickness cut it into more than %d parts, must be fewer", MOST_CELLS);
+    GEOSGeometry *all = cells.count && cells.count <= MOST_CELLS ? choose_cells(area, &cells) : NULL;
+    char *text = all ? write_area(area, all) : NULL;
     GEOSGeom_destroy_r(geos, all);
     for (size_t i = 0; i < cells.count; i++) {
         GEOSGeom_destroy_r(geos, cells.list[i].shape);
