@@ -13,8 +13,8 @@ void draft_write(char path[DRAFT_PATH], const char *text);
 /* Reads a house of `members` besides format and version, in the same way. Faults are printed and fail the test. */
 void draft_plan(Plan *plan, const char *members);
 
-/* The paths of the .json, .csv and .script files of a directory below the project's, sorted; draft_free_list releases
- * them. */
+/* The paths of the data files of a directory below the project's (.json, .csv, .script, .dxf and so on), sorted;
+ * draft_free_list releases them. */
 char **draft_list(const char *directory, size_t *count);
 void draft_free_list(char **paths, size_t count);
 

@@ -85,7 +85,7 @@ static double real(Reader *reader) {
     char *end;
     double number = strtod(reader->group.value, &end);
     if (end == reader->group.value || *end || !(fabs(number) < 1e12))
-        fail(reader, "must be a number, not ", reader->group.value);
+        fail(reader, "must be a number below 1e12, not ", reader->group.value);
     return fabs(number) < 1e12 ? number : 0;
 }
 

@@ -48,7 +48,7 @@ static double number(Reader *reader, const XML_Char **attributes, const char *na
     char *end;
     double read = strtod(value, &end);
     if (!*value || *end || !(read > -1e12 && read < 1e12))
-        house_builder_fail(reader->builder, "%s is \"%.40s\", must be a number", name, value);
+        house_builder_fail(reader->builder, "%s is \"%.40s\", must be a number below 1e12", name, value);
     return read;
 }
 

@@ -62,8 +62,11 @@ static GEOSGeometry *find_lines(Area *area) {
 
 /* A geometry of the parts' own, less what the lines that enclose nothing take away when they are hair-thin walls. */
 static GEOSGeometry *less_loose_ends(Area *area, GEOSGeometry *cells, GEOSGeometry *loose) {
+    GEOSGeometry *joined = GEOSLineMerge_r(area->geos, loose); /* or corners would have notches */
     GEOSGeometry *thin =
-        GEOSBufferWithStyle_r(area->geos, loose, HALF_LEAST, 8, GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, 5);
+        joined ? GEOSBufferWithStyle_r(area->geos, joined, HALF_LEAST, 8, GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, 5)
+               : NULL;
+    GEOSGeom_destroy_r(area->geos, joined);
     int count = GEOSGetNumGeometries_r(area->geos, cells);
     GEOSGeometry **list = memory_allocate((size_t)count, sizeof *list);
     unsigned made = 0;
@@ -232,6 +235,7 @@ static char *text_of(const Area *area, const GEOSGeometry *geometry) {
 static char *write_area(const Area *area, GEOSGeometry *all) {
     GEOSContextHandle_t geos = area->geos;
     int count = GEOSGetNumGeometries_r(geos, all);
+    GEOSNormalize_r(geos, all); /* so that rings begin where one would look for it */
     if (count == 1)
         return text_of(area, GEOSGetGeometryN_r(geos, all, 0));
     if (GEOSisValid_r(geos, all) == 1)

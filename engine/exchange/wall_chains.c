@@ -101,15 +101,20 @@ static void ends_free(Ends *ends) {
 
 /* Chains ---------------------------------------------------------------------------------------------------------- */
 
-/* The end of the one other line with which the line of `end` goes on there, or SIZE_MAX. */
-static size_t goes_on(const Ends *ends, size_t end) {
+/* The end of the one other line that meets the line of `end` there and is like it, or SIZE_MAX. */
+static size_t meets(const Ends *ends, size_t end) {
     size_t a = ends->first[ends->place_of[end]], b = ends->after[a];
     if (b == SIZE_MAX || ends->after[b] != SIZE_MAX)
         return SIZE_MAX;
     size_t other = a == end ? b : a;
     const WallLine *one = &ends->lines[end / 2], *two = &ends->lines[other / 2];
-    bool alike = one->thickness == two->thickness && one->height == two->height;
-    return alike && !ends->used[other / 2] ? other : SIZE_MAX;
+    return one->thickness == two->thickness && one->height == two->height ? other : SIZE_MAX;
+}
+
+/* The same of those that are not in a chain yet. */
+static size_t goes_on(const Ends *ends, size_t end) {
+    size_t other = meets(ends, end);
+    return other != SIZE_MAX && !ends->used[other / 2] ? other : SIZE_MAX;
 }
 
 typedef struct Chain {
@@ -129,7 +134,8 @@ static void chain_add(Chain *chain, Vec2 at) {
     chain->points[chain->count++] = at;
 }
 
-/* The end where the chain that holds a line begins: against the line's direction as far as it goes. */
+/* The end where the chain that holds a line begins: against the line's direction as far as it goes; a closed chain
+ * begins with the line. */
 static size_t find_beginning(Ends *ends, size_t line) {
     size_t begin = 2 * line;
     ends->used[line] = true; /* so that a closed chain ends here */
@@ -137,10 +143,11 @@ static size_t find_beginning(Ends *ends, size_t line) {
         ends->used[other / 2] = true;
         begin = other ^ 1;
     }
+    bool closed = meets(ends, begin) == 2 * line + 1;
     for (size_t end = begin;;) { /* they are walked again, from the beginning on */
         ends->used[end / 2] = false;
         if (end / 2 == line)
-            return begin;
+            return closed ? 2 * line : begin;
         size_t a = ends->first[ends->place_of[end ^ 1]];
         end = a == (end ^ 1) ? ends->after[a] : a;
     }
