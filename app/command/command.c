@@ -69,6 +69,15 @@ static const Verb verbs[] = {
      "  clearance cases tests/cases --out out\n"
      "  clearance cases tests/cases/rimea-01.json\n",
      command_cases},
+    {"import", FOR_IMPORT, 2, 2, "FILE HOUSE",
+     "make a house of another program's file: Sweet Home 3D (.sh3d), a drawing (.dxf), a walkable area (.wkt), a "
+     "Vadere "
+     ".scenario",
+     "  clearance import flat.sh3d flat.json\n"
+     "  clearance import flat.dxf flat.json --layers walls=A-WALL,doors=A-DOOR --unit mm\n",
+     command_import},
+    {"export", FOR_EXPORT, 1, 1, "HOUSE", "give a house to other programs: its walkable area, or a picture of its plan",
+     "  clearance export houses/ube-techno-house.json --to wkt --out ube.wkt\n", command_export},
     {"schema", FOR_SCHEMA, 1, 1, "house|profile|beam", "print the JSON Schema of a kind of file, for editors",
      "  clearance schema house > house.schema.json\n", command_schema},
 };

@@ -56,6 +56,10 @@ typedef struct Options {
     const char *script;  /* file for the window to follow, or NULL */
     double benchmark;    /* s, of the window; 0: none */
     bool reduced_motion; /* in the window */
+    double unit;         /* m, of the file to import; 0: not said */
+    const char *layers;  /* of a drawing, as said, or NULL */
+    const char *level;   /* of a home, or NULL */
+    const char *format;  /* to export to, or NULL */
     char **arguments;    /* (argument_count) the command line, as given */
     int argument_count;
     Arena arena; /* holds what was made of the words */
@@ -76,6 +80,8 @@ int command_run(const Options *options);
 int command_check(const Options *options);
 int command_cases(const Options *options);
 int command_compare(const Options *options);
+int command_export(const Options *options);
+int command_import(const Options *options);
 int command_loci(const Options *options);
 int command_open(const Options *options);
 int command_schema(const Options *options);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exchange/import.h"
 #include "house/profile.h"
 #include "laboratory/beam_plots.h"
 #include "laboratory/film.h"
@@ -228,9 +229,39 @@ static bool take_reduced_motion(Options *options, const char *value) {
     return options->reduced_motion = true;
 }
 
+static bool take_unit(Options *options, const char *value) {
+    options->unit = import_unit(value);
+    return options->unit > 0;
+}
+
+static bool take_layers(Options *options, const char *value) {
+    options->layers = value;
+    return *value;
+}
+
+static bool take_level(Options *options, const char *value) {
+    options->level = value;
+    return *value;
+}
+
+static bool take_format(Options *options, const char *value) {
+    options->format = value;
+    return strcmp(value, "wkt") == 0 || strcmp(value, "svg") == 0;
+}
+
 const Option option_rows[] = {
-    {"--set", "NAME=VALUE", FOR_HOUSES | FOR_OPEN, "change a parameter, for instance door.d1.width=0.8 (repeatable)",
-     take_setting},
+    {"--unit", IMPORT_UNITS, FOR_IMPORT, "what the file's numbers are in (default: what the file says, or is usual)",
+     take_unit},
+    {"--layers", "ROLE=NAME[,NAME ...]", FOR_IMPORT,
+     "which layers of a drawing are walls, doors, furniture and exits, for instance walls=A-WALL,A-GLAZ,doors=A-DOOR "
+     "(default: by their names)",
+     take_layers},
+    {"--level", "NAME", FOR_IMPORT, "which storey of a home (default: the lowest)", take_level},
+    {"--to", "wkt|svg", FOR_EXPORT, "the walkable area as WKT (default), or the plan as a picture", take_format},
+    {"--out", "FILE|DIR", FOR_EXPORT, "write it there (default: WKT to standard output, a picture beside the house)",
+     take_out},
+    {"--set", "NAME=VALUE", FOR_HOUSES | FOR_OPEN | FOR_EXPORT,
+     "change a parameter, for instance door.d1.width=0.8 (repeatable)", take_setting},
     {"--out", "DIR", FOR_RUN,
      "write summary.json, trace.csv, of a house trajectory.sqlite, and plan.png or beam.png, .svg and .pdf there",
      take_out},
@@ -268,7 +299,7 @@ const Option option_rows[] = {
      "write report.html and report.pdf to --out, to be handed on; of a study, with --shake", take_report},
     {"--observed", "FILE", FOR_RUN, "measured loci for the report: CSV with columns time, x, y and person",
      take_observed},
-    {"--json", NULL, FOR_HOUSES | FOR_CASES, "the answer as one JSON object and nothing else", take_json},
+    {"--json", NULL, FOR_HOUSES | FOR_CASES | FOR_IMPORT, "the answer as one JSON object and nothing else", take_json},
     {"--route", "ID", FOR_RUN | FOR_STUDY | FOR_OPEN, "only this route's people", take_route},
     {"--driving", "miura|driver", (FOR_HOUSES & ~FOR_LOCI) | FOR_OPEN, "drive everybody this way", take_driving},
     {"--until", "SECONDS", FOR_RUN | FOR_COMPARE | FOR_STUDY, "give up at this simulated time", take_until},
@@ -298,11 +329,11 @@ const Option option_rows[] = {
      "measured points laid over the plots of a beam or a study: CSV with columns like time [s] and force [N], or "
      "drive.frequency [Hz] and peak_max [N]",
      take_measured},
-    {"--size", "WxH", FOR_FILMS | FOR_STUDY,
+    {"--size", "WxH", FOR_FILMS | FOR_STUDY | FOR_EXPORT,
      "size of the pictures in pixels, 320x200 to 16384x16384 (default 1280x720)", take_size},
     {"--size", "WxH", FOR_OPEN, "size of the window in pixels, 320x200 to 16384x16384 (default: as last time)",
      take_size},
-    {"--theme", THEME_WORDS, FOR_FILMS | FOR_STUDY, "light or dark pictures", take_theme},
+    {"--theme", THEME_WORDS, FOR_FILMS | FOR_STUDY | FOR_EXPORT, "light or dark pictures", take_theme},
     {"--theme", THEME_WORDS, FOR_OPEN, "light or dark (default: as last time)", take_theme},
     {"--text", "1|2|3", FOR_OPEN, "size of the text (default: as last time)", take_text},
     {"--reduced-motion", NULL, FOR_OPEN, "nothing moves but what is simulated", take_reduced_motion},
