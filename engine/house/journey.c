@@ -86,8 +86,8 @@ typedef struct Planning {
 /* m: by how much a chair that is on the way may press on something. */
 static const double PRESSED = 0.02;
 
-static double since_of(const Planning *planning, size_t person) {
-    return last_closing(planning->house, fmax(planning->house->people[person].delay, planning->time));
+static double since_of(const Planning *planning, const Whereabouts *place) {
+    return last_closing(planning->house, fmax(place->start, planning->time));
 }
 
 static void make_fields(void *context, size_t index) {
@@ -107,7 +107,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
     const House *house = planning->house;
     const Inhabitant *person = &house->people[place->person];
     const PlanRoute *route = person->route;
-    double since = since_of(planning, place->person);
+    double since = since_of(planning, place);
     return (RouteQuery){.plan = &house->plan,
                         .space = &house->space,
                         .profile = person->profile,
@@ -128,7 +128,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
 static void plan_walk(const Planning *planning, const Whereabouts *place, Journey *journey) {
     const Inhabitant *person = &planning->house->people[place->person];
     const Itinerary *itinerary = find_itinerary(planning->journeys, person->profile, person->route,
-                                                since_of(planning, place->person), place->via, planning->again);
+                                                since_of(planning, place), place->via, planning->again);
     journey->legs = itinerary->legs;
     journey->leg_count = itinerary->leg_count;
     journey->route.exit = itinerary->fields[itinerary->leg_count - 1].goal.exit;
@@ -217,7 +217,7 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
     for (size_t k = 0; k < count; k++) {
         const Whereabouts *place = &planning->places[k];
         const Inhabitant *person = &house->people[place->person];
-        double since = since_of(planning, place->person);
+        double since = since_of(planning, place);
         if (person->profile->driving == DRIVING_WALKER &&
             !find_itinerary(journeys, person->profile, person->route, since, place->via, planning->again))
             add_itinerary(journeys, house, person->profile, person->route, since, place->via, planning->again);
@@ -228,17 +228,21 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
         explain_walkers(planning, count);
 }
 
+static Journeys plan_nothing(const House *house) {
+    return (Journeys){.of = memory_allocate(house->person_count, sizeof(Journey)),
+                      .count = house->person_count,
+                      .fields = fields_create()};
+}
+
 static Journeys plan_from_start(const House *house, const bool *part, bool terse, int jobs,
                                 const volatile sig_atomic_t *stop) {
-    Journeys journeys = {.of = memory_allocate(house->person_count, sizeof *journeys.of),
-                         .count = house->person_count,
-                         .fields = fields_create()};
+    Journeys journeys = plan_nothing(house);
     Whereabouts *places = memory_allocate(house->person_count, sizeof *places);
     size_t count = 0;
     for (size_t i = 0; i < house->person_count; i++)
         if (!part || part[i])
             places[count++] =
-                (Whereabouts){.person = i, .at = house->people[i].at, .heading = house->people[i].heading};
+                (Whereabouts){i, house->people[i].at, house->people[i].heading, 0, house->people[i].delay};
     Planning planning = {.house = house, .places = places, .stop = stop, .journeys = &journeys, .terse = terse};
     plan_all(&planning, count, jobs);
     memory_free(places);
@@ -249,8 +253,12 @@ Journeys journey_plan_all(const House *house, const bool *part, int jobs, const 
     return plan_from_start(house, part, false, jobs, stop);
 }
 
+Journeys journey_plan_tersely(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+    return plan_from_start(house, part, true, jobs, stop);
+}
+
 bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop) {
-    Journeys journeys = plan_from_start(house, part, true, 1, stop);
+    Journeys journeys = journey_plan_tersely(house, part, 1, stop);
     bool all = true;
     for (size_t i = 0; i < house->person_count; i++)
         all &= (part && !part[i]) || journeys.of[i].route.answer == ROUTE_FOUND;
@@ -263,6 +271,13 @@ void journey_plan_again(Journeys *journeys, const House *house, const Whereabout
     Planning planning = {
         .house = house, .places = places, .time = time, .stop = stop, .journeys = journeys, .again = true};
     plan_all(&planning, count, jobs);
+}
+
+Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, int jobs,
+                           const volatile sig_atomic_t *stop) {
+    Journeys journeys = plan_nothing(house);
+    journey_plan_again(&journeys, house, places, count, time, jobs, stop);
+    return journeys;
 }
 
 void journey_free_all(Journeys *journeys) {

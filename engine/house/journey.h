@@ -41,21 +41,29 @@ typedef struct Journeys {
     Fields *fields; /* that the chairs' searches share */
 } Journeys;
 
-/* Plans everybody's journey, on up to `jobs` threads, until `stop` (may be NULL) is set; person i takes part when
- * `part` is NULL or part[i]. journey_free_all releases it. */
-Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
-void journey_free_all(Journeys *journeys);
-
-/* Has everybody of them a way out? Where they stick is not looked for, which takes far longer. */
-bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop);
-
 /* Where somebody is who plans anew. */
 typedef struct Whereabouts {
     size_t person;
     Vec2 at;        /* m, the reference point */
     double heading; /* rad */
     size_t via;     /* of the route's points, the next one */
+    double start;   /* s, when the delay is over */
 } Whereabouts;
+
+/* Plans everybody's journey, on up to `jobs` threads, until `stop` (may be NULL) is set; person i takes part when
+ * `part` is NULL or part[i]. journey_free_all releases it. */
+Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
+
+/* The same sooner where there is no way: where a chair sticks is told by what fits, not by what can be driven. */
+Journeys journey_plan_tersely(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
+void journey_free_all(Journeys *journeys);
+
+/* Has everybody of them a way out? */
+bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop);
+
+/* The same for `count` people in the middle of a run, at `time`; nobody else has a journey. */
+Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, int jobs,
+                           const volatile sig_atomic_t *stop);
 
 /* Plans again from `time` on for `count` people who are on the way: to the exit of their route while that is usable,
  * otherwise to the quickest. What they had before is released. */
