@@ -79,7 +79,7 @@ typedef struct Planning {
     const volatile sig_atomic_t *stop;
     Journeys *journeys;
     bool again;             /* people are on the way already */
-    bool terse;             /* where they stick is not asked */
+    bool terse;             /* RouteQuery.terse */
     size_t first_itinerary; /* without fields */
 } Planning;
 
@@ -224,7 +224,7 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
     }
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
-    if (!parallel_stopped(planning->stop) && !planning->terse)
+    if (!parallel_stopped(planning->stop))
         explain_walkers(planning, count);
 }
 
@@ -249,8 +249,12 @@ Journeys journey_plan_all(const House *house, const bool *part, int jobs, const 
     return plan_from_start(house, part, false, jobs, stop);
 }
 
+Journeys journey_plan_tersely(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+    return plan_from_start(house, part, true, jobs, stop);
+}
+
 bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop) {
-    Journeys journeys = plan_from_start(house, part, true, 1, stop);
+    Journeys journeys = journey_plan_tersely(house, part, 1, stop);
     bool all = true;
     for (size_t i = 0; i < house->person_count; i++)
         all &= (part && !part[i]) || journeys.of[i].route.answer == ROUTE_FOUND;

@@ -46,7 +46,10 @@ typedef struct Journeys {
 Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
 void journey_free_all(Journeys *journeys);
 
-/* Has everybody of them a way out? Where they stick is not looked for, which takes far longer. */
+/* The same sooner where there is no way: where a chair sticks is told by what fits, not by what can be driven. */
+Journeys journey_plan_tersely(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
+
+/* Has everybody of them a way out? */
 bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop);
 
 /* Where somebody is who plans anew. */
