@@ -79,7 +79,7 @@ typedef struct Planning {
     const volatile sig_atomic_t *stop;
     Journeys *journeys;
     bool again;             /* people are on the way already */
-    bool terse;             /* where they stick is not asked */
+    bool terse;             /* RouteQuery.terse */
     size_t first_itinerary; /* without fields */
 } Planning;
 
@@ -224,7 +224,7 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
     }
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
-    if (!parallel_stopped(planning->stop) && !planning->terse)
+    if (!parallel_stopped(planning->stop))
         explain_walkers(planning, count);
 }
 

@@ -29,6 +29,7 @@ typedef struct RunPiece {
 
 typedef struct RunOptions {
     size_t route;                      /* only this route's people take part; SIZE_MAX: everybody */
+    bool terse;                        /* where chairs cannot pass is told sooner and less well: journey.h */
     int jobs;                          /* threads */
     const volatile sig_atomic_t *stop; /* set: end as soon as possible; NULL: never */
     void (*progress)(void *context,
