@@ -274,6 +274,21 @@ TEST(lines_of_a_drawing_are_joined_into_walls) {
     end(&import, true);
 }
 
+TEST(a_slender_rectangle_is_a_wall_as_thick_as_it_is_and_a_stout_one_is_its_sides) {
+    Import import =
+        import_drawing(millimetres, "",
+                       "0 LWPOLYLINE 8 WALL 90 4 70 1 10 0 20 0 10 4000 20 0 10 4000 20 200 10 0 20 200 "
+                       "0 LWPOLYLINE 8 WALL 90 4 70 1 10 0 20 1000 10 400 20 1000 10 400 20 1300 10 0 20 1300",
+                       (ImportOptions){0});
+    check_lists(&import.plan,
+                "  'walls': [\n"
+                "    {'id': 'w1', 'points': [[0, 0.1], [4, 0.1]], 'thickness': 0.2},\n"
+                "    {'id': 'w2', 'points': [[0, 1], [0.4, 1], [0.4, 1.3], [0, 1.3], [0, 1]], 'thickness': "
+                "0}\n"
+                "  ]\n}\n");
+    end(&import, true);
+}
+
 TEST(a_bulge_is_an_arc_to_the_right_of_its_way_when_positive) {
     Import import = import_drawing(millimetres, "", "0 LWPOLYLINE 8 WALL 90 2 70 0 10 0 20 0 42 1 10 4000 20 0",
                                    (ImportOptions){0});

@@ -201,7 +201,7 @@ static bool visit(Walker *walker, const DxfEntity *entity, const Place *place) {
     if (entity->kind == DXF_INSERT)
         return insert_block(walker, entity, place, layer);
     if (entity->kind == DXF_OTHER) {
-        import_report_leave(report, 1, "%.30s", entity->type);
+        import_report_leave(report, 1, "%.30s", *entity->type ? entity->type : "entities without a name");
         return true;
     }
     if (role == DXF_UNKNOWN || role == DXF_NOTHING) {
