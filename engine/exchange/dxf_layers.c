@@ -104,9 +104,11 @@ static DxfRole role_by_name(const char *name) {
     return DXF_UNKNOWN;
 }
 
-DxfRole dxf_layers_of_block(const char *name) {
-    DxfRole role = role_by_name(name);
-    return role == DXF_DOORS || role == DXF_FURNITURE ? role : DXF_UNKNOWN;
+static void name_blocks(DxfFile *file) {
+    for (size_t b = 0; b < file->block_count; b++) {
+        DxfRole role = role_by_name(file->blocks[b].name);
+        file->blocks[b].role = (int)(role == DXF_DOORS || role == DXF_FURNITURE ? role : DXF_UNKNOWN);
+    }
 }
 
 static bool is_called(const char *name, const char *wanted, size_t length) {
@@ -213,6 +215,7 @@ bool dxf_layers_choose(DxfFile *file, HouseBuilder *builder) {
         choose_by_name(file);
     else if (!choose_as_said(file, builder, builder->options->layers))
         return false;
+    name_blocks(file);
     note_choice(file, builder);
     return true;
 }
