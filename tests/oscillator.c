@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "base/random.h"
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 
 static double *one_number(double number) {
     double *room = memory_allocate(1, sizeof *room);
@@ -35,7 +35,7 @@ Beam oscillator_beam(const char *name, const char *setting) {
     Beam beam = {0};
     Fault fault = {0};
     snprintf(path, sizeof path, "assets/beams/%s.json", name);
-    CHECK(beam_read(&beam, draft_source(path), &setting, setting ? 1 : 0, &fault));
+    CHECK(beam_read(&beam, scratch_source(path), &setting, setting ? 1 : 0, &fault));
     for (size_t i = 0; i < fault.count; i++)
         printf("%s\n", fault.lines[i]);
     fault_clear(&fault);

@@ -5,7 +5,7 @@
 
 #include "beam/beam.h"
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 
 static void print_faults(Fault *fault) {
     for (size_t i = 0; i < fault->count; i++)
@@ -15,13 +15,13 @@ static void print_faults(Fault *fault) {
 
 TEST(every_shipped_beam_reads_and_every_value_says_where_it_comes_from) {
     size_t count;
-    char **paths = draft_list("assets/beams", &count);
+    char **paths = scratch_list("assets/beams", &count);
     CHECK(count >= 2);
     for (size_t i = 0; i < count; i++) {
         Beam beam = {0};
         Fault fault = {0};
-        CHECK(beam_is_file(draft_source(paths[i])));
-        CHECK(beam_read(&beam, draft_source(paths[i]), NULL, 0, &fault));
+        CHECK(beam_is_file(scratch_source(paths[i])));
+        CHECK(beam_read(&beam, scratch_source(paths[i]), NULL, 0, &fault));
         print_faults(&fault);
         char path[100];
         snprintf(path, sizeof path, "assets/beams/%s.json", beam.name);
@@ -31,19 +31,19 @@ TEST(every_shipped_beam_reads_and_every_value_says_where_it_comes_from) {
             CHECK(beam.provenance[r] && strcmp(beam_table()->rows[r].name, "") != 0);
         beam_free(&beam);
     }
-    draft_free_list(paths, count);
+    scratch_free_list(paths, count);
 }
 
 TEST(a_house_is_no_beam) {
-    CHECK(!beam_is_file(draft_source("houses/corner-0.90-0.90.json")));
-    CHECK(!beam_is_file(draft_source("houses/there-is-none.json")));
+    CHECK(!beam_is_file(scratch_source("houses/corner-0.90-0.90.json")));
+    CHECK(!beam_is_file(scratch_source("houses/there-is-none.json")));
 }
 
 TEST(settings_change_a_beam_and_say_so) {
     const char *settings[] = {"drive.frequency=290", "joint.release=gap", "clearance=0.25e-3"};
     Beam beam = {0};
     Fault fault = {0};
-    CHECK(beam_read(&beam, draft_source("assets/beams/ibs.json"), settings, 3, &fault));
+    CHECK(beam_read(&beam, scratch_source("assets/beams/ibs.json"), settings, 3, &fault));
     print_faults(&fault);
     CHECK_NEAR(beam.frequency, 290, 0);
     CHECK_NEAR(beam.clearance, 0.25e-3, 0);
@@ -65,9 +65,9 @@ TEST(a_beam_that_is_written_reads_the_same) {
     const char *settings[] = {"drive.frequency=291.3", "joint.release=gap", "beam.modes=4"};
     Beam beam = {0}, again = {0};
     Fault fault = {0};
-    CHECK(beam_read(&beam, draft_source("assets/beams/ibs-r.json"), settings, 3, &fault));
-    char path[DRAFT_PATH];
-    draft_write(path, "");
+    CHECK(beam_read(&beam, scratch_source("assets/beams/ibs-r.json"), settings, 3, &fault));
+    char path[SCRATCH_PATH];
+    scratch_write(path, "");
     CHECK(beam_write(&beam, path) == 0);
     CHECK(beam_is_file(path) && beam_read(&again, path, NULL, 0, &fault));
     print_faults(&fault);
@@ -96,7 +96,7 @@ TEST(a_wrong_setting_leaves_the_beam_and_names_what_would_be_right) {
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         Beam beam = {.frequency = 7};
         Fault fault = {0};
-        CHECK(!beam_read(&beam, draft_source("assets/beams/ibs.json"), &wrong[i][0], 1, &fault));
+        CHECK(!beam_read(&beam, scratch_source("assets/beams/ibs.json"), &wrong[i][0], 1, &fault));
         CHECK(beam.frequency == 7 && !beam.name);
         CHECK(fault.count == 1);
         if (fault.count)
@@ -112,5 +112,5 @@ static void read_bad(const char *path, Fault *fault) {
 }
 
 TEST(every_bad_beam_gives_exactly_its_faults) {
-    draft_check_faults("tests/data/bad/beams", read_bad);
+    scratch_check_faults("tests/data/bad/beams", read_bad);
 }

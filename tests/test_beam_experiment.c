@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 
 enum { TRIALS = 24, NAMES_MOST = 3 };
 
@@ -34,7 +34,7 @@ static Experiment open_beam(const char *name, const char *setting) {
     Experiment experiment = {0};
     Fault fault = {0};
     snprintf(path, sizeof path, "assets/beams/%s.json", name);
-    CHECK(beam_experiment_open(&experiment, draft_source(path), &setting, setting ? 1 : 0, &fault));
+    CHECK(beam_experiment_open(&experiment, scratch_source(path), &setting, setting ? 1 : 0, &fault));
     fault_clear(&fault);
     return experiment;
 }
@@ -235,7 +235,7 @@ TEST(a_thorough_trial_tells_exponents) {
     Experiment quick = open_beam("ibs", NULL), thorough = {0};
     Beam beam = {0};
     Fault fault = {0};
-    CHECK(beam_read(&beam, draft_source("assets/beams/ibs.json"), NULL, 0, &fault));
+    CHECK(beam_read(&beam, scratch_source("assets/beams/ibs.json"), NULL, 0, &fault));
     CHECK(beam_experiment_of(&thorough, &beam, "ibs", &fault));
     beam_experiment_be_thorough(&thorough);
     const char *names[] = {"drive.frequency"};

@@ -5,13 +5,13 @@
 #include "beam/lanes.h"
 #include "beam/response.h"
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 #include "oscillator.h"
 
 static Beam changed(const char *const *settings, size_t count) {
     Beam beam = {0};
     Fault fault = {0};
-    CHECK(beam_read(&beam, draft_source("assets/beams/ibs.json"), settings, count, &fault));
+    CHECK(beam_read(&beam, scratch_source("assets/beams/ibs.json"), settings, count, &fault));
     for (size_t i = 0; i < fault.count; i++)
         printf("%s\n", fault.lines[i]);
     fault_clear(&fault);

@@ -10,7 +10,7 @@
 #include "beam/lanes.h"
 #include "beam/response.h"
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 #include "laboratory/beam_answer.h"
 #include "laboratory/beam_sweep.h"
 #include "laboratory/beam_tape.h"
@@ -35,7 +35,7 @@ static void *open_beam(const char *name, const char *const *settings, size_t cou
     Fault fault = {0};
     LiveOptions options = {.settings = settings, .setting_count = count, .driving = -1, .jobs = 2};
     snprintf(path, sizeof path, "assets/beams/%s.json", name);
-    void *live = beam_live.open(draft_source(path), &options, &fault);
+    void *live = beam_live.open(scratch_source(path), &options, &fault);
     CHECK(live != NULL);
     for (size_t i = 0; i < fault.count; i++)
         printf("%s\n", fault.lines[i]);

@@ -3,7 +3,7 @@
 #include "beam/beam.h"
 #include "beam/modes.h"
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 
 /* A beam of length, bending stiffness and mass per length 1: omega = (beta L)^2. */
 static void unit_beam(ElementMesh *mesh, size_t elements) {
@@ -104,7 +104,7 @@ TEST(stations_are_nodes_and_what_hangs_on_them_counts_once) {
 static Beam shipped(int elements, int modes) {
     Beam beam = {0};
     Fault fault = {0};
-    CHECK(beam_read(&beam, draft_source("assets/beams/ibs.json"), NULL, 0, &fault));
+    CHECK(beam_read(&beam, scratch_source("assets/beams/ibs.json"), NULL, 0, &fault));
     beam.elements = elements;
     beam.modes = modes;
     return beam;

@@ -4,7 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "draft.h"
+#include "scratch.h"
 #include "laboratory/beam_plots.h"
 
 static const PlotChoice ALL = {{0, 1, 2, 3, 4, 5}, BEAM_PLOTS_KNOWN};
@@ -14,7 +14,7 @@ static void run_beam(Response *response, Beam *beam, const char *setting) {
     Rig rig;
     Fault fault = {0};
     *beam = (Beam){0};
-    CHECK(beam_read(beam, draft_source("assets/beams/ibs.json"), &setting, 1, &fault));
+    CHECK(beam_read(beam, scratch_source("assets/beams/ibs.json"), &setting, 1, &fault));
     CHECK(rig_build(&rig, beam, "beam", &fault));
     response_run(response, &rig, beam, NULL, NULL);
     rig_clear(&rig);
@@ -108,10 +108,10 @@ TEST(measured_points_lie_over_the_plots_that_have_both_their_quantities) {
     Response response;
     Measured measured = {0};
     Fault fault = {0};
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     size_t count;
     const MeasuredKind *kinds = beam_plots_kinds(&count);
-    draft_write(path, "deflection [mm],velocity [m/s]\n0.1,-0.5\n");
+    scratch_write(path, "deflection [mm],velocity [m/s]\n0.1,-0.5\n");
     CHECK(measured_read(&measured, path, kinds, count, &fault));
     unlink(path);
     run_beam(&response, &beam, "drive.frequency=190");

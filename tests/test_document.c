@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "document/html.h"
 #include "document/pdf.h"
-#include "draft.h"
+#include "scratch.h"
 
 static const char NASTY[] = "<b>&\"'</b> ]]> -->";
 
@@ -35,18 +35,18 @@ static Document nasty_document(void) {
 }
 
 static char *html_of(const Document *document) {
-    char path[DRAFT_PATH];
-    draft_write(path, "");
+    char path[SCRATCH_PATH];
+    scratch_write(path, "");
     CHECK(html_write(document, path, THEME_PAPER) == 0);
-    char *text = draft_read(path);
+    char *text = scratch_read(path);
     unlink(path);
     return text;
 }
 
 /* cairo's files hold bytes 0: a text is no place for them. */
 static char *pdf_of(const Document *document, time_t created, size_t *size) {
-    char path[DRAFT_PATH];
-    draft_write(path, "");
+    char path[SCRATCH_PATH];
+    scratch_write(path, "");
     CHECK(pdf_write(document, path, created) == 0);
     char *bytes = text_read_file(path, 1 << 24, size);
     CHECK(bytes);

@@ -11,7 +11,7 @@
 #include "base/memory.h"
 #include "check.h"
 #include "desk.h"
-#include "draft.h"
+#include "scratch.h"
 
 static void check_command(const char *const *words, size_t count, const char *expected) {
     char *command = export_command(words, count);
@@ -147,7 +147,7 @@ static bool has_file(const ExportStatus *status, const char *name) {
 
 TEST(a_run_is_exported_to_the_end_and_its_files_are_told) {
     desk_make();
-    const char *words[] = {"run", draft_source("houses/straight-corridor.json"), "--seed", "2"};
+    const char *words[] = {"run", scratch_source("houses/straight-corridor.json"), "--seed", "2"};
     const char *options[] = {"--frames", "10", "--size", "320x200"};
     Export *export = begin(words, 4, options, 4, "here/run");
     Watched watched = watch(export);
@@ -164,7 +164,7 @@ TEST(a_run_is_exported_to_the_end_and_its_files_are_told) {
 
 TEST(an_answer_that_is_no_is_done_all_the_same) {
     desk_make();
-    const char *words[] = {"run", draft_source("houses/flat-0.910-module.json")};
+    const char *words[] = {"run", scratch_source("houses/flat-0.910-module.json")};
     Export *export = begin(words, 2, NULL, 0, "run");
     Watched watched = watch(export);
     CHECK(watched.status->stage == EXPORT_DONE && watched.status->no);
@@ -186,7 +186,7 @@ TEST(what_fails_says_why_in_its_own_words) {
 
 TEST(a_cancelled_export_ends_soon_and_keeps_what_is_whole) {
     desk_make();
-    const char *words[] = {"run", draft_source("houses/ube-techno-house.json")};
+    const char *words[] = {"run", scratch_source("houses/ube-techno-house.json")};
     const char *options[] = {"--frames", "1000", "--size", "640x400"};
     Export *export = begin(words, 2, options, 4, "run");
     for (int i = 0; i < 4000 && !strstr(export_look(export)->doing, "picture "); i++)

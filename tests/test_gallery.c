@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "check.h"
 #include "desk.h"
-#include "draft.h"
+#include "scratch.h"
 #include "laboratory/thumbnail.h"
 
 /* Waits until all is there. */
@@ -39,8 +39,8 @@ static void make_assets(void) {
         static const char *const files[][2] = {{"houses/hall-10000.json", "assets/houses/hall-10000.json"},
                                                {"houses/ube-techno-house.json", "assets/houses/a-house.json"},
                                                {"assets/beams/ibs.json", "assets/beams/ibs.json"}};
-        snprintf(from, sizeof from, "%s", draft_source(files[i][0]));
-        char *text = draft_read(from);
+        snprintf(from, sizeof from, "%s", scratch_source(files[i][0]));
+        char *text = scratch_read(from);
         snprintf(to, sizeof to, "%s", files[i][1]);
         desk_write(to, text);
         memory_free(text);
@@ -115,12 +115,12 @@ TEST(it_can_be_closed_before_all_is_there_and_does_without_a_cache) {
 }
 
 static void check_line(const char *note, const char *expected) {
-    char *text = memory_allocate(strlen(note) + 200, 1), path[DRAFT_PATH];
+    char *text = memory_allocate(strlen(note) + 200, 1), path[SCRATCH_PATH];
     snprintf(text, strlen(note) + 200,
              "{'format': 'clearance-house', 'version': 1, 'note': '%s', "
              "'walls': [{'id': 'w', 'points': [[0, 0], [1, 0]]}]}",
              note);
-    draft_write(path, text);
+    scratch_write(path, text);
     Thumbnail thumbnail;
     Fault fault = {0};
     CHECK(thumbnail_read(&thumbnail, path, &fault));

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 #include "house/run.h"
 #include "study/study.h"
 #include "study/summary.h"
@@ -31,7 +31,7 @@ static const char crowd[] =
     "'crowds': [{'id': 'c1', 'profile': 'adult', 'count': 8, 'area': [[0.5, 0.5], [4, 0.5], [4, 3.5], [0.5, 3.5]]}]}";
 
 typedef struct Case {
-    char path[DRAFT_PATH], profiles[4096];
+    char path[SCRATCH_PATH], profiles[4096];
     Experiment experiment;
 } Case;
 
@@ -40,7 +40,7 @@ static HouseOptions options_of(const Case *made) {
 }
 
 static void open_case(Case *made, const char *text) {
-    draft_write(made->path, text);
+    scratch_write(made->path, text);
     snprintf(made->profiles, sizeof made->profiles, "%s/assets/profiles", check_source());
     Fault fault = {0};
     HouseOptions options = options_of(made);

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "draft.h"
+#include "scratch.h"
 #include "exchange/measured.h"
 
 static const MeasuredKind kinds[] = {{"drive.frequency", NULL, "Hz"},
@@ -16,9 +16,9 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* Reads points from a text; its \' stand for quotation marks. */
 static bool read_text(Measured *measured, const char *text) {
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     Fault fault = {0};
-    draft_write(path, text);
+    scratch_write(path, text);
     bool good = measured_read(measured, path, kinds, KINDS, &fault);
     for (size_t i = 0; i < fault.count; i++)
         printf("%s\n", fault.lines[i]);
@@ -73,5 +73,5 @@ static void read_bad(const char *path, Fault *fault) {
 }
 
 TEST(a_bad_file_gives_exactly_its_faults_and_leaves_its_target_as_it_was) {
-    draft_check_faults("tests/data/bad-measured", read_bad);
+    scratch_check_faults("tests/data/bad-measured", read_bad);
 }

@@ -3,14 +3,14 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "draft.h"
+#include "scratch.h"
 #include "exchange/observed.h"
 
 /* Reads loci from a text; its \' stand for quotation marks. */
 static bool read_text(ObservedLoci *loci, const char *text) {
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     Fault fault = {0};
-    draft_write(path, text);
+    scratch_write(path, text);
     bool good = observed_read(loci, path, &fault);
     for (size_t i = 0; i < fault.count; i++)
         printf("%s\n", fault.lines[i]);
@@ -65,7 +65,7 @@ static void read_bad(const char *path, Fault *fault) {
 }
 
 TEST(a_bad_file_gives_exactly_its_faults_and_leaves_its_target_as_it_was) {
-    draft_check_faults("tests/data/bad-observed", read_bad);
+    scratch_check_faults("tests/data/bad-observed", read_bad);
 }
 
 TEST(a_file_that_is_not_there_is_a_fault) {

@@ -5,7 +5,7 @@
 #include "base/random.h"
 #include "base/text.h"
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 #include "house/outline.h"
 
 /* m: the grid on which walls are united, and its rounding */
@@ -19,7 +19,7 @@ typedef struct Drawn {
 static Drawn draw(const char *members) {
     Drawn drawn = {.outline = {.faces = NULL}};
     Fault fault = {0};
-    draft_plan(&drawn.plan, members);
+    scratch_plan(&drawn.plan, members);
     CHECK(outline_build(&drawn.outline, &drawn.plan, &fault));
     for (size_t i = 0; i < fault.count; i++)
         printf("%s\n", fault.lines[i]);

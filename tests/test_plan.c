@@ -6,7 +6,7 @@
 
 #include "base/json.h"
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 #include "house/house.h"
 
 static const char *const room = "'walls': [{'id': 'w1', 'points': [[0, 0], [4, 0], [4, 3]]}], "
@@ -17,11 +17,11 @@ static const char *const room = "'walls': [{'id': 'w1', 'points': [[0, 0], [4, 0
 /* Reads a draft with settings, ended by NULL; the first fault is kept in `*first`, to be freed. */
 static bool read_with(Plan *plan, const char *members, const char *const *settings, char **first) {
     size_t size = strlen(members) + 64, count = 0;
-    char *text = memory_allocate(size, 1), path[DRAFT_PATH];
+    char *text = memory_allocate(size, 1), path[SCRATCH_PATH];
     while (settings && settings[count])
         count++;
     snprintf(text, size, "{'format': 'clearance-house', 'version': 1, %s}", members);
-    draft_write(path, text);
+    scratch_write(path, text);
     memory_free(text);
     Fault fault = {0};
     *plan = (Plan){0};
@@ -39,15 +39,15 @@ static bool read_with(Plan *plan, const char *members, const char *const *settin
 
 /* Writes the plan, reads it, writes that again: the same bytes twice, which are returned; memory_free them. */
 static char *round_trip(const Plan *plan) {
-    char first[DRAFT_PATH], second[DRAFT_PATH];
+    char first[SCRATCH_PATH], second[SCRATCH_PATH];
     Plan again = {0};
     Fault fault = {0};
-    draft_write(first, "");
-    draft_write(second, "");
+    scratch_write(first, "");
+    scratch_write(second, "");
     CHECK(plan_write(plan, first) == 0);
     CHECK(plan_read(&again, first, NULL, 0, &fault));
     CHECK(plan_write(&again, second) == 0);
-    char *once = draft_read(first), *twice = draft_read(second);
+    char *once = scratch_read(first), *twice = scratch_read(second);
     CHECK_TEXT(twice, once);
     memory_free(twice);
     fault_clear(&fault);
@@ -59,31 +59,31 @@ static char *round_trip(const Plan *plan) {
 
 TEST(every_shipped_house_is_written_as_it_is_shipped) {
     size_t count;
-    char **paths = draft_list("houses", &count);
+    char **paths = scratch_list("houses", &count);
     for (size_t i = 0; i < count; i++) {
         Plan plan = {0};
         Fault fault = {0};
-        CHECK(plan_read(&plan, draft_source(paths[i]), NULL, 0, &fault));
+        CHECK(plan_read(&plan, scratch_source(paths[i]), NULL, 0, &fault));
         for (size_t f = 0; f < fault.count; f++)
             printf("%s\n", fault.lines[f]);
-        char *shipped = draft_read(draft_source(paths[i])), *written = round_trip(&plan);
+        char *shipped = scratch_read(scratch_source(paths[i])), *written = round_trip(&plan);
         CHECK_TEXT(written, shipped);
         memory_free(shipped);
         memory_free(written);
         fault_clear(&fault);
         plan_free(&plan);
     }
-    draft_free_list(paths, count);
+    scratch_free_list(paths, count);
 }
 
 TEST(a_house_in_memory_is_read_as_if_from_its_file) {
     size_t count;
-    char **paths = draft_list("houses", &count);
+    char **paths = scratch_list("houses", &count);
     for (size_t i = 0; i < count; i++) {
         House house = {0};
         Fault fault = {0};
         HouseOptions options = {.profiles = "assets/profiles", .driving = -1};
-        char *shipped = draft_read(draft_source(paths[i]));
+        char *shipped = scratch_read(scratch_source(paths[i]));
         CHECK(house_read_text(&house, "/nowhere/at-all.json", shipped, &options, &fault));
         CHECK_TEXT(house.plan.path, "/nowhere/at-all.json");
         char *written = plan_text(&house.plan);
@@ -93,7 +93,7 @@ TEST(a_house_in_memory_is_read_as_if_from_its_file) {
         fault_clear(&fault);
         house_free(&house);
     }
-    draft_free_list(paths, count);
+    scratch_free_list(paths, count);
 }
 
 TEST(a_fault_of_a_text_in_memory_says_where_in_the_text) {
@@ -109,11 +109,11 @@ TEST(a_fault_of_a_text_in_memory_says_where_in_the_text) {
 
 TEST(every_shipped_house_says_that_its_plan_is_assumed) {
     size_t count;
-    char **paths = draft_list("houses", &count);
+    char **paths = scratch_list("houses", &count);
     for (size_t i = 0; i < count; i++) {
         Plan plan = {0};
         Fault fault = {0};
-        CHECK(plan_read(&plan, draft_source(paths[i]), NULL, 0, &fault));
+        CHECK(plan_read(&plan, scratch_source(paths[i]), NULL, 0, &fault));
         CHECK(*plan.name);
         CHECK(strncmp(plan.note, "assumed plan: ", strlen("assumed plan: ")) == 0);
         for (size_t r = 0; r < plan.route_count; r++)
@@ -121,12 +121,12 @@ TEST(every_shipped_house_says_that_its_plan_is_assumed) {
         fault_clear(&fault);
         plan_free(&plan);
     }
-    draft_free_list(paths, count);
+    scratch_free_list(paths, count);
 }
 
 TEST(a_corner_house_has_the_clear_widths_of_its_name) {
     size_t count;
-    char **paths = draft_list("houses", &count);
+    char **paths = scratch_list("houses", &count);
     int corners = 0;
     for (size_t i = 0; i < count; i++) {
         double before, after;
@@ -135,8 +135,9 @@ TEST(a_corner_house_has_the_clear_widths_of_its_name) {
         House house = {0};
         Fault fault = {0};
         char profiles[4096];
-        snprintf(profiles, sizeof profiles, "%s", draft_source("assets/profiles"));
-        CHECK(house_read(&house, draft_source(paths[i]), &(HouseOptions){.profiles = profiles, .driving = -1}, &fault));
+        snprintf(profiles, sizeof profiles, "%s", scratch_source("assets/profiles"));
+        CHECK(
+            house_read(&house, scratch_source(paths[i]), &(HouseOptions){.profiles = profiles, .driving = -1}, &fault));
         const Outline *outline = &house.outline;
         Vec2 in_first = {2, before / 2}, in_second = {4 + after / 2, before + 2};
         CHECK_NEAR(outline_ray(outline, in_first, vec2(0, 1), 9, NULL) +
@@ -151,31 +152,31 @@ TEST(a_corner_house_has_the_clear_widths_of_its_name) {
         corners++;
     }
     CHECK(corners == 9);
-    draft_free_list(paths, count);
+    scratch_free_list(paths, count);
 }
 
 TEST(a_plan_survives_writing_to_the_last_bit) {
     Plan plan, again = {0};
-    draft_plan(&plan,
-               "'name': 'caf\xc3\xa9 \\\"x\\\"', 'note': 'a\\nb', "
-               "'walls': [{'id': 'w1', 'points': [[0.1, 0.30000000000000004], [4, 0], [4, 3.0000000000000004]], "
-               "'thickness': 0, 'height': 2.71828182845904523}], "
-               "'doors': [{'id': 'd1', 'wall': 'w1', 'segment': 1, 'at': 1.2, 'width': 0.7999999999999999, 'kind': "
-               "'hinged', 'state': 'closed', 'hinge': 'end', 'swing': 'right', 'opening_time': 2.5}], "
-               "'furniture': [{'id': 'f1', 'centre': [1, 9], 'size': [1e-1, 2], 'angle': -33.3, 'topples': 'left', "
-               "'probability': 0.1, 'toppled': true}], "
-               "'rooms': [{'id': 'r1', 'name': 'hall', 'outline': [[0, 0], [1, 0], [1, 1e-7]]}], "
-               "'exits': [{'id': 'e1', 'from': [0, 0], 'to': [-1e5, 1], 'opens': 0.5, 'closes': 60}], "
-               "'people': [{'id': 'p1', 'profile': 'manual-chair', 'at': [9, 9], 'heading': 45, 'delay': 3, 'speed': "
-               "0.5}], 'crowds': [{'id': 'c1', 'profile': 'manual-chair', 'count': 7, 'area': [[0, 0], [1, 0], [1, "
-               "1]], 'delay': 2}], "
-               "'routes': [{'id': 'A', 'people': ['p1'], 'via': [[2, 1]], 'exit': 'e1', 'observed': {'mean': 12.3, "
-               "'deviation': 0.8, 'runs': 5}}], 'run': {'dt': 0.0005, 'routes': 'alone'}, "
-               "'overrides': {'profile.manual-chair.width': 0.7, 'profile.manual-chair.driving': 'miura'}");
+    scratch_plan(&plan,
+                 "'name': 'caf\xc3\xa9 \\\"x\\\"', 'note': 'a\\nb', "
+                 "'walls': [{'id': 'w1', 'points': [[0.1, 0.30000000000000004], [4, 0], [4, 3.0000000000000004]], "
+                 "'thickness': 0, 'height': 2.71828182845904523}], "
+                 "'doors': [{'id': 'd1', 'wall': 'w1', 'segment': 1, 'at': 1.2, 'width': 0.7999999999999999, 'kind': "
+                 "'hinged', 'state': 'closed', 'hinge': 'end', 'swing': 'right', 'opening_time': 2.5}], "
+                 "'furniture': [{'id': 'f1', 'centre': [1, 9], 'size': [1e-1, 2], 'angle': -33.3, 'topples': 'left', "
+                 "'probability': 0.1, 'toppled': true}], "
+                 "'rooms': [{'id': 'r1', 'name': 'hall', 'outline': [[0, 0], [1, 0], [1, 1e-7]]}], "
+                 "'exits': [{'id': 'e1', 'from': [0, 0], 'to': [-1e5, 1], 'opens': 0.5, 'closes': 60}], "
+                 "'people': [{'id': 'p1', 'profile': 'manual-chair', 'at': [9, 9], 'heading': 45, 'delay': 3, 'speed': "
+                 "0.5}], 'crowds': [{'id': 'c1', 'profile': 'manual-chair', 'count': 7, 'area': [[0, 0], [1, 0], [1, "
+                 "1]], 'delay': 2}], "
+                 "'routes': [{'id': 'A', 'people': ['p1'], 'via': [[2, 1]], 'exit': 'e1', 'observed': {'mean': 12.3, "
+                 "'deviation': 0.8, 'runs': 5}}], 'run': {'dt': 0.0005, 'routes': 'alone'}, "
+                 "'overrides': {'profile.manual-chair.width': 0.7, 'profile.manual-chair.driving': 'miura'}");
     char *text = round_trip(&plan);
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     Fault fault = {0};
-    draft_write(path, text);
+    scratch_write(path, text);
     CHECK(plan_read(&again, path, NULL, 0, &fault));
     unlink(path);
     CHECK_TEXT(again.name, "caf\xc3\xa9 \"x\"");
@@ -199,7 +200,7 @@ TEST(a_plan_survives_writing_to_the_last_bit) {
 
 TEST(what_a_file_leaves_out_has_the_value_of_its_table) {
     Plan plan;
-    draft_plan(&plan, room);
+    scratch_plan(&plan, room);
     CHECK_NEAR(plan.walls[0].thickness, 0.12, 0);
     CHECK_NEAR(plan.doors[0].opening_time, 3, 0);
     CHECK(plan.doors[0].state == DOOR_OPEN && plan.doors[0].kind == DOOR_OPENING);
@@ -219,10 +220,10 @@ TEST(each_number_is_written_with_the_fewest_digits_of_its_own) {
 }
 
 TEST(a_mark_of_byte_order_is_no_fault) {
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     Plan plan = {0};
     Fault fault = {0};
-    draft_write(path, "\xef\xbb\xbf{'format': 'clearance-house', 'version': 1, 'walls': [], 'x': 1}");
+    scratch_write(path, "\xef\xbb\xbf{'format': 'clearance-house', 'version': 1, 'walls': [], 'x': 1}");
     CHECK(!plan_read(&plan, path, NULL, 0, &fault));
     CHECK(fault.count == 1 && strstr(fault.lines[0], ":1:58: unknown key \"x\""));
     fault_clear(&fault);
@@ -329,7 +330,7 @@ TEST(a_setting_comes_after_an_override_and_is_named_in_its_fault) {
 TEST(several_faults_in_one_file_are_all_listed) {
     Plan plan = {0};
     Fault fault = {0};
-    CHECK(!plan_read(&plan, draft_source("tests/data/bad/houses/many-faults.json"), NULL, 0, &fault));
+    CHECK(!plan_read(&plan, scratch_source("tests/data/bad/houses/many-faults.json"), NULL, 0, &fault));
     CHECK_NEAR((double)fault.count, 9, 0);
     fault_clear(&fault);
 }
@@ -398,12 +399,12 @@ static char *expected_of(const char *path, const char *expected) {
 
 TEST(every_bad_file_gives_exactly_its_faults_and_leaves_its_target_as_it_was) {
     CHECK(chdir(check_source()) == 0); /* the expected lines name files from there */
-    char *expected = draft_read("tests/data/bad/expected.txt");
+    char *expected = scratch_read("tests/data/bad/expected.txt");
     const char *const directories[] = {"tests/data/bad/houses", "tests/data/bad/profiles"};
     size_t lines = 0, files = 0;
     for (int d = 0; d < 2; d++) {
         size_t count;
-        char **paths = draft_list(directories[d], &count);
+        char **paths = scratch_list(directories[d], &count);
         for (size_t i = 0; i < count; i++) {
             char *got = faults_of(paths[i]), *wanted = expected_of(paths[i], expected);
             CHECK(*wanted);
@@ -414,7 +415,7 @@ TEST(every_bad_file_gives_exactly_its_faults_and_leaves_its_target_as_it_was) {
             memory_free(wanted);
         }
         files += count;
-        draft_free_list(paths, count);
+        scratch_free_list(paths, count);
     }
     size_t all = 0;
     for (const char *c = expected; *c; c++)
@@ -426,9 +427,9 @@ TEST(every_bad_file_gives_exactly_its_faults_and_leaves_its_target_as_it_was) {
 
 TEST(a_door_has_its_ends_on_its_wall) {
     Plan plan;
-    draft_plan(&plan, "'walls': [{'id': 'w1', 'points': [[0, 0], [3, 4], [3, 9]]}], "
-                      "'doors': [{'id': 'd1', 'wall': 'w1', 'at': 2.5, 'width': 1}, "
-                      "{'id': 'd2', 'wall': 'w1', 'segment': 1, 'at': 0.4, 'width': 0.8}]");
+    scratch_plan(&plan, "'walls': [{'id': 'w1', 'points': [[0, 0], [3, 4], [3, 9]]}], "
+                        "'doors': [{'id': 'd1', 'wall': 'w1', 'at': 2.5, 'width': 1}, "
+                        "{'id': 'd2', 'wall': 'w1', 'segment': 1, 'at': 0.4, 'width': 0.8}]");
     Vec2 from = {7, 7}, to = {7, 7};
     plan_door_ends(&plan, &plan.doors[0], &from, &to);
     CHECK_NEAR(from.x, 1.2, 1e-12);
@@ -466,13 +467,13 @@ TEST(what_topples_grows_by_its_height_towards_its_face) {
 }
 
 TEST(faults_about_people_and_crowds_begin_with_their_places) {
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     Plan plan = {0};
     Fault fault = {0};
-    draft_write(path, "{'format': 'clearance-house', 'version': 1, 'walls': [], 'name': '\xc3\xa9 ]',\n"
-                      " 'crowds' :[ {'id': 'c1', 'profile': 'x', 'count': 1, 'area': [[0, 0], [1, 0], [1, 1]]}\n],\n"
-                      " 'note': '\xc3\xa9', 'people': [{'id': 'p1', 'profile': 'x', 'at': [9, 9]},"
-                      "{'id': 'p2', 'profile': 'x', 'at': [8, 8]}]}");
+    scratch_write(path, "{'format': 'clearance-house', 'version': 1, 'walls': [], 'name': '\xc3\xa9 ]',\n"
+                        " 'crowds' :[ {'id': 'c1', 'profile': 'x', 'count': 1, 'area': [[0, 0], [1, 0], [1, 1]]}\n],\n"
+                        " 'note': '\xc3\xa9', 'people': [{'id': 'p1', 'profile': 'x', 'at': [9, 9]},"
+                        "{'id': 'p2', 'profile': 'x', 'at': [8, 8]}]}");
     CHECK(plan_read(&plan, path, NULL, 0, &fault));
     const char *const places[] = {":4:26: ", ":4:69: ", ":2:14: "};
     const char *const got[] = {plan.people[0].place, plan.people[1].place, plan.crowds[0].place};
@@ -489,7 +490,7 @@ TEST(people_and_routes_are_found_by_their_ids) {
     Plan plan;
     char members[2000];
     snprintf(members, sizeof members, "%s, 'routes': [{'id': 'A', 'people': []}, {'id': 'B', 'people': ['p1']}]", room);
-    draft_plan(&plan, members);
+    scratch_plan(&plan, members);
     CHECK(plan_find_person(&plan, "p1") == 0);
     CHECK(plan_find_person(&plan, "p2") == SIZE_MAX);
     CHECK(plan_find_route(&plan, "B") == 1);
@@ -504,7 +505,7 @@ TEST(a_fault_list_that_is_full_does_not_make_a_bad_file_good) {
     for (int i = 0; i < FAULT_MOST; i++)
         fault_add(&fault, "an earlier file's fault %d", i);
     Plan plan = {0};
-    CHECK(!plan_read(&plan, draft_source("tests/data/bad/houses/many-faults.json"), NULL, 0, &fault));
+    CHECK(!plan_read(&plan, scratch_source("tests/data/bad/houses/many-faults.json"), NULL, 0, &fault));
     CHECK(fault.count == FAULT_MOST && fault.total > FAULT_MOST);
     CHECK(plan.walls == NULL);
     fault_clear(&fault);

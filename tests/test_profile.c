@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 #include "house/profile.h"
 
 /* Reads assets/profiles/NAME.json, which must be good. */
@@ -12,7 +12,7 @@ static Profile shipped(const char *name) {
     Profile profile = {0};
     Fault fault = {0};
     snprintf(path, sizeof path, "assets/profiles/%s.json", name);
-    CHECK(profile_read(&profile, draft_source(path), &fault));
+    CHECK(profile_read(&profile, scratch_source(path), &fault));
     for (size_t i = 0; i < fault.count; i++)
         printf("%s\n", fault.lines[i]);
     fault_clear(&fault);
@@ -21,12 +21,12 @@ static Profile shipped(const char *name) {
 
 TEST(every_shipped_profile_reads_and_is_stable_at_the_usual_step) {
     size_t count;
-    char **paths = draft_list("assets/profiles", &count);
+    char **paths = scratch_list("assets/profiles", &count);
     CHECK(count >= 4);
     for (size_t i = 0; i < count; i++) {
         Profile profile = {0};
         Fault fault = {0};
-        CHECK(profile_read(&profile, draft_source(paths[i]), &fault));
+        CHECK(profile_read(&profile, scratch_source(paths[i]), &fault));
         CHECK(profile_check(&profile, 0.001, paths[i], &fault));
         for (size_t f = 0; f < fault.count; f++)
             printf("%s\n", fault.lines[f]);
@@ -37,16 +37,16 @@ TEST(every_shipped_profile_reads_and_is_stable_at_the_usual_step) {
         fault_clear(&fault);
         profile_free(&profile);
     }
-    draft_free_list(paths, count);
+    scratch_free_list(paths, count);
 }
 
 TEST(every_value_of_every_shipped_profile_says_where_it_comes_from) {
     size_t count;
-    char **paths = draft_list("assets/profiles", &count);
+    char **paths = scratch_list("assets/profiles", &count);
     for (size_t i = 0; i < count; i++) {
         Profile profile = {0};
         Fault fault = {0};
-        CHECK(profile_read(&profile, draft_source(paths[i]), &fault));
+        CHECK(profile_read(&profile, scratch_source(paths[i]), &fault));
         for (size_t r = 0; r < profile_table()->count; r++)
             CHECK((profile.provenance[r] && *profile.provenance[r]) == profile_row_matters(r, profile.driving));
         for (size_t r = profile_table()->count; r < PROFILE_NUMBERS; r++)
@@ -54,7 +54,7 @@ TEST(every_value_of_every_shipped_profile_says_where_it_comes_from) {
         fault_clear(&fault);
         profile_free(&profile);
     }
-    draft_free_list(paths, count);
+    scratch_free_list(paths, count);
 }
 
 /* c = sqrt(2 m k) with a mass that is given to 0.1 kg and a damping given to 0.1 N s/m. */

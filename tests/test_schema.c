@@ -4,14 +4,14 @@
 #include "base/json.h"
 #include "beam/beam.h"
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 #include "house/plan.h"
 #include "house/profile.h"
 
 /* As `clearance schema KIND` prints it. */
 static void check_file(const char *path, json_t *schema) {
     char *made = json_dumps(schema, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
-    char *shipped = draft_read(draft_source(path));
+    char *shipped = scratch_read(scratch_source(path));
     size_t length = strlen(shipped);
     CHECK(length && shipped[length - 1] == '\n');
     if (length)

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 
 static void read_bad(const char *path, Fault *fault) {
     Script script = {.path = "before", .at = 7};
@@ -15,7 +15,7 @@ static void read_bad(const char *path, Fault *fault) {
 }
 
 TEST(a_bad_script_gives_exactly_its_faults_and_leaves_its_target_as_it_was) {
-    draft_check_faults("tests/data/bad-scripts", read_bad);
+    scratch_check_faults("tests/data/bad-scripts", read_bad);
 }
 
 TEST(a_script_that_is_not_there_is_a_fault) {
@@ -27,9 +27,9 @@ TEST(a_script_that_is_not_there_is_a_fault) {
 }
 
 static void read_draft(Script *script, const char *text) {
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     Fault fault = {0};
-    draft_write(path, text);
+    scratch_write(path, text);
     *script = (Script){.count = 0};
     CHECK(script_read(script, path, &fault));
     unlink(path);

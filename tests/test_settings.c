@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "check.h"
 #include "desk.h"
-#include "draft.h"
+#include "scratch.h"
 
 static void open_quietly(Settings *settings) {
     Fault notes = {0};
@@ -106,7 +106,7 @@ static void check_bad(const char *name, const char *text) {
     CHECK_TEXT(settings.state.folder, "");
     char bad[100];
     strcat(strcpy(bad, name), ".bad");
-    char *kept = draft_read(desk_path(bad));
+    char *kept = scratch_read(desk_path(bad));
     CHECK_TEXT(kept, text);
     memory_free(kept);
     settings.likes.text = 2;

@@ -8,7 +8,7 @@
 #include "base/memory.h"
 #include "check.h"
 #include "desk.h"
-#include "draft.h"
+#include "scratch.h"
 
 /* A room with a disc that has come and one that moves. */
 typedef struct Layers {
@@ -35,7 +35,7 @@ static const SnapshotNote note = {
     .shows = "room", .command = command, .command_count = 2, .time = 3.5, .digest = "0123"};
 
 static bool begins(const char *path, const char *with) {
-    char *text = draft_read(path);
+    char *text = scratch_read(path);
     bool good = strncmp(text, with, strlen(with)) == 0;
     memory_free(text);
     return good;
@@ -66,7 +66,7 @@ TEST(a_view_is_written_in_each_kind_with_a_note_and_over_nothing) {
     check_note("my-room-plan.json");
     char *second = snapshot_view(&view, SNAPSHOT_SVG, ".", "my room: plan", &note, &fault);
     CHECK_TEXT(second, "./my-room-plan-2");
-    char *a = draft_read("my-room-plan.svg"), *b = draft_read("my-room-plan-2.svg");
+    char *a = scratch_read("my-room-plan.svg"), *b = scratch_read("my-room-plan-2.svg");
     CHECK_TEXT(a, b);
     memory_free(a);
     memory_free(b);
@@ -87,7 +87,7 @@ TEST(the_layers_are_all_in_a_view) {
     memory_free(snapshot_view(&view, SNAPSHOT_SVG, ".", "added", &note, &fault));
     view.moving = &room.moving;
     memory_free(snapshot_view(&view, SNAPSHOT_SVG, ".", "all", &note, &fault));
-    char *still = draft_read("still.svg"), *added = draft_read("added.svg"), *all = draft_read("all.svg");
+    char *still = scratch_read("still.svg"), *added = scratch_read("added.svg"), *all = scratch_read("all.svg");
     CHECK(*still && strlen(added) > strlen(still) && strlen(all) > strlen(added));
     memory_free(still);
     memory_free(added);

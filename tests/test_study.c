@@ -10,7 +10,7 @@
 
 #include "base/text.h"
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 #include "study/montecarlo.h"
 #include "study/record.h"
 #include "study/store.h"
@@ -51,8 +51,8 @@ static uint64_t results_in_one_go(int jobs) {
     return digest;
 }
 
-static void new_path(char path[DRAFT_PATH]) {
-    draft_write(path, "");
+static void new_path(char path[SCRATCH_PATH]) {
+    scratch_write(path, "");
 }
 
 TEST(an_axis_has_both_its_ends_and_equal_steps) {
@@ -138,7 +138,7 @@ static int run_in_pieces(Study *study, Toy *toy, const char *path, int piece, in
 TEST(a_study_that_was_stopped_ends_as_one_of_one_go_bit_for_bit) {
     uint64_t expected = results_in_one_go(1);
     for (int jobs = 1; jobs <= 4; jobs *= 2) {
-        char path[DRAFT_PATH];
+        char path[SCRATCH_PATH];
         new_path(path);
         Toy toy = {0};
         Experiment experiment = toy_experiment(&toy);
@@ -152,7 +152,7 @@ TEST(a_study_that_was_stopped_ends_as_one_of_one_go_bit_for_bit) {
 }
 
 TEST(a_finished_study_is_read_back_without_a_run) {
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     new_path(path);
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
@@ -173,7 +173,7 @@ TEST(a_finished_study_is_read_back_without_a_run) {
 }
 
 TEST(a_changed_study_begins_anew_beside_the_old_one) {
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     new_path(path);
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
@@ -244,11 +244,11 @@ static void make_database(const char *path, const char *statements) {
 }
 
 TEST(a_file_that_is_no_study_is_told_of_and_stays_as_it_was) {
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     static const char words[] = "This is a letter, not a study, and somebody wants to keep it.";
-    draft_write(path, words);
+    scratch_write(path, words);
     check_store_fault(path, "is no file of studies");
-    char *kept = draft_read(path);
+    char *kept = scratch_read(path);
     CHECK_TEXT(kept, words);
     memory_free(kept);
     unlink(path);
@@ -259,7 +259,7 @@ TEST(a_file_that_is_no_study_is_told_of_and_stays_as_it_was) {
 }
 
 TEST(a_damaged_row_is_not_taken_for_a_result) {
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     new_path(path);
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
@@ -279,7 +279,7 @@ TEST(a_damaged_row_is_not_taken_for_a_result) {
 }
 
 TEST(pages_that_were_overwritten_are_a_fault) {
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     new_path(path);
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
@@ -306,7 +306,7 @@ TEST(pages_that_were_overwritten_are_a_fault) {
 }
 
 TEST(two_programs_do_not_write_one_file) {
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     new_path(path);
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
@@ -455,7 +455,7 @@ TEST(ranges_say_where_the_answer_changes) {
 }
 
 TEST(tables_have_a_header_with_units_and_a_row_a_trial) {
-    char path[DRAFT_PATH];
+    char path[SCRATCH_PATH];
     new_path(path);
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
@@ -463,18 +463,18 @@ TEST(tables_have_a_header_with_units_and_a_row_a_trial) {
     study_begin(&study);
     study_run(&study, &(StudyOptions){.jobs = 1});
     CHECK(record_write_trials(&study, path) == 0);
-    char *text = draft_read(path);
+    char *text = scratch_read(path);
     CHECK_TEXT(text, "x [m],pass [1],seed [1],regular [1],sum [m],memory [m],fault [1]\r\n"
                      "2,reset,0,0,22,0,\r\n"
                      "52,reset,0,,,,\"x is \"\"52\"\", at most 50\"\r\n");
     memory_free(text);
     CHECK(record_write_series(&study, path) == 0);
-    text = draft_read(path);
+    text = scratch_read(path);
     CHECK_TEXT(text, "x [m],pass [1],seed [1],place [1],square [m2]\r\n"
                      "2,reset,0,1,0\r\n2,reset,0,2,1\r\n2,reset,0,3,4\r\n");
     memory_free(text);
     CHECK(record_write_points(&study, path) == 0);
-    text = draft_read(path);
+    text = scratch_read(path);
     CHECK(strstr(text, "x [m],pass [1],runs [1],faults [1],regular [1],share_regular [1],share_q025 [1],share_q975 "
                        "[1],regular_mean") == text);
     memory_free(text);

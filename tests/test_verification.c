@@ -6,14 +6,14 @@
 #include <unistd.h>
 
 #include "check.h"
-#include "draft.h"
+#include "scratch.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "house/trial.h"
 
 static bool read_shipped(Verification *verification, const char *path) {
     Fault fault = {0};
-    bool good = verification_read(verification, draft_source(path), &fault);
+    bool good = verification_read(verification, scratch_source(path), &fault);
     for (size_t i = 0; i < fault.count; i++)
         printf("%s\n", fault.lines[i]);
     fault_clear(&fault);
@@ -22,7 +22,7 @@ static bool read_shipped(Verification *verification, const char *path) {
 
 TEST(every_shipped_case_is_read) {
     size_t count;
-    char **paths = draft_list("tests/cases", &count);
+    char **paths = scratch_list("tests/cases", &count);
     CHECK(count > 20);
     for (size_t i = 0; i < count; i++) {
         Verification verification = {.path = NULL};
@@ -30,7 +30,7 @@ TEST(every_shipped_case_is_read) {
         CHECK(verification.applies == (verification.check_count > 0));
         verification_free(&verification);
     }
-    draft_free_list(paths, count);
+    scratch_free_list(paths, count);
 }
 
 static void read_bad_case(const char *path, Fault *fault) {
@@ -40,7 +40,7 @@ static void read_bad_case(const char *path, Fault *fault) {
 }
 
 TEST(a_bad_case_gives_exactly_its_faults_and_is_left_as_it_was) {
-    draft_check_faults("tests/data/bad-cases", read_bad_case);
+    scratch_check_faults("tests/data/bad-cases", read_bad_case);
 }
 
 static const TrialOptions *options_of(int jobs) {
@@ -53,13 +53,13 @@ static const TrialOptions *options_of(int jobs) {
 
 /* A case of the shipped straight corridor, its person half as fast in a variant. */
 static void draft_case(Verification *verification, const char *checks) {
-    char path[DRAFT_PATH], text[2048];
+    char path[SCRATCH_PATH], text[2048];
     snprintf(text, sizeof text,
              "{'format': 'clearance-case', 'version': 1, 'id': 'a', 'suite': 's', 'title': 't', 'house': "
              "'%s/houses/straight-corridor.json', 'variants': [{'id': 'slow', 'set': 'person.p1.speed=0.345 "
              "run.sample=0.1'}, {'id': 'fast'}], 'checks': [%s]}",
              check_source(), checks);
-    draft_write(path, text);
+    scratch_write(path, text);
     Fault fault = {0};
     CHECK(verification_read(verification, path, &fault));
     for (size_t i = 0; i < fault.count; i++)

@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -301,19 +302,29 @@ const char *json_read_text(const JsonNode *object, const char *key, Arena *arena
     return "";
 }
 
-static void line_add_scalar(Text *line, const json_t *value) {
-    const size_t most = 17; /* decimal digits that always give the same bits again */
-    for (size_t digits = 15; digits <= most; digits++) {
-        char *text = json_dumps(value, JSON_ENCODE_ANY | JSON_REAL_PRECISION(digits));
-        json_t *again = text ? json_loads(text, JSON_DECODE_ANY, NULL) : NULL;
-        bool good = text && (digits == most || json_equal(again, value));
-        json_decref(again);
-        if (good)
-            text_add(line, text);
-        memory_free(text);
-        if (good)
-            return;
+/* The fewest digits that give the same bits again; always to be seen as no whole number. */
+static void line_add_real(Text *line, double value) {
+    const int most = 17;
+    char number[40];
+    for (int digits = 15; digits <= most; digits++) {
+        snprintf(number, sizeof number, "%.*g", digits, value);
+        if (strtod(number, NULL) == value)
+            break;
     }
+    text_add(line, number);
+    if (!number[strcspn(number, ".e")])
+        text_add(line, ".0");
+}
+
+static void line_add_scalar(Text *line, const json_t *value) {
+    if (json_is_real(value)) {
+        line_add_real(line, json_real_value(value));
+        return;
+    }
+    char *text = json_dumps(value, JSON_ENCODE_ANY);
+    if (text)
+        text_add(line, text);
+    memory_free(text);
 }
 
 static void line_add_value(Text *line, const json_t *value) {

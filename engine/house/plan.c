@@ -19,7 +19,8 @@ static const char *const plan_keys[] = {"format", "version",   "name",  "note", 
 static const char *keep_place(Plan *plan, const JsonFile *file, JsonPlace place) {
     size_t size = strlen(file->path) + 40;
     char *text = arena_allocate(&plan->arena, size);
-    snprintf(text, size, "%s:%d:%d: ", file->path, place.line, place.column);
+    if (file->text)
+        snprintf(text, size, "%s:%d:%d: ", file->path, place.line, place.column);
     return text;
 }
 
@@ -37,6 +38,14 @@ static void keep_places(Plan *plan, const JsonNode *root) {
     memory_free(places);
 }
 
+/* "door d1: ", which begins the faults of an element that is of no file; memory_free it. */
+static char *name_element(const PlanList *list, const JsonNode *element) {
+    Text name = {0};
+    const char *id = json_string_value(json_object_get(element->value, "id"));
+    text_format(&name, "%s %.60s: ", list->table.what, id ? id : "");
+    return name.text;
+}
+
 /* Returns which elements were read without a fault (count of the list). */
 static const bool *read_list(Plan *plan, const PlanList *list, const JsonNode *root, Fault *fault) {
     JsonNode node = json_member(root, list->key);
@@ -47,7 +56,11 @@ static const bool *read_list(Plan *plan, const PlanList *list, const JsonNode *r
     bool *sound = arena_allocate(&plan->arena, count * sizeof *sound);
     for (size_t i = 0; i < count; i++) {
         JsonNode element = json_element(&node, i);
+        JsonFile alone = {.path = root->file->text ? NULL : name_element(list, &element)};
+        if (alone.path)
+            element.file = &alone;
         sound[i] = parameters_read(&list->table, plan_tables_element(plan, list, i), &element, &plan->arena, fault);
+        memory_free(alone.path);
     }
     return sound;
 }
@@ -238,6 +251,14 @@ bool plan_read_text(Plan *plan, const char *path, const char *text, const char *
                     Fault *fault) {
     JsonFile file = {0};
     return json_read_memory(&file, path, text, fault) && read_plan(plan, &file, settings, setting_count, fault);
+}
+
+bool plan_read_values(Plan *plan, const char *path, json_t *values, Fault *fault) {
+    JsonFile file = {.path = memory_allocate(1, 1), .root = json_incref(values)};
+    bool good = read_plan(plan, &file, NULL, 0, fault);
+    if (good)
+        plan->path = arena_text(&plan->arena, path);
+    return good;
 }
 
 void plan_free(Plan *plan) {

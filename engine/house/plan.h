@@ -157,6 +157,9 @@ bool plan_read(Plan *plan, const char *path, const char *const *settings, size_t
 bool plan_read_text(Plan *plan, const char *path, const char *text, const char *const *settings, size_t setting_count,
                     Fault *fault);
 
+/* The same of a house file's values; a fault begins with what it is about, "door d1: ", where it does not say that. */
+bool plan_read_values(Plan *plan, const char *path, json_t *values, Fault *fault);
+
 /* The parameter that a setting's NAME means, "door.d1.width" or "person.p1.at.x", and what has it. NULL: a fault, which
  * begins with `place`, says what there is instead. */
 const Parameter *plan_parameter(const Plan *plan, const char *name, const void **object, const char *place,

@@ -1,4 +1,4 @@
-#include "draft.h"
+#include "scratch.h"
 
 #include <dirent.h>
 #include <stdio.h>
@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "check.h"
 
-void draft_write(char path[DRAFT_PATH], const char *text) {
+void scratch_write(char path[SCRATCH_PATH], const char *text) {
     strcpy(path, "/tmp/clearance-draft-XXXXXX");
     int file = mkstemp(path);
     FILE *out = file >= 0 ? fdopen(file, "w") : NULL;
@@ -20,11 +20,11 @@ void draft_write(char path[DRAFT_PATH], const char *text) {
         fclose(out);
 }
 
-void draft_plan(Plan *plan, const char *members) {
+void scratch_plan(Plan *plan, const char *members) {
     size_t size = strlen(members) + 64;
-    char *text = memory_allocate(size, 1), path[DRAFT_PATH];
+    char *text = memory_allocate(size, 1), path[SCRATCH_PATH];
     snprintf(text, size, "{'format': 'clearance-house', 'version': 1, %s}", members);
-    draft_write(path, text);
+    scratch_write(path, text);
     Fault fault = {0};
     *plan = (Plan){0};
     CHECK(plan_read(plan, path, NULL, 0, &fault));
@@ -40,9 +40,9 @@ static int is_data(const struct dirent *entry) {
     return end && (strcmp(end, ".json") == 0 || strcmp(end, ".csv") == 0 || strcmp(end, ".script") == 0);
 }
 
-char **draft_list(const char *directory, size_t *count) {
+char **scratch_list(const char *directory, size_t *count) {
     struct dirent **entries = NULL;
-    int found = scandir(draft_source(directory), &entries, is_data, alphasort);
+    int found = scandir(scratch_source(directory), &entries, is_data, alphasort);
     *count = found > 0 ? (size_t)found : 0;
     CHECK(*count > 0);
     char **paths = memory_allocate(*count, sizeof *paths);
@@ -56,30 +56,30 @@ char **draft_list(const char *directory, size_t *count) {
     return paths;
 }
 
-void draft_free_list(char **paths, size_t count) {
+void scratch_free_list(char **paths, size_t count) {
     for (size_t i = 0; i < count; i++)
         memory_free(paths[i]);
     memory_free(paths);
 }
 
-const char *draft_source(const char *path) {
+const char *scratch_source(const char *path) {
     static char whole[4096];
     snprintf(whole, sizeof whole, "%s/%s", check_source(), path);
     return whole;
 }
 
-char *draft_read(const char *path) {
+char *scratch_read(const char *path) {
     size_t size;
     char *text = text_read_file(path, 1 << 24, &size);
     return text ? text : memory_allocate(1, 1);
 }
 
-void draft_check_faults(const char *directory, void (*read)(const char *path, Fault *fault)) {
+void scratch_check_faults(const char *directory, void (*read)(const char *path, Fault *fault)) {
     CHECK(chdir(check_source()) == 0); /* the expected lines name files from there */
     size_t count, size = strlen(directory) + sizeof "/expected.txt";
-    char **paths = draft_list(directory, &count), *list = memory_allocate(size, 1);
+    char **paths = scratch_list(directory, &count), *list = memory_allocate(size, 1);
     snprintf(list, size, "%s/expected.txt", directory);
-    char *expected = draft_read(list);
+    char *expected = scratch_read(list);
     Text found = {0};
     text_add(&found, "");
     for (size_t i = 0; i < count; i++) {
@@ -96,5 +96,5 @@ void draft_check_faults(const char *directory, void (*read)(const char *path, Fa
     memory_free(found.text);
     memory_free(expected);
     memory_free(list);
-    draft_free_list(paths, count);
+    scratch_free_list(paths, count);
 }
