@@ -217,17 +217,32 @@ TEST(a_bad_value_changes_nothing) {
     kind->close(live);
 }
 
+TEST(a_house_that_would_be_bad_is_refused_at_once) {
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    double since;
+    settle(live, 0);
+    uint64_t first = house_live_digest(live);
+    CHECK(!set(live, "door.d5.width", 9));
+    CHECK(!kind->trouble(live, &since) && !(settle(live, 0) & LIVE_TROUBLE));
+    CHECK(house_live_digest(live) == first && parameter(live, "door.d5.width")->value == 0.9);
+    CHECK(set(live, "door.d5.width", 0.95));
+    settle(live, 0);
+    CHECK(house_live_digest(live) != first);
+    kind->close(live);
+}
+
+/* What only shows when the house is made of its plan: a step shorter than the springs bear. */
 TEST(a_house_that_becomes_bad_keeps_the_last_good_one) {
     void *live = open_live("ube-techno-house", NULL, 0, NULL);
     double since;
     settle(live, 0);
     uint64_t first = house_live_digest(live);
     CHECK(!kind->trouble(live, &since));
-    CHECK(set(live, "door.d5.width", 9));
+    CHECK(set(live, "run.dt", 0.03));
     unsigned changed = settle(live, 0);
     CHECK(changed & LIVE_TROUBLE && changed & LIVE_PARAMETERS);
-    CHECK(strstr(kind->trouble(live, &since), "d5") && isnan(since));
-    CHECK(house_live_digest(live) == first && parameter(live, "door.d5.width")->value == 0.9);
+    CHECK(kind->trouble(live, &since) && isnan(since));
+    CHECK(house_live_digest(live) == first && parameter(live, "run.dt")->value == 0.001);
     CHECK(set(live, "door.d5.width", 0.95));
     settle(live, 0);
     CHECK(!kind->trouble(live, &since) && house_live_digest(live) != first);
@@ -241,9 +256,9 @@ TEST(what_is_chosen_while_the_house_is_read_has_its_numbers_to_come_back_to) {
     choose(live, "Route", "B");
     settle(live, 0);
     double since;
-    CHECK(set(live, "door.d5.width", 9));
+    CHECK(set(live, "run.dt", 0.03));
     settle(live, 0);
-    CHECK(strstr(kind->trouble(live, &since), "d5"));
+    CHECK(kind->trouble(live, &since));
     size_t count;
     const LiveParameter *parameters = kind->parameters(live, &count);
     for (size_t i = 0; i < count; i++)

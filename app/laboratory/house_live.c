@@ -43,10 +43,10 @@ static void keep_wish(HouseLive *live, const char *path, const LiveOptions *opti
     const char **settings = arena_allocate(&live->arena, (options->setting_count + 1) * sizeof *settings);
     for (size_t i = 0; i < options->setting_count; i++)
         settings[i] = arena_text(&live->arena, options->settings[i]);
+    live->given = *options;
+    live->given.settings = settings;
     live->wish = (HouseWish){.path = arena_text(&live->arena, path),
                              .profiles = arena_text(&live->arena, options->profiles),
-                             .settings = settings,
-                             .setting_count = options->setting_count,
                              .route = options->route ? arena_text(&live->arena, options->route) : NULL,
                              .driving = options->driving,
                              .seed = options->seed,
@@ -64,22 +64,30 @@ static bool know_route(const Plan *plan, const char *path, const char *route, Fa
     return false;
 }
 
+static Draft *open_draft(const char *path, const LiveOptions *options, Fault *fault) {
+    if (!path)
+        return draft_create("new house");
+    Draft *draft = draft_read(path, options->settings, options->setting_count, fault);
+    if (draft && know_route(draft_plan(draft), path, options->route, fault))
+        return draft;
+    draft_destroy(draft);
+    return NULL;
+}
+
 static void *open_house(const char *path, const LiveOptions *options, Fault *fault) {
-    Plan plan = {0};
-    if (!plan_read(&plan, path, options->settings, options->setting_count, fault))
-        return NULL;
-    HouseWorker *worker = know_route(&plan, path, options->route, fault) ? house_live_worker_create() : NULL;
-    if (!worker && !fault->total)
-        fault_add(fault, "%s cannot be run: the system gives no more threads, close some other programs", path);
+    Draft *draft = open_draft(path, options, fault);
+    HouseWorker *worker = draft ? house_live_worker_create() : NULL;
+    if (draft && !worker)
+        fault_add(fault, "no house can be run: the system gives no more threads, close some other programs");
     if (!worker) {
-        plan_free(&plan);
+        draft_destroy(draft);
         return NULL;
     }
     HouseLive *live = memory_allocate(1, sizeof *live);
-    live->plan = plan;
+    live->draft = draft;
     live->nothing = (Scene){.box = {{0, 0}, {1, 1}}, .bare = true, .unscaled = true};
     live->layers = house_live.layers_at_first;
-    keep_wish(live, path, options);
+    keep_wish(live, path ? path : "", options);
     live->worker = worker;
     house_live_choices_list(live);
     house_live_follow_ask(live);
@@ -94,7 +102,8 @@ static void close_house(void *context) {
     house_live_plots_clear(live);
     house_live_words_clear(live);
     house_live_value_clear(&live->values);
-    plan_free(&live->plan);
+    house_live_value_clear(&live->opened);
+    draft_destroy(live->draft);
     memory_free(live->trouble.text);
     memory_free(live->command);
     arena_clear(&live->command_arena);
@@ -189,12 +198,13 @@ static const char *say_clock(const void *context, double time) {
 
 static const char *note(const void *context) {
     const HouseLive *live = context;
-    return house_scene_is_assumed(&live->plan) ? "assumed plan: not measured" : "";
+    return house_scene_is_assumed(draft_plan(live->draft)) ? "assumed plan: not measured" : "";
 }
 
 static const char *title(const void *context) {
     const HouseLive *live = context;
-    return *live->plan.name ? live->plan.name : "house";
+    const char *name = draft_plan(live->draft)->name;
+    return *name ? name : "house";
 }
 
 static const LiveRow *rows(const void *context, size_t *count) {
@@ -223,6 +233,37 @@ static const LiveParameter *parameters(const void *context, size_t *count) {
     return live->values.listed;
 }
 
+void house_live_hold(HouseLive *live, const char *name) {
+    draft_begin(live->draft, name);
+    live->held = true;
+}
+
+void house_live_settle(HouseLive *live) {
+    Fault none = {0}; /* what did not stand was said when it was set */
+    live->held = false;
+    draft_end(live->draft, &none);
+    fault_clear(&none);
+    house_live_follow_edited(live);
+}
+
+/* Sets what a row says in the draft: as a step of its own, unless numbers are in the hand. */
+static bool set_in_draft(HouseLive *live, size_t row, Fault *fault) {
+    const LiveParameter *value = &live->values.rows[row];
+    char name[HOUSE_THING_NAME];
+    snprintf(name, sizeof name, "%s: %s", value->group, value->label);
+    if (live->held)
+        draft_rewind(live->draft);
+    else
+        draft_begin(live->draft, name);
+    bool known = draft_set_parameter(live->draft, value->name, house_live_value_json(&live->values, row), fault);
+    if (live->held)
+        return known && draft_try(live->draft, fault);
+    if (known)
+        return draft_end(live->draft, fault);
+    draft_cancel(live->draft);
+    return false;
+}
+
 static bool set(void *context, const char *name, double value, Fault *fault) {
     HouseLive *live = context;
     size_t row = house_live_value_find(&live->values, name);
@@ -235,8 +276,11 @@ static bool set(void *context, const char *name, double value, Fault *fault) {
         return false;
     if (value == before)
         return true;
-    house_live_follow_keep(live, true);
-    house_live_follow_ask(live);
+    if (!set_in_draft(live, row, fault)) {
+        live->values.rows[row].value = before;
+        return false;
+    }
+    house_live_follow_edited(live);
     if (live->shown)
         house_live_value_sort(&live->values, &live->shown->house, live->selected);
     return true;
@@ -244,16 +288,16 @@ static bool set(void *context, const char *name, double value, Fault *fault) {
 
 static void reset(void *context) {
     HouseLive *live = context;
-    bool changed = false;
-    for (size_t i = 0; i < live->values.count; i++) {
-        changed = changed || live->values.rows[i].value != live->values.rows[i].initial;
-        live->values.rows[i].value = live->values.rows[i].initial;
-    }
-    if (!changed)
+    uint64_t before = draft_revision(live->draft);
+    live->held = false;
+    draft_reset(live->draft, "Reset scene");
+    if (draft_revision(live->draft) == before)
         return;
+    for (size_t i = 0; i < live->values.count; i++)
+        live->values.rows[i].value = live->values.rows[i].initial;
     if (live->kept_itself)
         house_live_follow_forget(live);
-    house_live_follow_ask(live);
+    house_live_follow_edited(live);
 }
 
 static const LivePreset *presets(const void *context, size_t *count) {
@@ -348,9 +392,7 @@ static const char *const *command(const void *context, size_t *count) {
 }
 
 static bool save(const void *context, const char *path, Fault *fault) {
-    size_t count;
-    const char *const *words = command(context, &count);
-    return live_save_house(words, count, path, fault);
+    return live_save_house(draft_text(((const HouseLive *)context)->draft), path, fault);
 }
 
 static bool sound(const void *context, double from, double to, float *samples, size_t count) {

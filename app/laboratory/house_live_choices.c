@@ -41,11 +41,12 @@ void house_live_choices_list(HouseLive *live) {
         add_word(live, ghost, "before", live->ghost == GHOST_BEFORE);
     if (rides)
         add_word(live, ghost, profile_driving_name(house_live_follow_other(live)), live->ghost == GHOST_RIVAL);
-    if (live->plan.route_count > 1) {
+    const Plan *plan = draft_plan(live->draft);
+    if (plan->route_count > 1) {
         LiveChoice *route = add_choice(live, ROUTE, "Whose route is driven: everybody's, or one alone.");
         add_word(live, route, "everybody", !live->wish.route);
-        for (size_t r = 0; r < live->plan.route_count; r++) {
-            const char *id = live->plan.routes[r].id;
+        for (size_t r = 0; r < plan->route_count; r++) {
+            const char *id = plan->routes[r].id;
             add_word(live, route, id, live->wish.route && strcmp(live->wish.route, id) == 0);
         }
     }
@@ -73,7 +74,7 @@ void house_live_choices_take(HouseLive *live, size_t choice, size_t word) {
     if (strcmp(taken->name, GHOST) == 0) {
         take_ghost(live, taken->words[word]);
     } else if (strcmp(taken->name, ROUTE) == 0) {
-        live->wish.route = word ? live->plan.routes[word - 1].id : NULL;
+        live->wish.route = word ? arena_text(&live->arena, taken->words[word]) : NULL;
         house_live_follow_ask(live);
     } else {
         live->wish.driving = (int)word - 1;

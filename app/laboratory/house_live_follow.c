@@ -44,32 +44,14 @@ double house_live_follow_reach(const HouseLive *live) {
 
 /* Asking ---------------------------------------------------------------------------------------------------------- */
 
-/* Keeps the present values with a run, to come back to them; NULL is none. */
-static void note_values(const HouseLive *live, HouseRun *run) {
-    if (!run)
-        return;
-    double *values = memory_allocate(live->values.count, sizeof *values);
-    for (size_t i = 0; i < live->values.count; i++)
-        values[i] = live->values.rows[i].value;
-    house_live_run_note(run, values, live->values.count);
-    memory_free(values);
-}
-
 static HouseRun *ask(HouseLive *live, HouseJob job, int driving) {
-    const char **settings = memory_allocate(live->wish.setting_count + live->values.count, sizeof *settings);
-    Arena arena = {0};
     HouseWish wish = live->wish;
     wish.job = job;
-    wish.settings = settings;
+    wish.text = draft_text(live->draft);
+    wish.revision = draft_revision(live->draft);
     wish.driving = driving;
-    for (size_t i = 0; i < live->wish.setting_count; i++)
-        settings[i] = live->wish.settings[i];
-    wish.setting_count += house_live_value_settings(&live->values, settings + live->wish.setting_count, &arena);
     HouseRun *run = house_live_run_create(&wish);
-    note_values(live, run);
     house_live_worker_ask(live->worker, run);
-    arena_clear(&arena);
-    memory_free(settings);
     live->changed |= LIVE_WORDS;
     return run;
 }
@@ -95,6 +77,33 @@ void house_live_follow_ask(HouseLive *live) {
     }
     live->latest = ask(live, HOUSE_JOB_RUN, live->wish.driving);
     live->changed |= LIVE_PARAMETERS;
+}
+
+/* Nothing that was asked for is waited for any more. */
+static void forget_asked(HouseLive *live) {
+    release(live, live->older);
+    release(live, live->latest);
+    live->older = live->latest = NULL;
+    live->changed |= LIVE_WORDS | LIVE_PARAMETERS;
+}
+
+/* Is the run that is shown, all of it, that of the draft as it is? */
+static bool shows_draft(const HouseLive *live) {
+    const HouseWish *wish = live->shown ? &live->shown->wish : NULL;
+    bool route =
+        wish && (wish->route ? live->wish.route && strcmp(wish->route, live->wish.route) == 0 : !live->wish.route);
+    return route && live->whole && wish->revision == draft_revision(live->draft) && wish->driving == live->wish.driving;
+}
+
+void house_live_follow_edited(HouseLive *live) {
+    if (live->wish.route && plan_find_route(draft_plan(live->draft), live->wish.route) == SIZE_MAX)
+        live->wish.route = NULL;
+    house_live_follow_keep(live, true);
+    if (shows_draft(live))
+        forget_asked(live);
+    else
+        house_live_follow_ask(live);
+    house_live_choices_list(live);
 }
 
 bool house_live_follow_keep(HouseLive *live, bool by_itself) {
@@ -151,7 +160,8 @@ static void tell_divergence(HouseLive *live) {
     }
 }
 
-/* There is no such house: everything is again as in the one shown, which is made again if it was stopped. */
+/* There is no such house: the step that made it is undone, and the one that is shown is made again if it was stopped.
+ */
 static void turn_back(HouseLive *live, HouseRun *run) {
     clear_trouble(live);
     for (size_t i = 0; i < run->fault.count; i++)
@@ -160,30 +170,24 @@ static void turn_back(HouseLive *live, HouseRun *run) {
     live->changed |= LIVE_PARAMETERS;
     if (!live->shown)
         return;
-    for (size_t i = 0; i < live->values.count; i++)
-        live->values.rows[i].value = live->shown->values[i];
+    bool undone = !draft_is_open(live->draft) && run->wish.revision == draft_revision(live->draft) &&
+                  run->wish.revision != live->shown->wish.revision && draft_undo(live->draft);
     live->wish.driving = live->shown->wish.driving;
+    house_live_value_list_again(&live->values, &live->opened, &live->shown->house);
     house_live_choices_list(live);
-    if (!live->whole && house_live_run_stage(live->shown) == HOUSE_STOPPED)
+    if ((undone && !shows_draft(live)) || (!live->whole && house_live_run_stage(live->shown) == HOUSE_STOPPED))
         house_live_follow_ask(live);
 }
 
 /* What is shown --------------------------------------------------------------------------------------------------- */
 
-/* A person is the same by name; a dangerous point of another run is another one. */
+/* A thing is the same by its name; a dangerous point of another run is another one. */
 static void select_again(HouseLive *live, const House *before, const House *now) {
-    LiveThing *thing = &live->selected;
-    if (thing->kind == HOUSE_HAZARD)
-        *thing = (LiveThing){0, 0};
-    if (thing->kind != HOUSE_PERSON)
+    LiveThing thing = live->selected;
+    live->selected = (LiveThing){0, 0};
+    if (thing.kind == HOUSE_HAZARD || thing.index >= house_live_thing_count(before, NULL, thing.kind))
         return;
-    const char *id = before->people[thing->index].id;
-    for (size_t i = 0; i < now->person_count; i++)
-        if (strcmp(now->people[i].id, id) == 0) {
-            thing->index = i;
-            return;
-        }
-    *thing = (LiveThing){0, 0};
+    live->selected = house_live_thing_find(now, thing.kind, house_live_thing_id(before, thing));
 }
 
 /* The one shown is over: its own observation takes the place of the one that grew. */
@@ -220,11 +224,10 @@ static void swap_in(HouseLive *live, HouseRun *run) {
         house_live_run_take(run, &live->growing, 1);
         trail_grow(&live->trails, live->observation);
     }
-    if (!live->values.count) { /* the first house tells which there are */
-        house_live_value_list(&live->values, &run->house);
-        note_values(live, run);
-        note_values(live, live->latest); /* asked for before they were known */
-    }
+    if (!live->opened.count)
+        house_live_value_list(&live->opened, &run->house);
+    if (!live->held && run->wish.revision == draft_revision(live->draft)) /* else it is not as the hand has it */
+        house_live_value_list_again(&live->values, &live->opened, &run->house);
     live->retell = true;
     live->changed |= LIVE_ALL & ~LIVE_TROUBLE;
     house_live_choices_list(live);

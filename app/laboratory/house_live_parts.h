@@ -1,6 +1,7 @@
 /* What a house at work consists of: for the files house_live*.c. */
 #pragma once
 
+#include "house/draft.h"
 #include "laboratory/film.h"
 #include "laboratory/house_live.h"
 #include "laboratory/house_live_things.h"
@@ -51,9 +52,11 @@ typedef struct HouseWords {
 } HouseWords;
 
 typedef struct HouseLive {
-    HouseWish wish; /* as at the opening, route and driving as they are now */
-    Plan plan;      /* as at the opening: names of routes, the title */
-    Arena arena;    /* of the wish */
+    Draft *draft;      /* the house as it stands under the hand */
+    HouseWish wish;    /* without the house; route and driving as they are now */
+    LiveOptions given; /* with which it was opened */
+    Arena arena;       /* of both */
+    bool held;         /* a number is in the hand: what is set is one step until it is settled */
 
     HouseWorker *worker;
     HouseRun *shown;  /* NULL: nothing is read yet */
@@ -77,9 +80,9 @@ typedef struct HouseLive {
     Camera camera;
     unsigned layers;
     LiveThing selected;
-    unsigned changed; /* LIVE_... since the last update */
-    bool retell;      /* words of the run are to be made anew, not only those of the moment */
-    HouseValues values;
+    unsigned changed;           /* LIVE_... since the last update */
+    bool retell;                /* words of the run are to be made anew, not only those of the moment */
+    HouseValues values, opened; /* as they are; and as they were at the opening */
     ShownPlots plots;
     HouseWords words;
     Text trouble;
@@ -97,7 +100,10 @@ static inline HouseScenery house_live_scenery(const HouseLive *live) {
     return (HouseScenery){&live->shown->house, live->observation, live->trails.trails};
 }
 
-/* Runs: asks for one of the present wish and values; keeps the one shown as before (false: it is not over, or
+/* The draft has another plan than before: asks for its run, unless that is the one shown. */
+void house_live_follow_edited(HouseLive *live);
+
+/* Runs: asks for one of the present wish and draft; keeps the one shown as before (false: it is not over, or
  * `by_itself` there is one already), or forgets the one before; takes over what has come, `time` is shown. */
 void house_live_follow_ask(HouseLive *live);
 bool house_live_follow_keep(HouseLive *live, bool by_itself);
@@ -150,5 +156,9 @@ bool house_live_words_does_other(HouseLive *live);
 void house_live_choices_list(HouseLive *live);
 void house_live_choices_take(HouseLive *live, size_t choice, size_t word);
 
-/* The words behind "clearance" that make what is shown. */
+/* Numbers are taken into the hand, under the name that their step will have, and put down. */
+void house_live_hold(HouseLive *live, const char *name);
+void house_live_settle(HouseLive *live);
+
+/* The words behind "clearance" that make what is shown; the file is "" where none has it. */
 const char *const *house_live_command_words(HouseLive *live, size_t *count);

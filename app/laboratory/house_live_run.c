@@ -21,10 +21,7 @@ HouseRun *house_live_run_create(const HouseWish *wish) {
     run->wish.path = arena_text(&run->arena, wish->path);
     run->wish.profiles = arena_text(&run->arena, wish->profiles);
     run->wish.route = wish->route ? arena_text(&run->arena, wish->route) : NULL;
-    const char **settings = arena_allocate(&run->arena, (wish->setting_count + 1) * sizeof *settings);
-    for (size_t i = 0; i < wish->setting_count; i++)
-        settings[i] = arena_text(&run->arena, wish->settings[i]);
-    run->wish.settings = settings;
+    run->wish.text = arena_text(&run->arena, wish->text);
     pthread_mutex_init(&run->mutex, NULL);
     return run;
 }
@@ -41,11 +38,6 @@ void house_live_run_destroy(HouseRun *run) {
     pthread_mutex_destroy(&run->mutex);
     arena_clear(&run->arena);
     memory_free(run);
-}
-
-void house_live_run_note(HouseRun *run, const double *values, size_t count) {
-    run->values = arena_allocate(&run->arena, (count + 1) * sizeof *values);
-    memcpy(run->values, values, count * sizeof *values);
 }
 
 static void enter(HouseRun *run, HouseStage stage) {
@@ -98,13 +90,9 @@ static void make_ways(HouseRun *run) {
 }
 
 void house_live_run_make(HouseRun *run) {
-    HouseOptions options = {.profiles = run->wish.profiles,
-                            .settings = run->wish.settings,
-                            .setting_count = run->wish.setting_count,
-                            .seed = run->wish.seed,
-                            .driving = run->wish.driving};
+    HouseOptions options = {.profiles = run->wish.profiles, .seed = run->wish.seed, .driving = run->wish.driving};
     enter(run, HOUSE_READS);
-    if (!house_read(&run->house, run->wish.path, &options, &run->fault)) {
+    if (!house_read_text(&run->house, run->wish.path, run->wish.text, &options, &run->fault)) {
         enter(run, HOUSE_FAILED);
         return;
     }

@@ -21,12 +21,12 @@ typedef enum HouseJob {
 
 typedef struct HouseWish {
     HouseJob job;
-    const char *path;            /* of the house file */
-    const char *profiles;        /* directory of the shipped ones */
-    const char *const *settings; /* (setting_count) NAME=VALUE */
-    size_t setting_count;
-    const char *route; /* id, or NULL: everybody */
-    int driving;       /* Driving, or -1 */
+    const char *path;     /* of the house file, for faults and for profiles beside it */
+    const char *text;     /* of the house */
+    uint64_t revision;    /* of the draft that has that text */
+    const char *profiles; /* directory of the shipped ones */
+    const char *route;    /* id, or NULL: everybody */
+    int driving;          /* Driving, or -1 */
     uint64_t seed;
     int jobs; /* threads */
 } HouseWish;
@@ -43,8 +43,7 @@ typedef enum HouseStage {
 
 typedef struct HouseRun {
     HouseWish wish;
-    double *values; /* what the one who asks wants to know again of it, see house_live_run_note; or NULL */
-    Arena arena;    /* holds both */
+    Arena arena; /* holds it */
 
     /* The worker's, until the stage says that they are there; then they stay as they are. */
     House house;
@@ -67,9 +66,6 @@ typedef struct HouseRun {
  */
 HouseRun *house_live_run_create(const HouseWish *wish);
 void house_live_run_destroy(HouseRun *run);
-
-/* Keeps a copy of some values (count). */
-void house_live_run_note(HouseRun *run, const double *values, size_t count);
 
 /* Makes the run, on this thread, until it is over, has failed or is stopped. */
 void house_live_run_make(HouseRun *run);

@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "laboratory/silhouette.h"
 
@@ -45,6 +46,13 @@ const char *house_live_thing_id(const House *house, LiveThing thing) {
            : thing.kind == HOUSE_WALL      ? plan->walls[i].id
            : thing.kind == HOUSE_EXIT      ? plan->exits[i].id
                                            : "";
+}
+
+LiveThing house_live_thing_find(const House *house, int kind, const char *id) {
+    for (size_t i = 0; i < house_live_thing_count(house, NULL, kind); i++)
+        if (strcmp(house_live_thing_id(house, (LiveThing){kind, i}), id) == 0)
+            return (LiveThing){kind, i};
+    return (LiveThing){0, 0};
 }
 
 void house_live_thing_name(const House *house, const Observation *observation, LiveThing thing, char *name,

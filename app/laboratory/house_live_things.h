@@ -14,6 +14,9 @@ size_t house_live_thing_count(const House *house, const Observation *observation
 /* As in the house file; "" for a dangerous point. */
 const char *house_live_thing_id(const House *house, LiveThing thing);
 
+/* What is called so, kind 0: nothing. */
+LiveThing house_live_thing_find(const House *house, int kind, const char *id);
+
 /* "door d2", "wardrobe (f3)", "dangerous point 1: door d2" */
 void house_live_thing_name(const House *house, const Observation *observation, LiveThing thing, char *name,
                            size_t size);

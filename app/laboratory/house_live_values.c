@@ -225,6 +225,24 @@ void house_live_value_list(HouseValues *values, const House *house) {
     values->listed = memory_allocate(values->count, sizeof *values->listed);
 }
 
+void house_live_value_list_again(HouseValues *values, const HouseValues *opened, const House *house) {
+    house_live_value_clear(values);
+    house_live_value_list(values, house);
+    for (size_t i = 0, next = 0; i < values->count; i++) {
+        LiveParameter *live = &values->rows[i];
+        /* mostly in the same order */
+        size_t at = next < opened->count && strcmp(opened->rows[next].name, live->name) == 0
+                        ? next
+                        : house_live_value_find(opened, live->name);
+        if (at == SIZE_MAX)
+            continue;
+        next = at + 1;
+        live->initial = opened->rows[at].value;
+        live->low = fmin(opened->rows[at].low, live->value);
+        live->high = fmax(opened->rows[at].high, live->value);
+    }
+}
+
 void house_live_value_clear(HouseValues *values) {
     memory_free(values->rows);
     memory_free(values->owners);
@@ -295,6 +313,18 @@ bool house_live_value_set(HouseValues *values, size_t row, double value, Fault *
     }
     live->value = value;
     return true;
+}
+
+json_t *house_live_value_json(const HouseValues *values, size_t row) {
+    const LiveParameter *live = &values->rows[row];
+    if (live->row->kind == PARAMETER_FLAG)
+        return json_boolean(live->value > 0);
+    if (live->row->kind != PARAMETER_CHOICE)
+        return json_number(live->value);
+    const char *word = live->row->choices;
+    for (int skip = (int)live->value; skip > 0; skip--)
+        word += strcspn(word, "|") + 1;
+    return json_stringn(word, strcspn(word, "|"));
 }
 
 static const char *setting(const LiveParameter *live, Arena *arena) {

@@ -30,9 +30,15 @@ void house_live_value_sort(HouseValues *values, const House *house, LiveThing se
 /* The row called so; SIZE_MAX: none. */
 size_t house_live_value_find(const HouseValues *values, const char *name);
 
+/* Lists them anew; what there was in `opened` keeps that as its initial value, and its slider. */
+void house_live_value_list_again(HouseValues *values, const HouseValues *opened, const House *house);
+
 /* Sets a value, or says with a fault what would be right. */
 bool house_live_value_set(HouseValues *values, size_t row, double value, Fault *fault);
 
-/* NAME=VALUE for each that is not as in the file; returns how many. They are the arena's; `settings` has room for
+/* The row's value, as a file has it. New. */
+json_t *house_live_value_json(const HouseValues *values, size_t row);
+
+/* NAME=VALUE for each that is not as at the opening; returns how many. They are the arena's; `settings` has room for
  * all. */
 size_t house_live_value_settings(const HouseValues *values, const char **settings, Arena *arena);

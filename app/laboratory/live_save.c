@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "beam/beam.h"
-#include "house/plan.h"
 
 enum { FILE_WORD = 1 /* of a command: "run", FILE, ... */ };
 
@@ -32,15 +32,8 @@ static bool say(int error, const char *path, Fault *fault) {
     return !error;
 }
 
-bool live_save_house(const char *const *words, size_t count, const char *path, Fault *fault) {
-    const char **settings = memory_allocate(count, sizeof *settings);
-    size_t setting_count = list_settings(words, count, settings);
-    Plan plan = {0};
-    bool good = !is_there(path, fault) && plan_read(&plan, words[FILE_WORD], settings, setting_count, fault) &&
-                say(plan_write(&plan, path), path, fault);
-    plan_free(&plan);
-    memory_free(settings);
-    return good;
+bool live_save_house(const char *text, const char *path, Fault *fault) {
+    return !is_there(path, fault) && say(text_write_file(path, text, strlen(text)), path, fault);
 }
 
 bool live_save_beam(const char *const *words, size_t count, const char *path, Fault *fault) {

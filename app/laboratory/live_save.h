@@ -1,5 +1,4 @@
-/* What is shown, with its changed numbers, as a file: the file that was opened, read again with the settings of the
- * laboratory's command, and written to where no file is yet. */
+/* What is shown, with all that was changed, as a file where no file is yet. */
 #pragma once
 
 #include <stdbool.h>
@@ -7,6 +6,9 @@
 
 #include "base/fault.h"
 
-/* `words` (count) are the command's: "run", FILE, "--set", NAME=VALUE and so on. False: a fault says why not. */
-bool live_save_house(const char *const *words, size_t count, const char *path, Fault *fault);
+/* A house's text. False: a fault says why not. */
+bool live_save_house(const char *text, const char *path, Fault *fault);
+
+/* The file that was opened, read again with the settings of the laboratory's command, whose `words` (count) are "run",
+ * FILE, "--set", NAME=VALUE and so on. */
 bool live_save_beam(const char *const *words, size_t count, const char *path, Fault *fault);

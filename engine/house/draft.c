@@ -180,27 +180,23 @@ static void keep_file(Draft *draft, const char *path, char *bytes, size_t byte_c
 }
 
 Draft *draft_read(const char *path, const char *const *settings, size_t setting_count, Fault *fault) {
-    Plan as_written = {0}, plan = {0};
+    Plan plan = {0};
     size_t byte_count = 0;
     char *bytes = text_read_file(path, JSON_LARGEST_FILE, &byte_count);
     if (!bytes) {
         fault_add(fault, "%s:1:1: cannot be read: %s", path, strerror(errno));
         return NULL;
     }
-    bool good = plan_read_text(&plan, path, bytes, settings, setting_count, fault) &&
-                (!setting_count || plan_read_text(&as_written, path, bytes, NULL, 0, fault));
-    if (!good) {
-        plan_free(&plan);
+    if (!plan_read_text(&plan, path, bytes, settings, setting_count, fault)) {
         memory_free(bytes);
         return NULL;
     }
     Draft *draft = draft_of(&plan);
-    keep_file(draft, path, bytes, byte_count);
-    if (setting_count) {
-        memory_free(draft->saved);
-        draft->saved = plan_text(&as_written);
+    if (setting_count) { /* the file's bytes are not what it is */
+        memory_free(bytes);
+        bytes = NULL;
     }
-    plan_free(&as_written);
+    keep_file(draft, path, bytes, byte_count);
     return draft;
 }
 

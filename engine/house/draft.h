@@ -39,7 +39,8 @@ typedef enum DraftList {
 /* A house without anything in it, called `name`. draft_destroy releases it. */
 Draft *draft_create(const char *name);
 
-/* The house of a file with some settings, as plan_read has it. NULL: faults say why not. */
+/* The house of a file with some settings, as plan_read has it, which count as being in the file. NULL: faults say why
+ * not. */
 Draft *draft_read(const char *path, const char *const *settings, size_t setting_count, Fault *fault);
 
 /* The house of a text, the way a file would have it; `path` stands in faults, and is where the house's profiles may be.

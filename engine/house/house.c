@@ -87,6 +87,21 @@ const Parameter *house_parameter(const House *house, const char *name, const voi
     return profile ? profile_parameter(profile, parameter, place, fault) : NULL;
 }
 
+size_t house_find_person(const House *house, const char *id) {
+    size_t low = 0, high = house->person_count;
+    while (low < high) {
+        size_t middle = (low + high) / 2;
+        int order = strcmp(house->people[middle].id, id);
+        if (order == 0)
+            return middle;
+        if (order < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return SIZE_MAX;
+}
+
 /* Where the profile is named first. */
 static const char *place_of(const House *house, const Profile *profile) {
     const Plan *plan = &house->plan;

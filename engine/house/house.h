@@ -60,6 +60,9 @@ bool house_read_text(House *house, const char *path, const char *text, const Hou
 
 void house_free(House *house);
 
+/* The place of an id among house->people, members of crowds included, or SIZE_MAX. */
+size_t house_find_person(const House *house, const char *id);
+
 /* As plan_parameter, of the profiles too: "profile.manual-chair.width". */
 const Parameter *house_parameter(const House *house, const char *name, const void **object, const char *place,
                                  Fault *fault);

@@ -1,6 +1,6 @@
 #include "house/observation.h"
 
-#include <string.h>
+#include <stdint.h>
 
 #include "base/memory.h"
 
@@ -20,13 +20,12 @@ void observation_free(Observation *observation) {
     memory_free(observation->people);
     memory_free(observation->hazards);
     memory_free(observation->door_opened);
+    memory_free(observation->mixed);
     trace_clear(&observation->trace);
     *observation = (Observation){0};
 }
 
 const PersonObservation *observation_of_person(const House *house, const Observation *observation, const char *id) {
-    for (size_t i = 0; i < house->person_count; i++)
-        if (strcmp(house->people[i].id, id) == 0)
-            return &observation->people[i];
-    return NULL;
+    size_t i = house_find_person(house, id);
+    return i == SIZE_MAX ? NULL : &observation->people[i];
 }

@@ -82,6 +82,8 @@ typedef struct Observation {
     double dt;          /* s */
     double sample;      /* s, between two rows of the trace: observer_sample_steps */
     uint64_t digest;    /* of all states at all steps */
+    double *mixed;      /* (mixed_count) s, when the plan changed while the run went on */
+    size_t mixed_count;
 } Observation;
 
 void observation_free(Observation *observation);

@@ -42,6 +42,7 @@ static void tell_piece(Group *group, const World *world, bool over) {
     uint64_t step = world->clock.step;
     RunPiece piece = {.group = group->index,
                       .group_count = group->count,
+                      .house = group->house,
                       .part = group->part,
                       .time = (double)(step - step % observer->sample_steps) * group->house->plan.run.dt,
                       .over = over,
