@@ -165,17 +165,13 @@ static void release_pending(HouseLive *live) {
 static void release(void *context, const LiveHand *hand) {
     HouseLive *live = context;
     HouseEdit *edit = &live->edit;
-    bool down = edit->down;
-    if (down && !edit->gesture && !edit->moved)
+    if (!edit->down)
+        return;
+    point(live, hand);
+    if (edit->gesture && edit->gesture->release)
+        edit->gesture->release(live, edit->moved);
+    else if (!edit->gesture && !edit->moved)
         release_pending(live);
-    else if (down && edit->gesture) {
-        point(live, hand);
-        bool moved = edit->moved;
-        edit->down = edit->tool == TOOL_PERSON && edit->gesture; /* until it is put down, it looks to the hand */
-        if (edit->gesture && edit->gesture->release)
-            edit->gesture->release(live, moved);
-    }
-    keep_hand(live, hand);
     edit->down = false;
     edit->pending = PENDING_NOTHING;
 }
@@ -368,7 +364,23 @@ static const char *redo_name(const void *context) {
     return draft_redo_name(((const HouseLive *)context)->draft);
 }
 
-/* Texts, items, files ----------------------------------------------------------------------------------------------- */
+static void hold(void *context, const char *name) {
+    HouseLive *live = ready(context);
+    size_t row = house_live_value_find(&live->values, name);
+    char step[2 * EDIT_NAME] = "Change a number";
+    if (row != SIZE_MAX)
+        snprintf(step, sizeof step, "%s: %s", live->values.rows[row].group, live->values.rows[row].label);
+    house_live_hold(live, step);
+}
+
+static void settle(void *context) {
+    HouseLive *live = context;
+    if (live->held)
+        house_live_settle(live);
+}
+
+/* Texts, items, files -----------------------------------------------------------------------------------------------
+ */
 
 static const LiveText *texts(const void *context, size_t *count) {
     HouseLive *live = (HouseLive *)context;
@@ -468,6 +480,8 @@ const LiveEditor house_edit = {
     .redo = redo,
     .undo_name = undo_name,
     .redo_name = redo_name,
+    .hold = hold,
+    .settle = settle,
     .texts = texts,
     .set_text = set_text,
     .items = items,

@@ -53,9 +53,10 @@ static void follow_corner(HouseLive *live, const Furniture *piece) {
     static const Vec2 signs[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     Vec2 sign = signs[edit->grip.index], axis = snap_heading(piece->angle);
     const char *without[] = {edit->held};
-    Vec2 corner = edit->keys ? edit->grip.at
-                             : house_edit_gesture_snap(
-                                   live, (SnapAsk){.along = NAN, .faces = true, .without = without, .without_count = 1});
+    Vec2 corner = edit->keys
+                      ? edit->grip.at
+                      : house_edit_gesture_snap(
+                            live, (SnapAsk){.along = NAN, .faces = true, .without = without, .without_count = 1});
     Vec2 half = vec2(sign.x * piece->size.x / 2, sign.y * piece->size.y / 2);
     Vec2 fixed = vec2_sub(piece->centre, vec2_turn(half, axis)), own = vec2_unturn(vec2_sub(corner, fixed), axis);
     double width = fmax(own.x * sign.x, LEAST_SIZE), depth = fmax(own.y * sign.y, LEAST_SIZE);

@@ -98,7 +98,9 @@ static Vec2 hand_point(HouseLive *live) {
     Vec2 from = last_point(live);
     return house_edit_gesture_snap(live, (SnapAsk){.from = &from,
                                                    .along = last_angle(live),
-                                                   .first = &live->edit.chain.points[0],
+                                                   .own = live->edit.chain.points,
+                                                   .own_count = live->edit.chain.count,
+                                                   .closes = kind_of(live)->closes,
                                                    .faces = kind_of(live)->faces,
                                                    .doors = kind_of(live)->doors});
 }
@@ -107,7 +109,7 @@ static void follow_line(HouseLive *live) {
     HouseEdit *edit = &live->edit;
     Vec2 from = last_point(live), at = hand_point(live);
     double length = vec2_distance(from, at), angle = snap_angle(vec2_sub(at, from));
-    if (length < SAME)
+    if (length < SAME || edit->keys)
         angle = isfinite(last_angle(live)) ? last_angle(live) : 0;
     if (edit->chain.proposed) {
         length = edit->fields[FIELD_LENGTH].value;
@@ -255,10 +257,11 @@ static void say(HouseLive *live, Text *words) {
     }
     text_format(words, "%s %.2f m, %g degrees: %s", kind->what, vec2_distance(last_point(live), edit->now.at),
                 edit->fields[FIELD_ANGLE].value,
-                edit->chain.proposed           ? "Enter draws it, a number changes it, Escape ends"
-                : kind->most                   ? "click the other end, or type the length"
-                : edit->chain.count < kind->least ? "click, or type the length and Enter; Tab for the angle"
-                                               : "click, or type the length; Enter or Escape ends, Backspace takes back");
+                edit->chain.proposed ? "Enter draws it, a number changes it, Escape ends"
+                : kind->most         ? "click the other end, or type the length"
+                : edit->chain.count < kind->least
+                    ? "click, or type the length and Enter; Tab for the angle"
+                    : "click, or type the length; Enter or Escape ends, Backspace takes back");
 }
 
 static void show(HouseLive *live) {
@@ -274,7 +277,11 @@ static void show(HouseLive *live) {
         house_edit_marks_length(live, edit->chain.points[edit->chain.count - 2], last_point(live));
 }
 
-#define CHAIN(make_) {.follow = follow, .make = make_, .put = put, .back = back, .escape = escape, .release = release, .say = say, .show = show}
+#define CHAIN(make_)                                                                                                   \
+    {                                                                                                                  \
+        .follow = follow, .make = make_, .put = put, .back = back, .escape = escape, .release = release, .say = say,   \
+        .show = show                                                                                                   \
+    }
 static const EditGesture wall = CHAIN(house_edit_wall_make), leave = CHAIN(house_edit_way_make_exit),
                          room = CHAIN(house_edit_way_make_room), route = CHAIN(house_edit_way_make_route),
                          measure = CHAIN(NULL);

@@ -22,7 +22,8 @@ static void open_step(HouseLive *live, const char *verb) {
     house_edit_gesture_open(live, name);
 }
 
-/* Moving and turning ------------------------------------------------------------------------------------------------ */
+/* Moving and turning ------------------------------------------------------------------------------------------------
+ */
 
 /* Of a handle: the numbers that say where it is are typed for the hand. */
 static void nudge_fields(HouseLive *live, Vec2 by) {
@@ -216,8 +217,8 @@ static Box include_places(Box box, const json_t *value) {
     const char *key;
     if (json_array_size(value) == 2 && json_is_number(json_array_get(value, 0)) &&
         json_is_number(json_array_get(value, 1)))
-        return box_include(box, vec2(json_number_value(json_array_get(value, 0)),
-                                     json_number_value(json_array_get(value, 1))));
+        return box_include(
+            box, vec2(json_number_value(json_array_get(value, 0)), json_number_value(json_array_get(value, 1))));
     json_array_foreach(value, i, inner) box = include_places(box, inner);
     json_object_foreach((json_t *)value, key, inner) {
         if (strcmp(key, "size") != 0)

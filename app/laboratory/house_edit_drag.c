@@ -20,10 +20,13 @@ static void hold(HouseLive *live, const EditHandle *handle) {
 }
 
 static void name_step(const HouseLive *live, const EditHandle *handle, char name[EDIT_NAME]) {
-    static const char *const verbs[] = {
-        [GRIP_POINT] = "Move point of", [GRIP_SEGMENT] = "Move piece of", [GRIP_EDGE] = "Change width of",
-        [GRIP_CORNER] = "Resize",       [GRIP_TURN] = "Turn",             [GRIP_MIDDLE] = "Move",
-        [GRIP_WHOLE] = "Move"};
+    static const char *const verbs[] = {[GRIP_POINT] = "Move point of",
+                                        [GRIP_SEGMENT] = "Move piece of",
+                                        [GRIP_EDGE] = "Change width of",
+                                        [GRIP_CORNER] = "Resize",
+                                        [GRIP_TURN] = "Turn",
+                                        [GRIP_MIDDLE] = "Move",
+                                        [GRIP_WHOLE] = "Move"};
     char thing[EDIT_NAME];
     house_edit_select_name(live, handle->id, thing);
     bool end = handle->grip == GRIP_POINT && handle->list == DRAFT_EXITS;
@@ -32,8 +35,7 @@ static void name_step(const HouseLive *live, const EditHandle *handle, char name
 
 static void list_fields(HouseLive *live, const EditHandle *handle) {
     static const char *const place[] = {"x", "y"}, *const metres[] = {"m", "m", "m", "m"};
-    static const char *const point[] = {"length", "angle", "x", "y"},
-                             *const point_units[] = {"m", "degree", "m", "m"};
+    static const char *const point[] = {"length", "angle", "x", "y"}, *const point_units[] = {"m", "degree", "m", "m"};
     static const char *const door[] = {"at", "width"}, *const size[] = {"width", "depth"};
     static const char *const angle[] = {"angle"}, *const degree[] = {"degree"};
     if (handle->grip == GRIP_TURN)
@@ -149,12 +151,8 @@ static void show_whole(HouseLive *live) {
         house_edit_marks_length(live, edit->pressed, vec2_add(edit->pressed, edit->now.at));
 }
 
-static const EditGesture whole = {.follow = follow_whole,
-                                  .make = make_whole,
-                                  .put = put,
-                                  .release = release,
-                                  .say = say_whole,
-                                  .show = show_whole};
+static const EditGesture whole = {
+    .follow = follow_whole, .make = make_whole, .put = put, .release = release, .say = say_whole, .show = show_whole};
 
 /* From where the button went down to a piece of a wall, m. */
 static double distance_to_piece(const HouseLive *live, const EditHandle *handle) {
@@ -193,7 +191,8 @@ void house_edit_drag_whole(HouseLive *live) {
     house_edit_gesture_follow(live);
 }
 
-/* The rectangle that selects ---------------------------------------------------------------------------------------- */
+/* The rectangle that selects ----------------------------------------------------------------------------------------
+ */
 
 static void follow_box(HouseLive *live) {
     live->edit.now.at = live->edit.hand.at;

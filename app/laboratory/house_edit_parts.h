@@ -39,11 +39,11 @@ typedef struct EditTarget {
 
 typedef struct EditGesture {
     void (*follow)(HouseLive *live);
-    void (*make)(HouseLive *live);  /* NULL: the draft is not changed by it */
-    bool (*limit)(HouseLive *live); /* brings a refused target to where it may stand; NULL or false: nowhere */
-    bool (*put)(HouseLive *live, bool keys);      /* a press, or Enter */
-    bool (*back)(HouseLive *live);                /* Backspace; NULL: lets go */
-    bool (*escape)(HouseLive *live);              /* NULL: lets go */
+    void (*make)(HouseLive *live);           /* NULL: the draft is not changed by it */
+    bool (*limit)(HouseLive *live);          /* brings a refused target to where it may stand; NULL or false: nowhere */
+    bool (*put)(HouseLive *live, bool keys); /* a press, or Enter */
+    bool (*back)(HouseLive *live);           /* Backspace; NULL: lets go */
+    bool (*escape)(HouseLive *live);         /* NULL: lets go */
     void (*release)(HouseLive *live, bool moved); /* of the press that began it, or came later */
     void (*say)(HouseLive *live, Text *words);
     void (*show)(HouseLive *live); /* adds marks */
@@ -73,9 +73,9 @@ typedef struct EditChain {
     Vec2 *points;   /* (count) put down */
     double *amount; /* (count) m, the thickness of what ends there */
     size_t count, capacity, amount_capacity;
-    bool floating;   /* the next point is a part of what is made */
-    bool proposed;   /* length and angle of the next one stand in the fields */
-    Vec2 proposed_at; /* m, where the hand was then */
+    bool floating;        /* the next point is a part of what is made */
+    bool proposed;        /* length and angle of the next one stand in the fields */
+    Vec2 proposed_at;     /* m, where the hand was then */
     char exit[EDIT_NAME]; /* of a route: the exit that was pointed at */
 } EditChain;
 
@@ -83,12 +83,6 @@ typedef struct EditChain {
 typedef struct EditMeasure {
     Vec2 from, to; /* m */
 } EditMeasure;
-
-/* The picture to trace over, as it is looked for. */
-typedef struct EditImage {
-    LiveImage image;
-    char *path; /* that the image points at, or NULL */
-} EditImage;
 
 /* What a press may turn into. */
 typedef enum EditPending { PENDING_NOTHING, PENDING_HANDLE, PENDING_WHOLE, PENDING_BOX } EditPending;
@@ -107,7 +101,8 @@ typedef struct HouseEdit {
     size_t id_count, id_capacity;
     LiveThing *things; /* (id_count) the same for whoever asks */
     size_t thing_capacity;
-    int handle; /* that has the focus of the keys, -1: none */
+    LiveThing told; /* that was selected by itself for them */
+    int handle;     /* that has the focus of the keys, -1: none */
 
     const EditGesture *gesture; /* NULL: there is none */
     bool keys;                  /* it was begun by keys: the hand has no part in it until it moves */
@@ -126,9 +121,9 @@ typedef struct HouseEdit {
     EditChain chain;
     EditHandle grip; /* that is held; its id is `held` */
     char *held;
-    Vec2 offset; /* m, from the hand to the handle */
-    bool taken;  /* by a click, not by dragging */
-    bool sizing; /* a rectangle is drawn out */
+    Vec2 offset;          /* m, from the hand to the handle */
+    bool taken;           /* by a click, not by dragging */
+    bool sizing;          /* a rectangle is drawn out */
     char made[EDIT_NAME]; /* the id of what was added last */
 
     size_t items[LIVE_TOOLS]; /* chosen */
@@ -138,13 +133,11 @@ typedef struct HouseEdit {
     Catalogue catalogue;
     char **profiles; /* (profile_count) names of the shipped ones */
     size_t profile_count;
-    bool stocked; /* the two are read */
+    bool stocked;                      /* the two are read */
     double door_width, wall_thickness; /* m, of the next one */
 
     EditMeasure measures[EDIT_MEASURES];
     size_t measure_count;
-    EditImage image;
-    bool holding; /* a slider */
 
     LiveText *texts;
     size_t text_capacity;
@@ -158,6 +151,7 @@ typedef struct HouseEdit {
     LiveGesture shown;
 } HouseEdit;
 
+void house_edit_begin(HouseLive *live);
 void house_edit_clear(HouseLive *live); /* releases all; what is in the hand is let go */
 
 /* Gestures -------------------------------------------------------------------------------------------------------- */

@@ -15,12 +15,8 @@ static const EditGesture door, piece, person;
 
 static const PlaceKind kinds[LIVE_TOOLS] = {
     [TOOL_DOOR] = {"Place door", {"x", "y", "width", "at"}, {"m", "m", "m", "m"}, 4, 2, &door},
-    [TOOL_FURNITURE] = {"Place furniture",
-                        {"x", "y", "angle", "width", "depth"},
-                        {"m", "m", "degree", "m", "m"},
-                        5,
-                        2,
-                        &piece},
+    [TOOL_FURNITURE] =
+        {"Place furniture", {"x", "y", "angle", "width", "depth"}, {"m", "m", "degree", "m", "m"}, 5, 2, &piece},
     [TOOL_PERSON] = {"Place person", {"x", "y", "heading"}, {"m", "m", "degree"}, 3, 2, &person},
 };
 

@@ -7,31 +7,25 @@
 /* Things and ids --------------------------------------------------------------------------------------------------- */
 
 const char *house_edit_select_id(const HouseLive *live, LiveThing thing) {
-    const Plan *plan = draft_plan(live->draft);
-    size_t i = thing.index;
-    switch ((HouseThing)thing.kind) {
-    case HOUSE_PERSON:
-        return i < plan->person_count ? plan->people[i].id : "";
-    case HOUSE_DOOR:
-        return i < plan->door_count ? plan->doors[i].id : "";
-    case HOUSE_FURNITURE:
-        return i < plan->furniture_count ? plan->furniture[i].id : "";
-    case HOUSE_WALL:
-        return i < plan->wall_count ? plan->walls[i].id : "";
-    case HOUSE_EXIT:
-        return i < plan->exit_count ? plan->exits[i].id : "";
-    default:
+    size_t index;
+    if (!live->shown || thing.kind == HOUSE_HAZARD ||
+        thing.index >= house_live_thing_count(&live->shown->house, NULL, thing.kind))
         return "";
-    }
+    const char *id = house_live_thing_id(&live->shown->house, thing);
+    return draft_find(live->draft, id, &index) < DRAFT_LISTS ? id : ""; /* not somebody of a crowd, nor what is gone */
 }
 
 LiveThing house_edit_select_thing(const HouseLive *live, const char *id) {
-    static const int kinds[DRAFT_LISTS] = {
-        [DRAFT_WALLS] = HOUSE_WALL, [DRAFT_DOORS] = HOUSE_DOOR,   [DRAFT_FURNITURE] = HOUSE_FURNITURE,
-        [DRAFT_EXITS] = HOUSE_EXIT, [DRAFT_PEOPLE] = HOUSE_PERSON};
+    static const int kinds[DRAFT_LISTS] = {[DRAFT_WALLS] = HOUSE_WALL,
+                                           [DRAFT_DOORS] = HOUSE_DOOR,
+                                           [DRAFT_FURNITURE] = HOUSE_FURNITURE,
+                                           [DRAFT_EXITS] = HOUSE_EXIT,
+                                           [DRAFT_PEOPLE] = HOUSE_PERSON};
     size_t index;
     DraftList list = draft_find(live->draft, id, &index);
-    return list < DRAFT_LISTS && kinds[list] ? (LiveThing){kinds[list], index} : (LiveThing){0, 0};
+    if (!live->shown || list == DRAFT_LISTS || !kinds[list])
+        return (LiveThing){0, 0};
+    return house_live_thing_find(&live->shown->house, kinds[list], id);
 }
 
 /* The list --------------------------------------------------------------------------------------------------------- */
@@ -62,28 +56,34 @@ static void append(HouseEdit *edit, const char *id) {
     edit->ids[edit->id_count++] = copy.text;
 }
 
-/* What is selected by itself is the last of them. */
+/* What is selected by itself is the last of them, where the run that is shown has it. */
 static void tell(HouseLive *live) {
-    const HouseEdit *edit = &live->edit;
-    LiveThing thing =
-        edit->id_count ? house_edit_select_thing(live, edit->ids[edit->id_count - 1]) : (LiveThing){0, 0};
-    house_live.select(live, thing);
+    HouseEdit *edit = &live->edit;
+    edit->told = edit->id_count ? house_edit_select_thing(live, edit->ids[edit->id_count - 1]) : (LiveThing){0, 0};
+    house_live.select(live, edit->told);
 }
 
 void house_edit_select_meet(HouseLive *live) {
     HouseEdit *edit = &live->edit;
     const char *id = house_edit_select_id(live, live->selected);
     const char *last = edit->id_count ? edit->ids[edit->id_count - 1] : "";
-    if (live->selected.kind == HOUSE_NOTHING && edit->id_count &&
-        house_edit_select_thing(live, last).kind == HOUSE_NOTHING)
-        return; /* something that cannot be selected by itself */
     if (strcmp(id, last) == 0)
         return;
+    bool shown = house_edit_select_thing(live, last).kind != HOUSE_NOTHING;
+    if (!live->selected.kind && !shown && *last) {
+        edit->told = (LiveThing){0, 0}; /* of what is not shown yet, or cannot be selected by itself */
+        return;
+    }
+    if (!live->selected.kind && shown && !edit->told.kind) {
+        tell(live); /* it is shown now */
+        return;
+    }
     char kept[EDIT_NAME];
     snprintf(kept, sizeof kept, "%s", id);
     clear(edit);
     if (*kept)
         append(edit, kept);
+    edit->told = live->selected;
 }
 
 void house_edit_select_only(HouseLive *live, const char *id) {
@@ -196,11 +196,35 @@ static bool holds(const Points *points, Vec2 p) {
     return inside;
 }
 
+/* The smallest thing of the draft that lies at a place, walls last; NULL: none. For what no run shows yet. */
+static const char *find_at(const HouseLive *live, Vec2 at) {
+    static const DraftList order[] = {DRAFT_PEOPLE, DRAFT_DOORS, DRAFT_FURNITURE, DRAFT_EXITS};
+    const Plan *plan = draft_plan(live->draft);
+    for (size_t k = 0; k < sizeof order / sizeof *order; k++)
+        for (size_t i = draft_count(live->draft, order[k]); i > 0; i--) {
+            Vec2 corners[4];
+            Box box;
+            if (!find_box(plan, order[k], i - 1, &box) || !box_holds(box_expand(box, live->edit.hand.reach), at))
+                continue;
+            if (order[k] == DRAFT_FURNITURE)
+                plan_furniture_corners(&plan->furniture[i - 1], corners);
+            if (order[k] == DRAFT_FURNITURE && !holds(&(Points){corners, 4}, at))
+                continue;
+            return json_string_value(json_object_get(draft_at(live->draft, order[k], i - 1), "id"));
+        }
+    SnapWall wall;
+    if (snap_wall(plan, at, &wall) &&
+        wall.distance <= real_max(live->edit.hand.reach, plan->walls[wall.wall].thickness / 2))
+        return plan->walls[wall.wall].id;
+    return NULL;
+}
+
 const char *house_edit_select_at(HouseLive *live, Vec2 at) {
     const Plan *plan = draft_plan(live->draft);
-    LiveThing thing = house_live.pick(live, at, live->words.time, (LiveThing){0, 0});
-    const char *id = house_edit_select_id(live, thing);
-    if (*id)
+    bool shown = live->shown && live->shown->wish.revision == draft_revision(live->draft);
+    const char *id = shown ? house_edit_select_id(live, house_live.pick(live, at, live->words.time, (LiveThing){0, 0}))
+                           : find_at(live, at);
+    if (id && *id)
         return id;
     for (size_t r = plan->room_count; r > 0; r--)
         if (holds(&plan->rooms[r - 1].outline, at))
@@ -211,8 +235,8 @@ const char *house_edit_select_at(HouseLive *live, Vec2 at) {
 /* Names ----------------------------------------------------------------------------------------------------------- */
 
 void house_edit_select_name(const HouseLive *live, const char *id, char name[EDIT_NAME]) {
-    static const char *const words[DRAFT_LISTS] = {"wall",   "door",  "furniture", "room", "exit",
-                                                   "person", "crowd", "route"};
+    static const char *const words[DRAFT_LISTS] = {"wall", "door",   "furniture", "room",
+                                                   "exit", "person", "crowd",     "route"};
     size_t index;
     DraftList list = draft_find(live->draft, id, &index);
     const char *called =

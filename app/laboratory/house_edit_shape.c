@@ -111,9 +111,10 @@ static void follow_piece(HouseLive *live) {
     Points points = points_before(live, ends);
     const Vec2 *piece = points.at + edit->grip.index;
     const char *without[] = {edit->held};
-    Vec2 at = edit->keys ? edit->grip.at
-                         : house_edit_gesture_snap(
-                               live, (SnapAsk){.along = NAN, .from = &edit->grip.at, .without = without, .without_count = 1});
+    Vec2 at = edit->keys
+                  ? edit->grip.at
+                  : house_edit_gesture_snap(
+                        live, (SnapAsk){.along = NAN, .from = &edit->grip.at, .without = without, .without_count = 1});
     house_edit_field_typed(live, 0, &at.x);
     house_edit_field_typed(live, 1, &at.y);
     bool joined = edit->grip.grip == GRIP_SEGMENT && (is_joined(&edit->begun, edit->held, edit->grip.index, piece[0]) ||

@@ -80,7 +80,8 @@ bool house_edit_split_wall(HouseLive *live, Fault *fault) {
     return house_edit_gesture_close(live, fault);
 }
 
-/* Taking a point out ------------------------------------------------------------------------------------------------ */
+/* Taking a point out ------------------------------------------------------------------------------------------------
+ */
 
 /* The handle that has the focus of the keys; false: none. */
 static bool focused(const HouseLive *live, EditHandle *handle) {

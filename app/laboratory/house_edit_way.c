@@ -90,7 +90,8 @@ static const char *exit_at(const HouseLive *live) {
     const HouseEdit *edit = &live->edit;
     for (size_t e = 0; e < edit->begun.exit_count; e++) {
         const Exit *exit = &edit->begun.exits[e];
-        if (vec2_distance(edit->now.at, vec2_nearest_on_segment(edit->now.at, exit->from, exit->to)) <= edit->hand.reach)
+        if (vec2_distance(edit->now.at, vec2_nearest_on_segment(edit->now.at, exit->from, exit->to)) <=
+            edit->hand.reach)
             return exit->id;
     }
     return NULL;
@@ -112,8 +113,7 @@ void house_edit_way_make_route(HouseLive *live) {
     if (chain->floating && !*chain->exit)
         json_array_append_new(via, point(live->edit.now.at));
     const PlanRoute *route = plan_route_of(&live->edit.begun, person);
-    const char *id =
-        route ? route->id : draft_add(live->draft, DRAFT_ROUTES, json_pack("{s:[s]}", "people", person));
+    const char *id = route ? route->id : draft_add(live->draft, DRAFT_ROUTES, json_pack("{s:[s]}", "people", person));
     draft_set(live->draft, id, "via", via);
     if (*chain->exit)
         draft_set_text(live->draft, id, "exit", chain->exit);

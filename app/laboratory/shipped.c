@@ -7,7 +7,8 @@
 
 enum { PATH_MOST = 4096 };
 
-static char profiles[PATH_MOST], furniture[PATH_MOST], beams[PATH_MOST], houses[PATH_MOST], default_house[PATH_MOST + 32];
+static char profiles[PATH_MOST], furniture[PATH_MOST], beams[PATH_MOST], houses[PATH_MOST],
+    default_house[PATH_MOST + 32];
 static const Shipped shipped = {profiles, furniture, beams, houses, default_house};
 
 static void find(void) {

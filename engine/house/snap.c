@@ -85,8 +85,8 @@ static void offer_point(Search *search, Vec2 at, const char *what, const char *i
 static void offer_points(Search *search) {
     const SnapAsk *ask = search->ask;
     const Plan *plan = search->plan;
-    if (ask->first && (!ask->from || vec2_distance(*ask->first, *ask->from) > 0))
-        offer_point(search, *ask->first, "first point", "");
+    if (ask->closes && ask->own_count > 1)
+        offer_point(search, ask->own[0], "first point", "");
     for (size_t w = 0; w < plan->wall_count; w++) {
         const Points *points = &plan->walls[w].points;
         for (size_t i = 0; i < points->count && !is_without(ask, plan->walls[w].id); i++)
@@ -151,35 +151,45 @@ static void offer_wall(Search *search, const Wall *wall) {
     }
 }
 
-/* Upright and level lines through the nearest ends of other walls. */
+/* The ends that an upright and a level line could go through: the nearest ones. */
+typedef struct Aligned {
+    const char *ids[2]; /* of the level line, of the upright one; NULL: none */
+    Vec2 ends[2];
+    double best[2];
+} Aligned;
+
+static void offer_end(const SnapAsk *ask, Aligned *aligned, Vec2 end, const char *id) {
+    Vec2 to = vec2_sub(ask->at, end);
+    double off[2] = {fabs(to.y), fabs(to.x)};
+    for (int k = 0; k < 2; k++) {
+        double far = off[k] + 1e-3 * vec2_length(to); /* of those as well in line, the nearest */
+        if (off[k] > ask->reach || far >= aligned->best[k])
+            continue;
+        aligned->best[k] = far;
+        aligned->ends[k] = end;
+        aligned->ids[k] = id;
+    }
+}
+
 static void offer_axes(Search *search) {
     const Plan *plan = search->plan;
-    const char *ids[2] = {NULL, NULL};
-    Vec2 ends[2] = {{0, 0}, {0, 0}};
-    double best[2] = {HUGE_VAL, HUGE_VAL};
+    const SnapAsk *ask = search->ask;
+    Aligned aligned = {.best = {HUGE_VAL, HUGE_VAL}};
     for (size_t w = 0; w < plan->wall_count; w++)
-        for (size_t i = 0; i < plan->walls[w].points.count && !is_without(search->ask, plan->walls[w].id); i++) {
-            Vec2 end = plan->walls[w].points.at[i], to = vec2_sub(search->ask->at, end);
-            double off[2] = {fabs(to.y), fabs(to.x)}; /* of the level line, of the upright one */
-            for (int k = 0; k < 2; k++) {
-                double far = off[k] + 1e-3 * vec2_length(to); /* of those as well in line, the nearest */
-                if (off[k] > search->ask->reach || far >= best[k])
-                    continue;
-                best[k] = far;
-                ends[k] = end;
-                ids[k] = plan->walls[w].id;
-            }
-        }
+        for (size_t i = 0; i < plan->walls[w].points.count && !is_without(ask, plan->walls[w].id); i++)
+            offer_end(ask, &aligned, plan->walls[w].points.at[i], plan->walls[w].id);
+    for (size_t i = 0; i + 1 < ask->own_count; i++)
+        offer_end(ask, &aligned, ask->own[i], i ? "a point of it" : "the first point");
     for (int k = 0; k < 2; k++) {
-        Line *line = ids[k] ? offer_line(search, (Line){.origin = ends[k],
-                                                        .axis = snap_heading(90 * k),
-                                                        .low = -HUGE_VAL,
-                                                        .high = HUGE_VAL,
-                                                        .cost = COST_AXIS,
-                                                        .guide = ends[k]})
-                            : NULL;
+        Line *line = aligned.ids[k] ? offer_line(search, (Line){.origin = aligned.ends[k],
+                                                                .axis = snap_heading(90 * k),
+                                                                .low = -HUGE_VAL,
+                                                                .high = HUGE_VAL,
+                                                                .cost = COST_AXIS,
+                                                                .guide = aligned.ends[k]})
+                                    : NULL;
         if (line)
-            snprintf(line->words, sizeof line->words, "in line with %.30s", ids[k]);
+            snprintf(line->words, sizeof line->words, "in line with %.30s", aligned.ids[k]);
     }
 }
 

@@ -16,15 +16,17 @@ enum { SNAP_WORDS = 96, SNAP_GUIDES = 2 };
 
 /* What is asked for. */
 typedef struct SnapAsk {
-    Vec2 at;                    /* m, where the hand is */
-    double reach;               /* m: what is nearer than this is meant */
-    bool free;                  /* nothing is snapped to */
-    bool straight;              /* only along the x or the y axis from `from` */
-    bool faces;                 /* of walls and furniture, instead of the walls' axes */
-    bool doors;                 /* the edges of openings, too */
-    const Vec2 *from;           /* m, the other end of the line that is being drawn, or NULL */
-    double along;               /* degree, the direction in which that line's neighbour came to `from`; NAN: none did */
-    const Vec2 *first;          /* m, where what is being drawn began, or NULL */
+    Vec2 at;          /* m, where the hand is */
+    double reach;     /* m: what is nearer than this is meant */
+    bool free;        /* nothing is snapped to */
+    bool straight;    /* only along the x or the y axis from `from` */
+    bool faces;       /* of walls and furniture, instead of the walls' axes */
+    bool doors;       /* the edges of openings, too */
+    const Vec2 *from; /* m, the other end of the line that is being drawn, or NULL */
+    double along;     /* degree, the direction in which that line's neighbour came to `from`; NAN: none did */
+    const Vec2 *own;  /* (own_count) m, points of what is being drawn so far; the first one closes it */
+    size_t own_count;
+    bool closes;
     const char *const *without; /* (without_count) ids of what moves itself */
     size_t without_count;
 } SnapAsk;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 static const double PARALLEL = 0.002; /* 1: the sine of the angle up to which a side lies along a face */
+static const double NEAR_WALL = 0.15; /* m: a back that is so near to a wall is put against it */
 static const double TOUCHING = 1e-9;  /* m: a face that begins here is not in the way */
 
 /* A face that looks into free space to its right, seen from a to b. */
@@ -142,7 +143,7 @@ static void back(void *context, const SideFace *face) {
 bool snap_piece_back(const Plan *plan, const Furniture *piece, const SnapAsk *ask, double *angle, Vec2 *centre) {
     Backing backing = {.at = ask->at, .distance = HUGE_VAL};
     visit_walls(plan, ask, back, &backing);
-    if (ask->free || backing.distance > piece->size.y / 2 + ask->reach)
+    if (ask->free || backing.distance > piece->size.y / 2 + fmax(ask->reach, NEAR_WALL))
         return false;
     double turned = remainder(snap_angle(vec2_scale(backing.normal, -1)) - 90, 360);
     *angle = snap_tidy(turned <= -180 ? 180 : turned);
