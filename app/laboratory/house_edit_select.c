@@ -63,8 +63,22 @@ static void tell(HouseLive *live) {
     house_live.select(live, edit->told);
 }
 
+/* Forgets what is no longer there; has anything been? */
+static bool forget_gone(HouseLive *live) {
+    HouseEdit *edit = &live->edit;
+    size_t index, before = edit->id_count;
+    for (size_t i = edit->id_count; i > 0; i--)
+        if (draft_find(live->draft, edit->ids[i - 1], &index) == DRAFT_LISTS)
+            forget(edit, i - 1);
+    if (edit->id_count != before)
+        edit->handle = -1;
+    return edit->id_count != before;
+}
+
 void house_edit_select_meet(HouseLive *live) {
     HouseEdit *edit = &live->edit;
+    if (forget_gone(live))
+        tell(live);
     const char *id = house_edit_select_id(live, live->selected);
     const char *last = edit->id_count ? edit->ids[edit->id_count - 1] : "";
     if (strcmp(id, last) == 0)
@@ -109,13 +123,7 @@ void house_edit_select_toggle(HouseLive *live, const char *id) {
 }
 
 void house_edit_select_known(HouseLive *live) {
-    HouseEdit *edit = &live->edit;
-    size_t index, before = edit->id_count;
-    for (size_t i = edit->id_count; i > 0; i--)
-        if (draft_find(live->draft, edit->ids[i - 1], &index) == DRAFT_LISTS)
-            forget(edit, i - 1);
-    if (edit->id_count != before)
-        edit->handle = -1;
+    forget_gone(live);
     tell(live);
 }
 
@@ -221,8 +229,8 @@ static const char *find_at(const HouseLive *live, Vec2 at) {
 
 const char *house_edit_select_at(HouseLive *live, Vec2 at) {
     const Plan *plan = draft_plan(live->draft);
-    bool shown = live->shown && live->shown->wish.revision == draft_revision(live->draft);
-    const char *id = shown ? house_edit_select_id(live, house_live.pick(live, at, live->words.time, (LiveThing){0, 0}))
+    bool shown = live->shown && house_live_run_revision(live->shown) == draft_revision(live->draft);
+    const char *id = shown ? house_edit_select_id(live, house_live.pick(live, at, live->time, (LiveThing){0, 0}))
                            : find_at(live, at);
     if (id && *id)
         return id;
