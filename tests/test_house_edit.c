@@ -274,6 +274,7 @@ TEST(escape_leaves_exactly_what_was_before) {
     char *before = keep_text(live);
     for (size_t i = 0; i < sizeof handles / sizeof *handles; i++) {
         const Held *held = &handles[i];
+        kind->select(live, (LiveThing){0, 0});
         click(live, held->at.x, held->at.y);
         press(live, held->from.x, held->from.y);
         move_to(live, held->to.x, held->to.y);
@@ -285,5 +286,401 @@ TEST(escape_leaves_exactly_what_was_before) {
         CHECK(!editor->undo_name(live));
     }
     memory_free(before);
+    kind->close(live);
+}
+
+/* Snapping, typing and refusals ------------------------------------------------------------------------------------ */
+
+/* What the hand is snapped to, "": nothing. */
+static const char *snapped(void *live) {
+    const LiveGesture *gesture = editor->gesture(live);
+    for (size_t i = 0; i < gesture->mark_count; i++)
+        if (gesture->marks[i].kind == MARK_SNAP)
+            return gesture->marks[i].words;
+    return "";
+}
+
+TEST(what_is_snapped_to_has_a_name) {
+    void *live = open_text(small_house);
+    editor->take(live, TOOL_WALL);
+    move_to(live, 6.97, 3.02);
+    CHECK_TEXT(snapped(live), "end of w2");
+    move_to(live, 2.0, 0.03);
+    CHECK_TEXT(snapped(live), "on w1");
+    move_to(live, 4.02, 5.0);
+    CHECK_TEXT(snapped(live), "in line with w1");
+    move_to(live, 5.5, 5.5);
+    CHECK_TEXT(snapped(live), "");
+    LiveHand free = hand(6.97, 3.02);
+    free.free = true;
+    editor->point(live, &free);
+    CHECK_TEXT(snapped(live), "");
+    click(live, 5.0, 5.0);
+    move_to(live, 5.02, 6.5);
+    CHECK_TEXT(snapped(live), "90 degrees");
+    LiveHand straight = hand(6.8, 5.6);
+    straight.straight = true;
+    editor->point(live, &straight);
+    CHECK_TEXT(snapped(live), "straight across");
+    editor->press(live, &straight, false);
+    editor->release(live, &straight);
+    editor->escape(live);
+    CHECK(strstr(editor->text(live), "\"points\": [[5, 5], [6.8, 5]]"));
+    kind->close(live);
+}
+
+TEST(a_length_is_typed_in_any_way_that_people_write_it) {
+    static const char *const lengths[] = {"2.5", "2,5", "250cm", "2500 mm", "1.2+1.3", "8ft 2.4251968504in"};
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
+        void *live = open_live(NULL);
+        editor->take(live, TOOL_WALL);
+        click(live, 1, 1);
+        move_to(live, 3.1, 1.02);
+        keys(live, lengths[i]);
+        keys(live, "|~");
+        CHECK(strstr(editor->text(live), "\"points\": [[1, 1], [3.5, 1]]"));
+        kind->close(live);
+    }
+}
+
+TEST(backspace_takes_back_letters_and_then_points) {
+    void *live = open_live(NULL);
+    editor->take(live, TOOL_WALL);
+    click(live, 0, 0);
+    click(live, 3, 0);
+    click(live, 3, 2);
+    keys(live, "4°<<<|");
+    CHECK(!strstr(editor->text(live), "[[0, 0], [3, 0], [3, 2]]") || !editor->gesture(live)->active);
+    editor->undo(live);
+    click(live, 0, 0);
+    click(live, 3, 0);
+    click(live, 3, 2);
+    keys(live, "<");
+    click(live, 5, 0);
+    keys(live, "~");
+    CHECK(strstr(editor->text(live), "[[0, 0], [3, 0], [5, 0]]"));
+    kind->close(live);
+}
+
+TEST(a_door_stops_at_the_end_of_its_wall_and_says_why) {
+    void *live = open_text(small_house);
+    click(live, 2, 0);
+    press(live, 2, 0);
+    move_to(live, 3, 0);
+    move_to(live, 3.9, 0);
+    CHECK(editor->gesture(live)->refusal && strstr(editor->gesture(live)->refusal, "past the end of wall w1"));
+    release(live, 3.9, 0);
+    CHECK(strstr(editor->text(live), "\"at\": 3.55, \"width\": 0.9"));
+    Fault fault = {0};
+    CHECK(!kind->set(live, "door.d1.width", 9, &fault));
+    CHECK(fault.count && strstr(fault.lines[0], "must be at most 4 m in wall w1"));
+    CHECK(strstr(editor->text(live), "\"at\": 3.55, \"width\": 0.9"));
+    fault_clear(&fault);
+    click(live, 3.55, 0); /* its handle is taken up */
+    keys(live, ">9|");
+    CHECK(editor->gesture(live)->active && editor->gesture(live)->refusal);
+    keys(live, "<1.2|");
+    CHECK(editor->gesture(live)->active); /* it would go past the end */
+    keys(live, ">2|");
+    CHECK(!editor->gesture(live)->active);
+    CHECK(strstr(editor->text(live), "\"at\": 2, \"width\": 1.2"));
+    kind->close(live);
+}
+
+TEST(what_overlaps_is_refused) {
+    void *live = open_text(small_house);
+    editor->take(live, TOOL_DOOR);
+    keys(live, "|2.2>0|");
+    const LiveGesture *gesture = editor->gesture(live);
+    CHECK(gesture->active && gesture->refusal && strstr(gesture->refusal, "overlaps door d1"));
+    keys(live, "~");
+    editor->take(live, TOOL_PERSON);
+    keys(live, "|1>2.6|");
+    gesture = editor->gesture(live);
+    CHECK(gesture->active && gesture->refusal && strstr(gesture->refusal, "stands inside wardrobe (f1)"));
+    keys(live, "~");
+    CHECK(!editor->undo_name(live));
+    editor->take(live, TOOL_WALL);
+    keys(live, "|1>1|");
+    keys(live, "|");
+    CHECK(!editor->undo_name(live));
+    kind->close(live);
+}
+
+/* What is done to the selection ------------------------------------------------------------------------------------ */
+
+static bool succeeds(bool good, Fault *fault) {
+    for (size_t i = 0; i < fault->count; i++)
+        printf("%s\n", fault->lines[i]);
+    fault_clear(fault);
+    return good;
+}
+
+TEST(what_is_selected_is_nudged_turned_toppled_copied_and_removed_by_steps_with_names) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    Fault fault = {0};
+    click(live, 1, 2.6);
+    CHECK(succeeds(editor->nudge(live, vec2(0.01, -0.1), &fault), &fault));
+    CHECK_TEXT(editor->undo_name(live), "Nudge");
+    CHECK(strstr(editor->text(live), "\"centre\": [1.01, 2.5]"));
+    CHECK(succeeds(editor->turn(live, 15, &fault), &fault));
+    CHECK_TEXT(editor->undo_name(live), "Turn wardrobe (f1)");
+    for (int i = 0; i < 5; i++)
+        CHECK(succeeds(editor->turn(live, 15, &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"angle\": 90"));
+    CHECK(succeeds(editor->topple(live, &fault), &fault));
+    CHECK_TEXT(editor->undo_name(live), "Topple wardrobe (f1)");
+    CHECK(strstr(editor->text(live), "\"toppled\": true"));
+    CHECK(succeeds(editor->topple(live, &fault), &fault));
+    CHECK_TEXT(editor->undo_name(live), "Stand up wardrobe (f1)");
+    CHECK(succeeds(editor->duplicate(live, &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"id\": \"f2\""));
+    char *pieces = editor->copy(live);
+    CHECK(pieces && strstr(pieces, "clearance-pieces"));
+    move_to(live, 3, 2);
+    CHECK(succeeds(editor->paste(live, pieces, &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"id\": \"f3\", \"name\": \"wardrobe\", \"centre\": [3, 2]"));
+    memory_free(pieces);
+    CHECK(succeeds(editor->remove(live, &fault), &fault));
+    CHECK_TEXT(editor->undo_name(live), "Remove wardrobe (f3)");
+    CHECK(!editor->remove(live, &fault) && fault.count);
+    fault_clear(&fault);
+    while (editor->undo(live))
+        ;
+    CHECK_TEXT(editor->text(live), before);
+    memory_free(before);
+    kind->close(live);
+}
+
+TEST(a_handle_with_the_focus_of_the_keys_is_nudged_and_typed) {
+    void *live = open_text(small_house);
+    Fault fault = {0};
+    click(live, 5.5, 3);
+    editor->handle(live, 1);
+    editor->handle(live, 1);
+    CHECK(succeeds(editor->nudge(live, vec2(0.1, 0.5), &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"points\": [[4, 3], [7.1, 3.5]]"));
+    CHECK(editor->enter(live));
+    keys(live, "2.5>0|");
+    CHECK(strstr(editor->text(live), "\"points\": [[4, 3], [6.5, 3]]"));
+    editor->handle(live, 0);
+    CHECK(!editor->enter(live));
+    kind->close(live);
+}
+
+TEST(a_wall_is_split_and_a_point_taken_out_and_doors_stay_where_they_are) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    Fault fault = {0};
+    click(live, 3.5, 0);
+    CHECK(!editor->split(live, &fault) && strstr(fault.lines[0], "door d1 lies in the middle"));
+    fault_clear(&fault);
+    CHECK(kind->set(live, "door.d1.at", 3, &fault));
+    CHECK(succeeds(editor->split(live, &fault), &fault));
+    CHECK(strstr(editor->text(live), "[[0, 0], [2, 0], [4, 0], [4, 3], [0, 3], [0, 0]]"));
+    CHECK(strstr(editor->text(live), "\"segment\": 1, \"at\": 1, \"width\": 0.9"));
+    editor->handle(live, 1);
+    editor->handle(live, 1);
+    CHECK(succeeds(editor->remove(live, &fault), &fault));
+    CHECK(strstr(editor->text(live), "[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]"));
+    CHECK(strstr(editor->text(live), "\"at\": 3, \"width\": 0.9"));
+    while (editor->undo(live))
+        ;
+    CHECK_TEXT(editor->text(live), before);
+    memory_free(before);
+    kind->close(live);
+}
+
+TEST(a_rectangle_on_empty_floor_selects_what_lies_within) {
+    void *live = open_text(small_house);
+    size_t count;
+    drag(live, 0.7, 2.0, 3.5, 2.93);
+    editor->selection(live, &count);
+    CHECK_NEAR((double)count, 0, 0); /* not wholly */
+    drag(live, 0.2, 1.0, 3.5, 2.93);
+    editor->selection(live, &count);
+    CHECK_NEAR((double)count, 2, 0);
+    drag(live, 1.0, 2.5, 1.2, 2.3); /* on the wardrobe: both move */
+    CHECK_TEXT(editor->undo_name(live), "Move 2 things");
+    CHECK(strstr(editor->text(live), "\"centre\": [1.2, 2.4]") && strstr(editor->text(live), "\"at\": [3.2, 1.3]"));
+    editor->select_all(live);
+    editor->selection(live, &count);
+    CHECK_NEAR((double)count, 6, 0);
+    kind->close(live);
+}
+
+TEST(texts_are_changed_and_things_renamed_everywhere) {
+    void *live = open_text(small_house);
+    Fault fault = {0};
+    size_t count;
+    click(live, 3, 1.5);
+    const LiveText *texts = editor->texts(live, &count);
+    CHECK(count == 3 && strcmp(texts[0].name, "person.p1.id") == 0);
+    CHECK(succeeds(editor->set_text(live, "person.p1.id", "anna", &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"people\": [\"anna\"]"));
+    CHECK(!editor->set_text(live, "person.anna.id", "w1", &fault));
+    CHECK(!editor->set_text(live, "person.anna.id", "no spaces", &fault));
+    CHECK(!editor->set_text(live, "person.nobody.id", "x", &fault));
+    CHECK_NEAR((double)fault.count, 3, 0);
+    fault_clear(&fault);
+    CHECK(succeeds(editor->set_text(live, "house.name", "Ube \"1\"", &fault), &fault));
+    CHECK_TEXT(kind->title(live), "Ube \"1\"");
+    CHECK(succeeds(editor->set_text(live, "furniture.f1.name", "tall one", &fault), &fault));
+    CHECK_TEXT(editor->undo_name(live), "Name wardrobe (f1)");
+    kind->close(live);
+}
+
+TEST(a_route_goes_by_the_points_that_are_clicked_to_the_exit) {
+    void *live = open_text(small_house);
+    click(live, 3, 1.5);
+    editor->take(live, TOOL_ROUTE);
+    click(live, 3, 0.5);
+    click(live, 2, 0.5);
+    click(live, 2.01, -1);
+    CHECK(!editor->gesture(live)->active);
+    CHECK(strstr(editor->text(live), "\"people\": [\"p1\"], \"via\": [[3, 0.5], [2, 0.5]], \"exit\": \"e1\""));
+    kind->close(live);
+}
+
+TEST(what_is_measured_stays_until_it_is_deleted) {
+    void *live = open_text(small_house);
+    Fault fault = {0};
+    editor->take(live, TOOL_MEASURE);
+    click(live, 1, 1);
+    click(live, 1, 1.78);
+    const LiveGesture *gesture = editor->gesture(live);
+    CHECK(!gesture->active && gesture->mark_count && strcmp(gesture->marks[0].words, "0.78 m") == 0);
+    CHECK(!editor->undo_name(live));
+    CHECK(succeeds(editor->remove(live, &fault), &fault));
+    kind->close(live);
+}
+
+/* Any sequence at all ---------------------------------------------------------------------------------------------- */
+
+static uint64_t state;
+
+static double any(double low, double high) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return low + (high - low) * (double)(state >> 11) / 9007199254740992.0;
+}
+
+static LiveHand any_hand(void) {
+    return (LiveHand){.at = {any(-1, 8), any(-2, 4)},
+                      .reach = any(0.01, 0.3),
+                      .free = any(0, 1) < 0.1,
+                      .straight = any(0, 1) < 0.1,
+                      .more = any(0, 1) < 0.1};
+}
+
+static void act_at_random(void *live) {
+    static const char *const letters[] = {"1", "2", ".", "-", "5", "c", "m", "0", "x", " "};
+    Fault fault = {0};
+    LiveHand at = any_hand();
+    size_t count;
+    switch ((int)any(0, 26)) {
+    case 0:
+        editor->take(live, (LiveTool)any(0, LIVE_TOOLS));
+        break;
+    case 1 ... 5:
+        editor->point(live, &at);
+        break;
+    case 6 ... 8:
+        editor->press(live, &at, any(0, 1) < 0.2);
+        break;
+    case 9 ... 11:
+        editor->release(live, &at);
+        break;
+    case 12 ... 13:
+        editor->type(live, letters[(int)any(0, 10)]);
+        break;
+    case 14:
+        editor->enter(live);
+        break;
+    case 15:
+        editor->tab(live, any(0, 1) < 0.5 ? 1 : -1);
+        break;
+    case 16:
+        editor->back(live);
+        break;
+    case 17:
+        if (any(0, 1) < 0.3)
+            editor->escape(live);
+        editor->handle(live, (int)any(-2, 3));
+        break;
+    case 18:
+        editor->nudge(live, vec2(any(-0.2, 0.2), any(-0.2, 0.2)), &fault);
+        break;
+    case 19:
+        editor->turn(live, any(-90, 90), &fault);
+        editor->topple(live, &fault);
+        break;
+    case 20:
+        if (any(0, 1) < 0.3)
+            editor->remove(live, &fault);
+        else
+            editor->split(live, &fault);
+        break;
+    case 21:
+        if (any(0, 1) < 0.2)
+            editor->duplicate(live, &fault);
+        break;
+    case 22:
+        editor->undo(live);
+        break;
+    case 23:
+        editor->redo(live);
+        break;
+    case 24:
+        editor->items(live, &count);
+        if (count)
+            editor->choose(live, (size_t)any(0, (double)count));
+        if (any(0, 1) < 0.02)
+            editor->select_all(live);
+        break;
+    case 25:
+        editor->gesture(live);
+        editor->selection(live, &count);
+        editor->texts(live, &count);
+        break;
+    }
+    fault_clear(&fault);
+}
+
+static void check_reads(void *live) {
+    Plan plan = {0};
+    Fault fault = {0};
+    CHECK(plan_read_text(&plan, "edited", editor->text(live), NULL, 0, &fault));
+    for (size_t i = 0; i < fault.count; i++)
+        printf("%s\n", fault.lines[i]);
+    plan_free(&plan);
+    fault_clear(&fault);
+}
+
+TEST(any_calls_keep_the_plan_good_and_are_undone_to_the_first_bytes) {
+    const char *seed = getenv("CLEARANCE_EDIT_SEED"), *calls = getenv("CLEARANCE_EDIT_CALLS");
+    state = seed ? strtoull(seed, NULL, 10) : 7;
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    for (int i = 0, most = calls ? atoi(calls) : 10000; i < most; i++) {
+        act_at_random(live);
+        if (i % 100 == 0)
+            check_reads(live);
+    }
+    editor->take(live, TOOL_SELECT);
+    while (editor->escape(live))
+        ;
+    check_reads(live);
+    while (editor->redo(live))
+        ;
+    char *after = keep_text(live);
+    while (editor->undo(live))
+        ;
+    CHECK_TEXT(editor->text(live), before);
+    while (editor->redo(live))
+        ;
+    CHECK_TEXT(editor->text(live), after);
+    memory_free(before);
+    memory_free(after);
     kind->close(live);
 }

@@ -34,13 +34,17 @@ static bool is_chain(LiveTool tool) {
 }
 
 static void begin(HouseLive *live, bool keys) {
-    if (is_chain(live->edit.tool))
+    if (live->edit.tool == TOOL_IMAGE)
+        house_edit_image_begin(live, keys);
+    else if (is_chain(live->edit.tool))
         house_edit_chain_begin(live, keys);
     else
         house_edit_place_begin(live, keys);
 }
 
 static bool can_begin(const HouseLive *live) {
+    if (live->edit.tool == TOOL_IMAGE)
+        return draft_plan(live->draft)->background.image;
     return live->edit.tool != TOOL_ROUTE || house_edit_way_person(live);
 }
 
@@ -141,7 +145,7 @@ static void press(void *context, const LiveHand *hand, bool twice) {
         press_select(live);
     } else if (can_begin(live) && !(edit->tool == TOOL_EXIT && house_edit_way_across(live))) {
         begin(live, false);
-        if (edit->gesture && is_chain(edit->tool))
+        if (edit->gesture && (is_chain(edit->tool) || edit->tool == TOOL_IMAGE))
             edit->gesture->put(live, false);
     }
 }
@@ -410,6 +414,18 @@ static void choose(void *context, size_t item) {
         live->edit.items[live->edit.tool] = item;
 }
 
+static bool set_image(void *context, const char *path, Fault *fault) {
+    return house_edit_image_set(ready(context), path, fault);
+}
+
+static void fade(void *context, double opacity) {
+    house_edit_image_fade(context, opacity);
+}
+
+static LiveImage image(const void *context) {
+    return house_edit_image_get((HouseLive *)context);
+}
+
 static size_t edits(const void *context) {
     const HouseLive *live = context;
     size_t steps = draft_step_count(live->draft), saved = live->edit.saved_steps;
@@ -444,6 +460,7 @@ void house_edit_clear(HouseLive *live) {
         memory_free(edit->ids[i]);
     memory_free(edit->ids);
     memory_free(edit->things);
+    memory_free(edit->image);
     memory_free(edit->texts);
     arena_clear(&edit->text_arena);
     memory_free(edit->marks);
@@ -487,6 +504,9 @@ const LiveEditor house_edit = {
     .items = items,
     .item = item,
     .choose = choose,
+    .set_image = set_image,
+    .fade = fade,
+    .image = image,
     .edits = edits,
     .changed = changed,
     .text = text,

@@ -101,9 +101,12 @@ static bool keep_within(HouseLive *live, const char *self) {
     return now->along != before;
 }
 
+/* What is typed is meant as it is. */
 bool house_edit_door_limit(HouseLive *live) {
     double typed;
-    return !house_edit_field_typed(live, FIELD_AT, &typed) && keep_within(live, "");
+    bool placed = house_edit_field_typed(live, FIELD_X, &typed) || house_edit_field_typed(live, FIELD_Y, &typed) ||
+                  house_edit_field_typed(live, FIELD_AT, &typed);
+    return !placed && keep_within(live, "");
 }
 
 /* Sliding --------------------------------------------------------------------------------------------------------- */
@@ -168,8 +171,5 @@ void house_edit_slide_make(HouseLive *live) {
 }
 
 bool house_edit_slide_limit(HouseLive *live) {
-    double typed;
-    if (live->edit.grip.grip == GRIP_EDGE || house_edit_field_typed(live, SLIDE_AT, &typed))
-        return false;
-    return keep_within(live, live->edit.held);
+    return live->edit.grip.grip != GRIP_EDGE && !house_edit_field_any(live) && keep_within(live, live->edit.held);
 }

@@ -78,5 +78,9 @@ const LiveItem *house_edit_items_list(HouseLive *live, size_t *count) {
         add(edit, count, (LiveItem){"opening", "", "nothing closes it"});
         add(edit, count, (LiveItem){"sliding", "", "a leaf that slides beside it"});
     }
+    if (edit->tool == TOOL_IMAGE) {
+        add(edit, count, (LiveItem){"scale", "", "two points and how far they really are apart"});
+        add(edit, count, (LiveItem){"level", "", "two points that are level, or one above the other"});
+    }
     return edit->item_rows;
 }

@@ -136,6 +136,10 @@ typedef struct HouseEdit {
     bool stocked;                      /* the two are read */
     double door_width, wall_thickness; /* m, of the next one */
 
+    char *image;        /* path of the picture to trace over that was looked for last, or NULL */
+    double image_shape; /* 1, its height by its width; 0: there is none */
+    bool image_other;   /* its bytes are not those that were traced over */
+
     EditMeasure measures[EDIT_MEASURES];
     size_t measure_count;
 
@@ -274,6 +278,14 @@ bool house_edit_do_paste(HouseLive *live, const char *text, Fault *fault);
 bool house_edit_split_wall(HouseLive *live, Fault *fault);
 bool house_edit_split_can_join(const HouseLive *live); /* the point that has the focus of the keys can be taken out */
 bool house_edit_split_join(HouseLive *live, Fault *fault);
+
+extern const EditGesture house_edit_image_gesture;
+void house_edit_image_begin(HouseLive *live, bool keys);
+bool house_edit_image_set(HouseLive *live, const char *path, Fault *fault);
+void house_edit_image_fade(HouseLive *live, double opacity);
+LiveImage house_edit_image_get(HouseLive *live);
+/* Why the picture is not as it was, in a line; NULL: it is, or there is none. */
+const char *house_edit_image_trouble(HouseLive *live);
 
 const LiveText *house_edit_text_list(HouseLive *live, size_t *count);
 bool house_edit_text_set(HouseLive *live, const char *name, const char *value, Fault *fault);
