@@ -3,8 +3,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "laboratory/live_edit.h"
 #include "window/glass.h"
 
+#define ASPECT 1.5 /* of what has no size */
 #define ZOOM_LEAST 0.2
 #define ZOOM_MOST 64.0
 #define ZOOM_NEAR 3.0   /* times its size is seen around what is selected */
@@ -22,8 +24,9 @@ static void drop_live(Room *room) {
     if (room->live)
         room->kind->close(room->live);
     memory_free(room->path);
+    memory_free(room->origin);
     room->live = NULL;
-    room->path = NULL;
+    room->path = room->origin = NULL;
 }
 
 void room_close(Room *room, PaintGlScreen *screen) {
@@ -37,11 +40,18 @@ static char *copy_of(const char *text) {
     return strcpy(copy, text);
 }
 
+static void keep_shape(Room *room) {
+    Box box = room->kind->still(room->live)->box;
+    double width = box_width(box), height = box_height(box);
+    room->shape = box;
+    room->aspect = width > 0 && height > 0 ? width / height : ASPECT;
+}
+
 bool room_open(Room *room, const char *path, const LiveOptions *options, PaintGlScreen *screen, Fault *fault) {
     void *live = room->kind->open(path, options, fault);
     if (!live)
         return false;
-    char *kept = copy_of(path); /* it may be the path of what is closed */
+    char *kept = path ? copy_of(path) : NULL; /* it may be the path of what is closed */
     charts_clear(&room->charts, screen);
     drop_live(room);
     room->live = live;
@@ -52,6 +62,8 @@ bool room_open(Room *room, const char *path, const LiveOptions *options, PaintGl
     room->camera = (Camera){.kind = room->camera.kind, .azimuth = VIEW_AZIMUTH, .elevation = VIEW_ELEVATION, .zoom = 1};
     room->follows = false;
     room->charts_wait = true;
+    room->handled = false;
+    keep_shape(room);
     scenery_forget(&room->scenery);
     room->kind->reveal(live, room_layers(room));
     room_look(room);
@@ -84,6 +96,37 @@ static void follow(Room *room) {
     room_pan(room, vec2_sub(scenery_floor(&room->scenery, at), scenery_floor(&room->scenery, middle)));
 }
 
+/* How many times as large a box is that fits the same place as another one. */
+static double fitting(const Room *room, Box box, Box other) {
+    double aspect = box_height(room->scenery.still.frame) > 0
+                        ? box_width(room->scenery.still.frame) / box_height(room->scenery.still.frame)
+                        : room->aspect;
+    return fmax(box_width(other) / aspect, box_height(other)) / fmax(box_width(box) / aspect, box_height(box));
+}
+
+static Vec2 middle_of(Box box) {
+    return vec2_scale(vec2_add(box.low, box.high), 0.5);
+}
+
+/* A plan that becomes larger or smaller under the hand does not move before the eye. */
+static void keep_eye(Room *room) {
+    Box box = room->kind->still(room->live)->box, shape = room->shape;
+    const LiveEditor *editor = room->kind->editor;
+    room->handled |= editor && (editor->edits(room->live) > 0 || editor->gesture(room->live)->active);
+    if (!room->handled || box_width(shape) <= 0) {
+        keep_shape(room);
+        return;
+    }
+    bool same = box.low.x == shape.low.x && box.low.y == shape.low.y && box.high.x == shape.high.x &&
+                box.high.y == shape.high.y;
+    if (same || box_width(box) <= 0)
+        return;
+    room->camera.pan = vec2_add(room->camera.pan, vec2_sub(middle_of(shape), middle_of(box)));
+    room->camera.zoom /= fitting(room, box, shape);
+    room->shape = box;
+    room_look(room);
+}
+
 unsigned room_update(Room *room, double seconds) {
     if (!room->live)
         return 0;
@@ -97,8 +140,10 @@ unsigned room_update(Room *room, double seconds) {
     player_advance(&room->player, seconds, wish, &span);
     room->worked += glass_now() - begun;
     follow(room);
-    if (changes & LIVE_VIEW)
+    if (changes & LIVE_VIEW) {
+        keep_eye(room);
         scenery_forget(&room->scenery);
+    }
     if (changes & LIVE_PLOTS)
         room->charts_wait = true;
     return changes;
@@ -163,6 +208,7 @@ void room_fit(Room *room) {
     room->camera.azimuth = VIEW_AZIMUTH;
     room->camera.elevation = VIEW_ELEVATION;
     room->follows = false;
+    keep_shape(room);
     room_look(room);
 }
 
