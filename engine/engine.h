@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/vec2.h"
+#include "base/rectangle.h"
 #include "base/memory.h"
 #include "base/heap.h"
 #include "base/fault.h"
@@ -43,7 +44,9 @@
 #include "house/hazard.h"
 #include "house/locus.h"
 #include "house/replan.h"
+#include "house/shake.h"
 #include "house/run.h"
+#include "house/suggest.h"
 #include "house/measure.h"
 #include "house/verification.h"
 #include "house/trial.h"

@@ -40,6 +40,11 @@ sources() {
     forbid 'Box2D outside its adaptor' 'box2d/' $(sources engine app | grep -v house/broadphase.cpp)
     forbid 'LAPACK outside the beam' '#include *<lapacke' $(sources engine app | grep -v engine/beam/)
     forbid 'FFTW outside the spectrum' '#include *<fftw' $(sources engine app | grep -v mechanics/spectrum.c)
+    forbid 'zip files and XML outside the homes' '#include *<(zip|expat)' $(sources engine app | grep -v exchange/sh3d_home.c)
+    forbid 'GEOS outside what unites, reads and writes areas' '#include *<geos' \
+        $(sources engine app | grep -vE '(app/draw/tessellation|engine/(house/solids|exchange/(jupedsim|wkt)))\.[ch]')
+    forbid 'an importer outside the table of them' '#include "exchange/(sh3d|dxf|wkt|vadere|house_builder|wall_chains)' \
+        $(sources engine app | grep -v engine/exchange/)
     forbid 'memory outside memory.c' '(^|[^a-z_])(malloc|calloc|realloc) *\(' $(sources engine app | grep -v base/memory.c)
 }
 
@@ -60,7 +65,7 @@ for object in $(find "${1:-build-test}" -path '*clearance_*.a.p/*.c.o' -o -path 
             # memory.c has the arena, and a verb's file command_VERB
             case $module/$name in
             memory/arena_*) ;;
-            cases/command_cases | check/command_check | compare/command_compare | loci/command_loci | open/command_open | run/command_run | schema/command_schema | study/command_study) ;;
+            cases/command_cases | check/command_check | export/command_export | import/command_import | compare/command_compare | loci/command_loci | open/command_open | run/command_run | schema/command_schema | study/command_study) ;;
             *) echo "exported name: $name in $module.c does not begin with $module" >>"$breaches" ;;
             esac
             ;;

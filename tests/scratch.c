@@ -36,8 +36,12 @@ void scratch_plan(Plan *plan, const char *members) {
 }
 
 static int is_data(const struct dirent *entry) {
+    static const char *const endings[] = {".json", ".csv", ".script", ".sh3d", ".dxf", ".wkt", ".scenario"};
     const char *end = strrchr(entry->d_name, '.');
-    return end && (strcmp(end, ".json") == 0 || strcmp(end, ".csv") == 0 || strcmp(end, ".script") == 0);
+    for (size_t e = 0; end && e < sizeof endings / sizeof *endings; e++)
+        if (strcmp(end, endings[e]) == 0)
+            return 1;
+    return 0;
 }
 
 char **scratch_list(const char *directory, size_t *count) {

@@ -13,8 +13,8 @@ void scratch_write(char path[SCRATCH_PATH], const char *text);
 /* Reads a house of `members` besides format and version, in the same way. Faults are printed and fail the test. */
 void scratch_plan(Plan *plan, const char *members);
 
-/* The paths of the .json, .csv and .script files of a directory below the project's, sorted; scratch_free_list releases
- * them. */
+/* The paths of the data files of a directory below the project's (.json, .csv, .script, .dxf and so on), sorted;
+ * scratch_free_list releases them. */
 char **scratch_list(const char *directory, size_t *count);
 void scratch_free_list(char **paths, size_t count);
 

@@ -4,6 +4,7 @@
 #include "command/answer.h"
 #include "command/command.h"
 #include "command/house_file.h"
+#include "command/suggestions.h"
 #include "house/journey.h"
 #include "laboratory/census.h"
 
@@ -132,6 +133,19 @@ static json_t *fault_lines(const Fault *fault) {
     return lines;
 }
 
+/* Adds the smallest changes to the answer, or prints them. */
+static bool suggest(const Options *options, json_t *answer, Fault *fault) {
+    SuggestList list = {0};
+    fflush(stdout);
+    if (!suggestions_find(&list, options, fault))
+        return false;
+    suggestions_add(answer, &list);
+    if (!options->json)
+        suggestions_print(&list);
+    suggest_clear(&list);
+    return true;
+}
+
 int command_check(const Options *options) {
     House house = {0};
     Fault fault = {0};
@@ -149,12 +163,13 @@ int command_check(const Options *options) {
         json_array_append_new(people, check_person(&house, i, route));
     }
     json_t *answer = json_pack("{s:s, s:[], s:o}", "kind", "check", "faults", "people", people);
-    if (options->json)
-        answer_print(json_incref(answer));
-    else
+    if (!options->json)
         print_answer(&house, &journeys);
+    bool good = !options->suggest || suggest(options, answer, &fault);
+    if (options->json && good)
+        answer_print(json_incref(answer));
     json_decref(answer);
     journey_free_all(&journeys);
     house_free(&house);
-    return all ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    return !good ? house_file_report(&fault) : all ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }

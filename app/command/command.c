@@ -47,7 +47,8 @@ static const Verb verbs[] = {
     {"check", FOR_CHECK, 1, 1, "HOUSE",
      "find faults, then say for each person whether they can get out, and if not, why",
      "  clearance check houses/flat-0.910-module.json\n"
-     "  clearance check houses/flat-0.910-module.json --set door.d1.width=0.90 --json\n",
+     "  clearance check houses/flat-0.910-module.json --set door.d1.width=0.90 --json\n"
+     "  clearance check houses/flat-0.910-module.json --suggest\n",
      command_check},
     {"compare", FOR_COMPARE, 2, 2, "HOUSE_A HOUSE_B", "run both and show what differs",
      "  clearance compare houses/flat-0.910-module.json houses/flat-0.910-widened.json\n"
@@ -58,7 +59,8 @@ static const Verb verbs[] = {
      "  clearance study houses/flat-0.910-module.json --vary door.d3.width=0.7:1:31 --out out\n"
      "  clearance study houses/corner-0.90-0.90.json --vary profile.manual-chair.width=0.5:0.7:11 --vary "
      "profile.manual-chair.length=1:1.2:5\n"
-     "  clearance study houses/ube-techno-house.json --runs 100 --spread profile.manual-chair.free_speed=0.1\n",
+     "  clearance study houses/ube-techno-house.json --runs 100 --spread profile.manual-chair.free_speed=0.1\n"
+     "  clearance study houses/ube-techno-house.json --shake 100 --report --out out\n",
      command_study},
     {"loci", FOR_LOCI, 1, SIZE_MAX, "HOUSE ...",
      "drive each house both ways, miura and driver: times, and how far apart the loci are",
@@ -67,6 +69,15 @@ static const Verb verbs[] = {
      "  clearance cases tests/cases --out out\n"
      "  clearance cases tests/cases/rimea-01.json\n",
      command_cases},
+    {"import", FOR_IMPORT, 2, 2, "FILE HOUSE",
+     "make a house of another program's file: Sweet Home 3D (.sh3d), a drawing (.dxf), a walkable area (.wkt), a "
+     "Vadere "
+     ".scenario",
+     "  clearance import flat.sh3d flat.json\n"
+     "  clearance import flat.dxf flat.json --layers walls=A-WALL,doors=A-DOOR --unit mm\n",
+     command_import},
+    {"export", FOR_EXPORT, 1, 1, "HOUSE", "give a house to other programs: its walkable area, or a picture of its plan",
+     "  clearance export houses/ube-techno-house.json --to wkt --out ube.wkt\n", command_export},
     {"schema", FOR_SCHEMA, 1, 1, "house|profile|beam", "print the JSON Schema of a kind of file, for editors",
      "  clearance schema house > house.schema.json\n", command_schema},
 };

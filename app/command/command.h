@@ -47,6 +47,7 @@ typedef struct Options {
     const char *measured;   /* file of measured points, or NULL */
     bool report;            /* write one */
     const char *observed;   /* file of measured loci, or NULL */
+    bool suggest;           /* the smallest changes that let everybody out */
     StudyRequest study;
     bool paper;          /* study the paper's claims */
     bool thorough;       /* tell each run of a beam as `run` does */
@@ -55,6 +56,10 @@ typedef struct Options {
     const char *script;  /* file for the window to follow, or NULL */
     double benchmark;    /* s, of the window; 0: none */
     bool reduced_motion; /* in the window */
+    double unit;         /* m, of the file to import; 0: not said */
+    const char *layers;  /* of a drawing, as said, or NULL */
+    const char *level;   /* of a home, or NULL */
+    const char *format;  /* to export to, or NULL */
     char **arguments;    /* (argument_count) the command line, as given */
     int argument_count;
     Arena arena; /* holds what was made of the words */
@@ -75,6 +80,8 @@ int command_run(const Options *options);
 int command_check(const Options *options);
 int command_cases(const Options *options);
 int command_compare(const Options *options);
+int command_export(const Options *options);
+int command_import(const Options *options);
 int command_loci(const Options *options);
 int command_open(const Options *options);
 int command_schema(const Options *options);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exchange/import.h"
 #include "house/profile.h"
 #include "laboratory/beam_plots.h"
 #include "laboratory/film.h"
@@ -194,6 +195,19 @@ static bool take_runs(Options *options, const char *value) {
     return good;
 }
 
+static bool take_shakes(Options *options, const char *value) {
+    long long number;
+    bool good = take_whole(value, 1, STUDY_RUNS_MOST, &number);
+    options->study.shakes = good ? (size_t)number : 0;
+    return good;
+}
+
+static bool take_suggest(Options *options, const char *value) {
+    (void)value;
+    options->suggest = true;
+    return true;
+}
+
 static bool take_text(Options *options, const char *value) {
     long long number;
     bool good = take_whole(value, 1, SETTINGS_TEXT_MOST, &number);
@@ -215,9 +229,39 @@ static bool take_reduced_motion(Options *options, const char *value) {
     return options->reduced_motion = true;
 }
 
+static bool take_unit(Options *options, const char *value) {
+    options->unit = import_unit(value);
+    return options->unit > 0;
+}
+
+static bool take_layers(Options *options, const char *value) {
+    options->layers = value;
+    return *value;
+}
+
+static bool take_level(Options *options, const char *value) {
+    options->level = value;
+    return *value;
+}
+
+static bool take_format(Options *options, const char *value) {
+    options->format = value;
+    return strcmp(value, "wkt") == 0 || strcmp(value, "svg") == 0;
+}
+
 const Option option_rows[] = {
-    {"--set", "NAME=VALUE", FOR_HOUSES | FOR_OPEN, "change a parameter, for instance door.d1.width=0.8 (repeatable)",
-     take_setting},
+    {"--unit", IMPORT_UNITS, FOR_IMPORT, "what the file's numbers are in (default: what the file says, or is usual)",
+     take_unit},
+    {"--layers", "ROLE=NAME[,NAME ...]", FOR_IMPORT,
+     "which layers of a drawing are walls, doors, furniture and exits, for instance walls=A-WALL,A-GLAZ,doors=A-DOOR "
+     "(default: by their names)",
+     take_layers},
+    {"--level", "NAME", FOR_IMPORT, "which storey of a home (default: the lowest)", take_level},
+    {"--to", "wkt|svg", FOR_EXPORT, "the walkable area as WKT (default), or the plan as a picture", take_format},
+    {"--out", "FILE|DIR", FOR_EXPORT, "write it there (default: WKT to standard output, a picture beside the house)",
+     take_out},
+    {"--set", "NAME=VALUE", FOR_HOUSES | FOR_OPEN | FOR_EXPORT,
+     "change a parameter, for instance door.d1.width=0.8 (repeatable)", take_setting},
     {"--out", "DIR", FOR_RUN,
      "write summary.json, trace.csv, of a house trajectory.sqlite, and plan.png or beam.png, .svg and .pdf there",
      take_out},
@@ -231,6 +275,10 @@ const Option option_rows[] = {
      "from FROM to TO in STEPS values, both ends among them, for instance door.d1.width=0.7:1:31 (at most twice)",
      take_vary},
     {"--runs", "N", FOR_STUDY, "runs of each point, with seeds of their own, 1 to 100000 (default 1)", take_runs},
+    {"--shake", "N", FOR_STUDY,
+     "of a house: so many earthquakes, with seeds from --seed on; in each, furniture topples by its probability, then "
+     "ways are planned anew: who gets out how often and how fast, what stops them",
+     take_shakes},
     {"--spread", "NAME=SHARE", FOR_STUDY,
      "in each run the number is off by a normal deviate of this share of it, such as 0.02 (repeatable)", take_spread},
     {"--sweep", "reset,up,down", FOR_STUDY,
@@ -243,11 +291,15 @@ const Option option_rows[] = {
      take_thorough},
     {"--paper", NULL, FOR_STUDY,
      "of a beam: each claim and figure of Gu and Dubowsky's paper beside ours; --out has them as a page", take_paper},
-    {"--report", NULL, FOR_RUN | FOR_COMPARE, "write report.html and report.pdf to --out, to be handed on",
-     take_report},
+    {"--suggest", NULL, FOR_CHECK,
+     "when somebody does not get out: the smallest changes that let everybody out, doors widened, furniture moved, "
+     "turned or stood up, each tried by simulation",
+     take_suggest},
+    {"--report", NULL, FOR_RUN | FOR_COMPARE | FOR_STUDY,
+     "write report.html and report.pdf to --out, to be handed on; of a study, with --shake", take_report},
     {"--observed", "FILE", FOR_RUN, "measured loci for the report: CSV with columns time, x, y and person",
      take_observed},
-    {"--json", NULL, FOR_HOUSES | FOR_CASES, "the answer as one JSON object and nothing else", take_json},
+    {"--json", NULL, FOR_HOUSES | FOR_CASES | FOR_IMPORT, "the answer as one JSON object and nothing else", take_json},
     {"--route", "ID", FOR_RUN | FOR_STUDY | FOR_OPEN, "only this route's people", take_route},
     {"--driving", "miura|driver", (FOR_HOUSES & ~FOR_LOCI) | FOR_OPEN, "drive everybody this way", take_driving},
     {"--until", "SECONDS", FOR_RUN | FOR_COMPARE | FOR_STUDY, "give up at this simulated time", take_until},
@@ -277,11 +329,11 @@ const Option option_rows[] = {
      "measured points laid over the plots of a beam or a study: CSV with columns like time [s] and force [N], or "
      "drive.frequency [Hz] and peak_max [N]",
      take_measured},
-    {"--size", "WxH", FOR_FILMS | FOR_STUDY,
+    {"--size", "WxH", FOR_FILMS | FOR_STUDY | FOR_EXPORT,
      "size of the pictures in pixels, 320x200 to 16384x16384 (default 1280x720)", take_size},
     {"--size", "WxH", FOR_OPEN, "size of the window in pixels, 320x200 to 16384x16384 (default: as last time)",
      take_size},
-    {"--theme", THEME_WORDS, FOR_FILMS | FOR_STUDY, "light or dark pictures", take_theme},
+    {"--theme", THEME_WORDS, FOR_FILMS | FOR_STUDY | FOR_EXPORT, "light or dark pictures", take_theme},
     {"--theme", THEME_WORDS, FOR_OPEN, "light or dark (default: as last time)", take_theme},
     {"--text", "1|2|3", FOR_OPEN, "size of the text (default: as last time)", take_text},
     {"--reduced-motion", NULL, FOR_OPEN, "nothing moves but what is simulated", take_reduced_motion},

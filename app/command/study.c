@@ -11,6 +11,8 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/paper.h"
+#include "command/shake_answer.h"
+#include "command/shake_words.h"
 #include "command/study_answer.h"
 #include "command/study_laboratory.h"
 #include "command/study_types.h"
@@ -33,8 +35,9 @@ typedef struct StudyJob {
     StoreFound found;
     struct timespec begin;
     size_t done_before;
-    bool shown; /* progress */
-    bool kept;  /* whatever was to be kept in the file */
+    bool shown;                    /* progress */
+    bool kept;                     /* whatever was to be kept in the file */
+    const ShakeFindings *findings; /* of a study of earthquakes, when they are made; or NULL */
 } StudyJob;
 
 /* What is asked -------------------------------------------------------------------------------------------------- */
@@ -64,11 +67,14 @@ static void make_study(StudyJob *job) {
                      .axis_count = request->axis_count,
                      .spread_count = request->spread_count,
                      .pass_count = request->pass_count ? request->pass_count : 1, /* reset */
-                     .runs = request->runs ? request->runs : 1};
+                     .runs = request->shakes ? request->shakes
+                             : request->runs ? request->runs
+                                             : 1};
     memcpy(study->axes, request->axes, sizeof study->axes);
     memcpy(study->spreads, request->spreads, sizeof study->spreads);
     memcpy(study->passes, request->passes, sizeof study->passes);
-    study->seed = study->runs > 1 || job->options->seed_said ? job->options->seed : 0;
+    bool chance = study->runs > 1 || request->shakes || job->options->seed_said;
+    study->seed = chance ? job->options->seed : 0;
 }
 
 /* The points that somebody measured, in the study's own numbers. */
@@ -118,8 +124,9 @@ static bool open_study(StudyJob *job, Fault *fault) {
     if (!open_experiment(job, fault))
         return false;
     make_study(job);
-    if (!job->study.axis_count && job->study.runs < 2)
-        fault_add(fault, "clearance: nothing is studied: --vary NAME=FROM:TO:STEPS or --runs N would be right");
+    if (!job->study.axis_count && job->study.runs < 2 && !job->options->study.shakes)
+        fault_add(fault,
+                  "clearance: nothing is studied: --vary NAME=FROM:TO:STEPS, --runs N or --shake N would be right");
     else if (study_check(&job->study, fault) && read_measured(job, fault))
         return true;
     close_experiment(job);
@@ -246,6 +253,8 @@ static bool write_tables(const StudyJob *job, const json_t *answer) {
 
 static bool write_plots(const StudyJob *job) {
     const Options *options = job->options;
+    if (job->findings)
+        return shake_answer_write(job->findings, options);
     char path[PLOT_WRITE_PATH];
     int error = study_plots_write(&job->study, options->measured ? &job->measured : NULL, options->out, options->theme,
                                   options->width, options->height, path);
@@ -254,20 +263,65 @@ static bool write_plots(const StudyJob *job) {
     return !error;
 }
 
+static json_t *make_answer(const StudyJob *job) {
+    const char *file = job->options->files[0];
+    return job->findings ? shake_answer_make(job->findings, file) : study_answer_make(&job->study, file);
+}
+
+static void print_words(const StudyJob *job) {
+    const char *file = job->options->files[0];
+    if (job->findings)
+        shake_words_print(job->findings, file);
+    else
+        study_words_print(&job->study, job->laboratory, file);
+}
+
 /* Prints and writes the answer; the exit code. */
 static int answer_study(const StudyJob *job) {
     const Options *options = job->options;
-    json_t *answer = study_answer_make(&job->study, options->files[0]);
+    json_t *answer = make_answer(job);
     bool written = job->kept && (!options->out || (write_tables(job, answer) && write_plots(job)));
     if (options->json)
         answer_print(json_incref(answer));
     else
-        study_words_print(&job->study, job->laboratory, options->files[0]);
+        print_words(job);
     if (options->out && written && !options->json)
         printf("\nplots and data are in %s\n", options->out);
     json_decref(answer);
-    bool any = summary_count(&job->study).regular && is_whole(&job->study);
-    return !written ? EXIT_WRONG_INPUT : any ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    SummaryCount count = summary_count(&job->study);
+    bool yes = (job->findings ? count.regular == count.done : count.regular > 0) && is_whole(&job->study);
+    return !written ? EXIT_WRONG_INPUT : yes ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+}
+
+/* Of shakes more is told than of other runs, as long as nothing else is varied. */
+static int answer_all(StudyJob *job) {
+    const Options *options = job->options;
+    if (!options->study.shakes || job->study.axis_count || options->types)
+        return answer_study(job);
+    ShakeFindings findings = shake_findings_make(&job->study);
+    size_t route = options->route ? plan_find_route(&findings.house->plan, options->route) : SIZE_MAX;
+    shake_findings_run_calm(&findings, route, options->jobs, &command_interrupted);
+    job->findings = &findings;
+    int code = answer_study(job);
+    job->findings = NULL;
+    shake_findings_free(&findings);
+    return code;
+}
+
+/* Runs are shakes or they are not, and only of shakes is there a report. */
+static bool is_one_chance(const Options *options, Fault *fault) {
+    const StudyRequest *asked = &options->study;
+    if (asked->shakes && asked->runs)
+        fault_add(fault, "clearance: --runs has no effect with --shake, which says how many, must be left out");
+    else if (asked->shakes && options->types)
+        fault_add(fault, "clearance: --types has no effect with --shake, must be left out");
+    else if (options->report && (!asked->shakes || asked->axis_count))
+        fault_add(fault, "clearance: --report of a study needs --shake N, without --vary");
+    else if (options->report && !options->out)
+        fault_add(fault, "clearance: --report needs --out DIR: where to write it");
+    else
+        return true;
+    return false;
 }
 
 /* The paper's page has ranges, runs and types of its own. */
@@ -277,6 +331,7 @@ static bool is_one_question(const Options *options, Fault *fault) {
     const char *own = paper ? "--paper" : options->types && !ranges ? "--types without --vary" : NULL;
     const char *idle = asked->axis_count                ? "--vary"
                        : asked->runs                    ? "--runs"
+                       : asked->shakes                  ? "--shake"
                        : asked->spread_count            ? "--spread"
                        : asked->pass_count              ? "--sweep"
                        : options->measured              ? "--measured"
@@ -295,7 +350,7 @@ static bool is_one_question(const Options *options, Fault *fault) {
 int command_study(const Options *options) {
     StudyJob job = {.options = options};
     Fault fault = {0};
-    if (!is_one_question(options, &fault))
+    if (!is_one_question(options, &fault) || !is_one_chance(options, &fault))
         return house_file_report(&fault);
     if (options->out && !output_directory(options->out))
         return EXIT_WRONG_INPUT;
@@ -309,7 +364,7 @@ int command_study(const Options *options) {
     bool ran = run_kept(&job, &fault);
     int code = house_file_report(&fault);
     if (ran)
-        code = answer_study(&job);
+        code = answer_all(&job);
     study_clear(&job.study);
     measured_free(&job.measured);
     close_experiment(&job);

@@ -6,7 +6,10 @@
 #include "laboratory/shipped.h"
 
 static bool open_beam(Experiment *experiment, const Options *options, Fault *fault) {
-    const char *foreign = options->route ? "--route" : options->driving >= 0 ? "--driving" : NULL;
+    const char *foreign = options->route          ? "--route"
+                          : options->driving >= 0 ? "--driving"
+                          : options->study.shakes ? "--shake"
+                                                  : NULL;
     if (foreign)
         fault_add(fault, "clearance: %s is for houses, %s is a beam", foreign, options->files[0]);
     if (foreign ||
@@ -26,7 +29,8 @@ static bool open_house(Experiment *experiment, const Options *options, Fault *fa
                                   .settings = options->settings,
                                   .setting_count = options->setting_count,
                                   .seed = options->seed,
-                                  .driving = options->driving};
+                                  .driving = options->driving,
+                                  .shake = options->study.shakes > 0};
     return house_experiment_open(experiment, options->files[0], &house_options, options->route, fault);
 }
 

@@ -12,6 +12,7 @@ typedef struct StudyRequest {
     StudyPass passes[STUDY_PASSES];
     size_t pass_count; /* 0: not said */
     size_t runs;       /* 0: not said */
+    size_t shakes;     /* runs that each begin with an earthquake; 0: none does */
 } StudyRequest;
 
 /* NAME=FROM:TO:STEPS, NAME=SHARE, and a list of reset, up, down. False: the words are not of that form, or one too

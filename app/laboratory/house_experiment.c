@@ -7,12 +7,15 @@
 #include "base/digest.h"
 #include "base/parallel.h"
 #include "house/run.h"
+#include "laboratory/shake_record.h"
 
 typedef struct HouseGiven {
     const char *path;
     HouseOptions options;
     const char *route;
-    House house; /* with nominal values */
+    House house; /* with nominal values, and as before any shake */
+    ShakeRecord shake;
+    Arena arena; /* holds the names of what is observed of shakes */
 } HouseGiven;
 
 static const Observable observables[HOUSE_OBSERVABLES] = {
@@ -79,8 +82,10 @@ static double way_of(const House *house, const Observation *observation) {
     return (double)(digest % 1000000);
 }
 
-static void observe(Trial *trial, const House *house, const Observation *observation) {
+static void observe(Trial *trial, const HouseGiven *given, const House *house, const Observation *observation) {
     double *observed = trial->observed;
+    if (given->options.shake)
+        shake_record_observe(&given->shake, &given->house.plan, house, observation, observed);
     for (size_t o = 0; o < HOUSE_OBSERVABLES; o++)
         observed[o] = 0;
     observed[HOUSE_COMPLETED] = observation->completed;
@@ -142,7 +147,7 @@ static void run_one(const HouseGiven *given, const char *const *names, size_t na
         run_house(&observation, &house, &(RunOptions){.route = route, .jobs = 1, .stop = stop});
         trial->done = !parallel_stopped(stop);
         if (trial->done)
-            observe(trial, &house, &observation);
+            observe(trial, given, &house, &observation);
         observation_free(&observation);
         house_free(&house);
     } else {
@@ -167,6 +172,7 @@ static void run(const void *given, const char *const *names, size_t name_count, 
 static uint64_t identity_of(const HouseGiven *given) {
     uint64_t digest = digest_mix(DIGEST_START, (double)given->options.seed);
     digest = digest_text(digest, given->route ? given->route : "");
+    digest = digest_text(digest, given->options.shake ? "shake" : "");
     for (size_t p = 0; p < given->house.profile_count; p++) {
         const Profile *profile = &given->house.profiles[p];
         digest = digest_mix(digest_text(digest, profile->name), profile->driving);
@@ -191,13 +197,26 @@ static bool find_route(const HouseGiven *given, Fault *fault) {
     return false;
 }
 
+/* Each trial is a shake, of which more is observed. */
+static void observe_shakes(Experiment *experiment, HouseGiven *given) {
+    const Plan *plan = &given->house.plan;
+    given->shake = shake_record_of(plan, HOUSE_OBSERVABLES);
+    Observable *all = arena_allocate(&given->arena, given->shake.count * sizeof *all);
+    memcpy(all, observables, sizeof observables);
+    shake_record_describe(&given->shake, plan, all, &given->arena);
+    experiment->observables = all;
+    experiment->observable_count = given->shake.count;
+}
+
 bool house_experiment_open(Experiment *experiment, const char *path, const HouseOptions *options, const char *route,
                            Fault *fault) {
     HouseGiven *given = memory_allocate(1, sizeof *given);
     given->path = path;
     given->options = *options;
     given->route = route;
-    if (!house_read(&given->house, path, options, fault) || !find_route(given, fault)) {
+    HouseOptions before = *options;
+    before.shake = false;
+    if (!house_read(&given->house, path, &before, fault) || !find_route(given, fault)) {
         house_free(&given->house);
         memory_free(given);
         return false;
@@ -215,13 +234,24 @@ bool house_experiment_open(Experiment *experiment, const char *path, const House
                                .unknown = tell_unknown,
                                .nominal = nominal,
                                .run = run};
+    if (options->shake)
+        observe_shakes(experiment, given);
     return true;
+}
+
+const House *house_experiment_house(const Experiment *experiment) {
+    return &((const HouseGiven *)experiment->given)->house;
+}
+
+const ShakeRecord *house_experiment_shake(const Experiment *experiment) {
+    return &((const HouseGiven *)experiment->given)->shake;
 }
 
 void house_experiment_close(Experiment *experiment) {
     HouseGiven *given = experiment->given;
     if (given) {
         house_free(&given->house);
+        arena_clear(&given->arena);
         memory_free(given);
     }
     *experiment = (Experiment){0};

@@ -16,13 +16,16 @@ static size_t rows_recorded(const HouseLive *live) {
 static unsigned update(void *context, double time) {
     HouseLive *live = context;
     size_t rows = rows_recorded(live);
+    live->time = time;
     house_live_follow_all(live, time);
     if (house_live_words_moved(live, time))
         live->changed |= LIVE_WORDS;
     unsigned changed = live->changed;
     live->changed = 0;
     if (live->shown) {
-        house_live_show_make(live);
+        house_live_show_make(live, time);
+        changed |= live->changed; /* the plan was another one then */
+        live->changed = 0;
         if (changed & LIVE_VIEW)
             film_look(live->film, live->camera);
         live->fresh = live->fresh || changed & LIVE_VIEW;
@@ -89,6 +92,7 @@ static void *open_house(const char *path, const LiveOptions *options, Fault *fau
     live->layers = house_live.layers_at_first;
     keep_wish(live, path ? path : "", options);
     live->worker = worker;
+    house_live_history_begin(&live->history, draft_text(draft), draft_revision(draft));
     house_live_choices_list(live);
     house_live_follow_ask(live);
     return live;
@@ -104,6 +108,7 @@ static void close_house(void *context) {
     house_live_value_clear(&live->values);
     house_live_value_clear(&live->opened);
     draft_destroy(live->draft);
+    house_live_history_clear(&live->history);
     memory_free(live->trouble.text);
     memory_free(live->command);
     arena_clear(&live->command_arena);
@@ -129,7 +134,8 @@ static double reach(void *context, double time) {
 
 static bool show(void *context, double time) {
     HouseLive *live = context;
-    house_live_show_make(live);
+    live->time = time;
+    house_live_show_make(live, time);
     if (!live->film)
         return false;
     if (live->fresh)
@@ -141,7 +147,7 @@ static bool show(void *context, double time) {
 
 static const Scene *still(const void *context) {
     const HouseLive *live = context;
-    house_live_show_make((HouseLive *)context); /* if a call since the last update has made it void */
+    house_live_show_make((HouseLive *)context, live->time); /* if a call since the last update has made it void */
     return live->film ? film_still(live->film) : &live->nothing;
 }
 
@@ -197,8 +203,15 @@ static const char *say_clock(const void *context, double time) {
 }
 
 static const char *note(const void *context) {
-    const HouseLive *live = context;
-    return house_scene_is_assumed(draft_plan(live->draft)) ? "assumed plan: not measured" : "";
+    HouseLive *live = (HouseLive *)context;
+    const char *assumed = house_scene_is_assumed(draft_plan(live->draft)) ? "assumed plan: not measured" : "";
+    const HouseWish *wish = live->shown ? &live->shown->wish : NULL;
+    if (!wish || wish->epoch_count < 2)
+        return assumed;
+    char *words = live->words.note;
+    snprintf(words, sizeof live->words.note, "mixed: plan changed at %.1f s, R runs it clean%s%s",
+             wish->epochs[wish->epoch_count - 1].time, *assumed ? "; " : "", assumed);
+    return words;
 }
 
 static const char *title(const void *context) {
@@ -297,6 +310,7 @@ static void reset(void *context) {
         live->values.rows[i].value = live->values.rows[i].initial;
     if (live->kept_itself)
         house_live_follow_forget(live);
+    house_live_history_begin(&live->history, draft_text(live->draft), draft_revision(live->draft));
     house_live_follow_edited(live);
 }
 
@@ -321,9 +335,11 @@ static void choose(void *context, size_t choice, size_t word) {
     house_live_choices_take(context, choice, word);
 }
 
-/* What is recorded is what would come: only a run that was stopped or broke down is made again. */
+/* What is recorded is what would come: only a run that was stopped or broke down is made again, or one in which the
+ * plan changed. */
 static void again(void *context) {
     HouseLive *live = context;
+    house_live_follow_clean(live);
     if (live->trouble.text && !live->latest)
         house_live_follow_ask(live);
 }
@@ -406,7 +422,7 @@ static bool sound(const void *context, double from, double to, float *samples, s
 
 uint64_t house_live_digest(const void *context) {
     const HouseLive *live = context;
-    return live->whole && !live->latest ? live->observation->digest : 0;
+    return live->whole && !live->latest && !live->mixed ? live->observation->digest : 0;
 }
 
 static const char *const layer_names[LAYERS] = {

@@ -11,9 +11,9 @@
 #define TAKE_PART 16 /* rows are taken over when they are such a part of all, so that this costs little in sum */
 #define TAKE_NEAR 1.0 /* s: or when what is shown comes so near to the end */
 
-/* Neither shown nor before any more. */
+/* Neither shown, nor before, nor the answer any more. */
 static void release(HouseLive *live, HouseRun *run) {
-    if (run && run != live->shown && run != live->before)
+    if (run && run != live->shown && run != live->before && run != live->clean)
         house_live_worker_abandon(live->worker, run);
 }
 
@@ -44,11 +44,13 @@ double house_live_follow_reach(const HouseLive *live) {
 
 /* Asking ---------------------------------------------------------------------------------------------------------- */
 
+/* A mixed one of the whole history, all others of the draft as it is. */
 static HouseRun *ask(HouseLive *live, HouseJob job, int driving) {
+    HouseEpoch now = {0, draft_text(live->draft), draft_revision(live->draft)};
     HouseWish wish = live->wish;
     wish.job = job;
-    wish.text = draft_text(live->draft);
-    wish.revision = draft_revision(live->draft);
+    wish.epochs = job == HOUSE_JOB_MIXED ? live->history.at : &now;
+    wish.epoch_count = job == HOUSE_JOB_MIXED ? live->history.count : 1;
     wish.driving = driving;
     HouseRun *run = house_live_run_create(&wish);
     house_live_worker_ask(live->worker, run);
@@ -87,23 +89,86 @@ static void forget_asked(HouseLive *live) {
     live->changed |= LIVE_WORDS | LIVE_PARAMETERS;
 }
 
-/* Is the run that is shown, all of it, that of the draft as it is? */
-static bool shows_draft(const HouseLive *live) {
-    const HouseWish *wish = live->shown ? &live->shown->wish : NULL;
-    bool route =
-        wish && (wish->route ? live->wish.route && strcmp(wish->route, live->wish.route) == 0 : !live->wish.route);
-    return route && live->whole && wish->revision == draft_revision(live->draft) && wish->driving == live->wish.driving;
+static void forget_mixed(HouseLive *live) {
+    release(live, live->mixed);
+    live->mixed = NULL;
+}
+
+/* The run of the answer is another one, or NULL. */
+static void set_clean(HouseLive *live, HouseRun *run) {
+    HouseRun *last = live->clean;
+    live->clean = run;
+    if (last != run)
+        release(live, last);
+    live->retell = true;
+    live->changed |= LIVE_WORDS;
+}
+
+/* Is a run what would come of some epochs with route and driving as they are? */
+static bool is_of(const HouseLive *live, const HouseRun *run, const HouseEpoch *epochs, size_t count) {
+    const char *route = run ? run->wish.route : NULL, *wished = live->wish.route;
+    return run && (route ? wished && strcmp(route, wished) == 0 : !wished) && run->wish.driving == live->wish.driving &&
+           house_live_history_same(run->wish.epochs, run->wish.epoch_count, epochs, count);
+}
+
+/* Is what is shown, all of it, what is to be shown? */
+static bool is_up_to_date(const HouseLive *live) {
+    return live->whole && is_of(live, live->shown, live->history.at, live->history.count);
+}
+
+const HouseRun *house_live_follow_answering(const HouseLive *live) {
+    return live->clean ? live->clean : live->shown;
+}
+
+/* Is somebody on the way at what is shown? Then an edit goes on from there. */
+static bool is_under_way(const HouseLive *live) {
+    return live->shown && live->time > 0 && live->time < live->observation->time;
+}
+
+/* What is done is done at the moment that is shown; what is only in the hand is shown from the beginning on. */
+static void note_history(HouseLive *live) {
+    const char *text = draft_text(live->draft);
+    uint64_t revision = draft_revision(live->draft);
+    if (is_under_way(live))
+        house_live_history_change(&live->history, live->time, text, revision);
+    else if (live->history.at[live->history.count - 1].revision != revision)
+        house_live_history_begin(&live->history, text, revision);
+}
+
+/* Asks for what is missing of the answer and of what is to be shown. */
+static void ask_missing(HouseLive *live) {
+    HouseEpoch now = {0, NULL, draft_revision(live->draft)};
+    bool mixed = live->history.count > 1 && !draft_is_open(live->draft);
+    forget_mixed(live);
+    if (mixed && live->whole && is_of(live, live->shown, &now, 1))
+        set_clean(live, live->shown);
+    if (mixed && is_of(live, live->clean, &now, 1)) {
+        forget_asked(live);
+        if (!is_up_to_date(live))
+            live->mixed = ask(live, HOUSE_JOB_MIXED, live->wish.driving);
+    } else if (!mixed && live->whole && is_of(live, live->shown, &now, 1)) {
+        forget_asked(live);
+        set_clean(live, NULL);
+    } else {
+        house_live_follow_ask(live);
+    }
 }
 
 void house_live_follow_edited(HouseLive *live) {
     if (live->wish.route && plan_find_route(draft_plan(live->draft), live->wish.route) == SIZE_MAX)
         live->wish.route = NULL;
     house_live_follow_keep(live, true);
-    if (shows_draft(live))
-        forget_asked(live);
-    else
-        house_live_follow_ask(live);
+    if (!draft_is_open(live->draft))
+        note_history(live);
+    ask_missing(live);
     house_live_choices_list(live);
+}
+
+void house_live_follow_clean(HouseLive *live) {
+    if (live->history.count < 2)
+        return;
+    house_live_history_begin(&live->history, draft_text(live->draft), draft_revision(live->draft));
+    ask_missing(live);
 }
 
 bool house_live_follow_keep(HouseLive *live, bool by_itself) {
@@ -170,13 +235,16 @@ static void turn_back(HouseLive *live, HouseRun *run) {
     live->changed |= LIVE_PARAMETERS;
     if (!live->shown)
         return;
-    bool undone = !draft_is_open(live->draft) && run->wish.revision == draft_revision(live->draft) &&
-                  run->wish.revision != live->shown->wish.revision && draft_undo(live->draft);
+    uint64_t revision = house_live_run_revision(run);
+    bool undone = !draft_is_open(live->draft) && revision == draft_revision(live->draft) &&
+                  revision != house_live_run_revision(live->shown) && draft_undo(live->draft);
+    if (undone)
+        note_history(live);
     live->wish.driving = live->shown->wish.driving;
     house_live_value_list_again(&live->values, &live->opened, &live->shown->house);
     house_live_choices_list(live);
-    if ((undone && !shows_draft(live)) || (!live->whole && house_live_run_stage(live->shown) == HOUSE_STOPPED))
-        house_live_follow_ask(live);
+    if ((undone && !is_up_to_date(live)) || (!live->whole && house_live_run_stage(live->shown) == HOUSE_STOPPED))
+        ask_missing(live);
 }
 
 /* What is shown --------------------------------------------------------------------------------------------------- */
@@ -226,7 +294,8 @@ static void swap_in(HouseLive *live, HouseRun *run) {
     }
     if (!live->opened.count)
         house_live_value_list(&live->opened, &run->house);
-    if (!live->held && run->wish.revision == draft_revision(live->draft)) /* else it is not as the hand has it */
+    if (!live->held &&
+        house_live_run_revision(run) == draft_revision(live->draft)) /* else it is not as the hand has it */
         house_live_value_list_again(&live->values, &live->opened, &run->house);
     live->retell = true;
     live->changed |= LIVE_ALL & ~LIVE_TROUBLE;
@@ -243,6 +312,12 @@ static bool is_ready(HouseLive *live, HouseRun *run, double time) {
     return stage == HOUSE_DRIVES && house_live_run_age(run) > GRACE && house_live_run_reach(run) > time + TAKE_NEAR;
 }
 
+/* A run that is the answer to an edit under way is not shown: it is what the answer says, and asks for what is. */
+static bool is_answer_only(const HouseLive *live, const HouseRun *run) {
+    return live->history.count > 1 && !draft_is_open(live->draft) &&
+           house_live_run_revision(run) == draft_revision(live->draft);
+}
+
 static void follow_asked(HouseLive *live, HouseRun **asked, double time) {
     HouseRun *run = *asked;
     if (!run)
@@ -254,12 +329,20 @@ static void follow_asked(HouseLive *live, HouseRun **asked, double time) {
         if (latest && stage == HOUSE_FAILED)
             turn_back(live, run);
         release(live, run);
+    } else if (latest && is_answer_only(live, run)) {
+        if (stage != HOUSE_OVER)
+            return;
+        live->latest = NULL;
+        set_clean(live, run);
+        ask_missing(live);
     } else if (is_ready(live, run, time)) {
         *asked = NULL;
         if (latest) {
             release(live, live->older);
             live->older = NULL;
         }
+        if (asked != &live->mixed)
+            set_clean(live, NULL);
         swap_in(live, run);
     }
 }
@@ -312,7 +395,7 @@ static bool follow_companion(HouseLive *live, HouseRun **companion, bool *over, 
 }
 
 static void follow_companions(HouseLive *live) {
-    if (!live->whole || live->latest)
+    if (!live->whole || live->latest || live->mixed)
         return;
     bool crowd = live->shown->house.person_count > PEOPLE_SCENE_INDIVIDUALS;
     if (live->ghost == GHOST_RIVAL &&
@@ -327,13 +410,16 @@ static void follow_companions(HouseLive *live) {
 void house_live_follow_all(HouseLive *live, double time) {
     follow_asked(live, &live->older, time);
     follow_asked(live, &live->latest, time);
+    follow_asked(live, &live->mixed, time);
     hurry(live);
     follow_shown(live, time);
     follow_companions(live);
 }
 
 void house_live_follow_end(HouseLive *live) {
-    HouseRun *runs[] = {live->shown, live->before != live->shown ? live->before : NULL, live->latest, live->older};
+    HouseRun *clean = live->clean != live->shown && live->clean != live->before ? live->clean : NULL;
+    HouseRun *runs[] = {
+        live->shown, live->before != live->shown ? live->before : NULL, clean, live->latest, live->mixed, live->older};
     drop_companions(live);
     for (size_t i = 0; i < sizeof runs / sizeof *runs; i++)
         house_live_worker_abandon(live->worker, runs[i]);

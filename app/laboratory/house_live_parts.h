@@ -38,6 +38,7 @@ typedef struct ShownPlots {
 
 /* What is said of what is shown. */
 typedef struct HouseWords {
+    Scene clean;                 /* holds the answer of the draft when the run is mixed */
     Scene run;                   /* holds what is said of the run: its answer, its list */
     Scene moment;                /* holds what is said of what is selected, and of before and now */
     double before[HAZARDS_MOST]; /* s, shortly before somebody comes to each dangerous point */
@@ -48,19 +49,23 @@ typedef struct HouseWords {
     Role role;
     double said; /* s, of a steady clock, when they were last made */
     double time; /* s, the moment that they tell of */
-    char doing[96], done[96], clock[32], name[HOUSE_THING_NAME];
+    char doing[96], done[96], clock[32], note[96], name[HOUSE_THING_NAME];
 } HouseWords;
 
 typedef struct HouseLive {
-    Draft *draft;      /* the house as it stands under the hand */
-    HouseWish wish;    /* without the house; route and driving as they are now */
-    LiveOptions given; /* with which it was opened */
-    Arena arena;       /* of both */
-    bool held;         /* a number is in the hand: what is set is one step until it is settled */
+    Draft *draft;         /* the house as it stands under the hand */
+    HouseWish wish;       /* without the house; route and driving as they are now */
+    LiveOptions given;    /* with which it was opened */
+    Arena arena;          /* of both */
+    HouseHistory history; /* that is to be shown */
+    double time;          /* s, that is shown */
+    bool held;            /* a number is in the hand: what is set is one step until it is settled */
 
     HouseWorker *worker;
     HouseRun *shown;  /* NULL: nothing is read yet */
     HouseRun *latest; /* asked for after the one shown; NULL: none */
+    HouseRun *mixed;  /* asked for, to be shown: the plan changes while it goes on; NULL: none */
+    HouseRun *clean;  /* of the draft from the beginning on, when the one shown is mixed; NULL: that is it */
     HouseRun *older;  /* begun before the latest was asked for; NULL: none */
     HouseRun *before; /* kept, perhaps the one shown; NULL: none */
     HouseRun *rival;  /* the same house with the other way of driving; NULL: none */
@@ -73,6 +78,7 @@ typedef struct HouseLive {
     TrailGrowth trails;             /* of that */
     bool whole;                     /* the one shown is over */
     Film *film;                     /* NULL: to be made */
+    size_t epoch;                   /* of the run, that the film is of */
     bool fresh;                     /* nothing of the film has been shown yet */
     Scene nothing;                  /* shown before anything is read */
 
@@ -117,14 +123,20 @@ Before house_live_follow_ghost(const HouseLive *live);
 /* The way of driving that the house has not. */
 int house_live_follow_other(const HouseLive *live);
 
+/* The run whose answer is the draft's: the one shown, unless that is mixed. */
+const HouseRun *house_live_follow_answering(const HouseLive *live);
+
+/* From the beginning on with the plan as it is. */
+void house_live_follow_clean(HouseLive *live);
+
 /* Up to when the record will not change any more, s. */
 double house_live_follow_reach(const HouseLive *live);
 
 /* The film is to be made anew before it is shown again. */
 void house_live_show_anew(HouseLive *live);
 
-/* Makes it, where that is to be. */
-void house_live_show_make(HouseLive *live);
+/* Makes it, where that is to be, for a time. */
+void house_live_show_make(HouseLive *live, double time);
 
 /* The plots of what is shown now; `anew`: of another run, person or ghost, not only of more of the same. */
 void house_live_plots_make(HouseLive *live, bool anew);

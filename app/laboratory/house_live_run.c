@@ -21,7 +21,8 @@ HouseRun *house_live_run_create(const HouseWish *wish) {
     run->wish.path = arena_text(&run->arena, wish->path);
     run->wish.profiles = arena_text(&run->arena, wish->profiles);
     run->wish.route = wish->route ? arena_text(&run->arena, wish->route) : NULL;
-    run->wish.text = arena_text(&run->arena, wish->text);
+    run->wish.epochs = house_live_history_copy(wish->epochs, wish->epoch_count, &run->arena);
+    run->earlier = memory_allocate(wish->epoch_count, sizeof *run->earlier);
     pthread_mutex_init(&run->mutex, NULL);
     return run;
 }
@@ -30,6 +31,9 @@ void house_live_run_destroy(HouseRun *run) {
     observation_free(&run->observation);
     scene_clear(&run->ways);
     house_free(&run->house);
+    for (size_t i = 0; i + 1 < run->wish.epoch_count; i++)
+        house_free(&run->earlier[i]);
+    memory_free(run->earlier);
     fault_clear(&run->fault);
     trace_clear(&run->fresh);
     memory_free(run->reach);
@@ -50,6 +54,22 @@ static void enter(HouseRun *run, HouseStage stage) {
 
 /* Making it ------------------------------------------------------------------------------------------------------- */
 
+/* Where somebody of the piece's house is among the people of the last one; SIZE_MAX: nowhere. */
+static size_t place_of(const HouseRun *run, const RunPiece *piece, size_t person) {
+    return piece->house == &run->house ? person : house_find_person(&run->house, piece->house->people[person].id);
+}
+
+static void take_rows(HouseRun *run, const RunPiece *piece) {
+    double row[TRACE_COLUMNS];
+    for (size_t r = 0; r < piece->row_count; r++) {
+        memcpy(row, piece->rows + r * TRACE_COLUMNS, sizeof row);
+        size_t place = place_of(run, piece, (size_t)row[TRACE_PERSON]);
+        row[TRACE_PERSON] = (double)place;
+        if (place != SIZE_MAX)
+            trace_add(&run->fresh, row);
+    }
+}
+
 static void take_piece(void *context, const RunPiece *piece) {
     HouseRun *run = context;
     pthread_mutex_lock(&run->mutex);
@@ -58,13 +78,14 @@ static void take_piece(void *context, const RunPiece *piece) {
         run->reach = memory_allocate(piece->group_count, sizeof *run->reach);
         run->stage = HOUSE_DRIVES;
     }
-    for (size_t r = 0; r < piece->row_count; r++)
-        trace_add(&run->fresh, piece->rows + r * TRACE_COLUMNS);
+    take_rows(run, piece);
     run->reach[piece->group] = piece->over ? HUGE_VAL : piece->time;
-    for (size_t i = 0; i < run->house.person_count; i++)
-        if (piece->part[i])
-            run->people[i] = piece->people[i];
-    for (size_t d = 0; d < run->house.plan.door_count; d++)
+    for (size_t i = 0; i < piece->house->person_count; i++) {
+        size_t place = piece->part[i] ? place_of(run, piece, i) : SIZE_MAX;
+        if (place != SIZE_MAX)
+            run->people[place] = piece->people[i];
+    }
+    for (size_t d = 0; piece->house == &run->house && d < run->house.plan.door_count; d++)
         run->door_opened[d] = fmin(run->door_opened[d], piece->door_opened[d]);
     pthread_mutex_unlock(&run->mutex);
 }
@@ -78,9 +99,21 @@ static void make_room(HouseRun *run) {
 }
 
 static void drive(HouseRun *run) {
-    size_t route = run->wish.route ? plan_find_route(&run->house.plan, run->wish.route) : SIZE_MAX;
-    RunOptions how = {.route = route, .jobs = run->wish.jobs, .stop = &run->stop, .record = take_piece, .context = run};
-    run_house(&run->observation, &run->house, &how);
+    size_t earlier = run->wish.epoch_count - 1;
+    RunChange *changes = memory_allocate(earlier + 1, sizeof *changes);
+    for (size_t i = 0; i < earlier; i++)
+        changes[i] = (RunChange){run->wish.epochs[i + 1].time, i + 1 < earlier ? &run->earlier[i + 1] : &run->house};
+    const House *first = earlier ? &run->earlier[0] : &run->house;
+    size_t route = run->wish.route ? plan_find_route(&first->plan, run->wish.route) : SIZE_MAX;
+    RunOptions how = {.route = route,
+                      .jobs = run->wish.jobs,
+                      .stop = &run->stop,
+                      .record = take_piece,
+                      .context = run,
+                      .changes = changes,
+                      .change_count = earlier};
+    run_house(&run->observation, first, &how);
+    memory_free(changes);
 }
 
 static void make_ways(HouseRun *run) {
@@ -89,10 +122,21 @@ static void make_ways(HouseRun *run) {
     observation_free(&all);
 }
 
+/* The houses of all epochs. */
+static bool read_houses(HouseRun *run) {
+    const HouseWish *wish = &run->wish;
+    HouseOptions options = {.profiles = wish->profiles, .seed = wish->seed, .driving = wish->driving};
+    bool good = true;
+    for (size_t i = 0; good && i < wish->epoch_count; i++) {
+        House *house = i + 1 < wish->epoch_count ? &run->earlier[i] : &run->house;
+        good = house_read_text(house, wish->path, wish->epochs[i].text, &options, &run->fault);
+    }
+    return good;
+}
+
 void house_live_run_make(HouseRun *run) {
-    HouseOptions options = {.profiles = run->wish.profiles, .seed = run->wish.seed, .driving = run->wish.driving};
     enter(run, HOUSE_READS);
-    if (!house_read_text(&run->house, run->wish.path, run->wish.text, &options, &run->fault)) {
+    if (!read_houses(run)) {
         enter(run, HOUSE_FAILED);
         return;
     }
@@ -103,6 +147,21 @@ void house_live_run_make(HouseRun *run) {
     else
         drive(run);
     enter(run, parallel_stopped(&run->stop) ? HOUSE_STOPPED : HOUSE_OVER);
+}
+
+size_t house_live_run_epoch(const HouseRun *run, double time) {
+    size_t epoch = run->wish.epoch_count - 1;
+    while (epoch && time < run->wish.epochs[epoch].time)
+        epoch--;
+    return epoch;
+}
+
+const House *house_live_run_house(const HouseRun *run, size_t epoch) {
+    const House *last = &run->house, *house = epoch + 1 < run->wish.epoch_count ? &run->earlier[epoch] : last;
+    bool same = house->person_count == last->person_count;
+    for (size_t i = 0; same && i < last->person_count; i++)
+        same = strcmp(house->people[i].id, last->people[i].id) == 0;
+    return same ? house : last;
 }
 
 /* Watching it ----------------------------------------------------------------------------------------------------- */

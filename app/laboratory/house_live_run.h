@@ -10,10 +10,12 @@
 #include "house/house.h"
 #include "house/observation.h"
 #include "draw/scene.h"
+#include "laboratory/house_live_history.h"
 
 /* What is to be made. */
 typedef enum HouseJob {
-    HOUSE_JOB_RUN,   /* the run to be shown */
+    HOUSE_JOB_RUN,   /* the run of a plan */
+    HOUSE_JOB_MIXED, /* one in which the plan changes */
     HOUSE_JOB_RIVAL, /* one to compare it with */
     HOUSE_JOB_WAYS,  /* only the planned ways, as a scene */
     HOUSE_JOBS,
@@ -21,9 +23,9 @@ typedef enum HouseJob {
 
 typedef struct HouseWish {
     HouseJob job;
-    const char *path;     /* of the house file, for faults and for profiles beside it */
-    const char *text;     /* of the house */
-    uint64_t revision;    /* of the draft that has that text */
+    const char *path;         /* of the house file, for faults and for profiles beside it */
+    const HouseEpoch *epochs; /* (epoch_count) of the plan */
+    size_t epoch_count;
     const char *profiles; /* directory of the shipped ones */
     const char *route;    /* id, or NULL: everybody */
     int driving;          /* Driving, or -1 */
@@ -46,7 +48,8 @@ typedef struct HouseRun {
     Arena arena; /* holds it */
 
     /* The worker's, until the stage says that they are there; then they stay as they are. */
-    House house;
+    House house;    /* of the last epoch */
+    House *earlier; /* (wish.epoch_count - 1) of those before */
     Observation observation;
     Scene ways;
     Fault fault;
@@ -66,6 +69,17 @@ typedef struct HouseRun {
  */
 HouseRun *house_live_run_create(const HouseWish *wish);
 void house_live_run_destroy(HouseRun *run);
+
+/* The draft's revision at its end. */
+static inline uint64_t house_live_run_revision(const HouseRun *run) {
+    return run->wish.epochs[run->wish.epoch_count - 1].revision;
+}
+
+/* Which epoch a time is in. */
+size_t house_live_run_epoch(const HouseRun *run, double time);
+
+/* The house of an epoch, as far as the same people are in it as at the end; otherwise that of the end. */
+const House *house_live_run_house(const HouseRun *run, size_t epoch);
 
 /* Makes the run, on this thread, until it is over, has failed or is stopped. */
 void house_live_run_make(HouseRun *run);

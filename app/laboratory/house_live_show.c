@@ -34,9 +34,13 @@ void house_live_show_anew(HouseLive *live) {
     live->changed |= LIVE_VIEW;
 }
 
-void house_live_show_make(HouseLive *live) {
+void house_live_show_make(HouseLive *live, double time) {
+    size_t epoch = live->shown ? house_live_run_epoch(live->shown, time) : 0;
+    if (epoch != live->epoch)
+        house_live_show_anew(live);
     if (live->film || !live->shown)
         return;
+    const House *house = house_live_run_house(live->shown, epoch);
     Before ghost = house_live_follow_ghost(live);
     bool is_crowd = ghost.house && ghost.house->person_count > GHOSTS_MOST;
     bool ways = live->ways_over && live->layers & 1u << LAYER_WIDTHS;
@@ -49,6 +53,7 @@ void house_live_show_make(HouseLive *live) {
                            .trails = live->trails.trails,
                            .ways = ways ? &live->ways->ways : NULL,
                            .box = box_of(&live->shown->house)};
-    live->film = film_create(&live->shown->house, live->observation, &options);
+    live->epoch = epoch;
+    live->film = film_create(house, live->observation, &options);
     live->fresh = true;
 }

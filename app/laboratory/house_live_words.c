@@ -153,6 +153,8 @@ static void make_ticks(HouseLive *live) {
         if (person->reason == REASON_DIVERGED)
             add_tick(live, person->time, LIVE_TICK_TROUBLE);
     }
+    for (size_t i = 1; i < live->shown->wish.epoch_count; i++)
+        add_tick(live, live->shown->wish.epochs[i].time, LIVE_TICK_CHANGE);
     if (live->words.tick_count > 1)
         qsort(live->words.ticks, live->words.tick_count, sizeof *live->words.ticks, compare_ticks);
 }
@@ -160,16 +162,16 @@ static void make_ticks(HouseLive *live) {
 /* The answer ------------------------------------------------------------------------------------------------------ */
 
 /* "before 24.1 s, -5.7 s (-24 %)" */
-static const char *against(HouseLive *live) {
+static const char *against(HouseLive *live, const Observation *now) {
     Before ghost = house_live_follow_ghost(live);
     Scene *scene = &live->words.moment;
     if (!ghost.observation)
         return "";
     const char *word = house_scene_before_word(ghost);
-    double before = ghost.observation->time, more = live->observation->time - before;
+    double before = ghost.observation->time, more = now->time - before;
     if (!ghost.observation->completed)
         return scene_text(scene, "%s not out", word);
-    if (!live->observation->completed || before <= 0)
+    if (!now->completed || before <= 0)
         return scene_text(scene, "%s %.1f s", word, before);
     if (fabs(more) < ALIKE)
         return scene_text(scene, "%s %.1f s, the same", word, before);
@@ -178,22 +180,34 @@ static const char *against(HouseLive *live) {
 
 static void say_answer(HouseLive *live) {
     HouseWords *words = &live->words;
-    const Scene *run = &words->run;
-    if (!live->whole) {
+    const Scene *run = live->clean ? &words->clean : &words->run;
+    if (!live->whole && !live->clean) {
         words->title = live->observation->trace.rows ? "Driving ..." : "Planning ...";
         words->role = ROLE_TEXT;
         words->detail = "";
         return;
     }
-    const char *than = against(live);
+    const HouseRun *answering = house_live_follow_answering(live);
+    const char *than = against(live, live->clean ? &answering->observation : live->observation);
     words->title = run->title;
     words->role = run->title_role;
     words->detail =
         *than ? scene_text(&words->moment, "%s%s%s", than, *run->detail ? "; " : "", run->detail) : run->detail;
 }
 
+/* What is said of the draft from the beginning on, when the run shown is mixed. */
+static void tell_clean(HouseLive *live) {
+    scene_clear(&live->words.clean);
+    if (!live->clean)
+        return;
+    Census census = census_take(&live->clean->house, &live->clean->observation);
+    house_scene_say(&live->words.clean, &live->clean->house, &live->clean->observation, &census);
+    census_clear(&census);
+}
+
 /* What is said of the run as a whole. */
 static void tell_run(HouseLive *live) {
+    tell_clean(live);
     Census census = census_take(&live->shown->house, live->observation);
     scene_clear(&live->words.run);
     house_scene_say(&live->words.run, &live->shown->house, live->observation, &census);
@@ -218,6 +232,7 @@ void house_live_words_make(HouseLive *live, double time) {
 }
 
 void house_live_words_clear(HouseLive *live) {
+    scene_clear(&live->words.clean);
     scene_clear(&live->words.run);
     scene_clear(&live->words.moment);
     memory_free(live->words.rows);
@@ -237,7 +252,7 @@ bool house_live_words_moved(const HouseLive *live, double time) {
 static const char *say_doing(HouseLive *live) {
     HouseWords *words = &live->words;
     char who[32] = "";
-    HouseRun *run = live->latest;
+    HouseRun *run = live->latest ? live->latest : live->mixed;
     if (!run && live->shown && !live->whole)
         run = live->shown;
     if (!run && live->rival && !live->rival_over) {

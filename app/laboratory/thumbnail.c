@@ -8,8 +8,7 @@
 #include "house/house.h"
 #include "laboratory/beam_scene.h"
 #include "laboratory/beam_shape.h"
-#include "laboratory/house_scene.h"
-#include "laboratory/plan_scene.h"
+#include "laboratory/plan_picture.h"
 
 /* Words ------------------------------------------------------------------------------------------------------------ */
 
@@ -60,34 +59,18 @@ static void tell(Thumbnail *thumbnail, const char *path, const char *name, const
 
 /* Scenes ----------------------------------------------------------------------------------------------------------- */
 
-#define PERSON 0.35        /* m, radius of somebody at the start */
-#define CROWD_OPACITY 0.12 /* of each crowd: several may stand in one place */
-#define REACH 1e-6         /* of its length, at least: so far it can bend */
-#define BEND 0.9           /* of the clearance: so far the tip is drawn from the middle */
-#define BEAM_BEFORE 0.1    /* of the beam's length: what is seen before it, behind it, above and below */
+#define REACH 1e-6      /* of its length, at least: so far it can bend */
+#define BEND 0.9        /* of the clearance: so far the tip is drawn from the middle */
+#define BEAM_BEFORE 0.1 /* of the beam's length: what is seen before it, behind it, above and below */
 #define BEAM_BEHIND 0.12
 #define BEAM_HALF 0.21
-
-/* Everybody where they begin; of a crowd, where it is. */
-static void add_people(Scene *scene, const Plan *plan) {
-    for (size_t i = 0; i < plan->crowd_count; i++) {
-        const Points *area = &plan->crowds[i].area;
-        scene_add_polygon(scene, ROLE_WALKER, area->at, area->count)->fill_opacity = CROWD_OPACITY;
-    }
-    for (size_t i = 0; i < plan->person_count; i++)
-        scene_add_discs(scene, ROLE_CHAIR, PERSON, &plan->people[i].at, 1);
-}
 
 static bool read_house(Thumbnail *thumbnail, const char *path, Fault *fault) {
     House house = {.seed = 0};
     bool good = plan_read(&house.plan, path, NULL, 0, fault) && outline_build(&house.outline, &house.plan, fault);
     if (good) {
         tell(thumbnail, path, house.plan.name, house.plan.note);
-        Box box = house.outline.box;
-        Vec2 margin = vec2(HOUSE_SCENE_MARGIN, HOUSE_SCENE_MARGIN);
-        thumbnail->scene.box = (Box){vec2_sub(box.low, margin), vec2_add(box.high, margin)};
-        add_people(&thumbnail->scene, &house.plan);
-        plan_scene_solids(&thumbnail->scene, &house);
+        plan_picture_bare(&thumbnail->scene, &house);
     }
     house_free(&house);
     return good;

@@ -45,6 +45,35 @@ const char *text_nearest(const char *word, const char *const *words, size_t coun
     return nearest;
 }
 
+/* The bytes of the character of UTF-8 that begins the text; 0: there is none. */
+static size_t character_size(const char *text) {
+    const unsigned char *byte = (const unsigned char *)text;
+    if (byte[0] < 0x80)
+        return 1;
+    size_t size = byte[0] >= 0xf0 ? 4 : byte[0] >= 0xe0 ? 3 : 2;
+    unsigned long code = byte[0] & (0x7fu >> size);
+    static const unsigned long least[] = {0, 0, 0x80, 0x800, 0x10000};
+    for (size_t i = 1; i < size; i++) {
+        if ((byte[i] & 0xc0) != 0x80)
+            return 0;
+        code = code << 6 | (byte[i] & 0x3f);
+    }
+    bool good = byte[0] >= 0xc0 && byte[0] < 0xf8 && code >= least[size] && code <= 0x10ffff &&
+                !(code >= 0xd800 && code <= 0xdfff);
+    return good ? size : 0;
+}
+
+void text_make_plain(char *line) {
+    for (char *c = line; *c;) {
+        size_t size = character_size(c);
+        if (!size)
+            *c = '?';
+        else if ((unsigned char)*c < ' ' || *c == 127)
+            *c = ' ';
+        c += size ? size : 1;
+    }
+}
+
 char *text_read_file(const char *path, size_t largest, size_t *size) {
     int file = open(path, O_RDONLY | O_CLOEXEC);
     if (file < 0)

@@ -10,6 +10,9 @@
  * none is near enough to be what was meant: at most a third of the word, and at least two characters, may differ. */
 const char *text_nearest(const char *word, const char *const *words, size_t count);
 
+/* Makes one line of UTF-8 of anything: a name may hold what it likes, and a longer one is cut anywhere. */
+void text_make_plain(char *line);
+
 /* The whole file, ended by 0, or NULL with errno set; memory_free it. `*size` counts its bytes without the 0. */
 char *text_read_file(const char *path, size_t largest, size_t *size);
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "house/populate.h"
+#include "house/shake.h"
 
 /* m: on a coarser grid a chair does not find through a door. */
 static const double COARSEST_CELL = 0.2;
@@ -131,6 +132,43 @@ static void build_vicinity(House *house) {
         vicinity_init(&house->vicinity, &house->outline, &house->plan, reach);
 }
 
+/* What follows from the plan alone. */
+static bool build_space(House *house, const char *path, Fault *fault) {
+    size_t before = fault->total;
+    if (!outline_build(&house->outline, &house->plan, fault))
+        return false;
+    freespace_build(&house->space, &house->outline, house->plan.run.cell);
+    if (house->space.cell > COARSEST_CELL)
+        fault_add(fault, "%s:1:1: the house is too large for the route search, %.0f m by %.0f m: it must be smaller",
+                  path, house->space.cell * house->space.nx, house->space.cell * house->space.ny);
+    build_vicinity(house);
+    return fault->total == before;
+}
+
+static void free_space(House *house) {
+    freespace_free(&house->space);
+    vicinity_clear(&house->vicinity);
+    outline_free(&house->outline);
+}
+
+/* People stand as without it; then furniture falls, on some of them. */
+static bool shake_house(House *house, const char *path, Fault *fault) {
+    Plan *plan = &house->plan;
+    bool *topples = memory_allocate(plan->furniture_count, sizeof *topples), any = false;
+    shake_draw(plan, house->seed, topples);
+    for (size_t f = 0; f < plan->furniture_count; f++)
+        any |= topples[f];
+    for (size_t i = 0; i < house->person_count && any; i++)
+        house->people[i].under = shake_catches(plan, topples, &house->people[i]);
+    for (size_t f = 0; f < plan->furniture_count; f++)
+        plan->furniture[f].toppled |= topples[f];
+    memory_free(topples);
+    if (!any)
+        return true;
+    free_space(house);
+    return build_space(house, path, fault);
+}
+
 /* All that follows from the plan, which has been read. */
 static bool build_parts(House *house, const char *path, const HouseOptions *options, Fault *fault) {
     size_t before = fault->total;
@@ -140,16 +178,9 @@ static bool build_parts(House *house, const char *path, const HouseOptions *opti
             apply_override(house, &house->plan.overrides[i], fault);
     for (size_t i = 0; i < house->profile_count && fault->total == before; i++)
         check_profile(house, i, fault);
-    if (fault->total != before || !outline_build(&house->outline, &house->plan, fault))
+    if (fault->total != before || !build_space(house, path, fault))
         return false;
-    freespace_build(&house->space, &house->outline, house->plan.run.cell);
-    if (house->space.cell > COARSEST_CELL)
-        fault_add(fault, "%s:1:1: the house is too large for the route search, %.0f m by %.0f m: it must be smaller",
-                  path, house->space.cell * house->space.nx, house->space.cell * house->space.ny);
-    build_vicinity(house);
-    if (fault->total == before)
-        populate_house(house, fault);
-    return fault->total == before;
+    return populate_house(house, fault) && (!options->shake || shake_house(house, path, fault));
 }
 
 /* From `text`, or, where that is NULL, from the file. */
@@ -178,9 +209,7 @@ bool house_read_text(House *house, const char *path, const char *text, const Hou
 }
 
 void house_free(House *house) {
-    freespace_free(&house->space);
-    vicinity_clear(&house->vicinity);
-    outline_free(&house->outline);
+    free_space(house);
     memory_free(house->people);
     for (size_t i = 0; i < house->profile_count; i++)
         profile_free(&house->profiles[i]);

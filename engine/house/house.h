@@ -22,6 +22,7 @@ typedef struct Inhabitant {
     double heading;         /* rad */
     double delay;           /* s */
     double speed;           /* m/s, free speed */
+    const Furniture *under; /* the piece that fell on them in a shake, or NULL */
 } Inhabitant;
 
 /* The mass centre of somebody who stands at the start, m. */
@@ -49,6 +50,7 @@ typedef struct HouseOptions {
     size_t setting_count;
     uint64_t seed; /* for crowds: who stands where and how fast they are */
     int driving;   /* Driving for everybody, or -1: each profile's own */
+    bool shake;    /* the seed's earthquake comes before anybody moves (shake.h) */
 } HouseOptions;
 
 /* Reads a house file and the profiles it names. False: faults say where and what, and the house is as it was. */

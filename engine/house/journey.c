@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "house/shake.h"
 
 /* m: of a route's point for people on foot, so that a crowd can pass it side by side. Assumed. */
 static const double VIA_RADIUS = 1.5;
@@ -78,6 +79,7 @@ typedef struct Planning {
     const volatile sig_atomic_t *stop;
     Journeys *journeys;
     bool again;             /* people are on the way already */
+    bool terse;             /* where they stick is not asked */
     size_t first_itinerary; /* without fields */
 } Planning;
 
@@ -119,6 +121,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
                         .pressed = planning->again ? PRESSED : 0,
                         .most_reversals = house->plan.run.reversals,
                         .fields = planning->journeys->fields,
+                        .terse = planning->terse,
                         .stop = planning->stop};
 }
 
@@ -156,13 +159,16 @@ static void plan_ride(const Planning *planning, const Whereabouts *place, Journe
 static void plan_journey(void *context, size_t k) {
     Planning *planning = context;
     const Whereabouts *place = &planning->places[k];
+    const Inhabitant *person = &planning->house->people[place->person];
     Journey *journey = &planning->journeys->of[place->person];
     route_free(&journey->route);
     track_free(&journey->track);
     *journey = (Journey){.via = place->via};
     if (parallel_stopped(planning->stop))
         journey->route = (Route){.answer = ROUTE_CANNOT_PASS, .exit = SIZE_MAX};
-    else if (planning->house->people[place->person].profile->driving == DRIVING_WALKER)
+    else if (person->under)
+        journey->route = shake_route(&planning->house->plan, person);
+    else if (person->profile->driving == DRIVING_WALKER)
         plan_walk(planning, place, journey);
     else
         plan_ride(planning, place, journey);
@@ -218,11 +224,12 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
     }
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
-    if (!parallel_stopped(planning->stop))
+    if (!parallel_stopped(planning->stop) && !planning->terse)
         explain_walkers(planning, count);
 }
 
-Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+static Journeys plan_from_start(const House *house, const bool *part, bool terse, int jobs,
+                                const volatile sig_atomic_t *stop) {
     Journeys journeys = {.of = memory_allocate(house->person_count, sizeof *journeys.of),
                          .count = house->person_count,
                          .fields = fields_create()};
@@ -232,10 +239,23 @@ Journeys journey_plan_all(const House *house, const bool *part, int jobs, const 
         if (!part || part[i])
             places[count++] =
                 (Whereabouts){.person = i, .at = house->people[i].at, .heading = house->people[i].heading};
-    Planning planning = {.house = house, .places = places, .stop = stop, .journeys = &journeys};
+    Planning planning = {.house = house, .places = places, .stop = stop, .journeys = &journeys, .terse = terse};
     plan_all(&planning, count, jobs);
     memory_free(places);
     return journeys;
+}
+
+Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+    return plan_from_start(house, part, false, jobs, stop);
+}
+
+bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop) {
+    Journeys journeys = plan_from_start(house, part, true, 1, stop);
+    bool all = true;
+    for (size_t i = 0; i < house->person_count; i++)
+        all &= (part && !part[i]) || journeys.of[i].route.answer == ROUTE_FOUND;
+    journey_free_all(&journeys);
+    return all;
 }
 
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,

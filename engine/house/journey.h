@@ -46,6 +46,9 @@ typedef struct Journeys {
 Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
 void journey_free_all(Journeys *journeys);
 
+/* Has everybody of them a way out? Where they stick is not looked for, which takes far longer. */
+bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop);
+
 /* Where somebody is who plans anew. */
 typedef struct Whereabouts {
     size_t person;

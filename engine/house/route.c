@@ -313,15 +313,15 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
     }
     if (answer == SEARCH_FOUND) {
         answer_drive(route, query, body, &track, pins, legs->count);
-        if (quick)
+        if (quick && !query->terse)
             try_roomier(route, query, legs, body);
     } else {
         search_track_clear(&track);
         if (parallel_stopped(query->stop))
             route->fits = false; /* it was not looked for to the end */
-        else if (route->fits)
+        else if (route->fits && !query->terse)
             explain_not_drivable(route, query, legs, body, &tightest);
-        else {
+        else if (!query->terse) {
             blockage_of_fit(&route->blockage, query, body, &tightest);
             ask_for_driving(route, query, legs, body, &tightest);
         }
@@ -359,6 +359,8 @@ static void search_round(Route *route, const RouteQuery *query, const Legs *legs
         return;
     }
     search_track_clear(&track);
+    if (query->terse)
+        return;
     FitPlace tightest;
     Rectangle square = {radius, radius, 0}; /* in a gap between walls or jambs it is as wide as the disc */
     fit_margin(query, &square, legs->goals, legs->count, &tightest);

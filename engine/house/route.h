@@ -79,6 +79,7 @@ typedef struct RouteQuery {
     int most_reversals;
     const volatile sig_atomic_t *stop; /* set: give up, whatever the answer; NULL: never */
     Fields *fields;                    /* shared with other queries; NULL: none, the answer is the same */
+    bool terse;                        /* only whether there is a way: no blockage, and the first path that is found */
 } RouteQuery;
 
 /* "needs at least 0.80 m, has 0.75 m", what is needed rounded up and what is there down to a centimetre; "" where it is

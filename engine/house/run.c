@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "house/observer.h"
 #include "house/replan.h"
+#include "house/shake.h"
 #include "house/world.h"
 
 /* simulated s between two reports of progress */
@@ -112,6 +113,33 @@ static void run_group(void *context, size_t index) {
     journey_free_all(&journeys);
 }
 
+static size_t route_of(const House *house, size_t i) {
+    const PlanRoute *route = house->people[i].route;
+    return route ? (size_t)(route - house->plan.routes) : house->plan.route_count;
+}
+
+static bool is_asked(const RunOptions *options, size_t route) {
+    return options->route == SIZE_MAX || route == options->route;
+}
+
+/* Somebody on foot who lies under a piece of furniture is in nobody's way. */
+static bool lies_under(const Inhabitant *person) {
+    return person->under && person->profile->driving == DRIVING_WALKER;
+}
+
+static void note_lying(Observation *observation, const House *house, const RunOptions *options) {
+    for (size_t i = 0; i < house->person_count; i++)
+        if (lies_under(&house->people[i]) && is_asked(options, route_of(house, i)))
+            observation->people[i] =
+                (PersonObservation){.took_part = true,
+                                    .reason = REASON_CANNOT_PASS,
+                                    .blockage = shake_route(&house->plan, &house->people[i]).blockage,
+                                    .exit = SIZE_MAX,
+                                    .narrowest = BODY_SIGHT,
+                                    .narrowest_at = house->people[i].at,
+                                    .narrowest_other = -1};
+}
+
 /* Who is together with whom: everybody, or route by route and then those without one. Returns the number of groups. */
 static size_t make_groups(Group *groups, const House *house, const RunOptions *options) {
     size_t routes = house->plan.route_count, count = 0;
@@ -121,8 +149,8 @@ static size_t make_groups(Group *groups, const House *house, const RunOptions *o
         bool anybody = false;
         group->part = memory_allocate(house->person_count, sizeof *group->part);
         for (size_t i = 0; i < house->person_count; i++) {
-            size_t own = house->people[i].route ? (size_t)(house->people[i].route - house->plan.routes) : routes;
-            group->part[i] = (!alone || own == r) && (options->route == SIZE_MAX || own == options->route);
+            size_t own = route_of(house, i);
+            group->part[i] = (!alone || own == r) && is_asked(options, own) && !lies_under(&house->people[i]);
             anybody |= group->part[i];
         }
         if (anybody)
@@ -173,6 +201,7 @@ void run_house(Observation *observation, const House *house, const RunOptions *o
     for (size_t d = 0; d < house->plan.door_count; d++)
         observation->door_opened[d] = HUGE_VAL;
     size_t group_count = make_groups(groups, house, options);
+    note_lying(observation, house, options);
     for (size_t g = 0; g < group_count; g++) {
         groups[g].index = g;
         groups[g].count = group_count;

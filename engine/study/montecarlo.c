@@ -29,7 +29,7 @@ static double deviation_of(const double *numbers, size_t count, double mean) {
 Distribution montecarlo_distribution(const double *numbers, size_t count) {
     const double none = (double)NAN;
     Distribution d = {.mean = none, .deviation = none, .error = none, .low = none, .median = none, .high = none};
-    d.least = d.greatest = none;
+    d.least = d.greatest = d.quarters[0] = d.quarters[1] = none;
     double *finite = memory_allocate(count, sizeof *finite), sum = 0;
     for (size_t i = 0; i < count; i++)
         if (isfinite(numbers[i]))
@@ -42,6 +42,8 @@ Distribution montecarlo_distribution(const double *numbers, size_t count) {
         d.low = quantile(finite, d.count, 0.05);
         d.median = quantile(finite, d.count, 0.5);
         d.high = quantile(finite, d.count, 0.95);
+        d.quarters[0] = quantile(finite, d.count, 0.25);
+        d.quarters[1] = quantile(finite, d.count, 0.75);
         d.least = finite[0];
         d.greatest = finite[d.count - 1];
     }
@@ -50,22 +52,19 @@ Distribution montecarlo_distribution(const double *numbers, size_t count) {
 }
 
 /* The interval of all shares p from which the one that was seen is within CONFIDENT sqrt(p (1 - p) / n). */
-static void estimate_share(MontecarloPoint *point) {
+Share montecarlo_share(size_t good, size_t all) {
     static const double CONFIDENT = 1.959964; /* standard deviations that hold 95 % of a normal distribution */
-    if (!point->told)
-        return;
-    double n = (double)point->told, square = CONFIDENT * CONFIDENT / n;
-    double share = (double)point->regular / n;
+    if (!all)
+        return (Share){.value = (double)NAN, .low = (double)NAN, .high = (double)NAN};
+    double n = (double)all, square = CONFIDENT * CONFIDENT / n, share = (double)good / n;
     double middle = (share + square / 2) / (1 + square);
     double half = sqrt(square * (share * (1 - share) + square / 4)) / (1 + square);
-    point->share = share;
-    point->share_low = point->regular ? middle - half : 0;
-    point->share_high = point->regular < point->told ? middle + half : 1;
+    return (Share){good, all, share, good ? middle - half : 0, good < all ? middle + half : 1};
 }
 
 MontecarloPoint montecarlo_point(const Study *study, size_t pass, size_t i1, size_t i0) {
     const Experiment *experiment = study->experiment;
-    MontecarloPoint point = {.share = (double)NAN, .share_low = (double)NAN, .share_high = (double)NAN};
+    MontecarloPoint point = {0};
     point.observables = experiment->observable_count;
     point.of = memory_allocate(point.observables, sizeof *point.of);
     for (size_t run = 0; run < study->runs; run++) {
@@ -76,7 +75,10 @@ MontecarloPoint montecarlo_point(const Study *study, size_t pass, size_t i1, siz
         point.told += trial->done && !isnan(regular);
         point.regular += trial->done && regular == 1;
     }
-    estimate_share(&point);
+    Share share = montecarlo_share(point.regular, point.told);
+    point.share = share.value;
+    point.share_low = share.low;
+    point.share_high = share.high;
     double *numbers = memory_allocate(study->runs, sizeof *numbers);
     for (size_t o = 0; o < point.observables; o++) {
         for (size_t run = 0; run < study->runs; run++)

@@ -10,6 +10,7 @@ typedef struct Distribution {
     double deviation;         /* standard, of a run: with n - 1 */
     double error;             /* standard, of the mean: deviation / sqrt(n) */
     double low, median, high; /* quantiles of 5, 50 and 95 %, between two runs in proportion */
+    double quarters[2];       /* of 25 and 75 % */
     double least, greatest;
 } Distribution;
 
@@ -23,6 +24,14 @@ typedef struct MontecarloPoint {
     Distribution *of;             /* (observables) */
     size_t observables;
 } MontecarloPoint;
+
+/* So many of so many, and between which shares it is with 95 % confidence (Wilson 1927); NAN where `all` is 0. */
+typedef struct Share {
+    size_t good, all;
+    double value, low, high; /* 1 */
+} Share;
+
+Share montecarlo_share(size_t good, size_t all);
 
 /* Of numbers (count), some of which may be NAN. */
 Distribution montecarlo_distribution(const double *numbers, size_t count);

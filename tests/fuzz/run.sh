@@ -5,7 +5,7 @@ set -eu
 cd "$(dirname "$0")/../.."
 . app/packages.sh
 seconds=${1:-60}
-targets="plan profile beam parameters set observed measured script"
+targets="plan profile beam parameters set observed measured script dxf sh3d vadere wkt"
 build=build-fuzz
 
 install_packages $build_packages clang libclang-rt-14-dev
@@ -25,6 +25,7 @@ export CLEARANCE_SOURCE="$PWD" ASAN_OPTIONS=detect_leaks=1:strict_string_checks=
 for schema in house profile beam; do
     $build/app/clearance schema $schema
 done | grep -oE '"[A-Za-z0-9_.-]+"' | sort -u | sed 's/.*/"\\&/; s/"$/\\""/' >$build/dictionary
+cat tests/fuzz/imports.txt >>$build/dictionary
 rm -rf $build/seeds $build/found
 for t in $targets; do
     mkdir -p $build/seeds/"$t" $build/corpus/"$t" $build/found
@@ -35,6 +36,11 @@ cp assets/beams/*.json tests/data/bad/beams/*.json $build/seeds/beam/
 cp tests/data/bad-observed/*.csv $build/seeds/observed/
 cp tests/data/bad-measured/*.csv $build/seeds/measured/
 cp tests/data/bad-scripts/*.script $build/seeds/script/
+for ending in dxf wkt sh3d; do
+    cp tests/data/imports/*.$ending tests/data/bad/imports/*.$ending $build/seeds/$ending/
+done
+cp tests/data/imports/*.xml $build/seeds/sh3d/
+cp tests/data/imports/*.scenario tests/data/bad/imports/*.scenario $build/seeds/vadere/
 split -l 1 -a 3 tests/fuzz/values.txt $build/seeds/parameters/
 split -l 2 -a 3 tests/fuzz/settings.txt $build/seeds/set/
 

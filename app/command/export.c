@@ -1,0 +1,87 @@
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "command/command.h"
+#include "command/house_file.h"
+#include "command/output.h"
+#include "draw/paint_cairo.h"
+#include "exchange/walkable.h"
+#include "house/house.h"
+#include "laboratory/plan_picture.h"
+
+static bool is_folder(const char *path) {
+    struct stat status;
+    return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+/* The house's own name with another ending, in the folder of --out, or where the house is. */
+static const char *path_of(const Options *options, const char *format, Text *path) {
+    const char *file = options->files[0], *slash = strrchr(file, '/'), *name = slash ? slash + 1 : file;
+    const char *dot = strrchr(name, '.');
+    int length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
+    if (options->out && !is_folder(options->out))
+        text_add(path, options->out);
+    else if (options->out)
+        text_format(path, "%s/%.*s.%s", options->out, length, name, format);
+    else
+        text_format(path, "%.*s%.*s.%s", (int)(name - file), file, length, name, format);
+    return path->text;
+}
+
+static int write_wkt(const char *wkt, const char *path) {
+    if (path)
+        return text_write_file(path, wkt, strlen(wkt));
+    return fputs(wkt, stdout) < 0 ? errno : 0;
+}
+
+static int write_picture(const House *house, const Options *options, const char *path) {
+    Scene scene = {0};
+    plan_picture_make(&scene, house);
+    int error = paint_cairo_file(CAIRO_FILE_SVG, &scene, path, options->width, options->height, options->theme);
+    scene_clear(&scene);
+    return error;
+}
+
+/* Nothing is ever written over. */
+static bool is_there(const char *path) {
+    bool there = path && access(path, F_OK) == 0;
+    if (there)
+        fprintf(stderr, "clearance: %s is there already and is not written over: --out says another place\n", path);
+    return there;
+}
+
+/* Reads what is needed of the house, and writes it. */
+static int export_to(const Options *options, bool picture, const char *path) {
+    House house = {.seed = 0};
+    Fault fault = {0};
+    char *wkt = NULL;
+    bool good = plan_read(&house.plan, options->files[0], options->settings, options->setting_count, &fault);
+    if (good && picture)
+        good = outline_build(&house.outline, &house.plan, &fault);
+    else if (good)
+        good = (wkt = walkable_wkt(&house.plan, &fault));
+    int code = good ? EXIT_ANSWERED : house_file_report(&fault);
+    int error = !good ? 0 : picture ? write_picture(&house, options, path) : write_wkt(wkt, path);
+    if (error) {
+        output_failed(path ? path : "standard output", error);
+        code = EXIT_WRONG_INPUT;
+    }
+    memory_free(wkt);
+    house_free(&house);
+    return code;
+}
+
+int command_export(const Options *options) {
+    bool picture = options->format && strcmp(options->format, "svg") == 0;
+    Text text = {0};
+    const char *path = options->out || picture ? path_of(options, picture ? "svg" : "wkt", &text) : NULL;
+    int code = is_there(path) ? EXIT_WRONG_INPUT : export_to(options, picture, path);
+    if (code == EXIT_ANSWERED && path)
+        printf("written to %s\n", path);
+    memory_free(text.text);
+    return code;
+}

@@ -1,0 +1,85 @@
+#include "laboratory/shake_plots.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/text.h"
+#include "laboratory/house_experiment.h"
+#include "laboratory/people_scene.h"
+#include "laboratory/study_axes.h"
+
+#define ALL_WIDTH 3.5 /* design points */
+#define ONE_WIDTH 2.0
+
+enum { PEOPLE_MOST = 4 /* have a curve of their own */ };
+
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* A step up at each time. */
+static PlotSeries cumulated(const ShakeFindings *findings, size_t observable, Arena *arena) {
+    const Study *study = findings->study;
+    double *times = arena_allocate(arena, study->trial_count * sizeof *times);
+    size_t count = 0;
+    for (size_t t = 0; t < study->trial_count; t++) {
+        double time = study_axes_value(&study->trials[t], observable);
+        if (isfinite(time))
+            times[count++] = time;
+    }
+    qsort(times, count, sizeof *times, ascending);
+    double *x = arena_allocate(arena, 2 * count * sizeof *x);
+    double *y = arena_allocate(arena, 2 * count * sizeof *y);
+    for (size_t i = 0; i < count; i++) {
+        x[2 * i] = x[2 * i + 1] = times[i];
+        y[2 * i] = 100 * (double)i / (double)findings->shakes;
+        y[2 * i + 1] = 100 * (double)(i + 1) / (double)findings->shakes;
+    }
+    return (PlotSeries){.x = x, .y = y, .count = 2 * count};
+}
+
+static void add_guide(Plot *plot, double at, const char *name, LineStyle style) {
+    plot->guides[plot->guide_count++] =
+        (PlotGuide){.upright = true, .at = at, .name = name, .role = ROLE_DIM_TEXT, .style = style};
+}
+
+static void add_people(Plot *plot, const ShakeFindings *findings, Arena *arena) {
+    for (size_t p = 0; p < findings->party_count && findings->party_count <= PEOPLE_MOST; p++) {
+        if (!findings->parties[p].time.count)
+            continue;
+        LocusLook look = people_scene_nth_look(p);
+        PlotSeries *series = &plot->series[plot->series_count++];
+        *series = cumulated(findings, findings->parties[p].observable, arena);
+        series->name = findings->parties[p].id;
+        series->role = look.role;
+        series->style = look.style;
+        series->width = ONE_WIDTH;
+    }
+}
+
+bool shake_plots_times(Plot *plot, const ShakeFindings *findings, Arena *arena) {
+    const Distribution *time = &findings->time;
+    bool several = findings->party_count > 1;
+    *plot = (Plot){.x = {.title = "time", .unit = "s"},
+                   .y = {.title = "share of shakes", .unit = "%", .low = 0, .high = 100}};
+    plot->series = arena_allocate(arena, (PEOPLE_MOST + 1) * sizeof *plot->series);
+    plot->guides = arena_allocate(arena, 3 * sizeof *plot->guides);
+    plot->title = text_in_arena(arena, "Out within a time, of %zu shakes", findings->shakes);
+    if (several)
+        add_people(plot, findings, arena);
+    if (time->count) {
+        PlotSeries *all = &plot->series[plot->series_count++];
+        *all = cumulated(findings, HOUSE_TIME, arena);
+        all->name = several ? "everybody" : NULL;
+        all->role = ROLE_WALL;
+        all->width = ALL_WIDTH;
+        plot->note = text_in_arena(arena, "everybody: median %.1f s, quartiles %.1f and %.1f s, 95 %% within %.1f s",
+                                   time->median, time->quarters[0], time->quarters[1], time->high);
+        add_guide(plot, time->median, "median", LINE_DASHED);
+        add_guide(plot, time->high, "95 %", LINE_DOTTED);
+    }
+    if (findings->calm_out && isfinite(findings->calm_time))
+        add_guide(plot, findings->calm_time, "without a shake", LINE_SOLID);
+    return plot->series_count;
+}

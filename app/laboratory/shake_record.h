@@ -1,0 +1,36 @@
+/* What a study of earthquakes keeps of each shake, as observables behind those that every run of a house has:
+ *
+ *     out.ID      1: the person is out, or the share of the crowd's members who are
+ *     time.ID     s, until all of them are out
+ *     toppled.ID  1: the piece of furniture fell in this shake
+ *     blocks.ID   people whom the piece stops, those caught under it among them
+ *     elsewhere   people who are stopped by something else: a wall, a door, other people
+ *     caught      people on whom something fell
+ *
+ * A piece stops somebody when it is what has fallen next to the place where they stick, within the width that they
+ * would need there; when nothing has, when it is what the place is called after. */
+#pragma once
+
+#include "house/house.h"
+#include "house/observation.h"
+#include "study/experiment.h"
+
+/* Where they are among the observables of the experiment. */
+typedef struct ShakeRecord {
+    size_t party_count; /* people of the plan, then its crowds */
+    size_t piece_count;
+    size_t out, time;       /* of the first party; the others follow */
+    size_t toppled, blocks; /* of the first piece */
+    size_t elsewhere, caught;
+    size_t count; /* of all observables, the usual ones among them */
+} ShakeRecord;
+
+/* Behind the first `usual` ones. */
+ShakeRecord shake_record_of(const Plan *plan, size_t usual);
+
+/* Fills those of the shake in (count); texts live in the arena. */
+void shake_record_describe(const ShakeRecord *record, const Plan *plan, Observable *observables, Arena *arena);
+
+/* Fills what was observed of a house, in whose plan `before` nothing had fallen. */
+void shake_record_observe(const ShakeRecord *record, const Plan *before, const House *house,
+                          const Observation *observation, double *observed);

@@ -1,0 +1,469 @@
+#include "exchange/dxf_file.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/text.h"
+
+enum {
+    LARGEST_FILE = 64 * 1024 * 1024, /* bytes: a plan of a hospital has some 20 MB */
+    MOST_ENTITIES = 500000,
+    MOST_VERTICES = 1000000,
+    MOST_LAYERS = 1000,
+    MOST_BLOCKS = 20000,
+    LONGEST_NAME = 255, /* bytes */
+    FROZEN = 1,         /* of the flags of a layer, and of a polyline: */
+    CLOSED = 1,
+    NO_LINES = 16 | 64, /* a mesh */
+    CONTROLS = 16,      /* of a vertex: it only guides a curve */
+};
+
+/* A drawing is pairs of lines, a number that says what the value on the next line is. */
+typedef struct Group {
+    int code;
+    char *value;
+} Group;
+
+typedef struct Reader {
+    DxfFile *file;
+    HouseBuilder *builder;
+    char *at;
+    Group group; /* the last that was read */
+    int line;    /* of it */
+    int next_line;
+    DxfVertex spare; /* for what comes after a fault */
+} Reader;
+
+static bool fail(Reader *reader, const char *what, const char *detail) {
+    reader->builder->line = reader->line;
+    return house_builder_fail(reader->builder, "%s%.60s", what, detail);
+}
+
+/* Groups ---------------------------------------------------------------------------------------------------------- */
+
+/* The next line without what surrounds it, or NULL at the end. */
+static char *next_line(Reader *reader) {
+    char *begin = reader->at;
+    if (!*begin)
+        return NULL;
+    char *end = begin + strcspn(begin, "\n");
+    reader->at = *end ? end + 1 : end;
+    reader->line = reader->next_line++;
+    while (end > begin && (end[-1] == '\r' || end[-1] == ' '))
+        end--;
+    *end = 0;
+    return begin + strspn(begin, " \t");
+}
+
+/* False at the end of the file, or with a fault. */
+static bool next_group(Reader *reader) {
+    char *code = next_line(reader), *end;
+    if (!code || reader->builder->failed)
+        return false;
+    if (!*code && !*reader->at) /* blank lines at the end */
+        return false;
+    long number = strtol(code, &end, 10);
+    if (!*code || *end || number < -10 || number > 2000)
+        return fail(reader, "no DXF drawing: there must be a group code, not ", code);
+    char *value = next_line(reader);
+    if (!value)
+        return fail(reader, "the drawing ends within a group", "");
+    reader->group = (Group){(int)number, value};
+    return true;
+}
+
+static bool group_is(const Reader *reader, int code, const char *value) {
+    return reader->group.code == code && strcmp(reader->group.value, value) == 0;
+}
+
+/* The value as a number within what a plan may have. */
+static double real(Reader *reader) {
+    char *end;
+    double number = strtod(reader->group.value, &end);
+    if (end == reader->group.value || *end || !(fabs(number) < 1e12))
+        fail(reader, "must be a number below 1e12, not ", reader->group.value);
+    return fabs(number) < 1e12 ? number : 0;
+}
+
+static int whole(Reader *reader) {
+    return (int)real_clamp(real(reader), -1e9, 1e9);
+}
+
+static const char *name(Reader *reader) {
+    if (strlen(reader->group.value) > LONGEST_NAME)
+        reader->group.value[LONGEST_NAME] = 0;
+    return reader->group.value;
+}
+
+/* Layers ---------------------------------------------------------------------------------------------------------- */
+
+static size_t find_layer(Reader *reader, const char *name) {
+    DxfFile *file = reader->file;
+    unsigned hash = 2166136261u;
+    for (const char *c = name; *c; c++)
+        hash = (hash ^ (unsigned char)*c) * 16777619u;
+    for (size_t l = 0; l < file->layer_count; l++)
+        if (file->layers[l].hash == hash && strcmp(file->layers[l].name, name) == 0)
+            return l;
+    if (file->layer_count == MOST_LAYERS) {
+        fail(reader, "more than 1000 layers, must be fewer", "");
+        return 0;
+    }
+    file->layers = memory_reserve(file->layers, &file->layer_capacity, file->layer_count + 1, sizeof *file->layers);
+    file->layers[file->layer_count] = (DxfLayer){.name = name, .hash = hash};
+    return file->layer_count++;
+}
+
+static void read_layers(Reader *reader) {
+    size_t layer = SIZE_MAX;
+    bool more = next_group(reader);
+    while (more && !group_is(reader, 0, "ENDSEC")) {
+        if (reader->group.code == 0)
+            layer = SIZE_MAX;
+        bool begins = group_is(reader, 0, "LAYER");
+        while ((more = next_group(reader)) && begins && reader->group.code != 0) {
+            if (reader->group.code == 2)
+                layer = find_layer(reader, name(reader));
+            else if (layer != SIZE_MAX && ((reader->group.code == 70 && (whole(reader) & FROZEN)) ||
+                                           (reader->group.code == 62 && whole(reader) < 0)))
+                reader->file->layers[layer].hidden = true;
+        }
+    }
+}
+
+/* Entities -------------------------------------------------------------------------------------------------------- */
+
+static DxfVertex *add_vertex(Reader *reader, DxfEntity *entity) {
+    DxfFile *file = reader->file;
+    if (file->vertex_count == MOST_VERTICES) {
+        fail(reader, "more than 1000000 points, must be fewer", "");
+        return &reader->spare;
+    }
+    file->vertices =
+        memory_reserve(file->vertices, &file->vertex_capacity, file->vertex_count + 1, sizeof *file->vertices);
+    if (!entity->vertex_count)
+        entity->vertex = file->vertex_count;
+    entity->vertex_count++;
+    return &file->vertices[file->vertex_count++];
+}
+
+static DxfVertex *last_vertex(Reader *reader, DxfEntity *entity) {
+    return entity->vertex_count ? &reader->file->vertices[entity->vertex + entity->vertex_count - 1]
+                                : add_vertex(reader, entity);
+}
+
+/* Groups that mean the same in all entities. */
+static void take_common(Reader *reader, DxfEntity *entity) {
+    switch (reader->group.code) {
+    case 8:
+        entity->layer = find_layer(reader, name(reader));
+        break;
+    case 67:
+        entity->on_paper = whole(reader) == 1;
+        break;
+    case 230:
+        entity->mirrored = real(reader) < 0;
+        break;
+    }
+}
+
+static void take_line(Reader *reader, DxfEntity *entity) {
+    switch (reader->group.code) {
+    case 10:
+        add_vertex(reader, entity)->at.x = real(reader);
+        break;
+    case 20:
+        last_vertex(reader, entity)->at.y = real(reader);
+        break;
+    case 11:
+        add_vertex(reader, entity)->at.x = real(reader);
+        break;
+    case 21:
+        last_vertex(reader, entity)->at.y = real(reader);
+        break;
+    case 230: /* a LINE says where it is in the world's own axes */
+        entity->mirrored = false;
+        break;
+    }
+}
+
+static void take_lwpolyline(Reader *reader, DxfEntity *entity) {
+    switch (reader->group.code) {
+    case 10:
+        add_vertex(reader, entity)->at.x = real(reader);
+        break;
+    case 20:
+        last_vertex(reader, entity)->at.y = real(reader);
+        break;
+    case 42:
+        last_vertex(reader, entity)->bulge = real(reader);
+        break;
+    case 43:
+        entity->width = fabs(real(reader));
+        break;
+    case 70:
+        entity->closed = whole(reader) & CLOSED;
+        break;
+    }
+}
+
+static void take_polyline(Reader *reader, DxfEntity *entity) {
+    if (reader->group.code == 70) {
+        entity->closed = whole(reader) & CLOSED;
+        entity->kind = whole(reader) & NO_LINES ? DXF_OTHER : DXF_LINES;
+    } else if (reader->group.code == 40) {
+        entity->width = fabs(real(reader));
+    }
+}
+
+static void take_arc(Reader *reader, DxfEntity *entity) {
+    switch (reader->group.code) {
+    case 10:
+        entity->at.x = real(reader);
+        break;
+    case 20:
+        entity->at.y = real(reader);
+        break;
+    case 40:
+        entity->radius = fabs(real(reader));
+        break;
+    case 50:
+        entity->start = real(reader);
+        break;
+    case 51:
+        entity->end = real(reader);
+        break;
+    }
+}
+
+static void take_insert(Reader *reader, DxfEntity *entity) {
+    switch (reader->group.code) {
+    case 2:
+        entity->block = name(reader);
+        break;
+    case 10:
+        entity->at.x = real(reader);
+        break;
+    case 20:
+        entity->at.y = real(reader);
+        break;
+    case 41:
+        entity->scale.x = real(reader);
+        break;
+    case 42:
+        entity->scale.y = real(reader);
+        break;
+    case 44:
+        entity->spacing.x = real(reader);
+        break;
+    case 45:
+        entity->spacing.y = real(reader);
+        break;
+    case 50:
+        entity->turned = real(reader);
+        break;
+    case 70:
+        entity->columns = whole(reader);
+        break;
+    case 71:
+        entity->rows = whole(reader);
+        break;
+    }
+}
+
+typedef void Take(Reader *reader, DxfEntity *entity);
+
+static const struct {
+    const char *type;
+    DxfKind kind;
+    Take *take;
+} types[] = {
+    {"LINE", DXF_LINES, take_line},         {"LWPOLYLINE", DXF_LINES, take_lwpolyline},
+    {"POLYLINE", DXF_LINES, take_polyline}, {"ARC", DXF_ARC, take_arc},
+    {"CIRCLE", DXF_ARC, take_arc},          {"INSERT", DXF_INSERT, take_insert},
+};
+enum { TYPES = sizeof types / sizeof *types };
+
+/* A vertex of the POLYLINE before it. Ends at the next group 0. */
+static bool read_vertex(Reader *reader, DxfEntity *polyline) {
+    DxfVertex vertex = {.bulge = 0};
+    bool guides = false, more;
+    while ((more = next_group(reader)) && reader->group.code != 0) {
+        if (reader->group.code == 10)
+            vertex.at.x = real(reader);
+        else if (reader->group.code == 20)
+            vertex.at.y = real(reader);
+        else if (reader->group.code == 42)
+            vertex.bulge = real(reader);
+        else if (reader->group.code == 70)
+            guides = whole(reader) & CONTROLS;
+    }
+    if (!guides)
+        *add_vertex(reader, polyline) = vertex;
+    return more;
+}
+
+/* Begins at a group 0 and ends at the next. */
+static bool read_entity(Reader *reader) {
+    DxfFile *file = reader->file;
+    size_t type = 0;
+    while (type < TYPES && strcmp(types[type].type, reader->group.value) != 0)
+        type++;
+    if (file->entity_count == MOST_ENTITIES)
+        return fail(reader, "more than 500000 entities, must be fewer", "");
+    file->entities =
+        memory_reserve(file->entities, &file->entity_capacity, file->entity_count + 1, sizeof *file->entities);
+    DxfEntity *entity = &file->entities[file->entity_count++];
+    *entity = (DxfEntity){.kind = type < TYPES ? types[type].kind : DXF_OTHER,
+                          .type = name(reader),
+                          .block = "",
+                          .scale = {1, 1},
+                          .end = 360,
+                          .columns = 1,
+                          .rows = 1,
+                          .line = reader->line};
+    bool more;
+    while ((more = next_group(reader)) && reader->group.code != 0) {
+        take_common(reader, entity);
+        if (type < TYPES)
+            types[type].take(reader, entity);
+    }
+    bool holds = strcmp(entity->type, "POLYLINE") == 0;
+    while (more && holds && group_is(reader, 0, "VERTEX"))
+        more = read_vertex(reader, entity);
+    return more;
+}
+
+/* Entities up to the one called `end`, at which it stands then. */
+static bool read_entities(Reader *reader, const char *end) {
+    bool more = reader->group.code == 0 || next_group(reader);
+    while (more && !group_is(reader, 0, end) && !group_is(reader, 0, "ENDSEC"))
+        more = reader->group.code == 0 ? read_entity(reader) : next_group(reader);
+    return more;
+}
+
+/* Sections -------------------------------------------------------------------------------------------------------- */
+
+/* Begins at the group 0 of BLOCK. */
+static bool read_block(Reader *reader) {
+    DxfFile *file = reader->file;
+    if (file->block_count == MOST_BLOCKS)
+        return fail(reader, "more than 20000 blocks, must be fewer", "");
+    DxfBlock block = {.name = "", .first = file->entity_count};
+    bool more;
+    while ((more = next_group(reader)) && reader->group.code != 0) {
+        if (reader->group.code == 2)
+            block.name = name(reader);
+        else if (reader->group.code == 10)
+            block.base.x = real(reader);
+        else if (reader->group.code == 20)
+            block.base.y = real(reader);
+    }
+    more = more && read_entities(reader, "ENDBLK");
+    block.count = file->entity_count - block.first;
+    file->blocks = memory_reserve(file->blocks, &file->block_capacity, file->block_count + 1, sizeof *file->blocks);
+    file->blocks[file->block_count++] = block;
+    return more;
+}
+
+static void read_blocks(Reader *reader) {
+    bool more = next_group(reader);
+    while (more && !group_is(reader, 0, "ENDSEC"))
+        more = group_is(reader, 0, "BLOCK") ? read_block(reader) : next_group(reader);
+}
+
+static void read_header(Reader *reader) {
+    bool unit = false;
+    while (next_group(reader) && !group_is(reader, 0, "ENDSEC")) {
+        if (unit && reader->group.code == 70)
+            reader->file->unit = whole(reader);
+        if (reader->group.code == 9)
+            unit = strcmp(reader->group.value, "$INSUNITS") == 0;
+    }
+}
+
+/* Stands at SECTION's name. */
+static void read_section(Reader *reader) {
+    DxfFile *file = reader->file;
+    const char *section = reader->group.value;
+    if (strcmp(section, "HEADER") == 0) {
+        read_header(reader);
+    } else if (strcmp(section, "TABLES") == 0) {
+        read_layers(reader);
+    } else if (strcmp(section, "BLOCKS") == 0) {
+        read_blocks(reader);
+    } else if (strcmp(section, "ENTITIES") == 0 && !file->model_count) {
+        file->model = file->entity_count;
+        read_entities(reader, "ENDSEC");
+        file->model_count = file->entity_count - file->model;
+    }
+}
+
+static int compare_blocks(const void *a, const void *b) {
+    const DxfBlock *p = a, *q = b;
+    int order = strcasecmp(p->name, q->name);
+    return order ? order : p->first < q->first ? -1 : p->first > q->first;
+}
+
+static bool read_sections(Reader *reader) {
+    bool any = false;
+    while (next_group(reader) && !group_is(reader, 0, "EOF"))
+        if (group_is(reader, 0, "SECTION") && next_group(reader) && reader->group.code == 2) {
+            any = true;
+            read_section(reader);
+        }
+    if (reader->builder->failed)
+        return false;
+    if (reader->file->block_count) /* without any, their list is NULL */
+        qsort(reader->file->blocks, reader->file->block_count, sizeof *reader->file->blocks, compare_blocks);
+    reader->line = 1;
+    return any || fail(reader, "no DXF drawing: it has no SECTION", "");
+}
+
+bool dxf_file_read(DxfFile *file, HouseBuilder *builder) {
+    size_t size;
+    file->text = text_read_file(builder->path, LARGEST_FILE, &size);
+    if (!file->text)
+        return house_builder_fail(builder, "cannot be read: %s", strerror(errno));
+    Reader reader = {.file = file, .builder = builder, .at = file->text, .line = 1, .next_line = 1};
+    if (strncmp(file->text, "AutoCAD Binary DXF", strlen("AutoCAD Binary DXF")) == 0)
+        return fail(&reader, "a binary DXF drawing: save it as a text (ASCII) DXF", "");
+    if (strncmp(file->text, "AC10", 4) == 0)
+        return fail(&reader, "a DWG drawing: save it as a text (ASCII) DXF", "");
+    if (memchr(file->text, 0, size))
+        return fail(&reader, "no DXF drawing: there is a byte 0", "");
+    if (strncmp(reader.at, "\xef\xbb\xbf", 3) == 0)
+        reader.at += 3;
+    find_layer(&reader, "0"); /* what names none is there */
+    bool good = read_sections(&reader);
+    builder->line = 1;
+    return good;
+}
+
+void dxf_file_clear(DxfFile *file) {
+    memory_free(file->text);
+    memory_free(file->entities);
+    memory_free(file->vertices);
+    memory_free(file->blocks);
+    memory_free(file->layers);
+    *file = (DxfFile){0};
+}
+
+const DxfBlock *dxf_file_block(const DxfFile *file, const char *name) {
+    size_t low = 0, high = file->block_count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        int order = strcasecmp(file->blocks[middle].name, name);
+        if (order == 0)
+            return &file->blocks[middle];
+        if (order < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return NULL;
+}

@@ -1,0 +1,21 @@
+/* What the layers of a drawing are for: as the options say, or by their names. Only for the files of dxf.c. */
+#pragma once
+
+#include "exchange/dxf_file.h"
+
+typedef enum DxfRole {
+    DXF_UNKNOWN,
+    DXF_WALLS,
+    DXF_DOORS,
+    DXF_FURNITURE,
+    DXF_EXITS,
+    DXF_NOTHING, /* dimensions, texts and the like */
+    DXF_ROLES,
+} DxfRole;
+
+/* Gives each layer its role, and notes the choice. Where no layer is called like walls, all are walls that are called
+ * like nothing else. False: a fault about the options. */
+bool dxf_layers_choose(DxfFile *file, HouseBuilder *builder);
+
+/* What a block is by its name alone: doors, furniture, or DXF_UNKNOWN. */
+DxfRole dxf_layers_of_block(const char *name);

@@ -1,0 +1,475 @@
+#include "exchange/house_builder.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "exchange/rectangle.h"
+#include "house/plan_tables.h"
+
+static const double ROUNDED = 1e9;     /* per m: coordinates are rounded to a nanometre, which reads well */
+static const double FARTHEST = 1e8;    /* m, before the plan is moved to its origin: farther is no place on Earth */
+static const double APART = 1e-6;      /* m: the shortest segment of a wall, as a plan wants it */
+static const double SMALLEST = 0.01;   /* m: pieces of furniture and exits, as a plan wants them */
+static const double PARALLEL = 0.1;    /* 1: the sine of the angle up to which a door lies along its wall */
+static const double THICKEST = 5;      /* m, and other limits of the parameter tables */
+static const double HIGHEST = 100;     /* m */
+static const double WIDEST_DOOR = 100; /* m */
+
+enum {
+    TEXT_LONGEST = 80, /* bytes of a name */
+    NOTE_KINDS = 4     /* of what is left out, that the note names */
+};
+
+void house_builder_init(HouseBuilder *builder, const char *path, const ImportOptions *options, ImportReport *report,
+                        Fault *fault) {
+    *builder = (HouseBuilder){.path = path, .line = 1, .options = options, .report = report, .fault = fault};
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    const char *ending = strrchr(name, '.');
+    const char *bare = text_in_arena(&builder->plan.arena, "%.*s", ending ? (int)(ending - name) : -1, name);
+    builder->plan.name = house_builder_text(builder, bare);
+    parameters_reset(&plan_tables_run, &builder->plan.run);
+}
+
+void house_builder_clear(HouseBuilder *builder) {
+    for (size_t l = 0; l < PLAN_LISTS; l++)
+        memory_free(*(void **)((char *)&builder->plan + plan_tables_lists[l].array));
+    plan_free(&builder->plan);
+}
+
+bool house_builder_fail(HouseBuilder *builder, const char *format, ...) {
+    if (builder->failed)
+        return false;
+    builder->failed = true;
+    Text what = {0};
+    va_list arguments;
+    va_start(arguments, format);
+    text_vformat(&what, format, arguments);
+    va_end(arguments);
+    fault_add(builder->fault, "%s:%d:1: %s", builder->path, builder->line, what.text);
+    memory_free(what.text);
+    return false;
+}
+
+const char *house_builder_text(HouseBuilder *builder, const char *text) {
+    char line[TEXT_LONGEST + 1];
+    size_t length = strnlen(text, TEXT_LONGEST + 1);
+    if (length > TEXT_LONGEST)
+        for (length = TEXT_LONGEST; length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80;)
+            length--;
+    memcpy(line, text, length);
+    line[length] = 0;
+    text_make_plain(line);
+    return arena_text(&builder->plan.arena, line);
+}
+
+void house_builder_name(HouseBuilder *builder, const char *name) {
+    if (*name)
+        builder->plan.name = house_builder_text(builder, name);
+}
+
+bool house_builder_good(HouseBuilder *builder, Vec2 at) {
+    if (fabs(at.x) < FARTHEST && fabs(at.y) < FARTHEST)
+        return !builder->failed;
+    return house_builder_fail(builder, "the point (%g, %g) m is too far away, must be within %g m", at.x, at.y,
+                              FARTHEST);
+}
+
+static Vec2 rounded(Vec2 at) {
+    return vec2(round(at.x * ROUNDED) / ROUNDED, round(at.y * ROUNDED) / ROUNDED);
+}
+
+static double rounded_length(double length) {
+    return round(length * ROUNDED) / ROUNDED;
+}
+
+/* Good points, rounded, in the arena. NULL: one is not. */
+static Vec2 *keep_points(HouseBuilder *builder, const Vec2 *points, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        if (!house_builder_good(builder, points[i]))
+            return NULL;
+    Vec2 *kept = arena_allocate(&builder->plan.arena, count * sizeof *kept);
+    for (size_t i = 0; i < count; i++)
+        kept[i] = rounded(points[i]);
+    return kept;
+}
+
+/* An element more in a list of the plan, at its fallbacks and with an id of its own: the list's first letter and its
+ * number. NULL: there are `most` already. */
+static void *add_element(HouseBuilder *builder, int list, size_t *capacity, size_t most) {
+    const PlanList *kind = &plan_tables_lists[list];
+    void **array = (void **)((char *)&builder->plan + kind->array);
+    size_t *count = (size_t *)((char *)&builder->plan + kind->count);
+    if (builder->failed)
+        return NULL;
+    if (*count >= most) {
+        house_builder_fail(builder, "more than %zu %s, must be fewer", most, kind->key);
+        return NULL;
+    }
+    *array = memory_reserve(*array, capacity, *count + 1, kind->size);
+    void *element = (char *)*array + (*count)++ * kind->size;
+    parameters_reset(&kind->table, element);
+    const char *letters = list == LIST_ROUTES ? "route" : list == LIST_ROOMS ? "room" : NULL;
+    char letter[2] = {kind->key[0], 0};
+    *(const char **)element = text_in_arena(&builder->plan.arena, "%s%zu", letters ? letters : letter, *count);
+    return element;
+}
+
+/* Walls and doors ------------------------------------------------------------------------------------------------- */
+
+size_t house_builder_wall(HouseBuilder *builder, const Vec2 *points, size_t count, double thickness, double height) {
+    Vec2 *kept = keep_points(builder, points, count);
+    size_t used = 0;
+    for (size_t i = 0; i < count && kept; i++)
+        if (used == 0 || vec2_distance(kept[i], kept[used - 1]) >= APART)
+            kept[used++] = kept[i];
+    if (used < 2)
+        return SIZE_MAX;
+    if (builder->points + used > HOUSE_BUILDER_POINTS) {
+        house_builder_fail(builder, "walls of more than %d points, must be fewer", HOUSE_BUILDER_POINTS);
+        return SIZE_MAX;
+    }
+    Wall *wall = add_element(builder, LIST_WALLS, &builder->wall_capacity, HOUSE_BUILDER_POINTS);
+    if (!wall)
+        return SIZE_MAX;
+    builder->points += used;
+    wall->points = (Points){kept, used};
+    wall->thickness = thickness >= 0 ? rounded_length(fmin(thickness, THICKEST)) : 0;
+    if (height > 0)
+        wall->height = rounded_length(fmin(height, HIGHEST));
+    return builder->plan.wall_count - 1;
+}
+
+static bool overlaps(const HouseBuilder *builder, const Door *door) {
+    for (size_t d = 0; d < builder->plan.door_count; d++) {
+        const Door *other = &builder->plan.doors[d];
+        if (other->wall_index == door->wall_index && other->segment == door->segment &&
+            fabs(other->at - door->at) < (other->width + door->width) / 2 + APART)
+            return true;
+    }
+    return false;
+}
+
+size_t house_builder_door(HouseBuilder *builder, const Door *door) {
+    const Wall *wall = &builder->plan.walls[door->wall_index];
+    const Vec2 *ends = wall->points.at + door->segment;
+    Door placed = *door;
+    double length = vec2_distance(ends[0], ends[1]);
+    placed.width = rounded_length(fmin(door->width, length));
+    double half = placed.width / 2;
+    bool fits = door->width >= SMALLEST && door->width <= fmin(length + APART, WIDEST_DOOR) && door->at >= -half &&
+                door->at <= length + half;
+    placed.at = fits ? rounded_length(real_clamp(door->at, half, fmax(length - half, half))) : 0;
+    if (!fits || overlaps(builder, &placed))
+        return SIZE_MAX;
+    Door *added = add_element(builder, LIST_DOORS, &builder->door_capacity, HOUSE_BUILDER_FEW);
+    if (!added)
+        return SIZE_MAX;
+    placed.id = added->id;
+    placed.wall = wall->id;
+    placed.state = added->state;
+    placed.opening_time = added->opening_time;
+    *added = placed;
+    return builder->plan.door_count - 1;
+}
+
+bool house_builder_nearest(const HouseBuilder *builder, Vec2 at, Vec2 along, double reach, size_t *wall, int *segment) {
+    double best = reach;
+    bool found = false;
+    for (size_t w = 0; w < builder->plan.wall_count; w++) {
+        const Points *points = &builder->plan.walls[w].points;
+        for (size_t s = 0; s + 1 < points->count; s++) {
+            Vec2 a = points->at[s], b = points->at[s + 1];
+            double distance = vec2_distance(at, vec2_nearest_on_segment(at, a, b));
+            if (distance > best || fabs(vec2_cross(vec2_unit(vec2_sub(b, a)), along)) > PARALLEL)
+                continue;
+            best = distance;
+            *wall = w;
+            *segment = (int)s;
+            found = true;
+        }
+    }
+    return found;
+}
+
+/* Furniture, rooms, exits ----------------------------------------------------------------------------------------- */
+
+size_t house_builder_piece(HouseBuilder *builder, const char *name, Vec2 centre, Vec2 size, double angle,
+                           double height) {
+    if (!house_builder_good(builder, centre) || !house_builder_good(builder, size) || size.x < SMALLEST ||
+        size.y < SMALLEST)
+        return SIZE_MAX;
+    Furniture *piece = add_element(builder, LIST_FURNITURE, &builder->furniture_capacity, HOUSE_BUILDER_THINGS);
+    if (!piece)
+        return SIZE_MAX;
+    piece->name = house_builder_text(builder, name);
+    piece->centre = rounded(centre);
+    piece->size = rounded(size);
+    piece->angle = isfinite(angle) ? rounded_length(remainder(angle, 360)) : 0;
+    if (height > 0)
+        piece->height = rounded_length(fmin(height, HIGHEST));
+    return builder->plan.furniture_count - 1;
+}
+
+size_t house_builder_piece_around(HouseBuilder *builder, const char *name, const Vec2 *points, size_t count,
+                                  double height) {
+    for (size_t i = 0; i < count; i++)
+        if (!house_builder_good(builder, points[i]))
+            return SIZE_MAX;
+    if (count < 2)
+        return SIZE_MAX;
+    Rectangle box = rectangle_around(points, count);
+    return house_builder_piece(builder, name, box.centre, box.size, box.angle, height);
+}
+
+size_t house_builder_room(HouseBuilder *builder, const char *name, const Vec2 *points, size_t count) {
+    Vec2 *kept = count >= 3 ? keep_points(builder, points, count) : NULL;
+    Room *room = kept ? add_element(builder, LIST_ROOMS, &builder->room_capacity, HOUSE_BUILDER_THINGS) : NULL;
+    if (!room)
+        return SIZE_MAX;
+    room->name = house_builder_text(builder, name);
+    room->outline = (Points){kept, count};
+    return builder->plan.room_count - 1;
+}
+
+size_t house_builder_exit(HouseBuilder *builder, Vec2 from, Vec2 to) {
+    if (!house_builder_good(builder, from) || !house_builder_good(builder, to) ||
+        vec2_distance(from, to) < 1.01 * SMALLEST)
+        return SIZE_MAX;
+    Exit *exit = add_element(builder, LIST_EXITS, &builder->exit_capacity, HOUSE_BUILDER_THINGS);
+    if (!exit)
+        return SIZE_MAX;
+    exit->from = rounded(from);
+    exit->to = rounded(to);
+    return builder->plan.exit_count - 1;
+}
+
+/* People ---------------------------------------------------------------------------------------------------------- */
+
+static const char walker[] = "adult"; /* of the shipped profiles, the one that other programs' people are nearest to */
+
+size_t house_builder_person(HouseBuilder *builder, Vec2 at, double heading, double speed) {
+    Person *person = house_builder_good(builder, at)
+                         ? add_element(builder, LIST_PEOPLE, &builder->person_capacity, HOUSE_BUILDER_FEW)
+                         : NULL;
+    if (!person)
+        return SIZE_MAX;
+    person->profile = walker;
+    person->at = rounded(at);
+    person->heading = isfinite(heading) ? rounded_length(remainder(heading, 360)) : 0;
+    person->speed = speed > 0 ? rounded_length(fmin(speed, 10)) : 0;
+    return builder->plan.person_count - 1;
+}
+
+size_t house_builder_crowd(HouseBuilder *builder, const Vec2 *area, size_t points, size_t count, double delay) {
+    if (count < 1 || points < 3)
+        return SIZE_MAX;
+    if (builder->crowd + count > HOUSE_BUILDER_CROWD) {
+        house_builder_fail(builder, "more than %d people, must be fewer", HOUSE_BUILDER_CROWD);
+        return SIZE_MAX;
+    }
+    Vec2 *kept = keep_points(builder, area, points);
+    Crowd *crowd = kept ? add_element(builder, LIST_CROWDS, &builder->crowd_capacity, HOUSE_BUILDER_FEW) : NULL;
+    if (!crowd)
+        return SIZE_MAX;
+    builder->crowd += count;
+    crowd->profile = walker;
+    crowd->count = (int)count;
+    crowd->area = (Points){kept, points};
+    crowd->delay = delay > 0 ? rounded_length(fmin(delay, 1e6)) : 0;
+    return builder->plan.crowd_count - 1;
+}
+
+/* The route that leads the same way, or NULL. */
+static PlanRoute *find_route(const Plan *plan, const Vec2 *via, size_t count, const char *exit) {
+    for (size_t r = 0; r < plan->route_count; r++) {
+        PlanRoute *route = &plan->routes[r];
+        if (route->via.count == count && (!count || memcmp(route->via.at, via, count * sizeof *via) == 0) &&
+            strcmp(route->exit, exit) == 0)
+            return route;
+    }
+    return NULL;
+}
+
+/* There is room for twice as many as there are whenever these are a power of two. */
+static void add_to_route(HouseBuilder *builder, PlanRoute *route, const char *who) {
+    Ids *people = &route->people;
+    if ((people->count & (people->count - 1)) == 0) {
+        const char **more = arena_allocate(&builder->plan.arena, (2 * people->count + 1) * sizeof *more);
+        for (size_t i = 0; i < people->count; i++)
+            more[i] = people->at[i];
+        people->at = more;
+    }
+    people->at[people->count++] = who;
+}
+
+void house_builder_route(HouseBuilder *builder, const char *who, const Vec2 *via, size_t count, size_t exit) {
+    const char *id = exit < builder->plan.exit_count ? builder->plan.exits[exit].id : "";
+    Vec2 *kept = keep_points(builder, via, count);
+    PlanRoute *route = kept ? find_route(&builder->plan, kept, count, id) : NULL;
+    if (kept && !route) {
+        route = add_element(builder, LIST_ROUTES, &builder->route_capacity, HOUSE_BUILDER_FEW);
+        if (route) {
+            route->via = (Points){kept, count};
+            route->exit = id;
+        }
+    }
+    if (route)
+        add_to_route(builder, route, who);
+}
+
+/* The end --------------------------------------------------------------------------------------------------------- */
+
+static const double FAR = 1000; /* m: a plan whose middle is farther than this from its origin is moved there */
+
+typedef void MovePoint(Vec2 *at, Vec2 by, void *context);
+
+static void visit_points(Points *points, MovePoint *visit, Vec2 by, void *context) {
+    for (size_t i = 0; i < points->count; i++)
+        visit(&points->at[i], by, context);
+}
+
+/* Calls `visit` for every point of the plan. */
+static void visit_all(Plan *plan, MovePoint *visit, Vec2 by, void *context) {
+    for (size_t i = 0; i < plan->wall_count; i++)
+        visit_points(&plan->walls[i].points, visit, by, context);
+    for (size_t i = 0; i < plan->furniture_count; i++)
+        visit(&plan->furniture[i].centre, by, context);
+    for (size_t i = 0; i < plan->room_count; i++)
+        visit_points(&plan->rooms[i].outline, visit, by, context);
+    for (size_t i = 0; i < plan->exit_count; i++) {
+        visit(&plan->exits[i].from, by, context);
+        visit(&plan->exits[i].to, by, context);
+    }
+    for (size_t i = 0; i < plan->person_count; i++)
+        visit(&plan->people[i].at, by, context);
+    for (size_t i = 0; i < plan->crowd_count; i++)
+        visit_points(&plan->crowds[i].area, visit, by, context);
+    for (size_t i = 0; i < plan->route_count; i++)
+        visit_points(&plan->routes[i].via, visit, by, context);
+}
+
+static void include_point(Vec2 *at, Vec2 by, void *context) {
+    (void)by;
+    Box *box = context;
+    *box = box_include(*box, *at);
+}
+
+static void move_point(Vec2 *at, Vec2 by, void *context) {
+    (void)context;
+    *at = rounded(vec2_add(*at, by));
+}
+
+/* Drawings lie anywhere, in the coordinates of a land survey for instance. */
+static bool bring_near(HouseBuilder *builder) {
+    Box box = box_empty();
+    visit_all(&builder->plan, include_point, vec2(0, 0), &box);
+    Vec2 middle = vec2_scale(vec2_add(box.low, box.high), 0.5);
+    if (fabs(middle.x) > FAR || fabs(middle.y) > FAR) {
+        Vec2 by = vec2(-floor(box.low.x), -floor(box.low.y));
+        visit_all(&builder->plan, move_point, by, NULL);
+        import_report_note(builder->report, "all is moved by (%.10g, %.10g) m, to the origin", by.x, by.y);
+    }
+    if (box_width(box) < PARAMETER_FARTHEST / 2 && box_height(box) < PARAMETER_FARTHEST / 2)
+        return true;
+    builder->line = 1;
+    return house_builder_fail(builder, "the plan is %.4g m by %.4g m, must be less than %g m: is the unit right?",
+                              box_width(box), box_height(box), PARAMETER_FARTHEST / 2);
+}
+
+static bool in_wall(const Wall *wall, Vec2 at) {
+    for (size_t s = 0; s + 1 < wall->points.count; s++)
+        if (vec2_distance(at, vec2_nearest_on_segment(at, wall->points.at[s], wall->points.at[s + 1])) <
+            wall->thickness / 2)
+            return true;
+    return false;
+}
+
+static bool in_furniture(const Furniture *piece, Vec2 at) {
+    Vec2 own = vec2_unturn(vec2_sub(at, piece->centre), vec2_heading(radians(piece->angle)));
+    return fabs(own.x) < piece->size.x / 2 && fabs(own.y) < piece->size.y / 2;
+}
+
+static bool stands_free(const Plan *plan, Vec2 at) {
+    bool is_free = true;
+    for (size_t w = 0; w < plan->wall_count && is_free; w++)
+        is_free = plan->walls[w].thickness == 0 || !in_wall(&plan->walls[w], at);
+    for (size_t f = 0; f < plan->furniture_count && is_free; f++)
+        is_free = !in_furniture(&plan->furniture[f], at);
+    return is_free;
+}
+
+/* Takes somebody out of the routes; one of nobody goes. */
+static void drop_from_routes(Plan *plan, const char *who) {
+    size_t kept = 0;
+    for (size_t r = 0; r < plan->route_count; r++) {
+        Ids *people = &plan->routes[r].people;
+        size_t left = 0;
+        for (size_t i = 0; i < people->count; i++)
+            if (strcmp(people->at[i], who) != 0)
+                people->at[left++] = people->at[i];
+        people->count = left;
+        if (left)
+            plan->routes[kept++] = plan->routes[r];
+    }
+    plan->route_count = kept;
+}
+
+static void drop_walled_in(HouseBuilder *builder) {
+    Plan *plan = &builder->plan;
+    size_t kept = 0;
+    for (size_t p = 0; p < plan->person_count; p++) {
+        if (stands_free(plan, plan->people[p].at))
+            plan->people[kept++] = plan->people[p];
+        else
+            drop_from_routes(plan, plan->people[p].id);
+    }
+    import_report_leave(builder->report, plan->person_count - kept, "people who stand inside something");
+    plan->person_count = kept;
+}
+
+static void note_what_lacks(HouseBuilder *builder) {
+    const Plan *plan = &builder->plan;
+    bool empty = !plan->person_count && !plan->crowd_count;
+    if (!plan->exit_count)
+        import_report_note(builder->report, "there is no exit yet: add one where people leave%s",
+                           empty ? ", and people" : "");
+    else if (empty)
+        import_report_note(builder->report, "nobody lives here yet: add people");
+}
+
+/* Where the plan comes from and what it lacks, for whoever opens it in a year; the report says all of it. */
+static const char *house_note(HouseBuilder *builder) {
+    const ImportReport *report = builder->report;
+    const char *slash = strrchr(builder->path, '/');
+    size_t kinds = report->left_out_count, named = kinds > NOTE_KINDS ? NOTE_KINDS - 1 : kinds;
+    Text note = {0};
+    text_format(&note, "Imported from %s (%s)", slash ? slash + 1 : builder->path, report->format);
+    for (size_t i = 0; i < named; i++)
+        text_format(&note, "%s %s (%zu)", i ? "," : "; not taken over:", report->left_out[i].what,
+                    report->left_out[i].count);
+    if (named < kinds)
+        text_format(&note, " and %zu kinds more", kinds - named);
+    text_make_plain(note.text);
+    const char *kept = arena_text(&builder->plan.arena, note.text);
+    memory_free(note.text);
+    return kept;
+}
+
+bool house_builder_end(HouseBuilder *builder, Plan *plan) {
+    builder->line = 1;
+    if (!builder->failed && !builder->plan.wall_count)
+        house_builder_fail(builder, "there is nothing that could be a wall");
+    if (builder->failed || !bring_near(builder))
+        return false;
+    drop_walled_in(builder);
+    note_what_lacks(builder);
+    builder->plan.note = house_note(builder);
+    char *text = plan_text(&builder->plan);
+    bool good = plan_read_text(plan, builder->path, text, NULL, 0, builder->fault);
+    memory_free(text);
+    return good;
+}

@@ -1,0 +1,407 @@
+#include "exchange/vadere.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/json.h"
+#include "exchange/rectangle.h"
+
+static const double SLENDER = 3;          /* 1: a rectangle so many times longer than wide is a wall */
+static const double OBSTACLE_HEIGHT = 2;  /* m: assumed, one cannot see over it */
+static const double CLEARLY_LONGER = 1.2; /* 1: sides of a target beyond this ratio tell which way it is crossed */
+static const double ROOM_EACH = 0.35;     /* m2: as dense as people are placed at random */
+
+enum {
+    CIRCLE_SIDES = 24,
+    SHAPE_POINTS = 10000, /* of one shape */
+    VIA_MOST = 50,        /* targets on one way */
+};
+
+/* A shape as its outline. */
+typedef struct Shape {
+    Vec2 *points; /* (count); memory_free it */
+    size_t count;
+} Shape;
+
+typedef struct Target {
+    int id;
+    Vec2 middle;
+    size_t exit; /* SIZE_MAX: people go past it */
+} Target;
+
+typedef struct Reader {
+    HouseBuilder *builder;
+    JsonFile file;
+    Arena arena;
+    double unit;     /* m */
+    Vec2 sources;    /* where people are, in the mean */
+    Target *targets; /* (target_count) by id */
+    size_t target_count;
+    size_t later; /* sources that go on giving people */
+} Reader;
+
+/* Values ---------------------------------------------------------------------------------------------------------- */
+
+/* Adds the fault at the node, once. */
+static bool fail_at(Reader *reader, const JsonNode *node, const char *what) {
+    if (!reader->builder->failed)
+        json_fault(node, reader->builder->fault, "%s", what);
+    reader->builder->failed = true;
+    return false;
+}
+
+/* A number, finite; `fallback` when there is none. */
+static double number(const json_t *object, const char *key, double fallback) {
+    const json_t *value = json_object_get(object, key);
+    return json_is_number(value) && isfinite(json_number_value(value)) ? json_number_value(value) : fallback;
+}
+
+static Vec2 point(const Reader *reader, const json_t *object) {
+    return vec2_scale(vec2(number(object, "x", NAN), number(object, "y", NAN)), reader->unit);
+}
+
+static size_t list_size(const JsonNode *node) {
+    return json_array_size(node->value);
+}
+
+/* Shapes ---------------------------------------------------------------------------------------------------------- */
+
+static void set_rectangle(Shape *shape, Vec2 low, Vec2 high) {
+    shape->points = memory_allocate(4, sizeof *shape->points);
+    Vec2 corners[4] = {low, {high.x, low.y}, high, {low.x, high.y}};
+    memcpy(shape->points, corners, sizeof corners);
+    shape->count = 4;
+}
+
+static void set_circle(Shape *shape, Vec2 centre, double radius) {
+    shape->points = memory_allocate(CIRCLE_SIDES, sizeof *shape->points);
+    for (size_t i = 0; i < CIRCLE_SIDES; i++)
+        shape->points[i] = vec2_along(centre, radius, vec2_heading(2 * M_PI * (double)i / CIRCLE_SIDES));
+    shape->count = CIRCLE_SIDES;
+}
+
+static bool set_polygon(Reader *reader, Shape *shape, const JsonNode *node) {
+    JsonNode points = json_member(node, "points");
+    size_t count = list_size(&points);
+    if (count < 3 || count > SHAPE_POINTS)
+        return fail_at(reader, node,
+                       count < 3 ? "a polygon must have three points or more"
+                                 : "a polygon has more than 10000 points, must have fewer");
+    shape->points = memory_allocate(count, sizeof *shape->points);
+    for (size_t i = 0; i < count; i++)
+        shape->points[i] = point(reader, json_array_get(points.value, i));
+    shape->count = count;
+    return true;
+}
+
+static bool is_somewhere(Reader *reader, const Shape *shape, const JsonNode *node) {
+    for (size_t i = 0; i < shape->count; i++)
+        if (!(fabs(shape->points[i].x) < PARAMETER_FARTHEST && fabs(shape->points[i].y) < PARAMETER_FARTHEST))
+            return fail_at(reader, node, "a shape's numbers must be there, and within 100000 m");
+    return true;
+}
+
+/* Reads the member "shape" of an element. False: a fault. */
+static bool read_shape(Reader *reader, const JsonNode *element, Shape *shape) {
+    JsonNode node = json_member(element, "shape");
+    JsonNode centre = json_member(&node, "center");
+    const char *type = json_string_value(json_object_get(node.value, "type"));
+    *shape = (Shape){0};
+    if (type && strcmp(type, "RECTANGLE") == 0) {
+        Vec2 low = point(reader, node.value);
+        Vec2 size = vec2_scale(vec2(number(node.value, "width", NAN), number(node.value, "height", NAN)), reader->unit);
+        set_rectangle(shape, low, vec2_add(low, size));
+    } else if (type && strcmp(type, "CIRCLE") == 0) {
+        set_circle(shape, point(reader, centre.value), number(node.value, "radius", NAN) * reader->unit);
+    } else if (type && strcmp(type, "POLYGON") == 0) {
+        if (!set_polygon(reader, shape, &node))
+            return false;
+    } else {
+        return fail_at(reader, element, "has no shape of type RECTANGLE, POLYGON or CIRCLE");
+    }
+    if (is_somewhere(reader, shape, &node))
+        return true;
+    memory_free(shape->points);
+    return false;
+}
+
+static Vec2 middle_of(const Shape *shape) {
+    Vec2 sum = {0, 0};
+    for (size_t i = 0; i < shape->count; i++)
+        sum = vec2_add(sum, shape->points[i]);
+    return vec2_scale(sum, 1 / (double)shape->count);
+}
+
+static double area_of(const Shape *shape) {
+    double area = 0;
+    for (size_t i = 0; i < shape->count; i++)
+        area += vec2_cross(vec2_sub(shape->points[i], shape->points[0]),
+                           vec2_sub(shape->points[(i + 1) % shape->count], shape->points[0])) /
+                2;
+    return fabs(area);
+}
+
+/* Does the rectangle round a shape tell all about it? */
+static bool is_rectangle(const Shape *shape, const Rectangle *box) {
+    return fabs(area_of(shape) - box->size.x * box->size.y) < 1e-6 * box->size.x * box->size.y;
+}
+
+/* Calls `take` for each element of a list of the topography, with its shape. False: a fault. */
+static bool each(Reader *reader, const JsonNode *topography, const char *key,
+                 void (*take)(Reader *reader, const JsonNode *element, const Shape *shape)) {
+    JsonNode list = json_member(topography, key);
+    bool good = true;
+    for (size_t i = 0; i < list_size(&list) && good; i++) {
+        JsonNode element = json_element(&list, i);
+        Shape shape;
+        good = read_shape(reader, &element, &shape);
+        if (good) {
+            take(reader, &element, &shape);
+            memory_free(shape.points);
+        }
+        good &= !reader->builder->failed;
+    }
+    return good;
+}
+
+/* Walls ----------------------------------------------------------------------------------------------------------- */
+
+static void add_rectangle(HouseBuilder *builder, const Rectangle *box) {
+    if (box->size.y > 0 && box->size.x < SLENDER * box->size.y) {
+        house_builder_piece(builder, "obstacle", box->centre, box->size, box->angle, OBSTACLE_HEIGHT);
+        return;
+    }
+    Vec2 half = vec2_scale(vec2_heading(radians(box->angle)), box->size.x / 2);
+    Vec2 ends[2] = {vec2_sub(box->centre, half), vec2_add(box->centre, half)};
+    house_builder_wall(builder, ends, 2, box->size.y, OBSTACLE_HEIGHT);
+}
+
+static void add_outline(HouseBuilder *builder, const Shape *shape) {
+    Vec2 *ring = memory_allocate(shape->count + 1, sizeof *ring);
+    memcpy(ring, shape->points, shape->count * sizeof *ring);
+    ring[shape->count] = ring[0];
+    house_builder_wall(builder, ring, shape->count + 1, 0, OBSTACLE_HEIGHT);
+    memory_free(ring);
+}
+
+static void take_obstacle(Reader *reader, const JsonNode *element, const Shape *shape) {
+    (void)element;
+    Rectangle box = rectangle_around(shape->points, shape->count);
+    if (is_rectangle(shape, &box))
+        add_rectangle(reader->builder, &box);
+    else
+        add_outline(reader->builder, shape);
+}
+
+/* The frame lies inside the bounds. */
+static bool add_frame(Reader *reader, const JsonNode *topography) {
+    JsonNode attributes = json_member(topography, "attributes"), bounds = json_member(&attributes, "bounds");
+    if (!json_is_object(bounds.value))
+        return fail_at(reader, topography, "the topography has no attributes with bounds");
+    double thick = number(attributes.value, "boundingBoxWidth", 0) * reader->unit;
+    Vec2 low = point(reader, bounds.value);
+    Vec2 size = vec2_scale(vec2(number(bounds.value, "width", NAN), number(bounds.value, "height", NAN)), reader->unit);
+    if (json_is_false(json_object_get(attributes.value, "bounded")))
+        return true;
+    if (!(size.x > 2 * thick && size.y > 2 * thick && thick >= 0))
+        return fail_at(reader, &bounds, "the bounds must be wider and higher than twice the boundingBoxWidth");
+    Vec2 a = vec2_add(low, vec2(thick / 2, thick / 2)), b = vec2_sub(vec2_add(low, size), vec2(thick / 2, thick / 2));
+    Vec2 ring[5] = {a, {b.x, a.y}, b, {a.x, b.y}, a};
+    house_builder_wall(reader->builder, ring, 5, thick, 0);
+    return !reader->builder->failed;
+}
+
+/* Targets --------------------------------------------------------------------------------------------------------- */
+
+/* People leave by a line across the middle of the target: along its longer side; of a square, across the way from
+ * where people are. */
+static size_t add_exit(Reader *reader, const Shape *shape) {
+    Rectangle box = rectangle_around(shape->points, shape->count);
+    Vec2 along = vec2_heading(radians(box.angle));
+    double half = box.size.x / 2;
+    if (box.size.x < CLEARLY_LONGER * box.size.y) {
+        Vec2 way = vec2_sub(box.centre, reader->sources);
+        if (fabs(vec2_dot(way, along)) > fabs(vec2_cross(along, way))) {
+            along = vec2_left(along);
+            half = box.size.y / 2;
+        }
+    }
+    return house_builder_exit(reader->builder, vec2_along(box.centre, -half, along),
+                              vec2_along(box.centre, half, along));
+}
+
+static bool absorbs(const json_t *target) {
+    const json_t *absorber = json_object_get(target, "absorber");
+    const json_t *before = json_object_get(target, "absorbing"); /* until release 2.1 */
+    return absorber ? json_is_true(json_object_get(absorber, "enabled")) : !json_is_false(before);
+}
+
+static void take_target(Reader *reader, const JsonNode *element, const Shape *shape) {
+    Target target = {.id = (int)json_integer_value(json_object_get(element->value, "id")),
+                     .middle = middle_of(shape),
+                     .exit = SIZE_MAX};
+    const json_t *waiter = json_object_get(element->value, "waiter");
+    if (absorbs(element->value))
+        target.exit = add_exit(reader, shape);
+    else
+        import_report_leave(reader->builder->report, 1, "targets that take nobody in, but for ways past them");
+    if (json_is_true(json_object_get(waiter, "enabled")) || number(element->value, "waitingTime", 0) > 0)
+        import_report_leave(reader->builder->report, 1, "waiting at targets");
+    reader->targets[reader->target_count++] = target;
+}
+
+static int compare_targets(const void *a, const void *b) {
+    const Target *p = a, *q = b;
+    return p->id < q->id ? -1 : p->id > q->id;
+}
+
+static const Target *find_target(const Reader *reader, int id) {
+    Target wanted = {.id = id};
+    return bsearch(&wanted, reader->targets, reader->target_count, sizeof wanted, compare_targets);
+}
+
+static bool read_targets(Reader *reader, const JsonNode *topography) {
+    JsonNode list = json_member(topography, "targets");
+    reader->targets = arena_allocate(&reader->arena, (list_size(&list) + 1) * sizeof *reader->targets);
+    if (!each(reader, topography, "targets", take_target))
+        return false;
+    qsort(reader->targets, reader->target_count, sizeof *reader->targets, compare_targets);
+    return true;
+}
+
+/* The way of somebody by the targets they are to reach one after the other: the last that takes people in ends it. */
+static void add_way(Reader *reader, const char *who, const json_t *ids) {
+    Vec2 via[VIA_MOST];
+    size_t count = 0, exit = SIZE_MAX;
+    for (size_t i = 0; i < json_array_size(ids) && exit == SIZE_MAX; i++) {
+        const Target *target = find_target(reader, (int)json_integer_value(json_array_get(ids, i)));
+        if (target && target->exit != SIZE_MAX)
+            exit = target->exit;
+        else if (target && count < VIA_MOST)
+            via[count++] = target->middle;
+    }
+    if (exit != SIZE_MAX || count)
+        house_builder_route(reader->builder, who, via, count, exit);
+}
+
+/* People ---------------------------------------------------------------------------------------------------------- */
+
+/* What a source says of its people, in the words of its release. */
+typedef struct Spawning {
+    double count, begin, end;
+} Spawning;
+
+static Spawning spawning_of(const json_t *source) {
+    const json_t *spawner = json_object_get(source, "spawner"); /* since release 2.3 */
+    if (spawner)
+        return (Spawning){number(spawner, "eventElementCount", 1), number(spawner, "constraintsTimeStart", 0),
+                          number(spawner, "constraintsTimeEnd", 0)};
+    return (Spawning){number(source, "spawnNumber", 1), number(source, "startTime", 0), number(source, "endTime", 0)};
+}
+
+static void take_source(Reader *reader, const JsonNode *element, const Shape *shape) {
+    Spawning spawning = spawning_of(element->value);
+    double room = floor(area_of(shape) / ROOM_EACH), count = fmax(fmin(spawning.count, room), 1);
+    if (!(spawning.count >= 1))
+        return;
+    if (spawning.count > count)
+        import_report_leave(reader->builder->report, (size_t)fmin(spawning.count - count, 1e9),
+                            "people of sources that have no room for them at once");
+    reader->later += spawning.end > spawning.begin;
+    if (count > HOUSE_BUILDER_CROWD) {
+        fail_at(reader, element, "a source gives more than 20000 people, must give fewer");
+        return;
+    }
+    size_t crowd = house_builder_crowd(reader->builder, shape->points, shape->count, (size_t)count, spawning.begin);
+    if (crowd != SIZE_MAX)
+        add_way(reader, reader->builder->plan.crowds[crowd].id, json_object_get(element->value, "targetIds"));
+}
+
+static bool read_people(Reader *reader, const JsonNode *topography) {
+    JsonNode list = json_member(topography, "dynamicElements");
+    for (size_t i = 0; i < list_size(&list); i++) {
+        JsonNode element = json_element(&list, i);
+        const char *type = json_string_value(json_object_get(element.value, "type"));
+        if (type && strcmp(type, "PEDESTRIAN") != 0) {
+            import_report_leave(reader->builder->report, 1, "moving things that are no pedestrians");
+            continue;
+        }
+        Vec2 at = point(reader, json_object_get(element.value, "position"));
+        if (!(fabs(at.x) < PARAMETER_FARTHEST && fabs(at.y) < PARAMETER_FARTHEST))
+            return fail_at(reader, &element, "a pedestrian's position must be there, and within 100000 m");
+        size_t person = house_builder_person(reader->builder, at, 0, number(element.value, "freeFlowSpeed", 0));
+        if (person == SIZE_MAX)
+            return false;
+        add_way(reader, reader->builder->plan.people[person].id, json_object_get(element.value, "targetIds"));
+    }
+    return true;
+}
+
+/* The whole ------------------------------------------------------------------------------------------------------- */
+
+static void take_middle(Reader *reader, const JsonNode *element, const Shape *shape) {
+    (void)element;
+    reader->sources = vec2_add(reader->sources, middle_of(shape));
+}
+
+static bool find_sources(Reader *reader, const JsonNode *topography) {
+    JsonNode list = json_member(topography, "sources");
+    bool good = each(reader, topography, "sources", take_middle);
+    if (list_size(&list))
+        reader->sources = vec2_scale(reader->sources, 1 / (double)list_size(&list));
+    return good;
+}
+
+static void leave_the_rest(Reader *reader, const JsonNode *topography) {
+    static const char *const lists[][2] = {
+        {"stairs", "stairs"},
+        {"measurementAreas", "measurement areas"},
+        {"targetChangers", "target changers"},
+        {"absorbingAreas", "absorbing areas"},
+        {"aerosolClouds", "aerosol clouds"},
+        {"droplets", "droplets"},
+    };
+    ImportReport *report = reader->builder->report;
+    for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
+        import_report_leave(report, json_array_size(json_object_get(topography->value, lists[l][0])), "%s",
+                            lists[l][1]);
+    import_report_leave(report, reader->later, "sources that go on giving people: those who come first are taken");
+    if (reader->builder->plan.person_count || reader->builder->plan.crowd_count)
+        import_report_note(report, "people are adults on foot, with our radius and speeds, not with the scenario's");
+    if (reader->builder->plan.exit_count)
+        import_report_note(report, "an exit is a line across the middle of its target");
+}
+
+static bool read_topography(Reader *reader, const JsonNode *root) {
+    JsonNode scenario = json_member(root, "scenario");
+    const JsonNode *above = scenario.value ? &scenario : root; /* a topography may also stand alone */
+    JsonNode topography = json_member(above, "topography");
+    if (!json_is_object(topography.value))
+        return fail_at(reader, root, "no Vadere scenario: it has no scenario with a topography");
+    bool good = add_frame(reader, &topography) && each(reader, &topography, "obstacles", take_obstacle) &&
+                find_sources(reader, &topography) && read_targets(reader, &topography) &&
+                each(reader, &topography, "sources", take_source) && read_people(reader, &topography);
+    if (good)
+        leave_the_rest(reader, &topography);
+    return good;
+}
+
+bool vadere_read(HouseBuilder *builder) {
+    Reader reader = {.builder = builder, .unit = builder->options->unit > 0 ? builder->options->unit : 1};
+    if (!json_read(&reader.file, builder->path, builder->fault))
+        return false;
+    JsonNode root = json_root(&reader.file);
+    const char *name = json_string_value(json_object_get(root.value, "name"));
+    const char *release = json_string_value(json_object_get(root.value, "release"));
+    if (name)
+        house_builder_name(builder, name);
+    if (release)
+        import_report_note(builder->report, "the scenario is of Vadere %.20s", release);
+    bool good = read_topography(&reader, &root);
+    json_free(&reader.file);
+    arena_clear(&reader.arena);
+    return good;
+}
