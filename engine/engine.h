@@ -7,6 +7,7 @@
 #include "base/heap.h"
 #include "base/fault.h"
 #include "base/text.h"
+#include "base/quantity.h"
 #include "base/json.h"
 #include "base/parameters.h"
 #include "base/provenance.h"

@@ -88,6 +88,7 @@ static void *open_house(const char *path, const LiveOptions *options, Fault *fau
     }
     HouseLive *live = memory_allocate(1, sizeof *live);
     live->draft = draft;
+    house_edit_begin(live);
     live->nothing = (Scene){.box = {{0, 0}, {1, 1}}, .bare = true, .unscaled = true};
     live->layers = house_live.layers_at_first;
     keep_wish(live, path ? path : "", options);
@@ -100,6 +101,7 @@ static void *open_house(const char *path, const LiveOptions *options, Fault *fau
 
 static void close_house(void *context) {
     HouseLive *live = context;
+    house_edit_clear(live);
     if (live->film)
         film_destroy(live->film);
     house_live_follow_end(live);
@@ -492,4 +494,5 @@ const LiveKind house_live = {
     .command = command,
     .save = save,
     .sound = sound,
+    .editor = &house_edit,
 };

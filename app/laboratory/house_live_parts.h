@@ -3,6 +3,8 @@
 
 #include "house/draft.h"
 #include "laboratory/film.h"
+#include "laboratory/house_edit.h"
+#include "laboratory/house_edit_parts.h"
 #include "laboratory/house_live.h"
 #include "laboratory/house_live_things.h"
 #include "laboratory/house_live_values.h"
@@ -54,6 +56,7 @@ typedef struct HouseWords {
 
 typedef struct HouseLive {
     Draft *draft;         /* the house as it stands under the hand */
+    HouseEdit edit;       /* of that */
     HouseWish wish;       /* without the house; route and driving as they are now */
     LiveOptions given;    /* with which it was opened */
     Arena arena;          /* of both */

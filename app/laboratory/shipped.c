@@ -7,14 +7,16 @@
 
 enum { PATH_MOST = 4096 };
 
-static char profiles[PATH_MOST], beams[PATH_MOST], houses[PATH_MOST], default_house[PATH_MOST + 32];
-static const Shipped shipped = {profiles, beams, houses, default_house};
+static char profiles[PATH_MOST], furniture[PATH_MOST], beams[PATH_MOST], houses[PATH_MOST],
+    default_house[PATH_MOST + 32];
+static const Shipped shipped = {profiles, furniture, beams, houses, default_house};
 
 static void find(void) {
     const char *assets = getenv("CLEARANCE_ASSETS");
     if (!assets)
         assets = access(CLEARANCE_SOURCE_ASSETS, R_OK) == 0 ? CLEARANCE_SOURCE_ASSETS : CLEARANCE_INSTALLED_ASSETS;
     snprintf(profiles, PATH_MOST, "%s/profiles", assets);
+    snprintf(furniture, PATH_MOST, "%s/furniture", assets);
     snprintf(beams, PATH_MOST, "%s/beams", assets);
     snprintf(houses, PATH_MOST, "%s/houses", assets);
     if (access(houses, R_OK) != 0)

@@ -1,7 +1,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "window/number.h"
+#include "base/quantity.h"
 #include "window/ui_inside.h"
 
 #define LABEL_HEIGHT 24.0
@@ -21,9 +21,9 @@ static void print_value(const UiSlider *slider, double value, char *text, size_t
 }
 
 bool ui_slider_is_wrong(const UiSlider *slider, const char *text, double *value, char reason[UI_REASON]) {
-    char why[NUMBER_REASON] = "", least[64], most[64];
+    char why[QUANTITY_REASON] = "", least[64], most[64];
     double typed;
-    bool read = number_read(text, slider->unit, &typed, why);
+    bool read = quantity_read(text, slider->unit, &typed, why);
     double slack = 1e-9 * fmax(fabs(slider->least), fabs(slider->most)); /* 1500 mm is 1.5 m, whatever rounding says */
     if (read && slider->whole)
         typed = round(typed);

@@ -9,9 +9,9 @@
 #include "house/plan_check.h"
 #include "house/plan_tables.h"
 
-static const char *const plan_keys[] = {"format", "version",   "name",  "note",      "walls",
-                                        "doors",  "furniture", "rooms", "exits",     "people",
-                                        "crowds", "routes",    "run",   "overrides", NULL};
+static const char *const plan_keys[] = {"format",    "version",   "name",       "note",   "walls",  "doors",
+                                        "furniture", "rooms",     "exits",      "people", "crowds", "routes",
+                                        "run",       "overrides", "background", NULL};
 
 /* Reading ---------------------------------------------------------------------------------------------------- */
 
@@ -212,6 +212,9 @@ static void read_house(Plan *plan, const JsonNode *root, const char *const *sett
     parameters_reset(&plan_tables_run, &plan->run);
     if (run.value)
         parameters_read(&plan_tables_run, &plan->run, &run, &plan->arena, fault);
+    JsonNode background = json_member(root, "background");
+    if (background.value)
+        parameters_read(&plan_tables_background, &plan->background, &background, &plan->arena, fault);
     keep_places(plan, root);
     JsonNode overrides = json_member(root, "overrides");
     size_t changes = setting_count + json_object_size(overrides.value);
@@ -310,6 +313,10 @@ char *plan_text(const Plan *plan) {
         text_add(&lines, ",\n  \"overrides\": ");
         lines_add_json(&lines, overrides);
     }
+    if (plan->background.image) {
+        text_add(&lines, ",\n  \"background\": ");
+        lines_add_json(&lines, parameters_write(&plan_tables_background, &plan->background));
+    }
     text_add(&lines, "\n}\n");
     return lines.text;
 }
@@ -337,6 +344,7 @@ json_t *plan_schema(void) {
                             json_pack("{s:s, s:o}", "type", "array", "items", parameters_schema(&list->table)));
     }
     json_object_set_new(properties, "run", parameters_schema(&plan_tables_run));
+    json_object_set_new(properties, "background", parameters_schema(&plan_tables_background));
     json_object_set_new(properties, "overrides",
                         json_pack("{s:s, s:{s:s}, s:s}", "type", "object", "propertyNames", "pattern",
                                   "^(run|[a-z]+\\.[A-Za-z0-9_-]+)\\.[a-z_.]+$", "description",

@@ -128,6 +128,16 @@ typedef struct Override {
     const char *place;
 } Override;
 
+/* A picture that the plan was traced over. */
+typedef struct Background {
+    const char *image;  /* its file, from the house file's folder on; NULL: there is none */
+    Vec2 at;            /* m, its lower left corner */
+    double width;       /* m */
+    double angle;       /* degree, about that corner */
+    double opacity;     /* 1 */
+    const char *digest; /* of the file's bytes, by which it is known again; "": unknown */
+} Background;
+
 /* Zero is an empty plan. plan_free releases what a reader filled. */
 typedef struct Plan {
     const char *path; /* of its file, as given */
@@ -145,6 +155,7 @@ typedef struct Plan {
     size_t wall_count, door_count, furniture_count, room_count, exit_count, person_count, crowd_count, route_count;
     size_t override_count;
     RunSettings run;
+    Background background;
     struct PlanIndex *index; /* finds what has an id */
     Arena arena;             /* holds all of the above */
 } Plan;

@@ -161,6 +161,27 @@ static const Parameter run_rows[] = {
 
 const ParameterTable plan_tables_run = TABLE("run", run_rows);
 
+static const Parameter background_rows[] = {
+    {.name = "image",
+     .kind = PARAMETER_TEXT,
+     .offset = offsetof(Background, image),
+     .unit = "",
+     .needed = true,
+     .meaning = "a picture's file, from the house file's folder on"},
+    POINT(Background, at, "its lower left corner"),
+    NEEDED_NUMBER(Background, width, "m", 0.01, FARTHEST, "its width"),
+    NUMBER(Background, angle, "degree", -360, 360, 0, "turned counter-clockwise about that corner by",
+           "along the axes"),
+    NUMBER(Background, opacity, "1", 0, 1, 0.5, "how much of it is seen", "chosen"),
+    {.name = "digest",
+     .kind = PARAMETER_TEXT,
+     .offset = offsetof(Background, digest),
+     .unit = "",
+     .meaning = "of the file's bytes, by which it is known again"},
+};
+
+const ParameterTable plan_tables_background = TABLE("background", background_rows);
+
 #define COMPONENT(struct_, point_, axis_, meaning_)                                                                    \
     {                                                                                                                  \
         .name = #point_ "." #axis_, .kind = PARAMETER_NUMBER, .offset = offsetof(struct_, point_.axis_), .unit = "m",  \

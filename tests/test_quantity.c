@@ -3,14 +3,14 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "window/number.h"
+#include "base/quantity.h"
 
 #define NONSENSE (-77.7)
 
 static double read_as(const char *words, const char *unit) {
-    char reason[NUMBER_REASON];
+    char reason[QUANTITY_REASON];
     double value = NONSENSE;
-    bool good = number_read(words, unit, &value, reason);
+    bool good = quantity_read(words, unit, &value, reason);
     if (!good)
         printf("%s: %s\n", words, reason);
     CHECK(good);
@@ -18,9 +18,9 @@ static double read_as(const char *words, const char *unit) {
 }
 
 static void check_refused(const char *words, const char *unit) {
-    char reason[NUMBER_REASON] = "";
+    char reason[QUANTITY_REASON] = "";
     double value = NONSENSE;
-    bool good = number_read(words, unit, &value, reason);
+    bool good = quantity_read(words, unit, &value, reason);
     if (good)
         printf("%s is read as %g\n", words, value);
     CHECK(!good);

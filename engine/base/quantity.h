@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-enum { NUMBER_REASON = 96 };
+enum { QUANTITY_REASON = 96 };
 
 /* Reads `words` as a number of `unit`, which a number without one has; "" or NULL is a pure number. False: it is none,
  * `reason` says why, and the value is as it was. */
-bool number_read(const char *words, const char *unit, double *value, char reason[NUMBER_REASON]);
+bool quantity_read(const char *words, const char *unit, double *value, char reason[QUANTITY_REASON]);

@@ -1,4 +1,4 @@
-#include "window/number.h"
+#include "base/quantity.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -30,7 +30,7 @@ typedef struct Reader {
 } Reader;
 
 static bool refuse(const Reader *reader, const char *why, const char *what, size_t bytes) {
-    snprintf(reader->reason, NUMBER_REASON, why, (int)(bytes < 24 ? bytes : 24), what);
+    snprintf(reader->reason, QUANTITY_REASON, why, (int)(bytes < 24 ? bytes : 24), what);
     return false;
 }
 
@@ -144,7 +144,7 @@ static bool read_term(Reader *reader, bool joined, int *unit, double *value) {
     return true;
 }
 
-bool number_read(const char *words, const char *unit, double *value, char reason[NUMBER_REASON]) {
+bool quantity_read(const char *words, const char *unit, double *value, char reason[QUANTITY_REASON]) {
     Reader reader = {words, unit ? unit : "", reason};
     double sum = 0, sign = 1, part;
     int last = NONE;

@@ -1,0 +1,514 @@
+#include "laboratory/house_edit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "laboratory/house_live_parts.h"
+
+static const double STIR = 0.4; /* 1, of the reach: a hand that moves less has not moved */
+
+static const LiveToolRow tools[LIVE_TOOLS] = {
+    [TOOL_SELECT] = {"select", "Selects what is clicked on, and moves it by its handles.",
+                     "click on something, or drag a rectangle round it"},
+    [TOOL_WALL] = {"wall", "Draws walls, one after another.", "click where the wall begins, or Enter to type it"},
+    [TOOL_DOOR] = {"door", "Places doors and openings in walls.", "click on a wall, or Enter to type the place"},
+    [TOOL_FURNITURE] = {"furniture", "Places furniture, its back to a wall that is near.",
+                        "click where it stands, or Enter to type the place; a free rectangle is dragged out"},
+    [TOOL_PERSON] = {"person", "Places people, who look to where the hand is dragged.",
+                     "click where somebody stands, or Enter to type the place"},
+    [TOOL_EXIT] = {"exit", "Draws exits: lines that are left by.",
+                   "click on a door, or where the exit begins, or Enter to type it"},
+    [TOOL_MEASURE] = {"measure", "Measures how far two points are apart, and whether a chair goes through.",
+                      "click two points, or double-click a side; Enter types them; Delete forgets what is measured"},
+    [TOOL_AREA] = {"room", "Draws the outline of a room, to give it a name.",
+                   "click the corners one after another, or Enter to type them"},
+    [TOOL_ROUTE] = {"route", "Draws the way of the person who is selected, by points to the exit.",
+                    "click the points to pass, at last the exit, or Enter to type them"},
+    [TOOL_IMAGE] = {"picture", "Gives the picture that is traced over its scale, and makes it level.",
+                    "click two points a known distance apart, then type it"},
+};
+
+static bool is_chain(LiveTool tool) {
+    return tool == TOOL_WALL || tool == TOOL_EXIT || tool == TOOL_MEASURE || tool == TOOL_AREA || tool == TOOL_ROUTE;
+}
+
+static void begin(HouseLive *live, bool keys) {
+    if (live->edit.tool == TOOL_IMAGE)
+        house_edit_image_begin(live, keys);
+    else if (is_chain(live->edit.tool))
+        house_edit_chain_begin(live, keys);
+    else
+        house_edit_place_begin(live, keys);
+}
+
+static bool can_begin(const HouseLive *live) {
+    if (live->edit.tool == TOOL_IMAGE)
+        return draft_plan(live->draft)->background.image;
+    return live->edit.tool != TOOL_ROUTE || house_edit_way_person(live);
+}
+
+/* Tools ----------------------------------------------------------------------------------------------------------- */
+
+static bool escape(void *context);
+
+/* What is drawn so far stays drawn. */
+static void take(void *context, LiveTool tool) {
+    HouseLive *live = context;
+    if (live->edit.gesture && live->edit.gesture->escape)
+        live->edit.gesture->escape(live);
+    house_edit_gesture_drop(live);
+    live->edit.pending = PENDING_NOTHING;
+    live->edit.down = false;
+    live->edit.handle = -1;
+    live->edit.tool = tool < LIVE_TOOLS ? tool : TOOL_SELECT;
+}
+
+static LiveTool tool(const void *context) {
+    return ((const HouseLive *)context)->edit.tool;
+}
+
+/* The hand -------------------------------------------------------------------------------------------------------- */
+
+static void keep_hand(HouseLive *live, const LiveHand *hand) {
+    HouseEdit *edit = &live->edit;
+    edit->hand = *hand;
+    edit->seen = true;
+    if (edit->keys && vec2_distance(hand->at, edit->keys_at) > STIR * hand->reach)
+        edit->keys = false;
+}
+
+/* The button is down and the hand has left the place: what was meant begins. */
+static void begin_pending(HouseLive *live) {
+    HouseEdit *edit = &live->edit;
+    EditPending pending = edit->pending;
+    edit->pending = PENDING_NOTHING;
+    if (pending == PENDING_HANDLE)
+        house_edit_drag_begin(live, &edit->meant, HOLD_DRAG);
+    else if (pending == PENDING_WHOLE)
+        house_edit_drag_whole(live);
+    else if (pending == PENDING_BOX)
+        house_edit_drag_box(live);
+}
+
+static void point(void *context, const LiveHand *hand) {
+    HouseLive *live = context;
+    HouseEdit *edit = &live->edit;
+    keep_hand(live, hand);
+    if (edit->down && !edit->moved && vec2_distance(hand->at, edit->pressed) > STIR * hand->reach) {
+        edit->moved = true;
+        begin_pending(live);
+    }
+    house_edit_gesture_follow(live);
+}
+
+static bool is_room(const HouseLive *live, const char *id) {
+    size_t index;
+    return draft_find(live->draft, id, &index) == DRAFT_ROOMS;
+}
+
+static void press_select(HouseLive *live) {
+    HouseEdit *edit = &live->edit;
+    edit->pending = PENDING_BOX;
+    if (!edit->hand.more && house_edit_handle_at(live, &edit->hand, &edit->meant)) {
+        edit->pending = PENDING_HANDLE;
+        return;
+    }
+    const char *id = house_edit_select_at(live, edit->hand.at);
+    if (!id || is_room(live, id))
+        return; /* a room is selected when the button is up, unless a rectangle is drawn */
+    edit->pending = PENDING_NOTHING;
+    if (edit->hand.more) {
+        house_edit_select_toggle(live, id);
+        return;
+    }
+    if (!house_edit_select_has(live, id))
+        house_edit_select_only(live, id);
+    edit->pending = PENDING_WHOLE;
+}
+
+static void press(void *context, const LiveHand *hand, bool twice) {
+    HouseLive *live = context;
+    HouseEdit *edit = &live->edit;
+    house_edit_select_meet(live);
+    keep_hand(live, hand);
+    edit->down = true;
+    edit->moved = false;
+    edit->pressed = hand->at;
+    edit->pending = PENDING_NOTHING;
+    if (edit->gesture && twice && edit->tool == TOOL_MEASURE && house_edit_measure_side(live)) {
+        house_edit_gesture_drop(live);
+    } else if (edit->gesture) {
+        house_edit_gesture_follow(live);
+        edit->gesture->put(live, false);
+    } else if (edit->tool == TOOL_SELECT) {
+        press_select(live);
+    } else if (can_begin(live) && !(edit->tool == TOOL_EXIT && house_edit_way_across(live))) {
+        begin(live, false);
+        if (edit->gesture && (is_chain(edit->tool) || edit->tool == TOOL_IMAGE))
+            edit->gesture->put(live, false);
+    }
+}
+
+/* A click on a handle takes it up; one beside everything selects the room, or nothing. */
+static void release_pending(HouseLive *live) {
+    HouseEdit *edit = &live->edit;
+    EditPending pending = edit->pending;
+    edit->pending = PENDING_NOTHING;
+    if (pending == PENDING_HANDLE) {
+        house_edit_drag_begin(live, &edit->meant, HOLD_CLICK);
+    } else if (pending == PENDING_BOX) {
+        const char *id = house_edit_select_at(live, edit->hand.at);
+        if (edit->hand.more && id)
+            house_edit_select_toggle(live, id);
+        else if (!edit->hand.more)
+            house_edit_select_only(live, id);
+    }
+}
+
+static void release(void *context, const LiveHand *hand) {
+    HouseLive *live = context;
+    HouseEdit *edit = &live->edit;
+    if (!edit->down)
+        return;
+    point(live, hand);
+    if (edit->gesture && edit->gesture->release)
+        edit->gesture->release(live, edit->moved);
+    else if (!edit->gesture && !edit->moved)
+        release_pending(live);
+    edit->down = false;
+    edit->pending = PENDING_NOTHING;
+}
+
+/* Keys ------------------------------------------------------------------------------------------------------------ */
+
+/* Takes up the handle that has the focus of the keys. */
+static bool take_focused(HouseLive *live) {
+    EditHandle handles[EDIT_HANDLES];
+    house_edit_select_meet(live);
+    size_t count = house_edit_handle_list(live, draft_plan(live->draft), handles);
+    int handle = live->edit.handle;
+    if (live->edit.tool != TOOL_SELECT || handle < 0 || (size_t)handle >= count)
+        return false;
+    house_edit_drag_begin(live, &handles[handle], HOLD_KEYS);
+    return true;
+}
+
+static bool type(void *context, const char *letters) {
+    HouseLive *live = context;
+    if (!live->edit.gesture && !(house_edit_field_begins(letters) && take_focused(live)))
+        return false;
+    return house_edit_field_type(live, letters);
+}
+
+static bool enter(void *context) {
+    HouseLive *live = context;
+    HouseEdit *edit = &live->edit;
+    if (edit->gesture) {
+        if (!*edit->wrong)
+            edit->gesture->put(live, true);
+        return true;
+    }
+    if (edit->tool == TOOL_SELECT)
+        return take_focused(live);
+    if (can_begin(live))
+        begin(live, true);
+    return true;
+}
+
+static bool back(void *context) {
+    HouseLive *live = context;
+    const EditGesture *gesture = live->edit.gesture;
+    if (!gesture)
+        return false;
+    if (house_edit_field_back(live))
+        return true;
+    if (gesture->back)
+        gesture->back(live);
+    return true;
+}
+
+static bool tab(void *context, int step) {
+    return house_edit_field_tab(context, step);
+}
+
+static bool escape(void *context) {
+    HouseLive *live = context;
+    HouseEdit *edit = &live->edit;
+    if (*edit->typed) {
+        edit->fields[edit->field].typed = false;
+        *edit->typed = *edit->wrong = 0;
+        house_edit_gesture_follow(live);
+    } else if (edit->gesture && edit->gesture->escape) {
+        edit->gesture->escape(live);
+    } else if (edit->gesture) {
+        house_edit_gesture_drop(live);
+    } else if (edit->tool != TOOL_SELECT) {
+        take(live, TOOL_SELECT);
+    } else if (edit->handle >= 0) {
+        edit->handle = -1;
+    } else if (edit->id_count) {
+        house_edit_select_only(live, NULL);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+static const LiveGesture *gesture(const void *context) {
+    return house_edit_marks_make((HouseLive *)context);
+}
+
+/* Selection ------------------------------------------------------------------------------------------------------- */
+
+static const LiveThing *selection(const void *context, size_t *count) {
+    HouseLive *live = (HouseLive *)context;
+    HouseEdit *edit = &live->edit;
+    house_edit_select_meet(live);
+    *count = 0;
+    edit->things = memory_reserve(edit->things, &edit->thing_capacity, edit->id_count, sizeof *edit->things);
+    for (size_t i = 0; i < edit->id_count; i++) {
+        LiveThing thing = house_edit_select_thing(live, edit->ids[i]);
+        if (thing.kind)
+            edit->things[(*count)++] = thing;
+    }
+    return edit->things;
+}
+
+static void add(void *context, LiveThing thing) {
+    HouseLive *live = context;
+    house_edit_select_meet(live);
+    const char *id = house_edit_select_id(live, thing);
+    if (*id)
+        house_edit_select_toggle(live, id);
+}
+
+static void select_all(void *context) {
+    house_edit_gesture_drop(context);
+    house_edit_select_all(context);
+}
+
+static void handle(void *context, int step) {
+    HouseLive *live = context;
+    EditHandle handles[EDIT_HANDLES];
+    house_edit_select_meet(live);
+    int count = (int)house_edit_handle_list(live, draft_plan(live->draft), handles) + 1; /* and none of them */
+    live->edit.handle = step ? (live->edit.handle + 1 + count + step % count) % count - 1 : -1;
+}
+
+/* What is selected is as it is when something is done to it. */
+static HouseLive *ready(void *context) {
+    HouseLive *live = context;
+    house_edit_gesture_drop(live);
+    house_edit_select_meet(live);
+    return live;
+}
+
+static bool nudge(void *context, Vec2 by, Fault *fault) {
+    return house_edit_do_nudge(ready(context), by, fault);
+}
+
+static bool turn(void *context, double degrees, Fault *fault) {
+    return house_edit_do_turn(ready(context), degrees, fault);
+}
+
+static bool topple(void *context, Fault *fault) {
+    return house_edit_do_topple(ready(context), fault);
+}
+
+static bool split(void *context, Fault *fault) {
+    return house_edit_split_wall(ready(context), fault);
+}
+
+static bool remove_selected(void *context, Fault *fault) {
+    return house_edit_do_remove(ready(context), fault);
+}
+
+static bool duplicate(void *context, Fault *fault) {
+    return house_edit_do_duplicate(ready(context), fault);
+}
+
+static char *copy(const void *context) {
+    HouseLive *live = (HouseLive *)context;
+    house_edit_select_meet(live);
+    return house_edit_do_copy(live);
+}
+
+static bool paste(void *context, const char *text, Fault *fault) {
+    return house_edit_do_paste(ready(context), text, fault);
+}
+
+/* Steps ----------------------------------------------------------------------------------------------------------- */
+
+static bool step(HouseLive *live, bool (*go)(Draft *draft)) {
+    if (live->edit.gesture) {
+        house_edit_gesture_drop(live);
+        return true;
+    }
+    if (!go(live->draft))
+        return false;
+    house_edit_select_known(live);
+    house_live_follow_edited(live);
+    return true;
+}
+
+static bool undo(void *context) {
+    return step(context, draft_undo);
+}
+
+static bool redo(void *context) {
+    return step(context, draft_redo);
+}
+
+static const char *undo_name(const void *context) {
+    return draft_undo_name(((const HouseLive *)context)->draft);
+}
+
+static const char *redo_name(const void *context) {
+    return draft_redo_name(((const HouseLive *)context)->draft);
+}
+
+static void hold(void *context, const char *name) {
+    HouseLive *live = ready(context);
+    size_t row = house_live_value_find(&live->values, name);
+    char step[2 * EDIT_NAME] = "Change a number";
+    if (row != SIZE_MAX)
+        snprintf(step, sizeof step, "%s: %s", live->values.rows[row].group, live->values.rows[row].label);
+    house_live_hold(live, step);
+}
+
+static void settle(void *context) {
+    HouseLive *live = context;
+    if (live->held)
+        house_live_settle(live);
+}
+
+/* Texts, items, files -----------------------------------------------------------------------------------------------
+ */
+
+static const LiveText *texts(const void *context, size_t *count) {
+    HouseLive *live = (HouseLive *)context;
+    house_edit_select_meet(live);
+    return house_edit_text_list(live, count);
+}
+
+static bool set_text(void *context, const char *name, const char *value, Fault *fault) {
+    return house_edit_text_set(ready(context), name, value, fault);
+}
+
+static const LiveItem *items(const void *context, size_t *count) {
+    return house_edit_items_list((HouseLive *)context, count);
+}
+
+static size_t item(const void *context) {
+    const HouseEdit *edit = &((const HouseLive *)context)->edit;
+    return edit->items[edit->tool];
+}
+
+static void choose(void *context, size_t item) {
+    HouseLive *live = context;
+    size_t count;
+    house_edit_items_list(live, &count);
+    house_edit_gesture_drop(live);
+    if (item < count)
+        live->edit.items[live->edit.tool] = item;
+}
+
+static bool set_image(void *context, const char *path, Fault *fault) {
+    return house_edit_image_set(ready(context), path, fault);
+}
+
+static void fade(void *context, double opacity) {
+    house_edit_image_fade(context, opacity);
+}
+
+static LiveImage image(const void *context) {
+    return house_edit_image_get((HouseLive *)context);
+}
+
+static size_t edits(const void *context) {
+    const HouseLive *live = context;
+    size_t steps = draft_step_count(live->draft), saved = live->edit.saved_steps;
+    return steps > saved ? steps - saved : saved - steps;
+}
+
+static bool changed(const void *context) {
+    return draft_is_changed(((const HouseLive *)context)->draft);
+}
+
+static const char *text(const void *context) {
+    return draft_text(((const HouseLive *)context)->draft);
+}
+
+static bool save(void *context, const char *path, Fault *fault) {
+    HouseLive *live = ready(context);
+    if (!draft_save(live->draft, path, fault))
+        return false;
+    live->edit.saved_steps = draft_step_count(live->draft);
+    return true;
+}
+
+void house_edit_begin(HouseLive *live) {
+    live->edit = (HouseEdit){.handle = -1, .door_width = 0.8, .wall_thickness = 0.12};
+}
+
+void house_edit_clear(HouseLive *live) {
+    HouseEdit *edit = &live->edit;
+    house_edit_gesture_drop(live);
+    house_edit_items_clear(live);
+    for (size_t i = 0; i < edit->id_count; i++)
+        memory_free(edit->ids[i]);
+    memory_free(edit->ids);
+    memory_free(edit->things);
+    memory_free(edit->image);
+    memory_free(edit->texts);
+    arena_clear(&edit->text_arena);
+    memory_free(edit->marks);
+    arena_clear(&edit->words);
+    memory_free(edit->doing.text);
+}
+
+const LiveEditor house_edit = {
+    .tools = tools,
+    .take = take,
+    .tool = tool,
+    .point = point,
+    .press = press,
+    .release = release,
+    .type = type,
+    .enter = enter,
+    .back = back,
+    .tab = tab,
+    .escape = escape,
+    .gesture = gesture,
+    .selection = selection,
+    .add = add,
+    .select_all = select_all,
+    .handle = handle,
+    .nudge = nudge,
+    .turn = turn,
+    .topple = topple,
+    .split = split,
+    .remove = remove_selected,
+    .duplicate = duplicate,
+    .copy = copy,
+    .paste = paste,
+    .undo = undo,
+    .redo = redo,
+    .undo_name = undo_name,
+    .redo_name = redo_name,
+    .hold = hold,
+    .settle = settle,
+    .texts = texts,
+    .set_text = set_text,
+    .items = items,
+    .item = item,
+    .choose = choose,
+    .set_image = set_image,
+    .fade = fade,
+    .image = image,
+    .edits = edits,
+    .changed = changed,
+    .text = text,
+    .save = save,
+};
