@@ -140,6 +140,14 @@ bool edit_take_letters(Window *window, const char *letters) {
     return letters && editor && *letters != ' ' && editor->type(room->live, letters);
 }
 
+bool edit_type(Window *window, const char *letters) {
+    Room *room = window_room(window);
+    bool used = edit_listens(window);
+    for (const char *at = letters; used && *at; at++)
+        used = edit_of(room)->type(room->live, (const char[]){*at, 0});
+    return used;
+}
+
 /* Doing ------------------------------------------------------------------------------------------------------------ */
 
 static bool is_selected(const Room *room) {
@@ -205,6 +213,8 @@ static bool do_pieces(Window *window, Room *room, Action action) {
         memcpy(&done, (const char *)room->kind->editor + known[i].member, sizeof done);
         Fault fault = {0};
         tell_where(window, room);
+        if (!done)
+            return true;
         tell_result(window, done(room->live, &fault), keys_row(action)->name, &fault);
         return true;
     }

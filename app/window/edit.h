@@ -19,6 +19,9 @@ bool edit_key(Window *window, const GlassEvent *event);
 bool edit_keep_key(Window *window, const GlassEvent *event);
 bool edit_take_letters(Window *window, const char *letters);
 
+/* Letters that no key has announced, as an input method types them. */
+bool edit_type(Window *window, const char *letters);
+
 /* False: the action is none of editing. */
 bool edit_do(Window *window, Action action, int mods);
 

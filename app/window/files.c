@@ -23,7 +23,10 @@ static Room *house_room(Window *window) {
 
 bool files_unsaved(const Room *room) {
     const LiveEditor *editor = edit_of(room);
-    return editor && (room->recovered || editor->changed(room->live));
+    if (!editor)
+        return false;
+    bool something = room->path || editor->edits(room->live) > 0;
+    return room->recovered || (something && editor->changed(room->live));
 }
 
 const char *files_title(Window *window, const Room *room) {

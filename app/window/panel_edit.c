@@ -119,6 +119,8 @@ static void show_proposals(Window *window, Room *room, const LiveEditor *editor)
 static void show_way_out(Window *window, Room *room, const LiveEditor *editor) {
     size_t count;
     const char *doing = NULL;
+    if (!editor->proposals)
+        return;
     LiveAnswer answer = room->kind->answer(room->live);
     bool asked = editor->proposals(room->live, &count, &doing) && count > 0;
     if (answer.role != ROLE_ERROR && !asked && !doing)

@@ -6,7 +6,8 @@
 #include "laboratory/live_edit.h"
 #include "window/glass.h"
 
-#define ASPECT 1.5 /* of what has no size */
+#define LEAST_SEEN 8.0 /* m, of what can be edited: a house begins with nothing */
+#define ASPECT 1.5     /* of what has no size */
 #define ZOOM_LEAST 0.2
 #define ZOOM_MOST 64.0
 #define ZOOM_NEAR 3.0   /* times its size is seen around what is selected */
@@ -47,6 +48,14 @@ static void keep_shape(Room *room) {
     room->aspect = width > 0 && height > 0 ? width / height : ASPECT;
 }
 
+/* All of it, but never from so near that there is no room to draw. */
+static void fit(Room *room) {
+    keep_shape(room);
+    room->handled = false;
+    double size = fmax(box_width(room->shape), box_height(room->shape));
+    room->camera.zoom = room->kind->editor ? fmin(1, fmax(size / LEAST_SEEN, ZOOM_LEAST)) : 1;
+}
+
 bool room_open(Room *room, const char *path, const LiveOptions *options, PaintGlScreen *screen, Fault *fault) {
     void *live = room->kind->open(path, options, fault);
     if (!live)
@@ -62,8 +71,7 @@ bool room_open(Room *room, const char *path, const LiveOptions *options, PaintGl
     room->camera = (Camera){.kind = room->camera.kind, .azimuth = VIEW_AZIMUTH, .elevation = VIEW_ELEVATION, .zoom = 1};
     room->follows = false;
     room->charts_wait = true;
-    room->handled = false;
-    keep_shape(room);
+    fit(room);
     scenery_forget(&room->scenery);
     room->kind->reveal(live, room_layers(room));
     room_look(room);
@@ -204,11 +212,10 @@ void room_pan(Room *room, Vec2 metres) {
 
 void room_fit(Room *room) {
     room->camera.pan = vec2(0, 0);
-    room->camera.zoom = 1;
     room->camera.azimuth = VIEW_AZIMUTH;
     room->camera.elevation = VIEW_ELEVATION;
     room->follows = false;
-    keep_shape(room);
+    fit(room);
     room_look(room);
 }
 

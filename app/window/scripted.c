@@ -169,6 +169,8 @@ static void add_editor(json_t *state, Window *window, const Room *room) {
     json_object_set_new(state, "shown_title", json_string(files_title(window, room)));
     json_object_set_new(state, "snaps", json_boolean(!window->edit.free));
     json_object_set_new(state, "held", json_boolean(window->edit.holds));
+    if (!editor->proposals)
+        return;
     editor->proposals(room->live, &count, &doing);
     json_object_set_new(state, "proposals", json_integer((json_int_t)count));
     json_object_set_new(state, "proposing", text_or_null(doing));

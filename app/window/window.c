@@ -115,6 +115,7 @@ static void do_key(Window *window, const GlassEvent *event) {
 static void take_key(Window *window, const GlassEvent *event) {
     if (place_of(window) == KEY_PLAN && (edit_key(window, event) || edit_keep_key(window, event)))
         return;
+    window->edit.done = true;
     do_key(window, event);
 }
 
@@ -126,8 +127,17 @@ static void end_waiting(Window *window, const char *letters) {
 
 /* Events ----------------------------------------------------------------------------------------------------------- */
 
+/* A field that is open has what is typed, otherwise what is in the hand. */
+static void type(Window *window, const char *letters) {
+    bool fresh = !window->edit.done && place_of(window) == KEY_PLAN && !ui_types(window->ui);
+    window->edit.done = false;
+    if (!fresh || !edit_type(window, letters))
+        ui_type(window->ui, letters);
+}
+
 static void take(Window *window, const GlassEvent *event) {
     window->dirty |= event->kind != GLASS_NOTHING;
+    window->edit.done &= event->kind == GLASS_TEXT || event->kind == GLASS_NOTHING;
     if (window->edit.waits && event->kind == GLASS_TEXT) {
         end_waiting(window, event->text);
         return;
@@ -142,7 +152,7 @@ static void take(Window *window, const GlassEvent *event) {
         take_key(window, event);
         break;
     case GLASS_TEXT:
-        ui_type(window->ui, event->text);
+        type(window, event->text);
         break;
     case GLASS_MOUSE:
         window->mouse = event->at;

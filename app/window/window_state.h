@@ -44,6 +44,7 @@ typedef struct Edit {
     bool holds;    /* the clock, */
     bool plays_on; /* and it goes on afterwards */
     bool waits;    /* the key, for the letters that it types */
+    bool done;     /* a key was, of itself: the letters that it types are nobody's */
     GlassEvent key;
 } Edit;
 
