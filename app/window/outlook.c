@@ -38,6 +38,7 @@ void outlook_paint(Window *window) {
     scenery_fit(&room->scenery, glass_gl(window->glass), width, height, window->unit, window->theme);
     if (room->scenery.paint)
         scenery_show(&room->scenery, room->kind, room->live, room->player.time);
+    window->dirty |= room->charts_wait; /* they have their places with the next picture */
     if (room->charts_wait)
         charts_choose(&room->charts, room->kind, room->live, room->plots, window->screen);
     room->charts_wait = false;

@@ -52,6 +52,7 @@ static void keep_shape(Room *room) {
 static void fit(Room *room) {
     keep_shape(room);
     room->handled = false;
+    room->fits = true;
     double size = fmax(box_width(room->shape), box_height(room->shape));
     room->camera.zoom = room->kind->editor ? fmin(1, fmax(size / LEAST_SEEN, ZOOM_LEAST)) : 1;
 }
@@ -106,9 +107,8 @@ static void follow(Room *room) {
 
 /* How many times as large a box is that fits the same place as another one. */
 static double fitting(const Room *room, Box box, Box other) {
-    double aspect = box_height(room->scenery.still.frame) > 0
-                        ? box_width(room->scenery.still.frame) / box_height(room->scenery.still.frame)
-                        : room->aspect;
+    Box place = room->scenery.still.plan;
+    double aspect = box_height(place) > 0 ? box_width(place) / box_height(place) : room->aspect;
     return fmax(box_width(other) / aspect, box_height(other)) / fmax(box_width(box) / aspect, box_height(box));
 }
 
@@ -121,8 +121,12 @@ static void keep_eye(Room *room) {
     Box box = room->kind->still(room->live)->box, shape = room->shape;
     const LiveEditor *editor = room->kind->editor;
     room->handled |= editor && (editor->edits(room->live) > 0 || editor->gesture(room->live)->active);
-    if (!room->handled || box_width(shape) <= 0) {
-        keep_shape(room);
+    if (!room->handled) {
+        if (room->fits)
+            fit(room);
+        else
+            keep_shape(room);
+        room_look(room);
         return;
     }
     bool same = box.low.x == shape.low.x && box.low.y == shape.low.y && box.high.x == shape.high.x &&
@@ -150,6 +154,7 @@ unsigned room_update(Room *room, double seconds) {
     follow(room);
     if (changes & LIVE_VIEW) {
         keep_eye(room);
+        changes |= kind->update(room->live, room->player.time); /* it is looked at so from this moment on */
         scenery_forget(&room->scenery);
     }
     if (changes & LIVE_PLOTS)
@@ -200,12 +205,14 @@ void room_zoom(Room *room, double times, Vec2 about) {
     const Scene *still = room->kind->still(room->live);
     Vec2 middle = vec2_add(vec2_scale(vec2_add(still->box.low, still->box.high), 0.5), room->camera.pan);
     Vec2 moved = vec2_scale(vec2_sub(about, middle), 1 - room->camera.zoom / zoom);
+    room->fits = false;
     room->camera.pan = vec2_add(room->camera.pan, moved);
     room->camera.zoom = zoom;
     room_look(room);
 }
 
 void room_pan(Room *room, Vec2 metres) {
+    room->fits = false;
     room->camera.pan = vec2_add(room->camera.pan, metres);
     room_look(room);
 }
@@ -227,6 +234,7 @@ void room_show_selected(Room *room) {
     Box box;
     if (!box_of(room, room->kind->selected(room->live), &box))
         return;
+    room->fits = false;
     const Scene *still = room->kind->still(room->live);
     Vec2 all = vec2_scale(vec2_add(still->box.low, still->box.high), 0.5);
     double size = ZOOM_NEAR * fmax(fmax(box_width(box), box_height(box)), 0.25);

@@ -20,6 +20,7 @@ typedef struct Room {
     bool follows;      /* what is selected stays in the middle */
     double aspect;     /* width over height that the view is laid out for: it stays while the plan changes */
     Box shape;         /* m, that the camera is fitted to */
+    bool fits;         /* all of it is seen, as nobody has looked nearer */
     bool handled;      /* somebody has edited it: it does not move before the eye any more */
     const char *plots; /* names of those shown, separated by commas; not owned */
     Scenery scenery;

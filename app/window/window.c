@@ -204,8 +204,9 @@ static void make_frame(Window *window) {
     FrameWish wish = {.panel = window->panel,
                       .plots = window->plots,
                       .present = window->present,
-                      .plot_count =
-                          room->charts_wait && room->live ? room->kind->plot_count(room->live) : room->charts.count,
+                      .plot_count = room->charts_wait && room->live && !room->charts.count
+                                        ? room->kind->plot_count(room->live)
+                                        : room->charts.count,
                       .tool_count = edit_of(room) ? LIVE_TOOLS : 0,
                       .aspect = room->aspect};
     Vec2 page = {window->width / window->unit, window->height / window->unit};
