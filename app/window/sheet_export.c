@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "window/act.h"
+#include "window/files.h"
 
 #define WIDTH 760.0 /* design points */
 #define HEIGHT 560.0
@@ -118,33 +119,22 @@ void sheet_export_show(Window *window) {
 
 /* Saving ----------------------------------------------------------------------------------------------------------- */
 
-static void save(Window *window) {
-    Room *room = window_room(window);
-    Fault fault = {0};
-    if (room->kind->save(room->live, window->field, &fault)) {
-        act_say(window, "saved: %s", window->field);
-        settings_add_recent(&window->settings, window->field);
-        act_close_sheet(window);
-    }
-    act_complain(window, &fault, NAN);
-}
-
 void sheet_export_show_save(Window *window) {
     Box box = centred(window);
     box.high.y = box.low.y + 250;
     ui_pane_begin(window->ui,
                   &(UiPane){.name = "sheet", .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true});
-    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save a copy");
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save as");
     ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT,
-            "The file that was opened stays as it is. The copy holds the numbers as they are now.");
+            "The file that was opened stays as it is. The new one holds what is shown now.");
     bool typed =
-        ui_field(window->ui, "path", "path of the copy", "Path: Return saves", window->field, sizeof window->field);
+        ui_field(window->ui, "path", "path of the new file", "Path: Return saves", window->field, sizeof window->field);
     ui_row(window->ui, 2);
     bool pressed =
         ui_button(window->ui, &(UiButton){.label = "Save", .help = "Save: writes the file beside and renames it"});
     if (ui_button(window->ui, &(UiButton){.label = "Cancel", .help = "Cancel (Escape)"}))
         act_close_sheet(window);
     else if (typed || pressed)
-        save(window);
+        files_save_as(window, text_in_arena(&window->words, "%s", window->field));
     ui_pane_end(window->ui);
 }
