@@ -118,6 +118,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
                         .open_first = planning->again,
                         .pressed = planning->again ? PRESSED : 0,
                         .most_reversals = house->plan.run.reversals,
+                        .brief = planning->journeys->brief,
                         .fields = planning->journeys->fields,
                         .stop = planning->stop};
 }
@@ -222,14 +223,16 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
         explain_walkers(planning, count);
 }
 
-static Journeys plan_nothing(const House *house) {
+static Journeys plan_nothing(const House *house, bool brief) {
     return (Journeys){.of = memory_allocate(house->person_count, sizeof(Journey)),
                       .count = house->person_count,
+                      .brief = brief,
                       .fields = fields_create()};
 }
 
-Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
-    Journeys journeys = plan_nothing(house);
+static Journeys plan_from_start(const House *house, const bool *part, bool brief, int jobs,
+                                const volatile sig_atomic_t *stop) {
+    Journeys journeys = plan_nothing(house, brief);
     Whereabouts *places = memory_allocate(house->person_count, sizeof *places);
     size_t count = 0;
     for (size_t i = 0; i < house->person_count; i++)
@@ -249,9 +252,17 @@ void journey_plan_again(Journeys *journeys, const House *house, const Whereabout
     plan_all(&planning, count, jobs);
 }
 
-Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, int jobs,
-                           const volatile sig_atomic_t *stop) {
-    Journeys journeys = plan_nothing(house);
+Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+    return plan_from_start(house, part, false, jobs, stop);
+}
+
+Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+    return plan_from_start(house, part, true, jobs, stop);
+}
+
+Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, bool brief,
+                           int jobs, const volatile sig_atomic_t *stop) {
+    Journeys journeys = plan_nothing(house, brief);
     journey_plan_again(&journeys, house, places, count, time, jobs, stop);
     return journeys;
 }

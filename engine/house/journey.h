@@ -39,6 +39,7 @@ typedef struct Journeys {
     Itinerary **itineraries; /* (itinerary_count) */
     size_t itinerary_count, itinerary_capacity;
     Fields *fields; /* that the chairs' searches share */
+    bool brief;     /* all that are planned: as in a RouteQuery */
 } Journeys;
 
 /* Where somebody is who plans anew. */
@@ -53,11 +54,12 @@ typedef struct Whereabouts {
 /* Plans everybody's journey, on up to `jobs` threads, until `stop` (may be NULL) is set; person i takes part when
  * `part` is NULL or part[i]. journey_free_all releases it. */
 Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
+Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
 void journey_free_all(Journeys *journeys);
 
 /* The same for `count` people in the middle of a run, at `time`; nobody else has a journey. */
-Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, int jobs,
-                           const volatile sig_atomic_t *stop);
+Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, bool brief,
+                           int jobs, const volatile sig_atomic_t *stop);
 
 /* Plans again from `time` on for `count` people who are on the way: to the exit of their route while that is usable,
  * otherwise to the quickest. What they had before is released. */
