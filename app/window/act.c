@@ -9,6 +9,7 @@
 #include "window/act_plot.h"
 #include "window/edit.h"
 #include "window/files.h"
+#include "window/files_import.h"
 
 #define ZOOM_STEP 1.25
 #define PAN_STEP 0.1   /* of the view */
@@ -86,6 +87,8 @@ static void enter(Window *window, size_t index) {
 }
 
 bool act_open(Window *window, const char *path) {
+    if (path && files_import_knows(path))
+        return files_import(window, path);
     size_t index = path ? room_of(live_kind_of(path)) : ROOM_HOUSE;
     edit_let_go(window);
     if (!open_in(window, index, path, true))
@@ -94,10 +97,14 @@ bool act_open(Window *window, const char *path) {
     return true;
 }
 
-bool act_open_copy(Window *window, const char *path) {
+bool act_open_copy(Window *window, const char *path, const char *mark) {
+    Room *room = &window->rooms[ROOM_HOUSE];
     edit_let_go(window);
     if (!open_in(window, ROOM_HOUSE, path, false))
         return false;
+    room->mark = mark;
+    memory_free(room->path);
+    room->path = NULL;
     enter(window, ROOM_HOUSE);
     return true;
 }

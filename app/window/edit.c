@@ -302,7 +302,10 @@ bool edit_do(Window *window, Action action, int mods) {
         return false;
     if (action >= ACTION_TOOL_SELECT && action <= ACTION_TOOL_IMAGE) {
         editor->take(room->live, (LiveTool)(action - ACTION_TOOL_SELECT));
-        ui_focus(window->ui, "view");
+        bool asks = action == ACTION_TOOL_IMAGE && !editor->image(room->live).path;
+        window->panel |= asks;
+        window->drawer |= asks;
+        ui_focus(window->ui, asks ? "panel" : "view");
         return true;
     }
     return do_clipboard(window, room, action) || do_pieces(window, room, action) || do_hand(window, room, action, mods);

@@ -16,6 +16,7 @@
 #define DIAMOND 7.0
 #define HANDLE 6.0 /* half of it */
 #define PAD 5.0
+#define EDGE 5.0   /* of the view, for the frame of what has the focus */
 #define ASIDE 14.0 /* from the pointer */
 
 enum { LABELS_MOST = 24, PLACES = 5 /* that a label tries */ };
@@ -63,7 +64,7 @@ static Box place_label(const Window *window, Labels *labels, Vec2 middle, Vec2 s
     Box box = {{0, 0}, {0, 0}};
     for (int i = 0; i < PLACES; i++) {
         Vec2 at = vec2_add(middle, vec2(0, steps[i] * (size.y + 2)));
-        box = kept_within((Box){vec2_sub(at, half), vec2_add(at, half)}, window->frame.view);
+        box = kept_within((Box){vec2_sub(at, half), vec2_add(at, half)}, box_expand(window->frame.view, -EDGE));
         if (is_free(labels, box))
             break;
     }
@@ -178,9 +179,19 @@ static void draw_mark(Window *window, const LiveMark *mark, const Vec2 *points, 
     }
 }
 
+/* From the middle of a line to that of words as wide as that half on both sides: beside the line, not on it. */
+static Vec2 beside(Vec2 a, Vec2 b, double half) {
+    Vec2 across = vec2_left(vec2_unit(vec2_sub(b, a)));
+    if (across.y > 0 || (across.y == 0 && across.x < 0))
+        across = vec2_scale(across, -1);
+    return vec2(across.x * half, across.y * ASIDE * 1.3);
+}
+
 static void write_mark(Window *window, Labels *labels, const LiveMark *mark, const Vec2 *points, size_t count) {
     double width = ui_extent(window->ui, UI_BOLD, mark->words).x;
     Vec2 middle = vec2_scale(vec2_add(points[(count - 1) / 2], points[count / 2]), 0.5);
+    if (mark->kind == MARK_DIMENSION && count > 1)
+        middle = vec2_add(middle, beside(points[0], points[count - 1], width / 2 + PAD + 2));
     if (mark->kind == MARK_SNAP || mark->kind == MARK_HANDLE)
         middle = vec2_add(points[0], vec2(width / 2 + PAD + ASIDE, -ASIDE));
     write_label(window, labels, middle, mark->kind == MARK_GAP ? ROLE_ERROR : ROLE_TEXT, mark->words);
@@ -273,7 +284,7 @@ static void show_read_out(Window *window, const LiveGesture *gesture, Labels *la
         width = fmax(width, ui_extent(window->ui, UI_BODY, gesture->wrong).x);
     size_t lines = gesture->field_count + (gesture->wrong ? 1 : 0);
     Vec2 at = read_out_at(window), size = {width + 2 * PAD, height * (double)lines + 2 * PAD};
-    Box box = kept_within((Box){at, vec2_add(at, size)}, window->frame.view);
+    Box box = kept_within((Box){at, vec2_add(at, size)}, box_expand(window->frame.view, -EDGE));
     if (labels->count < LABELS_MOST)
         labels->boxes[labels->count++] = box;
     ui_draw_box(window->ui, box, ROLE_PANEL, 1);

@@ -26,11 +26,11 @@ bool files_unsaved(const Room *room) {
     if (!editor)
         return false;
     bool something = room->path || editor->edits(room->live) > 0;
-    return room->recovered || (something && editor->changed(room->live));
+    return room->mark || (something && editor->changed(room->live));
 }
 
 const char *files_title(Window *window, const Room *room) {
-    const char *mark = room->recovered ? " [Recovered]" : files_unsaved(room) ? " (edited)" : "";
+    const char *mark = room->mark ? room->mark : files_unsaved(room) ? " (edited)" : "";
     return text_in_arena(&window->words, "%s%s", room->kind->title(room->live), mark);
 }
 
@@ -59,14 +59,14 @@ static bool is_shipped(const char *path) {
 }
 
 static void keep_path(Room *room, const char *path) {
-    char *kept = path ? strcpy(memory_allocate(strlen(path) + 1, 1), path) : NULL;
+    char *kept = strcpy(memory_allocate(strlen(path) + 1, 1), path);
     memory_free(room->path);
     room->path = kept;
 }
 
 static void note_saved(Window *window, Room *room, const char *path) {
     keep_path(room, path);
-    room->recovered = false;
+    room->mark = NULL;
     memory_free(room->origin);
     room->origin = NULL;
     settings_add_recent(&window->settings, path);
@@ -93,8 +93,7 @@ static bool save(Window *window, const char *path) {
 
 void files_save(Window *window) {
     Room *room = window_room(window);
-    bool own =
-        edit_of(room) && room->path && !room->recovered && !is_shipped(room->path) && access(room->path, W_OK) == 0;
+    bool own = edit_of(room) && room->path && !room->mark && !is_shipped(room->path) && access(room->path, W_OK) == 0;
     if (!own)
         files_ask_name(window);
     else if (save(window, text_in_arena(&window->words, "%s", room->path)) && window->leave)
@@ -187,6 +186,20 @@ static void write_recovery(Window *window, const Room *room, const LiveEditor *e
     window->watch.failed = error;
 }
 
+const char *const *files_command(Window *window, size_t *count) {
+    enum { FILE_WORD = 1 };
+    Room *room = window_room(window);
+    const LiveEditor *editor = edit_of(room);
+    const char *const *words = room->kind->command(room->live, count);
+    if (*words[FILE_WORD] || !editor || !window->recovery)
+        return words;
+    write_recovery(window, room, editor);
+    const char **given = arena_allocate(&window->words, *count * sizeof *given);
+    memcpy(given, words, *count * sizeof *given);
+    given[FILE_WORD] = recovery_path(window->recovery);
+    return given;
+}
+
 static void watch_house(Window *window) {
     Room *room = house_room(window);
     const LiveEditor *editor = edit_of(room);
@@ -218,7 +231,7 @@ void files_watch(Window *window) {
 
 void files_begin(Window *window, Room *room) {
     const LiveEditor *editor = edit_of(room);
-    room->recovered = false;
+    room->mark = NULL;
     memory_free(room->origin);
     room->origin = NULL;
     if (room != house_room(window))
@@ -231,13 +244,11 @@ void files_begin(Window *window, Room *room) {
 void files_recover(Window *window, size_t found) {
     RecoveryFound *one = &window->found[found];
     Room *room = house_room(window);
-    if (!act_open_copy(window, one->path))
+    if (!act_open_copy(window, one->path, " [Recovered]"))
         return;
     if (!recovery_adopt(window->recovery, one))
         act_say(window, "%s has been moved away meanwhile", one->path);
-    room->recovered = true;
     room->origin = one->origin ? strcpy(memory_allocate(strlen(one->origin) + 1, 1), one->origin) : NULL;
-    keep_path(room, NULL);
     window->watch.written = true;
     act_say(window, "recovered%s%s: save it to keep it", one->origin ? ", of " : "", one->origin ? one->origin : "");
     act_close_sheet(window);

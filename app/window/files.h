@@ -29,6 +29,9 @@ void files_begin(Window *window, Room *room);
 void files_recover(Window *window, size_t found);
 void files_forget(Window *window, size_t found);
 
+/* LiveKind.command, of a file that holds what is shown: while none does, of the one for the case of a crash. */
+const char *const *files_command(Window *window, size_t *count);
+
 /* Looks for what was left behind; between frames: the title, and 2 s after an edit its recovery file; a clean end. */
 void files_start(Window *window);
 void files_watch(Window *window);

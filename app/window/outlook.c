@@ -6,6 +6,7 @@
 
 #include "window/act.h"
 #include "window/act_plot.h"
+#include "window/backdrop.h"
 #include "window/edit.h"
 #include "window/edit_marks.h"
 
@@ -110,6 +111,7 @@ static void show_view(Window *window, Room *room) {
     Box view = window->frame.view;
     ui_pane_begin(window->ui, &(UiPane){.name = "view", .box = view, .ground = ROLE_COUNT, .stop = true});
     if (room->live) {
+        backdrop_show(window);
         use_mouse(window, room);
         show_view_words(window, room);
         edit_marks_show(window);

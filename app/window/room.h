@@ -8,10 +8,10 @@
 
 typedef struct Room {
     const LiveKind *kind;
-    void *live;   /* NULL: nothing is open */
-    char *path;   /* of the file; NULL: it has none */
-    char *origin; /* of what was recovered: the file that it was of, or NULL */
-    bool recovered;
+    void *live;       /* NULL: nothing is open */
+    char *path;       /* of the file; NULL: it has none */
+    char *origin;     /* of what was recovered: the file that it was of, or NULL */
+    const char *mark; /* " [Recovered]", " [Imported]": no file of its own holds it; otherwise NULL */
     Player player;
     Camera camera;
     unsigned layers;   /* shown where there is room for them, bits */

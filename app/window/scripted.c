@@ -176,6 +176,17 @@ static void add_editor(json_t *state, Window *window, const Room *room) {
     json_object_set_new(state, "proposing", text_or_null(doing));
 }
 
+/* Where 0, 0 is in the window, and how long a metre to the right and one up the plan: pixels. */
+static json_t *floor_state(const Window *window, const Room *room) {
+    Vec2 places[] = {{0, 0}, {1, 0}, {0, 1}};
+    json_t *state = json_array();
+    for (size_t i = 0; room->scenery.painted && i < 3; i++) {
+        Vec2 at = vec2_add(window->frame.view.low, scenery_point(&room->scenery, places[i]));
+        json_array_append_new(state, json_pack("[f,f]", at.x * window->unit, at.y * window->unit));
+    }
+    return state;
+}
+
 static void add_room(json_t *state, Window *window) {
     const Room *room = window_room(window);
     const Player *player = &room->player;
@@ -204,6 +215,7 @@ static void add_room(json_t *state, Window *window) {
     json_object_set_new(state, "clock", json_string(room->kind->clock(room->live, player->time)));
     json_object_set_new(state, "selected",
                         thing.kind ? json_string(room->kind->name_thing(room->live, thing)) : json_null());
+    json_object_set_new(state, "floor", floor_state(window, room));
     json_object_set_new(state, "answer", answer_state(room));
     json_object_set_new(state, "parameters", parameters_state(room));
     json_object_set_new(state, "choices", choices_state(room));

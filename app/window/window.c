@@ -6,6 +6,7 @@
 
 #include "laboratory/shipped.h"
 #include "window/act.h"
+#include "window/backdrop.h"
 #include "window/bars.h"
 #include "window/edit.h"
 #include "window/files.h"
@@ -423,6 +424,7 @@ static void close_all(Window *window) {
         gallery_destroy(window->gallery);
     sheet_gallery_clear(window);
     files_end(window);
+    backdrop_clear(window);
     for (size_t i = 0; i < ROOMS; i++)
         room_close(&window->rooms[i], window->screen);
     ui_destroy(window->ui);
@@ -448,10 +450,10 @@ static void loop(Window *window, Scripted *scripted) {
 
 /* The first file: what was asked for, or what is opened when nothing is. */
 static void open_first(Window *window) {
+    files_start(window);
     const char *file = window->options->file;
     if (!file || !act_open(window, file))
         act_open(window, shipped_places()->default_house);
-    files_start(window);
 }
 
 static int fail(Fault *fault) {

@@ -97,6 +97,8 @@ typedef struct Window {
     char hold[WINDOW_PATH];  /* explained by a sheet */
 
     Edit edit;
+    ScreenTexture backdrop; /* of the picture to trace over, */
+    char *backdrop_path;    /* from this file; NULL: none */
     Leave leave;
     char leave_path[WINDOW_PATH]; /* of LEAVE_OPEN */
     Recovery *recovery;           /* what there is for the next time; NULL: there is no place for it */
