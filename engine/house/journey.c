@@ -80,6 +80,8 @@ typedef struct Planning {
     Journeys *journeys;
     bool again;             /* people are on the way already */
     bool terse;             /* RouteQuery.terse */
+    bool all_or_none;       /* once somebody has no way, the others are not asked; on one thread */
+    bool failed;            /* somebody has none */
     size_t first_itinerary; /* without fields */
 } Planning;
 
@@ -164,7 +166,7 @@ static void plan_journey(void *context, size_t k) {
     route_free(&journey->route);
     track_free(&journey->track);
     *journey = (Journey){.via = place->via};
-    if (parallel_stopped(planning->stop))
+    if (parallel_stopped(planning->stop) || (planning->all_or_none && planning->failed))
         journey->route = (Route){.answer = ROUTE_CANNOT_PASS, .exit = SIZE_MAX};
     else if (person->under)
         journey->route = shake_route(&planning->house->plan, person);
@@ -172,6 +174,8 @@ static void plan_journey(void *context, size_t k) {
         plan_walk(planning, place, journey);
     else
         plan_ride(planning, place, journey);
+    if (planning->all_or_none)
+        planning->failed |= journey->route.answer != ROUTE_FOUND;
 }
 
 /* Where those stick who cannot get out on foot. Whoever is in the same part of the house sticks at the same place, so
@@ -224,12 +228,13 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
     }
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
-    if (!parallel_stopped(planning->stop))
+    if (!parallel_stopped(planning->stop) && !planning->all_or_none)
         explain_walkers(planning, count);
 }
 
-static Journeys plan_from_start(const House *house, const bool *part, bool terse, int jobs,
-                                const volatile sig_atomic_t *stop) {
+/* Everybody of `part`, from where they stand at the beginning; `planning` says how. */
+static Journeys plan_from_start(Planning *planning, const bool *part, int jobs) {
+    const House *house = planning->house;
     Journeys journeys = {.of = memory_allocate(house->person_count, sizeof *journeys.of),
                          .count = house->person_count,
                          .fields = fields_create()};
@@ -239,27 +244,26 @@ static Journeys plan_from_start(const House *house, const bool *part, bool terse
         if (!part || part[i])
             places[count++] =
                 (Whereabouts){.person = i, .at = house->people[i].at, .heading = house->people[i].heading};
-    Planning planning = {.house = house, .places = places, .stop = stop, .journeys = &journeys, .terse = terse};
-    plan_all(&planning, count, jobs);
+    planning->places = places;
+    planning->journeys = &journeys;
+    plan_all(planning, count, jobs);
     memory_free(places);
     return journeys;
 }
 
 Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
-    return plan_from_start(house, part, false, jobs, stop);
+    return plan_from_start(&(Planning){.house = house, .stop = stop}, part, jobs);
 }
 
 Journeys journey_plan_tersely(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
-    return plan_from_start(house, part, true, jobs, stop);
+    return plan_from_start(&(Planning){.house = house, .stop = stop, .terse = true}, part, jobs);
 }
 
 bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop) {
-    Journeys journeys = journey_plan_tersely(house, part, 1, stop);
-    bool all = true;
-    for (size_t i = 0; i < house->person_count; i++)
-        all &= (part && !part[i]) || journeys.of[i].route.answer == ROUTE_FOUND;
+    Planning planning = {.house = house, .stop = stop, .terse = true, .all_or_none = true};
+    Journeys journeys = plan_from_start(&planning, part, 1);
     journey_free_all(&journeys);
-    return all;
+    return !planning.failed && !parallel_stopped(stop);
 }
 
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,

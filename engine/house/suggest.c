@@ -277,7 +277,8 @@ bool suggest_find(SuggestList *list, const SuggestTask *task, Fault *fault) {
         .task = task, .base = &house, .most = task->most_tries ? task->most_tries : SUGGEST_TRIES, .tries = 1};
     pthread_mutex_init(&search.lock, NULL);
     Observation observation;
-    run_house(&observation, &house, &(RunOptions){.route = SIZE_MAX, .jobs = task->jobs, .stop = task->stop});
+    run_house(&observation, &house,
+              &(RunOptions){.route = SIZE_MAX, .terse = true, .jobs = task->jobs, .stop = task->stop});
     list->out_already = observation.completed && !parallel_stopped(task->stop);
     list->time = observation.time;
     if (!observation.completed && !parallel_stopped(task->stop))
