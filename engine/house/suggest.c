@@ -48,7 +48,7 @@ static void add_doors(Elements *elements, const Plan *plan, Vec2 stuck, SuggestL
             add_note(list, text_in_arena(&list->arena, "door %s is locked and stays so", door->id));
         else if (suggest_search_widest(plan, d, &widest))
             add_element(elements, widest, vec2_scale(vec2_add(from, to), 0.5), stuck);
-        else
+        else if (door->width < SUGGEST_SEARCH_WIDEST)
             add_note(list,
                      text_in_arena(&list->arena, "door %s stays %.2f m wide: there is no wall beside it to take away",
                                    door->id, door->width));
