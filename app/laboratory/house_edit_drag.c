@@ -114,7 +114,8 @@ static void show(HouseLive *live) {
     { .follow = follow_, .make = make_, .limit = limit_, .put = put, .release = release, .say = say, .show = show }
 static const EditGesture shape = DRAG(house_edit_shape_follow, house_edit_shape_make, NULL),
                          body = DRAG(house_edit_body_follow, house_edit_body_make, NULL),
-                         slide = DRAG(house_edit_slide_follow, house_edit_slide_make, house_edit_slide_limit);
+                         slide = DRAG(house_edit_door_slide_follow, house_edit_door_slide_make,
+                                      house_edit_door_slide_limit);
 
 /* All that is selected --------------------------------------------------------------------------------------------- */
 

@@ -278,9 +278,9 @@ void house_edit_shape_make(HouseLive *live);
 void house_edit_shape_move(HouseLive *live, const Plan *plan, Vec2 by);
 void house_edit_body_follow(HouseLive *live); /* furniture and people */
 void house_edit_body_make(HouseLive *live);
-void house_edit_slide_follow(HouseLive *live); /* doors */
-void house_edit_slide_make(HouseLive *live);
-bool house_edit_slide_limit(HouseLive *live);
+void house_edit_door_slide_follow(HouseLive *live); /* doors */
+void house_edit_door_slide_make(HouseLive *live);
+bool house_edit_door_slide_limit(HouseLive *live);
 
 /* What is done to the selection ------------------------------------------------------------------------------------ */
 
