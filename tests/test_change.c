@@ -377,6 +377,10 @@ TEST(a_crowd_goes_on_whatever_the_number_of_jobs) {
     Observation alone = case_run(&story.houses[0], 4), one = run_story(&story, 1), four = run_story(&story, 4);
     CHECK(one.digest == four.digest && one.trace.rows == four.trace.rows && one.mixed_count == 1);
     CHECK(one.people[7].path_length > 0 && one.wall_crossings == 0);
+    size_t held = 0; /* nobody who is only pressed against a wall is taken to be in it */
+    for (size_t i = 0; i < one.person_count; i++)
+        held += one.people[i].reason == REASON_CANNOT_PASS && alone.people[i].reason != REASON_CANNOT_PASS;
+    CHECK(held == 0);
     check_prefix(&one, &alone, 1.5);
     check_numbers(&one);
     observation_free(&alone);

@@ -381,6 +381,19 @@ TEST(layers_are_chosen_by_their_names_or_as_said) {
     end(&import, false);
 }
 
+TEST(old_drawings_are_read_in_the_letters_of_their_code_page) {
+    static const char lines[] = "0 LINE 8 \x95\xc7 10 0 20 0 11 6000 21 0 0 LINE 8 W\xc4NDE 10 0 20 0 11 6000 21 0 ";
+    Import import = import_drawing("9 $DWGCODEPAGE 3 ANSI_932 9 $INSUNITS 70 4", "", lines, (ImportOptions){0});
+    CHECK(is_noted(&import, "layers taken: \u58c1 (walls)"));
+    end(&import, true);
+    import = import_drawing("9 $DWGCODEPAGE 3 ANSI_1252 9 $INSUNITS 70 4", "", lines, (ImportOptions){0});
+    CHECK(is_noted(&import, "layers taken: W\u00c4NDE (walls)"));
+    end(&import, true);
+    import = import_drawing("9 $DWGCODEPAGE 3 ANSI_99 9 $INSUNITS 70 4", "", lines, (ImportOptions){0});
+    CHECK(is_noted(&import, "layers taken: W\u00c4NDE (walls)"));
+    end(&import, true);
+}
+
 TEST(a_plan_in_the_coordinates_of_a_survey_is_brought_to_its_origin) {
     Import import = import_drawing(
         "9 $INSUNITS 70 6", "", "0 LINE 8 WALL 10 3500100.25 20 5600200 11 3500110.25 21 5600200", (ImportOptions){0});

@@ -153,7 +153,7 @@ typedef struct LiveEditor {
     bool (*duplicate)(void *live, Fault *fault);
     char *(*copy)(const void *live); /* text for a clipboard, NULL: nothing is selected; memory_free it */
     bool (*paste)(void *live, const char *text, Fault *fault); /* at the hand */
-    bool (*shake)(void *live, Fault *fault);                   /* topples furniture by the next seed */
+    bool (*shake)(void *live, Fault *fault);                   /* topples furniture by the next seed; NULL: it cannot */
 
     /* Undone and done again; names for menus, NULL: there is none. */
     bool (*undo)(void *live);
@@ -173,7 +173,8 @@ typedef struct LiveEditor {
     size_t (*item)(const void *live);
     void (*choose)(void *live, size_t item);
 
-    /* Changes that let everybody out, tried by simulation in the background. `doing`: how far, NULL: it is over. */
+    /* Changes that let everybody out, tried by simulation in the background (all three NULL: it cannot). `doing`: how
+     * far, NULL: it is over. */
     void (*ask)(void *live);
     const LiveProposal *(*proposals)(const void *live, size_t *count, const char **doing);
     bool (*accept)(void *live, size_t proposal, Fault *fault);

@@ -7,6 +7,9 @@
 
 #include "laboratory/shipped.h"
 #include "window/act_plot.h"
+#include "window/edit.h"
+#include "window/files.h"
+#include "window/files_import.h"
 
 #define ZOOM_STEP 1.25
 #define PAN_STEP 0.1   /* of the view */
@@ -54,38 +57,55 @@ static size_t room_of(const LiveKind *kind) {
     return kind == &beam_live ? ROOM_BEAM : ROOM_HOUSE;
 }
 
-static bool open_in(Window *window, size_t index, const char *path) {
+static bool open_in(Window *window, size_t index, const char *path, bool remembered) {
     Fault fault = {0};
     Room *room = &window->rooms[index];
     const char *first = window->options->file ? window->options->file : shipped_places()->default_house;
-    bool given = strcmp(path, first) == 0 && !room->live;
+    bool given = path && strcmp(path, first) == 0 && !room->live;
     LiveOptions options = options_of(window, given);
     bool opened = room_open(room, path, &options, window->screen, &fault);
     act_complain(window, &fault, NAN);
-    if (opened)
-        settings_add_recent(&window->settings, path);
+    if (opened) {
+        files_begin(window, room);
+        if (path && remembered)
+            settings_add_recent(&window->settings, path);
+    }
     return opened;
 }
 
 static void enter(Window *window, size_t index) {
     Room *left = window_room(window);
     if (window->current != index && left->live) {
+        edit_let_go(window);
         LiveSpan span = left->kind->span(left->live);
         player_pause(&left->player, &span);
     }
     Room *entered = &window->rooms[index];
     window->current = index;
     entered->charts_wait = true;
-    glass_set_title(window->glass,
-                    text_in_arena(&window->words, "%s - clearance", entered->kind->title(entered->live)));
     window->dirty = true;
 }
 
 bool act_open(Window *window, const char *path) {
-    size_t index = room_of(live_kind_of(path));
-    if (!open_in(window, index, path))
+    if (path && files_import_knows(path))
+        return files_import(window, path);
+    size_t index = path ? room_of(live_kind_of(path)) : ROOM_HOUSE;
+    edit_let_go(window);
+    if (!open_in(window, index, path, true))
         return false;
     enter(window, index);
+    return true;
+}
+
+bool act_open_copy(Window *window, const char *path, const char *mark) {
+    Room *room = &window->rooms[ROOM_HOUSE];
+    edit_let_go(window);
+    if (!open_in(window, ROOM_HOUSE, path, false))
+        return false;
+    room->mark = mark;
+    memory_free(room->path);
+    room->path = NULL;
+    enter(window, ROOM_HOUSE);
     return true;
 }
 
@@ -93,7 +113,7 @@ void act_enter(Window *window, size_t index) {
     char path[WINDOW_PATH];
     const Shipped *shipped = shipped_places();
     snprintf(path, sizeof path, "%s/" DEFAULT_BEAM, shipped->beams);
-    if (window->rooms[index].live || open_in(window, index, index == ROOM_BEAM ? path : shipped->default_house))
+    if (window->rooms[index].live || open_in(window, index, index == ROOM_BEAM ? path : shipped->default_house, true))
         enter(window, index);
 }
 
@@ -116,6 +136,7 @@ void act_show_sheet(Window *window, Sheet sheet) {
 
 void act_close_sheet(Window *window) {
     window->sheet = SHEET_NONE;
+    window->leave = LEAVE_NOTHING;
     window->dirty = true;
 }
 
@@ -136,19 +157,6 @@ static void show_open(Window *window) {
     if (folder_read(&window->folder, folder, &fault) || folder_read(&window->folder, ".", &fault))
         act_show_sheet(window, SHEET_OPEN);
     act_complain(window, &fault, NAN);
-}
-
-static void show_save(Window *window) {
-    Room *room = window_room(window);
-    static const char *const endings[] = {".json", NULL};
-    char *folder = act_folder(window);
-    if (!folder)
-        return;
-    char *name = export_free_name(folder, room->kind->title(room->live), endings);
-    snprintf(window->field, sizeof window->field, "%s.json", name);
-    memory_free(name);
-    memory_free(folder);
-    act_show_sheet(window, SHEET_SAVE);
 }
 
 char *act_folder(Window *window) {
@@ -361,6 +369,28 @@ Chart *act_focused_chart(Window *window) {
     return NULL;
 }
 
+const LiveRow *act_first_place(const Room *room) {
+    size_t count;
+    const LiveRow *rows = room->kind->rows(room->live, &count);
+    for (size_t i = 0; i < count; i++)
+        if (rows[i].row.kind == ROW_DISC && rows[i].thing.kind)
+            return &rows[i];
+    return NULL;
+}
+
+void act_show_place(Window *window) {
+    Room *room = window_room(window);
+    const LiveRow *place = act_first_place(room);
+    if (!place)
+        return;
+    double time = place->time;
+    room_select(room, place->thing);
+    room_show_selected(room);
+    if (!isnan(time))
+        room_seek(room, time);
+    window->dirty = true;
+}
+
 /* What opens and closes sheets. */
 static bool do_sheet(Window *window, Action action) {
     switch (action) {
@@ -397,7 +427,10 @@ static bool do_sheet(Window *window, Action action) {
 static bool do_window(Window *window, Action action) {
     switch (action) {
     case ACTION_QUIT:
-        window->quit = true;
+        files_leave(window, LEAVE_QUIT, NULL);
+        return true;
+    case ACTION_NEW:
+        files_leave(window, LEAVE_NEW, NULL);
         return true;
     case ACTION_PANEL:
         toggle_panel(window);
@@ -437,14 +470,17 @@ static bool do_window(Window *window, Action action) {
 static bool do_room(Window *window, Room *room, Action action) {
     switch (action) {
     case ACTION_SAVE:
-        show_save(window);
+        files_save(window);
+        return true;
+    case ACTION_SAVE_COPY:
+        files_ask_name(window);
         return true;
     case ACTION_EXPORT:
         act_show_sheet(window, SHEET_EXPORT);
         return true;
     case ACTION_UNDO_ALL:
         room->kind->reset(room->live);
-        act_say(window, "every number is as in the file");
+        act_say(window, "everything is as in the file");
         return true;
     case ACTION_KEEP:
         act_say(window, "%s",
@@ -521,7 +557,8 @@ static bool do_view(Window *window, Room *room, Action action, int32_t key) {
 void act_do(Window *window, Action action, int32_t key, int mods) {
     Room *room = window_room(window);
     window->dirty = true;
-    if (do_sheet(window, action) || do_window(window, action) || !room->live || act_plot_do(window, action, mods))
+    if (do_sheet(window, action) || do_window(window, action) || !room->live || act_plot_do(window, action, mods) ||
+        edit_do(window, action, mods))
         return;
     if (!do_room(window, room, action) && !do_view(window, room, action, key))
         transport(room, action);

@@ -6,8 +6,12 @@
 /* Does it, as asked for by a key (its code and mods) or, with 0, by a menu or a button. */
 void act_do(Window *window, Action action, int32_t key, int mods);
 
-/* Opens a file in the laboratory it is of, and shows that; a fault goes to the messages, and what is open stays. */
+/* Opens a file in the laboratory it is of, and shows that; NULL: a new house. A fault goes to the messages, and what is
+ * open stays. What is open is let go unsaved: see files_open. */
 bool act_open(Window *window, const char *path);
+
+/* The same, of a house that no file of its own holds, as `mark` says: it has no path, and is not remembered. */
+bool act_open_copy(Window *window, const char *path, const char *mark);
 
 /* Shows a laboratory, with its default file when nothing is open in it. */
 void act_enter(Window *window, size_t room);
@@ -22,6 +26,11 @@ void act_complain(Window *window, Fault *fault, double time);
 /* Opens a sheet, closes what is open. */
 void act_show_sheet(Window *window, Sheet sheet);
 void act_close_sheet(Window *window);
+
+/* The first row that has a place, the most dangerous one; NULL: there is none. Selects it, shows it from near and goes
+ * to its time. */
+const LiveRow *act_first_place(const Room *room);
+void act_show_place(Window *window);
 
 /* The chart that has the focus; NULL: none. */
 Chart *act_focused_chart(Window *window);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "window/act.h"
+#include "window/files.h"
 
 #define BOX_STEP 0.02    /* of the axes, that a corner moves by a key */
 #define CURSOR_STEP 0.01 /* of the axis */
@@ -165,7 +166,7 @@ static void begin_frames(Window *window) {
     snprintf(name, sizeof name, "%s frames", room->kind->title(room->live));
     char *out = export_free_name(folder, name, endings);
     ExportOrder order = {.options = options, .option_count = sizeof options / sizeof *options, .out = out};
-    order.words = room->kind->command(room->live, &order.word_count);
+    order.words = files_command(window, &order.word_count);
     window->export = export_begin(&order, &fault);
     if (window->export)
         act_say(window, "writing frames to %s", out);
@@ -178,6 +179,10 @@ static void copy_command(Window *window) {
     Room *room = window_room(window);
     size_t count;
     const char *const *words = room->kind->command(room->live, &count);
+    if (count > 1 && !*words[1]) {
+        act_say(window, "no file holds what is shown yet: saved (Ctrl+S) it has a command");
+        return;
+    }
     char *command = export_command(words, count);
     glass_set_clipboard(window->glass, command);
     act_say(window, "copied: %s", command);

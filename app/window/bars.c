@@ -4,6 +4,8 @@
 #include <stdio.h>
 
 #include "window/act.h"
+#include "window/edit.h"
+#include "window/files.h"
 
 /* Design points. */
 #define TWO_LINES 1.8 /* times the width, that words of two lines take at most: lines end between words */
@@ -55,6 +57,8 @@ static double show_menus(Window *window, Box bar) {
         return left;
     }
     for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++) {
+        if (menu == MENU_TOOLS && !edit_of(window_room(window)))
+            continue;
         UiButton button = {
             .label = keys_menus[menu], .plain = true, .chosen = window->sheet == SHEET_MENU && window->menu == menu};
         left = add_button(window, left, bar, &button, &pressed);
@@ -95,7 +99,7 @@ void bars_show_menu(Window *window) {
     double left = show_menus(window, bar), right = show_laboratories(window, bar);
     const Room *room = window_room(window);
     if (room->live) {
-        const char *title = room->kind->title(room->live);
+        const char *title = files_title(window, room);
         double width = ui_extent(window->ui, UI_BOLD, title).x;
         double begin = fmax(left + GAP, middle_of(bar).x - width / 2);
         show_words(window, UI_BOLD, ROLE_TEXT, begin, right - GAP, middle_of(bar).y, title);
@@ -105,18 +109,8 @@ void bars_show_menu(Window *window) {
 
 /* The answer ------------------------------------------------------------------------------------------------------- */
 
-/* The first row that has a place or a time. */
-static const LiveRow *first_place(const Room *room) {
-    size_t count;
-    const LiveRow *rows = room->kind->rows(room->live, &count);
-    for (size_t i = 0; i < count; i++)
-        if (rows[i].row.kind == ROW_DISC && rows[i].thing.kind)
-            return &rows[i];
-    return NULL;
-}
-
 static double show_place_button(Window *window, Room *room, Box bar) {
-    const LiveRow *place = first_place(room);
+    const LiveRow *place = act_first_place(room);
     const char *label = "Show place";
     double width = ui_extent(window->ui, UI_BOLD, label).x + BUTTON_PAD;
     if (!place || window->frame.compact || bar.high.x < 3 * width)
@@ -125,14 +119,8 @@ static double show_place_button(Window *window, Room *room, Box bar) {
     ui_at(window->ui, (Box){{left, y - half}, {left + width, y + half}});
     UiButton button = {.label = label,
                        .help = "Show place: selects the most dangerous point and goes to 2 s before it"};
-    if (ui_button(window->ui, &button)) {
-        LiveThing thing = place->thing;
-        double time = place->time;
-        room_select(room, thing);
-        room_show_selected(room);
-        if (!isnan(time))
-            room_seek(room, time);
-    }
+    if (ui_button(window->ui, &button))
+        act_show_place(window);
     return left - GAP;
 }
 
@@ -203,14 +191,33 @@ static void show_export(Window *window, Box box) {
         export_cancel(window->export);
 }
 
+/* What the hand does, where there is no strip; and why it cannot be put down so. */
+static bool show_gesture(Window *window, Box box) {
+    const Room *room = window_room(window);
+    const LiveEditor *editor = edit_of(room);
+    if (!editor || !edit_listens(window))
+        return false;
+    const LiveGesture *gesture = editor->gesture(room->live);
+    if (!gesture->refusal && box_height(window->frame.strip) > 0)
+        return false;
+    ui_pane_begin(window->ui, &(UiPane){.name = "gesture", .box = box, .ground = ROLE_PANEL});
+    ui_draw_frame(window->ui, box, gesture->refusal ? ROLE_ERROR : ROLE_ROOM, 2);
+    const char *words =
+        gesture->refusal ? text_in_arena(&window->words, "\u26a0 %s", gesture->refusal) : gesture->doing;
+    show_words(window, UI_BODY, gesture->refusal ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, box.high.x - MARGIN,
+               middle_of(box).y, words);
+    ui_pane_end(window->ui);
+    return true;
+}
+
 void bars_show_message(Window *window) {
     const Message *last = messages_last(&window->messages);
     bool told = last && last->number > window->dismissed;
-    if (!told && !window->export)
-        return;
     Box box = {{window->frame.view.low.x, window->frame.timeline.low.y - MESSAGE_HEIGHT},
                {window->frame.drawer ? window->frame.page.x : window->frame.page.x - box_width(window->frame.panel),
                 window->frame.timeline.low.y}};
+    if (show_gesture(window, box) || (!told && !window->export))
+        return;
     ui_pane_begin(window->ui, &(UiPane){.name = "message", .box = box, .ground = ROLE_PANEL});
     ui_draw_frame(window->ui, box, told && last->kind == MESSAGE_FAULT ? ROLE_ERROR : ROLE_ROOM, 2);
     if (told) {
@@ -257,6 +264,18 @@ static const char *place_words(Window *window, Room *room) {
     return text_in_arena(&window->words, "%s   x %.2f  y %.2f m", name, floor.x, floor.y);
 }
 
+/* What the hand does, or can do next, while a tool is in it. */
+static double show_doing(Window *window, double left, double right, double y) {
+    const Room *room = window_room(window);
+    const LiveEditor *editor = edit_of(room);
+    if (!editor || !edit_listens(window))
+        return left;
+    const char *words = editor->gesture(room->live)->doing;
+    double end = fmin(right, left + ui_extent(window->ui, UI_BOLD, words).x + 1);
+    show_words(window, UI_BOLD, ROLE_TEXT, left, end, y, words);
+    return end + GAP;
+}
+
 void bars_show_strip(Window *window) {
     Box bar = window->frame.strip;
     Room *room = window_room(window);
@@ -267,9 +286,10 @@ void bars_show_strip(Window *window) {
     const char *place = room->live ? place_words(window, room) : "";
     ui_draw_words(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(right, y), 1, place);
     right -= ui_extent(window->ui, UI_SMALL, place).x + GAP;
+    left = show_doing(window, left, right, y);
     for (size_t i = 0; i < keys_count; i++) {
         const KeyRow *row = &keys_table[i];
-        if (row->strip && left + key_width(window, row) < right)
+        if (row->strip && (row->place != KEY_PLAN || edit_of(room)) && left + key_width(window, row) < right)
             left = show_key(window, left, y, row);
     }
     ui_pane_end(window->ui);

@@ -10,6 +10,13 @@
 #define PANEL_WIDTH 344.0
 #define GAP 6.0
 
+/* Of the rail. */
+#define TOOL_WIDTH 78.0
+#define TOOL_NARROW 40.0
+#define TOOL_HEIGHT 42.0 /* at least, of a letter above a word; at least, of a letter */
+#define TOOL_LEAST 28.0
+#define RAIL_WORDS 1000.0 /* a page at least so wide has room for them */
+
 /* Below these a page is small. */
 #define COMPACT_WIDTH 900.0
 #define COMPACT_HEIGHT 470.0
@@ -107,6 +114,19 @@ static void divide(Frame *frame, Box place, const FrameWish *wish) {
         frame->view = is_below ? upper : left;
 }
 
+/* Left of the view; what is left of the place. */
+static Box place_rail(Frame *frame, Box place, const FrameWish *wish) {
+    if (!wish->tool_count || wish->present)
+        return place;
+    double each = (box_height(place) - GAP) / (double)wish->tool_count;
+    frame->tool_words = frame->page.x >= RAIL_WORDS && each >= TOOL_HEIGHT;
+    frame->tool_columns = each < TOOL_LEAST ? 2 : 1;
+    double width = (frame->tool_words ? TOOL_WIDTH : TOOL_NARROW) * frame->tool_columns + 2 * GAP;
+    frame->rail = (Box){place.low, {place.low.x + width, place.high.y}};
+    place.low.x += width;
+    return place;
+}
+
 Frame frame_make(Vec2 page, const FrameWish *wish) {
     Frame frame = {.page = page};
     frame.compact = page.x < COMPACT_WIDTH || page.y < COMPACT_HEIGHT;
@@ -123,6 +143,7 @@ Frame frame_make(Vec2 page, const FrameWish *wish) {
     frame.panel = (Box){{page.x - panel, place.low.y}, place.high};
     if (!frame.drawer)
         place.high.x = frame.panel.low.x;
+    place = place_rail(&frame, place, wish);
     if (is_there(place))
         divide(&frame, place, wish);
     return frame;

@@ -4,15 +4,15 @@
  *     | menu                         title   House Beam |
  *     | answer                                          |
  *     +---------------------------------+---------------+
- *     | view                    | plots | panel         |
- *     |                         |       |               |
+ *     | rail | view             | plots | panel         |
+ *     |      |                  |       |               |
  *     +---------------------------------+---------------+
  *     | timeline                                        |
  *     | strip                                           |
  *     +-------------------------------------------------+
  *
- * Where letters are large or the window is small, words go first, then the strip, then the plots; the panel becomes a
- * drawer over the view. */
+ * Where letters are large or the window is small, words go first, those of the rail, too, then the strip, then the
+ * plots; the panel becomes a drawer over the view. */
 #pragma once
 
 #include <stdbool.h>
@@ -25,14 +25,17 @@ enum { FRAME_CHARTS_MOST = 8 };
 typedef struct FrameWish {
     bool panel, plots, present;
     size_t plot_count;
-    double aspect; /* width over height of what the view shows */
+    size_t tool_count; /* on the rail; 0: there is none */
+    double aspect;     /* width over height of what the view shows */
 } FrameWish;
 
 typedef struct Frame {
     Vec2 page;
-    Box menu, answer, view, panel, timeline, strip; /* those that there is no room for have no width */
+    Box menu, answer, rail, view, panel, timeline, strip; /* those that there is no room for have no width */
     Box charts[FRAME_CHARTS_MOST];
     size_t chart_count; /* as many of the plots as there is room for */
+    int tool_columns;   /* of the rail */
+    bool tool_words;    /* its tools have their names */
     bool compact;       /* bars in short */
     bool drawer;        /* the panel lies over the view */
 } Frame;

@@ -137,6 +137,9 @@ static void translate(const Glass *glass, const SDL_Event *from, GlassEvent *eve
         event->mods = mods_of(from->key.keysym.mod);
         event->repeat = from->key.repeat;
         break;
+    case SDL_KEYUP:
+        event->kind = GLASS_LET_GO;
+        break;
     case SDL_TEXTINPUT:
         take_text(event, GLASS_TEXT, from->text.text);
         break;
@@ -170,6 +173,21 @@ static void translate(const Glass *glass, const SDL_Event *from, GlassEvent *eve
     }
 }
 
+int glass_mods(const Glass *glass) {
+    (void)glass;
+    return mods_of((unsigned)SDL_GetModState());
+}
+
+static Uint16 system_mods(int mods) {
+    return (Uint16)((mods & GLASS_SHIFT ? KMOD_LSHIFT : 0) | (mods & GLASS_CONTROL ? KMOD_LCTRL : 0) |
+                    (mods & GLASS_ALT ? KMOD_LALT : 0));
+}
+
+void glass_hold(Glass *glass, int mods) {
+    (void)glass;
+    SDL_SetModState((SDL_Keymod)system_mods(mods));
+}
+
 bool glass_next(Glass *glass, GlassEvent *event, double wait) {
     SDL_Event from;
     bool got = wait > 0 ? SDL_WaitEventTimeout(&from, (int)(1000 * wait)) : SDL_PollEvent(&from);
@@ -180,9 +198,7 @@ bool glass_next(Glass *glass, GlassEvent *event, double wait) {
 
 static void push_key(const GlassEvent *event) {
     SDL_Event to = {.key = {.type = SDL_KEYDOWN, .state = SDL_PRESSED, .keysym = {.sym = event->key}}};
-    to.key.keysym.mod =
-        (Uint16)((event->mods & GLASS_SHIFT ? KMOD_LSHIFT : 0) | (event->mods & GLASS_CONTROL ? KMOD_LCTRL : 0) |
-                 (event->mods & GLASS_ALT ? KMOD_LALT : 0));
+    to.key.keysym.mod = system_mods(event->mods);
     SDL_PushEvent(&to);
 }
 

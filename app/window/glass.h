@@ -16,6 +16,7 @@ typedef enum GlassKind {
     GLASS_NOTHING,
     GLASS_QUIT,
     GLASS_KEY,    /* went down, or repeats */
+    GLASS_LET_GO, /* a key went up */
     GLASS_TEXT,   /* was typed */
     GLASS_MOUSE,  /* moved, at `at` */
     GLASS_BUTTON, /* of the mouse, at `at` */
@@ -54,6 +55,10 @@ const Gl *glass_gl(const Glass *glass);
 /* Pixels; and how many pixels the system makes of one of its points. */
 void glass_size(const Glass *glass, int *width, int *height);
 double glass_density(const Glass *glass);
+
+/* Shift, Ctrl and Alt as they are held now; and as if they were, for scripts. */
+int glass_mods(const Glass *glass);
+void glass_hold(Glass *glass, int mods);
 
 /* The next event; false: there is none. With `wait` it waits for one, up to so many s. */
 bool glass_next(Glass *glass, GlassEvent *event, double wait);

@@ -4,16 +4,18 @@
 
 #include "window/glass.h"
 
-const char *const keys_menus[MENUS] = {
-    [MENU_FILE] = "File", [MENU_EDIT] = "Edit", [MENU_VIEW] = "View", [MENU_RUN] = "Run", [MENU_HELP] = "Help"};
+const char *const keys_menus[MENUS] = {[MENU_FILE] = "File", [MENU_EDIT] = "Edit", [MENU_TOOLS] = "Tools",
+                                       [MENU_VIEW] = "View", [MENU_RUN] = "Run",   [MENU_HELP] = "Help"};
 
-/* Where two places mean different things by one key, the narrower one stands first. */
 const KeyRow keys_table[] = {
+    {ACTION_NEW, KEY_ANYWHERE, "Ctrl+N", MENU_FILE, "New house", "begins with an empty plan", NULL},
     {ACTION_OPEN, KEY_ANYWHERE, "Ctrl+O", MENU_FILE, "Open ...", "opens a house or a beam from a file", NULL},
     {ACTION_GALLERY, KEY_ANYWHERE, "F4", MENU_FILE, "Gallery", "shows the houses and beams there are, with pictures",
      "gallery"},
-    {ACTION_SAVE, KEY_ANYWHERE, "Ctrl+S", MENU_FILE, "Save a copy ...",
-     "writes what is shown, with its changed numbers, as a file", NULL},
+    {ACTION_SAVE, KEY_ANYWHERE, "Ctrl+S", MENU_FILE, "Save",
+     "writes what is shown to its file; asks for a name when there is none of your own", NULL},
+    {ACTION_SAVE_COPY, KEY_ANYWHERE, "Ctrl+Shift+S", MENU_FILE, "Save as ...",
+     "writes what is shown, with its changed numbers, as another file", NULL},
     {ACTION_PICTURE, KEY_ANYWHERE, "F9", MENU_FILE, "Picture",
      "writes the view, or the plot with the focus, as PNG and SVG", NULL},
     {ACTION_FRAMES, KEY_ANYWHERE, "Shift+F9", MENU_FILE, "Frames",
@@ -24,7 +26,18 @@ const KeyRow keys_table[] = {
      "copies the command line that makes what is shown", NULL},
     {ACTION_QUIT, KEY_ANYWHERE, "Ctrl+Q", MENU_FILE, "Quit", "closes the window", NULL},
 
-    {ACTION_UNDO_ALL, KEY_ANYWHERE, "Alt+R", MENU_EDIT, "Reset scene", "sets every number as it is in the file", NULL},
+    {ACTION_UNDO, KEY_ANYWHERE, "Ctrl+Z", MENU_EDIT, "Undo", "takes the last edit back", NULL},
+    {ACTION_REDO, KEY_ANYWHERE, "Ctrl+Shift+Z", MENU_EDIT, "Redo", "does again what was undone", NULL},
+    {ACTION_REDO, KEY_ANYWHERE, "Ctrl+Y", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_CUT, KEY_PLAN, "Ctrl+X", MENU_EDIT, "Cut", "copies what is selected, and removes it", NULL},
+    {ACTION_COPY, KEY_PLAN, "Ctrl+C", MENU_EDIT, "Copy",
+     "copies what is selected; with nothing selected, the command line", NULL},
+    {ACTION_PASTE, KEY_PLAN, "Ctrl+V", MENU_EDIT, "Paste", "puts what was copied where the pointer is", NULL},
+    {ACTION_DUPLICATE, KEY_PLAN, "Ctrl+D", MENU_EDIT, "Duplicate", "puts a copy beside what is selected", NULL},
+    {ACTION_DELETE, KEY_PLAN, "Delete", MENU_EDIT, "Delete", "removes what is selected", NULL},
+    {ACTION_DELETE, KEY_PLAN, "Backspace", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_SELECT_ALL, KEY_PLAN, "Ctrl+A", MENU_EDIT, "Select all", "selects everything that can be moved", NULL},
+    {ACTION_UNDO_ALL, KEY_ANYWHERE, "Alt+R", MENU_EDIT, "Reset scene", "puts everything as it is in the file", NULL},
     {ACTION_EDIT_NUMBERS, KEY_VIEW, "Return", MENU_EDIT, "Numbers", "goes to the numbers of what is selected", NULL},
     {ACTION_USE_CURSOR, KEY_PLOT, "Return", MENU_NONE, "Use value", "sets the number to where the cursor stands", NULL},
     {ACTION_NEXT_THING, KEY_VIEW, "Tab", MENU_EDIT, "Next object",
@@ -35,6 +48,46 @@ const KeyRow keys_table[] = {
     {ACTION_GHOST, KEY_CANVAS, "G", MENU_EDIT, "Next ghost", "shows what was before, or the other way of driving",
      "ghost"},
     {ACTION_CLEAR, KEY_CANVAS, "X", MENU_EDIT, "Clear", "forgets the trace and the points so far", NULL},
+
+    {ACTION_TOOL_SELECT, KEY_PLAN, "S", MENU_TOOLS, "Select", "picks things, moves them, takes up their handles", NULL},
+    {ACTION_TOOL_WALL, KEY_PLAN, "W", MENU_TOOLS, "Wall", "draws walls from corner to corner; digits are a length",
+     "wall"},
+    {ACTION_TOOL_DOOR, KEY_PLAN, "D", MENU_TOOLS, "Door", "puts a door or an opening into a wall", "door"},
+    {ACTION_TOOL_FURNITURE, KEY_PLAN, "O", MENU_TOOLS, "Furniture", "places furniture, of a catalogue or free",
+     "furniture"},
+    {ACTION_TOOL_PERSON, KEY_PLAN, "P", MENU_TOOLS, "Person", "places somebody, in a wheelchair or on foot", NULL},
+    {ACTION_TOOL_EXIT, KEY_PLAN, "X", MENU_TOOLS, "Exit", "draws the line behind which people are out", NULL},
+    {ACTION_TOOL_MEASURE, KEY_PLAN, "M", MENU_TOOLS, "Measure", "tells how wide it is between two points or faces",
+     "measure"},
+    {ACTION_TOOL_AREA, KEY_PLAN, "A", MENU_TOOLS, "Room", "names a room", NULL},
+    {ACTION_TOOL_ROUTE, KEY_PLAN, "Y", MENU_TOOLS, "Route", "draws the way that somebody takes", NULL},
+    {ACTION_TOOL_IMAGE, KEY_PLAN, "B", MENU_TOOLS, "Picture to trace", "puts a picture below the plan, to trace over",
+     NULL},
+    {ACTION_TOPPLE, KEY_PLAN, "T", MENU_TOOLS, "Topple", "topples the selected furniture, or stands it up", "topple"},
+    {ACTION_SHAKE, KEY_PLAN, "Shift+T", MENU_TOOLS, "Shake", "topples furniture by its chances, by the next seed",
+     NULL},
+    {ACTION_SPLIT, KEY_PLAN, "Shift+W", MENU_TOOLS, "Split wall", "makes a corner in the middle of the selected wall",
+     NULL},
+    {ACTION_SNAP, KEY_PLAN, "N", MENU_TOOLS, "Snapping", "lets the hand catch corners, faces and angles, or not", NULL},
+    {ACTION_HANDLE, KEY_PLAN, "J", MENU_TOOLS, "Next handle",
+     "goes round the corners and ends of what is selected, for the arrows to move", NULL},
+    {ACTION_HANDLE_BACK, KEY_PLAN, "Shift+J", MENU_TOOLS, "Previous handle", "goes round the other way", NULL},
+    {ACTION_NUDGE_LEFT, KEY_PLAN, "Left", MENU_NONE, "Nudge left",
+     "moves what is selected by 1 cm, Shift 10 cm, Ctrl 1 mm; with nothing selected, the view", NULL},
+    {ACTION_NUDGE_LEFT, KEY_PLAN, "Shift+Left", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_NUDGE_LEFT, KEY_PLAN, "Ctrl+Left", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_NUDGE_RIGHT, KEY_PLAN, "Right", MENU_NONE, "Nudge right", "the same, to the right", NULL},
+    {ACTION_NUDGE_RIGHT, KEY_PLAN, "Shift+Right", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_NUDGE_RIGHT, KEY_PLAN, "Ctrl+Right", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_NUDGE_UP, KEY_PLAN, "Up", MENU_NONE, "Nudge up", "the same, upwards", NULL},
+    {ACTION_NUDGE_UP, KEY_PLAN, "Shift+Up", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_NUDGE_UP, KEY_PLAN, "Ctrl+Up", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_NUDGE_DOWN, KEY_PLAN, "Down", MENU_NONE, "Nudge down", "the same, downwards", NULL},
+    {ACTION_NUDGE_DOWN, KEY_PLAN, "Shift+Down", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_NUDGE_DOWN, KEY_PLAN, "Ctrl+Down", MENU_NONE, NULL, NULL, NULL},
+    {ACTION_TURN_LITTLE_LEFT, KEY_PLAN, "Shift+Q", MENU_NONE, "Turn left a little",
+     "turns what is selected by 1 degree", NULL},
+    {ACTION_TURN_LITTLE_RIGHT, KEY_PLAN, "Shift+E", MENU_NONE, "Turn right a little", "the other way", NULL},
 
     {ACTION_FIT, KEY_CANVAS, "Home", MENU_VIEW, "Fit", "shows all of it", NULL},
     {ACTION_ZOOM_IN, KEY_CANVAS, "=", MENU_VIEW, "Zoom in", "enlarges about the middle", NULL},
@@ -56,7 +109,8 @@ const KeyRow keys_table[] = {
     {ACTION_PAN_UP, KEY_VIEW, "Up", MENU_NONE, "Look up", "moves the view", NULL},
     {ACTION_PAN_DOWN, KEY_VIEW, "Down", MENU_NONE, "Look down", "moves the view", NULL},
     {ACTION_RAISED, KEY_CANVAS, "V", MENU_VIEW, "Plan or raised", "looks from above, or from the side", "raised"},
-    {ACTION_TURN_LEFT, KEY_VIEW, "Q", MENU_VIEW, "Turn left", "turns the raised view by 15 degrees", NULL},
+    {ACTION_TURN_LEFT, KEY_VIEW, "Q", MENU_VIEW, "Turn left",
+     "turns what is selected by 15 degrees, or the raised view", NULL},
     {ACTION_TURN_RIGHT, KEY_VIEW, "E", MENU_VIEW, "Turn right", "turns it the other way", NULL},
     {ACTION_FOLLOW, KEY_VIEW, "F", MENU_VIEW, "Follow", "keeps the selected person, or the first, in the middle", NULL},
     {ACTION_LAYER, KEY_CANVAS, "1", MENU_NONE, "Layers", "1 to 9 show or hide a layer: the panel names them", NULL},
@@ -69,7 +123,7 @@ const KeyRow keys_table[] = {
     {ACTION_LAYER, KEY_CANVAS, "8", MENU_NONE, NULL, NULL, NULL},
     {ACTION_LAYER, KEY_CANVAS, "9", MENU_NONE, NULL, NULL, NULL},
     {ACTION_PANEL, KEY_CANVAS, "H", MENU_VIEW, "Panel", "shows or hides the panel", NULL},
-    {ACTION_PLOTS, KEY_CANVAS, "P", MENU_VIEW, "Plots", "shows or hides the plots", "plots"},
+    {ACTION_PLOTS, KEY_CANVAS, "Shift+P", MENU_VIEW, "Plots", "shows or hides the plots", "plots"},
     {ACTION_PRESENT, KEY_ANYWHERE, "F5", MENU_VIEW, "Present", "hides all but picture and answer, letters larger",
      NULL},
     {ACTION_FULLSCREEN, KEY_ANYWHERE, "F11", MENU_VIEW, "Full screen", "fills the screen, or not", NULL},
@@ -150,27 +204,35 @@ static bool is_letter(const KeyRow *row) {
     return !row->key[1];
 }
 
-static bool means(const KeyRow *row, KeyPlace place) {
+/* How narrowly a row is meant for a place; 0: it means nothing there. */
+static int narrowness(const KeyRow *row, KeyPlace place) {
+    bool view = place == KEY_VIEW || place == KEY_PLAN;
     switch (row->place) {
     case KEY_ANYWHERE:
-        return true;
+        return 1;
     case KEY_CANVAS:
-        return place == KEY_VIEW || place == KEY_PLOT;
+        return view || place == KEY_PLOT ? 2 : 0;
+    case KEY_VIEW:
+        return view ? 3 : 0;
     default:
-        return row->place == place;
+        return row->place == place ? 4 : 0;
     }
 }
 
 const KeyRow *keys_find(int32_t key, int mods, KeyPlace place, bool letters) {
+    const KeyRow *found = NULL;
+    int narrowest = 0;
     for (size_t i = 0; i < keys_count; i++) {
+        const KeyRow *row = &keys_table[i];
         int32_t row_key;
-        int row_mods;
-        keys_read(keys_table[i].key, &row_key, &row_mods);
-        if (row_key == key && row_mods == mods && means(&keys_table[i], place) &&
-            (letters || !is_letter(&keys_table[i])))
-            return &keys_table[i];
+        int row_mods, narrow = narrowness(row, place);
+        keys_read(row->key, &row_key, &row_mods);
+        if (row_key == key && row_mods == mods && narrow > narrowest && (letters || !is_letter(row))) {
+            found = row;
+            narrowest = narrow;
+        }
     }
-    return NULL;
+    return found;
 }
 
 const char *keys_help(Arena *arena, Action action) {

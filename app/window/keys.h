@@ -10,14 +10,46 @@
 
 typedef enum Action {
     ACTION_NONE,
+    ACTION_NEW,
     ACTION_OPEN,
     ACTION_SAVE,
+    ACTION_SAVE_COPY,
     ACTION_GALLERY,
     ACTION_PICTURE,
     ACTION_FRAMES,
     ACTION_EXPORT,
     ACTION_COPY_COMMAND,
     ACTION_QUIT,
+    ACTION_TOOL_SELECT, /* the tools in the order of LiveTool */
+    ACTION_TOOL_WALL,
+    ACTION_TOOL_DOOR,
+    ACTION_TOOL_FURNITURE,
+    ACTION_TOOL_PERSON,
+    ACTION_TOOL_EXIT,
+    ACTION_TOOL_MEASURE,
+    ACTION_TOOL_AREA,
+    ACTION_TOOL_ROUTE,
+    ACTION_TOOL_IMAGE,
+    ACTION_UNDO,
+    ACTION_REDO,
+    ACTION_CUT,
+    ACTION_COPY,
+    ACTION_PASTE,
+    ACTION_DUPLICATE,
+    ACTION_DELETE,
+    ACTION_SELECT_ALL,
+    ACTION_SPLIT,
+    ACTION_TOPPLE,
+    ACTION_SHAKE,
+    ACTION_SNAP,
+    ACTION_HANDLE,
+    ACTION_HANDLE_BACK,
+    ACTION_NUDGE_LEFT,
+    ACTION_NUDGE_RIGHT,
+    ACTION_NUDGE_UP,
+    ACTION_NUDGE_DOWN,
+    ACTION_TURN_LITTLE_LEFT,
+    ACTION_TURN_LITTLE_RIGHT,
     ACTION_UNDO_ALL,
     ACTION_KEEP,
     ACTION_GHOST,
@@ -86,10 +118,11 @@ typedef enum KeyPlace {
     KEY_CANVAS,   /* the plan, the beam or a plot has the focus */
     KEY_VIEW,     /* the plan or the beam */
     KEY_PLOT,     /* a plot */
+    KEY_PLAN,     /* the view, of what can be edited */
     KEY_TIMELINE, /* the timeline, too */
 } KeyPlace;
 
-typedef enum KeyMenu { MENU_NONE, MENU_FILE, MENU_EDIT, MENU_VIEW, MENU_RUN, MENU_HELP, MENUS } KeyMenu;
+typedef enum KeyMenu { MENU_NONE, MENU_FILE, MENU_EDIT, MENU_TOOLS, MENU_VIEW, MENU_RUN, MENU_HELP, MENUS } KeyMenu;
 
 typedef struct KeyRow {
     Action action;
@@ -108,8 +141,8 @@ extern const char *const keys_menus[MENUS];
 /* The row of an action, with its name; NULL: it has none. */
 const KeyRow *keys_row(Action action);
 
-/* What a key means where a place of this kind has the focus; `letters`: single letters mean something. NULL: nothing.
- * `mods` as in glass.h. */
+/* What a key means where a place of this kind has the focus, of several meanings that of the narrowest place;
+ * `letters`: single letters mean something. NULL: nothing. `mods` as in glass.h. */
 const KeyRow *keys_find(int32_t key, int mods, KeyPlace place, bool letters);
 
 /* The key's code and mods. */

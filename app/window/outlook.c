@@ -6,26 +6,18 @@
 
 #include "window/act.h"
 #include "window/act_plot.h"
+#include "window/backdrop.h"
+#include "window/edit.h"
+#include "window/edit_marks.h"
 
 /* Design points. */
 #define MARGIN 12.0
-#define SELECTION_OUTER 6.0
-#define SELECTION_INNER 3.0
-#define STILL_HAND 4.0 /* a right click that moves less opens no pan */
 #define LEAST_SIDE 24.0
 
 #define WHEEL_ZOOM 1.15
 
 static Vec2 middle_of(Box box) {
     return vec2_scale(vec2_add(box.low, box.high), 0.5);
-}
-
-double outlook_aspect(const Room *room) {
-    if (!room->live)
-        return 1.5;
-    Box box = room->kind->still(room->live)->box;
-    double height = box_height(box);
-    return height > 0 && box_width(box) > 0 ? box_width(box) / height : 1.5;
 }
 
 /* Pictures --------------------------------------------------------------------------------------------------------- */
@@ -47,6 +39,7 @@ void outlook_paint(Window *window) {
     scenery_fit(&room->scenery, glass_gl(window->glass), width, height, window->unit, window->theme);
     if (room->scenery.paint)
         scenery_show(&room->scenery, room->kind, room->live, room->player.time);
+    window->dirty |= room->charts_wait; /* they have their places with the next picture */
     if (room->charts_wait)
         charts_choose(&room->charts, room->kind, room->live, room->plots, window->screen);
     room->charts_wait = false;
@@ -62,19 +55,6 @@ static size_t plot_of(const Room *room, const Chart *chart) {
 
 /* The view --------------------------------------------------------------------------------------------------------- */
 
-/* Black within white, or the other way round: seen on everything. */
-static void show_selection(Window *window, Room *room) {
-    Vec2 points[LIVE_OUTLINE_MOST];
-    LiveThing thing = room->kind->selected(room->live);
-    size_t count = thing.kind ? room->kind->outline(room->live, thing, room->player.time, points) : 0;
-    for (size_t i = 0; i < count; i++)
-        points[i] = vec2_add(window->frame.view.low, scenery_point(&room->scenery, points[i]));
-    if (!count)
-        return;
-    ui_draw_polyline(window->ui, points, count, true, ROLE_PAPER, SELECTION_OUTER);
-    ui_draw_polyline(window->ui, points, count, true, ROLE_TEXT, SELECTION_INNER);
-}
-
 static void show_view_words(Window *window, const Room *room) {
     Box view = window->frame.view;
     const char *note = room->kind->note(room->live);
@@ -86,7 +66,7 @@ static void show_view_words(Window *window, const Room *room) {
                     ROLE_PAPER, 0.8);
         ui_draw_words(window->ui, UI_BODY, ROLE_DIM_TEXT, at, 0, note);
     }
-    if (room->player.playing)
+    if (room->player.playing || (window->edit.holds && window->edit.plays_on))
         return;
     Vec2 size = ui_extent(window->ui, UI_HEADING, "PAUSED");
     Box tag = {{view.high.x - size.x - 3 * MARGIN, view.low.y + MARGIN},
@@ -99,7 +79,17 @@ static Vec2 floor_at(const Window *window, const Room *room, Vec2 at) {
     return scenery_floor(&room->scenery, vec2_sub(at, window->frame.view.low));
 }
 
-/* A click selects, a second one on the same place what lies below; the right or middle button moves the view. */
+/* A click selects, a second one on the same place what lies below. */
+static void pick(Window *window, Room *room, Vec2 place) {
+    LiveThing now = room->kind->selected(room->live);
+    Vec2 at = floor_at(window, room, place);
+    LiveThing top = room->kind->pick(room->live, at, room->player.time, (LiveThing){0});
+    room_select(room, live_same(top, now) ? room->kind->pick(room->live, at, room->player.time, now) : top);
+    ui_focus(window->ui, "view");
+    window->dirty = true;
+}
+
+/* The right or middle button moves the view, the wheel enlarges it; what can be edited has the left one. */
 static void use_mouse(Window *window, Room *room) {
     UiGrab grab = ui_grab(window->ui, "view", window->frame.view);
     if (!room->scenery.painted)
@@ -111,23 +101,20 @@ static void use_mouse(Window *window, Room *room) {
         room_pan(room,
                  vec2_sub(floor_at(window, room, vec2_sub(grab.at, grab.delta)), floor_at(window, room, grab.at)));
     }
-    if (grab.pressed) {
-        LiveThing now = room->kind->selected(room->live);
-        Vec2 at = floor_at(window, room, grab.at);
-        LiveThing top = room->kind->pick(room->live, at, room->player.time, (LiveThing){0});
-        room_select(room, live_same(top, now) ? room->kind->pick(room->live, at, room->player.time, now) : top);
-        ui_focus(window->ui, "view");
-        window->dirty = true;
-    }
+    if (edit_of(room))
+        edit_mouse(window, &grab);
+    else if (grab.pressed)
+        pick(window, room, grab.at);
 }
 
 static void show_view(Window *window, Room *room) {
     Box view = window->frame.view;
     ui_pane_begin(window->ui, &(UiPane){.name = "view", .box = view, .ground = ROLE_COUNT, .stop = true});
     if (room->live) {
+        backdrop_show(window);
         use_mouse(window, room);
-        show_selection(window, room);
         show_view_words(window, room);
+        edit_marks_show(window);
     }
     ui_pane_end(window->ui);
 }

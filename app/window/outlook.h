@@ -8,6 +8,3 @@ void outlook_paint(Window *window);
 
 /* The panes over the pictures: selection, words, mouse. */
 void outlook_show(Window *window);
-
-/* Width over height of what the view shows. */
-double outlook_aspect(const Room *room);

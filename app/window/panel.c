@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "window/act.h"
+#include "window/edit.h"
+#include "window/panel_edit.h"
 
 enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2 };
 #define STEPS_SHOWN 500.0 /* of a slider's range, that its digits tell apart */
@@ -121,7 +123,10 @@ static void show_number(Window *window, const LiveParameter *parameter) {
                        .logarithmic = parameter->logarithmic,
                        .whole = parameter->row->kind == PARAMETER_WHOLE,
                        .digits = digits_of(parameter)};
-    if (ui_slider(window->ui, &slider) != UI_SAME && slider.value != factor * parameter->value)
+    UiChange change = ui_slider(window->ui, &slider);
+    if (change == UI_MOVING)
+        edit_hold_number(window, parameter->name);
+    if (change != UI_SAME && slider.value != factor * parameter->value)
         act_set(window, parameter->name, slider.value / factor);
 }
 
@@ -241,6 +246,7 @@ void panel_show(Window *window) {
     ui_pane_begin(window->ui,
                   &(UiPane){.name = "panel", .box = window->frame.panel, .ground = ROLE_PANEL, .scrolls = true});
     if (room->live) {
+        panel_edit_show(window);
         if (!room->kind->numbers_first)
             show_rows(window, room);
         show_parameters(window, room, true);

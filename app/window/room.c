@@ -3,8 +3,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "laboratory/live_edit.h"
 #include "window/glass.h"
 
+#define LEAST_SEEN 8.0 /* m, of what can be edited: a house begins with nothing */
+#define ASPECT 1.5     /* of what has no size */
 #define ZOOM_LEAST 0.2
 #define ZOOM_MOST 64.0
 #define ZOOM_NEAR 3.0   /* times its size is seen around what is selected */
@@ -22,8 +25,9 @@ static void drop_live(Room *room) {
     if (room->live)
         room->kind->close(room->live);
     memory_free(room->path);
+    memory_free(room->origin);
     room->live = NULL;
-    room->path = NULL;
+    room->path = room->origin = NULL;
 }
 
 void room_close(Room *room, PaintGlScreen *screen) {
@@ -37,11 +41,27 @@ static char *copy_of(const char *text) {
     return strcpy(copy, text);
 }
 
+static void keep_shape(Room *room) {
+    Box box = room->kind->still(room->live)->box;
+    double width = box_width(box), height = box_height(box);
+    room->shape = box;
+    room->aspect = width > 0 && height > 0 ? width / height : ASPECT;
+}
+
+/* All of it, but never from so near that there is no room to draw. */
+static void fit(Room *room) {
+    keep_shape(room);
+    room->handled = false;
+    room->fits = true;
+    double size = fmax(box_width(room->shape), box_height(room->shape));
+    room->camera.zoom = room->kind->editor ? fmin(1, fmax(size / LEAST_SEEN, ZOOM_LEAST)) : 1;
+}
+
 bool room_open(Room *room, const char *path, const LiveOptions *options, PaintGlScreen *screen, Fault *fault) {
     void *live = room->kind->open(path, options, fault);
     if (!live)
         return false;
-    char *kept = copy_of(path); /* it may be the path of what is closed */
+    char *kept = path ? copy_of(path) : NULL; /* it may be the path of what is closed */
     charts_clear(&room->charts, screen);
     drop_live(room);
     room->live = live;
@@ -52,6 +72,7 @@ bool room_open(Room *room, const char *path, const LiveOptions *options, PaintGl
     room->camera = (Camera){.kind = room->camera.kind, .azimuth = VIEW_AZIMUTH, .elevation = VIEW_ELEVATION, .zoom = 1};
     room->follows = false;
     room->charts_wait = true;
+    fit(room);
     scenery_forget(&room->scenery);
     room->kind->reveal(live, room_layers(room));
     room_look(room);
@@ -84,6 +105,40 @@ static void follow(Room *room) {
     room_pan(room, vec2_sub(scenery_floor(&room->scenery, at), scenery_floor(&room->scenery, middle)));
 }
 
+/* How many times as large a box is that fits the same place as another one. */
+static double fitting(const Room *room, Box box, Box other) {
+    Box place = room->scenery.still.plan;
+    double aspect = box_height(place) > 0 ? box_width(place) / box_height(place) : room->aspect;
+    return fmax(box_width(other) / aspect, box_height(other)) / fmax(box_width(box) / aspect, box_height(box));
+}
+
+static Vec2 middle_of(Box box) {
+    return vec2_scale(vec2_add(box.low, box.high), 0.5);
+}
+
+/* A plan that becomes larger or smaller under the hand does not move before the eye. */
+static void keep_eye(Room *room) {
+    Box box = room->kind->still(room->live)->box, shape = room->shape;
+    const LiveEditor *editor = room->kind->editor;
+    room->handled |= editor && (editor->edits(room->live) > 0 || editor->gesture(room->live)->active);
+    if (!room->handled) {
+        if (room->fits)
+            fit(room);
+        else
+            keep_shape(room);
+        room_look(room);
+        return;
+    }
+    bool same = box.low.x == shape.low.x && box.low.y == shape.low.y && box.high.x == shape.high.x &&
+                box.high.y == shape.high.y;
+    if (same || box_width(box) <= 0)
+        return;
+    room->camera.pan = vec2_add(room->camera.pan, vec2_sub(middle_of(shape), middle_of(box)));
+    room->camera.zoom /= fitting(room, box, shape);
+    room->shape = box;
+    room_look(room);
+}
+
 unsigned room_update(Room *room, double seconds) {
     if (!room->live)
         return 0;
@@ -97,8 +152,11 @@ unsigned room_update(Room *room, double seconds) {
     player_advance(&room->player, seconds, wish, &span);
     room->worked += glass_now() - begun;
     follow(room);
-    if (changes & LIVE_VIEW)
+    if (changes & LIVE_VIEW) {
+        keep_eye(room);
+        changes |= kind->update(room->live, room->player.time); /* it is looked at so from this moment on */
         scenery_forget(&room->scenery);
+    }
     if (changes & LIVE_PLOTS)
         room->charts_wait = true;
     return changes;
@@ -147,22 +205,24 @@ void room_zoom(Room *room, double times, Vec2 about) {
     const Scene *still = room->kind->still(room->live);
     Vec2 middle = vec2_add(vec2_scale(vec2_add(still->box.low, still->box.high), 0.5), room->camera.pan);
     Vec2 moved = vec2_scale(vec2_sub(about, middle), 1 - room->camera.zoom / zoom);
+    room->fits = false;
     room->camera.pan = vec2_add(room->camera.pan, moved);
     room->camera.zoom = zoom;
     room_look(room);
 }
 
 void room_pan(Room *room, Vec2 metres) {
+    room->fits = false;
     room->camera.pan = vec2_add(room->camera.pan, metres);
     room_look(room);
 }
 
 void room_fit(Room *room) {
     room->camera.pan = vec2(0, 0);
-    room->camera.zoom = 1;
     room->camera.azimuth = VIEW_AZIMUTH;
     room->camera.elevation = VIEW_ELEVATION;
     room->follows = false;
+    fit(room);
     room_look(room);
 }
 
@@ -174,6 +234,7 @@ void room_show_selected(Room *room) {
     Box box;
     if (!box_of(room, room->kind->selected(room->live), &box))
         return;
+    room->fits = false;
     const Scene *still = room->kind->still(room->live);
     Vec2 all = vec2_scale(vec2_add(still->box.low, still->box.high), 0.5);
     double size = ZOOM_NEAR * fmax(fmax(box_width(box), box_height(box)), 0.25);

@@ -8,14 +8,20 @@
 
 typedef struct Room {
     const LiveKind *kind;
-    void *live; /* NULL: nothing is open */
-    char *path; /* of the file */
+    void *live;       /* NULL: nothing is open */
+    char *path;       /* of the file; NULL: it has none */
+    char *origin;     /* of what was recovered: the file that it was of, or NULL */
+    const char *mark; /* " [Recovered]", " [Imported]": no file of its own holds it; otherwise NULL */
     Player player;
     Camera camera;
     unsigned layers;   /* shown where there is room for them, bits */
     bool cramped;      /* letters are so large that names have no room */
     bool named;        /* they are shown all the same */
     bool follows;      /* what is selected stays in the middle */
+    double aspect;     /* width over height that the view is laid out for: it stays while the plan changes */
+    Box shape;         /* m, that the camera is fitted to */
+    bool fits;         /* all of it is seen, as nobody has looked nearer */
+    bool handled;      /* somebody has edited it: it does not move before the eye any more */
     const char *plots; /* names of those shown, separated by commas; not owned */
     Scenery scenery;
     Charts charts;

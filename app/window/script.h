@@ -3,6 +3,7 @@
  *
  *     key Ctrl+M        type "2.5"         mouse X Y           click X Y [left|right|double]
  *     drag X1 Y1 X2 Y2  wheel NOTCHES      wait FRAMES         until complete|idle|answered [SECONDS]
+ *     press [double]    release            at X Y              hold Ctrl|Shift|Alt|nothing
  *     open FILE         laboratory house|beam                  set NAME VALUE
  *     play  pause       seek SECONDS       speed TIMES         resize WIDTH HEIGHT
  *     picture FILE      view FILE          state FILE          expect NAME VALUE [TOLERANCE]       quit
@@ -17,11 +18,15 @@
 #include "base/memory.h"
 
 typedef enum ScriptKind {
-    SCRIPT_KEY,        /* word: "Ctrl+M" */
-    SCRIPT_TYPE,       /* word */
-    SCRIPT_MOUSE,      /* numbers: x, y, pixels of the window */
-    SCRIPT_CLICK,      /* numbers: x, y; choice: ScriptClick */
-    SCRIPT_DRAG,       /* numbers: x, y, x, y */
+    SCRIPT_KEY,   /* word: "Ctrl+M" */
+    SCRIPT_TYPE,  /* word */
+    SCRIPT_MOUSE, /* numbers: x, y, pixels of the window */
+    SCRIPT_CLICK, /* numbers: x, y; choice: ScriptClick */
+    SCRIPT_DRAG,  /* numbers: x, y, x, y */
+    SCRIPT_AT,    /* numbers: x, y, m on the floor: the mouse goes there */
+    SCRIPT_PRESS, /* the left button, where the mouse is; choice: 1: the second time of a double click */
+    SCRIPT_RELEASE,
+    SCRIPT_HOLD,       /* choice: ScriptHold: that key is held from now on, and no other */
     SCRIPT_WHEEL,      /* number: notches, up positive */
     SCRIPT_WAIT,       /* number: frames */
     SCRIPT_UNTIL,      /* choice: ScriptUntil; number: s of the wall clock after which it fails */
@@ -42,6 +47,7 @@ typedef enum ScriptKind {
 } ScriptKind;
 
 typedef enum ScriptClick { SCRIPT_LEFT, SCRIPT_RIGHT, SCRIPT_DOUBLE } ScriptClick;
+typedef enum ScriptHold { SCRIPT_NOTHING, SCRIPT_SHIFT, SCRIPT_CTRL, SCRIPT_ALT } ScriptHold;
 typedef enum ScriptUntil { SCRIPT_COMPLETE, SCRIPT_IDLE, SCRIPT_ANSWERED } ScriptUntil;
 
 enum { SCRIPT_WORDS = 2, SCRIPT_NUMBERS = 4, SCRIPT_PATIENCE = 60 /* s, that `until` waits when it does not say */ };

@@ -7,6 +7,8 @@
 
 #include "laboratory/house_live.h"
 #include "window/act.h"
+#include "window/edit.h"
+#include "window/files.h"
 
 bool scripted_open(Scripted *scripted, const char *path, Fault *fault) {
     *scripted = (Scripted){.events = memory_allocate(SCRIPTED_EVENTS, sizeof *scripted->events)};
@@ -46,6 +48,7 @@ static json_t *frame_state(const Window *window) {
     json_object_set_new(state, "menu", json_box(window, frame->menu));
     json_object_set_new(state, "answer", json_box(window, frame->answer));
     json_object_set_new(state, "view", json_box(window, frame->view));
+    json_object_set_new(state, "rail", json_box(window, frame->rail));
     json_object_set_new(state, "panel", json_box(window, frame->panel));
     json_object_set_new(state, "timeline", json_box(window, frame->timeline));
     json_object_set_new(state, "strip", json_box(window, frame->strip));
@@ -107,6 +110,83 @@ static json_t *command_state(const Room *room) {
     return state;
 }
 
+/* Words of all marks, as they are seen. */
+static json_t *marks_state(const LiveGesture *gesture) {
+    static const char *const kinds[] = {
+        [MARK_OUTLINE] = "outline", [MARK_LINE] = "line",     [MARK_GUIDE] = "guide", [MARK_DIMENSION] = "dimension",
+        [MARK_SNAP] = "snap",       [MARK_HANDLE] = "handle", [MARK_GAP] = "gap"};
+    json_t *state = json_array();
+    for (size_t i = 0; i < gesture->mark_count; i++) {
+        const LiveMark *mark = &gesture->marks[i];
+        json_t *one = json_pack("{s:s,s:s*,s:b}", "kind", kinds[mark->kind], "words", mark->words, "held", mark->held);
+        if (mark->count)
+            json_object_set_new(one, "at", json_pack("[f,f]", mark->points[0].x, mark->points[0].y));
+        json_array_append_new(state, one);
+    }
+    return state;
+}
+
+static json_t *gesture_state(const LiveGesture *gesture) {
+    json_t *state = json_pack("{s:b,s:s,s:s*,s:s*,s:s*}", "active", gesture->active, "doing", gesture->doing, "refusal",
+                              gesture->refusal, "typed", gesture->typed, "wrong", gesture->wrong);
+    json_t *fields = json_object();
+    for (size_t i = 0; i < gesture->field_count; i++)
+        json_object_set_new(fields, gesture->fields[i].name, number_or_null(gesture->fields[i].value));
+    json_object_set_new(state, "fields", fields);
+    if (gesture->field < gesture->field_count)
+        json_object_set_new(state, "field", json_string(gesture->fields[gesture->field].name));
+    json_object_set_new(state, "marks", marks_state(gesture));
+    return state;
+}
+
+static json_t *selection_state(const Room *room, const LiveEditor *editor) {
+    json_t *state = json_array();
+    size_t count;
+    const LiveThing *things = editor->selection(room->live, &count);
+    for (size_t i = 0; i < count; i++)
+        json_array_append_new(state, json_string(room->kind->name_thing(room->live, things[i])));
+    return state;
+}
+
+static json_t *text_or_null(const char *text) {
+    return text ? json_string(text) : json_null();
+}
+
+static void add_editor(json_t *state, Window *window, const Room *room) {
+    const LiveEditor *editor = edit_of(room);
+    if (!editor)
+        return;
+    size_t count;
+    const char *doing = NULL;
+    json_object_set_new(state, "tool", json_string(editor->tools[editor->tool(room->live)].name));
+    json_object_set_new(state, "gesture", gesture_state(editor->gesture(room->live)));
+    json_object_set_new(state, "selection", selection_state(room, editor));
+    json_object_set_new(state, "undo_name", text_or_null(editor->undo_name(room->live)));
+    json_object_set_new(state, "redo_name", text_or_null(editor->redo_name(room->live)));
+    json_object_set_new(state, "edits", json_integer((json_int_t)editor->edits(room->live)));
+    json_object_set_new(state, "changed", json_boolean(editor->changed(room->live)));
+    json_object_set_new(state, "unsaved", json_boolean(files_unsaved(room)));
+    json_object_set_new(state, "shown_title", json_string(files_title(window, room)));
+    json_object_set_new(state, "snaps", json_boolean(!window->edit.free));
+    json_object_set_new(state, "held", json_boolean(window->edit.holds));
+    if (!editor->proposals)
+        return;
+    editor->proposals(room->live, &count, &doing);
+    json_object_set_new(state, "proposals", json_integer((json_int_t)count));
+    json_object_set_new(state, "proposing", text_or_null(doing));
+}
+
+/* Where 0, 0 is in the window, and how long a metre to the right and one up the plan: pixels. */
+static json_t *floor_state(const Window *window, const Room *room) {
+    Vec2 places[] = {{0, 0}, {1, 0}, {0, 1}};
+    json_t *state = json_array();
+    for (size_t i = 0; room->scenery.painted && i < 3; i++) {
+        Vec2 at = vec2_add(window->frame.view.low, scenery_point(&room->scenery, places[i]));
+        json_array_append_new(state, json_pack("[f,f]", at.x * window->unit, at.y * window->unit));
+    }
+    return state;
+}
+
 static void add_room(json_t *state, Window *window) {
     const Room *room = window_room(window);
     const Player *player = &room->player;
@@ -115,7 +195,7 @@ static void add_room(json_t *state, Window *window) {
     char digest[32];
     snprintf(digest, sizeof digest, "%016llx",
              room->kind == &house_live ? (unsigned long long)house_live_digest(room->live) : 0ull);
-    json_object_set_new(state, "file", json_string(room->path));
+    json_object_set_new(state, "file", room->path ? json_string(room->path) : json_null());
     json_object_set_new(state, "title", json_string(room->kind->title(room->live)));
     json_object_set_new(state, "digest", json_string(digest));
     json_object_set_new(state, "time", number_or_null(player->time));
@@ -135,17 +215,19 @@ static void add_room(json_t *state, Window *window) {
     json_object_set_new(state, "clock", json_string(room->kind->clock(room->live, player->time)));
     json_object_set_new(state, "selected",
                         thing.kind ? json_string(room->kind->name_thing(room->live, thing)) : json_null());
+    json_object_set_new(state, "floor", floor_state(window, room));
     json_object_set_new(state, "answer", answer_state(room));
     json_object_set_new(state, "parameters", parameters_state(room));
     json_object_set_new(state, "choices", choices_state(room));
     json_object_set_new(state, "charts", charts_state(&room->charts));
     json_object_set_new(state, "command", command_state(room));
+    add_editor(state, window, room);
 }
 
 /* All that can be asked for; new, json_decref it. */
 static json_t *state_of(Window *window) {
-    static const char *const sheets[SHEETS] = {"none", "menu",   "keys",     "gallery", "open",
-                                               "save", "export", "messages", "explain", "about"};
+    static const char *const sheets[SHEETS] = {"none",   "menu",     "keys",    "gallery", "open",  "save",
+                                               "export", "messages", "explain", "about",   "leave", "recovered"};
     const Message *last = messages_last(&window->messages);
     json_t *state = json_object();
     json_object_set_new(state, "laboratory", json_string(window_room(window)->kind->word));
@@ -321,6 +403,21 @@ static bool run_input(Scripted *scripted, const ScriptCommand *command) {
     }
 }
 
+/* The mouse to a place on the floor. */
+static void go_to(Scripted *scripted, Window *window, Vec2 floor) {
+    const Room *room = window_room(window);
+    if (!room->scenery.painted)
+        return;
+    Vec2 at = vec2_add(window->frame.view.low, scenery_point(&room->scenery, floor));
+    add_event(scripted, mouse_event(at.x * window->unit, at.y * window->unit));
+}
+
+static int hold_mods(int choice) {
+    static const int mods[] = {
+        [SCRIPT_NOTHING] = 0, [SCRIPT_SHIFT] = GLASS_SHIFT, [SCRIPT_CTRL] = GLASS_CONTROL, [SCRIPT_ALT] = GLASS_ALT};
+    return mods[choice];
+}
+
 static void run_in_room(Scripted *scripted, Window *window, const ScriptCommand *command) {
     Room *room = window_room(window);
     Fault fault = {0};
@@ -332,6 +429,9 @@ static void run_in_room(Scripted *scripted, Window *window, const ScriptCommand 
     switch (command->kind) {
     case SCRIPT_SET:
         set(scripted, window, command);
+        break;
+    case SCRIPT_AT:
+        go_to(scripted, window, vec2(command->numbers[0], command->numbers[1]));
         break;
     case SCRIPT_SEEK:
         room_seek(room, command->numbers[0]);
@@ -368,7 +468,16 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
     case SCRIPT_PAUSE:
     case SCRIPT_SEEK:
     case SCRIPT_SPEED:
+    case SCRIPT_AT:
         run_in_room(scripted, window, command);
+        break;
+    case SCRIPT_PRESS:
+    case SCRIPT_RELEASE:
+        add_event(scripted, button_event(window->mouse.x, window->mouse.y, GLASS_LEFT, command->kind == SCRIPT_PRESS));
+        scripted->events[scripted->event_count - 1].twice = command->choice == 1;
+        break;
+    case SCRIPT_HOLD:
+        glass_hold(window->glass, hold_mods(command->choice));
         break;
     case SCRIPT_RESIZE:
         glass_resize(window->glass, (int)numbers[0], (int)numbers[1]);

@@ -86,12 +86,21 @@ static char *file_in(const char *variable, const char *in_home, const char *name
     return text.text;
 }
 
-char *settings_cache_folder(void) {
-    char *folder = base_folder("XDG_CACHE_HOME", ".cache");
+/* The same, there to be written to. */
+static char *made_folder(const char *variable, const char *in_home) {
+    char *folder = base_folder(variable, in_home);
     if (folder && text_make_folder(folder) == 0)
         return folder;
     memory_free(folder);
     return NULL;
+}
+
+char *settings_cache_folder(void) {
+    return made_folder("XDG_CACHE_HOME", ".cache");
+}
+
+char *settings_state_folder(void) {
+    return made_folder("XDG_STATE_HOME", ".local/state");
 }
 
 /* Reading ---------------------------------------------------------------------------------------------------------- */

@@ -76,5 +76,8 @@ void settings_add_recent(Settings *settings, const char *path);
 /* Those of the recent files that are there now, newest first: how many. */
 size_t settings_recent(const Settings *settings, const char *paths[SETTINGS_RECENT_MOST]);
 
+/* $XDG_STATE_HOME/clearance/, made if needed; NULL: there is no place. memory_free it. */
+char *settings_state_folder(void);
+
 /* $XDG_CACHE_HOME/clearance/, made if needed; NULL: there is no place. memory_free it. */
 char *settings_cache_folder(void);

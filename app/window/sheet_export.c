@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "window/act.h"
+#include "window/edit.h"
+#include "window/files.h"
 
 #define WIDTH 760.0 /* design points */
 #define HEIGHT 560.0
@@ -15,20 +17,34 @@ typedef struct Making {
     const char *options[12]; /* NULL-ended; behind the command of what is shown */
     const char *name;        /* of the folder or file */
     bool movie;
+    const char *ending; /* of a file that is all that is made of a house's plan, or NULL */
 } Making;
 
 static const Making makings[] = {
-    {"Data", "summary.json, trace.csv, the end as PNG, SVG and PDF", {NULL}, "data", false},
-    {"Plots", "every plot as PNG, SVG, PDF and CSV, with units", {"--plots", NULL}, "plots", false},
-    {"Report", "a page to be handed on, as HTML and PDF (houses)", {"--report", NULL}, "report", false},
-    {"Frames", "a picture for every 1/30 of a simulated second, 1280 x 720", {"--frames", "30", NULL}, "frames", false},
+    {"Data", "summary.json, trace.csv, the end as PNG, SVG and PDF", {NULL}, "data", false, NULL},
+    {"Plots", "every plot as PNG, SVG, PDF and CSV, with units", {"--plots", NULL}, "plots", false, NULL},
+    {"Report", "a page to be handed on, as HTML and PDF (houses)", {"--report", NULL}, "report", false, NULL},
+    {"Frames",
+     "a picture for every 1/30 of a simulated second, 1280 x 720",
+     {"--frames", "30", NULL},
+     "frames",
+     false,
+     NULL},
     {"Frames, raised",
      "the same, seen from the side (houses)",
      {"--frames", "30", "--view", "raised", NULL},
      "frames",
-     false},
-    {"Film", "the same as film.mp4, when ffmpeg is installed", {NULL}, "film", true},
-    {"Film, 1920 x 1080", "larger", {"--size", "1920x1080", NULL}, "film", true},
+     false,
+     NULL},
+    {"Film", "the same as film.mp4, when ffmpeg is installed", {NULL}, "film", true, NULL},
+    {"Film, 1920 x 1080", "larger", {"--size", "1920x1080", NULL}, "film", true, NULL},
+    {"Walkable area",
+     "what is left between walls and furniture, as WKT (houses)",
+     {"--to", "wkt", NULL},
+     "area",
+     false,
+     "wkt"},
+    {"Plan", "the plan alone, as SVG (houses)", {"--to", "svg", NULL}, "plan", false, "svg"},
 };
 enum { MAKINGS = sizeof makings / sizeof *makings, OPTIONS_MOST = 16 };
 
@@ -49,8 +65,10 @@ static void make(Window *window, const Making *making) {
         if (strcmp(making->options[i], "--plots") == 0)
             options[count++] = all_plots(window, room);
     }
-    options[count++] = "--theme";
-    options[count++] = window->theme == THEME_BOARD ? "board" : "paper";
+    if (!making->ending || strcmp(making->ending, "wkt") != 0) {
+        options[count++] = "--theme";
+        options[count++] = window->theme == THEME_BOARD ? "board" : "paper";
+    }
     if (window->export) {
         act_say(window, "something is being written already: cancel it, or wait until it is over");
         return;
@@ -59,15 +77,22 @@ static void make(Window *window, const Making *making) {
     if (!folder)
         return;
     const char *name = text_in_arena(&window->words, "%s %s", room->kind->title(room->live), making->name);
-    char *out = export_free_name(folder, name, making->movie ? films : folders);
+    const char *const alone[] = {making->ending, NULL};
+    char *free_name = export_free_name(folder, name, making->ending ? alone : making->movie ? films : folders);
+    const char *out = making->ending ? text_in_arena(&window->words, "%s.%s", free_name, making->ending) : free_name;
     const char *movie = making->movie ? text_in_arena(&window->words, "%s.mp4", out) : NULL;
     ExportOrder order = {.options = options, .option_count = count, .out = making->movie ? NULL : out, .movie = movie};
-    order.words = room->kind->command(room->live, &order.word_count);
+    order.words = files_command(window, &order.word_count);
+    const char *const plan[] = {"export", order.words[1]};
+    if (making->ending) {
+        order.words = plan;
+        order.word_count = sizeof plan / sizeof *plan;
+    }
     window->export = export_begin(&order, &fault);
     if (window->export)
         act_say(window, "writing %s", movie ? movie : out);
     act_complain(window, &fault, NAN);
-    memory_free(out);
+    memory_free(free_name);
     memory_free(folder);
 }
 
@@ -106,6 +131,8 @@ void sheet_export_show(Window *window) {
     show_now(window);
     ui_heading(window->ui, "From the run, in the background");
     for (size_t i = 0; i < MAKINGS && window->sheet == SHEET_EXPORT; i++) {
+        if (makings[i].ending && !edit_of(room))
+            continue;
         const char *label = text_in_arena(&window->words, "%s: %s", makings[i].label, makings[i].meaning);
         if (ui_list_row(window->ui,
                         &(UiRow){.id = makings[i].label, .shape = ROW_PLAIN, .cells = {label}, .usable = true})) {
@@ -118,33 +145,22 @@ void sheet_export_show(Window *window) {
 
 /* Saving ----------------------------------------------------------------------------------------------------------- */
 
-static void save(Window *window) {
-    Room *room = window_room(window);
-    Fault fault = {0};
-    if (room->kind->save(room->live, window->field, &fault)) {
-        act_say(window, "saved: %s", window->field);
-        settings_add_recent(&window->settings, window->field);
-        act_close_sheet(window);
-    }
-    act_complain(window, &fault, NAN);
-}
-
 void sheet_export_show_save(Window *window) {
     Box box = centred(window);
     box.high.y = box.low.y + 250;
     ui_pane_begin(window->ui,
                   &(UiPane){.name = "sheet", .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true});
-    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save a copy");
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save as");
     ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT,
-            "The file that was opened stays as it is. The copy holds the numbers as they are now.");
+            "The file that was opened stays as it is. The new one holds what is shown now.");
     bool typed =
-        ui_field(window->ui, "path", "path of the copy", "Path: Return saves", window->field, sizeof window->field);
+        ui_field(window->ui, "path", "path of the new file", "Path: Return saves", window->field, sizeof window->field);
     ui_row(window->ui, 2);
     bool pressed =
         ui_button(window->ui, &(UiButton){.label = "Save", .help = "Save: writes the file beside and renames it"});
     if (ui_button(window->ui, &(UiButton){.label = "Cancel", .help = "Cancel (Escape)"}))
         act_close_sheet(window);
     else if (typed || pressed)
-        save(window);
+        files_save_as(window, text_in_arena(&window->words, "%s", window->field));
     ui_pane_end(window->ui);
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "window/act.h"
+#include "window/files.h"
 
 /* Design points. */
 #define EDGE 24.0
@@ -55,7 +56,7 @@ void sheet_gallery_show(Window *window) {
             ui_row(window->ui, columns);
         if (show_item(window, &items[i], i)) {
             act_close_sheet(window);
-            act_open(window, items[i].path);
+            files_leave(window, LEAVE_OPEN, items[i].path);
             break;
         }
     }
@@ -84,7 +85,7 @@ static void choose(Window *window, const FolderEntry *entry) {
     }
     window->settings.state.folder = settings_keep(&window->settings, window->folder.path);
     act_close_sheet(window);
-    act_open(window, path);
+    files_leave(window, LEAVE_OPEN, path);
 }
 
 void sheet_gallery_show_open(Window *window) {
@@ -97,7 +98,7 @@ void sheet_gallery_show_open(Window *window) {
                  sizeof window->field)) {
         const char *path = text_in_arena(&window->words, "%s", window->field);
         act_close_sheet(window);
-        act_open(window, path);
+        files_leave(window, LEAVE_OPEN, path);
     }
     for (size_t i = 0; i < window->folder.count; i++) {
         const FolderEntry *entry = &window->folder.entries[i];

@@ -6,8 +6,11 @@
 
 #include "base/text.h"
 #include "window/act.h"
+#include "window/edit.h"
+#include "window/files.h"
 #include "window/sheet_export.h"
 #include "window/sheet_gallery.h"
+#include "window/sheet_leave.h"
 
 /* Design points. */
 #define MENU_WIDTH 330.0
@@ -28,13 +31,37 @@ static Box centred(const Window *window, double width, double height) {
 static double menu_left(Window *window) {
     double left = 2;
     for (KeyMenu menu = MENU_FILE; menu < window->menu && !window->frame.compact; menu++)
-        left += ui_extent(window->ui, UI_BODY, keys_menus[menu]).x + 20;
+        if (menu != MENU_TOOLS || edit_of(window_room(window)))
+            left += ui_extent(window->ui, UI_BODY, keys_menus[menu]).x + 20;
     return left;
+}
+
+/* Rows of the plan are there only where one can be edited. */
+static bool is_there(Window *window, const KeyRow *row, KeyMenu menu) {
+    return row->menu == menu && row->name && (row->place != KEY_PLAN || edit_of(window_room(window)));
+}
+
+/* Does its key mean it while the view has the focus? */
+static bool is_meant(Window *window, const KeyRow *row) {
+    int32_t key;
+    int mods;
+    keys_read(row->key, &key, &mods);
+    if (row->place != KEY_CANVAS)
+        return true;
+    return keys_find(key, mods, edit_of(window_room(window)) ? KEY_PLAN : KEY_VIEW, true)->action == row->action;
 }
 
 /* True: the sheet is another one now. */
 static bool show_menu_row(Window *window, const KeyRow *row) {
-    UiRow shown = {.id = row->name, .shape = ROW_PLAIN, .cells = {row->name, row->key}, .help = NULL, .usable = true};
+    Room *room = window_room(window);
+    const LiveEditor *editor = edit_of(room);
+    bool undoes = row->action == ACTION_UNDO, steps = undoes || row->action == ACTION_REDO;
+    bool can = !steps || (editor && (undoes ? editor->undo_name(room->live) : editor->redo_name(room->live)));
+    UiRow shown = {
+        .id = row->name,
+        .shape = ROW_PLAIN,
+        .cells = {steps ? edit_step_words(window, row->action) : row->name, is_meant(window, row) ? row->key : NULL},
+        .usable = can};
     if (!ui_list_row(window->ui, &shown))
         return false;
     act_close_sheet(window);
@@ -57,7 +84,7 @@ static bool show_recent(Window *window) {
                        .usable = true};
         if (ui_list_row(window->ui, &shown)) {
             act_close_sheet(window);
-            act_open(window, paths[i]);
+            files_leave(window, LEAVE_OPEN, paths[i]);
             return true;
         }
     }
@@ -68,21 +95,23 @@ static void show_menu(Window *window) {
     size_t rows = 0;
     const char *paths[SETTINGS_RECENT_MOST];
     for (size_t i = 0; i < keys_count; i++)
-        rows += keys_table[i].menu == window->menu && keys_table[i].name;
+        rows += is_there(window, &keys_table[i], window->menu);
     rows += window->menu == MENU_FILE ? settings_recent(&window->settings, paths) + 2 : 0;
     double left = menu_left(window), top = window->frame.menu.high.y;
     double height = fmin((double)(rows + 1) * MENU_ROW + 34, window->frame.page.y - top);
     Box box = {{left, top}, {fmin(left + MENU_WIDTH, window->frame.page.x), top + height}};
     ui_pane_begin(window->ui,
                   &(UiPane){.name = "sheet", .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true});
-    ui_row(window->ui, MENUS - MENU_FILE);
+    bool edits = edit_of(window_room(window));
+    ui_row(window->ui, MENUS - MENU_FILE - !edits);
     for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++)
-        if (ui_button(window->ui,
+        if ((menu != MENU_TOOLS || edits) &&
+            ui_button(window->ui,
                       &(UiButton){.label = keys_menus[menu], .plain = true, .chosen = menu == window->menu}))
             window->menu = menu;
     bool done = false;
     for (size_t i = 0; i < keys_count && !done; i++)
-        if (keys_table[i].menu == window->menu && keys_table[i].name)
+        if (is_there(window, &keys_table[i], window->menu))
             done = show_menu_row(window, &keys_table[i]);
     if (!done)
         show_recent(window);
@@ -92,11 +121,9 @@ static void show_menu(Window *window) {
 /* The card of keys ------------------------------------------------------------------------------------------------- */
 
 static const char *place_name(KeyPlace place) {
-    static const char *const names[] = {[KEY_ANYWHERE] = "Anywhere",
-                                        [KEY_CANVAS] = "View and plots",
-                                        [KEY_VIEW] = "View",
-                                        [KEY_PLOT] = "Plots",
-                                        [KEY_TIMELINE] = "Timeline"};
+    static const char *const names[] = {[KEY_ANYWHERE] = "Anywhere", [KEY_CANVAS] = "View and plots",
+                                        [KEY_VIEW] = "View",         [KEY_PLAN] = "Plan of a house",
+                                        [KEY_PLOT] = "Plots",        [KEY_TIMELINE] = "Timeline"};
     return names[place];
 }
 
@@ -118,7 +145,11 @@ static void show_keys(Window *window) {
         window->ui, UI_BODY, ROLE_DIM_TEXT,
         "Tab and Shift+Tab go from widget to widget, F6 and Shift+F6 from pane to pane; Return or Space presses a "
         "button. On a number: arrows a twentieth of its range, with Shift a hundredth, PageUp and PageDown a tenth, "
-        "Home and End its ends, Return types, Delete takes the file's value.");
+        "Home and End its ends, Return types, Delete takes the file's value. With a tool in the hand: Return begins or "
+        "puts "
+        "down, digits are typed into its numbers, Tab goes to the next number, Backspace takes back, Escape lets go; "
+        "Ctrl "
+        "held is free of snapping, Shift keeps to one axis or adds to what is selected.");
     for (KeyPlace place = KEY_ANYWHERE; place <= KEY_TIMELINE; place++) {
         ui_heading(window->ui, place_name(place));
         for (size_t i = 0; i < keys_count; i++) {
@@ -223,6 +254,8 @@ void sheets_show(Window *window) {
         [SHEET_MESSAGES] = show_messages,
         [SHEET_EXPLAIN] = show_explanation,
         [SHEET_ABOUT] = show_about,
+        [SHEET_LEAVE] = sheet_leave_show,
+        [SHEET_RECOVERED] = sheet_leave_show_recovered,
     };
     if (window->sheet != SHEET_NONE)
         shows[window->sheet](window);

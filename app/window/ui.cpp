@@ -299,6 +299,13 @@ void ui_pencil_image(UiPencil *pencil, const ScreenTexture *texture, Box box) {
     pencil->list->AddImage(const_cast<ScreenTexture *>(texture), snapped(pencil, box.low), snapped(pencil, box.high));
 }
 
+void ui_pencil_picture(UiPencil *pencil, const ScreenTexture *texture, const Vec2 corners[4], double opacity) {
+    pencil->list->AddImageQuad(const_cast<ScreenTexture *>(texture), exact(pencil, corners[3]),
+                               exact(pencil, corners[2]), exact(pencil, corners[1]), exact(pencil, corners[0]),
+                               ImVec2(0, 0), ImVec2(1, 0), ImVec2(1, 1), ImVec2(0, 1),
+                               IM_COL32(255, 255, 255, static_cast<int>(std::lround(255 * opacity))));
+}
+
 void ui_pencil_clip(UiPencil *pencil, Box box) {
     pencil->list->PushClipRect(snapped(pencil, box.low), snapped(pencil, box.high), true);
 }

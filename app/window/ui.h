@@ -203,6 +203,9 @@ bool ui_field(Ui *ui, const char *id, const char *label, const char *help, char 
 /* A picture that fills the box. */
 void ui_image(Ui *ui, const ScreenTexture *texture, Box box);
 
+/* A picture on a piece of floor: its corners are lower left, lower right, upper right, upper left. */
+void ui_draw_picture(Ui *ui, const ScreenTexture *texture, const Vec2 corners[4], double opacity);
+
 /* Pieces for what has no widget: the timeline, a cursor on a plot, frames of what is selected. */
 void ui_draw_box(Ui *ui, Box box, Role role, double opacity);
 void ui_draw_frame(Ui *ui, Box box, Role role, double width);

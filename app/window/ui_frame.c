@@ -194,6 +194,11 @@ void ui_image(Ui *ui, const ScreenTexture *texture, Box box) {
         ui_pencil_image(ui->pencil, texture, box);
 }
 
+void ui_draw_picture(Ui *ui, const ScreenTexture *texture, const Vec2 corners[4], double opacity) {
+    if (texture->name)
+        ui_pencil_picture(ui->pencil, texture, corners, opacity);
+}
+
 void ui_draw_box(Ui *ui, Box box, Role role, double opacity) {
     ui_pencil_box(ui->pencil, box, ui_frame_ink(ui, role, opacity));
 }

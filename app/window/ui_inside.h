@@ -61,6 +61,7 @@ void ui_pencil_polyline(UiPencil *pencil, const Vec2 *points, size_t count, bool
 void ui_pencil_convex(UiPencil *pencil, const Vec2 *points, size_t count, UiInk ink);
 void ui_pencil_disc(UiPencil *pencil, Vec2 middle, double radius, UiInk ink);
 void ui_pencil_image(UiPencil *pencil, const ScreenTexture *texture, Box box);
+void ui_pencil_picture(UiPencil *pencil, const ScreenTexture *texture, const Vec2 corners[4], double opacity);
 
 /* State ------------------------------------------------------------------------------------------------------------ */
 

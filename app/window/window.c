@@ -6,9 +6,13 @@
 
 #include "laboratory/shipped.h"
 #include "window/act.h"
+#include "window/backdrop.h"
 #include "window/bars.h"
+#include "window/edit.h"
+#include "window/files.h"
 #include "window/outlook.h"
 #include "window/panel.h"
+#include "window/rail.h"
 #include "window/scripted.h"
 #include "window/sheet_gallery.h"
 #include "window/sheets.h"
@@ -35,7 +39,9 @@ static KeyPlace place_of(const Window *window) {
         return KEY_PLOT;
     if (strcmp(pane, "timeline") == 0 && ui_focus_is_pane(window->ui))
         return KEY_TIMELINE;
-    return strcmp(pane, "view") == 0 || !*pane ? KEY_VIEW : KEY_ANYWHERE;
+    if (*pane && strcmp(pane, "view") != 0)
+        return KEY_ANYWHERE;
+    return edit_of(&window->rooms[window->current]) ? KEY_PLAN : KEY_VIEW;
 }
 
 typedef struct WidgetKey {
@@ -84,35 +90,70 @@ static bool give_to_widgets(Window *window, const GlassEvent *event) {
     return ui_key(window->ui, key, event->mods & GLASS_SHIFT, event->mods & GLASS_CONTROL);
 }
 
+/* What an open field has a meaning of its own for. */
+static bool is_of_field(Action action) {
+    return action == ACTION_COPY_COMMAND || action == ACTION_UNDO || action == ACTION_REDO;
+}
+
 /* An open field has the letters; then what the focus is on; then the table; then the widgets again. */
-static void take_key(Window *window, const GlassEvent *event) {
+static void do_key(Window *window, const GlassEvent *event) {
     KeyPlace place = place_of(window);
-    bool walks = place == KEY_VIEW && event->key == glass_key("Tab"), types = ui_types(window->ui);
+    bool view = place == KEY_VIEW || place == KEY_PLAN;
+    bool walks = view && event->key == glass_key("Tab"), types = ui_types(window->ui);
     bool escapes = event->key == glass_key("Escape") && !types && window->sheet != SHEET_NONE;
     if (!walks && !escapes && (types || place == KEY_ANYWHERE || place == KEY_TIMELINE) &&
         give_to_widgets(window, event))
         return;
     bool letters = !types && place != KEY_ANYWHERE && window->settings.likes.letters;
     const KeyRow *row = keys_find(event->key, event->mods, place, letters);
-    if (row && !(types && row->action == ACTION_COPY_COMMAND))
+    if (row && !(types && is_of_field(row->action)))
         act_do(window, row->action, event->key, event->mods);
     else
         give_to_widgets(window, event);
 }
 
+/* What is in the hand comes first. */
+static void take_key(Window *window, const GlassEvent *event) {
+    if (place_of(window) == KEY_PLAN && (edit_key(window, event) || edit_keep_key(window, event)))
+        return;
+    window->edit.done = true;
+    do_key(window, event);
+}
+
+/* The letters of the key that waited, or NULL: it types none. */
+static void end_waiting(Window *window, const char *letters) {
+    if (!edit_take_letters(window, letters))
+        do_key(window, &window->edit.key);
+}
+
 /* Events ----------------------------------------------------------------------------------------------------------- */
+
+/* A field that is open has what is typed, otherwise what is in the hand. */
+static void type(Window *window, const char *letters) {
+    bool fresh = !window->edit.done && place_of(window) == KEY_PLAN && !ui_types(window->ui);
+    window->edit.done = false;
+    if (!fresh || !edit_type(window, letters))
+        ui_type(window->ui, letters);
+}
 
 static void take(Window *window, const GlassEvent *event) {
     window->dirty |= event->kind != GLASS_NOTHING;
+    window->edit.done &= event->kind == GLASS_TEXT || event->kind == GLASS_NOTHING;
+    if (window->edit.waits && event->kind == GLASS_TEXT) {
+        end_waiting(window, event->text);
+        return;
+    }
+    if (window->edit.waits && event->kind == GLASS_KEY)
+        end_waiting(window, NULL);
     switch (event->kind) {
     case GLASS_QUIT:
-        window->quit = true;
+        files_leave(window, LEAVE_QUIT, NULL);
         break;
     case GLASS_KEY:
         take_key(window, event);
         break;
     case GLASS_TEXT:
-        ui_type(window->ui, event->text);
+        type(window, event->text);
         break;
     case GLASS_MOUSE:
         window->mouse = event->at;
@@ -126,7 +167,7 @@ static void take(Window *window, const GlassEvent *event) {
         window->input.wheel += event->wheel;
         break;
     case GLASS_FILE:
-        act_open(window, event->text);
+        files_leave(window, LEAVE_OPEN, event->text);
         break;
     default:
         break;
@@ -136,11 +177,14 @@ static void take(Window *window, const GlassEvent *event) {
 /* A press and its release must be seen in two frames: the second waits. */
 static void take_events(Window *window, double wait) {
     GlassEvent event;
+    bool waited = window->edit.waits;
     for (; glass_next(window->glass, &event, wait); wait = 0) {
         take(window, &event);
         if (event.kind == GLASS_BUTTON || event.kind == GLASS_KEY)
             return;
     }
+    if (waited && window->edit.waits)
+        end_waiting(window, NULL);
 }
 
 /* Frames ----------------------------------------------------------------------------------------------------------- */
@@ -161,9 +205,11 @@ static void make_frame(Window *window) {
     FrameWish wish = {.panel = window->panel,
                       .plots = window->plots,
                       .present = window->present,
-                      .plot_count =
-                          room->charts_wait && room->live ? room->kind->plot_count(room->live) : room->charts.count,
-                      .aspect = outlook_aspect(room)};
+                      .plot_count = room->charts_wait && room->live && !room->charts.count
+                                        ? room->kind->plot_count(room->live)
+                                        : room->charts.count,
+                      .tool_count = edit_of(room) ? LIVE_TOOLS : 0,
+                      .aspect = room->aspect};
     Vec2 page = {window->width / window->unit, window->height / window->unit};
     window->frame = frame_make(page, &wish);
     if (window->frame.drawer && !window->drawer) {
@@ -189,6 +235,7 @@ static void show_panes(Window *window) {
     bars_show_answer(window);
     outlook_show(window);
     panel_show(window);
+    rail_show(window);
     timeline_show(window);
     bars_show_strip(window);
     bars_show_message(window);
@@ -206,6 +253,7 @@ static void draw(Window *window, double seconds) {
         paint_gl_screen_show(window->screen, room->scenery.paint, (int)lround(window->frame.view.low.x * window->unit),
                              (int)lround(window->frame.view.low.y * window->unit));
     fill_input(window, seconds);
+    edit_hold_clock(window);
     ui_begin(window->ui, &window->input);
     show_panes(window);
     ui_end(window->ui);
@@ -290,6 +338,7 @@ static void move_on(Window *window, double seconds) {
     if (room->live)
         make_sound(window, room, before);
     end_export(window);
+    files_watch(window);
     forget_notes(window);
 }
 
@@ -374,6 +423,8 @@ static void close_all(Window *window) {
     if (window->gallery)
         gallery_destroy(window->gallery);
     sheet_gallery_clear(window);
+    files_end(window);
+    backdrop_clear(window);
     for (size_t i = 0; i < ROOMS; i++)
         room_close(&window->rooms[i], window->screen);
     ui_destroy(window->ui);
@@ -399,6 +450,7 @@ static void loop(Window *window, Scripted *scripted) {
 
 /* The first file: what was asked for, or what is opened when nothing is. */
 static void open_first(Window *window) {
+    files_start(window);
     const char *file = window->options->file;
     if (!file || !act_open(window, file))
         act_open(window, shipped_places()->default_house);

@@ -1,6 +1,7 @@
 /* All that the window is made of; its parts, each in a file of its own, are functions of it. */
 #pragma once
 
+#include "laboratory/live_edit.h"
 #include "window/export.h"
 #include "window/frame.h"
 #include "window/folder.h"
@@ -9,6 +10,7 @@
 #include "window/keys.h"
 #include "window/messages.h"
 #include "window/pace.h"
+#include "window/recovery.h"
 #include "window/room.h"
 #include "window/settings.h"
 #include "window/snapshot.h"
@@ -28,10 +30,37 @@ typedef enum Sheet {
     SHEET_MESSAGES,
     SHEET_EXPLAIN,
     SHEET_ABOUT,
+    SHEET_LEAVE,     /* something is not saved */
+    SHEET_RECOVERED, /* something was left behind by a program that ended otherwise than it should */
     SHEETS,
 } Sheet;
 
-enum { ROOM_HOUSE, ROOM_BEAM, ROOMS, WINDOW_PATH = 4096, GALLERY_MOST = 64 };
+/* What the hand does to what is edited. */
+typedef struct Edit {
+    LiveHand hand; /* as last told, */
+    bool told;     /* if ever */
+    bool free;     /* there is no snapping until it is wished for again */
+    bool number;   /* one is being changed by its slider */
+    bool holds;    /* the clock, */
+    bool plays_on; /* and it goes on afterwards */
+    bool waits;    /* the key, for the letters that it types */
+    bool done;     /* a key was, of itself: the letters that it types are nobody's */
+    GlassEvent key;
+} Edit;
+
+/* When what is edited is to be written for the case of a crash. */
+typedef struct Watch {
+    uint64_t state; /* of the steps, as last seen, */
+    double since;   /* s on the wall, and since when */
+    bool waits;     /* it is not written yet */
+    bool written;   /* something is */
+    bool failed;
+} Watch;
+
+/* What is to be done once what is open has been saved, or need not be. */
+typedef enum Leave { LEAVE_NOTHING, LEAVE_QUIT, LEAVE_OPEN, LEAVE_NEW } Leave;
+
+enum { ROOM_HOUSE, ROOM_BEAM, ROOMS, WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64 };
 
 typedef struct Window {
     const WindowOptions *options;
@@ -66,6 +95,17 @@ typedef struct Window {
     Folder folder;
     char field[WINDOW_PATH]; /* typed into a sheet */
     char hold[WINDOW_PATH];  /* explained by a sheet */
+
+    Edit edit;
+    ScreenTexture backdrop; /* of the picture to trace over, */
+    char *backdrop_path;    /* from this file; NULL: none */
+    Leave leave;
+    char leave_path[WINDOW_PATH]; /* of LEAVE_OPEN */
+    Recovery *recovery;           /* what there is for the next time; NULL: there is no place for it */
+    Watch watch;
+    char title[WINDOW_TITLE]; /* that the system shows */
+    RecoveryFound *found;     /* (found_count) of times before */
+    size_t found_count;
 
     Pace pace;
     bool dirty; /* something has changed that is to be seen */

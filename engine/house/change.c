@@ -156,9 +156,10 @@ void change_world(World *world, Journeys *journeys, const Change *change, const 
             places[count++] = (Whereabouts){i, world_reference(&next, i), next.heading[i],
                                             via_of(&next, world, i, change), next.start[i]};
     }
+    bool brief = journeys->brief;
     world_destroy(world);
     journey_free_all(journeys);
-    *journeys = journey_plan_from(change->to, places, count, clock_time(&next.clock), jobs, stop);
+    *journeys = journey_plan_from(change->to, places, count, clock_time(&next.clock), brief, jobs, stop);
     world_begin(&next, journeys->of);
     for (size_t k = 0; k < count; k++) {
         size_t i = places[k].person;

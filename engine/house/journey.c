@@ -79,7 +79,6 @@ typedef struct Planning {
     const volatile sig_atomic_t *stop;
     Journeys *journeys;
     bool again;             /* people are on the way already */
-    bool terse;             /* RouteQuery.terse */
     size_t first_itinerary; /* without fields */
 } Planning;
 
@@ -120,8 +119,8 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
                         .open_first = planning->again,
                         .pressed = planning->again ? PRESSED : 0,
                         .most_reversals = house->plan.run.reversals,
+                        .brief = planning->journeys->brief,
                         .fields = planning->journeys->fields,
-                        .terse = planning->terse,
                         .stop = planning->stop};
 }
 
@@ -228,42 +227,26 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
         explain_walkers(planning, count);
 }
 
-static Journeys plan_nothing(const House *house) {
+static Journeys plan_nothing(const House *house, bool brief) {
     return (Journeys){.of = memory_allocate(house->person_count, sizeof(Journey)),
                       .count = house->person_count,
+                      .brief = brief,
                       .fields = fields_create()};
 }
 
-static Journeys plan_from_start(const House *house, const bool *part, bool terse, int jobs,
+static Journeys plan_from_start(const House *house, const bool *part, bool brief, int jobs,
                                 const volatile sig_atomic_t *stop) {
-    Journeys journeys = plan_nothing(house);
+    Journeys journeys = plan_nothing(house, brief);
     Whereabouts *places = memory_allocate(house->person_count, sizeof *places);
     size_t count = 0;
     for (size_t i = 0; i < house->person_count; i++)
         if (!part || part[i])
             places[count++] =
                 (Whereabouts){i, house->people[i].at, house->people[i].heading, 0, house->people[i].delay};
-    Planning planning = {.house = house, .places = places, .stop = stop, .journeys = &journeys, .terse = terse};
+    Planning planning = {.house = house, .places = places, .stop = stop, .journeys = &journeys};
     plan_all(&planning, count, jobs);
     memory_free(places);
     return journeys;
-}
-
-Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
-    return plan_from_start(house, part, false, jobs, stop);
-}
-
-Journeys journey_plan_tersely(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
-    return plan_from_start(house, part, true, jobs, stop);
-}
-
-bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop) {
-    Journeys journeys = journey_plan_tersely(house, part, 1, stop);
-    bool all = true;
-    for (size_t i = 0; i < house->person_count; i++)
-        all &= (part && !part[i]) || journeys.of[i].route.answer == ROUTE_FOUND;
-    journey_free_all(&journeys);
-    return all;
 }
 
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,
@@ -273,9 +256,26 @@ void journey_plan_again(Journeys *journeys, const House *house, const Whereabout
     plan_all(&planning, count, jobs);
 }
 
-Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, int jobs,
-                           const volatile sig_atomic_t *stop) {
-    Journeys journeys = plan_nothing(house);
+Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+    return plan_from_start(house, part, false, jobs, stop);
+}
+
+Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+    return plan_from_start(house, part, true, jobs, stop);
+}
+
+bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop) {
+    Journeys journeys = journey_plan_briefly(house, part, 1, stop);
+    bool all = true;
+    for (size_t i = 0; i < house->person_count; i++)
+        all &= (part && !part[i]) || journeys.of[i].route.answer == ROUTE_FOUND;
+    journey_free_all(&journeys);
+    return all;
+}
+
+Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, bool brief,
+                           int jobs, const volatile sig_atomic_t *stop) {
+    Journeys journeys = plan_nothing(house, brief);
     journey_plan_again(&journeys, house, places, count, time, jobs, stop);
     return journeys;
 }

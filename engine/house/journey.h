@@ -39,6 +39,7 @@ typedef struct Journeys {
     Itinerary **itineraries; /* (itinerary_count) */
     size_t itinerary_count, itinerary_capacity;
     Fields *fields; /* that the chairs' searches share */
+    bool brief;     /* all that are planned: as in a RouteQuery */
 } Journeys;
 
 /* Where somebody is who plans anew. */
@@ -53,17 +54,15 @@ typedef struct Whereabouts {
 /* Plans everybody's journey, on up to `jobs` threads, until `stop` (may be NULL) is set; person i takes part when
  * `part` is NULL or part[i]. journey_free_all releases it. */
 Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
-
-/* The same sooner where there is no way: where a chair sticks is told by what fits, not by what can be driven. */
-Journeys journey_plan_tersely(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
+Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
 void journey_free_all(Journeys *journeys);
 
 /* Has everybody of them a way out? */
 bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop);
 
 /* The same for `count` people in the middle of a run, at `time`; nobody else has a journey. */
-Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, int jobs,
-                           const volatile sig_atomic_t *stop);
+Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, bool brief,
+                           int jobs, const volatile sig_atomic_t *stop);
 
 /* Plans again from `time` on for `count` people who are on the way: to the exit of their route while that is usable,
  * otherwise to the quickest. What they had before is released. */

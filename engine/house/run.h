@@ -29,7 +29,6 @@ typedef struct RunPiece {
 
 typedef struct RunOptions {
     size_t route;                      /* only this route's people take part; SIZE_MAX: everybody */
-    bool terse;                        /* where chairs cannot pass is told sooner and less well: journey.h */
     int jobs;                          /* threads */
     const volatile sig_atomic_t *stop; /* set: end as soon as possible; NULL: never */
     void (*progress)(void *context,
@@ -37,6 +36,8 @@ typedef struct RunOptions {
     void (*record)(void *context, const RunPiece *piece); /* as it comes, one group beside the other, each from a
                                                              thread of its own; NULL: none */
     void *context;
+    bool brief; /* for whoever waits for the answer: the same, sooner where somebody cannot pass, but that their
+                   blockage names the width for carrying the chair, perhaps less than for driving it */
     const RunChange *changes; /* (change_count) rising; NULL: the plan stays as it is */
     size_t change_count;
 } RunOptions;

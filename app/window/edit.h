@@ -1,0 +1,41 @@
+/* What is done by mouse and keys to what can be edited: they become calls of its LiveEditor. */
+#pragma once
+
+#include "laboratory/live_edit.h"
+#include "window/window_state.h"
+
+/* The editor of what is shown; NULL: it cannot be edited, or nothing is open. */
+const LiveEditor *edit_of(const Room *room);
+
+/* Is something in the hand, or a tool other than the one that selects? Then letters and digits are the editor's. */
+bool edit_listens(const Window *window);
+
+/* Return, Backspace, Tab, Escape while the editor listens; true: it was used. */
+bool edit_key(Window *window, const GlassEvent *event);
+
+/* A key that types something waits for what it types, which may be the editor's; false: it types nothing, or nobody
+ * listens. edit_take_letters gives the letters (NULL: none came) to the editor; false: the key that waited is to be
+ * done now. */
+bool edit_keep_key(Window *window, const GlassEvent *event);
+bool edit_take_letters(Window *window, const char *letters);
+
+/* Letters that no key has announced, as an input method types them. */
+bool edit_type(Window *window, const char *letters);
+
+/* False: the action is none of editing. */
+bool edit_do(Window *window, Action action, int mods);
+
+/* What the mouse has done over the view since the frame before. */
+void edit_mouse(Window *window, const UiGrab *grab);
+
+/* A number changes under the hand: all of it is one step. */
+void edit_hold_number(Window *window, const char *name);
+
+/* Once a frame: while something is in the hand the clock is held. */
+void edit_hold_clock(Window *window);
+
+/* Nothing is in the hand any more, and the tool is the one that selects. */
+void edit_let_go(Window *window);
+
+/* How the step would be called that is undone, or done, next: "Undo: Move wardrobe (f3)", "Can't undo". */
+const char *edit_step_words(Window *window, Action action);

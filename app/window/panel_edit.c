@@ -1,0 +1,151 @@
+#include "window/panel_edit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "window/act.h"
+#include "window/edit.h"
+
+enum { TEXT_MOST = 512 };
+
+/* What the tool places --------------------------------------------------------------------------------------------- */
+
+static void show_items(Window *window, Room *room, const LiveEditor *editor) {
+    size_t count, chosen = editor->item(room->live);
+    const LiveItem *items = editor->items(room->live, &count);
+    const char *group = "";
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(group, items[i].group) != 0)
+            ui_heading(window->ui, items[i].group);
+        group = items[i].group;
+        UiRow row = {.id = text_in_arena(&window->words, "item %zu", i),
+                     .shape = ROW_PLAIN,
+                     .cells = {items[i].name, items[i].words},
+                     .help = text_in_arena(&window->words, "%s: %s; chosen, it is what the tool places", items[i].name,
+                                           items[i].words),
+                     .selected = i == chosen,
+                     .usable = true};
+        if (ui_list_row(window->ui, &row)) {
+            editor->choose(room->live, i);
+            ui_focus(window->ui, "view");
+            window->dirty = true;
+            return;
+        }
+    }
+}
+
+/* Words of what is selected ---------------------------------------------------------------------------------------- */
+
+/* True: it was changed, and what there is may be other texts now. */
+static bool show_text(Window *window, Room *room, const LiveEditor *editor, const LiveText *text) {
+    char typed[TEXT_MOST];
+    Fault fault = {0};
+    snprintf(typed, sizeof typed, "%s", text->value);
+    const char *help = text_in_arena(&window->words, "%s: %s; Return takes it", text->label, text->help);
+    const char *name = text_in_arena(&window->words, "%s", text->name);
+    if (!ui_field(window->ui, name, text->label, help, typed, sizeof typed) || strcmp(typed, text->value) == 0)
+        return false;
+    editor->set_text(room->live, name, typed, &fault);
+    act_complain(window, &fault, NAN);
+    return true;
+}
+
+static void show_texts(Window *window, Room *room, const LiveEditor *editor) {
+    size_t count;
+    const LiveText *texts = editor->texts(room->live, &count);
+    const char *group = "";
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(group, texts[i].group) != 0)
+            ui_heading(window->ui, texts[i].group);
+        group = texts[i].group;
+        if (show_text(window, room, editor, &texts[i]))
+            return;
+    }
+}
+
+/* The picture ------------------------------------------------------------------------------------------------------ */
+
+/* A path that is typed, and how strongly the picture is seen. */
+static void show_image(Window *window, Room *room, const LiveEditor *editor) {
+    LiveImage image = editor->image(room->live);
+    char path[WINDOW_PATH];
+    Fault fault = {0};
+    ui_heading(window->ui, "Picture to trace over");
+    snprintf(path, sizeof path, "%s", image.path ? image.path : "");
+    if (ui_field(window->ui, "image path", "PNG file", "PNG file: its path; Return takes it, an empty one puts it away",
+                 path, sizeof path)) {
+        editor->set_image(room->live, *path ? path : NULL, &fault);
+        act_complain(window, &fault, NAN);
+        return;
+    }
+    if (!image.path)
+        return;
+    UiSlider slider = {.id = "image opacity",
+                       .label = "strength",
+                       .unit = "%",
+                       .help = "strength: how strongly the picture is seen",
+                       .value = 100 * image.opacity,
+                       .initial = 50,
+                       .high = 100,
+                       .most = 100};
+    if (ui_slider(window->ui, &slider) != UI_SAME)
+        editor->fade(room->live, slider.value / 100);
+}
+
+/* What would let everybody out ------------------------------------------------------------------------------------- */
+
+static void show_proposals(Window *window, Room *room, const LiveEditor *editor) {
+    size_t count;
+    const char *doing = NULL;
+    const LiveProposal *proposals = editor->proposals(room->live, &count, &doing);
+    Fault fault = {0};
+    for (size_t i = 0; i < count; i++) {
+        ui_text(window->ui, UI_BODY, ROLE_TEXT,
+                text_in_arena(&window->words, "%s: %s", proposals[i].words, proposals[i].answer));
+        UiButton button = {.id = text_in_arena(&window->words, "proposal %zu", i),
+                           .label = "Do it",
+                           .help = "Do it: changes the house so; it can be undone"};
+        if (ui_button(window->ui, &button)) {
+            editor->accept(room->live, i, &fault);
+            act_complain(window, &fault, NAN);
+            return;
+        }
+    }
+    if (doing)
+        ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, doing);
+}
+
+static void show_way_out(Window *window, Room *room, const LiveEditor *editor) {
+    size_t count;
+    const char *doing = NULL;
+    if (!editor->proposals)
+        return;
+    LiveAnswer answer = room->kind->answer(room->live);
+    bool asked = editor->proposals(room->live, &count, &doing) && count > 0;
+    if (answer.role != ROLE_ERROR && !asked && !doing)
+        return;
+    ui_heading(window->ui, answer.title);
+    if (answer.detail && answer.role == ROLE_ERROR)
+        ui_text(window->ui, UI_BODY, ROLE_ERROR, answer.detail);
+    if (act_first_place(room) &&
+        ui_button(window->ui, &(UiButton){.id = "show", .label = "Show", .help = "Show: the place, from near"}))
+        act_show_place(window);
+    if (!doing && ui_button(window->ui, &(UiButton){.label = "Smallest change that lets everybody out",
+                                                    .help = "Smallest change that lets everybody out: tries wider "
+                                                            "doors and moved furniture, each by simulation"}))
+        editor->ask(room->live);
+    show_proposals(window, room, editor);
+}
+
+void panel_edit_show(Window *window) {
+    Room *room = window_room(window);
+    const LiveEditor *editor = edit_of(room);
+    if (!editor)
+        return;
+    show_items(window, room, editor);
+    if (editor->tool(room->live) == TOOL_IMAGE || editor->image(room->live).path)
+        show_image(window, room, editor);
+    show_texts(window, room, editor);
+    show_way_out(window, room, editor);
+}

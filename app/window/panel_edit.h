@@ -1,0 +1,7 @@
+/* What the panel has of editing: what the tool places, the words of what is selected, the picture to trace over, and
+ * what would let everybody out. */
+#pragma once
+
+#include "window/window_state.h"
+
+void panel_edit_show(Window *window);
