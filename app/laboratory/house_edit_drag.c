@@ -72,6 +72,7 @@ void house_edit_drag_begin(HouseLive *live, const EditHandle *handle, EditHold h
     house_edit_gesture_begin(live, gesture_of(&edit->grip), name, how != HOLD_DRAG);
     edit->offset = vec2_sub(copy.at, how == HOLD_KEYS ? edit->hand.at : edit->pressed);
     edit->taken = how != HOLD_DRAG;
+    edit->clicked = how == HOLD_CLICK;
     list_fields(live, &edit->grip);
     house_edit_gesture_follow(live);
 }

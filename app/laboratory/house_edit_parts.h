@@ -106,7 +106,8 @@ typedef struct HouseEdit {
     int handle;     /* that has the focus of the keys, -1: none */
 
     const EditGesture *gesture; /* NULL: there is none */
-    bool keys;                  /* it was begun by keys: the hand has no part in it until it moves */
+    bool keys;                  /* the hand has no part in it: until its button is pressed, or */
+    bool clicked;               /* until it moves */
     Vec2 keys_at;               /* m, where the hand was then */
     char name[EDIT_NAME];       /* of its step */
     Plan begun;                 /* the house before it */
