@@ -180,6 +180,8 @@ def check_hostile():
     nested = "".join(groups((0, "BLOCK"), (2, f"B{i}"), (10, 0), (20, 0)) + groups((0, "INSERT"), (2, f"B{i + 1}")) * 50
                      + groups((0, "ENDBLK")) for i in range(15))
     hurt("blocks.dxf", drawing(groups((0, "INSERT"), (2, "B0")), nested), 2, "blocks hold more than")
+    grid = groups((0, "INSERT"), (8, "WALL"), (2, "B0"), (70, 2_000_000), (71, 2_000_000))
+    hurt("grid.dxf", drawing(grid, groups((0, "BLOCK"), (2, "B0"), (0, "ENDBLK"))), 2, "blocks are put in more than")
     arcs = groups((0, "ARC"), (8, "DOOR"), (10, 5000), (20, 0), (40, 900), (50, 0), (51, 90))
     hurt("doors.dxf", drawing(FLAT + arcs * 30_000), 2, "more than 2000 arcs")
     hurt("deep.wkt", "GEOMETRYCOLLECTION (" * 500_000, 2, "nested too deeply")

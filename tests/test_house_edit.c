@@ -556,6 +556,111 @@ TEST(what_is_measured_stays_until_it_is_deleted) {
     kind->close(live);
 }
 
+/* Shakes, proposals, pictures ---------------------------------------------------------------------------------------
+ */
+
+TEST(a_shake_topples_what_its_seed_draws_and_is_one_step) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    Fault fault = {0};
+    int toppled = 0;
+    for (int i = 0; i < 20; i++) {
+        if (!editor->shake(live, &fault)) {
+            CHECK(fault.count == 1);
+            fault_clear(&fault);
+            continue;
+        }
+        toppled++;
+        CHECK(strstr(editor->undo_name(live), "Shake ") && strstr(editor->undo_name(live), ": 1 piece topples"));
+        CHECK(strstr(editor->text(live), "\"toppled\": true"));
+        CHECK(editor->undo(live));
+        CHECK_TEXT(editor->text(live), before);
+    }
+    CHECK(toppled > 2 && toppled < 18);
+    memory_free(before);
+    kind->close(live);
+}
+
+static const char narrow_house[] =
+    "{\"format\": \"clearance-house\", \"version\": 1, \"walls\": [{\"id\": \"w1\", \"points\": [[0, 0], [4, 0], [4, "
+    "3], [0, 3], [0, 0]]}], \"doors\": [{\"id\": \"d1\", \"wall\": \"w1\", \"at\": 2, \"width\": 0.5}], \"exits\": "
+    "[{\"id\": \"e1\", \"from\": [1.5, -1], \"to\": [2.5, -1]}], \"people\": [{\"id\": \"p1\", \"profile\": "
+    "\"manual-chair\", \"at\": [2, 2], \"heading\": -90}]}";
+
+TEST(a_change_that_lets_everybody_out_is_proposed_and_taken) {
+    void *live = open_text(narrow_house);
+    Fault fault = {0};
+    size_t count = 0;
+    const char *doing = "";
+    editor->ask(live);
+    const LiveProposal *proposals = editor->proposals(live, &count, &doing);
+    for (int i = 0; i < 20000 && doing && !count; i++) {
+        nanosleep(&(struct timespec){.tv_nsec = 2000000}, NULL);
+        proposals = editor->proposals(live, &count, &doing);
+    }
+    CHECK(count > 0 && !doing);
+    CHECK(count && strstr(proposals[0].words, "Widen door d1") && strstr(proposals[0].answer, "everybody out in"));
+    CHECK(succeeds(editor->accept(live, 0, &fault), &fault));
+    CHECK(!strstr(editor->text(live), "\"width\": 0.5"));
+    CHECK(strstr(editor->undo_name(live), "Widen door d1"));
+    editor->proposals(live, &count, &doing);
+    CHECK(count == 0 && !doing); /* they were about another house */
+    CHECK(!editor->accept(live, 0, &fault) && fault.count == 1);
+    fault_clear(&fault);
+    editor->ask(live);
+    editor->ask(live);
+    kind->close(live); /* with two under way */
+}
+
+/* The first bytes of a picture of 200 by 100 pixels. */
+static void write_picture(char path[64]) {
+    static const unsigned char bytes[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0,   0, 0, 13, 'I', 'H', 'D',
+                                          'R',  0,   0,   0,   200,  0,    0,    0,    100, 8, 2, 0,  0,   0};
+    strcpy(path, "/tmp/clearance-picture-XXXXXX");
+    FILE *stream = fdopen(mkstemp(path), "w");
+    fwrite(bytes, sizeof bytes, 1, stream);
+    fclose(stream);
+}
+
+TEST(a_picture_to_trace_over_gets_its_scale_and_is_made_level) {
+    void *live = open_live(NULL);
+    Fault fault = {0};
+    char path[64];
+    write_picture(path);
+    CHECK(!editor->set_image(live, "/nowhere/at-all.png", &fault) && fault.count == 1);
+    CHECK(!editor->set_image(live, check_source(), &fault) && fault.count == 2);
+    fault_clear(&fault);
+    CHECK(succeeds(editor->set_image(live, path, &fault), &fault));
+    LiveImage image = editor->image(live);
+    CHECK_TEXT(image.path, path);
+    CHECK_NEAR(image.corners[2].x, 10, 1e-12);
+    CHECK_NEAR(image.corners[2].y, 5, 1e-12);
+    editor->take(live, TOOL_IMAGE);
+    click(live, 1, 1);
+    click(live, 3, 1);
+    keys(live, "4|");
+    image = editor->image(live);
+    CHECK_NEAR(image.corners[0].x, -1, 1e-12);
+    CHECK_NEAR(image.corners[1].x, 19, 1e-12);
+    click(live, 0, 0);
+    click(live, 1, 0.1);
+    image = editor->image(live);
+    CHECK_NEAR(degrees(atan2(image.corners[1].y - image.corners[0].y, image.corners[1].x - image.corners[0].x)),
+               -degrees(atan(0.1)), 1e-9);
+    CHECK_TEXT(editor->undo_name(live), "Level picture");
+    editor->fade(live, 0.25);
+    CHECK_NEAR(editor->image(live).opacity, 0.25, 0);
+    char *text = keep_text(live);
+    void *again = open_text(text);
+    CHECK_TEXT(editor->text(again), text);
+    kind->close(again);
+    unlink(path);
+    CHECK(succeeds(editor->set_image(live, NULL, &fault), &fault));
+    CHECK(!editor->image(live).path);
+    memory_free(text);
+    kind->close(live);
+}
+
 /* Any sequence at all ---------------------------------------------------------------------------------------------- */
 
 static uint64_t state;

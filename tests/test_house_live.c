@@ -267,6 +267,38 @@ TEST(what_is_chosen_while_the_house_is_read_has_its_numbers_to_come_back_to) {
     kind->close(live);
 }
 
+/* What was shown up to an edit is shown again; from there on it is another house, and the answer is of that alone. */
+TEST(an_edit_on_the_way_goes_on_from_there) {
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    settle(live, 0);
+    Vec2 early[LIVE_OUTLINE_MOST], late[LIVE_OUTLINE_MOST], again[LIVE_OUTLINE_MOST];
+    LiveThing person = {HOUSE_PERSON, 0};
+    size_t points = kind->outline(live, person, 3, early);
+    CHECK(points && kind->outline(live, person, 7, late) == points);
+    kind->update(live, 5);
+    CHECK(set(live, "profile.manual-chair.drive.free_speed", 0.4));
+    settle(live, 5);
+    CHECK(strstr(kind->note(live), "mixed: plan changed at 5.0 s"));
+    CHECK(kind->outline(live, person, 3, again) == points && memcmp(again, early, points * sizeof *again) == 0);
+    CHECK(kind->outline(live, person, 7, again) == points && memcmp(again, late, points * sizeof *again) != 0);
+    size_t count, changes = 0;
+    const LiveTick *ticks = kind->ticks(live, &count);
+    for (size_t i = 0; i < count; i++)
+        changes += ticks[i].kind == LIVE_TICK_CHANGE && ticks[i].time == 5;
+    CHECK(changes == 1);
+    uint64_t mixed = house_live_digest(live);
+    const char *title = strdup(kind->answer(live).title);
+    kind->again(live);
+    settle(live, 0);
+    CHECK(!strstr(kind->note(live), "mixed"));
+    CHECK_TEXT(kind->answer(live).title, title);
+    CHECK(house_live_digest(live) != mixed);
+    CHECK(house_live_digest(live) ==
+          digest_of("ube-techno-house", (const char *[]){"profile.manual-chair.drive.free_speed=0.4", NULL}, NULL, -1));
+    free((char *)title);
+    kind->close(live);
+}
+
 TEST(the_newest_change_wins) {
     void *live = open_live("ube-techno-house", NULL, 0, NULL);
     settle(live, 0);

@@ -274,6 +274,21 @@ TEST(lines_of_a_drawing_are_joined_into_walls) {
     end(&import, true);
 }
 
+TEST(a_slender_rectangle_is_a_wall_as_thick_as_it_is_and_a_stout_one_is_its_sides) {
+    Import import =
+        import_drawing(millimetres, "",
+                       "0 LWPOLYLINE 8 WALL 90 4 70 1 10 0 20 0 10 4000 20 0 10 4000 20 200 10 0 20 200 "
+                       "0 LWPOLYLINE 8 WALL 90 4 70 1 10 0 20 1000 10 400 20 1000 10 400 20 1300 10 0 20 1300",
+                       (ImportOptions){0});
+    check_lists(&import.plan,
+                "  'walls': [\n"
+                "    {'id': 'w1', 'points': [[0, 0.1], [4, 0.1]], 'thickness': 0.2},\n"
+                "    {'id': 'w2', 'points': [[0, 1], [0.4, 1], [0.4, 1.3], [0, 1.3], [0, 1]], 'thickness': "
+                "0}\n"
+                "  ]\n}\n");
+    end(&import, true);
+}
+
 TEST(a_bulge_is_an_arc_to_the_right_of_its_way_when_positive) {
     Import import = import_drawing(millimetres, "", "0 LWPOLYLINE 8 WALL 90 2 70 0 10 0 20 0 42 1 10 4000 20 0",
                                    (ImportOptions){0});
@@ -364,6 +379,19 @@ TEST(layers_are_chosen_by_their_names_or_as_said) {
     import = import_drawing(millimetres, "", lines, (ImportOptions){.layers = "FOO"});
     CHECK(import.fault.count && strstr(import.fault.lines[0], "--layers must be like walls=NAME"));
     end(&import, false);
+}
+
+TEST(old_drawings_are_read_in_the_letters_of_their_code_page) {
+    static const char lines[] = "0 LINE 8 \x95\xc7 10 0 20 0 11 6000 21 0 0 LINE 8 W\xc4NDE 10 0 20 0 11 6000 21 0 ";
+    Import import = import_drawing("9 $DWGCODEPAGE 3 ANSI_932 9 $INSUNITS 70 4", "", lines, (ImportOptions){0});
+    CHECK(is_noted(&import, "layers taken: \u58c1 (walls)"));
+    end(&import, true);
+    import = import_drawing("9 $DWGCODEPAGE 3 ANSI_1252 9 $INSUNITS 70 4", "", lines, (ImportOptions){0});
+    CHECK(is_noted(&import, "layers taken: W\u00c4NDE (walls)"));
+    end(&import, true);
+    import = import_drawing("9 $DWGCODEPAGE 3 ANSI_99 9 $INSUNITS 70 4", "", lines, (ImportOptions){0});
+    CHECK(is_noted(&import, "layers taken: W\u00c4NDE (walls)"));
+    end(&import, true);
 }
 
 TEST(a_plan_in_the_coordinates_of_a_survey_is_brought_to_its_origin) {
@@ -473,85 +501,80 @@ TEST(a_locked_door_keeps_the_outside_out_and_an_open_one_lets_it_in) {
 
 /* Vadere ---------------------------------------------------------------------------------------------------------- */
 
-#define SCENARIO(release_, topography_)                                                                                \
-    "{\"name\": \"corner\", \"release\": \"" release_                                                                  \
-    "\", \"scenario\": {\"topography\": {\"attributes\": {\"bounds\": "                                                \
-    "{\"x\": 0, \"y\": 0, \"width\": 14, \"height\": 18}, \"boundingBoxWidth\": 1, \"bounded\": true}, " topography_   \
-    "}}}"
-#define RECTANGLE(x_, y_, width_, height_)                                                                             \
-    "\"shape\": {\"type\": \"RECTANGLE\", \"x\": " #x_ ", \"y\": " #y_ ", \"width\": " #width_                         \
-    ", \"height\": " #height_ "}"
-#define OBSTACLES                                                                                                      \
-    "\"obstacles\": [{" RECTANGLE(0.8, 3, 10.2, 1) "}, {" RECTANGLE(10, 4, 1, 9) "}, {" RECTANGLE(                     \
-        2, 6, 2, 1) "}], "                                                                                             \
-                    "\"stairs\": [{}, {}], "
+/* A scenario of a topography besides its frame; ' stands for quotation marks. */
+static Import import_scenario(const char *release, const char *topography) {
+    Text text = {0};
+    text_format(
+        &text,
+        "{'name': 'corner', 'release': '%s', 'scenario': {'topography': {'attributes': {'bounds': {'x': 0, 'y': "
+        "0, 'width': 12, 'height': 16}, 'boundingBoxWidth': 1, 'bounded': true}, 'obstacles': ["
+        "{'shape': {'type': 'RECTANGLE', 'x': 0.5, 'y': 4, 'width': 8, 'height': 0.5}}, "
+        "{'shape': {'type': 'RECTANGLE', 'x': 8, 'y': 4.5, 'width': 0.5, 'height': 7}}, "
+        "{'shape': {'type': 'RECTANGLE', 'x': 2, 'y': 6, 'width': 2, 'height': 1}}], 'stairs': [{}, {}], "
+        "'dynamicElements': [{'type': 'PEDESTRIAN', 'position': {'x': 7.25, 'y': 2}, 'freeFlowSpeed': 1.5, "
+        "'targetIds': [2, 1]}, {'type': 'PEDESTRIAN', 'position': {'x': 5, 'y': 4.25}, 'targetIds': [1]}], "
+        "%s}}}",
+        release, topography);
+    for (char *c = text.text; *c; c++)
+        *c = *c == '\'' ? '"' : *c;
+    Import import = import_text(".scenario", text.text, (ImportOptions){0});
+    memory_free(text.text);
+    return import;
+}
 
 static const char corner[] =
     "  'walls': [\n"
-    "    {'id': 'w1', 'points': [[0.5, 0.5], [13.5, 0.5], [13.5, 17.5], [0.5, 17.5], [0.5, 0.5]], 'thickness': 1},\n"
-    "    {'id': 'w2', 'points': [[0.8, 3.5], [11, 3.5]], 'thickness': 1, 'height': 2},\n"
-    "    {'id': 'w3', 'points': [[10.5, 4], [10.5, 13]], 'thickness': 1, 'height': 2}\n"
+    "    {'id': 'w1', 'points': [[0.5, 0.5], [11.5, 0.5], [11.5, 15.5], [0.5, 15.5], [0.5, 0.5]], 'thickness': 1},\n"
+    "    {'id': 'w2', 'points': [[0.5, 4.25], [8.5, 4.25]], 'thickness': 0.5, 'height': 2},\n"
+    "    {'id': 'w3', 'points': [[8.25, 4.5], [8.25, 11.5]], 'thickness': 0.5, 'height': 2}\n"
     "  ],\n"
     "  'furniture': [\n"
     "    {'id': 'f1', 'name': 'obstacle', 'centre': [3, 6.5], 'size': [2, 1], 'height': 2}\n"
     "  ],\n"
     "  'exits': [\n"
-    "    {'id': 'e1', 'from': [11, 16], 'to': [13, 16]}\n"
+    "    {'id': 'e1', 'from': [9, 13.5], 'to': [11, 13.5]}\n"
     "  ],\n"
     "  'people': [\n"
-    "    {'id': 'p1', 'profile': 'adult', 'at': [5.7, 2.2], 'speed': 1.42}\n"
+    "    {'id': 'p1', 'profile': 'adult', 'at': [7.25, 2], 'speed': 1.5}\n"
     "  ],\n"
     "  'crowds': [\n"
-    "    {'id': 'c1', 'profile': 'adult', 'count': 20, 'area': [[1.2, 1.2], [7.2, 1.2], [7.2, 2.8], [1.2, 2.8]], "
+    "    {'id': 'c1', 'profile': 'adult', 'count': 18, 'area': [[1.5, 1.5], [6.5, 1.5], [6.5, 3.5], [1.5, 3.5]], "
     "'delay': 5}\n"
     "  ],\n"
     "  'routes': [\n"
-    "    {'id': 'route1', 'people': ['c1', 'p1'], 'via': [[12, 4]], 'exit': 'e1'}\n"
+    "    {'id': 'route1', 'people': ['c1', 'p1'], 'via': [[10, 3]], 'exit': 'e1'}\n"
     "  ]\n}\n";
 
-#define PEDESTRIAN                                                                                                     \
-    "\"dynamicElements\": [{\"type\": \"PEDESTRIAN\", \"position\": {\"x\": 5.7, \"y\": 2.2}, \"freeFlowSpeed\": "     \
-    "1.42, "                                                                                                           \
-    "\"targetIds\": [2, 1]}, {\"type\": \"PEDESTRIAN\", \"position\": {\"x\": 5, \"y\": 3.5}, \"targetIds\": [1]}]"
-
 TEST(a_scenario_says_the_same_in_the_words_of_old_and_new_releases) {
-    Import import =
-        import_text(".scenario",
-                    SCENARIO("2.4", OBSTACLES "\"targets\": [{\"id\": 1, " RECTANGLE(
-                                        11, 15, 2, 2) ", \"absorber\": {\"enabled\": true}}, {\"id\": "
-                                                      "2, " RECTANGLE(11, 3, 2, 2) ", \"absorber\": {\"enabled\": "
-                                                                                   "false}}], \"sources\": "
-                                                                                   "[{" RECTANGLE(1.2, 1.2, 6,
-                                                                                                  1.6) ", "
-                                                                                                       "\"targetIds\": "
-                                                                                                       "[2, 1], "
-                                                                                                       "\"spawner\": "
-                                                                                                       "{\"constraintsT"
-                                                                                                       "imeStart\": 5, "
-                                                                                                       "\"constraintsTi"
-                                                                                                       "meEnd\": 5, "
-                                                                                                       "\"eventElementC"
-                                                                                                       "ount\": "
-                                                                                                       "20}}],"
-                                                                                                       " " PEDESTRIAN),
-                    (ImportOptions){0});
+    Import import = import_scenario(
+        "2.4", "'targets': [{'id': 1, 'shape': {'type': 'RECTANGLE', 'x': 9, 'y': 12.5, 'width': 2, 'height': 2}, "
+               "'absorber': {'enabled': true}}, {'id': 2, 'shape': {'type': 'RECTANGLE', 'x': 9, 'y': 2, 'width': 2, "
+               "'height': 2}, 'absorber': {'enabled': false}}], 'sources': [{'shape': {'type': 'RECTANGLE', 'x': 1.5, "
+               "'y': 1.5, 'width': 5, 'height': 2}, 'targetIds': [2, 1], 'spawner': {'constraintsTimeStart': 5, "
+               "'constraintsTimeEnd': 5, 'eventElementCount': 18}}]");
     check_lists(&import.plan, corner);
     CHECK(is_left(&import, "stairs", 2) && is_left(&import, "people who stand inside something", 1));
     CHECK_TEXT(import.plan.name, "corner");
     end(&import, true);
-    import = import_text(
-        ".scenario",
-        SCENARIO("1.15", OBSTACLES
-                 "\"targets\": [{\"id\": 1, " RECTANGLE(11, 15, 2, 2) ", \"absorbing\": true}, {\"id\": 2, " RECTANGLE(
-                     11, 3, 2, 2) ", \"absorbing\": false}], \"sources\": [{" RECTANGLE(1.2, 1.2, 6,
-                                                                                        1.6) ", \"targetIds\": "
-                                                                                             "[2, 1], "
-                                                                                             "\"startTime\": "
-                                                                                             "5, \"endTime\": 5, "
-                                                                                             "\"spawnNumber\": "
-                                                                                             "20}], " PEDESTRIAN),
-        (ImportOptions){0});
+    import = import_scenario(
+        "1.15",
+        "'targets': [{'id': 1, 'shape': {'type': 'RECTANGLE', 'x': 9, 'y': 12.5, 'width': 2, 'height': 2}, "
+        "'absorbing': true}, {'id': 2, 'shape': {'type': 'RECTANGLE', 'x': 9, 'y': 2, 'width': 2, 'height': 2}, "
+        "'absorbing': false}], 'sources': [{'shape': {'type': 'RECTANGLE', 'x': 1.5, 'y': 1.5, 'width': 5, "
+        "'height': 2}, 'targetIds': [2, 1], 'startTime': 5, 'endTime': 5, 'spawnNumber': 18}]");
     check_lists(&import.plan, corner);
+    end(&import, true);
+}
+
+TEST(a_source_gives_no_more_people_than_it_has_room_for) {
+    Import import = import_scenario(
+        "2.4",
+        "'teleporter': null, 'targets': [{'id': 1, 'shape': {'type': 'POLYGON', 'points': [{'x': 2, 'y': 12}, {'x': "
+        "6, 'y': 12}, {'x': 6, 'y': 13}]}}], 'sources': [{'shape': {'type': 'CIRCLE', 'radius': 0.5, 'center': "
+        "{'x': 10, 'y': 10}}, 'spawner': {'eventElementCount': 50}}]");
+    CHECK(import.plan.exit_count == 1 && import.plan.crowd_count == 1);
+    CHECK(import.good && import.plan.crowds[0].count == 2 && import.plan.crowds[0].area.count == 24);
+    CHECK(is_left(&import, "people of sources that have no room for them at once", 48));
     end(&import, true);
 }
 

@@ -281,3 +281,23 @@ TEST(a_record_comes_in_pieces) {
         house_free(&house);
     }
 }
+
+/* Whoever waits for the answer gets it soon, and the same but for the width that driving needs beyond carrying. */
+TEST(a_brief_answer_differs_only_in_what_is_needed_to_pass) {
+    static const char *const settings[][2] = {{"door.d1.width=0.5", NULL}, {"door.d1.width=0.9", NULL}};
+    for (size_t s = 0; s < 2; s++) {
+        House house;
+        case_house(&house, "closed-door", -1, settings[s]);
+        Observation whole = case_run(&house, 1), brief;
+        run_house(&brief, &house, &(RunOptions){.route = SIZE_MAX, .jobs = 1, .brief = true});
+        CHECK(whole.digest == brief.digest && whole.trace.rows == brief.trace.rows);
+        const PersonObservation *one = &whole.people[0], *other = &brief.people[0];
+        CHECK(one->reason == other->reason && one->time == other->time);
+        CHECK_TEXT(other->blockage.what, one->blockage.what);
+        CHECK(one->blockage.has == other->blockage.has && one->blockage.needs >= other->blockage.needs);
+        CHECK(one->reason == REASON_NONE || other->blockage.needs > other->blockage.has);
+        observation_free(&whole);
+        observation_free(&brief);
+        house_free(&house);
+    }
+}

@@ -328,6 +328,7 @@ TEST(quantiles_and_errors_are_those_of_the_textbook) {
         numbers[i] = (double)((i * 37) % 101); /* 0 to 100 in some order */
     Distribution d = montecarlo_distribution(numbers, 101);
     CHECK(d.count == 101 && d.mean == 50 && d.low == 5 && d.median == 50 && d.high == 95);
+    CHECK(d.quarters[0] == 25 && d.quarters[1] == 75);
     CHECK_NEAR(d.deviation, sqrt(101 * 102 / 12.0), 1e-12);
     CHECK_NEAR(d.error, d.deviation / sqrt(101), 1e-15);
     const double few[] = {1, NAN, 2};

@@ -6,8 +6,6 @@
 
 #include "laboratory/house_live_parts.h"
 
-static const double STIR = 0.4; /* 1, of the reach: a hand that moves less has not moved */
-
 static const LiveToolRow tools[LIVE_TOOLS] = {
     [TOOL_SELECT] = {"select", "Selects what is clicked on, and moves it by its handles.",
                      "click on something, or drag a rectangle round it"},
@@ -29,203 +27,38 @@ static const LiveToolRow tools[LIVE_TOOLS] = {
                     "click two points a known distance apart, then type it"},
 };
 
-static bool is_chain(LiveTool tool) {
-    return tool == TOOL_WALL || tool == TOOL_EXIT || tool == TOOL_MEASURE || tool == TOOL_AREA || tool == TOOL_ROUTE;
-}
+/* Tools, hand and keys -------------------------------------------------------------------------------------------- */
 
-static void begin(HouseLive *live, bool keys) {
-    if (live->edit.tool == TOOL_IMAGE)
-        house_edit_image_begin(live, keys);
-    else if (is_chain(live->edit.tool))
-        house_edit_chain_begin(live, keys);
-    else
-        house_edit_place_begin(live, keys);
-}
-
-static bool can_begin(const HouseLive *live) {
-    if (live->edit.tool == TOOL_IMAGE)
-        return draft_plan(live->draft)->background.image;
-    return live->edit.tool != TOOL_ROUTE || house_edit_way_person(live);
-}
-
-/* Tools ----------------------------------------------------------------------------------------------------------- */
-
-static bool escape(void *context);
-
-/* What is drawn so far stays drawn. */
 static void take(void *context, LiveTool tool) {
-    HouseLive *live = context;
-    if (live->edit.gesture && live->edit.gesture->escape)
-        live->edit.gesture->escape(live);
-    house_edit_gesture_drop(live);
-    live->edit.pending = PENDING_NOTHING;
-    live->edit.down = false;
-    live->edit.handle = -1;
-    live->edit.tool = tool < LIVE_TOOLS ? tool : TOOL_SELECT;
+    house_edit_hand_take(context, tool);
 }
 
 static LiveTool tool(const void *context) {
     return ((const HouseLive *)context)->edit.tool;
 }
 
-/* The hand -------------------------------------------------------------------------------------------------------- */
-
-static void keep_hand(HouseLive *live, const LiveHand *hand) {
-    HouseEdit *edit = &live->edit;
-    edit->hand = *hand;
-    edit->seen = true;
-    if (edit->keys && vec2_distance(hand->at, edit->keys_at) > STIR * hand->reach)
-        edit->keys = false;
-}
-
-/* The button is down and the hand has left the place: what was meant begins. */
-static void begin_pending(HouseLive *live) {
-    HouseEdit *edit = &live->edit;
-    EditPending pending = edit->pending;
-    edit->pending = PENDING_NOTHING;
-    if (pending == PENDING_HANDLE)
-        house_edit_drag_begin(live, &edit->meant, HOLD_DRAG);
-    else if (pending == PENDING_WHOLE)
-        house_edit_drag_whole(live);
-    else if (pending == PENDING_BOX)
-        house_edit_drag_box(live);
-}
-
 static void point(void *context, const LiveHand *hand) {
-    HouseLive *live = context;
-    HouseEdit *edit = &live->edit;
-    keep_hand(live, hand);
-    if (edit->down && !edit->moved && vec2_distance(hand->at, edit->pressed) > STIR * hand->reach) {
-        edit->moved = true;
-        begin_pending(live);
-    }
-    house_edit_gesture_follow(live);
-}
-
-static bool is_room(const HouseLive *live, const char *id) {
-    size_t index;
-    return draft_find(live->draft, id, &index) == DRAFT_ROOMS;
-}
-
-static void press_select(HouseLive *live) {
-    HouseEdit *edit = &live->edit;
-    edit->pending = PENDING_BOX;
-    if (!edit->hand.more && house_edit_handle_at(live, &edit->hand, &edit->meant)) {
-        edit->pending = PENDING_HANDLE;
-        return;
-    }
-    const char *id = house_edit_select_at(live, edit->hand.at);
-    if (!id || is_room(live, id))
-        return; /* a room is selected when the button is up, unless a rectangle is drawn */
-    edit->pending = PENDING_NOTHING;
-    if (edit->hand.more) {
-        house_edit_select_toggle(live, id);
-        return;
-    }
-    if (!house_edit_select_has(live, id))
-        house_edit_select_only(live, id);
-    edit->pending = PENDING_WHOLE;
+    house_edit_hand_point(context, hand);
 }
 
 static void press(void *context, const LiveHand *hand, bool twice) {
-    HouseLive *live = context;
-    HouseEdit *edit = &live->edit;
-    house_edit_select_meet(live);
-    keep_hand(live, hand);
-    edit->down = true;
-    edit->moved = false;
-    edit->pressed = hand->at;
-    edit->pending = PENDING_NOTHING;
-    if (edit->gesture && twice && edit->tool == TOOL_MEASURE && house_edit_measure_side(live)) {
-        house_edit_gesture_drop(live);
-    } else if (edit->gesture) {
-        house_edit_gesture_follow(live);
-        edit->gesture->put(live, false);
-    } else if (edit->tool == TOOL_SELECT) {
-        press_select(live);
-    } else if (can_begin(live) && !(edit->tool == TOOL_EXIT && house_edit_way_across(live))) {
-        begin(live, false);
-        if (edit->gesture && (is_chain(edit->tool) || edit->tool == TOOL_IMAGE))
-            edit->gesture->put(live, false);
-    }
-}
-
-/* A click on a handle takes it up; one beside everything selects the room, or nothing. */
-static void release_pending(HouseLive *live) {
-    HouseEdit *edit = &live->edit;
-    EditPending pending = edit->pending;
-    edit->pending = PENDING_NOTHING;
-    if (pending == PENDING_HANDLE) {
-        house_edit_drag_begin(live, &edit->meant, HOLD_CLICK);
-    } else if (pending == PENDING_BOX) {
-        const char *id = house_edit_select_at(live, edit->hand.at);
-        if (edit->hand.more && id)
-            house_edit_select_toggle(live, id);
-        else if (!edit->hand.more)
-            house_edit_select_only(live, id);
-    }
+    house_edit_hand_press(context, hand, twice);
 }
 
 static void release(void *context, const LiveHand *hand) {
-    HouseLive *live = context;
-    HouseEdit *edit = &live->edit;
-    if (!edit->down)
-        return;
-    point(live, hand);
-    if (edit->gesture && edit->gesture->release)
-        edit->gesture->release(live, edit->moved);
-    else if (!edit->gesture && !edit->moved)
-        release_pending(live);
-    edit->down = false;
-    edit->pending = PENDING_NOTHING;
-}
-
-/* Keys ------------------------------------------------------------------------------------------------------------ */
-
-/* Takes up the handle that has the focus of the keys. */
-static bool take_focused(HouseLive *live) {
-    EditHandle handles[EDIT_HANDLES];
-    house_edit_select_meet(live);
-    size_t count = house_edit_handle_list(live, draft_plan(live->draft), handles);
-    int handle = live->edit.handle;
-    if (live->edit.tool != TOOL_SELECT || handle < 0 || (size_t)handle >= count)
-        return false;
-    house_edit_drag_begin(live, &handles[handle], HOLD_KEYS);
-    return true;
+    house_edit_hand_release(context, hand);
 }
 
 static bool type(void *context, const char *letters) {
-    HouseLive *live = context;
-    if (!live->edit.gesture && !(house_edit_field_begins(letters) && take_focused(live)))
-        return false;
-    return house_edit_field_type(live, letters);
+    return house_edit_hand_type(context, letters);
 }
 
 static bool enter(void *context) {
-    HouseLive *live = context;
-    HouseEdit *edit = &live->edit;
-    if (edit->gesture) {
-        if (!*edit->wrong)
-            edit->gesture->put(live, true);
-        return true;
-    }
-    if (edit->tool == TOOL_SELECT)
-        return take_focused(live);
-    if (can_begin(live))
-        begin(live, true);
-    return true;
+    return house_edit_hand_enter(context);
 }
 
 static bool back(void *context) {
-    HouseLive *live = context;
-    const EditGesture *gesture = live->edit.gesture;
-    if (!gesture)
-        return false;
-    if (house_edit_field_back(live))
-        return true;
-    if (gesture->back)
-        gesture->back(live);
-    return true;
+    return house_edit_hand_back(context);
 }
 
 static bool tab(void *context, int step) {
@@ -233,26 +66,7 @@ static bool tab(void *context, int step) {
 }
 
 static bool escape(void *context) {
-    HouseLive *live = context;
-    HouseEdit *edit = &live->edit;
-    if (*edit->typed) {
-        edit->fields[edit->field].typed = false;
-        *edit->typed = *edit->wrong = 0;
-        house_edit_gesture_follow(live);
-    } else if (edit->gesture && edit->gesture->escape) {
-        edit->gesture->escape(live);
-    } else if (edit->gesture) {
-        house_edit_gesture_drop(live);
-    } else if (edit->tool != TOOL_SELECT) {
-        take(live, TOOL_SELECT);
-    } else if (edit->handle >= 0) {
-        edit->handle = -1;
-    } else if (edit->id_count) {
-        house_edit_select_only(live, NULL);
-    } else {
-        return false;
-    }
-    return true;
+    return house_edit_hand_escape(context);
 }
 
 static const LiveGesture *gesture(const void *context) {
@@ -414,6 +228,22 @@ static void choose(void *context, size_t item) {
         live->edit.items[live->edit.tool] = item;
 }
 
+static void ask(void *context) {
+    house_edit_propose_ask(ready(context));
+}
+
+static const LiveProposal *proposals(const void *context, size_t *count, const char **doing) {
+    return house_edit_propose_list((HouseLive *)context, count, doing);
+}
+
+static bool accept(void *context, size_t proposal, Fault *fault) {
+    return house_edit_propose_accept(ready(context), proposal, fault);
+}
+
+static bool shake(void *context, Fault *fault) {
+    return house_edit_propose_shake(ready(context), fault);
+}
+
 static bool set_image(void *context, const char *path, Fault *fault) {
     return house_edit_image_set(ready(context), path, fault);
 }
@@ -455,6 +285,7 @@ void house_edit_begin(HouseLive *live) {
 void house_edit_clear(HouseLive *live) {
     HouseEdit *edit = &live->edit;
     house_edit_gesture_drop(live);
+    house_edit_propose_end(live);
     house_edit_items_clear(live);
     for (size_t i = 0; i < edit->id_count; i++)
         memory_free(edit->ids[i]);
@@ -504,6 +335,10 @@ const LiveEditor house_edit = {
     .items = items,
     .item = item,
     .choose = choose,
+    .shake = shake,
+    .ask = ask,
+    .proposals = proposals,
+    .accept = accept,
     .set_image = set_image,
     .fade = fade,
     .image = image,

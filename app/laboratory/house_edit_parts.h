@@ -17,6 +17,7 @@
 #include "laboratory/live_edit.h"
 
 typedef struct HouseLive HouseLive;
+typedef struct EditSearch EditSearch;
 
 enum {
     EDIT_FIELDS = 6,
@@ -143,6 +144,11 @@ typedef struct HouseEdit {
     EditMeasure measures[EDIT_MEASURES];
     size_t measure_count;
 
+    EditSearch *search;   /* for changes that let everybody out, or NULL */
+    EditSearch *given_up; /* a list of those that have not ended yet */
+    char proposing[64];
+    uint64_t shakes; /* the seed of the last one */
+
     LiveText *texts;
     size_t text_capacity;
     Arena text_arena;
@@ -210,6 +216,16 @@ void house_edit_piece_follow(HouseLive *live);
 void house_edit_piece_make(HouseLive *live);
 void house_edit_person_follow(HouseLive *live);
 void house_edit_person_make(HouseLive *live);
+
+/* The hand and the keys, as live_edit.h has them. */
+void house_edit_hand_take(HouseLive *live, LiveTool tool);
+void house_edit_hand_point(HouseLive *live, const LiveHand *hand);
+void house_edit_hand_press(HouseLive *live, const LiveHand *hand, bool twice);
+void house_edit_hand_release(HouseLive *live, const LiveHand *hand);
+bool house_edit_hand_type(HouseLive *live, const char *letters);
+bool house_edit_hand_enter(HouseLive *live);
+bool house_edit_hand_back(HouseLive *live);
+bool house_edit_hand_escape(HouseLive *live);
 
 /* What can be placed: reads the catalogue and the names of the profiles once. */
 void house_edit_items_stock(HouseLive *live);
@@ -286,6 +302,12 @@ void house_edit_image_fade(HouseLive *live, double opacity);
 LiveImage house_edit_image_get(HouseLive *live);
 /* Why the picture is not as it was, in a line; NULL: it is, or there is none. */
 const char *house_edit_image_trouble(HouseLive *live);
+
+void house_edit_propose_ask(HouseLive *live);
+const LiveProposal *house_edit_propose_list(HouseLive *live, size_t *count, const char **doing);
+bool house_edit_propose_accept(HouseLive *live, size_t proposal, Fault *fault);
+void house_edit_propose_end(HouseLive *live);
+bool house_edit_propose_shake(HouseLive *live, Fault *fault);
 
 const LiveText *house_edit_text_list(HouseLive *live, size_t *count);
 bool house_edit_text_set(HouseLive *live, const char *name, const char *value, Fault *fault);

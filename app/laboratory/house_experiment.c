@@ -144,7 +144,7 @@ static void run_one(const HouseGiven *given, const char *const *names, size_t na
     if (house_read(&house, given->path, &options, &fault)) {
         size_t route = given->route ? plan_find_route(&house.plan, given->route) : SIZE_MAX;
         Observation observation;
-        run_house(&observation, &house, &(RunOptions){.route = route, .jobs = 1, .stop = stop});
+        run_house(&observation, &house, &(RunOptions){.route = route, .brief = true, .jobs = 1, .stop = stop});
         trial->done = !parallel_stopped(stop);
         if (trial->done)
             observe(trial, given, &house, &observation);

@@ -18,7 +18,18 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* A step up at each time. */
+/* The end of the time axis, s: a little behind the last who gets out. */
+static double end_of(const ShakeFindings *findings) {
+    double first = HUGE_VAL, last = -HUGE_VAL;
+    for (size_t p = 0; p <= findings->party_count; p++) {
+        const Distribution *time = p < findings->party_count ? &findings->parties[p].time : &findings->time;
+        first = time->count ? fmin(first, time->least) : first;
+        last = time->count ? fmax(last, time->greatest) : last;
+    }
+    return last + 0.05 * fmax(last - first, 1);
+}
+
+/* A step up at each time, and on to the end. */
 static PlotSeries cumulated(const ShakeFindings *findings, size_t observable, Arena *arena) {
     const Study *study = findings->study;
     double *times = arena_allocate(arena, study->trial_count * sizeof *times);
@@ -29,14 +40,16 @@ static PlotSeries cumulated(const ShakeFindings *findings, size_t observable, Ar
             times[count++] = time;
     }
     qsort(times, count, sizeof *times, ascending);
-    double *x = arena_allocate(arena, 2 * count * sizeof *x);
-    double *y = arena_allocate(arena, 2 * count * sizeof *y);
+    double *x = arena_allocate(arena, (2 * count + 1) * sizeof *x);
+    double *y = arena_allocate(arena, (2 * count + 1) * sizeof *y);
     for (size_t i = 0; i < count; i++) {
         x[2 * i] = x[2 * i + 1] = times[i];
         y[2 * i] = 100 * (double)i / (double)findings->shakes;
         y[2 * i + 1] = 100 * (double)(i + 1) / (double)findings->shakes;
     }
-    return (PlotSeries){.x = x, .y = y, .count = 2 * count};
+    x[2 * count] = end_of(findings);
+    y[2 * count] = 100 * (double)count / (double)findings->shakes;
+    return (PlotSeries){.x = x, .y = y, .count = 2 * count + 1};
 }
 
 static void add_guide(Plot *plot, double at, const char *name, LineStyle style) {

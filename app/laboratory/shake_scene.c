@@ -27,6 +27,10 @@ static const Furniture *piece_of(const ShakeFindings *findings, const ShakePiece
     return &findings->house->plan.furniture[piece->index];
 }
 
+static const char *name_of(const Furniture *piece) {
+    return *piece->name ? piece->name : piece->id;
+}
+
 /* Dashed: where it would lie. */
 static void add_falls(Scene *scene, const ShakeFindings *findings) {
     for (size_t p = 0; p < findings->piece_count; p++) {
@@ -75,7 +79,8 @@ static void add_piece_tags(Scene *scene, const ShakeFindings *findings) {
         const ShakePiece *piece = &findings->pieces[p];
         if (piece->stops.good)
             add_tag(scene, shake_scene_danger(piece->stops.value), piece_of(findings, piece)->centre,
-                    scene_text(scene, "blocks in %s", per_cent(scene, piece->stops.value)));
+                    scene_text(scene, "%s blocks in %s", name_of(piece_of(findings, piece)),
+                               per_cent(scene, piece->stops.value)));
     }
 }
 
@@ -94,7 +99,7 @@ static void add_people_tags(Scene *scene, const ShakeFindings *findings) {
 }
 
 static void list_people(Scene *scene, const ShakeFindings *findings) {
-    scene_add_row(scene, ROW_HEADING, "People: out in, half of them within");
+    scene_add_row(scene, ROW_HEADING, "People: out in, median time");
     for (size_t p = 0; p < findings->party_count && p < ROWS_MOST; p++) {
         const ShakeParty *party = &findings->parties[p];
         const char *who = scene_text(scene, "%s %s", party->id, party->profile);
@@ -113,9 +118,9 @@ static void list_pieces(Scene *scene, const ShakeFindings *findings) {
         const Furniture *furniture = piece_of(findings, piece);
         const char *fell = per_cent(scene, (double)piece->toppled / (double)findings->shakes);
         const char *stops = per_cent(scene, piece->stops.value);
-        SceneRow *row = scene_add_row(scene, piece->stops.good ? ROW_DISC : ROW_PLAIN,
-                                      *furniture->name ? furniture->name : furniture->id);
+        SceneRow *row = scene_add_row(scene, piece->stops.good ? ROW_LINE : ROW_PLAIN, name_of(furniture));
         row->role = shake_scene_danger(piece->stops.value);
+        row->symbol = SYMBOL_BOX;
         row->cells[1] = fell;
         row->cells[2] = stops;
     }

@@ -67,8 +67,8 @@ void report_basis_add_method(Document *document, const House *house, bool both_w
                                          house->plan.run.patience));
     document_add_paragraph(
         document, "What the model does not know: fatigue, fear, helpers, smoke, darkness, slopes, stairs, lifts, "
-                  "thresholds and wet floors. This is one run with one seed: how much times scatter, it does "
-                  "not say. It is no substitute for a trial with the people who live there.");
+                  "thresholds and wet floors. A run with one seed says nothing of how much times scatter. It is no "
+                  "substitute for a trial with the people who live there.");
 }
 
 /* Numbers -----------------------------------------------------------------------------------------------------------*/

@@ -10,6 +10,8 @@
 
 static const double LEAST = 3, MOST = 200;    /* m: what the longer side of a house may be */
 static const double USUAL = 12;               /* m: and what it often is */
+static const double THICKEST = 0.6;           /* m: a rectangle up to so wide */
+static const double SLENDER = 2;              /* 1: and so many times longer is a piece of wall */
 static const double DOOR_LEAST = 0.4;         /* m, of a leaf */
 static const double DOOR_MOST = 2.5;          /* m */
 static const double SWING_LEAST = M_PI / 4;   /* rad, of the arc that a leaf's free end draws */
@@ -118,13 +120,30 @@ static const Vec2 *points_of(const Drawing *drawing, const DxfShape *shape) {
     return drawing->shapes.points + shape->point;
 }
 
+/* Is it the outline of a piece of wall, a slender rectangle? Then that is kept, as thick as it is. */
+static bool keep_slender(const Drawing *drawing, const DxfShape *shape, WallLines *lines) {
+    if (!shape->closed || shape->count != 5 || shape->width > 0)
+        return false;
+    const Vec2 *corners = points_of(drawing, shape);
+    Rectangle box = rectangle_around(corners, 4);
+    double area = fabs(vec2_cross(vec2_sub(corners[2], corners[0]), vec2_sub(corners[3], corners[1]))) / 2;
+    bool is_rectangle = fabs(area - box.size.x * box.size.y) < 1e-6 * area;
+    if (!is_rectangle || box.size.y > THICKEST || box.size.x < SLENDER * box.size.y)
+        return false;
+    Vec2 half = vec2_scale(vec2_heading(radians(box.angle)), box.size.x / 2);
+    wall_chains_keep(lines, (WallLine){vec2_sub(box.centre, half), vec2_add(box.centre, half), box.size.y, 0});
+    return true;
+}
+
 static void add_walls(Drawing *drawing) {
     const DxfShapes *shapes = &drawing->shapes;
     WallLines lines = {0};
     for (size_t s = 0; s < shapes->count; s++) {
         const DxfShape *shape = &shapes->list[s];
         const Vec2 *points = points_of(drawing, shape);
-        for (size_t i = 0; i + 1 < shape->count && shape->role == DXF_WALLS; i++)
+        if (shape->role != DXF_WALLS || keep_slender(drawing, shape, &lines))
+            continue;
+        for (size_t i = 0; i + 1 < shape->count; i++)
             wall_chains_keep(&lines, (WallLine){points[i], points[i + 1], shape->width, 0});
     }
     wall_chains_add(drawing->builder, lines.list, lines.count);

@@ -3,11 +3,13 @@
 #include <errno.h>
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include "base/text.h"
+#include "exchange/code_page.h"
 
 enum {
     LARGEST_FILE = 64 * 1024 * 1024, /* bytes: a plan of a hospital has some 20 MB */
@@ -424,20 +426,33 @@ static bool read_sections(Reader *reader) {
     return any || fail(reader, "no DXF drawing: it has no SECTION", "");
 }
 
+/* Drawings from before 2007 are in the code page that they name: ANSI_932 of Japan, for instance. */
+static void convert(DxfFile *file, size_t *size) {
+    char page[16] = "1252";
+    const char *says = strstr(file->text, "$DWGCODEPAGE");
+    if (code_page_is_utf8(file->text, *size))
+        return;
+    if (says)
+        sscanf(says, "$DWGCODEPAGE 3 ANSI_%15[0-9]", page);
+    char *text = code_page_convert(file->text, size, page);
+    memory_free(file->text);
+    file->text = text;
+}
+
 bool dxf_file_read(DxfFile *file, HouseBuilder *builder) {
     size_t size;
     file->text = text_read_file(builder->path, LARGEST_FILE, &size);
     if (!file->text)
         return house_builder_fail(builder, "cannot be read: %s", strerror(errno));
-    Reader reader = {.file = file, .builder = builder, .at = file->text, .line = 1, .next_line = 1};
+    Reader reader = {.file = file, .builder = builder, .line = 1, .next_line = 1};
     if (strncmp(file->text, "AutoCAD Binary DXF", strlen("AutoCAD Binary DXF")) == 0)
         return fail(&reader, "a binary DXF drawing: save it as a text (ASCII) DXF", "");
     if (strncmp(file->text, "AC10", 4) == 0)
         return fail(&reader, "a DWG drawing: save it as a text (ASCII) DXF", "");
     if (memchr(file->text, 0, size))
         return fail(&reader, "no DXF drawing: there is a byte 0", "");
-    if (strncmp(reader.at, "\xef\xbb\xbf", 3) == 0)
-        reader.at += 3;
+    convert(file, &size);
+    reader.at = file->text + (strncmp(file->text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0);
     find_layer(&reader, "0"); /* what names none is there */
     bool good = read_sections(&reader);
     builder->line = 1;

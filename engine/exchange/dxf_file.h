@@ -40,6 +40,7 @@ typedef struct DxfBlock {
     const char *name;
     Vec2 base;
     size_t first, count; /* of the entities */
+    int role;            /* DxfRole, for dxf_layers.c */
 } DxfBlock;
 
 typedef struct DxfLayer {

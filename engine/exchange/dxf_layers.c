@@ -8,86 +8,28 @@
 static const char *const role_names[DXF_ROLES] = {
     [DXF_WALLS] = "walls", [DXF_DOORS] = "doors", [DXF_FURNITURE] = "furniture", [DXF_EXITS] = "exits"};
 
-enum { NAMES_SHOWN = 8 };
+enum { NAMES_SHOWN = 8, WORDS_MOST = 24 };
 
-/* Parts of names in some languages; the first that is found tells. A window is wall to whoever is inside. */
+/* Parts of names in some languages, the rows in this order; the first that is found tells. A window is wall to whoever
+ * is inside, and an obstacle of any shape stays as it is drawn. */
 static const struct {
-    const char *word;
     DxfRole role;
-} words[] = {
-    {"anno", DXF_NOTHING},
-    {"dim", DXF_NOTHING},
-    {"text", DXF_NOTHING},
-    {"txt", DXF_NOTHING},
-    {"hatch", DXF_NOTHING},
-    {"patt", DXF_NOTHING},
-    {"schraff", DXF_NOTHING},
-    {"bem", DXF_NOTHING},
-    {"defpoints", DXF_NOTHING},
-    {"\u5bf8\u6cd5", DXF_NOTHING},
-    {"\u6587\u5b57", DXF_NOTHING},
-    {"exit", DXF_EXITS},
-    {"ausgang", DXF_EXITS},
-    {"sortie", DXF_EXITS},
-    {"salida", DXF_EXITS},
-    {"\u51fa\u53e3", DXF_EXITS},
-    {"door", DXF_DOORS},
-    {"t\u00fcr", DXF_DOORS},
-    {"tuer", DXF_DOORS},
-    {"porte", DXF_DOORS},
-    {"porta", DXF_DOORS},
-    {"puerta", DXF_DOORS},
-    {"\u30c9\u30a2", DXF_DOORS},
-    {"\u6249", DXF_DOORS},
-    {"\u5efa\u5177", DXF_DOORS},
-    {"furn", DXF_FURNITURE},
-    {"m\u00f6bel", DXF_FURNITURE},
-    {"moebel", DXF_FURNITURE},
-    {"meuble", DXF_FURNITURE},
-    {"mueble", DXF_FURNITURE},
-    {"mobil", DXF_FURNITURE},
-    {"arredo", DXF_FURNITURE},
-    {"equip", DXF_FURNITURE},
-    {"fixt", DXF_FURNITURE},
-    {"sanit", DXF_FURNITURE},
-    {"applian", DXF_FURNITURE},
-    {"casework", DXF_FURNITURE},
-    {"obstacle", DXF_FURNITURE},
-    {"\u5bb6\u5177", DXF_FURNITURE},
-    {"\u8a2d\u5099", DXF_FURNITURE},
-    {"wall", DXF_WALLS},
-    {"wand", DXF_WALLS},
-    {"w\u00e4nd", DXF_WALLS},
-    {"waend", DXF_WALLS},
-    {"mur", DXF_WALLS},
-    {"pared", DXF_WALLS},
-    {"walkable", DXF_WALLS},
-    {"column", DXF_WALLS},
-    {"pillar", DXF_WALLS},
-    {"st\u00fctz", DXF_WALLS},
-    {"window", DXF_WALLS},
-    {"glaz", DXF_WALLS},
-    {"fenster", DXF_WALLS},
-    {"fen\u00eatre", DXF_WALLS},
-    {"fenetre", DXF_WALLS},
-    {"ventana", DXF_WALLS},
-    {"\u58c1", DXF_WALLS},
-    {"\u67f1", DXF_WALLS},
-    {"\u7a93", DXF_WALLS},
-    {"grid", DXF_NOTHING},
-    {"axis", DXF_NOTHING},
-    {"achse", DXF_NOTHING},
-    {"title", DXF_NOTHING},
-    {"frame", DXF_NOTHING},
-    {"border", DXF_NOTHING},
-    {"symb", DXF_NOTHING},
-    {"area", DXF_NOTHING},
-    {"room", DXF_NOTHING},
-    {"raum", DXF_NOTHING},
-    {"ceil", DXF_NOTHING},
-    {"roof", DXF_NOTHING},
-    {"elec", DXF_NOTHING},
-    {"light", DXF_NOTHING},
+    const char *words[WORDS_MOST];
+} names[] = {
+    {DXF_NOTHING,
+     {"anno", "dim", "text", "txt", "hatch", "patt", "schraff", "bem", "defpoints", "\u5bf8\u6cd5", "\u6587\u5b57"}},
+    {DXF_EXITS, {"exit", "ausgang", "sortie", "salida", "\u51fa\u53e3"}},
+    {DXF_DOORS,
+     {"door", "t\u00fcr", "t\u00dcr", "tuer", "porte", "porta", "puerta", "\u30c9\u30a2", "\u6249", "\u5efa\u5177"}},
+    {DXF_FURNITURE,
+     {"furn", "m\u00f6bel", "m\u00d6bel", "moebel", "meuble", "mueble", "mobil", "arredo", "equip", "fixt", "sanit",
+      "applian", "casework", "\u5bb6\u5177", "\u8a2d\u5099"}},
+    {DXF_WALLS, {"wall",         "wand",    "w\u00e4nd", "w\u00c4nd",  "waend",      "mur",    "pared", "walkable",
+                 "obstacle",     "column",  "pillar",    "st\u00fctz", "st\u00dctz", "window", "glaz",  "fenster",
+                 "fen\u00eatre", "fenetre", "ventana",   "finestra",   "\u58c1",     "\u67f1", "\u7a93"}},
+    {DXF_NOTHING,
+     {"grid", "axis", "achse", "title", "frame", "border", "symb", "area", "room", "raum", "ceil", "roof", "elec",
+      "light"}},
 };
 
 /* Without what a drawing within a drawing puts before its layers: "PLAN|WALLS", "PLAN$0$WALLS". */
@@ -98,15 +40,18 @@ static const char *bare_name(const char *name) {
 }
 
 static DxfRole role_by_name(const char *name) {
-    for (size_t w = 0; w < sizeof words / sizeof *words; w++)
-        if (strcasestr(bare_name(name), words[w].word))
-            return words[w].role;
+    for (size_t n = 0; n < sizeof names / sizeof *names; n++)
+        for (size_t w = 0; w < WORDS_MOST && names[n].words[w]; w++)
+            if (strcasestr(bare_name(name), names[n].words[w]))
+                return names[n].role;
     return DXF_UNKNOWN;
 }
 
-DxfRole dxf_layers_of_block(const char *name) {
-    DxfRole role = role_by_name(name);
-    return role == DXF_DOORS || role == DXF_FURNITURE ? role : DXF_UNKNOWN;
+static void name_blocks(DxfFile *file) {
+    for (size_t b = 0; b < file->block_count; b++) {
+        DxfRole role = role_by_name(file->blocks[b].name);
+        file->blocks[b].role = (int)(role == DXF_DOORS || role == DXF_FURNITURE ? role : DXF_UNKNOWN);
+    }
 }
 
 static bool is_called(const char *name, const char *wanted, size_t length) {
@@ -213,6 +158,7 @@ bool dxf_layers_choose(DxfFile *file, HouseBuilder *builder) {
         choose_by_name(file);
     else if (!choose_as_said(file, builder, builder->options->layers))
         return false;
+    name_blocks(file);
     note_choice(file, builder);
     return true;
 }

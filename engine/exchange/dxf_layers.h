@@ -13,9 +13,7 @@ typedef enum DxfRole {
     DXF_ROLES,
 } DxfRole;
 
-/* Gives each layer its role, and notes the choice. Where no layer is called like walls, all are walls that are called
- * like nothing else. False: a fault about the options. */
+/* Gives each layer its role, and notes the choice; a block has one, too, when it is called like a door or furniture.
+ * Where no layer is called like walls, all are walls that are called like nothing else. False: a fault about the
+ * options. */
 bool dxf_layers_choose(DxfFile *file, HouseBuilder *builder);
-
-/* What a block is by its name alone: doors, furniture, or DXF_UNKNOWN. */
-DxfRole dxf_layers_of_block(const char *name);

@@ -5,8 +5,8 @@
 #include <string.h>
 
 enum {
-    DEEPEST = 16,          /* blocks in blocks */
-    MOST_VISITS = 1000000, /* entities, those of a block each time it is put somewhere */
+    DEEPEST = 16,         /* blocks in blocks */
+    MOST_VISITS = 500000, /* entities, those of a block each time it is put somewhere */
     MOST_POINTS = 1000000,
     ARC_MOST = 72 /* straight lines of a circle */
 };
@@ -100,10 +100,10 @@ static bool add_side(Walker *walker, const Affine *affine, const DxfVertex *a, c
 }
 
 static bool add_lines(Walker *walker, const DxfEntity *entity, const Place *place, DxfRole role) {
-    const DxfVertex *vertices = walker->file->vertices + entity->vertex;
-    Affine affine = of_entity(place, entity);
     if (entity->vertex_count < 2)
         return true;
+    const DxfVertex *vertices = walker->file->vertices + entity->vertex;
+    Affine affine = of_entity(place, entity);
     DxfShape *shape = add_shape(walker, entity, place, role);
     shape->width = entity->width * sqrt(fabs(affine.a * affine.d - affine.b * affine.c));
     bool good = add_point(walker, apply(&affine, vertices[0].at));
@@ -143,9 +143,9 @@ static Affine of_insert(const DxfEntity *insert, const DxfBlock *block, int colu
 }
 
 /* A block on a layer of furniture, or called like a piece of it, is one piece. */
-static void begin_instance(Walker *walker, const DxfEntity *insert, DxfRole role, Place *inside) {
+static void begin_instance(Walker *walker, const DxfBlock *block, DxfRole role, Place *inside) {
     DxfShapes *shapes = walker->shapes;
-    DxfRole called = dxf_layers_of_block(insert->block);
+    DxfRole called = (DxfRole)block->role;
     if (inside->role != DXF_UNKNOWN)
         return;
     inside->role = called != DXF_UNKNOWN && role != DXF_NOTHING ? called
@@ -157,7 +157,7 @@ static void begin_instance(Walker *walker, const DxfEntity *insert, DxfRole role
                                        sizeof *shapes->instances);
     inside->instance = shapes->instance_count;
     shapes->instances[shapes->instance_count++] =
-        (DxfInstance){insert->block, vec2_unit(vec2(inside->affine.a, inside->affine.b))};
+        (DxfInstance){block->name, vec2_unit(vec2(inside->affine.a, inside->affine.b))};
 }
 
 static bool insert_block(Walker *walker, const DxfEntity *insert, const Place *place, size_t layer) {
@@ -178,7 +178,7 @@ static bool insert_block(Walker *walker, const DxfEntity *insert, const Place *p
         for (int column = 0; column < (insert->columns > 1 ? insert->columns : 1) && good; column++) {
             Affine own = of_insert(insert, block, column, row);
             Place inside = {compose(&outer, &own), layer, place->role, place->instance, place->depth + 1};
-            begin_instance(walker, insert, role, &inside);
+            begin_instance(walker, block, role, &inside);
             walker->visits++;
             good = visit_all(walker, block->first, block->count, &inside);
         }
@@ -201,7 +201,7 @@ static bool visit(Walker *walker, const DxfEntity *entity, const Place *place) {
     if (entity->kind == DXF_INSERT)
         return insert_block(walker, entity, place, layer);
     if (entity->kind == DXF_OTHER) {
-        import_report_leave(report, 1, "%.30s", entity->type);
+        import_report_leave(report, 1, "%.30s", *entity->type ? entity->type : "entities without a name");
         return true;
     }
     if (role == DXF_UNKNOWN || role == DXF_NOTHING) {

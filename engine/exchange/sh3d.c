@@ -122,14 +122,22 @@ static size_t add_walls(const Converter *converter) {
 
 /* Doors ----------------------------------------------------------------------------------------------------------- */
 
-static bool is_named(const HomePiece *piece, const char *word) {
-    return strcasestr(piece->catalog, word) || strcasestr(piece->name, word);
+enum { WORDS = 6 };
+
+/* Is the piece called so, by the catalogue or by its owner? */
+static bool is_called(const HomePiece *piece, const char *const words[WORDS]) {
+    for (size_t w = 0; w < WORDS && words[w]; w++)
+        if (strcasestr(piece->catalog, words[w]) || strcasestr(piece->name, words[w]))
+            return true;
+    return false;
 }
 
 /* A French window is a door in all but name. */
 static bool is_window(const Converter *converter, const HomePiece *piece) {
-    bool called = is_named(piece, "window") && !is_named(piece, "french") && !is_named(piece, "door");
-    return called || piece->elevation * converter->unit > SILL || piece->height * converter->unit < DOOR_LOWEST;
+    static const char *const windows[WORDS] = {"window", "fenster", "fen\u00eatre", "ventana", "finestra", "\u7a93"};
+    static const char *const doors[WORDS] = {"french", "door", "t\u00fcr", "porte", "puerta", "porta"};
+    return piece->elevation * converter->unit > SILL || piece->height * converter->unit < DOOR_LOWEST ||
+           (is_called(piece, windows) && !is_called(piece, doors));
 }
 
 /* A point of a piece, given in shares of its width and depth from its left back corner, and moved by `reach` of its

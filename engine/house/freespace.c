@@ -358,20 +358,22 @@ double freespace_exact(const FreeSpace *space, Vec2 at, double reach, int *face)
     return best;
 }
 
-static double distance_to_rectangle(Vec2 p, double half_length, double half_width) {
+static double square_to_rectangle(Vec2 p, double half_length, double half_width) {
     double x = greatest(fabs(p.x) - half_length, 0), y = greatest(fabs(p.y) - half_width, 0);
-    return sqrt(x * x + y * y);
+    return x * x + y * y;
 }
 
-/* The distance of a rectangle about the origin from a segment that does not meet it. */
+/* The distance of a rectangle about the origin from a segment that does not meet it: the root of the least square,
+ * which is the least root, to the bit. */
 static double rectangle_distance(Vec2 p, Vec2 q, double half_length, double half_width) {
     double best =
-        least(distance_to_rectangle(p, half_length, half_width), distance_to_rectangle(q, half_length, half_width));
+        least(square_to_rectangle(p, half_length, half_width), square_to_rectangle(q, half_length, half_width));
     for (int corner = 0; corner < 4; corner++) {
         Vec2 at = {corner & 1 ? half_length : -half_length, corner & 2 ? half_width : -half_width};
-        best = least(best, distance_to_segment(at, p, q));
+        Vec2 from = vec2_sub(at, vec2_nearest_on_segment(at, p, q));
+        best = least(best, vec2_dot(from, from));
     }
-    return best;
+    return sqrt(best);
 }
 
 /* The loop behind freespace_clearance and freespace_growth, which differ in how they measure. */

@@ -79,15 +79,14 @@ typedef struct Planning {
     const volatile sig_atomic_t *stop;
     Journeys *journeys;
     bool again;             /* people are on the way already */
-    bool terse;             /* where they stick is not asked */
     size_t first_itinerary; /* without fields */
 } Planning;
 
 /* m: by how much a chair that is on the way may press on something. */
 static const double PRESSED = 0.02;
 
-static double since_of(const Planning *planning, size_t person) {
-    return last_closing(planning->house, fmax(planning->house->people[person].delay, planning->time));
+static double since_of(const Planning *planning, const Whereabouts *place) {
+    return last_closing(planning->house, fmax(place->start, planning->time));
 }
 
 static void make_fields(void *context, size_t index) {
@@ -107,7 +106,7 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
     const House *house = planning->house;
     const Inhabitant *person = &house->people[place->person];
     const PlanRoute *route = person->route;
-    double since = since_of(planning, place->person);
+    double since = since_of(planning, place);
     return (RouteQuery){.plan = &house->plan,
                         .space = &house->space,
                         .profile = person->profile,
@@ -120,15 +119,15 @@ static RouteQuery ask(const Planning *planning, const Whereabouts *place) {
                         .open_first = planning->again,
                         .pressed = planning->again ? PRESSED : 0,
                         .most_reversals = house->plan.run.reversals,
+                        .brief = planning->journeys->brief,
                         .fields = planning->journeys->fields,
-                        .terse = planning->terse,
                         .stop = planning->stop};
 }
 
 static void plan_walk(const Planning *planning, const Whereabouts *place, Journey *journey) {
     const Inhabitant *person = &planning->house->people[place->person];
     const Itinerary *itinerary = find_itinerary(planning->journeys, person->profile, person->route,
-                                                since_of(planning, place->person), place->via, planning->again);
+                                                since_of(planning, place), place->via, planning->again);
     journey->legs = itinerary->legs;
     journey->leg_count = itinerary->leg_count;
     journey->route.exit = itinerary->fields[itinerary->leg_count - 1].goal.exit;
@@ -217,45 +216,37 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
     for (size_t k = 0; k < count; k++) {
         const Whereabouts *place = &planning->places[k];
         const Inhabitant *person = &house->people[place->person];
-        double since = since_of(planning, place->person);
+        double since = since_of(planning, place);
         if (person->profile->driving == DRIVING_WALKER &&
             !find_itinerary(journeys, person->profile, person->route, since, place->via, planning->again))
             add_itinerary(journeys, house, person->profile, person->route, since, place->via, planning->again);
     }
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
-    if (!parallel_stopped(planning->stop) && !planning->terse)
+    if (!parallel_stopped(planning->stop))
         explain_walkers(planning, count);
 }
 
-static Journeys plan_from_start(const House *house, const bool *part, bool terse, int jobs,
+static Journeys plan_nothing(const House *house, bool brief) {
+    return (Journeys){.of = memory_allocate(house->person_count, sizeof(Journey)),
+                      .count = house->person_count,
+                      .brief = brief,
+                      .fields = fields_create()};
+}
+
+static Journeys plan_from_start(const House *house, const bool *part, bool brief, int jobs,
                                 const volatile sig_atomic_t *stop) {
-    Journeys journeys = {.of = memory_allocate(house->person_count, sizeof *journeys.of),
-                         .count = house->person_count,
-                         .fields = fields_create()};
+    Journeys journeys = plan_nothing(house, brief);
     Whereabouts *places = memory_allocate(house->person_count, sizeof *places);
     size_t count = 0;
     for (size_t i = 0; i < house->person_count; i++)
         if (!part || part[i])
             places[count++] =
-                (Whereabouts){.person = i, .at = house->people[i].at, .heading = house->people[i].heading};
-    Planning planning = {.house = house, .places = places, .stop = stop, .journeys = &journeys, .terse = terse};
+                (Whereabouts){i, house->people[i].at, house->people[i].heading, 0, house->people[i].delay};
+    Planning planning = {.house = house, .places = places, .stop = stop, .journeys = &journeys};
     plan_all(&planning, count, jobs);
     memory_free(places);
     return journeys;
-}
-
-Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
-    return plan_from_start(house, part, false, jobs, stop);
-}
-
-bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop) {
-    Journeys journeys = plan_from_start(house, part, true, 1, stop);
-    bool all = true;
-    for (size_t i = 0; i < house->person_count; i++)
-        all &= (part && !part[i]) || journeys.of[i].route.answer == ROUTE_FOUND;
-    journey_free_all(&journeys);
-    return all;
 }
 
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,
@@ -263,6 +254,30 @@ void journey_plan_again(Journeys *journeys, const House *house, const Whereabout
     Planning planning = {
         .house = house, .places = places, .time = time, .stop = stop, .journeys = journeys, .again = true};
     plan_all(&planning, count, jobs);
+}
+
+Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+    return plan_from_start(house, part, false, jobs, stop);
+}
+
+Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
+    return plan_from_start(house, part, true, jobs, stop);
+}
+
+bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop) {
+    Journeys journeys = journey_plan_briefly(house, part, 1, stop);
+    bool all = true;
+    for (size_t i = 0; i < house->person_count; i++)
+        all &= (part && !part[i]) || journeys.of[i].route.answer == ROUTE_FOUND;
+    journey_free_all(&journeys);
+    return all;
+}
+
+Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, bool brief,
+                           int jobs, const volatile sig_atomic_t *stop) {
+    Journeys journeys = plan_nothing(house, brief);
+    journey_plan_again(&journeys, house, places, count, time, jobs, stop);
+    return journeys;
 }
 
 void journey_free_all(Journeys *journeys) {

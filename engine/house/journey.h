@@ -39,15 +39,8 @@ typedef struct Journeys {
     Itinerary **itineraries; /* (itinerary_count) */
     size_t itinerary_count, itinerary_capacity;
     Fields *fields; /* that the chairs' searches share */
+    bool brief;     /* all that are planned: as in a RouteQuery */
 } Journeys;
-
-/* Plans everybody's journey, on up to `jobs` threads, until `stop` (may be NULL) is set; person i takes part when
- * `part` is NULL or part[i]. journey_free_all releases it. */
-Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
-void journey_free_all(Journeys *journeys);
-
-/* Has everybody of them a way out? Where they stick is not looked for, which takes far longer. */
-bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop);
 
 /* Where somebody is who plans anew. */
 typedef struct Whereabouts {
@@ -55,7 +48,21 @@ typedef struct Whereabouts {
     Vec2 at;        /* m, the reference point */
     double heading; /* rad */
     size_t via;     /* of the route's points, the next one */
+    double start;   /* s, when the delay is over */
 } Whereabouts;
+
+/* Plans everybody's journey, on up to `jobs` threads, until `stop` (may be NULL) is set; person i takes part when
+ * `part` is NULL or part[i]. journey_free_all releases it. */
+Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
+Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
+void journey_free_all(Journeys *journeys);
+
+/* Has everybody of them a way out? */
+bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop);
+
+/* The same for `count` people in the middle of a run, at `time`; nobody else has a journey. */
+Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, bool brief,
+                           int jobs, const volatile sig_atomic_t *stop);
 
 /* Plans again from `time` on for `count` people who are on the way: to the exit of their route while that is usable,
  * otherwise to the quickest. What they had before is released. */

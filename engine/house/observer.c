@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "house/passage.h"
@@ -85,6 +86,41 @@ static void lay_floor(Observer *observer) {
     floor->stretch = memory_allocate((size_t)floor->nx * (size_t)floor->ny, sizeof *floor->stretch);
 }
 
+/* Ready for whoever is in the world: a floor for walkers, a list of chairs. */
+static void see_who_is_there(Observer *observer) {
+    const World *world = observer->world;
+    observer->rider_count = 0;
+    for (size_t i = 0; i < world->count; i++) {
+        if (!is_watched(world, i))
+            continue;
+        if (!world_rides(world, i) && !observer->floor.stretch)
+            lay_floor(observer);
+        if (world_rides(world, i))
+            observer->riders[observer->rider_count++] = i;
+    }
+}
+
+/* The exit that is aimed at. */
+static size_t exit_of(const Route *route) {
+    return route->answer == ROUTE_NO_EXIT ? SIZE_MAX : route->exit;
+}
+
+static void begin_person(Observer *observer, size_t i) {
+    const World *world = observer->world;
+    const Route *route = &world->journeys[i].route;
+    double now = clock_time(&world->clock);
+    observer->watched[i] =
+        (Watched){.at = world_reference(world, i), .untouched = HUGE_VAL, .time = now, .extremes = no_extremes};
+    observer->people[i] = (PersonObservation){.took_part = true,
+                                              .exit = exit_of(route),
+                                              .reversals = route->reversals,
+                                              .narrowest = world->body[i].sight,
+                                              .narrowest_other = -1,
+                                              .narrowest_at = observer->watched[i].at,
+                                              .narrowest_heading = world->heading[i]};
+    add_row(observer, i, 0);
+}
+
 void observer_init(Observer *observer, const World *world, PersonObservation *people) {
     *observer = (Observer){.world = world,
                            .people = people,
@@ -96,25 +132,10 @@ void observer_init(Observer *observer, const World *world, PersonObservation *pe
     trace_init(&observer->trace, observation_columns, TRACE_COLUMNS);
     for (size_t d = 0; d < world->house->plan.door_count; d++)
         observer->door_opened[d] = HUGE_VAL;
-    for (size_t i = 0; i < world->count; i++) {
-        if (!is_watched(world, i))
-            continue;
-        const Route *route = &world->journeys[i].route;
-        if (!world_rides(world, i) && !observer->floor.stretch)
-            lay_floor(observer);
-        if (world_rides(world, i))
-            observer->riders[observer->rider_count++] = i;
-        observer->watched[i] =
-            (Watched){.at = world_reference(world, i), .untouched = HUGE_VAL, .extremes = no_extremes};
-        people[i] = (PersonObservation){.took_part = true,
-                                        .exit = route->answer == ROUTE_NO_EXIT ? SIZE_MAX : route->exit,
-                                        .reversals = route->reversals,
-                                        .narrowest = world->body[i].sight,
-                                        .narrowest_other = -1,
-                                        .narrowest_at = observer->watched[i].at,
-                                        .narrowest_heading = world->heading[i]};
-        add_row(observer, i, 0);
-    }
+    see_who_is_there(observer);
+    for (size_t i = 0; i < world->count; i++)
+        if (is_watched(world, i))
+            begin_person(observer, i);
 }
 
 void observer_clear(Observer *observer) {
@@ -258,6 +279,94 @@ void observer_watch(Observer *observer) {
         watch_if_going(observer, observer->riders[r]);
 }
 
+/* A change of the plan --------------------------------------------------------------------------------------------- */
+
+static void catch_up(Observer *observer, size_t i) {
+    if (observer->watched[i].time < clock_time(&observer->world->clock))
+        watch_if_going(observer, i);
+}
+
+void observer_catch_up(Observer *observer) {
+    for (size_t i = 0; i < observer->world->count; i++)
+        catch_up(observer, i);
+}
+
+/* The rows of those who are still there, of whom they are now. */
+static void rename_rows(Trace *trace, const Change *change) {
+    size_t kept = 0;
+    for (size_t r = 0; r < trace->rows; r++) {
+        double *row = trace->values + r * trace->width, *place = trace->values + kept * trace->width;
+        size_t person = change->person_after[(size_t)row[TRACE_PERSON]];
+        if (person == SIZE_MAX)
+            continue;
+        memmove(place, row, trace->width * sizeof *row);
+        place[TRACE_PERSON] = (double)person;
+        kept++;
+    }
+    trace->rows = kept;
+}
+
+/* The other whom something was near to; who is gone is nobody, as an obstacle is. */
+static int other_after(const Change *change, int other) {
+    size_t person = other < 0 ? SIZE_MAX : change->person_after[other];
+    return person == SIZE_MAX ? -1 : (int)person;
+}
+
+static PersonObservation renamed_person(const Change *change, PersonObservation person) {
+    person.narrowest_other = other_after(change, person.narrowest_other);
+    person.exit = person.exit == SIZE_MAX ? SIZE_MAX : change->exit_after[person.exit];
+    return person;
+}
+
+void observer_rename(Observer *observer, const Change *change, PersonObservation *people) {
+    size_t count = change->to->person_count, doors = change->to->plan.door_count;
+    Watched *watched = memory_allocate(count, sizeof *watched);
+    double *door_opened = memory_allocate(doors, sizeof *door_opened);
+    for (size_t i = 0; i < count; i++) {
+        size_t before = change->person_before[i];
+        if (before == SIZE_MAX || !observer->people[before].took_part)
+            continue;
+        watched[i] = observer->watched[before];
+        people[i] = renamed_person(change, observer->people[before]);
+    }
+    for (size_t d = 0; d < doors; d++)
+        door_opened[d] = change->door_before[d] == SIZE_MAX ? HUGE_VAL : observer->door_opened[change->door_before[d]];
+    for (size_t s = 0; s < observer->stretch_count; s++)
+        observer->stretches[s].other = other_after(change, observer->stretches[s].other);
+    rename_rows(&observer->trace, change);
+    memory_free(observer->watched);
+    memory_free(observer->door_opened);
+    memory_free(observer->riders);
+    memory_free(observer->floor.stretch);
+    observer->watched = watched;
+    observer->people = people;
+    observer->door_opened = door_opened;
+    observer->riders = memory_allocate(count, sizeof *observer->riders);
+    observer->rider_count = 0;
+    observer->floor = (Floor){0}; /* squares of the new house are put together with those of the old by their places */
+}
+
+void observer_resume(Observer *observer) {
+    const World *world = observer->world;
+    see_who_is_there(observer);
+    for (size_t i = 0; i < world->count; i++) {
+        if (!is_watched(world, i))
+            continue;
+        if (!observer->people[i].took_part) {
+            begin_person(observer, i);
+        } else if (world->phase[i] != PHASE_OUT) {
+            const Route *route = &world->journeys[i].route;
+            observer->people[i].exit = exit_of(route);
+            observer->people[i].reversals = route->reversals;
+            observer->watched[i].offset = world->drive[i].offset;
+            observer->watched[i].at = world_reference(world, i);
+            observer->watched[i].leapt = true;
+        }
+    }
+}
+
+/* The end --------------------------------------------------------------------------------------------------------- */
+
 /* Where a person who no longer gets on is held: by whom or what, and how wide it is there. */
 static void fill_blockage(const World *world, size_t i, Blockage *blockage) {
     const House *house = world->house;
@@ -286,8 +395,7 @@ void observer_end(Observer *observer, Reason reason) {
     for (size_t i = 0; i < world->count; i++) {
         if (!is_watched(world, i))
             continue;
-        if (observer->watched[i].time < clock_time(&world->clock))
-            watch_if_going(observer, i);
+        catch_up(observer, i);
         if (reason == REASON_INTERRUPTED)
             add_last_row(observer, i);
         PersonObservation *person = &observer->people[i];

@@ -1,6 +1,7 @@
 /* Watches a world, step by step, and keeps what an observation needs. */
 #pragma once
 
+#include "house/change.h"
 #include "house/hazard.h"
 #include "house/observation.h"
 #include "house/world.h"
@@ -61,6 +62,16 @@ void observer_clear(Observer *observer);
 /* After every world_step. Chairs are watched at every step, walkers when world->sensed: what is the greatest of theirs
  * (forces, ring) is the greatest of those moments. */
 void observer_watch(Observer *observer);
+
+/* The plan changes: before the world goes over into the new house, what was seen of everybody is brought up to now. */
+void observer_catch_up(Observer *observer);
+
+/* Tells what has been seen so far, rows of the trace included, in terms of the changed house, of which `people` (its
+ * person_count, zeroed) are, and forgets who is gone. */
+void observer_rename(Observer *observer, const Change *change, PersonObservation *people);
+
+/* The world has gone over: new people are there and ways have changed. */
+void observer_resume(Observer *observer);
 
 /* After the last step: those still on the way end with `reason`. */
 void observer_end(Observer *observer, Reason reason);

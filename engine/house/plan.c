@@ -385,6 +385,14 @@ size_t plan_find_route(const Plan *plan, const char *id) {
     return plan_tables_find(plan, &plan_tables_lists[LIST_ROUTES], id);
 }
 
+size_t plan_find_door(const Plan *plan, const char *id) {
+    return plan_tables_find(plan, &plan_tables_lists[LIST_DOORS], id);
+}
+
+size_t plan_find_exit(const Plan *plan, const char *id) {
+    return plan_tables_find(plan, &plan_tables_lists[LIST_EXITS], id);
+}
+
 const PlanRoute *plan_route_of(const Plan *plan, const char *id) {
     size_t person = plan_find_person(plan, id), route = SIZE_MAX;
     size_t crowd = plan_tables_find(plan, &plan_tables_lists[LIST_CROWDS], id);

@@ -199,6 +199,8 @@ void plan_furniture_corners(const Furniture *piece, Vec2 corners[4]);
 /* The place of an id among the people, or SIZE_MAX; and so on. */
 size_t plan_find_person(const Plan *plan, const char *id);
 size_t plan_find_route(const Plan *plan, const char *id);
+size_t plan_find_door(const Plan *plan, const char *id);
+size_t plan_find_exit(const Plan *plan, const char *id);
 
 /* The route that lists the person or crowd, or NULL. */
 const PlanRoute *plan_route_of(const Plan *plan, const char *id);

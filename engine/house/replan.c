@@ -30,8 +30,8 @@ static bool has_lost_exit(const World *world, size_t i) {
     return false;
 }
 
-/* The next of the route's points: of a chair the one behind the last pose that came near to a point. */
-static size_t next_point(const World *world, size_t i) {
+/* Of a chair it is the one behind the last pose that came near to a point. */
+size_t replan_next_point(const World *world, size_t i) {
     const PlanRoute *route = world->house->people[i].route;
     const Journey *journey = &world->journeys[i];
     size_t count = route ? route->via.count : 0, next = journey->via;
@@ -44,8 +44,7 @@ static size_t next_point(const World *world, size_t i) {
     return next;
 }
 
-/* Person i starts on the new journey. Where there is none it stays; a chair that was pushed off its way asks again. */
-static void set_out(World *world, size_t i, bool strayed) {
+void replan_set_out(World *world, size_t i, bool strayed) {
     RouteAnswer answer = world->journeys[i].route.answer;
     world->drive[i] =
         (Drive){.best_turn = HUGE_VAL, .retreat_to = -1, .heeded = HUGE_VAL, .plans = world->drive[i].plans + strayed};
@@ -84,12 +83,13 @@ static void plan_again(World *world, Journeys *journeys, bool strays, int jobs, 
     for (size_t p = 0; p < world->present_count; p++) {
         size_t i = world->present[p];
         if (strays ? has_strayed(world, i) : has_lost_exit(world, i))
-            places[count++] = (Whereabouts){i, world_reference(world, i), world->heading[i], next_point(world, i)};
+            places[count++] = (Whereabouts){i, world_reference(world, i), world->heading[i],
+                                            replan_next_point(world, i), world->start[i]};
     }
     if (count)
         journey_plan_again(journeys, world->house, places, count, clock_time(&world->clock), jobs, stop);
     for (size_t k = 0; k < count && !parallel_stopped(stop); k++)
-        set_out(world, places[k].person, strays);
+        replan_set_out(world, places[k].person, strays);
     memory_free(places);
 }
 

@@ -16,6 +16,13 @@ double replan_next(const World *world, double time);
 /* Plans anew for chairs that no longer get on and stand more than a body's width off their way. */
 void replan_strays(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop);
 
+/* Of the route's points the next one of person i. */
+size_t replan_next_point(const World *world, size_t i);
+
+/* Person i starts on the new journey. Where there is none it stays; a chair that has strayed, pushed off its way, asks
+ * again. */
+void replan_set_out(World *world, size_t i, bool strayed);
+
 /* Plans anew for everybody who is on the way, or has not started, to an exit that has closed by now. `journeys` are the
  * world's. */
 void replan_journeys(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop);

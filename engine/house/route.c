@@ -44,6 +44,9 @@ enum { ROOMIER_NODES = 50000 };
 /* Bodies that are smaller by so much on every side, m, tell where the true one sticks. */
 static const double shrinkings[] = {0.0075, 0.015, 0.025, 0.035, 0.05, 0.08, 0.12};
 
+/* m: the lattice's margin is never so far below the true one. */
+#define FIT_SURELY 0.02
+
 #define EASED_STEP 0.002    /* m */
 enum { MOST_EASINGS = 12 }; /* moves off one thing after another */
 
@@ -245,11 +248,13 @@ static Rectangle shrunk(const Rectangle *body, double by) {
 
 /* It fits, but cannot be driven: where a somewhat smaller body gets through, the true one sticks. */
 static void explain_not_drivable(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
-                                 const FitPlace *tightest) {
+                                 double margin, const FitPlace *tightest) {
     size_t *pins = memory_allocate(legs->count, sizeof *pins);
     SearchTrack track = {0};
     bool found = false;
     for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings && !found && !parallel_stopped(query->stop); i++) {
+        if (shrinkings[i] + margin < -FIT_SURELY)
+            continue; /* what cannot be carried through cannot be driven through */
         Rectangle smaller = shrunk(body, shrinkings[i]);
         found = search_legs(query, legs, &smaller, &grains[2], &track, pins) == SEARCH_FOUND;
     }
@@ -286,9 +291,9 @@ static void try_roomier(Route *route, const RouteQuery *query, const Legs *legs,
 /* What would fit is not yet what can be driven: where a smaller body that can be driven through sticks at the same
  * thing, it says how much wider that has to be. */
 static void ask_for_driving(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
-                            const FitPlace *tightest) {
+                            double margin, const FitPlace *tightest) {
     Blockage fit = route->blockage;
-    explain_not_drivable(route, query, legs, body, tightest);
+    explain_not_drivable(route, query, legs, body, margin, tightest);
     double more = route->blockage.needs - route->blockage.has;
     bool same = strcmp(route->blockage.what, fit.what) == 0 && vec2_distance(route->blockage.at, fit.at) < SAME_PLACE;
     if (same && fit.has > 0 && more > fit.needs - fit.has)
@@ -300,10 +305,12 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
     size_t *pins = memory_allocate(legs->count, sizeof *pins);
     SearchTrack track = {0};
     FitPlace tightest;
+    double margin = 0; /* m */
     SearchAnswer answer = search_legs(query, legs, body, &grains[0], &track, pins);
     bool quick = answer == SEARCH_FOUND;
     if (!quick && !parallel_stopped(query->stop)) {
-        route->fits = fit_margin(query, body, legs->goals, legs->count, &tightest) + FIT_BIAS >= 0;
+        margin = fit_margin(query, body, legs->goals, legs->count, &tightest);
+        route->fits = margin + FIT_BIAS >= 0;
         for (int grain = 1; grain < GRAINS && route->fits && answer != SEARCH_FOUND; grain++) {
             /* The finest can only end where the last one came to an end. */
             if (grain == GRAINS - 1 && answer == SEARCH_GAVE_UP)
@@ -313,17 +320,20 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
     }
     if (answer == SEARCH_FOUND) {
         answer_drive(route, query, body, &track, pins, legs->count);
-        if (quick && !query->terse)
+        if (quick)
             try_roomier(route, query, legs, body);
     } else {
         search_track_clear(&track);
         if (parallel_stopped(query->stop))
             route->fits = false; /* it was not looked for to the end */
-        else if (route->fits && !query->terse)
-            explain_not_drivable(route, query, legs, body, &tightest);
-        else if (!query->terse) {
+        else if (route->fits && query->brief)
             blockage_of_fit(&route->blockage, query, body, &tightest);
-            ask_for_driving(route, query, legs, body, &tightest);
+        else if (route->fits)
+            explain_not_drivable(route, query, legs, body, margin, &tightest);
+        else {
+            blockage_of_fit(&route->blockage, query, body, &tightest);
+            if (!query->brief)
+                ask_for_driving(route, query, legs, body, margin, &tightest);
         }
     }
     memory_free(pins);
@@ -359,8 +369,6 @@ static void search_round(Route *route, const RouteQuery *query, const Legs *legs
         return;
     }
     search_track_clear(&track);
-    if (query->terse)
-        return;
     FitPlace tightest;
     Rectangle square = {radius, radius, 0}; /* in a gap between walls or jambs it is as wide as the disc */
     fit_margin(query, &square, legs->goals, legs->count, &tightest);

@@ -77,9 +77,10 @@ typedef struct RouteQuery {
     double pressed;  /* m, > 0 in the middle of a run: by how much the body may press on something. The route of a
                         chair then begins ROUTE_EASED off what it is close to, where there is room, without a turn */
     int most_reversals;
+    bool brief; /* where a chair cannot pass, the blockage is that of carrying it: what driving needs beyond that, which
+                   takes long to find out, is not asked */
     const volatile sig_atomic_t *stop; /* set: give up, whatever the answer; NULL: never */
     Fields *fields;                    /* shared with other queries; NULL: none, the answer is the same */
-    bool terse;                        /* only whether there is a way: no blockage, and the first path that is found */
 } RouteQuery;
 
 /* "needs at least 0.80 m, has 0.75 m", what is needed rounded up and what is there down to a centimetre; "" where it is

@@ -16,19 +16,141 @@ static const double LOOK_UP = 0.2;
 
 enum { TEAM_WORTH = 300 /* people: with fewer a step is over before a second thread has begun */ };
 
+/* Who of which house, the first or one that it is changed into, belongs together: changes do not tear people apart who
+ * are in one world already. */
+typedef struct Roster {
+    const House **houses; /* (house_count) as they follow one another */
+    size_t **groups;      /* (house_count x people of each) SIZE_MAX: takes no part */
+    size_t house_count;
+    const char **routes; /* (route_count) ids: route r's people are group r, those without one group `without` */
+    size_t route_count, without;
+    bool alone;        /* otherwise all are one group, 0 */
+    const char *asked; /* only the people of this route take part; NULL: everybody */
+} Roster;
+
 /* People who have the house to themselves, and what was seen of them. */
 typedef struct Group {
-    const House *house;
+    const Roster *roster;
     const RunOptions *options;
+    const House *house;        /* the present one, */
+    size_t changes;            /* after so many changes */
     int jobs;                  /* threads of its own */
+    size_t key;                /* in the roster */
     size_t index, count;       /* of all groups */
-    bool *part;                /* (person_count) */
-    PersonObservation *people; /* of all groups: each writes its own */
+    bool *part;                /* (person_count of the present house) */
+    PersonObservation *people; /* (as many) */
     Observer observer;
     size_t told; /* rows of the trace */
     uint64_t digest, steps;
     int wall_crossings;
+    double *changed; /* (change_count) s, when */
 } Group;
+
+/* Who is together with whom ----------------------------------------------------------------------------------------*/
+
+static size_t group_of_route(Roster *roster, const char *id) {
+    for (size_t r = 0; r < roster->route_count; r++)
+        if (strcmp(roster->routes[r], id) == 0)
+            return r < roster->without ? r : r + 1;
+    roster->routes[roster->route_count++] = id;
+    return roster->route_count; /* behind those of the first house, and who has no route */
+}
+
+static bool is_asked(const Roster *roster, const Inhabitant *person) {
+    return !roster->asked || (person->route && strcmp(person->route->id, roster->asked) == 0);
+}
+
+/* Somebody on foot who lies under a piece of furniture is in nobody's way. */
+static bool lies_under(const Inhabitant *person) {
+    return person->under && person->profile->driving == DRIVING_WALKER;
+}
+
+/* Of somebody who comes into the house. */
+static size_t group_of_newcomer(Roster *roster, const Inhabitant *person) {
+    const char *route = person->route ? person->route->id : NULL;
+    if (!is_asked(roster, person) || lies_under(person))
+        return SIZE_MAX;
+    if (!roster->alone)
+        return 0;
+    return route ? group_of_route(roster, route) : roster->without;
+}
+
+static void add_house(Roster *roster, const House *house) {
+    size_t h = roster->house_count++;
+    roster->houses[h] = house;
+    roster->groups[h] = memory_allocate(house->person_count, sizeof *roster->groups[h]);
+    for (size_t i = 0; i < house->person_count; i++) {
+        size_t before = h ? house_find_person(roster->houses[h - 1], house->people[i].id) : SIZE_MAX;
+        roster->groups[h][i] =
+            before == SIZE_MAX ? group_of_newcomer(roster, &house->people[i]) : roster->groups[h - 1][before];
+    }
+}
+
+static void roster_init(Roster *roster, const House *house, const RunOptions *options) {
+    size_t houses = options->change_count + 1, routes = house->plan.route_count;
+    *roster = (Roster){.without = routes, .alone = house->plan.run.routes == ROUTES_ALONE};
+    if (options->route != SIZE_MAX)
+        roster->asked = house->plan.routes[options->route].id;
+    for (size_t c = 0; c < options->change_count; c++)
+        routes += options->changes[c].house->plan.route_count;
+    roster->routes = memory_allocate(routes, sizeof *roster->routes);
+    roster->houses = memory_allocate(houses, sizeof *roster->houses);
+    roster->groups = memory_allocate(houses, sizeof *roster->groups);
+    for (size_t r = 0; r < house->plan.route_count; r++)
+        roster->routes[roster->route_count++] = house->plan.routes[r].id;
+    add_house(roster, house);
+    for (size_t c = 0; c < options->change_count; c++)
+        add_house(roster, options->changes[c].house);
+}
+
+static void roster_clear(Roster *roster) {
+    for (size_t h = 0; h < roster->house_count; h++)
+        memory_free(roster->groups[h]);
+    memory_free(roster->groups);
+    memory_free(roster->houses);
+    memory_free(roster->routes);
+}
+
+/* Those of the group in a house (person_count). New. */
+static bool *part_of(const Roster *roster, size_t house, size_t key) {
+    size_t count = roster->houses[house]->person_count;
+    bool *part = memory_allocate(count, sizeof *part);
+    for (size_t i = 0; i < count; i++)
+        part[i] = roster->groups[house][i] == key;
+    return part;
+}
+
+static bool has_anybody(const Roster *roster, size_t key) {
+    for (size_t h = 0; h < roster->house_count; h++)
+        for (size_t i = 0; i < roster->houses[h]->person_count; i++)
+            if (roster->groups[h][i] == key)
+                return true;
+    return false;
+}
+
+/* Everybody, or route by route and then those without one, and those of later houses' new routes. Returns how many. */
+static size_t make_groups(Group *groups, const Roster *roster, const RunOptions *options) {
+    size_t count = 0;
+    for (size_t key = 0; key <= roster->route_count; key++)
+        if (has_anybody(roster, key))
+            groups[count++].key = key;
+    for (size_t g = 0; g < count; g++) {
+        Group *group = &groups[g];
+        *group = (Group){.roster = roster,
+                         .options = options,
+                         .house = roster->houses[0],
+                         .jobs = count > 1 ? 1 : options->jobs,
+                         .key = group->key,
+                         .index = g,
+                         .count = count,
+                         .part = part_of(roster, 0, group->key),
+                         .people = memory_allocate(roster->houses[0]->person_count, sizeof *group->people),
+                         .changed = memory_allocate(options->change_count, sizeof *group->changed)};
+    }
+    return count;
+}
+
+/* A group's run ----------------------------------------------------------------------------------------------------*/
 
 /* When nobody moves any more, chairs that were pushed off their way look round once more. */
 static bool goes_on(World *world, Journeys *journeys, const Group *group) {
@@ -45,7 +167,7 @@ static void tell_piece(Group *group, const World *world, bool over) {
                       .group_count = group->count,
                       .house = group->house,
                       .part = group->part,
-                      .time = (double)(step - step % observer->sample_steps) * group->house->plan.run.dt,
+                      .time = (double)(step - step % observer->sample_steps) * world->clock.dt,
                       .over = over,
                       .row_count = observer->trace.rows - group->told,
                       .people = group->people,
@@ -63,14 +185,48 @@ static void look_up(Group *group, const World *world) {
         tell_piece(group, world, false);
 }
 
+static bool is_changing(const Group *group) {
+    return group->changes < group->options->change_count;
+}
+
+/* From the present house to the next, of what was seen. */
+static void rename_group(Group *group, const Change *change) {
+    PersonObservation *people = memory_allocate(change->to->person_count, sizeof *people);
+    observer_rename(&group->observer, change, people);
+    memory_free(group->people);
+    memory_free(group->part);
+    group->people = people;
+    group->changes++;
+    group->house = change->to;
+    group->part = part_of(group->roster, group->changes, group->key);
+    group->told = group->observer.trace.rows;
+}
+
+static void apply_change(Group *group, World *world, Journeys *journeys) {
+    Change change;
+    change_init(&change, group->house, group->options->changes[group->changes].house);
+    observer_catch_up(&group->observer);
+    if (group->options->record)
+        tell_piece(group, world, false);
+    group->changed[group->changes] = clock_time(&world->clock);
+    rename_group(group, &change);
+    change_world(world, journeys, &change, group->part, group->jobs, group->options->stop);
+    observer_resume(&group->observer);
+    change_clear(&change);
+}
+
 static Reason run_world(World *world, Journeys *journeys, Observer *observer, Group *group) {
     const RunOptions *options = group->options;
-    double until = world->house->plan.run.until, next_look = 0, next_closing = replan_next(world, 0);
-    double next_stray = REPLAN_PERIOD;
-    while (goes_on(world, journeys, group)) {
+    double next_look = 0, next_closing = replan_next(world, 0), next_stray = REPLAN_PERIOD;
+    while (goes_on(world, journeys, group) || is_changing(group)) {
         double time = clock_time(&world->clock);
-        if (time >= until)
+        if (time >= world->house->plan.run.until)
             return REASON_TIME_LIMIT;
+        if (is_changing(group) && time >= options->changes[group->changes].time) {
+            apply_change(group, world, journeys);
+            next_closing = replan_next(world, time);
+            continue;
+        }
         if (time >= next_closing) {
             replan_journeys(world, journeys, group->jobs, options->stop);
             next_closing = replan_next(world, time);
@@ -96,7 +252,8 @@ static Reason run_world(World *world, Journeys *journeys, Observer *observer, Gr
 static void run_group(void *context, size_t index) {
     Group *group = (Group *)context + index;
     const RunOptions *options = group->options;
-    Journeys journeys = journey_plan_all(group->house, group->part, group->jobs, options->stop);
+    Journeys journeys = (options->brief ? journey_plan_briefly : journey_plan_all)(group->house, group->part,
+                                                                                   group->jobs, options->stop);
     World world = world_create(group->house, journeys.of, group->part);
     world.team = parallel_team_create(world.present_count > TEAM_WORTH ? group->jobs : 1);
     observer_init(&group->observer, &world, group->people);
@@ -113,53 +270,7 @@ static void run_group(void *context, size_t index) {
     journey_free_all(&journeys);
 }
 
-static size_t route_of(const House *house, size_t i) {
-    const PlanRoute *route = house->people[i].route;
-    return route ? (size_t)(route - house->plan.routes) : house->plan.route_count;
-}
-
-static bool is_asked(const RunOptions *options, size_t route) {
-    return options->route == SIZE_MAX || route == options->route;
-}
-
-/* Somebody on foot who lies under a piece of furniture is in nobody's way. */
-static bool lies_under(const Inhabitant *person) {
-    return person->under && person->profile->driving == DRIVING_WALKER;
-}
-
-static void note_lying(Observation *observation, const House *house, const RunOptions *options) {
-    for (size_t i = 0; i < house->person_count; i++)
-        if (lies_under(&house->people[i]) && is_asked(options, route_of(house, i)))
-            observation->people[i] =
-                (PersonObservation){.took_part = true,
-                                    .reason = REASON_CANNOT_PASS,
-                                    .blockage = shake_route(&house->plan, &house->people[i]).blockage,
-                                    .exit = SIZE_MAX,
-                                    .narrowest = BODY_SIGHT,
-                                    .narrowest_at = house->people[i].at,
-                                    .narrowest_other = -1};
-}
-
-/* Who is together with whom: everybody, or route by route and then those without one. Returns the number of groups. */
-static size_t make_groups(Group *groups, const House *house, const RunOptions *options) {
-    size_t routes = house->plan.route_count, count = 0;
-    bool alone = house->plan.run.routes == ROUTES_ALONE;
-    for (size_t r = 0; r <= (alone ? routes : 0); r++) {
-        Group *group = &groups[count];
-        bool anybody = false;
-        group->part = memory_allocate(house->person_count, sizeof *group->part);
-        for (size_t i = 0; i < house->person_count; i++) {
-            size_t own = route_of(house, i);
-            group->part[i] = (!alone || own == r) && is_asked(options, own) && !lies_under(&house->people[i]);
-            anybody |= group->part[i];
-        }
-        if (anybody)
-            count++;
-        else
-            memory_free(group->part);
-    }
-    return count;
-}
+/* The whole --------------------------------------------------------------------------------------------------------*/
 
 /* Adds a group to the whole: rows, stretches, sums. */
 static void merge_group(Observation *observation, Group *group, Stretch **stretches, size_t *count, size_t *capacity) {
@@ -172,9 +283,14 @@ static void merge_group(Observation *observation, Group *group, Stretch **stretc
     *count += observer->stretch_count;
     observation->steps = group->steps > observation->steps ? group->steps : observation->steps;
     observation->wall_crossings += group->wall_crossings;
+    for (size_t i = 0; i < group->house->person_count; i++)
+        if (group->part[i])
+            observation->people[i] = group->people[i];
     for (size_t d = 0; d < group->house->plan.door_count; d++)
         observation->door_opened[d] = fmin(observation->door_opened[d], observer->door_opened[d]);
     observation->digest = digest_chain(observation->digest, group->digest);
+    for (size_t c = 0; c < observation->mixed_count; c++)
+        observation->mixed[c] = fmax(observation->mixed[c], group->changed[c]);
 }
 
 static void conclude(Observation *observation) {
@@ -188,39 +304,79 @@ static void conclude(Observation *observation) {
     }
 }
 
-void run_house(Observation *observation, const House *house, const RunOptions *options) {
-    Group *groups = memory_allocate(house->plan.route_count + 1, sizeof *groups);
-    *observation = (Observation){
-        .people = memory_allocate(house->person_count, sizeof *observation->people),
+/* The number of changes after which a group was the farthest; where another was broken off before, what was seen of it
+ * is told in the same terms. */
+static size_t change_the_rest(Group *groups, size_t count, const RunOptions *options) {
+    size_t most = 0;
+    for (size_t g = 0; g < count; g++)
+        most = groups[g].changes > most ? groups[g].changes : most;
+    for (size_t g = 0; g < count; g++)
+        while (groups[g].changes < most) {
+            Change change;
+            change_init(&change, groups[g].house, options->changes[groups[g].changes].house);
+            rename_group(&groups[g], &change);
+            change_clear(&change);
+        }
+    return most;
+}
+
+static void clear_group(Group *group) {
+    observer_clear(&group->observer);
+    memory_free(group->part);
+    memory_free(group->people);
+    memory_free(group->changed);
+}
+
+/* Nothing yet, in terms of a house. */
+static Observation blank(const House *house) {
+    Observation observation = {
+        .people = memory_allocate(house->person_count, sizeof *observation.people),
         .person_count = house->person_count,
-        .hazards = memory_allocate(HAZARDS_MOST, sizeof *observation->hazards),
-        .door_opened = memory_allocate(house->plan.door_count, sizeof *observation->door_opened),
-        .dt = house->plan.run.dt,
-        .sample = (double)observer_sample_steps(house) * house->plan.run.dt,
+        .hazards = memory_allocate(HAZARDS_MOST, sizeof *observation.hazards),
+        .door_opened = memory_allocate(house->plan.door_count, sizeof *observation.door_opened),
     };
     for (size_t d = 0; d < house->plan.door_count; d++)
-        observation->door_opened[d] = HUGE_VAL;
-    size_t group_count = make_groups(groups, house, options);
-    note_lying(observation, house, options);
-    for (size_t g = 0; g < group_count; g++) {
-        groups[g].index = g;
-        groups[g].count = group_count;
-        groups[g].house = house;
-        groups[g].options = options;
-        groups[g].jobs = group_count > 1 ? 1 : options->jobs;
-        groups[g].people = observation->people;
-    }
+        observation.door_opened[d] = HUGE_VAL;
+    trace_init(&observation.trace, observation_columns, TRACE_COLUMNS);
+    return observation;
+}
+
+static void note_lying(Observation *observation, const House *house, const Roster *roster) {
+    for (size_t i = 0; i < house->person_count; i++)
+        if (lies_under(&house->people[i]) && is_asked(roster, &house->people[i]))
+            observation->people[i] =
+                (PersonObservation){.took_part = true,
+                                    .reason = REASON_CANNOT_PASS,
+                                    .blockage = shake_route(&house->plan, &house->people[i]).blockage,
+                                    .exit = SIZE_MAX,
+                                    .narrowest = BODY_SIGHT,
+                                    .narrowest_at = house->people[i].at,
+                                    .narrowest_other = -1};
+}
+
+void run_house(Observation *observation, const House *house, const RunOptions *options) {
+    Roster roster;
+    roster_init(&roster, house, options);
+    Group *groups = memory_allocate(roster.route_count + 1, sizeof *groups);
+    size_t group_count = make_groups(groups, &roster, options);
     parallel_for(options->jobs, group_count, run_group, groups);
+    size_t changes = change_the_rest(groups, group_count, options);
+    const House *last = roster.houses[changes];
+    *observation = blank(last);
+    observation->dt = house->plan.run.dt;
+    observation->sample = (double)observer_sample_steps(house) * house->plan.run.dt;
+    note_lying(observation, last, &roster);
+    observation->mixed = memory_allocate(changes, sizeof *observation->mixed);
+    observation->mixed_count = changes;
     Stretch *stretches = NULL;
     size_t stretch_count = 0, capacity = 0;
-    trace_init(&observation->trace, observation_columns, TRACE_COLUMNS);
     for (size_t g = 0; g < group_count; g++) {
         merge_group(observation, &groups[g], &stretches, &stretch_count, &capacity);
-        observer_clear(&groups[g].observer);
-        memory_free(groups[g].part);
+        clear_group(&groups[g]);
     }
-    observation->hazard_count = hazard_rank(observation->hazards, stretches, stretch_count, house);
+    observation->hazard_count = hazard_rank(observation->hazards, stretches, stretch_count, last);
     conclude(observation);
     memory_free(stretches);
     memory_free(groups);
+    roster_clear(&roster);
 }

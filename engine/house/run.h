@@ -36,6 +36,8 @@ typedef struct RunOptions {
     void (*record)(void *context, const RunPiece *piece); /* as it comes, one group beside the other, each from a
                                                              thread of its own; NULL: none */
     void *context;
+    bool brief; /* for whoever waits for the answer: the same, sooner where somebody cannot pass, but that their
+                   blockage names the width for carrying the chair, perhaps less than for driving it */
     const RunChange *changes; /* (change_count) rising; NULL: the plan stays as it is */
     size_t change_count;
 } RunOptions;

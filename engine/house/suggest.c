@@ -270,7 +270,7 @@ static Vec2 note_stuck(Search *search, const Observation *observation) {
 
 bool suggest_find(SuggestList *list, const SuggestTask *task, Fault *fault) {
     House house = {0};
-    if (!house_read(&house, task->path, task->options, fault))
+    if (!suggest_search_open(task, &house, task->options, fault))
         return false;
     *list = (SuggestList){0};
     Search search = {

@@ -53,6 +53,7 @@ typedef struct SuggestList {
 
 typedef struct SuggestTask {
     const char *path; /* of the house */
+    const char *text; /* of its file, which need not be on the disk; NULL: what is there */
     const HouseOptions *options;
     size_t most_tries; /* 0: SUGGEST_TRIES */
     int jobs;          /* threads */

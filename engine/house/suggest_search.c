@@ -27,6 +27,12 @@ typedef struct Batch {
     Attempt *attempts;
 } Batch;
 
+bool suggest_search_open(const SuggestTask *task, House *house, const HouseOptions *options, Fault *fault) {
+    if (task->text)
+        return house_read_text(house, task->path, task->text, options, fault);
+    return house_read(house, task->path, options, fault);
+}
+
 bool suggest_search_read(const Search *search, const Attempt *attempt, House *house) {
     HouseOptions options = *search->task->options;
     Arena arena = {0};
@@ -39,7 +45,7 @@ bool suggest_search_read(const Search *search, const Attempt *attempt, House *ho
                                                          settings + options.setting_count, &arena);
     options.settings = settings;
     Fault fault = {0};
-    bool good = house_read(house, search->task->path, &options, &fault);
+    bool good = suggest_search_open(search->task, house, &options, &fault);
     fault_clear(&fault);
     memory_free(settings);
     arena_clear(&arena);

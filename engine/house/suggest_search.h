@@ -30,6 +30,9 @@ typedef struct Search {
 /* Fills `good` and `time` of all, or of none when the tries are used up or it is stopped. False: of none. */
 bool suggest_search_try(Search *search, Attempt *attempts, size_t count);
 
+/* Reads the house that the task is about, with these options. */
+bool suggest_search_open(const SuggestTask *task, House *house, const HouseOptions *options, Fault *fault);
+
 /* Reads the house with its changes. False: there is none with them. */
 bool suggest_search_read(const Search *search, const Attempt *attempt, House *house);
 

@@ -13,7 +13,7 @@ enum { CHUNK = 128 /* slots that one thread does in one go */ };
 enum { LISTS_LIVE = 10 /* decisions, at most: where people face is known as it was when the lists were made */ };
 
 enum {
-    MARK_CHAIR = 1,     /* the slot is a chair's */
+    MARK_CHAIR = 1,     /* the slot is a chair's, or of somebody who is held inside a wall: not moved here */
     MARK_OBSTACLES = 2, /* something to touch may be near */
     MARK_EXIT = 4,      /* an exit's line may be crossed */
 };
@@ -129,7 +129,7 @@ void walkers_clear(Walkers *walkers) {
 
 /* People only ever leave: the first time is the largest. */
 static void reserve_slots(Walkers *walkers, size_t count) {
-    if (count <= walkers->capacity)
+    if (count <= walkers->capacity && walkers->first)
         return;
     walkers->capacity = count;
 #define RESERVE(array)                                                                                                 \
@@ -190,7 +190,8 @@ static void load_chunk(void *context, size_t chunk) {
         walkers->push[s] = vec2(0, 0);
         walkers->facing[s] = world->axis[i];
         walkers->kind[s] = (uint16_t)(world->house->people[i].profile - world->house->profiles);
-        walkers->marks[s] = marks_at(world, walkers->at[s], walkers->kinds[walkers->kind[s]].walks);
+        walkers->marks[s] =
+            marks_at(world, walkers->at[s], walkers->kinds[walkers->kind[s]].walks && world->was_clear[i]);
         walkers->slot_of[i] = s;
     }
 }

@@ -45,6 +45,7 @@ static size_t lay_out(World *world, char *block) {
     LAY(reason, n);
     LAY(exit, n);
     LAY(ended, n);
+    LAY(start, n);
     LAY(sense, n);
     LAY(body, n);
     LAY(was_clear, n);
@@ -65,6 +66,7 @@ static void place_person(World *world, size_t i, bool takes_part) {
     world->axis[i] = vec2_heading(person->heading);
     world->centre[i] = vec2_along(person->at, ahead, world->axis[i]);
     world->exit[i] = SIZE_MAX;
+    world->start[i] = person->delay;
     world->phase[i] = takes_part ? PHASE_WAITING : PHASE_ABSENT;
     world->drive[i].best_turn = HUGE_VAL;
     world->drive[i].retreat_to = -1;
@@ -78,7 +80,7 @@ static bool is_there(const World *world, size_t i) {
     return world->phase[i] != PHASE_ABSENT && world->phase[i] != PHASE_OUT;
 }
 
-static void list_present(World *world) {
+void world_list_present(World *world) {
     world->present_count = world->rider_count = 0;
     for (size_t i = 0; i < world->count; i++) {
         if (!is_there(world, i))
@@ -91,12 +93,11 @@ static void list_present(World *world) {
 
 /* Doors ------------------------------------------------------------------------------------------------------------ */
 
-/* Would the leaf, swung open, stand in somebody? Then it waits. */
-static bool leaf_is_free(const World *world, size_t door) {
+bool world_leaf_is_free(const World *world, size_t door, Presence presence) {
     const Outline *outline = &world->house->outline;
     for (size_t f = 0; f < outline->face_count; f++) {
         const Face *face = &outline->faces[f];
-        if (face->door != (int)door || face->presence != PRESENT_OPEN)
+        if (face->door != (int)door || face->presence != (int)presence)
             continue;
         for (size_t p = 0; p < world->present_count; p++) {
             size_t i = world->present[p];
@@ -117,7 +118,7 @@ static bool leaf_is_free(const World *world, size_t door) {
 /* Whoever has held a shut door's handle for long enough opens it, once there is room for the leaf. */
 static void try_door(World *world, int door, double handle) {
     if (handle < world->house->plan.doors[door].opening_time || world->door_open[door] ||
-        !leaf_is_free(world, (size_t)door))
+        !world_leaf_is_free(world, (size_t)door, PRESENT_OPEN))
         return;
     world->door_open[door] = true;
     world->door_changes++;
@@ -230,12 +231,12 @@ static void start_people(World *world, double time) {
     world->next_start = HUGE_VAL;
     for (size_t p = 0; p < world->present_count; p++) {
         size_t i = world->present[p];
-        double delay = world->house->people[i].delay;
+        double start = world->start[i];
         RouteAnswer answer = world->journeys[i].route.answer;
         if (world->phase[i] != PHASE_WAITING)
             continue;
-        if (time < delay) {
-            world->next_start = real_min(world->next_start, delay);
+        if (time < start) {
+            world->next_start = real_min(world->next_start, start);
             continue;
         }
         world->phase[i] = PHASE_MOVING;
@@ -292,10 +293,9 @@ static void update_lists(World *world) {
         ride_list(world);
 }
 
-World world_create(const House *house, const Journey *journeys, const bool *part) {
+World world_place(const House *house, const bool *part) {
     const Plan *plan = &house->plan;
     World world = {.house = house,
-                   .journeys = journeys,
                    .clock = {0, plan->run.dt},
                    .count = house->person_count,
                    .decision_steps = steps_in(WALK_PERIOD, plan->run.dt),
@@ -318,11 +318,21 @@ World world_create(const House *house, const Journey *journeys, const bool *part
         world.seat[i] = world_rides(&world, i) ? seats++ : SIZE_MAX;
         world.sense[i] = (Sense){.clearance = world.body[i].sight, .other = -1};
     }
-    list_present(&world);
-    walkers_init(&world.walkers, &world);
-    ride_init(&world.rides, &world);
-    update_lists(&world);
-    ride_gather_forces(&world, true); /* what everybody feels before the first step */
+    return world;
+}
+
+void world_begin(World *world, const Journey *journeys) {
+    world->journeys = journeys;
+    world_list_present(world);
+    walkers_init(&world->walkers, world);
+    ride_init(&world->rides, world);
+    update_lists(world);
+    ride_gather_forces(world, true); /* what everybody feels before the first step */
+}
+
+World world_create(const House *house, const Journey *journeys, const bool *part) {
+    World world = world_place(house, part);
+    world_begin(&world, journeys);
     return world;
 }
 
@@ -479,7 +489,7 @@ WorldStatus world_step(World *world, size_t *who) {
     if (diverged != SIZE_MAX)
         world_give_up(world, diverged, REASON_DIVERGED);
     if (world->departures != departures)
-        list_present(world);
+        world_list_present(world);
     world->clock.step++;
     world->digest = digest_chain(world->digest, digest);
     if (who)

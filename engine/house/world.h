@@ -112,9 +112,11 @@ typedef struct World {
     int *reason;     /* Reason, of the stuck */
     size_t *exit;    /* crossed; SIZE_MAX: none */
     double *ended;   /* s, when out or stuck */
+    double *start;   /* s, when the delay is over */
     Sense *sense;
     Body *body;
-    bool *was_clear; /* of everything at the start; a chair that was not stays there */
+    bool *was_clear; /* of everything at the start; a chair that was not stays there, and after a change of the plan
+                        everybody */
     bool *door_open; /* (doors) */
     /* one per chair, by its seat */
     Near *near;
@@ -154,6 +156,16 @@ bool world_leave(World *world, size_t i, Vec2 before, Vec2 after);
 
 /* Person i gets no farther, for a Reason. */
 void world_give_up(World *world, size_t i, int reason);
+
+/* The two halves of world_create: everybody in place, and, from wherever they have been put then, what they feel. */
+World world_place(const House *house, const bool *part);
+void world_begin(World *world, const Journey *journeys);
+
+/* Lists anew who is there. */
+void world_list_present(World *world);
+
+/* Is nobody where the door's leaf is, open or shut? */
+bool world_leaf_is_free(const World *world, size_t door, Presence presence);
 
 /* Is the place finite and not far out of the house? */
 static inline bool world_holds(const World *world, Vec2 at) {
