@@ -255,6 +255,7 @@ void panel_show(Window *window) {
             show_rows(window, room);
         show_choices(window, room);
         show_more(window, room);
+        panel_edit_show_house(window);
         show_plots(window, room);
         show_layers(window, room);
     }

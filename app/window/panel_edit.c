@@ -21,9 +21,8 @@ static void show_items(Window *window, Room *room, const LiveEditor *editor) {
         group = items[i].group;
         UiRow row = {.id = text_in_arena(&window->words, "item %zu", i),
                      .shape = ROW_PLAIN,
-                     .cells = {items[i].name, items[i].words},
-                     .help = text_in_arena(&window->words, "%s: %s; chosen, it is what the tool places", items[i].name,
-                                           items[i].words),
+                     .cells = {items[i].name},
+                     .help = text_in_arena(&window->words, "%s: %s", items[i].name, items[i].words),
                      .selected = i == chosen,
                      .usable = true};
         if (ui_list_row(window->ui, &row)) {
@@ -32,6 +31,8 @@ static void show_items(Window *window, Room *room, const LiveEditor *editor) {
             window->dirty = true;
             return;
         }
+        if (i == chosen)
+            ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, items[i].words);
     }
 }
 
@@ -51,11 +52,15 @@ static bool show_text(Window *window, Room *room, const LiveEditor *editor, cons
     return true;
 }
 
-static void show_texts(Window *window, Room *room, const LiveEditor *editor) {
+/* Those of the house itself, or all the others. */
+static void show_texts(Window *window, Room *room, const LiveEditor *editor, bool of_house) {
+    static const char house[] = "house.";
     size_t count;
     const LiveText *texts = editor->texts(room->live, &count);
     const char *group = "";
     for (size_t i = 0; i < count; i++) {
+        if ((strncmp(texts[i].name, house, sizeof house - 1) == 0) != of_house)
+            continue;
         if (strcmp(group, texts[i].group) != 0)
             ui_heading(window->ui, texts[i].group);
         group = texts[i].group;
@@ -146,6 +151,13 @@ void panel_edit_show(Window *window) {
     show_items(window, room, editor);
     if (editor->tool(room->live) == TOOL_IMAGE || editor->image(room->live).path)
         show_image(window, room, editor);
-    show_texts(window, room, editor);
+    show_texts(window, room, editor, false);
     show_way_out(window, room, editor);
+}
+
+void panel_edit_show_house(Window *window) {
+    Room *room = window_room(window);
+    const LiveEditor *editor = edit_of(room);
+    if (editor)
+        show_texts(window, room, editor, true);
 }

@@ -5,3 +5,6 @@
 #include "window/window_state.h"
 
 void panel_edit_show(Window *window);
+
+/* The house's own name and note. */
+void panel_edit_show_house(Window *window);

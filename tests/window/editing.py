@@ -1,0 +1,189 @@
+#!/usr/bin/env python3
+"""Editing a house by a real mouse and a real keyboard: checks 10 to 19 of the window's conventions, one by one, and a
+flat of four rooms drawn from nothing by mouse and again by keyboard alone."""
+
+import json
+import math
+import shutil
+import subprocess
+
+import stage
+from drawing import Plan
+from stage import check, differing
+
+
+def read(path):
+    return json.loads(path.read_text())
+
+
+def chain(plan, *points):
+    """Walls from point to point."""
+    plan.keys("w")
+    for x, y in points:
+        plan.put(x, y)
+    plan.keys("Escape", "Escape", "Escape")
+
+
+def length(wall):
+    (ax, ay), (bx, by) = wall["points"][:2]
+    return math.hypot(bx - ax, by - ay)
+
+
+def gesture_words(state, kind):
+    return [mark.get("words") for mark in state["gesture"]["marks"] if mark["kind"] == kind]
+
+
+# 10: a length is typed while the wall is drawn
+for number, typed in enumerate(("2.5", "2,5", "250cm")):
+    plan = Plan(f"length-{number}")
+    plan.keys("ctrl+n")
+    plan.until(lambda s: s["title"] == "new house" and s["floor"], 10)
+    plan.keys("w")
+    plan.put(-2, 0)
+    plan.move(1, 0)
+    plan.type(typed)
+    plan.keys("Return", "Escape", "Escape")
+    saved = plan.place / "typed.json"
+    plan.save_as(saved)
+    wall = read(saved)["walls"][0] if saved.exists() else {"points": [[0, 0], [0, 0]]}
+    check(abs(length(wall) - 2.5) < 1e-9, f"10: {typed} typed while drawing is 2.5 m", wall)
+    plan.end()
+
+# the flat, by mouse: four walls round it, two across, doors, an exit, somebody
+plan = Plan("flat", minutes=9)
+plan.keys("ctrl+n")
+plan.until(lambda s: s["title"] == "new house" and s["floor"], 10)
+chain(plan, (-3, -2), (3, -2), (3, 2), (-3, 2), (-3, -2))
+chain(plan, (0, -2), (0, 2))
+chain(plan, (-3, 0), (3, 0))
+plan.keys("d")
+for place in ((0, 1), (0, -1), (-1.5, 0), (3, 1)):
+    plan.put(*place)
+plan.keys("x")
+plan.put(3, 1)
+plan.keys("p")
+plan.put(-2, -1)
+plan.keys("Escape", "Escape", "Escape")
+drawn = plan.until(lambda s: s["answer"]["title"].startswith("Out in") and not s["answer"]["stale"], 60)
+check(drawn["answer"]["title"].startswith("Out in"), "a flat of four rooms, drawn by mouse, is left", drawn["answer"])
+shot = plan.shot("flat")
+first = plan.place / "flat.json"
+plan.save_as(first)
+house = read(first)
+check(len(house["walls"]) == 3 and len(house["doors"]) == 4 and len(house["exits"]) == 1 and len(house["people"]) == 1,
+      "it is saved with its walls, doors, exit and person", {k: len(v) for k, v in house.items() if isinstance(v, list)})
+check(plan.state()["shown_title"] == "new house", "what is saved is not said to be edited", plan.state()["shown_title"])
+
+check(drawn["undo_name"] and drawn["edits"] >= 8, "14: each of the steps can be undone", drawn["edits"])
+
+# 14: undo and redo to the same bytes
+plan.undo_all()
+empty = plan.place / "empty.json"
+plan.save_as(empty)
+check(not read(empty).get("walls") and not read(empty).get("people"), "14: all of it undone is an empty plan")
+plan.redo_all()
+again = plan.place / "again.json"
+plan.save_as(again)
+check(first.read_bytes() == again.read_bytes(), "14: undone and done again it has the same bytes")
+
+# 12: snapping is named, and can be let go
+plan.keys("w")
+plan.put(-2.5, 1.5)
+plan.move(0.04, 1.97)
+state = plan.state()
+check(gesture_words(state, "snap"), "12: a snap is named", gesture_words(state, "snap"))
+plan.tool("keydown", "ctrl")
+plan.move(0.045, 1.965)
+free = plan.state()
+plan.tool("keyup", "ctrl")
+check(not gesture_words(free, "snap"), "12: with Ctrl held the hand is free", gesture_words(free, "snap"))
+plan.keys("n")
+off = plan.state()
+check(off["snaps"] is False and "off" in (off["message"] or ""), "12: N says that snapping is off", off["message"])
+plan.keys("n")
+check(plan.state()["snaps"] is True, "12: N again, and it is on")
+plan.keys("Escape", "Escape", "Escape")
+
+# 13: numbers live while a door is dragged, the clock held, Escape as before
+plan.keys("space")
+playing = plan.until(lambda s: s["playing"], 5)
+plan.keys("space")
+before = plan.shot("before")
+state = plan.state()
+plan.put(0, 1)
+chosen = plan.shot("chosen")
+plan.drag(0, 1, 0, 0.7, release=False)
+held = plan.state()
+check(held["gesture"]["active"] and held["held"] and gesture_words(held, "dimension"),
+      "13: dragged, a door tells its distances and the clock is held", held["gesture"])
+plan.shot("dragged")
+plan.keys("Escape")
+plan.tool("mouseup", 1)
+let_go = plan.until(lambda s: not s["gesture"]["active"], 5)
+plan.move(-2.8, -2.6)
+after = plan.shot("after")
+check(let_go["undo_name"] == state["undo_name"] and differing(chosen, after, state["frame"]["view"]) < 400,
+      "13: Escape leaves the plan as it was", differing(chosen, after, state["frame"]["view"]))
+
+# 15: click, move, click is the same as dragging
+plan.put(0, 1)
+plan.drag(0, 1, 0, 0.6)
+plan.keys("Escape")
+dragged = plan.place / "dragged.json"
+plan.save_as(dragged)
+plan.keys("ctrl+z")
+plan.keys("Escape")
+plan.put(0, 1)
+plan.put(0, 1)
+plan.move(0, 0.8)
+plan.put(0, 0.6)
+plan.keys("Escape")
+clicked = plan.place / "clicked.json"
+plan.save_as(clicked)
+check(dragged.read_bytes() == clicked.read_bytes() and dragged.read_bytes() != first.read_bytes(),
+      "15: click, move, click on a door does what dragging does")
+
+# 16: a door stays on its wall, and has limits
+plan.drag(0, 0.6, 0, 5, release=False)
+past = plan.state()
+plan.tool("mouseup", 1)
+check(past["gesture"].get("refusal") or past["gesture"]["active"], "16: past the end of its wall it stops",
+      past["gesture"])
+plan.keys("Escape", "Escape")
+plan.end()
+
+# 11: no mouse at all
+plan = Plan("keys", minutes=9)
+plan.tool("mousemove", 0, 0)
+plan.keys("ctrl+n")
+plan.until(lambda s: s["title"] == "new house" and s["floor"], 10)
+plan.keys("w", "Return")
+for typed in ("-3", "-2"):
+    plan.type(typed)
+    plan.keys("Tab")
+started = plan.state()
+plan.keys("Return")
+for size, angle in (("6", "0"), ("4", "90"), ("6", "180"), ("4", "-90")):
+    plan.type(size)
+    plan.keys("Tab")
+    plan.type(angle)
+    plan.keys("Return")
+plan.keys("Escape", "Escape", "Escape")
+walled = plan.state()
+check(walled["edits"] >= 1, "11: walls are drawn by keys alone", (started["gesture"], walled["gesture"]))
+plan.shot("keys")
+plan.keys("d", "Return")
+door = plan.state()
+plan.keys("Return", "Escape", "Escape", "x", "Return")
+leave = plan.state()
+plan.keys("Return", "Escape", "Escape", "p", "Return")
+person = plan.state()
+plan.keys("Return", "Escape", "Escape")
+done = plan.until(lambda s: s["answer"]["title"].startswith("Out in"), 20)
+check(done["answer"]["title"].startswith("Out in"), "11: a door, an exit and somebody by keys alone",
+      [s["gesture"] for s in (door, leave, person)] + [done["answer"], done["edits"]])
+plan.save_as(plan.place / "keys.json")
+check((plan.place / "keys.json").exists(), "11: saved by keys alone")
+plan.end()
+
+stage.end()
