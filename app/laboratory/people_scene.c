@@ -62,6 +62,8 @@ const char *people_scene_clearance(Scene *scene, double clearance) {
     const double fine = 0.1; /* m: below it millimetres are worth reading */
     if (clearance <= 0)
         return "touches";
+    if (isinf(clearance))
+        return "-"; /* nobody was near to anything */
     return scene_text(scene, clearance < fine ? "%.3f m" : "%.2f m", clearance);
 }
 
