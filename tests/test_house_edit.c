@@ -653,8 +653,13 @@ TEST(a_picture_to_trace_over_gets_its_scale_and_is_made_level) {
     char *text = keep_text(live);
     void *again = open_text(text);
     CHECK_TEXT(editor->text(again), text);
+    CHECK_TEXT(kind->note(again), "");
     kind->close(again);
     unlink(path);
+    again = open_text(text);
+    CHECK_TEXT(kind->note(again), "the picture to trace over is not there");
+    CHECK(!editor->image(again).path);
+    kind->close(again);
     CHECK(succeeds(editor->set_image(live, NULL, &fault), &fault));
     CHECK(!editor->image(live).path);
     memory_free(text);

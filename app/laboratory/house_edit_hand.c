@@ -22,6 +22,8 @@ static void begin(HouseLive *live, bool keys) {
 static bool can_begin(const HouseLive *live) {
     if (live->edit.tool == TOOL_IMAGE)
         return draft_plan(live->draft)->background.image;
+    if (live->edit.tool == TOOL_DOOR)
+        return draft_plan(live->draft)->wall_count;
     return live->edit.tool != TOOL_ROUTE || house_edit_way_person(live);
 }
 

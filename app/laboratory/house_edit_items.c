@@ -6,6 +6,8 @@
 #include "laboratory/house_live_parts.h"
 #include "laboratory/shipped.h"
 
+#define USUAL_PROFILE "manual-chair" /* that is placed unless another one is chosen */
+
 static int is_json(const struct dirent *entry) {
     size_t length = strlen(entry->d_name);
     return length > 5 && strcmp(entry->d_name + length - 5, ".json") == 0;
@@ -21,6 +23,8 @@ static void stock_profiles(HouseLive *live) {
     for (int i = 0; i < count; i++) {
         Text name = {0};
         text_format(&name, "%.*s", (int)strlen(entries[i]->d_name) - 5, entries[i]->d_name);
+        if (strcmp(name.text, USUAL_PROFILE) == 0)
+            edit->items[TOOL_PERSON] = edit->profile_count;
         edit->profiles[edit->profile_count++] = name.text;
         free(entries[i]);
     }

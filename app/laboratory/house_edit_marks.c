@@ -158,8 +158,17 @@ static void say(HouseLive *live) {
     HouseEdit *edit = &live->edit;
     memory_free(edit->doing.text);
     edit->doing = (Text){0};
+    const char *trouble = edit->tool == TOOL_IMAGE ? house_edit_image_trouble(live) : NULL;
     if (edit->gesture)
         edit->gesture->say(live, &edit->doing);
+    else if (trouble)
+        text_add(&edit->doing, trouble);
+    else if (edit->tool == TOOL_IMAGE && !draft_plan(live->draft)->background.image)
+        text_add(&edit->doing, "name the picture's file first, in the panel");
+    else if (edit->tool == TOOL_ROUTE && !house_edit_way_person(live))
+        text_add(&edit->doing, "place somebody first, whose route it is");
+    else if (edit->tool == TOOL_DOOR && !draft_plan(live->draft)->wall_count)
+        text_add(&edit->doing, "draw a wall first, for the door to be in");
     else
         text_add(&edit->doing, house_edit.tools[edit->tool].strip);
 }

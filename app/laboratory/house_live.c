@@ -204,16 +204,28 @@ static const char *say_clock(const void *context, double time) {
     return words->clock;
 }
 
+static void add_note(HouseLive *live, const char *more) {
+    char *words = live->words.note;
+    size_t used = strlen(words);
+    snprintf(words + used, sizeof live->words.note - used, "%s%s", used ? "; " : "", more);
+}
+
 static const char *note(const void *context) {
     HouseLive *live = (HouseLive *)context;
-    const char *assumed = house_scene_is_assumed(draft_plan(live->draft)) ? "assumed plan: not measured" : "";
     const HouseWish *wish = live->shown ? &live->shown->wish : NULL;
-    if (!wish || wish->epoch_count < 2)
-        return assumed;
-    char *words = live->words.note;
-    snprintf(words, sizeof live->words.note, "mixed: plan changed at %.1f s, R runs it clean%s%s",
-             wish->epochs[wish->epoch_count - 1].time, *assumed ? "; " : "", assumed);
-    return words;
+    const char *picture = house_edit_image_trouble(live);
+    *live->words.note = 0;
+    if (wish && wish->epoch_count > 1) {
+        char mixed[64];
+        snprintf(mixed, sizeof mixed, "mixed: plan changed at %.1f s, R runs it clean",
+                 wish->epochs[wish->epoch_count - 1].time);
+        add_note(live, mixed);
+    }
+    if (house_scene_is_assumed(draft_plan(live->draft)))
+        add_note(live, "assumed plan: not measured");
+    if (picture)
+        add_note(live, picture);
+    return live->words.note;
 }
 
 static const char *title(const void *context) {

@@ -51,7 +51,7 @@ typedef struct HouseWords {
     Role role;
     double said; /* s, of a steady clock, when they were last made */
     double time; /* s, the moment that they tell of */
-    char doing[96], done[96], clock[32], note[96], name[HOUSE_THING_NAME];
+    char doing[96], done[96], clock[32], note[192], name[HOUSE_THING_NAME];
 } HouseWords;
 
 typedef struct HouseLive {

@@ -138,12 +138,3 @@ void catalogue_free(Catalogue *catalogue) {
     arena_clear(&catalogue->arena);
     *catalogue = (Catalogue){0};
 }
-
-json_t *catalogue_schema(void) {
-    return json_pack("{s:s, s:s, s:s, s:b, s:{s:{s:s}, s:{s:i}, s:{s:s}, s:{s:s}, s:{s:s, s:o}}, s:[s,s,s,s]}",
-                     "$schema", "https://json-schema.org/draft/2020-12/schema", "title", "Furniture of clearance",
-                     "type", "object", "additionalProperties", 0, "properties", "format", "const",
-                     "clearance-furniture", "version", "const", 1, "name", "type", "string", "note", "type", "string",
-                     "items", "type", "array", "items", parameters_schema(&item_table), "required", "format", "version",
-                     "name", "items");
-}

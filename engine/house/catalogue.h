@@ -33,6 +33,3 @@ bool catalogue_read(Catalogue *catalogue, const char *path, Fault *fault);
 /* The same of every .json file of a folder; those that are good are there although others are not. */
 bool catalogue_read_folder(Catalogue *catalogue, const char *folder, Fault *fault);
 void catalogue_free(Catalogue *catalogue);
-
-/* JSON Schema of such a file. New. */
-json_t *catalogue_schema(void);
