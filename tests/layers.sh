@@ -43,7 +43,7 @@ sources() {
     forbid 'zip files and XML outside the homes' '#include *<(zip|expat)' $(sources engine app | grep -v exchange/sh3d_home.c)
     forbid 'GEOS outside what unites, reads and writes areas' '#include *<geos' \
         $(sources engine app | grep -vE '(app/draw/tessellation|engine/(house/solids|exchange/(jupedsim|wkt)))\.[ch]')
-    forbid 'an importer outside the table of them' '#include "exchange/(sh3d|dxf|wkt|vadere|house_builder|wall_chains)' \
+    forbid 'an importer outside the table of them' '#include "exchange/(sh3d|dxf|wkt|vadere|house_builder|house_finish|wall_chains)' \
         $(sources engine app | grep -v engine/exchange/)
     forbid 'memory outside memory.c' '(^|[^a-z_])(malloc|calloc|realloc) *\(' $(sources engine app | grep -v base/memory.c)
 }

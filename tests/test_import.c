@@ -350,7 +350,7 @@ TEST(a_unit_that_makes_no_house_is_told_and_not_believed) {
     Import import = import_drawing("9 $INSUNITS 70 6", "", room, (ImportOptions){0});
     CHECK(import.good && import.plan.walls[0].points.at[1].x == 6);
     CHECK(is_noted(&import, "its unit is m, which would make the plan 6000 m by 4000 m: mm is assumed, 6 m by 4 m; "
-                            "--unit overrides"));
+                            "clearance import --unit overrides"));
     end(&import, true);
     import = import_drawing("", "", room, (ImportOptions){0});
     CHECK(import.good && import.plan.walls[0].points.at[1].x == 6);

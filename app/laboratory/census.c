@@ -184,7 +184,9 @@ static void say_hold(const House *house, const Hold *hold, bool with_widths, cha
     snprintf(who, sizeof who, "%zu", hold->people);
     if (hold->people == 1)
         snprintf(who, sizeof who, "%s", house->people[hold->first].id);
-    if (hold->reason == REASON_CANNOT_PASS)
+    if (house->people[hold->first].under)
+        snprintf(text, size, "%s caught %s", who, what);
+    else if (hold->reason == REASON_CANNOT_PASS)
         snprintf(text, size, "%s cannot pass %s%s%s%s", who, *what ? what : "here", *widths ? " (" : "", widths,
                  *widths ? ")" : "");
     else if (hold->reason == REASON_BLOCKED && telling(what))

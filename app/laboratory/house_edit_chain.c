@@ -135,7 +135,7 @@ static void follow_line(HouseLive *live) {
 
 static void follow(HouseLive *live) {
     HouseEdit *edit = &live->edit;
-    if (edit->chain.proposed && vec2_distance(edit->hand.at, edit->chain.proposed_at) > edit->hand.reach)
+    if (edit->chain.proposed && !edit->keys && vec2_distance(edit->hand.at, edit->chain.proposed_at) > edit->hand.reach)
         edit->chain.proposed = false;
     if (is_placed(live))
         follow_place(live);

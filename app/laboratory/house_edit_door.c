@@ -141,7 +141,7 @@ static void follow_edge(HouseLive *live, const Door *door) {
     edit->now.along = snap_tidy(fixed + (last ? 0.5 : -0.5) * width);
 }
 
-void house_edit_slide_follow(HouseLive *live) {
+void house_edit_door_slide_follow(HouseLive *live) {
     HouseEdit *edit = &live->edit;
     const Door *door = held_door(live);
     edit->now.wall = door->wall_index;
@@ -161,7 +161,7 @@ void house_edit_slide_follow(HouseLive *live) {
     edit->now.at = edit->snap.at = place_on_wall(live);
 }
 
-void house_edit_slide_make(HouseLive *live) {
+void house_edit_door_slide_make(HouseLive *live) {
     const HouseEdit *edit = &live->edit;
     const EditTarget *now = &edit->now;
     draft_set_text(live->draft, edit->held, "wall", edit->begun.walls[now->wall].id);
@@ -170,6 +170,6 @@ void house_edit_slide_make(HouseLive *live) {
     draft_set_number(live->draft, edit->held, "width", now->amount);
 }
 
-bool house_edit_slide_limit(HouseLive *live) {
+bool house_edit_door_slide_limit(HouseLive *live) {
     return live->edit.grip.grip != GRIP_EDGE && !house_edit_field_any(live) && keep_within(live, live->edit.held);
 }

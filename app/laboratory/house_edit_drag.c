@@ -72,6 +72,7 @@ void house_edit_drag_begin(HouseLive *live, const EditHandle *handle, EditHold h
     house_edit_gesture_begin(live, gesture_of(&edit->grip), name, how != HOLD_DRAG);
     edit->offset = vec2_sub(copy.at, how == HOLD_KEYS ? edit->hand.at : edit->pressed);
     edit->taken = how != HOLD_DRAG;
+    edit->clicked = how == HOLD_CLICK;
     list_fields(live, &edit->grip);
     house_edit_gesture_follow(live);
 }
@@ -114,7 +115,8 @@ static void show(HouseLive *live) {
     { .follow = follow_, .make = make_, .limit = limit_, .put = put, .release = release, .say = say, .show = show }
 static const EditGesture shape = DRAG(house_edit_shape_follow, house_edit_shape_make, NULL),
                          body = DRAG(house_edit_body_follow, house_edit_body_make, NULL),
-                         slide = DRAG(house_edit_slide_follow, house_edit_slide_make, house_edit_slide_limit);
+                         slide = DRAG(house_edit_door_slide_follow, house_edit_door_slide_make,
+                                      house_edit_door_slide_limit);
 
 /* All that is selected --------------------------------------------------------------------------------------------- */
 

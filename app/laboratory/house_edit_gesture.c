@@ -88,7 +88,7 @@ void house_edit_gesture_follow(HouseLive *live) {
 static void empty_hand(HouseLive *live) {
     HouseEdit *edit = &live->edit;
     edit->gesture = NULL;
-    edit->taken = edit->sizing = edit->keys = false;
+    edit->taken = edit->sizing = edit->keys = edit->clicked = false;
     edit->offset = vec2(0, 0);
     edit->snap = (Snap){.guide_count = 0};
     house_edit_field_list(live, NULL, NULL, 0);

@@ -42,8 +42,8 @@ static void keep_hand(HouseLive *live, const LiveHand *hand) {
     HouseEdit *edit = &live->edit;
     edit->hand = *hand;
     edit->seen = true;
-    if (edit->keys && vec2_distance(hand->at, edit->keys_at) > STIR * hand->reach)
-        edit->keys = false;
+    if (edit->clicked && vec2_distance(hand->at, edit->keys_at) > STIR * hand->reach)
+        edit->keys = edit->clicked = false;
 }
 
 /* The button is down and the hand has left the place: what was meant begins. */
@@ -102,6 +102,7 @@ void house_edit_hand_press(HouseLive *live, const LiveHand *hand, bool twice) {
     edit->moved = false;
     edit->pressed = hand->at;
     edit->pending = PENDING_NOTHING;
+    edit->keys = edit->clicked = false; /* what was begun by keys goes on by hand */
     if (edit->gesture && twice && edit->tool == TOOL_MEASURE && house_edit_measure_side(live)) {
         house_edit_gesture_drop(live);
     } else if (edit->gesture) {

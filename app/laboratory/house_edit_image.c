@@ -17,6 +17,14 @@ enum { IMAGE_LARGEST = 256 * 1024 * 1024 /* bytes */, HEADER = 24 /* of a PNG, w
 
 enum { ITEM_SCALE, ITEM_LEVEL }; /* of the tool */
 
+#define FADE "Fade picture"
+
+static char *copy_of(const char *text) {
+    Text copy = {0};
+    text_add(&copy, text);
+    return copy.text;
+}
+
 /* Files ----------------------------------------------------------------------------------------------------------- */
 
 /* Height by width of a PNG file's bytes; 0: it is none. */
@@ -142,21 +150,24 @@ bool house_edit_image_set(HouseLive *live, const char *path, Fault *fault) {
 }
 
 void house_edit_image_fade(HouseLive *live, double opacity) {
-    Background background = draft_plan(live->draft)->background;
     Fault none = {0};
-    if (!background.image)
+    if (!draft_plan(live->draft)->background.image)
         return;
+    Background background = draft_plan(live->draft)->background;
+    char *image = copy_of(background.image), *digest = copy_of(background.digest);
+    background.image = image;
+    background.digest = digest;
     background.opacity = real_clamp(opacity, 0, 1);
-    if (!live->held)
-        house_edit_gesture_open(live, "Fade picture");
-    else
-        draft_rewind(live->draft);
+    const char *last = draft_undo_name(live->draft);
+    house_edit_gesture_drop(live);
+    if (last && strcmp(last, FADE) == 0)
+        draft_undo(live->draft); /* one step, however often a slider says where it is */
+    house_edit_gesture_open(live, FADE);
     draft_set_house(live->draft, "background", element_of(&background));
-    if (!live->held)
-        house_edit_gesture_close(live, &none);
-    else
-        draft_try(live->draft, &none);
+    house_edit_gesture_close(live, &none);
     fault_clear(&none);
+    memory_free(image);
+    memory_free(digest);
 }
 
 LiveImage house_edit_image_get(HouseLive *live) {

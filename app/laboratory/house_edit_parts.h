@@ -106,7 +106,8 @@ typedef struct HouseEdit {
     int handle;     /* that has the focus of the keys, -1: none */
 
     const EditGesture *gesture; /* NULL: there is none */
-    bool keys;                  /* it was begun by keys: the hand has no part in it until it moves */
+    bool keys;                  /* the hand has no part in it: until its button is pressed, or */
+    bool clicked;               /* until it moves */
     Vec2 keys_at;               /* m, where the hand was then */
     char name[EDIT_NAME];       /* of its step */
     Plan begun;                 /* the house before it */
@@ -278,9 +279,9 @@ void house_edit_shape_make(HouseLive *live);
 void house_edit_shape_move(HouseLive *live, const Plan *plan, Vec2 by);
 void house_edit_body_follow(HouseLive *live); /* furniture and people */
 void house_edit_body_make(HouseLive *live);
-void house_edit_slide_follow(HouseLive *live); /* doors */
-void house_edit_slide_make(HouseLive *live);
-bool house_edit_slide_limit(HouseLive *live);
+void house_edit_door_slide_follow(HouseLive *live); /* doors */
+void house_edit_door_slide_make(HouseLive *live);
+bool house_edit_door_slide_limit(HouseLive *live);
 
 /* What is done to the selection ------------------------------------------------------------------------------------ */
 

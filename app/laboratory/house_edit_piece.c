@@ -1,4 +1,4 @@
-/* Furniture and people that are placed. */
+/* Furniture that is placed. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -87,44 +87,4 @@ void house_edit_piece_make(HouseLive *live) {
         json_object_set_new(element, "probability", json_number(item->probability));
     }
     snprintf(live->edit.made, EDIT_NAME, "%s", draft_add(live->draft, DRAFT_FURNITURE, element));
-}
-
-/* People ---------------------------------------------------------------------------------------------------------- */
-
-enum { FIELD_HEADING = 2 };
-
-/* While its button is down the hand turns who has been placed, once it is far enough from there. */
-static void turn_to_hand(HouseLive *live) {
-    HouseEdit *edit = &live->edit;
-    Vec2 to = vec2_sub(edit->hand.at, edit->now.at);
-    if (edit->down && edit->moved && vec2_length(to) > edit->hand.reach)
-        edit->now.angle = snap_turn(snap_angle(to), edit->hand.free);
-}
-
-void house_edit_person_follow(HouseLive *live) {
-    HouseEdit *edit = &live->edit;
-    EditTarget *now = &edit->now;
-    if (!edit->down)
-        now->at = house_edit_gesture_snap(live, (SnapAsk){.along = NAN});
-    else
-        now->at = vec2(snap_tidy(round(edit->pressed.x / SNAP_GRID) * SNAP_GRID),
-                       snap_tidy(round(edit->pressed.y / SNAP_GRID) * SNAP_GRID));
-    house_edit_field_typed(live, FIELD_X, &now->at.x);
-    house_edit_field_typed(live, FIELD_Y, &now->at.y);
-    turn_to_hand(live);
-    house_edit_field_typed(live, FIELD_HEADING, &now->angle);
-    house_edit_field_show(live, FIELD_X, now->at.x);
-    house_edit_field_show(live, FIELD_Y, now->at.y);
-    house_edit_field_show(live, FIELD_HEADING, now->angle);
-}
-
-void house_edit_person_make(HouseLive *live) {
-    HouseEdit *edit = &live->edit;
-    const EditTarget *now = &edit->now;
-    house_edit_items_stock(live);
-    size_t item = edit->items[TOOL_PERSON];
-    const char *profile = item < edit->profile_count ? edit->profiles[item] : "adult";
-    json_t *element = json_pack("{s:s, s:[o, o], s:o}", "profile", profile, "at", json_number(now->at.x),
-                                json_number(now->at.y), "heading", json_number(now->angle));
-    snprintf(edit->made, EDIT_NAME, "%s", draft_add(live->draft, DRAFT_PEOPLE, element));
 }

@@ -44,14 +44,15 @@ double house_live_follow_reach(const HouseLive *live) {
 
 /* Asking ---------------------------------------------------------------------------------------------------------- */
 
-/* A mixed one of the whole history, all others of the draft as it is. */
-static HouseRun *ask(HouseLive *live, HouseJob job, int driving) {
+/* A mixed one of the whole history, all others of the draft as it is; `brief`: without what takes long to explain. */
+static HouseRun *ask(HouseLive *live, HouseJob job, int driving, bool brief) {
     HouseEpoch now = {0, draft_text(live->draft), draft_revision(live->draft)};
     HouseWish wish = live->wish;
     wish.job = job;
     wish.epochs = job == HOUSE_JOB_MIXED ? live->history.at : &now;
     wish.epoch_count = job == HOUSE_JOB_MIXED ? live->history.count : 1;
     wish.driving = driving;
+    wish.brief = brief;
     HouseRun *run = house_live_run_create(&wish);
     house_live_worker_ask(live->worker, run);
     live->changed |= LIVE_WORDS;
@@ -66,7 +67,8 @@ static void drop_companions(HouseLive *live) {
     live->rival_over = live->ways_over = false;
 }
 
-void house_live_follow_ask(HouseLive *live) {
+/* In brief, or with everything that can be said. */
+static void ask_for_run(HouseLive *live, bool brief) {
     if (live->latest && house_live_run_stage(live->latest) == HOUSE_WAITS) {
         release(live, live->latest);
     } else if (live->latest) {
@@ -77,8 +79,13 @@ void house_live_follow_ask(HouseLive *live) {
         drop_companions(live); /* the worker has something else to do */
         house_live_show_anew(live);
     }
-    live->latest = ask(live, HOUSE_JOB_RUN, live->wish.driving);
+    live->latest = ask(live, HOUSE_JOB_RUN, live->wish.driving, brief);
     live->changed |= LIVE_PARAMETERS;
+}
+
+/* The answer comes first, why somebody cannot pass when there is time. */
+void house_live_follow_ask(HouseLive *live) {
+    ask_for_run(live, true);
 }
 
 /* Nothing that was asked for is waited for any more. */
@@ -145,7 +152,7 @@ static void ask_missing(HouseLive *live) {
     if (mixed && is_of(live, live->clean, &now, 1)) {
         forget_asked(live);
         if (!is_up_to_date(live))
-            live->mixed = ask(live, HOUSE_JOB_MIXED, live->wish.driving);
+            live->mixed = ask(live, HOUSE_JOB_MIXED, live->wish.driving, false);
     } else if (!mixed && live->whole && is_of(live, live->shown, &now, 1)) {
         forget_asked(live);
         set_clean(live, NULL);
@@ -386,7 +393,7 @@ static bool follow_companion(HouseLive *live, HouseRun **companion, bool *over, 
     if (*over)
         return false;
     if (!*companion)
-        *companion = ask(live, job, driving);
+        *companion = ask(live, job, driving, false);
     HouseStage stage = house_live_run_stage(*companion);
     *over = stage == HOUSE_OVER;
     if (*over)
@@ -407,12 +414,21 @@ static void follow_companions(HouseLive *live) {
         follow_companion(live, &live->ways, &live->ways_over, HOUSE_JOB_WAYS, live->wish.driving);
 }
 
+/* Why somebody does not get out is looked for when nothing is in the hand. */
+static void follow_reasons(HouseLive *live) {
+    const HouseRun *run = house_live_follow_answering(live);
+    bool whole = live->clean || live->whole;
+    if (whole && run->wish.brief && !run->observation.completed && !live->latest && !draft_is_open(live->draft))
+        ask_for_run(live, false);
+}
+
 void house_live_follow_all(HouseLive *live, double time) {
     follow_asked(live, &live->older, time);
     follow_asked(live, &live->latest, time);
     follow_asked(live, &live->mixed, time);
     hurry(live);
     follow_shown(live, time);
+    follow_reasons(live);
     follow_companions(live);
 }
 

@@ -110,6 +110,7 @@ static void drive(HouseRun *run) {
                       .stop = &run->stop,
                       .record = take_piece,
                       .context = run,
+                      .brief = run->wish.brief,
                       .changes = changes,
                       .change_count = earlier};
     run_house(&run->observation, first, &how);

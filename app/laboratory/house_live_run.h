@@ -30,7 +30,8 @@ typedef struct HouseWish {
     const char *route;    /* id, or NULL: everybody */
     int driving;          /* Driving, or -1 */
     uint64_t seed;
-    int jobs; /* threads */
+    int jobs;   /* threads */
+    bool brief; /* as RunOptions.brief */
 } HouseWish;
 
 typedef enum HouseStage {

@@ -31,8 +31,10 @@ bool house_scene_is_assumed(const Plan *plan) {
 }
 
 /* "cannot pass door d2", and so on: why somebody is not out. */
-static const char *failure(Scene *scene, const PersonObservation *person) {
+static const char *failure(Scene *scene, const Inhabitant *who, const PersonObservation *person) {
     const char *what = person->blockage.what;
+    if (who->under)
+        return scene_text(scene, "caught %s", what);
     switch (person->reason) {
     case REASON_CANNOT_PASS:
         return scene_text(scene, "cannot pass %s", *what ? what : "here");
@@ -93,7 +95,8 @@ static void say_yes(Scene *scene, const House *house, const Observation *observa
 /* The first who is not out says why. */
 static void say_no(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     const PersonObservation *person = &observation->people[census->stuck];
-    const char *why = failure(scene, person), *how_much = blockage_scene_widths(scene, &person->blockage);
+    const char *why = failure(scene, &house->people[census->stuck], person),
+               *how_much = blockage_scene_widths(scene, &person->blockage);
     scene->title_role = ROLE_ERROR;
     if (census->people == 1) {
         scene->title = capitalized(scene, why);

@@ -11,7 +11,9 @@ static void say_stuck(const House *house, const Observation *observation, size_t
     const char *id = house->people[i].id;
     char widths[64];
     route_widths(blockage, widths, sizeof widths);
-    if (person->reason == REASON_CANNOT_PASS)
+    if (house->people[i].under)
+        snprintf(text, size, "%s is caught %s", id, blockage->what);
+    else if (person->reason == REASON_CANNOT_PASS)
         snprintf(text, size, "%s cannot pass %s%s%s", id, blockage->what, *widths ? ": " : "", widths);
     else if (person->reason == REASON_BLOCKED)
         snprintf(text, size, "%s is blocked at %s after %.1f s", id, blockage->what, person->time);

@@ -88,7 +88,7 @@ static void enter(Window *window, size_t index) {
 
 bool act_open(Window *window, const char *path) {
     if (path && files_import_knows(path))
-        return files_import(window, path);
+        return files_import_open(window, path);
     size_t index = path ? room_of(live_kind_of(path)) : ROOM_HOUSE;
     edit_let_go(window);
     if (!open_in(window, index, path, true))

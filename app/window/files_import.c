@@ -34,7 +34,7 @@ static bool open_text(Window *window, const char *path, const LiveImport *import
     return true;
 }
 
-bool files_import(Window *window, const char *path) {
+bool files_import_open(Window *window, const char *path) {
     LiveImport import = {.text = NULL};
     Fault fault = {0};
     bool read = window->recovery && live_import_read(&import, path, &fault);

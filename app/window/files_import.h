@@ -7,4 +7,4 @@
 bool files_import_knows(const char *path);
 
 /* False: faults were said, and what is open stays. What could not be taken over is said. */
-bool files_import(Window *window, const char *path);
+bool files_import_open(Window *window, const char *path);

@@ -94,14 +94,15 @@ static void choose_unit(Drawing *drawing) {
     if (said)
         import_report_note(report,
                            "the file says that its unit is %s, which would make the plan %.4g m by %.4g m: %s is "
-                           "assumed, %.4g m by %.4g m; --unit overrides",
+                           "assumed, %.4g m by %.4g m; clearance import --unit overrides",
                            said->name, size.x * said->metres, size.y * said->metres, likely->name,
                            size.x * drawing->unit, size.y * drawing->unit);
     else
-        import_report_note(report,
-                           "the file does not say its unit: %s is assumed, the plan is %.4g m by %.4g m; --unit "
-                           "overrides",
-                           likely->name, size.x * drawing->unit, size.y * drawing->unit);
+        import_report_note(
+            report,
+            "the file does not say its unit: %s is assumed, the plan is %.4g m by %.4g m; clearance import "
+            "--unit overrides",
+            likely->name, size.x * drawing->unit, size.y * drawing->unit);
 }
 
 static void scale_all(Drawing *drawing) {

@@ -1,7 +1,7 @@
 /* A plan made piece by piece, by the importers: ids are given, coordinates rounded and checked, doors fitted into their
  * walls, limits kept. All lengths in metres, angles as in a house file.
  *
- * The first thing that cannot be adds a fault, and the builder takes no more: house_builder_end then fails. Limits keep
+ * The first thing that cannot be adds a fault, and the builder takes no more: house_finish_plan then fails. Limits keep
  * time and memory bounded whatever a file says. Only for the importers. */
 #pragma once
 
@@ -37,6 +37,9 @@ bool house_builder_fail(HouseBuilder *builder, const char *format, ...) __attrib
 
 /* Is the point somewhere on Earth, and has nothing failed? Otherwise that is the fault. */
 bool house_builder_good(HouseBuilder *builder, Vec2 at);
+
+/* To the nanometre, which reads well. */
+Vec2 house_builder_rounded(Vec2 at);
 
 /* Texts of a file that may be anything: kept as one short line. */
 const char *house_builder_text(HouseBuilder *builder, const char *text);
@@ -75,6 +78,3 @@ void house_builder_route(HouseBuilder *builder, const char *who, const Vec2 *via
 
 /* Names the house; otherwise it has the file's name. */
 void house_builder_name(HouseBuilder *builder, const char *name);
-
-/* Hands the plan over, with a note of where it comes from. False: a fault, and the plan is as it was. */
-bool house_builder_end(HouseBuilder *builder, Plan *plan);

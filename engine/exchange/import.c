@@ -5,7 +5,7 @@
 
 #include "base/text.h"
 #include "exchange/dxf.h"
-#include "exchange/house_builder.h"
+#include "exchange/house_finish.h"
 #include "exchange/sh3d.h"
 #include "exchange/vadere.h"
 #include "exchange/wkt.h"
@@ -65,7 +65,7 @@ bool import_read(Plan *plan, const char *path, const ImportOptions *options, Imp
     report->format = format->name;
     HouseBuilder builder;
     house_builder_init(&builder, path, options, report, fault);
-    bool good = format->read(&builder) && house_builder_end(&builder, plan);
+    bool good = format->read(&builder) && house_finish_plan(&builder, plan);
     house_builder_clear(&builder);
     return good;
 }

@@ -66,8 +66,8 @@ static bool choose_level(Converter *converter) {
         house_builder_fail(converter->builder, "there is no storey \"%s\", there are %s", wanted, names);
     else if (home->level_count > 1 && !wanted)
         import_report_note(converter->builder->report,
-                           "the lowest storey, \"%.40s\", is taken; of %s another is taken by --level", level->name,
-                           names);
+                           "the lowest storey, \"%.40s\", is taken; of %s clearance import --level takes another",
+                           level->name, names);
     memory_free(names);
     converter->level = level ? level->id : NULL;
     return level;

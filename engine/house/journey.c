@@ -79,6 +79,8 @@ typedef struct Planning {
     const volatile sig_atomic_t *stop;
     Journeys *journeys;
     bool again;             /* people are on the way already */
+    bool all_or_none;       /* once somebody has no way, the others are not asked; on one thread */
+    bool failed;            /* somebody has none */
     size_t first_itinerary; /* without fields */
 } Planning;
 
@@ -163,7 +165,7 @@ static void plan_journey(void *context, size_t k) {
     route_free(&journey->route);
     track_free(&journey->track);
     *journey = (Journey){.via = place->via};
-    if (parallel_stopped(planning->stop))
+    if (parallel_stopped(planning->stop) || (planning->all_or_none && planning->failed))
         journey->route = (Route){.answer = ROUTE_CANNOT_PASS, .exit = SIZE_MAX};
     else if (person->under)
         journey->route = shake_route(&planning->house->plan, person);
@@ -171,6 +173,8 @@ static void plan_journey(void *context, size_t k) {
         plan_walk(planning, place, journey);
     else
         plan_ride(planning, place, journey);
+    if (planning->all_or_none)
+        planning->failed |= journey->route.answer != ROUTE_FOUND;
 }
 
 /* Where those stick who cannot get out on foot. Whoever is in the same part of the house sticks at the same place, so
@@ -223,7 +227,7 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
     }
     parallel_for(jobs, journeys->itinerary_count - planning->first_itinerary, make_fields, planning);
     parallel_for(jobs, count, plan_journey, planning);
-    if (!parallel_stopped(planning->stop))
+    if (!parallel_stopped(planning->stop) && !planning->all_or_none)
         explain_walkers(planning, count);
 }
 
@@ -234,8 +238,9 @@ static Journeys plan_nothing(const House *house, bool brief) {
                       .fields = fields_create()};
 }
 
-static Journeys plan_from_start(const House *house, const bool *part, bool brief, int jobs,
-                                const volatile sig_atomic_t *stop) {
+/* Everybody of `part`, from where they stand at the beginning; `planning` says how. */
+static Journeys plan_from_start(Planning *planning, const bool *part, bool brief, int jobs) {
+    const House *house = planning->house;
     Journeys journeys = plan_nothing(house, brief);
     Whereabouts *places = memory_allocate(house->person_count, sizeof *places);
     size_t count = 0;
@@ -243,8 +248,9 @@ static Journeys plan_from_start(const House *house, const bool *part, bool brief
         if (!part || part[i])
             places[count++] =
                 (Whereabouts){i, house->people[i].at, house->people[i].heading, 0, house->people[i].delay};
-    Planning planning = {.house = house, .places = places, .stop = stop, .journeys = &journeys};
-    plan_all(&planning, count, jobs);
+    planning->places = places;
+    planning->journeys = &journeys;
+    plan_all(planning, count, jobs);
     memory_free(places);
     return journeys;
 }
@@ -257,20 +263,18 @@ void journey_plan_again(Journeys *journeys, const House *house, const Whereabout
 }
 
 Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
-    return plan_from_start(house, part, false, jobs, stop);
+    return plan_from_start(&(Planning){.house = house, .stop = stop}, part, false, jobs);
 }
 
 Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop) {
-    return plan_from_start(house, part, true, jobs, stop);
+    return plan_from_start(&(Planning){.house = house, .stop = stop}, part, true, jobs);
 }
 
 bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop) {
-    Journeys journeys = journey_plan_briefly(house, part, 1, stop);
-    bool all = true;
-    for (size_t i = 0; i < house->person_count; i++)
-        all &= (part && !part[i]) || journeys.of[i].route.answer == ROUTE_FOUND;
+    Planning planning = {.house = house, .stop = stop, .all_or_none = true};
+    Journeys journeys = plan_from_start(&planning, part, true, 1);
     journey_free_all(&journeys);
-    return all;
+    return !planning.failed && !parallel_stopped(stop);
 }
 
 Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, bool brief,

@@ -48,7 +48,7 @@ static void add_doors(Elements *elements, const Plan *plan, Vec2 stuck, SuggestL
             add_note(list, text_in_arena(&list->arena, "door %s is locked and stays so", door->id));
         else if (suggest_search_widest(plan, d, &widest))
             add_element(elements, widest, vec2_scale(vec2_add(from, to), 0.5), stuck);
-        else
+        else if (door->width < SUGGEST_SEARCH_WIDEST)
             add_note(list,
                      text_in_arena(&list->arena, "door %s stays %.2f m wide: there is no wall beside it to take away",
                                    door->id, door->width));
@@ -277,7 +277,8 @@ bool suggest_find(SuggestList *list, const SuggestTask *task, Fault *fault) {
         .task = task, .base = &house, .most = task->most_tries ? task->most_tries : SUGGEST_TRIES, .tries = 1};
     pthread_mutex_init(&search.lock, NULL);
     Observation observation;
-    run_house(&observation, &house, &(RunOptions){.route = SIZE_MAX, .jobs = task->jobs, .stop = task->stop});
+    run_house(&observation, &house,
+              &(RunOptions){.route = SIZE_MAX, .brief = true, .jobs = task->jobs, .stop = task->stop});
     list->out_already = observation.completed && !parallel_stopped(task->stop);
     list->time = observation.time;
     if (!observation.completed && !parallel_stopped(task->stop))

@@ -8,7 +8,6 @@
 #include "house/run.h"
 
 #define STEP 0.01    /* m, of what is proposed */
-#define WIDEST 1.5   /* m, of a door: a chair turns in it */
 #define ON_STEP 1e-6 /* of a step: a whole number of them stays one */
 
 enum {
@@ -179,7 +178,7 @@ static bool bisect(Search *search, const Change *others, size_t other_count, Lad
 bool suggest_search_widest(const Plan *plan, size_t door, Change *widest) {
     double low, high;
     suggest_change_room(plan, door, &low, &high);
-    double width = STEP * floor(fmin(high - low, WIDEST) / STEP + ON_STEP);
+    double width = STEP * floor(fmin(high - low, SUGGEST_SEARCH_WIDEST) / STEP + ON_STEP);
     *widest = suggest_change_widen(plan, door, width);
     return width > plan->doors[door].width + STEP * ON_STEP;
 }

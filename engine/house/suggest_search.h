@@ -39,6 +39,8 @@ bool suggest_search_read(const Search *search, const Attempt *attempt, House *ho
 /* Changes (count) and one more, in the search's arena. */
 const Change *suggest_search_with(Search *search, const Change *changes, size_t count, Change one);
 
+#define SUGGEST_SEARCH_WIDEST 1.5 /* m, of a door: a chair turns in it */
+
 /* The widest that the door can be made, to the centimetre. False: no wider than it is. */
 bool suggest_search_widest(const Plan *plan, size_t door, Change *widest);
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "exchange/house_finish.h"
 #include "exchange/walkable.h"
 #include "fuzz.h"
 
@@ -42,7 +43,7 @@ void fuzz_import(const char *path, bool (*read)(HouseBuilder *builder)) {
     Fault fault = {0};
     Plan plan = {0};
     house_builder_init(&builder, path, &(ImportOptions){0}, &report, &fault);
-    bool good = read(&builder) && house_builder_end(&builder, &plan);
+    bool good = read(&builder) && house_finish_plan(&builder, &plan);
     for (size_t i = 0; good && i < fault.count; i++)
         fprintf(stderr, "%s\n", fault.lines[i]);
     fuzz_expect(good || fault.total == 1, "one line says why");
