@@ -132,6 +132,11 @@ Film *film_create(const House *house, const Observation *observation, const Film
     film->standing = memory_allocate(house->person_count, sizeof *film->standing);
     film->poses = memory_allocate(house->person_count, sizeof *film->poses);
     film->door_open = memory_allocate(house->plan.door_count, sizeof *film->door_open);
+    film->door_opened = memory_allocate(house->plan.door_count, sizeof *film->door_opened);
+    film->door_observed = memory_allocate(house->plan.door_count, sizeof *film->door_observed);
+    for (size_t d = 0; d < house->plan.door_count; d++)
+        film->door_observed[d] =
+            options->observed ? plan_find_door(&options->observed->plan, house->plan.doors[d].id) : d;
     if (options->live && options->before.observation && !(options->hidden & FILM_GHOST))
         film->ghosts = trail_list(options->before.observation);
     make_still(film);
@@ -174,6 +179,8 @@ void film_destroy(Film *film) {
     memory_free(film->standing);
     memory_free(film->poses);
     memory_free(film->door_open);
+    memory_free(film->door_opened);
+    memory_free(film->door_observed);
     memory_free(film);
 }
 

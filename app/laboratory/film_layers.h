@@ -20,13 +20,15 @@ struct Film {
     const House *house;
     const Observation *observation;
     FilmOptions options;
-    const Trail *trails; /* (person_count) */
-    Trail *listed;       /* the same, when they are its own */
-    Trail *ghosts;       /* (people of the one before) whose bodies are shown; NULL: none are */
-    Progress *progress;  /* (person_count) */
-    Standing *standing;  /* (person_count) room for who is there */
-    Pose *poses;         /* (person_count) room for walkers of one profile */
-    bool *door_open;     /* (doors of the plan) at the time that is shown */
+    const Trail *trails;   /* (person_count) */
+    Trail *listed;         /* the same, when they are its own */
+    Trail *ghosts;         /* (people of the one before) whose bodies are shown; NULL: none are */
+    Progress *progress;    /* (person_count) */
+    Standing *standing;    /* (person_count) room for who is there */
+    Pose *poses;           /* (person_count) room for walkers of one profile */
+    bool *door_open;       /* (doors of the plan) at the time that is shown */
+    double *door_opened;   /* (doors) s, when; infinite: never */
+    size_t *door_observed; /* (doors) where it is among those of the observation; SIZE_MAX: nowhere */
     bool crowd;
     bool several;   /* people of more than one route take part */
     bool small;     /* a house so large that chairs are signs rather than likenesses */

@@ -174,9 +174,12 @@ static void add_ghosts(Film *film) {
 void film_moving_make(Film *film) {
     Scene *scene = &film->moving;
     size_t count = find_standing(film);
-    for (size_t d = 0; d < film->house->plan.door_count; d++)
-        film->door_open[d] = film->observation->door_opened[d] <= film->time;
-    plan_scene_moving(scene, film->house, film->observation->door_opened, film->time);
+    for (size_t d = 0; d < film->house->plan.door_count; d++) {
+        size_t observed = film->door_observed[d];
+        film->door_opened[d] = observed == SIZE_MAX ? HUGE_VAL : film->observation->door_opened[observed];
+        film->door_open[d] = film->door_opened[d] <= film->time;
+    }
+    plan_scene_moving(scene, film->house, film->door_opened, film->time);
     add_walkers(film, count);
     add_chairs(film, count);
     add_ghosts(film);

@@ -7,12 +7,21 @@
 #include "laboratory/people_scene.h"
 
 #define GRACE 0.3    /* s: a run that is over within so much is waited for before anything of it is shown, or stopped */
+#define EARLY 0.15   /* s: an answer that takes longer is not waited for before the plan is drawn */
 #define MARGIN 2     /* samples at the end of a record that still changes are not shown */
 #define TAKE_PART 16 /* rows are taken over when they are such a part of all, so that this costs little in sum */
 #define TAKE_NEAR 1.0 /* s: or when what is shown comes so near to the end */
 
+/* The plan of a run that is in work is drawn already; NULL: of none. */
+static void show_early(HouseLive *live, HouseRun *run) {
+    live->early = run;
+    house_live_show_anew(live);
+}
+
 /* Neither shown, nor before, nor the answer any more. */
 static void release(HouseLive *live, HouseRun *run) {
+    if (run && run == live->early)
+        show_early(live, NULL);
     if (run && run != live->shown && run != live->before && run != live->clean)
         house_live_worker_abandon(live->worker, run);
 }
@@ -152,7 +161,7 @@ static void ask_missing(HouseLive *live) {
     if (mixed && is_of(live, live->clean, &now, 1)) {
         forget_asked(live);
         if (!is_up_to_date(live))
-            live->mixed = ask(live, HOUSE_JOB_MIXED, live->wish.driving, false);
+            live->mixed = ask(live, HOUSE_JOB_MIXED, live->wish.driving, true);
     } else if (!mixed && live->whole && is_of(live, live->shown, &now, 1)) {
         forget_asked(live);
         set_clean(live, NULL);
@@ -164,7 +173,8 @@ static void ask_missing(HouseLive *live) {
 void house_live_follow_edited(HouseLive *live) {
     if (live->wish.route && plan_find_route(draft_plan(live->draft), live->wish.route) == SIZE_MAX)
         live->wish.route = NULL;
-    house_live_follow_keep(live, true);
+    if (live->shown && house_live_run_revision(live->shown) != draft_revision(live->draft))
+        house_live_follow_keep(live, true);
     if (!draft_is_open(live->draft))
         note_history(live);
     ask_missing(live);
@@ -288,6 +298,7 @@ static void swap_in(HouseLive *live, HouseRun *run) {
     if (last)
         select_again(live, &last->house, &run->house);
     live->shown = run;
+    live->early = NULL;
     live->whole = false;
     live->growing = house_live_run_begin(run);
     live->observation = &live->growing;
@@ -414,6 +425,17 @@ static void follow_companions(HouseLive *live) {
         follow_companion(live, &live->ways, &live->ways_over, HOUSE_JOB_WAYS, live->wish.driving);
 }
 
+/* Where the answer takes long, walls and furniture are drawn before it: as soon as the house is read, with the same
+ * people in it. */
+static void follow_plan(HouseLive *live) {
+    HouseRun *run = live->latest;
+    if (!run || run == live->early || !live->shown || house_live_run_age(run) < EARLY)
+        return;
+    HouseStage stage = house_live_run_stage(run);
+    if ((stage == HOUSE_PLANS || stage == HOUSE_DRIVES) && house_live_run_alike(&run->house, &live->shown->house))
+        show_early(live, run);
+}
+
 /* Why somebody does not get out is looked for when nothing is in the hand. */
 static void follow_reasons(HouseLive *live) {
     const HouseRun *run = house_live_follow_answering(live);
@@ -427,6 +449,7 @@ void house_live_follow_all(HouseLive *live, double time) {
     follow_asked(live, &live->latest, time);
     follow_asked(live, &live->mixed, time);
     hurry(live);
+    follow_plan(live);
     follow_shown(live, time);
     follow_reasons(live);
     follow_companions(live);

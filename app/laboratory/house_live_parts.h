@@ -68,6 +68,7 @@ typedef struct HouseLive {
     HouseRun *shown;  /* NULL: nothing is read yet */
     HouseRun *latest; /* asked for after the one shown; NULL: none */
     HouseRun *mixed;  /* asked for, to be shown: the plan changes while it goes on; NULL: none */
+    HouseRun *early;  /* of those in work, the one whose plan is drawn already; NULL: none */
     HouseRun *clean;  /* of the draft from the beginning on, when the one shown is mixed; NULL: that is it */
     HouseRun *older;  /* begun before the latest was asked for; NULL: none */
     HouseRun *before; /* kept, perhaps the one shown; NULL: none */

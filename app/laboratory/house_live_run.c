@@ -157,12 +157,18 @@ size_t house_live_run_epoch(const HouseRun *run, double time) {
     return epoch;
 }
 
+bool house_live_run_alike(const House *a, const House *b) {
+    bool same = a->person_count == b->person_count && a->plan.exit_count == b->plan.exit_count;
+    for (size_t i = 0; same && i < a->person_count; i++)
+        same = strcmp(a->people[i].id, b->people[i].id) == 0;
+    for (size_t e = 0; same && e < a->plan.exit_count; e++)
+        same = strcmp(a->plan.exits[e].id, b->plan.exits[e].id) == 0;
+    return same;
+}
+
 const House *house_live_run_house(const HouseRun *run, size_t epoch) {
     const House *last = &run->house, *house = epoch + 1 < run->wish.epoch_count ? &run->earlier[epoch] : last;
-    bool same = house->person_count == last->person_count;
-    for (size_t i = 0; same && i < last->person_count; i++)
-        same = strcmp(house->people[i].id, last->people[i].id) == 0;
-    return same ? house : last;
+    return house_live_run_alike(house, last) ? house : last;
 }
 
 /* Watching it ----------------------------------------------------------------------------------------------------- */

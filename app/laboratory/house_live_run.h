@@ -79,7 +79,10 @@ static inline uint64_t house_live_run_revision(const HouseRun *run) {
 /* Which epoch a time is in. */
 size_t house_live_run_epoch(const HouseRun *run, double time);
 
-/* The house of an epoch, as far as the same people are in it as at the end; otherwise that of the end. */
+/* Have both the same people and the same exits? Then what is observed of one can be shown in the other. */
+bool house_live_run_alike(const House *a, const House *b);
+
+/* The house of an epoch, as far as that is like the one at the end; otherwise that of the end. */
 const House *house_live_run_house(const HouseRun *run, size_t epoch);
 
 /* Makes the run, on this thread, until it is over, has failed or is stopped. */

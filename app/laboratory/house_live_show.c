@@ -40,7 +40,8 @@ void house_live_show_make(HouseLive *live, double time) {
         house_live_show_anew(live);
     if (live->film || !live->shown)
         return;
-    const House *house = house_live_run_house(live->shown, epoch);
+    bool last = epoch + 1 == live->shown->wish.epoch_count;
+    const House *house = last && live->early ? &live->early->house : house_live_run_house(live->shown, epoch);
     Before ghost = house_live_follow_ghost(live);
     bool is_crowd = ghost.house && ghost.house->person_count > GHOSTS_MOST;
     bool ways = live->ways_over && live->layers & 1u << LAYER_WIDTHS;
@@ -51,6 +52,7 @@ void house_live_show_make(HouseLive *live, double time) {
                            .before = is_crowd ? (Before){.house = NULL} : ghost,
                            .live = true,
                            .ahead = live->whole && live->ghost == GHOST_BEFORE && ghost.house, /* both to compare */
+                           .observed = house == &live->shown->house ? NULL : &live->shown->house,
                            .trails = live->trails.trails,
                            .ways = ways ? &live->ways->ways : NULL,
                            .box = box_of(&live->shown->house)};

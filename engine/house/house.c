@@ -151,6 +151,17 @@ static void free_space(House *house) {
     outline_free(&house->outline);
 }
 
+/* Who is under what lies already. */
+static void catch_people(House *house) {
+    const Plan *plan = &house->plan;
+    bool *lies = memory_allocate(plan->furniture_count, sizeof *lies);
+    for (size_t f = 0; f < plan->furniture_count; f++)
+        lies[f] = plan->furniture[f].toppled;
+    for (size_t i = 0; i < house->person_count; i++)
+        house->people[i].under = shake_catches(plan, lies, &house->people[i]);
+    memory_free(lies);
+}
+
 /* People stand as without it; then furniture falls, on some of them. */
 static bool shake_house(House *house, const char *path, Fault *fault) {
     Plan *plan = &house->plan;
@@ -159,7 +170,8 @@ static bool shake_house(House *house, const char *path, Fault *fault) {
     for (size_t f = 0; f < plan->furniture_count; f++)
         any |= topples[f];
     for (size_t i = 0; i < house->person_count && any; i++)
-        house->people[i].under = shake_catches(plan, topples, &house->people[i]);
+        if (!house->people[i].under)
+            house->people[i].under = shake_catches(plan, topples, &house->people[i]);
     for (size_t f = 0; f < plan->furniture_count; f++)
         plan->furniture[f].toppled |= topples[f];
     memory_free(topples);
@@ -180,7 +192,10 @@ static bool build_parts(House *house, const char *path, const HouseOptions *opti
         check_profile(house, i, fault);
     if (fault->total != before || !build_space(house, path, fault))
         return false;
-    return populate_house(house, fault) && (!options->shake || shake_house(house, path, fault));
+    if (!populate_house(house, fault))
+        return false;
+    catch_people(house);
+    return !options->shake || shake_house(house, path, fault);
 }
 
 /* From `text`, or, where that is NULL, from the file. */

@@ -270,10 +270,11 @@ static bool in_doorway(const Solids *solids, size_t wall, size_t segment, double
     return false;
 }
 
+/* Not in what lies: that has fallen on them, which is no mistake in the plan. */
 static bool in_furniture(const Furniture *piece, Vec2 p) {
     Vec2 corners[4];
     plan_furniture_corners(piece, corners);
-    return inside_corners(p, corners, 4);
+    return !piece->toppled && inside_corners(p, corners, 4);
 }
 
 static bool in_wall(const Solids *solids, size_t w, size_t s, Vec2 p) {

@@ -18,7 +18,7 @@ static inline bool shake_can_topple(const Furniture *piece) {
 void shake_draw(const Plan *plan, uint64_t seed, bool *topples);
 
 /* "furniture.ID.toppled=true" for each of them: what makes a house so. The texts live in the arena; `settings` has room
- * for furniture_count. Returns how many. A house in which somebody is caught cannot be read with them. */
+ * for furniture_count. Returns how many. */
 size_t shake_settings(const Plan *plan, const bool *topples, const char **settings, Arena *arena);
 
 /* The piece, of those that topple, under which somebody's body is caught; NULL: none. Lies the pieces in the plan so,
