@@ -246,7 +246,7 @@ def check_wrong_use(folder):
     flat = draft(folder)
     delay = "person.p1.delay"
     wrong = {
-        (): "nothing is studied: --vary NAME=FROM:TO:STEPS or --runs N would be right",
+        (): "nothing is studied: --vary NAME=FROM:TO:STEPS, --runs N or --shake N would be right",
         ("--vary", "door.d2.width=1:2:3"): '--vary door.d2.width: there is no door "d2"',
         ("--vary", "door.d1.widht=1:2:3"): 'did you mean "width"?',
         ("--vary", "person.p1.at=1:2:3"): "at is a point, must be at.x or at.y",

@@ -35,13 +35,13 @@ static void check_apart(const Frame *frame) {
 TEST(nothing_overlaps_at_any_size) {
     for (double width = 300; width < 1500; width += 53)
         for (double height = 200; height < 900; height += 47)
-            for (unsigned wishes = 0; wishes < 8; wishes++)
+            for (unsigned wishes = 0; wishes < 16; wishes++)
                 for (size_t plots = 0; plots <= FRAME_CHARTS_MOST; plots++) {
                     FrameWish wish = {.panel = wishes & 1,
                                       .plots = wishes & 2,
                                       .present = wishes & 4,
-                                      .tool_count = wishes & 1 ? 10 : 0,
                                       .plot_count = plots,
+                                      .tool_count = wishes & 8 ? 10 : 0,
                                       .aspect = wishes & 1 ? 1.2 : 6};
                     Frame frame = frame_make(vec2(width, height), &wish);
                     check_apart(&frame);
@@ -49,19 +49,17 @@ TEST(nothing_overlaps_at_any_size) {
 }
 
 TEST(on_a_full_page_the_view_is_large_and_all_plots_are_there) {
-    Frame house = frame_make(
-        vec2(1280, 720), &(FrameWish){.panel = true, .plots = true, .present = false, .plot_count = 2, .aspect = 1.2});
+    Frame house =
+        frame_make(vec2(1280, 720), &(FrameWish){.panel = true, .plots = true, .plot_count = 2, .aspect = 1.2});
     CHECK(house.chart_count == 2);
     CHECK(box_width(house.view) >= 500 && box_height(house.view) >= 500);
-    Frame beam = frame_make(vec2(1280, 720),
-                            &(FrameWish){.panel = true, .plots = true, .present = false, .plot_count = 5, .aspect = 6});
+    Frame beam = frame_make(vec2(1280, 720), &(FrameWish){.panel = true, .plots = true, .plot_count = 5, .aspect = 6});
     CHECK(beam.chart_count == 5);
     CHECK(box_width(beam.view) >= 900 && box_height(beam.view) >= 120);
 }
 
 TEST(at_twice_the_letters_there_is_still_a_view) {
-    Frame frame = frame_make(
-        vec2(640, 360), &(FrameWish){.panel = false, .plots = true, .present = false, .plot_count = 2, .aspect = 1.2});
+    Frame frame = frame_make(vec2(640, 360), &(FrameWish){.plots = true, .plot_count = 2, .aspect = 1.2});
     CHECK(frame.compact && frame.drawer);
     CHECK(box_width(frame.view) >= 250 && box_height(frame.view) >= 200);
 }
@@ -71,4 +69,13 @@ TEST(presenting_leaves_answer_view_and_timeline) {
         vec2(853, 480), &(FrameWish){.panel = true, .plots = true, .present = true, .plot_count = 2, .aspect = 1.2});
     CHECK(!is_there(frame.menu) && !is_there(frame.strip) && !is_there(frame.panel));
     CHECK(is_there(frame.answer) && is_there(frame.view) && is_there(frame.timeline));
+}
+
+TEST(the_rail_has_words_where_there_is_room_and_goes_before_a_class) {
+    FrameWish wish = {.panel = true, .plots = true, .plot_count = 2, .tool_count = 10, .aspect = 1.2};
+    Frame wide = frame_make(vec2(1280, 720), &wish), low = frame_make(vec2(640, 360), &wish);
+    CHECK(wide.tool_words && wide.tool_columns == 1 && is_there(wide.rail));
+    CHECK(!low.tool_words && low.tool_columns == 2 && box_width(low.view) >= 250);
+    wish.present = true;
+    CHECK(!is_there(frame_make(vec2(1280, 720), &wish).rail));
 }

@@ -49,12 +49,13 @@ typedef struct Options {
     const char *observed;   /* file of measured loci, or NULL */
     bool suggest;           /* the smallest changes that let everybody out */
     StudyRequest study;
-    bool paper;          /* study the paper's claims */
-    bool thorough;       /* tell each run of a beam as `run` does */
-    const char *types;   /* names of parameters, parted by commas, or NULL */
-    int text;            /* size of the window's text, 1 to 3; 0: not said */
-    const char *script;  /* file for the window to follow, or NULL */
-    double benchmark;    /* s, of the window; 0: none */
+    bool paper;         /* study the paper's claims */
+    bool thorough;      /* tell each run of a beam as `run` does */
+    const char *types;  /* names of parameters, parted by commas, or NULL */
+    int text;           /* size of the window's text, 1 to 3; 0: not said */
+    const char *script; /* file for the window to follow, or NULL */
+    double benchmark;   /* s, of the window; 0: none */
+    double benchmark_edit;
     bool reduced_motion; /* in the window */
     double unit;         /* m, of the file to import; 0: not said */
     const char *layers;  /* of a drawing, as said, or NULL */

@@ -13,7 +13,7 @@ static bool is_set(const char *name) {
 
 /* What is asked for by a script or a benchmark needs nobody who looks. */
 static bool can_be_seen(const Options *options) {
-    return options->script || options->benchmark > 0 || is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") ||
+    return options->script || options->benchmark > 0 || options->benchmark_edit > 0 || is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") ||
            is_set("SDL_VIDEODRIVER");
 }
 
@@ -38,6 +38,7 @@ int command_open(const Options *options) {
                             .reduced_motion = options->reduced_motion,
                             .script = options->script,
                             .benchmark = options->benchmark,
+                            .benchmark_edit = options->benchmark_edit,
                             .jobs = options->jobs};
     signal(SIGINT, SIG_DFL); /* SDL makes closing the window of them, where nobody else has a use for them */
     signal(SIGTERM, SIG_DFL);

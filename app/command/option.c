@@ -220,6 +220,10 @@ static bool take_script(Options *options, const char *value) {
     return *value;
 }
 
+static bool take_benchmark_edit(Options *options, const char *value) {
+    return take_number(value, 0.1, 1e6, &options->benchmark_edit);
+}
+
 static bool take_benchmark(Options *options, const char *value) {
     return take_number(value, 0.1, 1e6, &options->benchmark);
 }
@@ -340,6 +344,8 @@ const Option option_rows[] = {
     {"--script", "FILE", FOR_OPEN, "do what this file says, as a person would; for tests and lessons", take_script},
     {"--benchmark-window", "SECONDS", FOR_OPEN, "play for so long, say how many pictures a second there were, and end",
      take_benchmark},
+    {"--benchmark-edit", "SECONDS", FOR_OPEN,
+     "drag a wardrobe for so long, say how long the answer takes after each move, and end", take_benchmark_edit},
     {"--quiet", NULL, FOR_HOUSES | FOR_CASES, "no progress", take_quiet},
 };
 const size_t option_count = sizeof option_rows / sizeof *option_rows;

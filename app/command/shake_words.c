@@ -10,8 +10,7 @@ enum { ROWS_MOST = 20 };
 
 static void print_title(const ShakeFindings *findings, const char *file) {
     const Study *study = findings->study;
-    printf("%s: %zu shakes, seeds %" PRIu64 " to %" PRIu64, file, study->runs, study->seed,
-           study->seed + study->runs - 1);
+    printf("%s: %zu shake%s from seed %" PRIu64 " on", file, study->runs, study->runs == 1 ? "" : "s", study->seed);
     if (findings->shakes < study->runs)
         printf(", %zu of them simulated", findings->shakes);
     printf("\n");

@@ -315,6 +315,8 @@ static bool is_one_chance(const Options *options, Fault *fault) {
         fault_add(fault, "clearance: --runs has no effect with --shake, which says how many, must be left out");
     else if (asked->shakes && options->types)
         fault_add(fault, "clearance: --types has no effect with --shake, must be left out");
+    else if (asked->shakes && options->measured && !asked->axis_count)
+        fault_add(fault, "clearance: --measured has no effect with --shake without --vary, must be left out");
     else if (options->report && (!asked->shakes || asked->axis_count))
         fault_add(fault, "clearance: --report of a study needs --shake N, without --vary");
     else if (options->report && !options->out)

@@ -106,6 +106,8 @@ static void make_still(Film *film) {
     plan_scene_still(scene, house);
     if (film->options.before.observation && !(hidden & FILM_GHOST))
         people_scene_ghost(scene, film->options.before.observation, house_scene_before_word(film->options.before));
+    if (film->options.ahead && !film->crowd && !(hidden & FILM_LOCI))
+        people_scene_ahead(scene, house, film->trails);
     route_scene_add(scene, house, film->observation, film->options.shown & FILM_ROUTES,
                     film->options.shown & FILM_WIDTHS, NULL);
     if (film->options.ways)

@@ -39,6 +39,7 @@ typedef struct FilmOptions {
     Before before; /* whose loci are shown as "before" */
     bool live;     /* for a window: bodies are left as often however long the run becomes, and whoever was before is
                       seen moving, too */
+    bool ahead;    /* the whole loci, thin, also before anybody has driven them */
     const Trail *trails; /* (person_count) of the observation, where somebody else lists them; otherwise NULL */
     const Scene *ways;   /* what route_scene_add makes, to be shown with the plan; or NULL */
     Box box;             /* m, what must be seen; without a width: the plan and all ways */

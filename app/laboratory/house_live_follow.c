@@ -179,7 +179,7 @@ void house_live_follow_clean(HouseLive *live) {
 }
 
 bool house_live_follow_keep(HouseLive *live, bool by_itself) {
-    if (!live->whole || (by_itself && live->before))
+    if (!live->whole || (by_itself && (live->before || !live->shown->house.person_count)))
         return false;
     HouseRun *last = live->before;
     live->before = live->shown;

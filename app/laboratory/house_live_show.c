@@ -50,6 +50,7 @@ void house_live_show_make(HouseLive *live, double time) {
                            .hidden = hidden_of(live->layers),
                            .before = is_crowd ? (Before){.house = NULL} : ghost,
                            .live = true,
+                           .ahead = live->whole && live->ghost == GHOST_BEFORE && ghost.house, /* both to compare */
                            .trails = live->trails.trails,
                            .ways = ways ? &live->ways->ways : NULL,
                            .box = box_of(&live->shown->house)};

@@ -63,9 +63,7 @@ static void compare(HouseLive *live) {
     if (!ghost.observation || !live->whole)
         return;
     Totals before = totals_of(ghost.observation), now = totals_of(live->observation);
-    LiveRow *heading = house_live_words_add(live, ROW_HEADING, "Compare");
-    heading->row.cells[1] = house_scene_before_word(ghost);
-    heading->row.cells[2] = "now";
+    house_live_words_add(live, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_word(ghost)));
     add_comparison(live, "time", before.completed ? scene_text(scene, "%.1f s", before.time) : "not out",
                    now.completed ? scene_text(scene, "%.1f s", now.time) : "not out");
     const char *narrowest = people_scene_clearance(scene, before.narrowest);

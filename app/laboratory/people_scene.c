@@ -9,6 +9,7 @@
 
 /* Design points. */
 #define LOCUS_WIDTH 4.0
+#define AHEAD_WIDTH 1.5 /* design points, of what is still to come */
 #define TICK_WIDTH 2.0
 #define TICK_SMALL 11.0
 #define TICK_LARGE 19.0
@@ -62,6 +63,8 @@ const char *people_scene_clearance(Scene *scene, double clearance) {
     const double fine = 0.1; /* m: below it millimetres are worth reading */
     if (clearance <= 0)
         return "touches";
+    if (isinf(clearance))
+        return "-"; /* nobody was near to anything */
     return scene_text(scene, clearance < fine ? "%.3f m" : "%.2f m", clearance);
 }
 
@@ -187,6 +190,15 @@ void people_scene_ghost(Scene *scene, const Observation *before, const char *wor
         scene_add_label(scene, look.role, LETTERS, middle.at, word)->optional = true;
     }
     trail_free_list(trails);
+}
+
+void people_scene_ahead(Scene *scene, const House *house, const Trail *trails) {
+    for (size_t i = 0; i < house->person_count; i++) {
+        LocusLook look = people_scene_look(house, i);
+        look.width = AHEAD_WIDTH;
+        if (trails[i].count > 1)
+            add_locus(scene, &trails[i], look);
+    }
 }
 
 /* The whole seconds at which somebody has moved on. */

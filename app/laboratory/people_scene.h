@@ -51,6 +51,9 @@ double people_scene_least_interval(bool several);
 /* The loci of an observation that is not the one shown: dashed, with a word such as "before". */
 void people_scene_ghost(Scene *scene, const Observation *before, const char *word);
 
+/* The whole loci (trails, a person each), thin: where everybody will have been. */
+void people_scene_ahead(Scene *scene, const House *house, const Trail *trails);
+
 /* The ticks of a locus after `from` s and up to `to` s. */
 void people_scene_ticks(Scene *scene, const Trail *trail, Role role, double from, double to);
 

@@ -13,6 +13,9 @@
 /* Design points. */
 #define MARGIN 12.0
 #define LEAST_SIDE 24.0
+#define SCALE_WIDTH 150.0 /* of the view's scale, to the right */
+
+enum { NOTE_LINES = 4 };
 
 #define WHEEL_ZOOM 1.15
 
@@ -55,17 +58,32 @@ static size_t plot_of(const Room *room, const Chart *chart) {
 
 /* The view --------------------------------------------------------------------------------------------------------- */
 
+/* One line after the other, from the foot of the view up, beside the scale; where letters are large from its top down.
+ */
+static void show_note(Window *window, const char *note) {
+    Box view = window->frame.view;
+    double height = ui_extent(window->ui, UI_BODY, "x").y, most = fmax(box_width(view) - SCALE_WIDTH, SCALE_WIDTH);
+    const char *lines[NOTE_LINES];
+    int count = 0;
+    for (const char *at = note; *at && count < NOTE_LINES; count++) {
+        const char *end = strstr(at, "; ");
+        bool fits = ui_extent(window->ui, UI_BODY, at).x <= most || !end;
+        lines[count] = fits ? at : text_in_arena(&window->words, "%.*s", (int)(end - at), at);
+        at = fits ? "" : end + 2;
+    }
+    for (int i = 0; i < count; i++) {
+        double y = window->frame.compact ? view.low.y + height * (i + 1)
+                                         : view.high.y - MARGIN - height * (count - i) + height / 2;
+        double right = view.low.x + MARGIN + ui_extent(window->ui, UI_BODY, lines[i]).x;
+        ui_draw_box(window->ui, (Box){{view.low.x + MARGIN - 4, y - height / 2}, {right + 4, y + height / 2}},
+                    ROLE_PAPER, 0.8);
+        ui_draw_words(window->ui, UI_BODY, ROLE_DIM_TEXT, vec2(view.low.x + MARGIN, y), 0, lines[i]);
+    }
+}
+
 static void show_view_words(Window *window, const Room *room) {
     Box view = window->frame.view;
-    const char *note = room->kind->note(room->live);
-    Vec2 extent = ui_extent(window->ui, UI_BODY, note);
-    if (*note) {
-        double below = window->frame.compact ? view.low.y + extent.y : view.high.y - MARGIN - extent.y / 2;
-        Vec2 at = {view.low.x + MARGIN, below};
-        ui_draw_box(window->ui, (Box){{at.x - 4, at.y - extent.y / 2}, {at.x + extent.x + 4, at.y + extent.y / 2}},
-                    ROLE_PAPER, 0.8);
-        ui_draw_words(window->ui, UI_BODY, ROLE_DIM_TEXT, at, 0, note);
-    }
+    show_note(window, room->kind->note(room->live));
     if (room->player.playing || (window->edit.holds && window->edit.plays_on))
         return;
     Vec2 size = ui_extent(window->ui, UI_HEADING, "PAUSED");

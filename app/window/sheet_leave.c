@@ -31,8 +31,8 @@ void sheet_leave_show(Window *window) {
     begin(window, WIDTH, HEIGHT);
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save before closing?");
     ui_text(window->ui, UI_BODY, ROLE_TEXT,
-            text_in_arena(&window->words, "%s has %zu edit%s that no file holds yet.", files_title(window, room), edits,
-                          edits == 1 ? "" : "s"));
+            text_in_arena(&window->words, "%s has %zu edit%s that no file holds yet.", room->kind->title(room->live),
+                          edits, edits == 1 ? "" : "s"));
     ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, room->path ? room->path : "It has no file of its own yet.");
     ui_row(window->ui, 3);
     bool saves = ui_button(window->ui, &(UiButton){.label = "Save", .help = "Save: writes it to its file, or asks"});

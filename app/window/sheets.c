@@ -13,7 +13,7 @@
 #include "window/sheet_leave.h"
 
 /* Design points. */
-#define MENU_WIDTH 330.0
+#define MENU_WIDTH 376.0
 #define MENU_ROW 30.0
 #define EDGE 24.0
 #define SMALL_WIDTH 620.0

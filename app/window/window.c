@@ -11,6 +11,7 @@
 #include "window/edit.h"
 #include "window/files.h"
 #include "window/outlook.h"
+#include "window/pace_edit.h"
 #include "window/panel.h"
 #include "window/rail.h"
 #include "window/scripted.h"
@@ -266,7 +267,7 @@ static bool is_lively(Window *window, const Scripted *scripted) {
     const Room *room = window_room(window);
     bool draws = window->sheet == SHEET_GALLERY && !gallery_complete(window->gallery);
     return window->dirty || ui_is_busy(window->ui) || scripted_is_busy(scripted) || window->pace.counting ||
-           window->export || draws || (room->live && room->player.playing);
+           window->options->benchmark_edit > 0 || window->export || draws || (room->live && room->player.playing);
 }
 
 /* Between frames --------------------------------------------------------------------------------------------------- */
@@ -433,18 +434,22 @@ static void close_all(Window *window) {
     folder_clear(&window->folder);
     arena_clear(&window->words);
     pace_clear(&window->pace);
+    pace_edit_clear(window);
 }
 
 static void loop(Window *window, Scripted *scripted) {
     double begun = glass_now();
     while (!window->quit) {
         turn(window, scripted);
+        if (window->options->benchmark_edit > 0 && pace_edit_go_on(window, begun))
+            window->quit = true;
         if (window->options->benchmark > 0 && !window->pace.counting && glass_now() - begun > BENCHMARK_WARM)
             pace_count(&window->pace);
-        if (window->pace.counting && glass_now() - begun > BENCHMARK_WARM + window->options->benchmark)
+        if (window->options->benchmark > 0 && window->pace.counting &&
+            glass_now() - begun > BENCHMARK_WARM + window->options->benchmark)
             window->quit = true;
     }
-    if (window->pace.counting)
+    if (window->options->benchmark > 0 && window->pace.counting)
         pace_print(&window->pace, window_room(window)->kind->name, window->width, window->height);
 }
 

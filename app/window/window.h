@@ -18,7 +18,8 @@ typedef struct WindowOptions {
     bool reduced_motion; /* otherwise as remembered */
     const char *script;  /* file, or NULL */
     double benchmark;    /* s; 0: none */
-    int jobs;            /* threads */
+    double benchmark_edit;
+    int jobs; /* threads */
 } WindowOptions;
 
 /* Runs until it is closed; returns the program's exit code. */

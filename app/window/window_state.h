@@ -60,6 +60,18 @@ typedef struct Watch {
 /* What is to be done once what is open has been saved, or need not be. */
 typedef enum Leave { LEAVE_NOTHING, LEAVE_QUIT, LEAVE_OPEN, LEAVE_NEW } Leave;
 
+/* What --benchmark-edit measures. */
+typedef struct PaceEdit {
+    double begun; /* s on the wall, when the piece was taken up; 0: not yet */
+    Vec2 middle;  /* m, of the piece then */
+    size_t steps;
+    bool waits;      /* for an answer, */
+    int frames;      /* since so many, */
+    double edited;   /* since that moment */
+    double *answers; /* (count) s */
+    size_t count, capacity, missed;
+} PaceEdit;
+
 enum { ROOM_HOUSE, ROOM_BEAM, ROOMS, WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64 };
 
 typedef struct Window {
@@ -108,6 +120,7 @@ typedef struct Window {
     size_t found_count;
 
     Pace pace;
+    PaceEdit pace_edit;
     bool dirty; /* something has changed that is to be seen */
     bool quit;
     int code;    /* exit code */

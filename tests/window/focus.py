@@ -8,7 +8,7 @@ from stage import act, check, differing
 
 # 21. the focus goes everywhere and comes back, and always has a frame
 tabs = []
-for i in range(60):
+for i in range(100):
     tabs += ["key Tab", "wait 2", "state STATE"] + ([f"picture FOLDER/tab-{i}.png"] if i % 4 == 0 else [])
 found = act("tabs", "until complete 60", "pause", "wait 3", "picture FOLDER/none.png", *tabs,
             arguments=[stage.house("corner-0.90-0.90")])
@@ -16,7 +16,7 @@ panes = [state["focus"] for state in found]
 for pane in ("view", "plot:speed", "plot:clearance", "panel", "timeline", "menu", "answer"):
     check(pane in panes, f"Tab comes to {pane}", sorted(set(panes)))
 first = stage.folder / "tabs" / "none.png"
-for i in range(0, 60, 4):
+for i in range(0, 100, 4):
     picture = stage.folder / "tabs" / f"tab-{i}.png"
     check(differing(first, picture) > 50, f"after {i + 1} Tabs a frame is seen")
 found = act("panes", "until complete 60", *(["key F6", "wait 2", "state STATE"] * 12))
@@ -40,7 +40,7 @@ check(len(keys) > 90, "the table has keys", len(keys))
 keys = [key.replace("\\\\", "\\") for key in keys if key not in ("Ctrl+Q", "Shift+F9")]
 for laboratory in ("house", "beam"):
     for focus in ("view", "plot", "timeline"):
-        steps = {"view": 0, "plot": 1, "timeline": 4}[focus]
+        steps = {"view": 0, "plot": 1, "timeline": 5 if laboratory == "house" else 4}[focus]
         lines = [f"laboratory {laboratory}", "until answered 90", "wait 5", *(["key F6", "wait 1"] * steps)]
         for key in keys:
             quoted = '"' + key.replace("\\", "\\\\") + '"'

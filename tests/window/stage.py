@@ -173,6 +173,8 @@ class Screen:
 
     def end(self):
         self.keys("ctrl+q")
+        if self.until(lambda s: s["sheet"] == "leave", 1).get("sheet") == "leave":
+            self.keys("Tab", "Return")
         try:
             code = self.program.wait(20)
         except subprocess.TimeoutExpired:

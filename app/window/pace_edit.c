@@ -1,0 +1,157 @@
+#include "window/pace_edit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "window/act.h"
+#include "window/edit.h"
+
+#define WARM 3.0     /* s, before the piece is taken up */
+#define PATIENCE 1.0 /* s, that an answer is waited for */
+#define RADIUS 0.15  /* m */
+#define ROUND 40     /* steps */
+#define MILLI 1000.0
+
+/* Dragging --------------------------------------------------------------------------------------------------------- */
+
+/* Is it a piece of furniture, and what is it called? NULL: it is something else. Selects it. */
+static const char *piece_name(Room *room, LiveThing thing) {
+    static const char begin[] = "furniture.", end[] = ".name";
+    size_t count;
+    room_select(room, thing);
+    const LiveText *texts = edit_of(room)->texts(room->live, &count);
+    for (size_t i = 0; i < count; i++) {
+        size_t length = strlen(texts[i].name);
+        if (strncmp(texts[i].name, begin, sizeof begin - 1) == 0 && length >= sizeof end &&
+            strcmp(texts[i].name + length - sizeof end + 1, end) == 0)
+            return texts[i].value;
+    }
+    return NULL;
+}
+
+/* The first wardrobe, or else the first piece of furniture. */
+static LiveThing find_piece(Room *room) {
+    LiveThing first = room->kind->next(room->live, (LiveThing){0}, 1), thing = first, found = {0};
+    do {
+        const char *name = thing.kind ? piece_name(room, thing) : NULL;
+        if (name && strstr(name, "wardrobe"))
+            return thing;
+        if (name && !found.kind)
+            found = thing;
+        thing = room->kind->next(room->live, thing, 1);
+    } while (thing.kind && !live_same(thing, first));
+    return found;
+}
+
+/* Its middle, m; false: there is none. */
+static bool find_middle(Room *room, Vec2 *middle) {
+    Vec2 points[LIVE_OUTLINE_MOST];
+    LiveThing thing = find_piece(room);
+    size_t count = thing.kind ? room->kind->outline(room->live, thing, room->player.time, points) : 0;
+    room_select(room, thing);
+    *middle = vec2(0, 0);
+    for (size_t i = 0; i < count; i++)
+        *middle = vec2_along(*middle, 1 / (double)count, points[i]);
+    return count > 0;
+}
+
+static void push(Window *window, Vec2 floor, GlassKind kind, bool down) {
+    const Room *room = window_room(window);
+    Vec2 at = vec2_add(window->frame.view.low, scenery_point(&room->scenery, floor));
+    GlassEvent event = {.kind = kind, .at = vec2_scale(at, window->unit), .button = GLASS_LEFT, .down = down};
+    glass_push(window->glass, &event);
+}
+
+/* Takes it up; false: there is nothing to be dragged. */
+static bool begin(Window *window) {
+    PaceEdit *pace = &window->pace_edit;
+    Room *room = window_room(window);
+    if (!edit_of(room) || !find_middle(room, &pace->middle))
+        return false;
+    push(window, pace->middle, GLASS_MOUSE, false);
+    push(window, pace->middle, GLASS_BUTTON, true);
+    pace->begun = glass_now();
+    pace_count(&window->pace);
+    return true;
+}
+
+static void step(Window *window) {
+    PaceEdit *pace = &window->pace_edit;
+    double angle = 2 * M_PI * (double)pace->steps++ / ROUND;
+    Vec2 away = vec2_sub(vec2_scale(vec2_heading(angle), RADIUS), vec2(RADIUS, 0));
+    push(window, vec2_add(pace->middle, away), GLASS_MOUSE, false);
+    pace->waits = true;
+    pace->frames = 0;
+}
+
+/* What came of it -------------------------------------------------------------------------------------------------- */
+
+static int by_size(const void *a, const void *b) {
+    double first = *(const double *)a, second = *(const double *)b;
+    return (first > second) - (first < second);
+}
+
+static double part_of(const double *sorted, size_t count, double part) {
+    return count ? sorted[(size_t)(part * (double)(count - 1))] : NAN;
+}
+
+static void print(Window *window) {
+    PaceEdit *pace = &window->pace_edit;
+    Pace *frames = &window->pace;
+    qsort(pace->answers, pace->count, sizeof *pace->answers, by_size);
+    qsort(frames->times, frames->count, sizeof *frames->times, by_size);
+    double median = MILLI * part_of(pace->answers, pace->count, 0.5);
+    double late = MILLI * part_of(pace->answers, pace->count, 0.99);
+    double frame = MILLI * part_of(frames->times, frames->count, 0.5);
+    double slow = MILLI * part_of(frames->times, frames->count, 0.99);
+    double longest = MILLI * part_of(frames->times, frames->count, 1);
+    printf("%s, %d x %d, dragged for %.1f s: %zu edits, %zu unanswered; from an edit to its answer on the screen %.1f "
+           "ms (median), %.1f ms (99 of 100); a frame takes %.1f ms (median), %.1f ms (99 of 100), %.1f ms (longest)\n",
+           window_room(window)->kind->title(window_room(window)->live), window->width, window->height,
+           glass_now() - pace->begun, pace->count + pace->missed, pace->missed, median, late, frame, slow, longest);
+    if (pace->count && frames->count)
+        printf("{\"edits\":%zu,\"unanswered\":%zu,\"answer_ms\":{\"median\":%.3f,\"p99\":%.3f},\"frame_ms\":"
+               "{\"median\":%.3f,\"p99\":%.3f,\"longest\":%.3f}}\n",
+               pace->count + pace->missed, pace->missed, median, late, frame, slow, longest);
+}
+
+/* Has the answer to the last step come, or is it waited for in vain? The first frame after it still shows the old one:
+ * it is the one in which the hand moved. */
+static void look(Window *window) {
+    PaceEdit *pace = &window->pace_edit;
+    const Room *room = window_room(window);
+    double now = glass_now();
+    if (pace->frames++ == 0) {
+        pace->edited = window->pace.last; /* when that frame was begun */
+        return;
+    }
+    if (!room->kind->answer(room->live).stale) {
+        pace->answers = memory_reserve(pace->answers, &pace->capacity, pace->count + 1, sizeof *pace->answers);
+        pace->answers[pace->count++] = now - pace->edited;
+        pace->waits = false;
+    } else if (now - pace->edited > PATIENCE) {
+        pace->missed++;
+        pace->waits = false;
+    }
+}
+
+bool pace_edit_go_on(Window *window, double begun) {
+    PaceEdit *pace = &window->pace_edit;
+    double now = glass_now();
+    if (pace->begun <= 0)
+        return now - begun > WARM && !begin(window);
+    if (pace->waits)
+        look(window);
+    if (!pace->waits && now - pace->begun <= window->options->benchmark_edit)
+        step(window);
+    if (now - pace->begun <= window->options->benchmark_edit)
+        return false;
+    print(window);
+    return true;
+}
+
+void pace_edit_clear(Window *window) {
+    memory_free(window->pace_edit.answers);
+}

@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""Nothing that was edited is lost: the program is killed at random moments, and what it leaves behind always opens; the
+file that was edited is untouched."""
+
+import random
+import shutil
+import signal
+import subprocess
+import time
+
+import stage
+from stage import act, check, environment, folder, program, states
+
+place = folder / "killed"
+place.mkdir()
+home = place / "home"
+kept = home / ".local" / "state" / "clearance" / "recovery"
+house = place / "mine.json"
+shutil.copy(stage.house("closed-door"), house)
+original = house.read_bytes()
+random.seed(7)
+
+
+def left():
+    return sorted(kept.glob("*.json")) if kept.exists() else []
+
+
+def opens(path):
+    """Does it stand as a house?"""
+    done = subprocess.run([program, "check", str(path)], capture_output=True, text=True, timeout=60)
+    return done.returncode != 2, done.stderr
+
+
+def edit_and_kill(seconds):
+    """Edits every 2.2 s, so that each is written; killed so many s after the window has come."""
+    lines = [f'open "{house}"', "wait 5", f"state {place}/states"]
+    for i in range(12):
+        lines += [f"set door.d1.width {0.8 + 0.01 * i:.2f}", "wait 140"]
+    script = place / "script"
+    script.write_text("\n".join(lines) + "\nwait 10000\n")
+    (place / "states").unlink(missing_ok=True)
+    window = subprocess.Popen([program, "open", "--script", str(script)], cwd=place, stderr=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL,
+                              env=environment(home, SDL_VIDEODRIVER="offscreen"))
+    begun = time.monotonic()
+    while not states(place / "states") and time.monotonic() - begun < 60:
+        time.sleep(0.02)
+    time.sleep(seconds)
+    window.send_signal(signal.SIGKILL)
+    window.wait()
+
+
+turns, whole, found = 8, 0, 0
+for turn in range(turns):
+    edit_and_kill(random.uniform(0.5, 9))
+    for path in left():
+        found += 1
+        good, words = opens(path)
+        whole += good
+        check(good, f"killed at a random moment (turn {turn + 1}), what is left opens", words)
+check(found > turns and whole == found, "killed again and again, something is left each time that it had been written",
+      (found, whole))
+check(house.read_bytes() == original, "the file itself is as it was")
+
+# the next start offers it, and opens it unsaved
+newest = max(left(), key=lambda path: path.stat().st_mtime)
+shutil.rmtree(folder / "next", ignore_errors=True)
+(folder / "next").mkdir()
+shutil.copytree(home, folder / "next" / "home")
+there = sorted((folder / "next" / "home" / ".local" / "state" / "clearance" / "recovery").glob("*.json"))
+seen = act("next", "wait 20", "state STATE", "picture FOLDER/sheet.png", "key Tab", "key Shift+Tab", "key Return",
+           "wait 20", "state STATE", "picture FOLDER/opened.png")
+check(seen and seen[0]["sheet"] == "recovered", "the next start asks about it", seen[0]["sheet"] if seen else None)
+check(len(seen) > 1 and seen[1]["shown_title"].endswith("[Recovered]") and seen[1]["unsaved"] and not seen[1]["file"],
+      "opened, it says that it is recovered, and is not saved", seen[1]["shown_title"] if len(seen) > 1 else None)
+
+# a clean end leaves nothing behind
+act("clean", f'open "{house}"', "set door.d1.width 0.85", "wait 200", "state STATE")
+rest = folder / "clean" / "home" / ".local" / "state" / "clearance" / "recovery"
+check(not list(rest.glob("*")), "a clean end leaves nothing behind", list(rest.glob("*")))
+
+stage.end()
