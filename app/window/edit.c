@@ -19,10 +19,21 @@ const LiveEditor *edit_of(const Room *room) {
     return room->live ? room->kind->editor : NULL;
 }
 
+/* Has a handle the focus of the keys? Then Enter, or a number, takes it up. */
+static bool has_handle(const LiveGesture *gesture) {
+    bool held = false;
+    for (size_t i = 0; i < gesture->mark_count; i++)
+        held |= gesture->marks[i].kind == MARK_HANDLE && gesture->marks[i].held;
+    return held;
+}
+
 bool edit_listens(const Window *window) {
     const Room *room = &window->rooms[window->current];
     const LiveEditor *editor = edit_of(room);
-    return editor && (editor->tool(room->live) != TOOL_SELECT || editor->gesture(room->live)->active);
+    if (!editor || editor->tool(room->live) != TOOL_SELECT)
+        return editor;
+    const LiveGesture *gesture = editor->gesture(room->live);
+    return gesture->active || has_handle(gesture);
 }
 
 /* The hand --------------------------------------------------------------------------------------------------------- */
