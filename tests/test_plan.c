@@ -82,7 +82,9 @@ TEST(a_house_in_memory_is_read_as_if_from_its_file) {
     for (size_t i = 0; i < count; i++) {
         House house = {0};
         Fault fault = {0};
-        HouseOptions options = {.profiles = "assets/profiles", .driving = -1};
+        char profiles[512];
+        snprintf(profiles, sizeof profiles, "%s", scratch_source("assets/profiles"));
+        HouseOptions options = {.profiles = profiles, .driving = -1};
         char *shipped = scratch_read(scratch_source(paths[i]));
         CHECK(house_read_text(&house, "/nowhere/at-all.json", shipped, &options, &fault));
         CHECK_TEXT(house.plan.path, "/nowhere/at-all.json");

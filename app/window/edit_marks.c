@@ -307,6 +307,7 @@ void edit_marks_show(Window *window) {
     if (!editor)
         return;
     const LiveGesture *gesture = editor->gesture(room->live);
-    show_read_out(window, gesture, &labels);
+    show_read_out(window, gesture, &labels); /* keeps its place free of words */
     show_marks(window, room, gesture, &labels);
+    show_read_out(window, gesture, &labels); /* and lies over what crosses it */
 }

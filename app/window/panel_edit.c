@@ -136,8 +136,8 @@ static void show_way_out(Window *window, Room *room, const LiveEditor *editor) {
     if (act_first_place(room) &&
         ui_button(window->ui, &(UiButton){.id = "show", .label = "Show", .help = "Show: the place, from near"}))
         act_show_place(window);
-    if (!doing && ui_button(window->ui, &(UiButton){.label = "Smallest change that lets everybody out",
-                                                    .help = "Smallest change that lets everybody out: tries wider "
+    if (!doing && ui_button(window->ui, &(UiButton){.label = "Smallest change",
+                                                    .help = "Smallest change: what lets everybody out; tries wider "
                                                             "doors and moved furniture, each by simulation"}))
         editor->ask(room->live);
     show_proposals(window, room, editor);
