@@ -184,8 +184,10 @@ static void take_events(Window *window, double wait) {
         if (event.kind == GLASS_BUTTON || event.kind == GLASS_KEY)
             return;
     }
-    if (waited && window->edit.waits)
+    if (waited && window->edit.waits) {
         end_waiting(window, NULL);
+        window->edit.done = true; /* should its letters come late, they are done */
+    }
 }
 
 /* Frames ----------------------------------------------------------------------------------------------------------- */

@@ -158,7 +158,7 @@ class Screen:
             time.sleep(0.05)
 
     def type(self, words):
-        self.tool("type", "--delay", "60", words)
+        self.tool("type", "--delay", "60", "--", words)
 
     def click(self, x, y, button=1):
         self.tool("mousemove", round(x), round(y))
