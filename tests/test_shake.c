@@ -191,3 +191,19 @@ TEST(a_crowd_stands_in_a_shake_where_it_stands_without) {
     house_free(&plain);
     house_free(&shaken);
 }
+
+TEST(whoever_something_lies_on_already_is_caught_too) {
+    House house;
+    if (!read_house(&house,
+                    ROOM "'furniture': [{'id': 'wardrobe', 'centre': [3, 0.5], 'size': [1, 0.5], 'height': 1.8, "
+                         "'topples': 'back', 'toppled': true}], "
+                         "'people': [{'id': 'p1', 'profile': 'manual-chair', 'at': [3, 1.5]}]}",
+                    1, false))
+        return;
+    Observation observation = run(&house);
+    CHECK(house.people[0].under == &house.plan.furniture[0]);
+    CHECK(observation.people[0].reason == REASON_CANNOT_PASS);
+    CHECK_TEXT(observation.people[0].blockage.what, "under wardrobe");
+    observation_free(&observation);
+    house_free(&house);
+}
