@@ -13,8 +13,8 @@ static bool is_set(const char *name) {
 
 /* What is asked for by a script or a benchmark needs nobody who looks. */
 static bool can_be_seen(const Options *options) {
-    return options->script || options->benchmark > 0 || options->benchmark_edit > 0 || is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") ||
-           is_set("SDL_VIDEODRIVER");
+    return options->script || options->benchmark > 0 || options->benchmark_edit > 0 || is_set("DISPLAY") ||
+           is_set("WAYLAND_DISPLAY") || is_set("SDL_VIDEODRIVER");
 }
 
 int command_open(const Options *options) {
