@@ -178,6 +178,8 @@ void house_live_follow_edited(HouseLive *live) {
     if (!draft_is_open(live->draft))
         note_history(live);
     ask_missing(live);
+    if (live->kept_itself && house_live_run_revision(live->before) == draft_revision(live->draft))
+        house_live_follow_forget(live); /* all is as before */
     house_live_choices_list(live);
 }
 

@@ -164,6 +164,8 @@ static void make_ticks(HouseLive *live) {
 /* "before 24.1 s, -5.7 s (-24 %)" */
 static const char *against(HouseLive *live, const Observation *now) {
     Before ghost = house_live_follow_ghost(live);
+    if (!ghost.observation && live->clean && live->before) /* which is shown still: the answer is newer */
+        ghost = (Before){.house = &live->before->house, .observation = &live->before->observation};
     Scene *scene = &live->words.moment;
     if (!ghost.observation)
         return "";
