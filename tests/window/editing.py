@@ -5,6 +5,7 @@ flat of four rooms drawn from nothing by mouse and again by keyboard alone."""
 import json
 import math
 import subprocess
+import time
 
 import stage
 from drawing import Plan
@@ -69,7 +70,8 @@ held = plan.state()
 check(held["gesture"]["active"] and held["held"] and gesture_words(held, "dimension"),
       "13: dragged, a door tells its distances and the clock is held", held["gesture"])
 plan.shot("dragged")
-plan.keys("Escape")
+plan.tool("key", "Escape")  # clearing modifiers would let go of the button, too
+time.sleep(0.1)
 plan.tool("mouseup", 1)
 plan.move(-2.8, -2.6)
 let_go = plan.until(lambda s: not s["gesture"]["active"] and not s["answer"]["stale"] and not s["answer"]["doing"], 20)
