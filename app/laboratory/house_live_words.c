@@ -64,10 +64,10 @@ static void compare(HouseLive *live) {
         return;
     Totals before = totals_of(ghost.observation), now = totals_of(live->observation);
     house_live_words_add(live, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_word(ghost)));
-    const char *time = before.completed ? scene_text(scene, "%.1f s (%+.1f)", now.time, now.time - before.time)
-                                        : scene_text(scene, "%.1f s", now.time);
     add_comparison(live, "time", before.completed ? scene_text(scene, "%.1f s", before.time) : "not out",
-                   now.completed ? time : "not out");
+                   now.completed ? scene_text(scene, "%.1f s", now.time) : "not out");
+    if (before.completed && now.completed)
+        add_comparison(live, "difference", "", scene_text(scene, "%+.1f s", now.time - before.time));
     const char *narrowest = people_scene_clearance(scene, before.narrowest);
     add_comparison(live, "narrowest", narrowest, people_scene_clearance(scene, now.narrowest));
     const char *contacts = scene_text(scene, "%d", before.contacts);
