@@ -203,7 +203,7 @@ TEST(whoever_something_lies_on_already_is_caught_too) {
     Observation observation = run(&house);
     CHECK(house.people[0].under == &house.plan.furniture[0]);
     CHECK(observation.people[0].reason == REASON_CANNOT_PASS);
-    CHECK_TEXT(observation.people[0].blockage.what, "under wardrobe");
+    CHECK_TEXT(observation.people[0].blockage.what, "under furniture wardrobe");
     observation_free(&observation);
     house_free(&house);
 }
