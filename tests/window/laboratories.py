@@ -22,8 +22,8 @@ def headless(path, *more):
 digest = headless(corner)["digest"]
 found = act("digest", "play", "wait 20", "seek 3", "wait 5", "speed 16", "wait 10", "pause", "seek 0.4", "play",
             "until complete 60", "state STATE", "seek 9", "wait 3", "seek 1", "wait 3", "state STATE",
-            f"set profile.manual-chair.body.width 0.6", "until complete 60", "state STATE", "key Alt+R",
-            "until complete 60", "state STATE", arguments=[corner])
+            "pause", "seek 0", "wait 3", "set profile.manual-chair.body.width 0.6", "until answered 60", "wait 5",
+            "state STATE", "key Alt+R", "until answered 60", "wait 5", "state STATE", arguments=[corner])
 for i, what in ((0, "played and scrubbed"), (1, "scrubbed after its end"), (3, "reset after a change")):
     check(found[i]["digest"] == digest, f"the digest of a run that was {what} is the headless one",
           (found[i]["digest"], digest))
@@ -53,7 +53,7 @@ check(found[2]["answer"]["title"] == "All 4 get out" and found[2]["messages"] > 
 
 # keys of the view: selection, zoom, raised, follow, layers, present, theme, letters
 found = act("looks", "until complete 60", "pause", "wait 2", "state STATE", "key Tab", "wait 2", "state STATE",
-            "key Z", "wait 2", "state STATE", "key Home", "key V", "key E", "wait 2", "state STATE",
+            "key Z", "wait 2", "state STATE", "key Escape", "key Home", "key V", "key E", "wait 2", "state STATE",
             "picture FOLDER/raised.png", "key V", "key F", "wait 2", "state STATE", "key Home", "key F5", "wait 2",
             "state STATE", "picture FOLDER/present.png", "key F5", "key Ctrl+T", "wait 2", "state STATE",
             "picture FOLDER/board.png", "key Ctrl+=", "key Ctrl+=", "wait 2", "state STATE", "key Ctrl+0", "wait 2")
@@ -128,7 +128,7 @@ check("copied: clearance run" in found[2]["message"], "Ctrl+C copies the command
 mine = stage.folder / "mine.json"
 mine.write_text("mine")
 found = act("save", "until complete 60", "set door.d4.width 0.85", "until complete 60", "key Ctrl+S", "wait 4", "key Return",
-            "wait 10", "state STATE", "key Ctrl+S", "wait 4", "key Ctrl+A", f'type "{mine}"', "wait 2", "key Return",
+            "wait 10", "state STATE", "key Ctrl+Shift+S", "wait 4", "key Ctrl+A", f'type "{mine}"', "wait 2", "key Return",
             "wait 6", "state STATE")
 path = found[0]["message"].partition(": ")[2]
 saved = json.loads(open(path).read())
