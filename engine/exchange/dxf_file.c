@@ -33,9 +33,9 @@ typedef struct Group {
 typedef struct Reader {
     DxfFile *file;
     HouseBuilder *builder;
-    char *at;
-    Group group; /* the last that was read */
-    int line;    /* of it */
+    char *at, *end; /* of the text */
+    Group group;    /* the last that was read */
+    int line;       /* of it */
     int next_line;
     DxfVertex spare; /* for what comes after a fault */
 } Reader;
@@ -47,13 +47,13 @@ static bool fail(Reader *reader, const char *what, const char *detail) {
 
 /* Groups ---------------------------------------------------------------------------------------------------------- */
 
-/* The next line without what surrounds it, or NULL at the end. */
+/* The next line without what surrounds it, or NULL at the end. Functions of strings may look at all that is left. */
 static char *next_line(Reader *reader) {
     char *begin = reader->at;
-    if (!*begin)
+    if (begin == reader->end)
         return NULL;
-    char *end = begin + strcspn(begin, "\n");
-    reader->at = *end ? end + 1 : end;
+    char *feed = memchr(begin, '\n', (size_t)(reader->end - begin)), *end = feed ? feed : reader->end;
+    reader->at = feed ? feed + 1 : end;
     reader->line = reader->next_line++;
     while (end > begin && (end[-1] == '\r' || end[-1] == ' '))
         end--;
@@ -452,6 +452,7 @@ bool dxf_file_read(DxfFile *file, HouseBuilder *builder) {
     if (memchr(file->text, 0, size))
         return fail(&reader, "no DXF drawing: there is a byte 0", "");
     convert(file, &size);
+    reader.end = file->text + size;
     reader.at = file->text + (strncmp(file->text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0);
     find_layer(&reader, "0"); /* what names none is there */
     bool good = read_sections(&reader);
