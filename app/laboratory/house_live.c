@@ -94,7 +94,6 @@ static void *open_house(const char *path, const LiveOptions *options, Fault *fau
     keep_wish(live, path ? path : "", options);
     live->worker = worker;
     house_live_history_begin(&live->history, draft_text(draft), draft_revision(draft));
-    house_live_choices_list(live);
     house_live_follow_ask(live);
     return live;
 }
@@ -340,9 +339,7 @@ static void prefer(void *context, size_t preset) {
 }
 
 static const LiveChoice *choices(const void *context, size_t *count) {
-    const HouseLive *live = context;
-    *count = live->choice_count;
-    return live->choices;
+    return house_live_choices_list((HouseLive *)context, count);
 }
 
 static void choose(void *context, size_t choice, size_t word) {

@@ -30,7 +30,7 @@ static bool anybody_rides(const House *house) {
     return false;
 }
 
-void house_live_choices_list(HouseLive *live) {
+static void list(HouseLive *live) {
     bool rides = live->shown && anybody_rides(&live->shown->house);
     live->choice_count = 0;
     LiveChoice *ghost = add_choice(live, GHOST,
@@ -67,7 +67,14 @@ static void take_ghost(HouseLive *live, const char *word) {
     house_live_show_anew(live);
 }
 
+const LiveChoice *house_live_choices_list(HouseLive *live, size_t *count) {
+    list(live);
+    *count = live->choice_count;
+    return live->choices;
+}
+
 void house_live_choices_take(HouseLive *live, size_t choice, size_t word) {
+    list(live);
     if (choice >= live->choice_count || word >= live->choices[choice].count)
         return;
     const LiveChoice *taken = &live->choices[choice];
@@ -81,5 +88,4 @@ void house_live_choices_take(HouseLive *live, size_t choice, size_t word) {
         house_live_follow_keep(live, true);
         house_live_follow_ask(live);
     }
-    house_live_choices_list(live);
 }

@@ -180,7 +180,6 @@ void house_live_follow_edited(HouseLive *live) {
     ask_missing(live);
     if (live->kept_itself && house_live_run_revision(live->before) == draft_revision(live->draft))
         house_live_follow_forget(live); /* all is as before */
-    house_live_choices_list(live);
 }
 
 void house_live_follow_clean(HouseLive *live) {
@@ -200,7 +199,6 @@ bool house_live_follow_keep(HouseLive *live, bool by_itself) {
     live->ghost = by_itself && live->ghost != GHOST_NONE ? live->ghost : GHOST_BEFORE;
     live->retell = true;
     house_live_show_anew(live);
-    house_live_choices_list(live);
     return true;
 }
 
@@ -213,7 +211,6 @@ void house_live_follow_forget(HouseLive *live) {
     live->retell = true;
     live->changed |= LIVE_WORDS | LIVE_PLOTS;
     house_live_show_anew(live);
-    house_live_choices_list(live);
 }
 
 /* Trouble --------------------------------------------------------------------------------------------------------- */
@@ -261,7 +258,6 @@ static void turn_back(HouseLive *live, HouseRun *run) {
         note_history(live);
     live->wish.driving = live->shown->wish.driving;
     house_live_value_list_again(&live->values, &live->opened, &live->shown->house);
-    house_live_choices_list(live);
     if ((undone && !is_up_to_date(live)) || (!live->whole && house_live_run_stage(live->shown) == HOUSE_STOPPED))
         ask_missing(live);
 }
@@ -319,7 +315,6 @@ static void swap_in(HouseLive *live, HouseRun *run) {
         house_live_value_list_again(&live->values, &live->opened, &run->house);
     live->retell = true;
     live->changed |= LIVE_ALL & ~LIVE_TROUBLE;
-    house_live_choices_list(live);
 }
 
 /* Following ------------------------------------------------------------------------------------------------------- */

@@ -168,8 +168,9 @@ LiveAnswer house_live_words_answer(HouseLive *live);
 /* Is something else in work, or farther, than when this was asked last? */
 bool house_live_words_does_other(HouseLive *live);
 
-/* Ghost, route, driving, as far as there is something to choose. */
-void house_live_choices_list(HouseLive *live);
+/* Ghost, route, driving, as far as there is something to choose; good until the draft is tried again, whose names they
+ * have. */
+const LiveChoice *house_live_choices_list(HouseLive *live, size_t *count);
 void house_live_choices_take(HouseLive *live, size_t choice, size_t word);
 
 /* Numbers are taken into the hand, under the name that their step will have, and put down. */

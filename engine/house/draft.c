@@ -123,8 +123,10 @@ bool draft_try(Draft *draft, Fault *fault) {
     return true;
 }
 
-/* What has stood before stands again. */
+/* What has stood before stands again; the plan is as good where nothing else has stood since. */
 static void stand_again(Draft *draft, uint64_t revision) {
+    if (draft->revision == revision)
+        return;
     Fault none = {0};
     draft_try(draft, &none);
     draft->revision = revision;
