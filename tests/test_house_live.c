@@ -128,6 +128,17 @@ static const LiveParameter *parameter(void *live, const char *name) {
     return NULL;
 }
 
+static void add_scene(Text *text, const Scene *scene) {
+    for (size_t i = 0; i < scene->count; i++) {
+        const Primitive *primitive = &scene->primitives[i];
+        text_format(text, "%d %d %d %.9f %.9f", primitive->kind, primitive->fill, primitive->edge, primitive->radius,
+                    primitive->begun);
+        for (size_t p = 0; p < primitive->count; p++)
+            text_format(text, " %.9f,%.9f", primitive->points[p].x, primitive->points[p].y);
+        text_format(text, " %s\n", primitive->text);
+    }
+}
+
 /* What a painter is given, as text: the whole of the layer that stays and the one that moves. */
 static char *picture_at(void *live, double time) {
     kind->update(live, time);
@@ -135,16 +146,8 @@ static char *picture_at(void *live, double time) {
     kind->update(live, time);
     CHECK(!kind->show(live, time));
     Text text = {0};
-    const Scene *scenes[] = {kind->added(live), kind->moving(live)};
-    for (size_t s = 0; s < 2; s++)
-        for (size_t i = 0; i < scenes[s]->count; i++) {
-            const Primitive *primitive = &scenes[s]->primitives[i];
-            text_format(&text, "%d %d %d %.9f %.9f", primitive->kind, primitive->fill, primitive->edge,
-                        primitive->radius, primitive->begun);
-            for (size_t p = 0; p < primitive->count; p++)
-                text_format(&text, " %.9f,%.9f", primitive->points[p].x, primitive->points[p].y);
-            text_format(&text, " %s\n", primitive->text);
-        }
+    add_scene(&text, kind->added(live));
+    add_scene(&text, kind->moving(live));
     return text.text;
 }
 
@@ -329,6 +332,27 @@ TEST(a_time_looks_the_same_whenever_it_is_shown) {
     for (size_t i = 0; i < 7; i++)
         memory_free(first[i]);
     CHECK(kind->show(live, 7.3) && kind->show(live, 7.4) && !kind->show(live, 7.2));
+    kind->close(live);
+}
+
+TEST(a_moment_rests_until_something_changes) {
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    settle(live, 0);
+    kind->show(live, 7.3);
+    Text before = {0}, again = {0};
+    add_scene(&before, kind->moving(live));
+    CHECK(kind->rests(live, 7.3) && !kind->rests(live, 7.4));
+    kind->show(live, 7.3);
+    add_scene(&again, kind->moving(live));
+    CHECK(strcmp(before.text, again.text) == 0 && kind->added(live)->count == 0);
+    kind->reveal(live, 0);
+    CHECK(!kind->rests(live, 7.3));
+    kind->show(live, 7.3);
+    CHECK(kind->rests(live, 7.3) && set(live, "door.d5.width", 0.85));
+    settle(live, 7.3);
+    CHECK(!kind->rests(live, 7.3));
+    memory_free(before.text);
+    memory_free(again.text);
     kind->close(live);
 }
 

@@ -89,7 +89,10 @@ typedef struct Choice {
     double cost;
 } Choice;
 
+/* `extra` alone may be too much: what lies there need not be looked at then. */
 static void consider(Choice *best, const Mask *mask, Caption caption, double extra) {
+    if (extra >= best->cost)
+        return;
     double cost = mask_cost(mask, box_expand(layout_caption_box(&caption), AIR)) + extra;
     if (cost < best->cost)
         *best = (Choice){caption, cost};
@@ -107,9 +110,9 @@ static void consider_inside(Choice *best, const Mask *mask, Caption caption, con
             caption.turned = turned;
             caption.centre =
                 i < 0 ? at : vec2(box.low.x + part.x * box_width(box), box.low.y + part.y * box_height(box));
-            if (outline_holds_box(outline, count, box_expand(layout_caption_box(&caption), AIR)))
-                consider(best, mask, caption,
-                         extra + turned * TURNED_COST + DISTANCE_COST * vec2_distance(caption.centre, at));
+            double away = extra + turned * TURNED_COST + DISTANCE_COST * vec2_distance(caption.centre, at);
+            if (away < best->cost && outline_holds_box(outline, count, box_expand(layout_caption_box(&caption), AIR)))
+                consider(best, mask, caption, away);
         }
 }
 
@@ -121,11 +124,13 @@ static void consider_around(Choice *best, const Mask *mask, Caption caption, Vec
     for (int ring = 0; ring < rings; ring++)
         for (int i = 0; i < DIRECTIONS; i++) {
             Vec2 way = vec2_heading(2 * M_PI * i / DIRECTIONS);
-            double reach = GAP + ring * RING_STEP;
+            double reach = GAP + ring * RING_STEP, away = DISTANCE_COST * reach;
+            if (away >= best->cost)
+                return;
             Vec2 step = {way.x * (reach + caption.extent.x / 2), way.y * (reach + caption.extent.y / 2)};
             caption.centre = vec2_add(at, step);
             double crossing = CROSSING_COST * mask_line_cost(mask, at, caption.centre);
-            consider(best, mask, caption, DISTANCE_COST * reach + crossing);
+            consider(best, mask, caption, away + crossing);
         }
 }
 

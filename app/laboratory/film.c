@@ -154,6 +154,7 @@ static void begin_progress(Film *film, size_t i) {
 }
 
 void film_extend(Film *film) {
+    film->extended = true;
     for (size_t i = 0; i < film->house->person_count; i++)
         if (!film->progress[i].begun)
             begin_progress(film, i);
@@ -270,10 +271,15 @@ bool film_show(Film *film, double time) {
     if (!onwards || film->time < 0)
         begin_again(film);
     film->time = time;
+    film->extended = false;
     scene_reset(&film->added);
     scene_reset(&film->moving);
     if (!(film->options.hidden & FILM_LOCI))
         add_ways(film);
     film_moving_make(film);
     return onwards;
+}
+
+bool film_rests(const Film *film, double time) {
+    return film->time == time && !film->extended;
 }

@@ -68,6 +68,9 @@ const Scene *film_still(const Film *film);
 /* Moves to a time, s. False: back in time, what has been added must be forgotten; film_added then holds all. */
 bool film_show(Film *film, double time);
 
+/* Would film_show change nothing? */
+bool film_rests(const Film *film, double time);
+
 /* What has come since the last film_show, and what is there only now; good until the next. */
 const Scene *film_added(const Film *film);
 const Scene *film_moving(const Film *film);

@@ -33,6 +33,7 @@ struct Film {
     bool several;   /* people of more than one route take part */
     bool small;     /* a house so large that chairs are signs rather than likenesses */
     double time;    /* s, shown last; -1: none */
+    bool extended;  /* since then */
     size_t samples; /* of the record, that have been added */
     Scene still, added, moving;
 };

@@ -146,6 +146,12 @@ static bool show(void *context, double time) {
     return onwards;
 }
 
+static bool rests(const void *context, double time) {
+    const HouseLive *live = context;
+    return live->film && !live->fresh && house_live_run_epoch(live->shown, time) == live->epoch &&
+           film_rests(live->film, time);
+}
+
 static const Scene *still(const void *context) {
     const HouseLive *live = context;
     house_live_show_make((HouseLive *)context, live->time); /* if a call since the last update has made it void */
@@ -469,6 +475,7 @@ const LiveKind house_live = {
     .span = span,
     .reach = reach,
     .show = show,
+    .rests = rests,
     .still = still,
     .added = added,
     .moving = moving,

@@ -157,6 +157,9 @@ typedef struct LiveKind {
     /* Moves the layers to a time within the span, s; false: back in time, or all is new: what had been added to the
      * static layer must be forgotten, `added` holds all. */
     bool (*show)(void *live, double time);
+
+    /* Is what show would bring now to the pixel what it brought last? NULL: that cannot be told. */
+    bool (*rests)(const void *live, double time);
     const Scene *(*still)(const void *live);
     const Scene *(*added)(const void *live);
     const Scene *(*moving)(const void *live);

@@ -14,7 +14,7 @@
 
 double pace_wait(Pace *pace, bool hurried) {
     double now = glass_now(), due = pace->last + 1 / PACE_RATE;
-    if (!pace->counting && !hurried && now < due)
+    if (!hurried && now < due)
         glass_sleep(due - now);
     now = glass_now();
     double since = pace->last > 0 ? now - pace->last : 0;

@@ -43,6 +43,8 @@ static void add_more(Scenery *scenery, const Scene *scene) {
 }
 
 void scenery_show(Scenery *scenery, const LiveKind *kind, void *live, double time) {
+    if (scenery->painted && kind->rests && kind->rests(live, time))
+        return;
     if (!scenery->painted) {
         paint_still(scenery, kind->still(live));
         kind->show(live, kind->span(live).begin); /* back, so that what is added next is all of it */

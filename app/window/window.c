@@ -348,7 +348,8 @@ static void move_on(Window *window, double seconds) {
 /* One turn of the loop. */
 static void turn(Window *window, Scripted *scripted) {
     bool lively = is_lively(window, scripted);
-    bool hurried = scripted_is_busy(scripted) && !scripted->until && !glass_is_seen(window->glass);
+    bool hurried = (window->pace.counting && window->options->benchmark > 0) ||
+                   (scripted_is_busy(scripted) && !scripted->until && !glass_is_seen(window->glass));
     double seconds = pace_wait(&window->pace, hurried), begun = glass_now();
     take_events(window, lively ? 0 : IDLE_WAIT);
     double worked = window_room(window)->worked;
