@@ -69,31 +69,43 @@ static void add_walls(Scene *scene, const House *house) {
     }
 }
 
-/* How high a piece is as it stands, or as it lies on one of its sides. */
-static double furniture_height(const Furniture *piece) {
-    if (!piece->toppled)
-        return piece->height;
-    return piece->topples == TOPPLE_LEFT || piece->topples == TOPPLE_RIGHT ? piece->size.x : piece->size.y;
-}
-
-static void add_furniture(Scene *scene, const Furniture *piece) {
+/* A piece at a share of its way from standing to lying. */
+static Primitive *add_body(Scene *scene, const Furniture *piece, double share) {
     Vec2 corners[4];
-    plan_furniture_corners(piece, corners);
+    furniture_fall_corners(piece, share, corners);
     Primitive *body = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
     body->edge = ROLE_FURNITURE_LINE;
     body->width = FURNITURE_EDGE;
-    body->hatched = piece->toppled;
-    body->height = fmin(furniture_height(piece), PLAN_SCENE_STOREY);
+    body->height = fmin(furniture_fall_height(piece, share), PLAN_SCENE_STOREY);
     body->keep_clear = KEEP_FURNITURE;
+    return body;
+}
+
+static void add_furniture(Scene *scene, const Furniture *piece) {
+    add_body(scene, piece, piece->toppled)->hatched = piece->toppled;
     if (!piece->toppled)
         return;
-    Furniture standing = *piece;
-    standing.toppled = false;
-    plan_furniture_corners(&standing, corners);
+    Vec2 corners[4];
+    furniture_fall_corners(piece, 0, corners);
     Primitive *before = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
     before->edge = ROLE_WALL;
     before->width = FURNITURE_EDGE;
     before->style = LINE_DASHED;
+}
+
+void plan_scene_falling(Scene *scene, const FurnitureFall *fall) {
+    if (furniture_fall_rests(fall))
+        add_furniture(scene, &fall->piece);
+    else
+        add_body(scene, &fall->piece, furniture_fall_share(fall));
+}
+
+void plan_scene_place(Scene *scene, const Furniture *piece) {
+    Vec2 corners[4];
+    plan_furniture_corners(piece, corners);
+    Primitive *place = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
+    place->fill_opacity = 0;
+    place->keep_clear = KEEP_FURNITURE;
 }
 
 /* A door's opening: its ends, the unit direction between them and the one to which it swings. */

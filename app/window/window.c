@@ -269,7 +269,8 @@ static bool is_lively(Window *window, const Scripted *scripted) {
     const Room *room = window_room(window);
     bool draws = window->sheet == SHEET_GALLERY && !gallery_complete(window->gallery);
     return window->dirty || ui_is_busy(window->ui) || scripted_is_busy(scripted) || window->pace.counting ||
-           window->options->benchmark_edit > 0 || window->export || draws || (room->live && room->player.playing);
+           window->options->benchmark_edit > 0 || window->export || draws || (room->live && room->player.playing) ||
+           edit_animation(room);
 }
 
 /* Between frames --------------------------------------------------------------------------------------------------- */
@@ -332,6 +333,7 @@ static void forget_notes(Window *window) {
 static void move_on(Window *window, double seconds) {
     Room *room = window_room(window);
     double before = room->player.time;
+    edit_animate(window, seconds);
     for (size_t i = 0; i < ROOMS; i++) {
         unsigned changes = room_update(&window->rooms[i], i == window->current ? seconds : 0);
         if (changes & LIVE_TROUBLE)
@@ -370,6 +372,7 @@ static void take_likes(Window *window) {
     const SettingsLikes *likes = &window->settings.likes;
     window->theme = (Theme)(options->theme >= 0 ? options->theme : likes->theme);
     window->text = options->text > 0 ? options->text : likes->text;
+    window->reduced = options->reduced_motion || likes->reduced_motion;
     window->panel = window->plots = true;
     window->rooms[ROOM_HOUSE] = room_make(&house_live);
     window->rooms[ROOM_BEAM] = room_make(&beam_live);
