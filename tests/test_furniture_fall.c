@@ -70,6 +70,26 @@ TEST(it_covers_more_and_more_ever_faster_for_six_tenths_of_a_second) {
     }
 }
 
+/* Its cuts hold as much as it does, however it leans, and it stands on the edge that it turns about. */
+TEST(a_leaning_piece_is_as_large_as_one_that_stands) {
+    enum { CUTS = 2000 };
+    for (int face = TOPPLE_FRONT; face <= TOPPLE_RIGHT; face++) {
+        Furniture piece = piece_to(face);
+        double expected = piece.height * (face < TOPPLE_LEFT ? piece.size.y : piece.size.x);
+        for (double share = 0; share <= 1; share += 0.125) {
+            double area = 0, high = furniture_fall_height(&piece, share), from, to;
+            for (int i = 0; i < CUTS; i++) {
+                furniture_fall_cut(&piece, share, high * (i + 0.5) / CUTS, &from, &to);
+                CHECK(from < to && to <= piece.height * share + 1e-12);
+                area += (to - from) * high / CUTS;
+            }
+            CHECK_NEAR(area, expected, 1e-3);
+            furniture_fall_cut(&piece, share, 1e-9, &from, &to);
+            CHECK(share == 1 || fabs(to) < 1e-6);
+        }
+    }
+}
+
 TEST(a_piece_that_is_stood_up_halfway_goes_back_from_there) {
     FurnitureFall fall = {.piece = piece_to(TOPPLE_FRONT)};
     furniture_fall_move(&fall, 0.3);
@@ -105,57 +125,56 @@ TEST(pieces_of_a_shake_begin_one_after_the_other_by_seed_and_id) {
 #define PIECE(id, x, y, more)                                                                                          \
     "{'id': '" id "', 'name': 'shelf', 'centre': [" x ", " y "], 'size': [0.8, 0.4], 'height': 1.5, " more "}"
 
-static const char
-    furnished[] = "{'format': 'clearance-house', 'version': 1, 'walls': [{'id': 'w1', 'points': [[0, 0], [9, 0], [9, "
-                  "6], [0, 6], [0, "
-                  "0]]}], 'doors': [{'id': 'd1', 'wall': 'w1', 'segment': 1, 'at': 3, 'width': 1}], 'furniture': "
-                  "[" PIECE("a", "1", "5.7", "'topples': 'front'") ", " PIECE("b", "2.5", "5.7", "'topples': 'front'") ", " PIECE(
-                      "c", "4", "5.7",
-                      "'topples': 'front'") ", " PIECE("d", "1", "0.3",
-                                                       "'topples': 'back'") ", " PIECE("e", "2.5", "0.3",
-                                                                                       "'topples': 'back', 'toppled': "
-                                                                                       "true") ", " PIECE("f", "4",
-                                                                                                          "0.3",
-                                                                                                          "'topples': "
-                                                                                                          "'no'") "], "
-                                                                                                                  "'exi"
-                                                                                                                  "ts':"
-                                                                                                                  " [{'"
-                                                                                                                  "id':"
-                                                                                                                  " '"
-                                                                                                                  "e1',"
-                                                                                                                  " '"
-                                                                                                                  "from"
-                                                                                                                  "': "
-                                                                                                                  "[9."
-                                                                                                                  "5, "
-                                                                                                                  "2.5]"
-                                                                                                                  ", "
-                                                                                                                  "'to'"
-                                                                                                                  ": "
-                                                                                                                  "[9."
-                                                                                                                  "5, "
-                                                                                                                  "3.5]"
-                                                                                                                  "}], "
-                                                                                                                  "'peo"
-                                                                                                                  "ple'"
-                                                                                                                  ": "
-                                                                                                                  "[{'"
-                                                                                                                  "id':"
-                                                                                                                  " '"
-                                                                                                                  "p1',"
-                                                                                                                  " '"
-                                                                                                                  "prof"
-                                                                                                                  "ile'"
-                                                                                                                  ": "
-                                                                                                                  "'adu"
-                                                                                                                  "lt',"
-                                                                                                                  " "
-                                                                                                                  "'at'"
-                                                                                                                  ": "
-                                                                                                                  "[7, "
-                                                                                                                  "3]}]"
-                                                                                                                  "}";
+static const char furnished[] =
+    "{'format': 'clearance-house', 'version': 1, 'walls': [{'id': 'w1', 'points': [[0, 0], [9, 0], [9, "
+    "6], [0, 6], [0, "
+    "0]]}], 'doors': [{'id': 'd1', 'wall': 'w1', 'segment': 1, 'at': 3, 'width': 1}], 'furniture': "
+    "[" PIECE("a", "1", "5.7", "'topples': 'front'") ", " PIECE("b", "2.5", "5.7", "'topples': 'front'") ", " PIECE(
+        "c", "4", "5.7",
+        "'topples': 'front'") ", " PIECE("d", "1", "0.3",
+                                         "'topples': 'back'") ", " PIECE("e", "2.5", "0.3",
+                                                                         "'topples': 'back', 'toppled': "
+                                                                         "true") ", " PIECE("f", "4", "0.3",
+                                                                                            "'topples': "
+                                                                                            "'no'") "], "
+                                                                                                    "'exi"
+                                                                                                    "ts':"
+                                                                                                    " [{'"
+                                                                                                    "id':"
+                                                                                                    " '"
+                                                                                                    "e1',"
+                                                                                                    " '"
+                                                                                                    "from"
+                                                                                                    "': "
+                                                                                                    "[9."
+                                                                                                    "5, "
+                                                                                                    "2.5]"
+                                                                                                    ", "
+                                                                                                    "'to'"
+                                                                                                    ": "
+                                                                                                    "[9."
+                                                                                                    "5, "
+                                                                                                    "3.5]"
+                                                                                                    "}], "
+                                                                                                    "'peo"
+                                                                                                    "ple'"
+                                                                                                    ": "
+                                                                                                    "[{'"
+                                                                                                    "id':"
+                                                                                                    " '"
+                                                                                                    "p1',"
+                                                                                                    " '"
+                                                                                                    "prof"
+                                                                                                    "ile'"
+                                                                                                    ": "
+                                                                                                    "'adu"
+                                                                                                    "lt',"
+                                                                                                    " "
+                                                                                                    "'at'"
+                                                                                                    ": "
+                                                                                                    "[7, "
+                                                                                                    "3]}]"
+                                                                                                    "}";
 
 static void *open_house(void) {
     char path[] = "/tmp/clearance-fall-XXXXXX", profiles[4096], text[sizeof furnished];

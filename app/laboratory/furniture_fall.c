@@ -26,10 +26,33 @@ void furniture_fall_corners(const Furniture *piece, double share, Vec2 corners[4
     plan_furniture_corners(&leaning, corners);
 }
 
-double furniture_fall_height(const Furniture *piece, double share) {
+static double depth_of(const Furniture *piece) {
     bool sideways = piece->topples == TOPPLE_LEFT || piece->topples == TOPPLE_RIGHT;
-    double depth = sideways ? piece->size.x : piece->size.y;
-    return piece->height * sqrt(fmax(0, 1 - share * share)) + depth * share;
+    return sideways ? piece->size.x : piece->size.y;
+}
+
+static double cosine(double share) {
+    return sqrt(fmax(0, 1 - share * share));
+}
+
+double furniture_fall_height(const Furniture *piece, double share) {
+    return piece->height * cosine(share) + depth_of(piece) * share;
+}
+
+void furniture_fall_cut(const Furniture *piece, double share, double height, double *from, double *to) {
+    double depth = depth_of(piece), along = cosine(share);
+    Vec2 up = vec2(piece->height * share, piece->height * along), back = vec2(-depth * along, depth * share);
+    Vec2 corners[] = {{0, 0}, up, vec2_add(up, back), back};
+    *from = HUGE_VAL;
+    *to = -HUGE_VAL;
+    for (int i = 0; i < 4; i++) {
+        Vec2 a = corners[i], b = corners[(i + 1) % 4];
+        if ((a.y > height) == (b.y > height))
+            continue;
+        double x = a.x + (b.x - a.x) * (height - a.y) / (b.y - a.y);
+        *from = fmin(*from, x);
+        *to = fmax(*to, x);
+    }
 }
 
 double furniture_fall_delay(uint64_t seed, const char *id) {

@@ -34,5 +34,9 @@ double furniture_fall_share(const FurnitureFall *fall);
 void furniture_fall_corners(const Furniture *piece, double share, Vec2 corners[4]);
 double furniture_fall_height(const Furniture *piece, double share);
 
+/* The leaning piece, cut level at a height, m, below that: from where to where it is, m beyond the edge about which it
+ * turns; negative: over where it stood. */
+void furniture_fall_cut(const Furniture *piece, double share, double height, double *from, double *to);
+
 /* s, until a piece begins in the shake of a seed: bound to its id, as the draw is. */
 double furniture_fall_delay(uint64_t seed, const char *id);

@@ -17,8 +17,9 @@ void plan_scene_solids(Scene *scene, const House *house);
 void plan_scene_still(Scene *scene, const House *house);
 void plan_scene_moving(Scene *scene, const House *house, const double *door_opened, double time);
 
-/* A piece of furniture on its way from standing to lying; and the place of one that is drawn so, which labels avoid. */
-void plan_scene_falling(Scene *scene, const FurnitureFall *fall);
+/* A piece of furniture on its way from standing to lying, seen from above or from the side; and the place of one that
+ * is drawn so, which labels avoid. */
+void plan_scene_falling(Scene *scene, const FurnitureFall *fall, bool raised);
 void plan_scene_place(Scene *scene, const Furniture *piece);
 
 enum { PLAN_SCENE_NAMES = 25 /* more pieces of furniture, or doors, have no names */ };
