@@ -372,8 +372,10 @@ void edit_animate(Window *window, double seconds) {
     const Room *room = window_room(window);
     const LiveEditor *editor = edit_of(room);
     bool unseen = window->options->script && !glass_is_seen(window->glass);
-    if (editor && !window->reduced)
-        editor->animate(room->live, unseen ? 1 / PACE_RATE : seconds);
+    if (!editor || window->reduced)
+        return;
+    window->dirty |= editor->animation(room->live) != NULL; /* it may come to its end now */
+    editor->animate(room->live, unseen ? 1 / PACE_RATE : seconds);
 }
 
 const char *edit_animation(const Room *room) {

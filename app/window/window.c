@@ -333,7 +333,6 @@ static void forget_notes(Window *window) {
 static void move_on(Window *window, double seconds) {
     Room *room = window_room(window);
     double before = room->player.time;
-    edit_animate(window, seconds);
     for (size_t i = 0; i < ROOMS; i++) {
         unsigned changes = room_update(&window->rooms[i], i == window->current ? seconds : 0);
         if (changes & LIVE_TROUBLE)
@@ -352,6 +351,7 @@ static void turn(Window *window, Scripted *scripted) {
     bool lively = is_lively(window, scripted);
     bool hurried = scripted_is_busy(scripted) && !scripted->until && !glass_is_seen(window->glass);
     double seconds = pace_wait(&window->pace, hurried), begun = glass_now();
+    edit_animate(window, seconds);
     take_events(window, lively ? 0 : IDLE_WAIT);
     double worked = window_room(window)->worked;
     move_on(window, seconds);
