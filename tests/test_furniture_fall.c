@@ -302,6 +302,72 @@ TEST(a_piece_that_is_removed_while_it_falls_is_gone) {
     kind->close(live);
 }
 
+static unsigned any_below(unsigned limit) {
+    static uint64_t state = 5;
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (unsigned)(state >> 40) % limit;
+}
+
+/* One of what sets furniture moving, or ends it. */
+static void act_at_random(void *live, unsigned action, double y) {
+    static const double places[] = {1, 2.5, 4};
+    Fault fault = {0};
+    kind->select(live, kind->pick(live, vec2(places[action % 3], y), 0, (LiveThing){0}));
+    switch (action / 3) {
+    case 0:
+        editor->topple(live, &fault);
+        break;
+    case 1:
+        editor->shake(live, &fault);
+        break;
+    case 2:
+        editor->undo(live);
+        break;
+    case 3:
+        editor->redo(live);
+        break;
+    case 4:
+        editor->nudge(live, vec2(0.01, 0), &fault);
+        break;
+    default:
+        editor->remove(live, &fault);
+        editor->undo(live);
+    }
+    fault_clear(&fault);
+}
+
+TEST(whatever_is_done_in_whatever_haste_it_rests_as_where_nothing_moves) {
+    void *moved = open_house(), *still = open_house();
+    settle(moved);
+    settle(still);
+    editor->animate(moved, 0);
+    for (int i = 0; i < 20; i++) {
+        for (int k = 0; k < 6; k++) {
+            unsigned action = any_below(18);
+            double y = any_below(2) ? 5.7 : 0.3;
+            act_at_random(moved, action, y);
+            act_at_random(still, action, y);
+            for (unsigned n = any_below(4); n-- > 0;) {
+                editor->animate(moved, 0.01 * any_below(20));
+                kind->update(moved, 0);
+                kind->show(moved, 0);
+            }
+            kind->update(moved, 0);
+            kind->update(still, 0);
+            settle(moved); /* what is picked is what is shown */
+            settle(still);
+        }
+        editor->animate(moved, 2);
+        settle(moved);
+        CHECK_TEXT(editor->text(moved), editor->text(still));
+        char *expected = picture_of(still);
+        check_same_picture(moved, expected, true);
+        memory_free(expected);
+    }
+    kind->close(moved);
+    kind->close(still);
+}
+
 /* Shakes ---------------------------------------------------------------------------------------------------------- */
 
 /* "abce": what lies. */

@@ -413,13 +413,13 @@ static size_t outline(const void *context, LiveThing thing, double time, Vec2 *p
     if (!live->shown)
         return 0;
     HouseScenery scenery = house_live_scenery(live);
+    size_t count = house_live_thing_outline(&scenery, thing, time, points);
     const FurnitureFall *fall = NULL;
-    if (thing.kind == HOUSE_FURNITURE)
+    if (count && thing.kind == HOUSE_FURNITURE)
         fall = house_live_fall_find(live, house_live_thing_id(&live->shown->house, thing));
-    if (!fall)
-        return house_live_thing_outline(&scenery, thing, time, points);
-    furniture_fall_corners(&fall->piece, furniture_fall_share(fall), points);
-    return 4;
+    if (fall)
+        furniture_fall_corners(&fall->piece, furniture_fall_share(fall), points);
+    return count;
 }
 
 static const char *const *command(const void *context, size_t *count) {
