@@ -65,7 +65,7 @@ const KeyRow keys_table[] = {
      NULL},
     {ACTION_TOPPLE, KEY_PLAN, "T", MENU_TOOLS, "Topple", "topples the selected furniture, or stands it up", "topple"},
     {ACTION_SHAKE, KEY_PLAN, "Shift+T", MENU_TOOLS, "Shake",
-     "an earthquake: furniture falls by its chances, with the next seed; again: another one", NULL},
+     "makes an earthquake, in which furniture falls by its chances; again: another one, by the next seed", NULL},
     {ACTION_SPLIT, KEY_PLAN, "Shift+W", MENU_TOOLS, "Split wall", "makes a corner in the middle of the selected wall",
      NULL},
     {ACTION_SNAP, KEY_PLAN, "N", MENU_TOOLS, "Snapping", "lets the hand catch corners, faces and angles, or not", NULL},
