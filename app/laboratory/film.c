@@ -74,6 +74,29 @@ static void keep_ways_clear(Film *film) {
     }
 }
 
+static bool is_falling(const Film *film, const char *id) {
+    for (size_t i = 0; i < film->options.falling_count; i++)
+        if (strcmp(film->options.falling[i].piece.id, id) == 0)
+            return true;
+    return false;
+}
+
+/* The house without the furniture that is drawn with what moves: its places are kept. */
+static House without_falling(Film *film) {
+    House rest = *film->house;
+    const Plan *plan = &film->house->plan;
+    Furniture *kept = arena_allocate(&film->still.arena, (plan->furniture_count + 1) * sizeof *kept);
+    rest.plan.furniture = kept;
+    rest.plan.furniture_count = 0;
+    for (size_t i = 0; i < plan->furniture_count; i++) {
+        if (is_falling(film, plan->furniture[i].id))
+            plan_scene_place(&film->still, &plan->furniture[i]);
+        else
+            kept[rest.plan.furniture_count++] = plan->furniture[i];
+    }
+    return rest;
+}
+
 /* The bodies that do not pass, and how much is missing. */
 static void add_blockages(Film *film) {
     const Observation *observation = film->observation;
@@ -103,7 +126,8 @@ static void make_still(Film *film) {
     scene->grid = hidden & FILM_GRID ? 0 : scene->grid;
     if (scene->camera.kind == VIEW_RAISED)
         scene->name = scene_text(scene, "%s, walls cut at %.1f m", scene->name, PLAN_SCENE_CUT);
-    plan_scene_still(scene, house);
+    House rest = without_falling(film);
+    plan_scene_still(scene, &rest);
     if (film->options.before.observation && !(hidden & FILM_GHOST))
         people_scene_ghost(scene, film->options.before.observation, house_scene_before_word(film->options.before));
     if (film->options.ahead && !film->crowd && !(hidden & FILM_LOCI))
@@ -115,7 +139,7 @@ static void make_still(Film *film) {
     if (!film->crowd)
         keep_ways_clear(film);
     if (!film->crowd)
-        plan_scene_signs(scene, house);
+        plan_scene_signs(scene, &rest);
     add_blockages(film);
     if (!(hidden & FILM_DANGER))
         people_scene_hazards(scene, film->observation);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "draw/scene.h"
+#include "laboratory/furniture_fall.h"
 #include "laboratory/house_scene.h"
 #include "laboratory/trail.h"
 
@@ -44,7 +45,9 @@ typedef struct FilmOptions {
                               the same */
     const Trail *trails;   /* (person_count) of the observation, where somebody else lists them; otherwise NULL */
     const Scene *ways;     /* what route_scene_add makes, to be shown with the plan; or NULL */
-    Box box;               /* m, what must be seen; without a width: the plan and all ways */
+    const FurnitureFall *falling; /* (falling_count) furniture on its way, by its id; each frame it is as it is then */
+    size_t falling_count;
+    Box box; /* m, what must be seen; without a width: the plan and all ways */
 } FilmOptions;
 
 typedef struct Film Film;

@@ -179,6 +179,8 @@ void film_moving_make(Film *film) {
         film->door_opened[d] = observed == SIZE_MAX ? HUGE_VAL : film->observation->door_opened[observed];
         film->door_open[d] = film->door_opened[d] <= film->time;
     }
+    for (size_t i = 0; i < film->options.falling_count; i++)
+        plan_scene_falling(scene, &film->options.falling[i], film->options.camera.kind == VIEW_RAISED);
     plan_scene_moving(scene, film->house, film->door_opened, film->time);
     add_walkers(film, count);
     add_chairs(film, count);

@@ -241,7 +241,19 @@ static bool accept(void *context, size_t proposal, Fault *fault) {
 }
 
 static bool shake(void *context, Fault *fault) {
-    return house_edit_propose_shake(ready(context), fault);
+    return house_edit_shake_do(ready(context), fault);
+}
+
+static const char *shaken(const void *context) {
+    return ((const HouseLive *)context)->edit.shaken;
+}
+
+static void animate(void *context, double seconds) {
+    house_live_fall_move(context, seconds);
+}
+
+static const char *animation(const void *context) {
+    return house_live_fall_words(context);
 }
 
 static bool set_image(void *context, const char *path, Fault *fault) {
@@ -286,6 +298,7 @@ void house_edit_clear(HouseLive *live) {
     HouseEdit *edit = &live->edit;
     house_edit_gesture_drop(live);
     house_edit_propose_end(live);
+    house_edit_shake_clear(live);
     house_edit_items_clear(live);
     for (size_t i = 0; i < edit->id_count; i++)
         memory_free(edit->ids[i]);
@@ -336,6 +349,9 @@ const LiveEditor house_edit = {
     .item = item,
     .choose = choose,
     .shake = shake,
+    .shaken = shaken,
+    .animate = animate,
+    .animation = animation,
     .ask = ask,
     .proposals = proposals,
     .accept = accept,

@@ -88,6 +88,13 @@ typedef struct EditMeasure {
 /* What a press may turn into. */
 typedef enum EditPending { PENDING_NOTHING, PENDING_HANDLE, PENDING_WHOLE, PENDING_BOX } EditPending;
 
+/* An earthquake that was made here. */
+typedef struct EditShake {
+    uint64_t revision;      /* of the draft after it */
+    const char *const *ids; /* (count) of what fell */
+    size_t count;
+} EditShake;
+
 typedef struct HouseEdit {
     LiveTool tool;
     LiveHand hand; /* the last one */
@@ -148,7 +155,12 @@ typedef struct HouseEdit {
     EditSearch *search;   /* for changes that let everybody out, or NULL */
     EditSearch *given_up; /* a list of those that have not ended yet */
     char proposing[64];
-    uint64_t shakes; /* the seed of the last one */
+
+    EditShake *shakes; /* (shake_count) */
+    size_t shake_count, shake_capacity;
+    uint64_t seed;          /* of the last one */
+    char shaken[EDIT_NAME]; /* what came of it */
+    Arena shake_arena;
 
     LiveText *texts;
     size_t text_capacity;
@@ -308,7 +320,9 @@ void house_edit_propose_ask(HouseLive *live);
 const LiveProposal *house_edit_propose_list(HouseLive *live, size_t *count, const char **doing);
 bool house_edit_propose_accept(HouseLive *live, size_t proposal, Fault *fault);
 void house_edit_propose_end(HouseLive *live);
-bool house_edit_propose_shake(HouseLive *live, Fault *fault);
+
+bool house_edit_shake_do(HouseLive *live, Fault *fault);
+void house_edit_shake_clear(HouseLive *live);
 
 const LiveText *house_edit_text_list(HouseLive *live, size_t *count);
 bool house_edit_text_set(HouseLive *live, const char *name, const char *value, Fault *fault);

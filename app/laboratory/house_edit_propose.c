@@ -1,11 +1,10 @@
-/* Changes that let everybody out, looked for on a thread of their own; and the earthquake that may come before. */
+/* Changes that let everybody out, looked for on a thread of their own. */
 #include <pthread.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/parallel.h"
-#include "house/shake.h"
 #include "house/suggest.h"
 #include "laboratory/house_live_parts.h"
 
@@ -191,28 +190,4 @@ bool house_edit_propose_accept(HouseLive *live, size_t proposal, Fault *fault) {
         return house_edit_gesture_close(live, fault);
     draft_cancel(live->draft);
     return false;
-}
-
-/* The earthquake --------------------------------------------------------------------------------------------------- */
-
-bool house_edit_propose_shake(HouseLive *live, Fault *fault) {
-    const Plan *plan = draft_plan(live->draft);
-    uint64_t seed = ++live->edit.shakes;
-    bool *topples = memory_allocate(plan->furniture_count + 1, sizeof *topples);
-    char name[EDIT_NAME];
-    size_t count = 0;
-    shake_draw(plan, seed, topples);
-    for (size_t i = 0; i < plan->furniture_count; i++)
-        count += topples[i];
-    snprintf(name, sizeof name, "Shake %llu: %zu piece%s", (unsigned long long)seed, count,
-             count == 1 ? " topples" : "s topple");
-    house_edit_gesture_open(live, name);
-    for (size_t i = 0; i < plan->furniture_count; i++)
-        if (topples[i])
-            draft_set(live->draft, plan->furniture[i].id, "toppled", json_true());
-    memory_free(topples);
-    bool good = house_edit_gesture_close(live, fault);
-    if (good && !count)
-        fault_add(fault, "shake %llu: nothing topples", (unsigned long long)seed);
-    return good && count;
 }

@@ -18,6 +18,7 @@ static unsigned update(void *context, double time) {
     size_t rows = rows_recorded(live);
     live->time = time;
     house_live_follow_all(live, time);
+    house_live_fall_follow(live);
     if (house_live_words_moved(live, time))
         live->changed |= LIVE_WORDS;
     unsigned changed = live->changed;
@@ -104,6 +105,7 @@ static void close_house(void *context) {
     if (live->film)
         film_destroy(live->film);
     house_live_follow_end(live);
+    house_live_fall_clear(live);
     house_live_plots_clear(live);
     house_live_words_clear(live);
     house_live_value_clear(&live->values);
@@ -417,7 +419,13 @@ static size_t outline(const void *context, LiveThing thing, double time, Vec2 *p
     if (!live->shown)
         return 0;
     HouseScenery scenery = house_live_scenery(live);
-    return house_live_thing_outline(&scenery, thing, time, points);
+    size_t count = house_live_thing_outline(&scenery, thing, time, points);
+    const FurnitureFall *fall = NULL;
+    if (count && thing.kind == HOUSE_FURNITURE)
+        fall = house_live_fall_find(live, house_live_thing_id(&live->shown->house, thing));
+    if (fall)
+        furniture_fall_corners(&fall->piece, furniture_fall_share(fall), points);
+    return count;
 }
 
 static const char *const *command(const void *context, size_t *count) {

@@ -6,6 +6,7 @@
 #include "laboratory/house_edit.h"
 #include "laboratory/house_edit_parts.h"
 #include "laboratory/house_live.h"
+#include "laboratory/house_live_fall.h"
 #include "laboratory/house_live_things.h"
 #include "laboratory/house_live_values.h"
 #include "laboratory/house_live_worker.h"
@@ -85,6 +86,7 @@ typedef struct HouseLive {
     size_t epoch;                   /* of the run, that the film is of */
     bool fresh;                     /* nothing of the film has been shown yet */
     Scene nothing;                  /* shown before anything is read */
+    HouseFall fall;                 /* in the picture alone */
 
     HouseGhost ghost;
     Camera camera;

@@ -36,7 +36,8 @@ void house_live_show_anew(HouseLive *live) {
 
 void house_live_show_make(HouseLive *live, double time) {
     size_t epoch = live->shown ? house_live_run_epoch(live->shown, time) : 0;
-    if (epoch != live->epoch)
+    size_t falling = house_live_fall_count(live, time);
+    if (epoch != live->epoch || falling != live->fall.drawn)
         house_live_show_anew(live);
     if (live->film || !live->shown)
         return;
@@ -55,8 +56,11 @@ void house_live_show_make(HouseLive *live, double time) {
                            .observed = house == &live->shown->house ? NULL : &live->shown->house,
                            .trails = live->trails.trails,
                            .ways = ways ? &live->ways->ways : NULL,
+                           .falling = live->fall.pieces,
+                           .falling_count = falling,
                            .box = box_of(&live->shown->house)};
     live->epoch = epoch;
+    live->fall.drawn = falling;
     live->film = film_create(house, live->observation, &options);
     live->fresh = true;
 }

@@ -153,7 +153,17 @@ typedef struct LiveEditor {
     bool (*duplicate)(void *live, Fault *fault);
     char *(*copy)(const void *live); /* text for a clipboard, NULL: nothing is selected; memory_free it */
     bool (*paste)(void *live, const char *text, Fault *fault); /* at the hand */
-    bool (*shake)(void *live, Fault *fault);                   /* topples furniture by the next seed; NULL: it cannot */
+
+    /* An earthquake by the next seed, of the house as it stood before the last one if nothing was done since (both
+     * NULL: it cannot). `shaken`: what came of it, "shake 3: 4 of 11 pieces fell". */
+    bool (*shake)(void *live, Fault *fault);
+    const char *(*shaken)(const void *live);
+
+    /* What an edit sets moving in the picture alone, as furniture that falls: moves it on by so many s on the wall.
+     * Where nobody calls it, all is at once as it will be. `animation`: words for what moves, "shaking (seed 3)", or
+     * ""; NULL: all rests. */
+    void (*animate)(void *live, double seconds);
+    const char *(*animation)(const void *live);
 
     /* Undone and done again; names for menus, NULL: there is none. */
     bool (*undo)(void *live);

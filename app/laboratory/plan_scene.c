@@ -29,6 +29,7 @@
 enum {
     ARC_PIECES = 16, /* of a quarter circle */
     RASTER = 24,     /* points each way that are tried for a room's middle */
+    SLICES = 48,     /* of a piece that leans */
 };
 
 /* Walls from so high up to less than `high`, shown as high as `shown`, m. */
@@ -69,31 +70,81 @@ static void add_walls(Scene *scene, const House *house) {
     }
 }
 
-/* How high a piece is as it stands, or as it lies on one of its sides. */
-static double furniture_height(const Furniture *piece) {
-    if (!piece->toppled)
-        return piece->height;
-    return piece->topples == TOPPLE_LEFT || piece->topples == TOPPLE_RIGHT ? piece->size.x : piece->size.y;
-}
-
-static void add_furniture(Scene *scene, const Furniture *piece) {
+/* What a piece covers at a share of its way from standing to lying. */
+static Primitive *add_body(Scene *scene, const Furniture *piece, double share) {
     Vec2 corners[4];
-    plan_furniture_corners(piece, corners);
+    furniture_fall_corners(piece, share, corners);
     Primitive *body = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
     body->edge = ROLE_FURNITURE_LINE;
     body->width = FURNITURE_EDGE;
-    body->hatched = piece->toppled;
-    body->height = fmin(furniture_height(piece), PLAN_SCENE_STOREY);
     body->keep_clear = KEEP_FURNITURE;
+    return body;
+}
+
+static void add_furniture(Scene *scene, const Furniture *piece) {
+    Primitive *body = add_body(scene, piece, piece->toppled);
+    body->hatched = piece->toppled;
+    body->height = fmin(furniture_fall_height(piece, piece->toppled), PLAN_SCENE_STOREY);
     if (!piece->toppled)
         return;
-    Furniture standing = *piece;
-    standing.toppled = false;
-    plan_furniture_corners(&standing, corners);
+    Vec2 corners[4];
+    furniture_fall_corners(piece, 0, corners);
     Primitive *before = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
     before->edge = ROLE_WALL;
     before->width = FURNITURE_EDGE;
     before->style = LINE_DASHED;
+}
+
+/* From so many m beyond the face to which a piece falls to so many, as wide as that. */
+static Furniture part_beyond(const Furniture *piece, double from, double to) {
+    static const Vec2 ways[] = {
+        [TOPPLE_FRONT] = {0, -1}, [TOPPLE_BACK] = {0, 1}, [TOPPLE_LEFT] = {-1, 0}, [TOPPLE_RIGHT] = {1, 0}};
+    Furniture part = *piece;
+    part.toppled = false;
+    Vec2 way = ways[piece->topples];
+    double half = (fabs(way.x) > 0 ? piece->size.x : piece->size.y) / 2;
+    part.size = fabs(way.x) > 0 ? vec2(to - from, piece->size.y) : vec2(piece->size.x, to - from);
+    part.centre =
+        vec2_along(piece->centre, half + (from + to) / 2, vec2_turn(way, vec2_heading(radians(piece->angle))));
+    return part;
+}
+
+/* Level slices, as nothing else can lean. */
+static void add_leaning(Scene *scene, const Furniture *piece, double share) {
+    double thickness = furniture_fall_height(piece, share) / SLICES;
+    for (int i = 0; i < SLICES && (i + 1) * thickness <= PLAN_SCENE_STOREY; i++) {
+        double from, to;
+        furniture_fall_cut(piece, share, (i + 0.5) * thickness, &from, &to);
+        Furniture part = part_beyond(piece, from, to);
+        Vec2 corners[4];
+        plan_furniture_corners(&part, corners);
+        Primitive *slice = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
+        slice->edge_opacity = 0; /* no edges between them */
+        slice->width = FURNITURE_EDGE;
+        slice->base = i * thickness;
+        slice->height = thickness;
+    }
+}
+
+void plan_scene_falling(Scene *scene, const FurnitureFall *fall, bool raised) {
+    double share = furniture_fall_share(fall);
+    Furniture piece = fall->piece;
+    piece.toppled = share >= 1;
+    if (share <= 0 || share >= 1) {
+        add_furniture(scene, &piece);
+        return;
+    }
+    add_body(scene, &piece, share);
+    if (raised)
+        add_leaning(scene, &piece, share);
+}
+
+void plan_scene_place(Scene *scene, const Furniture *piece) {
+    Vec2 corners[4];
+    plan_furniture_corners(piece, corners);
+    Primitive *place = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
+    place->fill_opacity = 0;
+    place->keep_clear = KEEP_FURNITURE;
 }
 
 /* A door's opening: its ends, the unit direction between them and the one to which it swings. */
@@ -229,20 +280,6 @@ static Primitive *add_tag(Scene *scene, Role fill, Vec2 at, const char *text) {
     return tag;
 }
 
-/* Where a toppled piece lies: what its footprint has grown by. */
-static Furniture fallen_part(const Furniture *piece) {
-    static const Vec2 ways[] = {
-        [TOPPLE_FRONT] = {0, -1}, [TOPPLE_BACK] = {0, 1}, [TOPPLE_LEFT] = {-1, 0}, [TOPPLE_RIGHT] = {1, 0}};
-    Furniture fallen = *piece;
-    fallen.toppled = false;
-    Vec2 way = ways[piece->topples];
-    double half = (fabs(way.x) > 0 ? piece->size.x : piece->size.y) / 2;
-    fallen.size = fabs(way.x) > 0 ? vec2(piece->height, piece->size.y) : vec2(piece->size.x, piece->height);
-    fallen.centre =
-        vec2_along(piece->centre, half + piece->height / 2, vec2_turn(way, vec2_heading(radians(piece->angle))));
-    return fallen;
-}
-
 static void bind_to_furniture(Scene *scene, Primitive *label, const Furniture *piece) {
     Vec2 corners[4];
     plan_furniture_corners(piece, corners);
@@ -257,7 +294,7 @@ static void add_toppled_tags(Scene *scene, const Plan *plan) {
     for (size_t i = 0; i < plan->furniture_count; i++) {
         if (!plan->furniture[i].toppled)
             continue;
-        Furniture fallen = fallen_part(&plan->furniture[i]);
+        Furniture fallen = part_beyond(&plan->furniture[i], 0, plan->furniture[i].height);
         bind_to_furniture(scene, add_tag(scene, ROLE_PAPER, fallen.centre, "toppled"), &fallen);
     }
 }

@@ -3,6 +3,7 @@
 
 #include "draw/scene.h"
 #include "house/house.h"
+#include "laboratory/furniture_fall.h"
 
 /* m: walls and leaves are cut at this height in the raised view, so that one sees into the rooms. */
 #define PLAN_SCENE_CUT 0.9
@@ -15,6 +16,11 @@ void plan_scene_solids(Scene *scene, const House *house);
 /* The same without the doors that can be opened, and those doors at a time: door_opened is as in an Observation. */
 void plan_scene_still(Scene *scene, const House *house);
 void plan_scene_moving(Scene *scene, const House *house, const double *door_opened, double time);
+
+/* A piece of furniture on its way from standing to lying, seen from above or from the side; and the place of one that
+ * is drawn so, which labels avoid. */
+void plan_scene_falling(Scene *scene, const FurnitureFall *fall, bool raised);
+void plan_scene_place(Scene *scene, const Furniture *piece);
 
 enum { PLAN_SCENE_NAMES = 25 /* more pieces of furniture, or doors, have no names */ };
 

@@ -226,7 +226,10 @@ static bool do_pieces(Window *window, Room *room, Action action) {
         tell_where(window, room);
         if (!done)
             return true;
-        tell_result(window, done(room->live, &fault), keys_row(action)->name, &fault);
+        bool good = done(room->live, &fault);
+        tell_result(window, good, keys_row(action)->name, &fault);
+        if (good && action == ACTION_SHAKE)
+            act_say(window, "%s", room->kind->editor->shaken(room->live));
         return true;
     }
     return false;
@@ -361,6 +364,23 @@ void edit_hold_clock(Window *window) {
     else if (edit->holds)
         room->player.playing = edit->plays_on;
     edit->holds = hold;
+}
+
+/* What moves in the picture alone --------------------------------------------------------------------------------- */
+
+void edit_animate(Window *window, double seconds) {
+    const Room *room = window_room(window);
+    const LiveEditor *editor = edit_of(room);
+    bool unseen = window->options->script && !glass_is_seen(window->glass);
+    if (!editor || window->reduced)
+        return;
+    window->dirty |= editor->animation(room->live) != NULL; /* it may come to its end now */
+    editor->animate(room->live, unseen ? 1 / PACE_RATE : seconds);
+}
+
+const char *edit_animation(const Room *room) {
+    const LiveEditor *editor = edit_of(room);
+    return editor ? editor->animation(room->live) : NULL;
 }
 
 void edit_let_go(Window *window) {

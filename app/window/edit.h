@@ -37,5 +37,11 @@ void edit_hold_clock(Window *window);
 /* Nothing is in the hand any more, and the tool is the one that selects. */
 void edit_let_go(Window *window);
 
+/* Moves on what an edit has set moving: by so many s on the wall, or, without anybody to see it, by a frame. */
+void edit_animate(Window *window, double seconds);
+
+/* Words for what moves so, or ""; NULL: nothing does. */
+const char *edit_animation(const Room *room);
+
 /* How the step would be called that is undone, or done, next: "Undo: Move wardrobe (f3)", "Can't undo". */
 const char *edit_step_words(Window *window, Action action);

@@ -81,9 +81,22 @@ static void show_note(Window *window, const char *note) {
     }
 }
 
+/* In the middle of the upper edge. */
+static void show_animation(Window *window, const char *words) {
+    if (!words || !*words)
+        return;
+    Box view = window->frame.view;
+    Vec2 size = ui_extent(window->ui, UI_HEADING, words), middle = middle_of(view);
+    Box strip = {{middle.x - size.x / 2 - MARGIN, view.low.y + MARGIN},
+                 {middle.x + size.x / 2 + MARGIN, view.low.y + MARGIN + size.y + 6}};
+    ui_draw_box(window->ui, strip, ROLE_TEXT, 1);
+    ui_draw_words(window->ui, UI_HEADING, ROLE_PAPER, middle_of(strip), 0.5, words);
+}
+
 static void show_view_words(Window *window, const Room *room) {
     Box view = window->frame.view;
     show_note(window, room->kind->note(room->live));
+    show_animation(window, edit_animation(room));
     if (room->player.playing || (window->edit.holds && window->edit.plays_on))
         return;
     Vec2 size = ui_extent(window->ui, UI_HEADING, "PAUSED");

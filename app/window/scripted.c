@@ -169,6 +169,7 @@ static void add_editor(json_t *state, Window *window, const Room *room) {
     json_object_set_new(state, "shown_title", json_string(files_title(window, room)));
     json_object_set_new(state, "snaps", json_boolean(!window->edit.free));
     json_object_set_new(state, "held", json_boolean(window->edit.holds));
+    json_object_set_new(state, "animation", text_or_null(edit_animation(room)));
     if (!editor->proposals)
         return;
     editor->proposals(room->live, &count, &doing);
@@ -512,7 +513,8 @@ static bool has_come(const Scripted *scripted, Window *window) {
     case SCRIPT_ANSWERED:
         return !answer.stale && (span.complete || span.endless);
     default:
-        return !answer.stale && (span.complete || span.endless) && !answer.doing && !window->export;
+        return !answer.stale && (span.complete || span.endless) && !answer.doing && !window->export &&
+               !edit_animation(room);
     }
 }
 

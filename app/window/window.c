@@ -269,7 +269,8 @@ static bool is_lively(Window *window, const Scripted *scripted) {
     const Room *room = window_room(window);
     bool draws = window->sheet == SHEET_GALLERY && !gallery_complete(window->gallery);
     return window->dirty || ui_is_busy(window->ui) || scripted_is_busy(scripted) || window->pace.counting ||
-           window->options->benchmark_edit > 0 || window->export || draws || (room->live && room->player.playing);
+           window->options->benchmark_edit > 0 || window->export || draws || (room->live && room->player.playing) ||
+           edit_animation(room);
 }
 
 /* Between frames --------------------------------------------------------------------------------------------------- */
@@ -351,6 +352,7 @@ static void turn(Window *window, Scripted *scripted) {
     bool hurried = (window->pace.counting && window->options->benchmark > 0) ||
                    (scripted_is_busy(scripted) && !scripted->until && !glass_is_seen(window->glass));
     double seconds = pace_wait(&window->pace, hurried), begun = glass_now();
+    edit_animate(window, seconds);
     take_events(window, lively ? 0 : IDLE_WAIT);
     double worked = window_room(window)->worked;
     move_on(window, seconds);
@@ -371,6 +373,7 @@ static void take_likes(Window *window) {
     const SettingsLikes *likes = &window->settings.likes;
     window->theme = (Theme)(options->theme >= 0 ? options->theme : likes->theme);
     window->text = options->text > 0 ? options->text : likes->text;
+    window->reduced = options->reduced_motion || likes->reduced_motion;
     window->panel = window->plots = true;
     window->rooms[ROOM_HOUSE] = room_make(&house_live);
     window->rooms[ROOM_BEAM] = room_make(&beam_live);

@@ -94,7 +94,8 @@ typedef struct Window {
     Theme theme;
     double text; /* size of letters, 1 to 3 */
     bool present, panel, plots, fullscreen, more;
-    bool drawer; /* the panel is open where it lies over the view */
+    bool drawer;  /* the panel is open where it lies over the view */
+    bool reduced; /* nothing moves but what is simulated */
 
     int width, height; /* pixels */
     double unit;       /* pixels a design point */

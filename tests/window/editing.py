@@ -173,7 +173,7 @@ check(seen[3]["answer"]["title"] == seen[1]["answer"]["title"], "19: undone it i
 # 17: furniture is turned and toppled by keys
 seen = stage.act("furniture", "until complete 60", "pause", "wait 5", "at 9.2 8.7", "press", "release", "wait 3",
                  "state STATE", *["key E", "wait 2"] * 6, "state STATE", "key Ctrl+Z", "key Ctrl+Z", "key Ctrl+Z",
-                 "key Ctrl+Z", "key Ctrl+Z", "key Ctrl+Z", "wait 3", "key T", "wait 30", "state STATE",
+                 "key Ctrl+Z", "key Ctrl+Z", "key Ctrl+Z", "wait 3", "key T", "wait 50", "state STATE",
                  "picture FOLDER/toppled.png", "key T", "wait 5", "key Ctrl+Z", "key Ctrl+Z", "wait 5",
                  "until answered 120", "state STATE")
 check(seen and seen[0]["selection"], "17: a wardrobe is selected by a click", seen[0]["selection"] if seen else None)
@@ -183,6 +183,45 @@ print("     17: after E x6:", seen[1]["undo_name"], "|", seen[1]["message"], "; 
       seen[2]["message"])
 check(seen[3]["digest"] == seen[0]["digest"] and not seen[3]["undo_name"], "17: undone, all is as before",
       (seen[3]["undo_name"], seen[3]["digest"], seen[0]["digest"]))
+
+# what falls is seen to fall, and rests as it would where nothing moves
+room = stage.folder / "room.json"
+room.write_text(json.dumps({
+    "format": "clearance-house", "version": 1, "name": "room",
+    "walls": [{"id": "w1", "points": [[0, 0], [6, 0], [6, 4], [0, 4], [0, 0]]}],
+    "doors": [{"id": "d1", "wall": "w1", "segment": 1, "at": 2, "width": 1.0}],
+    "furniture": [{"id": f"f{i}", "name": "shelf", "centre": [0.7 + 1.1 * i, 3.7], "size": [0.8, 0.4], "height": 1.2,
+                   "topples": "front"} for i in range(4)],
+    "exits": [{"id": "e1", "from": [6.5, 1.4], "to": [6.5, 2.6]}],
+    "people": [{"id": "p1", "profile": "manual-chair", "at": [4.0, 1.5], "heading": 0}]}))
+
+
+def falls(name, view, *arguments):
+    """A shelf that topples and a shake, with pictures while they last; how many pixels differ from one to the next."""
+    rest = ["until idle 60", "wait 5"]
+    seen = stage.act(name, "until complete 60", "pause", "seek 0", *view, "at 0.7 3.7", "press", "release", "wait 3",
+                     "at 4.5 -1", *rest, "view FOLDER/0.png", "key T", "wait 20", "view FOLDER/1.png", "wait 2",
+                     "view FOLDER/2.png", "state STATE", *rest, "view FOLDER/3.png", "wait 20", "view FOLDER/4.png",
+                     "state STATE", "key Shift+T", "wait 15", "state STATE", "picture FOLDER/shake.png", *rest,
+                     "view FOLDER/5.png", "state STATE", "key Ctrl+Z", *rest, "view FOLDER/6.png", arguments=[*arguments,
+                     str(room)])
+    place = stage.folder / name
+    return seen, [differing(place / f"{i}.png", place / f"{i + 1}.png", fuzz="0") for i in range(6)]
+
+
+for view, keys in (("flat", ()), ("raised", ("key V", "wait 5"))):
+    seen, steps = falls(f"falls-{view}", keys)
+    still, jumps = falls(f"falls-{view}-still", keys, "--reduced-motion")
+    check(len(seen) == 4 and seen[0]["animation"] == "" and steps[1] > 0, f"{view}: a piece is seen to fall", steps)
+    check(seen[1]["animation"] is None and steps[3] == 0, f"{view}: then it rests", steps)
+    check(seen[2]["animation"] == "shaking (seed 1)" and seen[3]["animation"] is None and
+          seen[3]["message"].startswith("shake 1: ") and seen[3]["message"].endswith(" of 4 pieces fell"),
+          f"{view}: a shake says its seed while it lasts, then what fell", [s["animation"] for s in seen])
+    check(jumps[1] == jumps[3] == 0 and all(s["animation"] is None for s in still),
+          f"{view}: with --reduced-motion nothing is seen to fall", jumps)
+    pairs = [differing(stage.folder / f"falls-{view}" / f"{i}.png", stage.folder / f"falls-{view}-still" / f"{i}.png",
+                       fuzz="0") for i in (3, 5, 6)]
+    check(pairs == [0, 0, 0], f"{view}: at rest both are the same to the pixel", pairs)
 
 # 11: no mouse at all: the same flat by keys, from the strip's words alone
 def numbers(plan, *values):
