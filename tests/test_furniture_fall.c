@@ -257,6 +257,7 @@ TEST(what_has_fallen_is_the_picture_that_it_is_where_nothing_moves) {
     CHECK(!editor->animation(still));
     CHECK_TEXT(editor->animation(moved), "");
     check_same_picture(moved, after, false);
+    CHECK(!kind->rests(moved, 0) && kind->rests(still, 0));
     editor->animate(moved, 0.3);
     kind->update(moved, 0);
     check_same_picture(moved, after, false);
@@ -264,6 +265,7 @@ TEST(what_has_fallen_is_the_picture_that_it_is_where_nothing_moves) {
     CHECK(!editor->animation(moved));
     CHECK(kind->update(moved, 0) & LIVE_VIEW);
     check_same_picture(moved, after, true);
+    CHECK(kind->rests(moved, 0));
     CHECK(editor->undo(moved));
     settle(moved);
     CHECK(editor->animation(moved));

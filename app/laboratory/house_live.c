@@ -150,7 +150,7 @@ static bool show(void *context, double time) {
 
 static bool rests(const void *context, double time) {
     const HouseLive *live = context;
-    return live->film && !live->fresh && house_live_run_epoch(live->shown, time) == live->epoch &&
+    return live->film && !live->fresh && !live->fall.count && house_live_run_epoch(live->shown, time) == live->epoch &&
            film_rests(live->film, time);
 }
 
