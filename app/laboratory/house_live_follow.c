@@ -136,6 +136,12 @@ const HouseRun *house_live_follow_answering(const HouseLive *live) {
     return live->clean ? live->clean : live->shown;
 }
 
+bool house_live_follow_seeks_reasons(const HouseLive *live) {
+    HouseEpoch now = {0, NULL, draft_revision(live->draft)};
+    return live->latest && !live->latest->wish.brief && (live->clean || live->whole) &&
+           is_of(live, house_live_follow_answering(live), &now, 1);
+}
+
 /* Is somebody on the way at what is shown? Then an edit goes on from there. */
 static bool is_under_way(const HouseLive *live) {
     return live->shown && live->time > 0 && live->time < live->observation->time;

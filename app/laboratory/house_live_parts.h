@@ -132,6 +132,9 @@ int house_live_follow_other(const HouseLive *live);
 /* The run whose answer is the draft's: the one shown, unless that is mixed. */
 const HouseRun *house_live_follow_answering(const HouseLive *live);
 
+/* Is what is in work only why somebody does not get out? The answer is there. */
+bool house_live_follow_seeks_reasons(const HouseLive *live);
+
 /* From the beginning on with the plan as it is. */
 void house_live_follow_clean(HouseLive *live);
 

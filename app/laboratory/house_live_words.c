@@ -260,6 +260,8 @@ bool house_live_words_moved(const HouseLive *live, double time) {
 static const char *say_doing(HouseLive *live) {
     HouseWords *words = &live->words;
     char who[32] = "";
+    if (house_live_follow_seeks_reasons(live))
+        return "looking for the reason";
     HouseRun *run = live->latest ? live->latest : live->mixed;
     if (!run && live->shown && !live->whole)
         run = live->shown;
@@ -290,7 +292,7 @@ LiveAnswer house_live_words_answer(HouseLive *live) {
     return (LiveAnswer){.title = words->title ? words->title : "Planning ...",
                         .role = words->role,
                         .detail = words->detail ? words->detail : "",
-                        .stale = live->latest,
+                        .stale = live->latest && !house_live_follow_seeks_reasons(live),
                         .doing = say_doing(live),
                         .part = NAN};
 }
