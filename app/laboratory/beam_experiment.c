@@ -7,6 +7,7 @@
 #include "base/digest.h"
 #include "base/parallel.h"
 #include "base/random.h"
+#include "base/text.h"
 #include "beam/lanes.h"
 #include "beam/response.h"
 #include "laboratory/beam_numbers.h"
@@ -108,8 +109,7 @@ typedef struct Case {
 
 /* Moves the first fault to the trial. */
 static void keep_fault(Trial *trial, Fault *fault) {
-    trial->fault = memory_allocate(strlen(fault->lines[0]) + 1, 1);
-    strcpy(trial->fault, fault->lines[0]);
+    trial->fault = text_copy(fault->lines[0]);
     trial->done = true;
     fault_clear(fault);
 }

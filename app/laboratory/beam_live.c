@@ -5,6 +5,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/text.h"
 #include "laboratory/beam_film.h"
 #include "laboratory/beam_live_change.h"
 #include "laboratory/beam_live_show.h"
@@ -59,7 +60,7 @@ static void *open_live(const char *path, const LiveOptions *options, Fault *faul
         memory_free(live);
         return NULL;
     }
-    live->path = strcpy(memory_allocate(strlen(path) + 1, 1), path);
+    live->path = text_copy(path);
     live->tape.place = live->opened.name;
     live->view.parts = BEAM_SCENE_ALL & ~BEAM_SCENE_SOURCES;
     beam_traces_open(&live->traces);

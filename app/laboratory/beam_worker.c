@@ -7,6 +7,7 @@
 #include <time.h>
 
 #include "base/parallel.h"
+#include "base/text.h"
 
 enum {
     GIVES_WAY = 10, /* how nice the thread is */
@@ -61,10 +62,8 @@ static void take_up(Question *question) {
 static void publish_verdict(BeamWorker *worker) {
     beam_verdict_clear(&worker->news.told);
     worker->news.told = worker->own;
-    if (worker->own.advice) {
-        size_t size = strlen(worker->own.advice) + 1;
-        worker->news.told.advice = memcpy(memory_allocate(size, 1), worker->own.advice, size);
-    }
+    if (worker->own.advice)
+        worker->news.told.advice = text_copy(worker->own.advice);
     worker->news.verdict = true;
 }
 

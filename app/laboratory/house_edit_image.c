@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/digest.h"
+#include "base/text.h"
 #include "laboratory/house_live_parts.h"
 
 static const double FIRST_WIDTH = 10; /* m, before its scale is known */
@@ -18,12 +19,6 @@ enum { IMAGE_LARGEST = 256 * 1024 * 1024 /* bytes */, HEADER = 24 /* of a PNG, w
 enum { ITEM_SCALE, ITEM_LEVEL }; /* of the tool */
 
 #define FADE "Fade picture"
-
-static char *copy_of(const char *text) {
-    Text copy = {0};
-    text_add(&copy, text);
-    return copy.text;
-}
 
 /* Files ----------------------------------------------------------------------------------------------------------- */
 
@@ -154,7 +149,7 @@ void house_edit_image_fade(HouseLive *live, double opacity) {
     if (!draft_plan(live->draft)->background.image)
         return;
     Background background = draft_plan(live->draft)->background;
-    char *image = copy_of(background.image), *digest = copy_of(background.digest);
+    char *image = text_copy(background.image), *digest = text_copy(background.digest);
     background.image = image;
     background.digest = digest;
     background.opacity = real_clamp(opacity, 0, 1);

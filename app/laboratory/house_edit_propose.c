@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "base/text.h"
 #include "house/suggest.h"
 #include "laboratory/house_live_parts.h"
 
@@ -25,12 +26,6 @@ struct EditSearch {
     char answers[SUGGEST_MOST][64];
     EditSearch *next; /* of those that are given up and have not ended yet */
 };
-
-static char *copy_of(const char *text) {
-    Text copy = {0};
-    text_add(&copy, text);
-    return copy.text;
-}
 
 static void count_tries(void *context, size_t tries) {
     EditSearch *search = context;
@@ -111,9 +106,9 @@ void house_edit_propose_ask(HouseLive *live) {
     reap(edit, false);
     EditSearch *search = memory_allocate(1, sizeof *search);
     search->revision = draft_revision(live->draft);
-    search->text = copy_of(draft_text(live->draft));
-    search->path = copy_of(live->wish.path);
-    search->profiles = copy_of(live->wish.profiles);
+    search->text = text_copy(draft_text(live->draft));
+    search->path = text_copy(live->wish.path);
+    search->profiles = text_copy(live->wish.profiles);
     search->options =
         (HouseOptions){.profiles = search->profiles, .seed = live->wish.seed, .driving = live->wish.driving};
     search->jobs = live->wish.jobs;

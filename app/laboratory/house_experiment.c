@@ -6,6 +6,7 @@
 
 #include "base/digest.h"
 #include "base/parallel.h"
+#include "base/text.h"
 #include "house/run.h"
 #include "laboratory/shake_record.h"
 
@@ -109,11 +110,6 @@ static void observe(Trial *trial, const HouseGiven *given, const House *house, c
     observed[HOUSE_WAY] = way_of(house, observation);
 }
 
-static char *copy_text(const char *text) {
-    char *copy = memory_allocate(strlen(text) + 1, 1);
-    return strcpy(copy, text);
-}
-
 /* The options' settings, then a NAME=VALUE for each varied one; memory_free both. */
 static char *join_settings(const HouseOptions *options, const char **settings, const char *const *names,
                            size_t name_count, const double *at) {
@@ -151,7 +147,7 @@ static void run_one(const HouseGiven *given, const char *const *names, size_t na
         observation_free(&observation);
         house_free(&house);
     } else {
-        trial->fault = copy_text(fault.lines[0]);
+        trial->fault = text_copy(fault.lines[0]);
         trial->done = true;
     }
     fault_clear(&fault);

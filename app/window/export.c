@@ -40,7 +40,7 @@ char *export_folder(Fault *fault) {
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         error = *places[i] ? text_make_folder(places[i]) : error;
         if (*places[i] && !error)
-            return strcpy(memory_allocate(strlen(places[i]) + 1, 1), places[i]);
+            return text_copy(places[i]);
     }
     fault_add(fault, "there is no folder to write to: neither %s nor clearance/ here can be made: %s",
               *in_home ? in_home : "$HOME/clearance", strerror(error));

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/digest.h"
+#include "base/text.h"
 #include "laboratory/shipped.h"
 #include "window/act.h"
 #include "window/edit.h"
@@ -59,7 +60,7 @@ static bool is_shipped(const char *path) {
 }
 
 static void keep_path(Room *room, const char *path) {
-    char *kept = strcpy(memory_allocate(strlen(path) + 1, 1), path);
+    char *kept = text_copy(path);
     memory_free(room->path);
     room->path = kept;
 }
@@ -248,7 +249,7 @@ void files_recover(Window *window, size_t found) {
         return;
     if (!recovery_adopt(window->recovery, one))
         act_say(window, "%s has been moved away meanwhile", one->path);
-    room->origin = one->origin ? strcpy(memory_allocate(strlen(one->origin) + 1, 1), one->origin) : NULL;
+    room->origin = one->origin ? text_copy(one->origin) : NULL;
     window->watch.written = true;
     act_say(window, "recovered%s%s: save it to keep it", one->origin ? ", of " : "", one->origin ? one->origin : "");
     act_close_sheet(window);

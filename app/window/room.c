@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "laboratory/live_edit.h"
 #include "window/glass.h"
 
@@ -36,11 +37,6 @@ void room_close(Room *room, PaintGlScreen *screen) {
     drop_live(room);
 }
 
-static char *copy_of(const char *text) {
-    char *copy = memory_allocate(strlen(text) + 1, 1);
-    return strcpy(copy, text);
-}
-
 static void keep_shape(Room *room) {
     Box box = room->kind->still(room->live)->box;
     double width = box_width(box), height = box_height(box);
@@ -61,7 +57,7 @@ bool room_open(Room *room, const char *path, const LiveOptions *options, PaintGl
     void *live = room->kind->open(path, options, fault);
     if (!live)
         return false;
-    char *kept = path ? copy_of(path) : NULL; /* it may be the path of what is closed */
+    char *kept = path ? text_copy(path) : NULL; /* it may be the path of what is closed */
     charts_clear(&room->charts, screen);
     drop_live(room);
     room->live = live;

@@ -105,6 +105,10 @@ char *text_read_file(const char *path, size_t largest, size_t *size) {
     return text;
 }
 
+char *text_copy(const char *text) {
+    return strcpy(memory_allocate(strlen(text) + 1, 1), text);
+}
+
 void text_add(Text *text, const char *more) {
     size_t length = strlen(more);
     text->text = memory_reserve(text->text, &text->capacity, text->used + length + 1, 1);
@@ -176,7 +180,7 @@ int text_write_quickly(const char *path, const char *text, size_t size) {
 }
 
 int text_make_folder(const char *path) {
-    char *part = strcpy(memory_allocate(strlen(path) + 1, 1), path);
+    char *part = text_copy(path);
     int error = 0;
     for (size_t end = 0; path[end] && !error; part[end] = path[end]) {
         end += 1 + strcspn(path + end + 1, "/");

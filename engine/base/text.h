@@ -16,6 +16,9 @@ void text_make_plain(char *line);
 /* The whole file, ended by 0, or NULL with errno set; memory_free it. `*size` counts its bytes without the 0. */
 char *text_read_file(const char *path, size_t largest, size_t *size);
 
+/* A copy; memory_free it. */
+char *text_copy(const char *text);
+
 /* Text that grows. Zero is empty; memory_free(text->text) releases it. */
 typedef struct Text {
     char *text; /* ended by 0; NULL when empty */

@@ -6,7 +6,6 @@
 #include <sqlite3.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "base/memory.h"
@@ -81,10 +80,8 @@ static char *walkable_wkt(const House *house) {
         GEOSWKTWriter_setTrim_r(geos, writer, 1);
         GEOSWKTWriter_setRoundingPrecision_r(geos, writer, 6);
         char *text = GEOSWKTWriter_write_r(geos, writer, inhabited_part(geos, area, house));
-        if (text) {
-            copy = memory_allocate(strlen(text) + 1, 1);
-            strcpy(copy, text);
-        }
+        if (text)
+            copy = text_copy(text);
         GEOSFree_r(geos, text);
         GEOSWKTWriter_destroy_r(geos, writer);
         GEOSGeom_destroy_r(geos, area);

@@ -8,6 +8,7 @@
 
 #include "base/digest.h"
 #include "base/memory.h"
+#include "base/text.h"
 
 enum {
     FORMAT = 1,
@@ -98,11 +99,6 @@ static uint64_t row_digest(const Trial *trial, size_t observables, int64_t index
     return digest_mix(digest_text(digest, trial->fault ? trial->fault : ""), (double)index);
 }
 
-static char *copy_text(const char *text) {
-    char *copy = memory_allocate(strlen(text) + 1, 1);
-    return strcpy(copy, text);
-}
-
 /* Takes the row into its trial. False: it is not what was written. */
 static bool take_row(sqlite3_stmt *row, Study *study) {
     int64_t index = sqlite3_column_int64(row, 0);
@@ -120,7 +116,7 @@ static bool take_row(sqlite3_stmt *row, Study *study) {
         memcpy(trial->series, sqlite3_column_blob(row, 2), trial->series_count * sizeof(double));
     }
     const char *text = (const char *)sqlite3_column_text(row, 3);
-    trial->fault = text ? copy_text(text) : NULL;
+    trial->fault = text ? text_copy(text) : NULL;
     trial->done = (uint64_t)sqlite3_column_int64(row, 4) == row_digest(trial, observables, index);
     return trial->done;
 }
@@ -211,7 +207,7 @@ static void free_store(Store *store) {
 
 Store *store_open(const char *path, Study *study, uint64_t digest, StoreFound *found, Fault *fault) {
     Store *store = memory_allocate(1, sizeof *store);
-    store->path = copy_text(path);
+    store->path = text_copy(path);
     *found = (StoreFound){0};
     if (!open_database(store, study, digest, found, fault)) {
         free_store(store);
