@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "house/draft_file.h"
 #include "laboratory/house_live_parts.h"
 
 static const LiveToolRow tools[LIVE_TOOLS] = {
@@ -275,7 +276,7 @@ static size_t edits(const void *context) {
 }
 
 static bool changed(const void *context) {
-    return draft_is_changed(((const HouseLive *)context)->draft);
+    return draft_file_is_changed(((const HouseLive *)context)->draft);
 }
 
 static const char *text(const void *context) {
@@ -284,7 +285,7 @@ static const char *text(const void *context) {
 
 static bool save(void *context, const char *path, Fault *fault) {
     HouseLive *live = ready(context);
-    if (!draft_save(live->draft, path, fault))
+    if (!draft_file_save(live->draft, path, fault))
         return false;
     live->edit.saved_steps = draft_step_count(live->draft);
     return true;

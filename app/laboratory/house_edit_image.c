@@ -8,6 +8,7 @@
 
 #include "base/digest.h"
 #include "base/text.h"
+#include "house/draft_file.h"
 #include "laboratory/house_live_parts.h"
 
 static const double FIRST_WIDTH = 10; /* m, before its scale is known */
@@ -49,7 +50,7 @@ static bool look_at(const char *path, double *shape, char digest[17]) {
 
 /* The folder of the house's file with its "/"; memory_free it. "": it has no file. */
 static char *folder_of(const HouseLive *live) {
-    const char *path = draft_path(live->draft);
+    const char *path = draft_file_path(live->draft);
     char whole[PATH_MAX];
     Text folder = {0};
     text_add(&folder, "");

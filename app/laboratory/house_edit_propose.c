@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "base/text.h"
+#include "house/draft_parameter.h"
 #include "house/suggest.h"
 #include "laboratory/house_live_parts.h"
 
@@ -165,7 +166,7 @@ static bool set(HouseLive *live, const char *setting, Fault *fault) {
     char name[2 * EDIT_NAME];
     snprintf(name, sizeof name, "%.*s", (int)(equals - setting), setting);
     json_t *value = json_loads(equals + 1, JSON_DECODE_ANY, NULL);
-    return draft_set_parameter(live->draft, name, value ? value : json_string(equals + 1), fault);
+    return draft_parameter_set(live->draft, name, value ? value : json_string(equals + 1), fault);
 }
 
 bool house_edit_propose_accept(HouseLive *live, size_t proposal, Fault *fault) {

@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "house/draft_file.h"
+#include "house/draft_parameter.h"
 #include "laboratory/house_live_parts.h"
 #include "laboratory/live_save.h"
 
@@ -71,7 +73,7 @@ static bool know_route(const Plan *plan, const char *path, const char *route, Fa
 static Draft *open_draft(const char *path, const LiveOptions *options, Fault *fault) {
     if (!path)
         return draft_create("new house");
-    Draft *draft = draft_read(path, options->settings, options->setting_count, fault);
+    Draft *draft = draft_file_read(path, options->settings, options->setting_count, fault);
     if (draft && know_route(draft_plan(draft), path, options->route, fault))
         return draft;
     draft_destroy(draft);
@@ -289,7 +291,7 @@ static bool set_in_draft(HouseLive *live, size_t row, Fault *fault) {
         draft_rewind(live->draft);
     else
         draft_begin(live->draft, name);
-    bool known = draft_set_parameter(live->draft, value->name, house_live_value_json(&live->values, row), fault);
+    bool known = draft_parameter_set(live->draft, value->name, house_live_value_json(&live->values, row), fault);
     if (live->held)
         return known && draft_try(live->draft, fault);
     if (known)
@@ -324,7 +326,7 @@ static void reset(void *context) {
     HouseLive *live = context;
     uint64_t before = draft_revision(live->draft);
     live->held = false;
-    draft_reset(live->draft, "Reset scene");
+    draft_file_reset(live->draft, "Reset scene");
     if (draft_revision(live->draft) == before)
         return;
     for (size_t i = 0; i < live->values.count; i++)
