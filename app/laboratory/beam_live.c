@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "base/text.h"
 #include "laboratory/beam_film.h"
 #include "laboratory/beam_live_change.h"
@@ -15,12 +15,6 @@
 #define BUSY_MOST 2e-3 /* s, that the motion is followed at a time */
 
 enum { STEPS = 60 /* a cycle, from picture to picture */ };
-
-static double clock_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /* Opening -----------------------------------------------------------------------------------------------------------*/
 

@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 #include <time.h>
 
+#include "base/clock.h"
 #include "base/parallel.h"
 #include "base/text.h"
 
@@ -39,12 +40,6 @@ struct BeamWorker {
     BeamSweep sweeping;
     bool sweeps, swept;
 };
-
-static double clock_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static bool is_due(const Question *question, double now) {
     return question->asked && now >= question->since + BEAM_WORKER_PAUSE;

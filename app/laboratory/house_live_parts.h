@@ -149,9 +149,6 @@ void house_live_plots_make(HouseLive *live, bool anew);
 void house_live_plots_clear(HouseLive *live);
 LivePlot house_live_plots_at(const HouseLive *live, size_t index);
 
-/* s, of a steady clock. */
-double house_live_words_now(void);
-
 /* A row more; good until the next one. */
 LiveRow *house_live_words_add(HouseLive *live, RowKind kind, const char *first);
 

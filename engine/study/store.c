@@ -4,8 +4,8 @@
 #include <sqlite3.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "base/digest.h"
 #include "base/memory.h"
 #include "base/text.h"
@@ -28,7 +28,7 @@ struct Store {
     sqlite3_stmt *insert;
     char *path;
     int64_t study;
-    struct timespec committed;
+    double committed;    /* s, by the clock, the last time */
     bool open;           /* a transaction is */
     char reason[REASON]; /* why something could not be written; "" */
 };
@@ -213,7 +213,7 @@ Store *store_open(const char *path, Study *study, uint64_t digest, StoreFound *f
         free_store(store);
         return NULL;
     }
-    clock_gettime(CLOCK_MONOTONIC, &store->committed);
+    store->committed = clock_now();
     return store;
 }
 
@@ -258,11 +258,8 @@ void store_keep(void *keeper, const Study *study, const size_t *done, size_t cou
             note_failure(store);
             return;
         }
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    double seconds =
-        (double)(now.tv_sec - store->committed.tv_sec) + 1e-9 * (double)(now.tv_nsec - store->committed.tv_nsec);
-    if (seconds < 1)
+    double now = clock_now();
+    if (now - store->committed < 1)
         return;
     if (!commit(store))
         note_failure(store);
