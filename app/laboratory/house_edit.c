@@ -189,13 +189,13 @@ static void hold(void *context, const char *name) {
     char step[2 * EDIT_NAME] = "Change a number";
     if (row != SIZE_MAX)
         snprintf(step, sizeof step, "%s: %s", live->values.rows[row].group, live->values.rows[row].label);
-    house_live_hold(live, step);
+    house_live_change_hold(live, step);
 }
 
 static void settle(void *context) {
     HouseLive *live = context;
     if (live->held)
-        house_live_settle(live);
+        house_live_change_settle(live);
 }
 
 /* Texts, items, files -----------------------------------------------------------------------------------------------
