@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/memory.h"
+#include "base/order.h"
 #include "base/text.h"
 #include "window/glass.h"
 
@@ -58,16 +59,11 @@ void pace_count(Pace *pace) {
     pace->begun = glass_now();
 }
 
-static int by_size(const void *a, const void *b) {
-    double first = *(const double *)a, second = *(const double *)b;
-    return (first > second) - (first < second);
-}
-
 void pace_print(Pace *pace, const char *what, int width, int height) {
     double passed = glass_now() - pace->begun;
     if (!pace->count)
         return;
-    qsort(pace->times, pace->count, sizeof *pace->times, by_size);
+    qsort(pace->times, pace->count, sizeof *pace->times, order_rising);
     printf("%s, %d x %d: first picture after %.2f s, %.1f frames/s, a frame takes %.1f ms (median), %.1f ms (99 of "
            "100), simulating is %.1f %%\n",
            what, width, height, pace->first, (double)pace->count / passed, MILLI * pace->times[pace->count / 2],

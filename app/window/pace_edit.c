@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/order.h"
 #include "window/act.h"
 #include "window/edit.h"
 
@@ -88,11 +89,6 @@ static void step(Window *window) {
 
 /* What came of it -------------------------------------------------------------------------------------------------- */
 
-static int by_size(const void *a, const void *b) {
-    double first = *(const double *)a, second = *(const double *)b;
-    return (first > second) - (first < second);
-}
-
 static double part_of(const double *sorted, size_t count, double part) {
     return count ? sorted[(size_t)(part * (double)(count - 1))] : NAN;
 }
@@ -100,8 +96,8 @@ static double part_of(const double *sorted, size_t count, double part) {
 static void print(Window *window) {
     PaceEdit *pace = &window->pace_edit;
     Pace *frames = &window->pace;
-    qsort(pace->answers, pace->count, sizeof *pace->answers, by_size);
-    qsort(frames->times, frames->count, sizeof *frames->times, by_size);
+    qsort(pace->answers, pace->count, sizeof *pace->answers, order_rising);
+    qsort(frames->times, frames->count, sizeof *frames->times, order_rising);
     double median = MILLI * part_of(pace->answers, pace->count, 0.5);
     double late = MILLI * part_of(pace->answers, pace->count, 0.99);
     double frame = MILLI * part_of(frames->times, frames->count, 0.5);
