@@ -6,6 +6,7 @@
 
 #include "base/digest.h"
 #include "base/parallel.h"
+#include "base/parameters_number.h"
 #include "base/random.h"
 #include "base/text.h"
 #include "beam/lanes.h"
@@ -94,7 +95,7 @@ static void tell_unknown(const void *given, const char *name, const char *place,
 
 static double nominal(const void *given, const char *name) {
     const Parameter *row = find_parameter(given, name);
-    return !row || is_of_start(row) ? 0 : beam_numbers_get(row, &((const Given *)given)->beam);
+    return !row || is_of_start(row) ? 0 : parameters_number_get(row, &((const Given *)given)->beam);
 }
 
 /* Trials ---------------------------------------------------------------------------------------------------------- */

@@ -6,6 +6,7 @@
 
 #include "base/digest.h"
 #include "base/parallel.h"
+#include "base/parameters_number.h"
 #include "base/text.h"
 #include "house/run.h"
 #include "laboratory/shake_record.h"
@@ -62,10 +63,7 @@ static double nominal(const void *given, const char *name) {
     const void *object;
     const Parameter *row = find_number(&((const HouseGiven *)given)->house, name, &object, "", &fault);
     fault_clear(&fault);
-    if (!row)
-        return NAN;
-    const char *field = (const char *)object + row->offset;
-    return row->kind == PARAMETER_WHOLE ? *(const int *)field : *(const double *)field;
+    return row ? parameters_number_get(row, object) : NAN;
 }
 
 /* Runs ----------------------------------------------------------------------------------------------------------- */

@@ -1,6 +1,7 @@
 /* What a person does to a house at work, besides editing it: as in LiveKind, with a HouseLive as `live`. */
 #include <stdio.h>
 
+#include "base/parameters_number.h"
 #include "house/draft_file.h"
 #include "house/draft_parameter.h"
 #include "laboratory/house_live_parts.h"
@@ -33,7 +34,7 @@ static bool set_in_draft(HouseLive *live, size_t row, Fault *fault) {
         draft_rewind(live->draft);
     else
         draft_begin(live->draft, name);
-    bool known = draft_parameter_set(live->draft, value->name, house_live_value_json(&live->values, row), fault);
+    bool known = draft_parameter_set(live->draft, value->name, parameters_number_json(value->row, value->value), fault);
     if (live->held)
         return known && draft_try(live->draft, fault);
     if (known)

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/choice.h"
 #include "base/json.h"
 #include "base/text.h"
 
@@ -189,18 +190,6 @@ static bool read_double(const char *word, double *value) {
     return *word && !*end && plain && isfinite(*value);
 }
 
-static int choice_of(const char *choices, const char *word) {
-    size_t length = strlen(word);
-    int place = 0;
-    for (const char *at = choices; *at; place++) {
-        size_t size = strcspn(at, "|");
-        if (size == length && memcmp(at, word, size) == 0)
-            return place;
-        at += size + (at[size] == '|');
-    }
-    return -1;
-}
-
 /* How many words and numbers a command has so far. */
 typedef struct Filled {
     int words, numbers;
@@ -233,7 +222,7 @@ static bool read_argument(const Reader *reader, const Argument *argument, const 
         return *word->text;
     case ARGUMENT_CHOICE:
         command->words[filled->words++] = word->text;
-        command->choice = choice_of(argument->choices, word->text);
+        command->choice = choice_place(argument->choices, word->text);
         if (command->choice < 0)
             fault_at(reader, word->column, "\"%.60s\" must be one of %s", word->text, argument->choices);
         return command->choice >= 0;

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -107,6 +108,13 @@ char *text_read_file(const char *path, size_t largest, size_t *size) {
 
 char *text_copy(const char *text) {
     return strcpy(memory_allocate(strlen(text) + 1, 1), text);
+}
+
+void text_of_number(char text[TEXT_NUMBER], double value, int digits) {
+    const int most = 17; /* tell any two numbers apart */
+    do
+        snprintf(text, TEXT_NUMBER, "%.*g", digits, value);
+    while (strtod(text, NULL) != value && digits++ < most);
 }
 
 void text_add(Text *text, const char *more) {

@@ -27,6 +27,11 @@ typedef struct Text {
 
 void text_add(Text *text, const char *more);
 
+enum { TEXT_NUMBER = 40 /* bytes */ };
+
+/* The fewest digits, at least so many, that are read as the same number again. */
+void text_of_number(char text[TEXT_NUMBER], double value, int digits);
+
 /* Adds what printf, or vprintf, would print. */
 void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void text_vformat(Text *text, const char *format, va_list arguments) __attribute__((format(printf, 2, 0)));

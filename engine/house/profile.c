@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/parameters_schema.h"
 #include "base/provenance.h"
 #include "base/text.h"
 
