@@ -116,13 +116,12 @@ static int column_of(const Reader *reader, const char *at) {
 
 static void fault_at(const Reader *reader, int column, const char *format, ...) __attribute__((format(printf, 3, 4)));
 static void fault_at(const Reader *reader, int column, const char *format, ...) {
-    Text text = {0};
     va_list arguments;
     va_start(arguments, format);
-    text_vformat(&text, format, arguments);
+    char *text = text_printed(format, arguments);
     va_end(arguments);
-    fault_add(reader->fault, "%s:%d:%d: %s", reader->script->path, reader->line, column, text.text);
-    memory_free(text.text);
+    fault_add(reader->fault, "%s:%d:%d: %s", reader->script->path, reader->line, column, text);
+    memory_free(text);
 }
 
 /* The character that is meant by a backslash and `letter`, or 0. */
@@ -336,13 +335,12 @@ const ScriptCommand *script_next(Script *script) {
 /* Doing ------------------------------------------------------------------------------------------------------------ */
 
 void script_fault(const Script *script, const ScriptCommand *command, Fault *fault, const char *format, ...) {
-    Text text = {0};
     va_list arguments;
     va_start(arguments, format);
-    text_vformat(&text, format, arguments);
+    char *text = text_printed(format, arguments);
     va_end(arguments);
-    fault_add(fault, "%s:%d:1: %s: %s", script->path, command->line, rows[command->kind].word, text.text);
-    memory_free(text.text);
+    fault_add(fault, "%s:%d:1: %s: %s", script->path, command->line, rows[command->kind].word, text);
+    memory_free(text);
 }
 
 /* The value at the end of a way "people.0.time", or NULL; the rest of a way may be one name, "door.d1.width". */

@@ -191,10 +191,5 @@ int jupedsim_write(const House *house, const Observation *observation, const cha
         error = database && sqlite3_system_errno(database) ? sqlite3_system_errno(database) : EIO;
     if (sqlite3_close(database) != SQLITE_OK && !error)
         error = EIO;
-    if (!error && rename(beside, path))
-        error = errno;
-    if (error)
-        unlink(beside);
-    memory_free(beside);
-    return error;
+    return text_beside_end(beside, path, error);
 }
