@@ -245,7 +245,8 @@ json_t *draft_element(const Draft *draft, const char *id) {
     return list < DRAFT_LISTS ? draft_at(draft, list, index) : NULL;
 }
 
-const char *draft_free_id(Draft *draft, DraftList list) {
+/* An id that nothing has: the list's letter and a number. It is good until the next call. */
+static const char *free_id(Draft *draft, DraftList list) {
     static const char *const letters[DRAFT_LISTS] = {"w", "d", "f", "r", "e", "p", "c", "R"};
     size_t index;
     for (size_t number = draft_count(draft, list) + 1;; number++) {
@@ -259,7 +260,7 @@ const char *draft_add(Draft *draft, DraftList list, json_t *element) {
     size_t index, count = draft_count(draft, list);
     const char *id = pieces_text(element, "id");
     if (!*id || draft_find(draft, id, &index) < DRAFT_LISTS) {
-        json_t *named = pieces_with(element, "id", json_string(draft_free_id(draft, list)));
+        json_t *named = pieces_with(element, "id", json_string(free_id(draft, list)));
         json_decref(element);
         element = named;
     }

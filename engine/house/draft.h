@@ -113,9 +113,6 @@ bool draft_set_points(Draft *draft, const char *id, const char *member, const Ve
 void draft_set_house(Draft *draft, const char *member, json_t *value);
 json_t *draft_house(const Draft *draft, const char *member); /* borrowed, NULL: absent */
 
-/* An id that nothing has: the list's letter and a number. It is good until the next call. */
-const char *draft_free_id(Draft *draft, DraftList list);
-
 /* Renames an element everywhere. False: there is no such id, or the new one is taken or none. */
 bool draft_rename(Draft *draft, const char *id, const char *to, Fault *fault);
 

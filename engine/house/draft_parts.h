@@ -36,7 +36,7 @@ struct Draft {
     char *saved; /* text of the plan in it; NULL: nothing is */
     char *bytes; /* (byte_count) of the file, where they are another way to write that; or NULL */
     size_t byte_count;
-    char id[32]; /* of draft_free_id */
+    char id[32]; /* that was free when the last element was added */
 };
 
 /* A draft of a plan that a text says, of which nothing is saved; it takes the plan. */
