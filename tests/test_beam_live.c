@@ -11,7 +11,6 @@
 #include "beam/response.h"
 #include "check.h"
 #include "scratch.h"
-#include "laboratory/beam_answer.h"
 #include "laboratory/beam_sweep.h"
 #include "laboratory/beam_tape.h"
 #include "laboratory/live.h"

@@ -3,7 +3,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/json.h"
 #include "base/random.h"
 #include "base/text.h"
 #include "check.h"

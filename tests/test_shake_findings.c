@@ -1,6 +1,5 @@
 #include "laboratory/shake_findings.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>

@@ -7,7 +7,6 @@
 
 #include "check.h"
 #include "scratch.h"
-#include "house/journey.h"
 #include "house/run.h"
 #include "house/suggest_change.h"
 

@@ -2,12 +2,10 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "check.h"
 #include "scratch.h"
-#include "base/memory.h"
 #include "base/text.h"
 #include "house/trial.h"
 

@@ -1,8 +1,6 @@
 #include "laboratory/house_edit.h"
 
-#include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "house/draft_file.h"
 #include "laboratory/house_live_parts.h"

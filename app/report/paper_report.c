@@ -1,6 +1,5 @@
 #include "report/paper_report.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "base/parameters.h"

@@ -5,7 +5,6 @@
 
 #include "base/text.h"
 #include "house/plan_tables.h"
-#include "laboratory/census.h"
 
 /* How ---------------------------------------------------------------------------------------------------------------*/
 

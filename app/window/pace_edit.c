@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/order.h"
-#include "window/act.h"
 #include "window/edit.h"
 
 #define WARM 3.0     /* s, before the piece is taken up */

@@ -1,7 +1,5 @@
 #include "house/profile.h"
 
-#include <stdint.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/parameters_schema.h"
