@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "base/digest.h"
 #include "beam/lanes.h"
 #include "beam/response.h"
@@ -22,12 +22,6 @@
 #else
 #define SANITIZED false
 #endif
-
-static double clock_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static void *open_beam(const char *name, const char *const *settings, size_t count) {
     char path[100];

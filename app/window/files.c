@@ -8,6 +8,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "base/digest.h"
 #include "base/text.h"
 #include "laboratory/shipped.h"
@@ -210,7 +211,7 @@ static void watch_house(Window *window) {
     uint64_t state = state_of(room, editor);
     if (state != watch->state) {
         watch->state = state;
-        watch->since = glass_now();
+        watch->since = clock_now();
         watch->waits = true;
     }
     if (!files_unsaved(room)) {
@@ -218,7 +219,7 @@ static void watch_house(Window *window) {
             recovery_remove(window->recovery);
         watch->waits = watch->written = false;
     }
-    if (!watch->waits || glass_now() - watch->since < PATIENCE)
+    if (!watch->waits || clock_now() - watch->since < PATIENCE)
         return;
     watch->waits = false;
     write_recovery(window, room, editor);

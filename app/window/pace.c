@@ -6,6 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "base/order.h"
 #include "base/text.h"
@@ -14,10 +15,10 @@
 #define MILLI 1000.0
 
 double pace_wait(Pace *pace, bool hurried) {
-    double now = glass_now(), due = pace->last + 1 / PACE_RATE;
+    double now = clock_now(), due = pace->last + 1 / PACE_RATE;
     if (!hurried && now < due)
         glass_sleep(due - now);
-    now = glass_now();
+    now = clock_now();
     double since = pace->last > 0 ? now - pace->last : 0;
     pace->last = now;
     return since;
@@ -56,11 +57,11 @@ void pace_count(Pace *pace) {
     pace->counting = true;
     pace->count = 0;
     pace->worked = 0;
-    pace->begun = glass_now();
+    pace->begun = clock_now();
 }
 
 void pace_print(Pace *pace, const char *what, int width, int height) {
-    double passed = glass_now() - pace->begun;
+    double passed = clock_now() - pace->begun;
     if (!pace->count)
         return;
     qsort(pace->times, pace->count, sizeof *pace->times, order_rising);

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/clock.h"
 #include "base/text.h"
 #include "laboratory/live_edit.h"
-#include "window/glass.h"
 
 #define LEAST_SEEN 8.0 /* m, of what can be edited: a house begins with nothing */
 #define ASPECT 1.5     /* of what has no size */
@@ -139,14 +139,14 @@ unsigned room_update(Room *room, double seconds) {
     if (!room->live)
         return 0;
     const LiveKind *kind = room->kind;
-    double begun = glass_now();
+    double begun = clock_now();
     LiveSpan span = kind->span(room->live);
     double wish = player_wish(&room->player, seconds, &span);
     kind->reach(room->live, wish);
     unsigned changes = kind->update(room->live, room->player.time);
     span = kind->span(room->live);
     player_advance(&room->player, seconds, wish, &span);
-    room->worked += glass_now() - begun;
+    room->worked += clock_now() - begun;
     follow(room);
     if (changes & LIVE_VIEW) {
         keep_eye(room);

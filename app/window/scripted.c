@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/clock.h"
 #include "window/act.h"
 #include "window/edit.h"
 #include "window/scripted_state.h"
@@ -230,7 +231,7 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
         break;
     case SCRIPT_UNTIL:
         scripted->until = command;
-        scripted->since = glass_now();
+        scripted->since = clock_now();
         break;
     case SCRIPT_OPEN:
         act_open(window, command->words[0]);
@@ -304,7 +305,7 @@ static bool waits(Scripted *scripted, Window *window) {
         scripted->until = NULL;
         return false;
     }
-    if (glass_now() - scripted->since > scripted->until->numbers[0]) {
+    if (clock_now() - scripted->since > scripted->until->numbers[0]) {
         Fault fault = {0};
         script_fault(&scripted->script, scripted->until, &fault, "it has not come in %g s",
                      scripted->until->numbers[0]);
