@@ -30,9 +30,7 @@ static void *open_beam(const char *name, const char *const *settings, size_t cou
     snprintf(path, sizeof path, "assets/beams/%s.json", name);
     void *live = beam_live.open(scratch_source(path), &options, &fault);
     CHECK(live != NULL);
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     return live;
 }
 

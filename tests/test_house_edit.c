@@ -29,9 +29,7 @@ static void *open_live(const char *name) {
     Fault fault = {0};
     LiveOptions options = {.profiles = profiles, .driving = -1, .seed = 1, .jobs = 1};
     void *live = kind->open(name ? path : NULL, &options, &fault);
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     return live;
 }
 
@@ -210,9 +208,7 @@ static void *open_text(const char *text) {
     Fault fault = {0};
     LiveOptions options = {.profiles = profiles, .driving = -1, .seed = 1, .jobs = 1};
     void *live = kind->open(path, &options, &fault);
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     unlink(path);
     for (int i = 0; i < 2000 && !kind->span(live).complete; i++) {
         kind->update(live, 0);
@@ -419,9 +415,7 @@ TEST(what_overlaps_is_refused) {
 /* What is done to the selection ------------------------------------------------------------------------------------ */
 
 static bool succeeds(bool good, Fault *fault) {
-    for (size_t i = 0; i < fault->count; i++)
-        printf("%s\n", fault->lines[i]);
-    fault_clear(fault);
+    check_say(fault);
     return good;
 }
 
