@@ -19,9 +19,7 @@ static void read_case(House *house, const char *path, int driving, const char *c
     HouseOptions options = {
         .profiles = profiles, .settings = settings, .setting_count = count, .seed = 1, .driving = driving};
     bool good = house_read(house, path, &options, &fault);
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     check_true(good, "the house is read", __FILE__, __LINE__);
     if (!good)
         exit(1);

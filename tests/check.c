@@ -48,6 +48,12 @@ void check_text(const char *got, const char *expected, const char *what, const c
         printf("%s:%d: %s is\n  \"%s\"\nexpected\n  \"%s\"\n", file, line, what, got ? got : "(none)", expected);
 }
 
+void check_say(Fault *fault) {
+    for (size_t i = 0; i < fault->count; i++)
+        printf("%s\n", fault->lines[i]);
+    fault_clear(fault);
+}
+
 void check_skip(const char *why) {
     printf("skipped: %s\n", why);
     exit(77);

@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/fault.h"
+
 typedef struct CheckTest {
     const char *name;
     void (*run)(void);
@@ -15,6 +17,9 @@ void check_register(CheckTest *test);
 void check_true(bool good, const char *what, const char *file, int line);
 void check_near(double got, double expected, double tolerance, const char *what, const char *file, int line);
 void check_text(const char *got, const char *expected, const char *what, const char *file, int line);
+
+/* Prints faults, and clears them. */
+void check_say(Fault *fault);
 
 /* This machine has not what the tests need: says why and ends with 77, which meson counts as skipped. */
 void check_skip(const char *why) __attribute__((noreturn));

@@ -36,9 +36,7 @@ Beam oscillator_beam(const char *name, const char *setting) {
     Fault fault = {0};
     snprintf(path, sizeof path, "assets/beams/%s.json", name);
     CHECK(beam_read(&beam, scratch_source(path), &setting, setting ? 1 : 0, &fault));
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     return beam;
 }
 

@@ -1,7 +1,6 @@
 #include "pane.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "base/memory.h"
 #include "check.h"

@@ -28,9 +28,7 @@ void scratch_plan(Plan *plan, const char *members) {
     Fault fault = {0};
     *plan = (Plan){0};
     CHECK(plan_read(plan, path, NULL, 0, &fault));
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     unlink(path);
     memory_free(text);
 }

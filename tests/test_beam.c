@@ -1,4 +1,3 @@
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -6,12 +5,6 @@
 #include "beam/beam.h"
 #include "check.h"
 #include "scratch.h"
-
-static void print_faults(Fault *fault) {
-    for (size_t i = 0; i < fault->count; i++)
-        printf("%s\n", fault->lines[i]);
-    fault_clear(fault);
-}
 
 TEST(every_shipped_beam_reads_and_every_value_says_where_it_comes_from) {
     size_t count;
@@ -22,7 +15,7 @@ TEST(every_shipped_beam_reads_and_every_value_says_where_it_comes_from) {
         Fault fault = {0};
         CHECK(beam_is_file(scratch_source(paths[i])));
         CHECK(beam_read(&beam, scratch_source(paths[i]), NULL, 0, &fault));
-        print_faults(&fault);
+        check_say(&fault);
         char path[100];
         snprintf(path, sizeof path, "assets/beams/%s.json", beam.name);
         CHECK_TEXT(path, paths[i]);
@@ -44,7 +37,7 @@ TEST(settings_change_a_beam_and_say_so) {
     Beam beam = {0};
     Fault fault = {0};
     CHECK(beam_read(&beam, scratch_source("assets/beams/ibs.json"), settings, 3, &fault));
-    print_faults(&fault);
+    check_say(&fault);
     CHECK_NEAR(beam.frequency, 290, 0);
     CHECK_NEAR(beam.clearance, 0.25e-3, 0);
     CHECK(beam.release == RELEASE_GAP);
@@ -70,7 +63,7 @@ TEST(a_beam_that_is_written_reads_the_same) {
     scratch_write(path, "");
     CHECK(beam_write(&beam, path) == 0);
     CHECK(beam_is_file(path) && beam_read(&again, path, NULL, 0, &fault));
-    print_faults(&fault);
+    check_say(&fault);
     for (size_t r = 0; r < beam_table()->count; r++) {
         CHECK(same_number(&beam_table()->rows[r], &beam, &again));
         CHECK_TEXT(again.provenance[r], beam.provenance[r]);

@@ -1,6 +1,5 @@
 #include <math.h>
 
-#include "base/memory.h"
 #include "beam/chaos.h"
 #include "check.h"
 #include "oscillator.h"

@@ -1,5 +1,4 @@
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "beam/lanes.h"
@@ -12,9 +11,7 @@ static Beam changed(const char *const *settings, size_t count) {
     Beam beam = {0};
     Fault fault = {0};
     CHECK(beam_read(&beam, scratch_source("assets/beams/ibs.json"), settings, count, &fault));
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     return beam;
 }
 

@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "check.h"
 #include "draw/layout.h"
-#include "laboratory/beam_joint.h"
 #include "oscillator.h"
 
 /* A beam that has been run, and a film of some of its cycles. */

@@ -1,7 +1,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/random.h"
 #include "beam/lanes.h"
 #include "check.h"
 #include "oscillator.h"

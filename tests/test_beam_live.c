@@ -3,15 +3,14 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "base/digest.h"
 #include "beam/lanes.h"
 #include "beam/response.h"
 #include "check.h"
 #include "scratch.h"
-#include "laboratory/beam_answer.h"
 #include "laboratory/beam_sweep.h"
 #include "laboratory/beam_tape.h"
 #include "laboratory/live.h"
@@ -24,12 +23,6 @@
 #define SANITIZED false
 #endif
 
-static double clock_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 static void *open_beam(const char *name, const char *const *settings, size_t count) {
     char path[100];
     Fault fault = {0};
@@ -37,9 +30,7 @@ static void *open_beam(const char *name, const char *const *settings, size_t cou
     snprintf(path, sizeof path, "assets/beams/%s.json", name);
     void *live = beam_live.open(scratch_source(path), &options, &fault);
     CHECK(live != NULL);
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     return live;
 }
 

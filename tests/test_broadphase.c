@@ -1,7 +1,5 @@
-#include <math.h>
 #include <stdlib.h>
 
-#include "base/memory.h"
 #include "base/random.h"
 #include "check.h"
 #include "house/broadphase.h"

@@ -2,7 +2,6 @@
 
 #include "house/change.h"
 
-#include <pthread.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>

@@ -3,11 +3,13 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/json.h"
 #include "base/random.h"
 #include "base/text.h"
 #include "check.h"
 #include "house/draft.h"
+#include "house/draft_clip.h"
+#include "house/draft_file.h"
+#include "house/draft_parameter.h"
 #include "scratch.h"
 
 enum { EDITS = 10000, ELEMENTS = 40 /* beyond so many, some are removed */ };
@@ -16,7 +18,7 @@ static Draft *read_house(const char *name) {
     char path[256];
     snprintf(path, sizeof path, "houses/%s.json", name);
     Fault fault = {0};
-    Draft *draft = draft_read(scratch_source(path), NULL, 0, &fault);
+    Draft *draft = draft_file_read(scratch_source(path), NULL, 0, &fault);
     CHECK(draft && !fault.count);
     fault_clear(&fault);
     return draft;
@@ -42,7 +44,7 @@ TEST(a_step_is_undone_and_redone_to_the_same_bytes) {
     CHECK(draft_undo(draft));
     CHECK_TEXT(draft_text(draft), first);
     CHECK(!draft_undo(draft) && !draft_undo_name(draft));
-    CHECK(!draft_is_changed(draft));
+    CHECK(!draft_file_is_changed(draft));
     CHECK(draft_redo(draft));
     CHECK_TEXT(draft_text(draft), last);
     free(first);
@@ -123,11 +125,11 @@ TEST(pieces_are_copied_as_text_and_pasted_with_new_names) {
     Draft *draft = read_house("flat-0.910-module");
     size_t walls = draft_plan(draft)->wall_count, doors = draft_plan(draft)->door_count, count;
     const char *ids[] = {strdup(draft_plan(draft)->doors[0].wall), strdup(draft_plan(draft)->furniture[0].id)};
-    char *text = draft_copy(draft, ids, 2);
+    char *text = draft_clip_copy(draft, ids, 2);
     const char **pasted;
     Fault fault = {0};
     draft_begin(draft, "Paste");
-    CHECK(draft_paste(draft, text, vec2(30, 0), &pasted, &count, &fault));
+    CHECK(draft_clip_paste(draft, text, vec2(30, 0), &pasted, &count, &fault));
     CHECK(ends(draft));
     CHECK(draft_plan(draft)->wall_count == walls + 1);
     CHECK(draft_plan(draft)->door_count > doors);
@@ -143,11 +145,11 @@ TEST(pieces_are_copied_as_text_and_pasted_with_new_names) {
                                       "wardrobe"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         draft_begin(draft, "Paste");
-        CHECK(!draft_paste(draft, bad[i], vec2(0, 0), &pasted, &count, &fault));
+        CHECK(!draft_clip_paste(draft, bad[i], vec2(0, 0), &pasted, &count, &fault));
         draft_cancel(draft);
     }
     CHECK(fault.count == sizeof bad / sizeof *bad);
-    CHECK(!draft_copy(draft, NULL, 0));
+    CHECK(!draft_clip_copy(draft, NULL, 0));
     fault_clear(&fault);
     memory_free(text);
     free((char *)ids[0]);
@@ -159,7 +161,7 @@ TEST(a_house_from_nothing_is_saved_and_read_again) {
     char path[SCRATCH_PATH];
     scratch_write(path, "");
     Draft *draft = draft_create("new house");
-    CHECK(draft_is_changed(draft) && !draft_path(draft));
+    CHECK(draft_file_is_changed(draft) && !draft_file_path(draft));
     Vec2 points[] = {{0, 0}, {4, 0}};
     draft_begin(draft, "Draw walls");
     const char *id = draft_add(draft, DRAFT_WALLS, json_object());
@@ -167,12 +169,12 @@ TEST(a_house_from_nothing_is_saved_and_read_again) {
     draft_set_points(draft, "w1", "points", points, 2);
     CHECK(ends(draft));
     Fault fault = {0};
-    CHECK(draft_save(draft, path, &fault));
-    CHECK(!draft_is_changed(draft));
-    Draft *again = draft_read(path, NULL, 0, &fault);
+    CHECK(draft_file_save(draft, path, &fault));
+    CHECK(!draft_file_is_changed(draft));
+    Draft *again = draft_file_read(path, NULL, 0, &fault);
     CHECK(again && !fault.count);
     CHECK_TEXT(draft_text(again), draft_text(draft));
-    CHECK(draft_undo(draft) && draft_is_changed(draft));
+    CHECK(draft_undo(draft) && draft_file_is_changed(draft));
     draft_destroy(again);
     draft_destroy(draft);
     unlink(path);
@@ -183,19 +185,19 @@ TEST(an_unchanged_house_is_saved_with_the_bytes_it_was_read_with) {
     scratch_write(path, "{'format' :\n\n 'clearance-house', 'version': 1, 'walls': [ ],\n   'name': 'odd'}");
     char *bytes = scratch_read(path);
     Fault fault = {0};
-    Draft *draft = draft_read(path, NULL, 0, &fault);
+    Draft *draft = draft_file_read(path, NULL, 0, &fault);
     draft_begin(draft, "Name");
     draft_set_house(draft, "name", json_string("even"));
     CHECK(ends(draft));
     draft_undo(draft);
-    CHECK(draft_save(draft, path, &fault));
+    CHECK(draft_file_save(draft, path, &fault));
     char *again = scratch_read(path);
     CHECK_TEXT(again, bytes);
     memory_free(again);
-    CHECK(draft_redo(draft) && draft_save(draft, path, &fault));
+    CHECK(draft_redo(draft) && draft_file_save(draft, path, &fault));
     again = scratch_read(path);
     CHECK(strstr(again, "\"even\""));
-    CHECK(!draft_save(draft, "/nowhere/house.json", &fault));
+    CHECK(!draft_file_save(draft, "/nowhere/house.json", &fault));
     memory_free(again);
     memory_free(bytes);
     fault_clear(&fault);
@@ -210,19 +212,19 @@ TEST(parameters_are_set_by_the_names_that_set_has) {
     snprintf(name, sizeof name, "exit.%s.to.x", draft_plan(draft)->exits[0].id);
     double to = draft_plan(draft)->exits[0].to.x + 0.125;
     draft_begin(draft, "Set");
-    CHECK(draft_set_parameter(draft, name, json_real(to), &fault));
-    CHECK(draft_set_parameter(draft, "run.until", json_real(77), &fault));
-    CHECK(draft_set_parameter(draft, "profile.manual-chair.width", json_real(0.7), &fault));
-    CHECK(!draft_set_parameter(draft, "door.none.width", json_real(1), &fault));
-    CHECK(!draft_set_parameter(draft, "wall.d1", json_real(1), &fault));
+    CHECK(draft_parameter_set(draft, name, json_real(to), &fault));
+    CHECK(draft_parameter_set(draft, "run.until", json_real(77), &fault));
+    CHECK(draft_parameter_set(draft, "profile.manual-chair.width", json_real(0.7), &fault));
+    CHECK(!draft_parameter_set(draft, "door.none.width", json_real(1), &fault));
+    CHECK(!draft_parameter_set(draft, "wall.d1", json_real(1), &fault));
     CHECK(ends(draft));
     CHECK_NEAR(draft_plan(draft)->exits[0].to.x, to, 0);
     CHECK_NEAR(draft_plan(draft)->run.until, 77, 0);
     CHECK(draft_plan(draft)->override_count == 1);
-    draft_reset(draft, "Reset scene");
-    CHECK(!draft_is_changed(draft));
+    draft_file_reset(draft, "Reset scene");
+    CHECK(!draft_file_is_changed(draft));
     CHECK_TEXT(draft_undo_name(draft), "Reset scene");
-    CHECK(draft_undo(draft) && draft_is_changed(draft));
+    CHECK(draft_undo(draft) && draft_file_is_changed(draft));
     fault_clear(&fault);
     draft_destroy(draft);
 }
@@ -289,8 +291,8 @@ static void edit_at_random(Draft *draft, Random *random) {
     case 5:
         if (element_count(draft) > ELEMENTS)
             break;
-        text = draft_copy(draft, (const char *[]){id}, 1);
-        if (text && draft_paste(draft, text, points[0], &pasted, &count, &fault))
+        text = draft_clip_copy(draft, (const char *[]){id}, 1);
+        if (text && draft_clip_paste(draft, text, points[0], &pasted, &count, &fault))
             memory_free(pasted);
         memory_free(text);
         break;

@@ -1,12 +1,10 @@
 /* What the paper found, and what must not depend on where a house stands or how it is turned. */
 
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "case.h"
 #include "check.h"
-#include "house/run.h"
 #include "house/world.h"
 
 /* A turned, shifted or mirrored copy of a plan ----------------------------------------------------------------------*/

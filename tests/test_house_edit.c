@@ -1,6 +1,7 @@
 /* Editing a house at work: what is drawn by hand and what is typed are the same, every step is undone to the same
  * bytes, and what a house file may not say cannot be made. */
 
+#include "base/text.h"
 #include "laboratory/house_edit.h"
 
 #include <math.h>
@@ -28,9 +29,7 @@ static void *open_live(const char *name) {
     Fault fault = {0};
     LiveOptions options = {.profiles = profiles, .driving = -1, .seed = 1, .jobs = 1};
     void *live = kind->open(name ? path : NULL, &options, &fault);
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     return live;
 }
 
@@ -85,8 +84,16 @@ static void keys(void *live, const char *text) {
 
 /* Enough to tell one text from another. */
 static char *keep_text(void *live) {
-    char *copy = memory_allocate(strlen(editor->text(live)) + 1, 1);
-    return strcpy(copy, editor->text(live));
+    return text_copy(editor->text(live));
+}
+
+/* Back to the text that was kept, and the end of it. */
+static void undo_all(void *live, char *before) {
+    while (editor->undo(live))
+        ;
+    CHECK_TEXT(editor->text(live), before);
+    memory_free(before);
+    kind->close(live);
 }
 
 static void choose(void *live, const char *group, const char *name) {
@@ -201,9 +208,7 @@ static void *open_text(const char *text) {
     Fault fault = {0};
     LiveOptions options = {.profiles = profiles, .driving = -1, .seed = 1, .jobs = 1};
     void *live = kind->open(path, &options, &fault);
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     unlink(path);
     for (int i = 0; i < 2000 && !kind->span(live).complete; i++) {
         kind->update(live, 0);
@@ -410,9 +415,7 @@ TEST(what_overlaps_is_refused) {
 /* What is done to the selection ------------------------------------------------------------------------------------ */
 
 static bool succeeds(bool good, Fault *fault) {
-    for (size_t i = 0; i < fault->count; i++)
-        printf("%s\n", fault->lines[i]);
-    fault_clear(fault);
+    check_say(fault);
     return good;
 }
 
@@ -446,11 +449,7 @@ TEST(what_is_selected_is_nudged_turned_toppled_copied_and_removed_by_steps_with_
     CHECK_TEXT(editor->undo_name(live), "Remove wardrobe (f3)");
     CHECK(!editor->remove(live, &fault) && fault.count);
     fault_clear(&fault);
-    while (editor->undo(live))
-        ;
-    CHECK_TEXT(editor->text(live), before);
-    memory_free(before);
-    kind->close(live);
+    undo_all(live, before);
 }
 
 TEST(a_handle_with_the_focus_of_the_keys_is_nudged_and_typed) {
@@ -485,11 +484,7 @@ TEST(a_wall_is_split_and_a_point_taken_out_and_doors_stay_where_they_are) {
     CHECK(succeeds(editor->remove(live, &fault), &fault));
     CHECK(strstr(editor->text(live), "[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]"));
     CHECK(strstr(editor->text(live), "\"at\": 3, \"width\": 0.9"));
-    while (editor->undo(live))
-        ;
-    CHECK_TEXT(editor->text(live), before);
-    memory_free(before);
-    kind->close(live);
+    undo_all(live, before);
 }
 
 TEST(a_rectangle_on_empty_floor_selects_what_lies_within) {

@@ -45,9 +45,7 @@ static void open_case(Case *made, const char *text) {
     Fault fault = {0};
     HouseOptions options = options_of(made);
     CHECK(house_experiment_open(&made->experiment, made->path, &options, NULL, &fault));
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
 }
 
 static void close_case(Case *made) {
@@ -67,9 +65,7 @@ static Study sweep(const Case *made, const char *name, double from, double to, s
 static void run_study(Study *study, int jobs) {
     Fault fault = {0};
     CHECK(study_check(study, &fault));
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     study_begin(study);
     study_run(study, &(StudyOptions){.jobs = jobs});
     CHECK(study_done(study) == study->trial_count);

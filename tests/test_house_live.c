@@ -53,9 +53,7 @@ static void *open_live(const char *name, const char *const *settings, size_t set
                            .seed = 1,
                            .jobs = 2};
     void *live = kind->open(path, &options, &fault);
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     return live;
 }
 

@@ -3,8 +3,6 @@
 #include "exchange/jupedsim.h"
 
 #include <sqlite3.h>
-#include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 #define GEOS_USE_ONLY_R_API

@@ -2,8 +2,6 @@
 
 #include "window/keys.h"
 
-#include <string.h>
-
 #include "check.h"
 #include "window/glass.h"
 

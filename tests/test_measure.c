@@ -1,8 +1,6 @@
 /* Measures of made-up observations whose answers are known. */
 
 #include <math.h>
-#include <stdint.h>
-#include <string.h>
 
 #include "case.h"
 #include "check.h"

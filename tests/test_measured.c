@@ -1,8 +1,6 @@
 #include "check.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "scratch.h"
@@ -20,9 +18,7 @@ static bool read_text(Measured *measured, const char *text) {
     Fault fault = {0};
     scratch_write(path, text);
     bool good = measured_read(measured, path, kinds, KINDS, &fault);
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     unlink(path);
     return good;
 }

@@ -1,6 +1,5 @@
 #include "check.h"
 
-#include <stdio.h>
 #include <unistd.h>
 
 #include "scratch.h"
@@ -12,9 +11,7 @@ static bool read_text(ObservedLoci *loci, const char *text) {
     Fault fault = {0};
     scratch_write(path, text);
     bool good = observed_read(loci, path, &fault);
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     unlink(path);
     return good;
 }

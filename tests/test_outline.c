@@ -21,9 +21,7 @@ static Drawn draw(const char *members) {
     Fault fault = {0};
     scratch_plan(&drawn.plan, members);
     CHECK(outline_build(&drawn.outline, &drawn.plan, &fault));
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     return drawn;
 }
 

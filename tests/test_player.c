@@ -2,8 +2,6 @@
 
 #include "window/player.h"
 
-#include <math.h>
-
 #include "check.h"
 
 static const LiveSpan RUN = {.begin = 0, .end = 10, .complete = true, .pace = 1, .step = 1.0 / 30, .fastest = 16};

@@ -13,9 +13,7 @@ static Profile shipped(const char *name) {
     Fault fault = {0};
     snprintf(path, sizeof path, "assets/profiles/%s.json", name);
     CHECK(profile_read(&profile, scratch_source(path), &fault));
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     return profile;
 }
 

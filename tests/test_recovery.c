@@ -3,7 +3,6 @@
 #include "window/recovery.h"
 
 #include <stdlib.h>
-#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 

@@ -1,7 +1,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/json.h"
 #include "beam/beam.h"
 #include "check.h"
 #include "scratch.h"

@@ -1,6 +1,5 @@
 #include "laboratory/shake_findings.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -39,9 +38,7 @@ static void open_case(Case *made, const char *text, size_t shakes, int jobs) {
     CHECK(house_experiment_open(&made->experiment, made->path, &made->options, NULL, &fault));
     made->study = (Study){.experiment = &made->experiment, .pass_count = 1, .runs = shakes, .seed = 1};
     CHECK(study_check(&made->study, &fault));
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     study_begin(&made->study);
     study_run(&made->study, &(StudyOptions){.jobs = jobs});
     made->findings = shake_findings_make(&made->study);

@@ -3,7 +3,6 @@
 #include "house/snap_piece.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "check.h"
 

@@ -1,7 +1,6 @@
 #include "window/snapshot.h"
 
 #include <jansson.h>
-#include <math.h>
 #include <string.h>
 #include <unistd.h>
 

@@ -1,10 +1,8 @@
 #include "check.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
-#include "laboratory/study_axes.h"
 #include "laboratory/study_maps.h"
 #include "laboratory/study_plots.h"
 

@@ -7,7 +7,6 @@
 
 #include "check.h"
 #include "scratch.h"
-#include "house/journey.h"
 #include "house/run.h"
 #include "house/suggest_change.h"
 
@@ -40,9 +39,7 @@ static void find(SuggestList *list, const Case *made, int jobs) {
     Fault fault = {0};
     SuggestTask task = {.path = made->path, .options = &made->options, .jobs = jobs};
     CHECK(suggest_find(list, &task, &fault));
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
 }
 
 /* Does everybody get out with these settings, and when? */

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/digest.h"
-#include "base/memory.h"
 #include "pane.h"
 #include "draw/text.h"
 

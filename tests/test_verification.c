@@ -2,21 +2,17 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "check.h"
 #include "scratch.h"
-#include "base/memory.h"
 #include "base/text.h"
 #include "house/trial.h"
 
 static bool read_shipped(Verification *verification, const char *path) {
     Fault fault = {0};
     bool good = verification_read(verification, scratch_source(path), &fault);
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     return good;
 }
 
@@ -62,9 +58,7 @@ static void draft_case(Verification *verification, const char *checks) {
     scratch_write(path, text);
     Fault fault = {0};
     CHECK(verification_read(verification, path, &fault));
-    for (size_t i = 0; i < fault.count; i++)
-        printf("%s\n", fault.lines[i]);
-    fault_clear(&fault);
+    check_say(&fault);
     remove(path);
 }
 

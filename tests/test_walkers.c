@@ -9,7 +9,6 @@
 #include "base/random.h"
 #include "case.h"
 #include "check.h"
-#include "house/run.h"
 #include "house/world.h"
 
 /* A closed hall from (0, 0) to (width, height), its walls 0.2 m thick. */

@@ -8,7 +8,6 @@
 
 #include "case.h"
 #include "check.h"
-#include "house/run.h"
 
 /* Nobody drives: bodies move by forces alone. */
 #define FREE(profile_)                                                                                                 \

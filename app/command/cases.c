@@ -1,7 +1,6 @@
 /* Public verification suites, run as data: a case file each, one table of them all. */
 
 #include <dirent.h>
-#include <errno.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

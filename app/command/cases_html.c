@@ -1,11 +1,9 @@
 #include "command/cases_html.h"
 
 #include <inttypes.h>
-#include <string.h>
 
 #include "command/cases_words.h"
 #include "document/html.h"
-#include "house/trial.h"
 
 /* The colours are the palette's: blue for what passed, orange-brown for what did not; 4.5:1 and more on their ground.
  */

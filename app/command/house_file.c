@@ -1,8 +1,8 @@
 #include "command/house_file.h"
 
 #include <stdio.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "house/run.h"
 #include "laboratory/shipped.h"
 
@@ -26,27 +26,20 @@ int house_file_report(Fault *fault) {
 
 /* Progress, once the work has taken more than a second. */
 typedef struct Progress {
-    struct timespec begin;
+    double begin; /* s, by the clock */
     bool shown;
 } Progress;
 
-static double seconds_since(const struct timespec *begin) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)(now.tv_sec - begin->tv_sec) + 1e-9 * (double)(now.tv_nsec - begin->tv_nsec);
-}
-
 static void show_progress(void *context, double time) {
     Progress *progress = context;
-    if (seconds_since(&progress->begin) < 1)
+    if (clock_now() - progress->begin < 1)
         return;
     fprintf(stderr, "\rsimulated %.0f s ", time);
     progress->shown = true;
 }
 
 void house_file_run(Observation *observation, const House *house, const Options *options, size_t route) {
-    Progress progress = {.shown = false};
-    clock_gettime(CLOCK_MONOTONIC, &progress.begin);
+    Progress progress = {.begin = clock_now()};
     bool show = command_shows_progress(options);
     RunOptions run = {.route = route,
                       .jobs = options->jobs,

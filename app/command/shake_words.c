@@ -1,7 +1,6 @@
 #include "command/shake_words.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdio.h>
 
 #include "command/study_words.h"

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "command/movie.h"
 #include "command/output.h"
 #include "draw/png.h"
 

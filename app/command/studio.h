@@ -2,7 +2,6 @@
 #pragma once
 
 #include "command/command.h"
-#include "command/movie.h"
 #include "command/plot_strip.h"
 #include "draw/offscreen.h"
 #include "draw/paint_gl.h"

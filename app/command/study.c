@@ -1,8 +1,8 @@
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "base/digest.h"
 #include "base/json.h"
 #include "base/text.h"
@@ -33,7 +33,7 @@ typedef struct StudyJob {
     uint64_t content;  /* digest of the file */
     Measured measured; /* points to be laid over the plots */
     StoreFound found;
-    struct timespec begin;
+    double begin; /* s, by the clock */
     size_t done_before;
     bool shown;                    /* progress */
     bool kept;                     /* whatever was to be kept in the file */
@@ -135,16 +135,10 @@ static bool open_study(StudyJob *job, Fault *fault) {
 
 /* Running -------------------------------------------------------------------------------------------------------- */
 
-static double seconds_since(const struct timespec *begin) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)(now.tv_sec - begin->tv_sec) + 1e-9 * (double)(now.tv_nsec - begin->tv_nsec);
-}
-
 /* Once the work has taken more than a second. */
 static void show_progress(void *context, size_t done, size_t all) {
     StudyJob *job = context;
-    double seconds = seconds_since(&job->begin);
+    double seconds = clock_now() - job->begin;
     if (seconds < 1 || done <= job->done_before)
         return;
     double left = seconds * (double)(all - done) / (double)(done - job->done_before);
@@ -176,7 +170,7 @@ static bool is_whole(const Study *study) {
 static void run_study(StudyJob *job, Store *store) {
     const Options *options = job->options;
     bool show = command_shows_progress(options);
-    clock_gettime(CLOCK_MONOTONIC, &job->begin);
+    job->begin = clock_now();
     job->done_before = study_done(&job->study);
     study_run(&job->study, &(StudyOptions){.jobs = options->jobs,
                                            .stop = &command_interrupted,

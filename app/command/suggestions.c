@@ -1,29 +1,26 @@
 #include "command/suggestions.h"
 
 #include <stdio.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "laboratory/shipped.h"
 
 /* Progress, once the work has taken more than a second. */
 typedef struct Progress {
-    struct timespec begin;
+    double begin; /* s, by the clock */
     bool shown;
 } Progress;
 
 static void show_progress(void *context, size_t tries) {
     Progress *progress = context;
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    if (now.tv_sec - progress->begin.tv_sec < 1)
+    if (clock_now() - progress->begin < 1)
         return;
     fprintf(stderr, "\r%zu changed houses tried ", tries);
     progress->shown = true;
 }
 
 bool suggestions_find(SuggestList *list, const Options *options, Fault *fault) {
-    Progress progress = {.shown = false};
-    clock_gettime(CLOCK_MONOTONIC, &progress.begin);
+    Progress progress = {.begin = clock_now()};
     HouseOptions house_options = {.profiles = shipped_places()->profiles,
                                   .settings = options->settings,
                                   .setting_count = options->setting_count,

@@ -2,24 +2,21 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "laboratory/advice.h"
 
 /* Telling --------------------------------------------------------------------------------------------------------- */
 
 typedef struct Progress {
-    struct timespec begin;
+    double begin; /* s, by the clock */
     bool shown;
 } Progress;
 
 /* After a second, so that what is quick stays quiet. */
 static void show_progress(void *context, size_t done, size_t all) {
     Progress *progress = context;
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    if ((double)(now.tv_sec - progress->begin.tv_sec) + 1e-9 * (double)(now.tv_nsec - progress->begin.tv_nsec) < 1)
+    if (clock_now() - progress->begin < 1)
         return;
     fprintf(stderr, "\rtypes: %zu of at most %zu runs", done, all);
     progress->shown = true;
@@ -27,8 +24,7 @@ static void show_progress(void *context, size_t done, size_t all) {
 
 bool types_answer_tell(Types *types, const Experiment *experiment, const Experiment *thorough, const char *const *names,
                        size_t name_count, const Options *options, Fault *fault) {
-    Progress progress = {.shown = false};
-    clock_gettime(CLOCK_MONOTONIC, &progress.begin);
+    Progress progress = {.begin = clock_now()};
     bool show = command_shows_progress(options);
     TypesTask task = {.experiment = experiment,
                       .thorough = thorough,

@@ -60,13 +60,12 @@ static const char *prose(Document *document, const char *text) {
 }
 
 const char *document_text(Document *document, const char *format, ...) {
-    Text text = {0};
     va_list arguments;
     va_start(arguments, format);
-    text_vformat(&text, format, arguments);
+    char *text = text_printed(format, arguments);
     va_end(arguments);
-    const char *kept = plain(document, text.text);
-    memory_free(text.text);
+    const char *kept = plain(document, text);
+    memory_free(text);
     return kept;
 }
 

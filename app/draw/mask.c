@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "base/order.h"
 
 #define CELL 4.0 /* design points: a quarter of the smallest letters */
 
@@ -52,11 +53,6 @@ void mask_mark_line(Mask *mask, Vec2 from, Vec2 to, double width, double weight)
     }
 }
 
-static int compare_doubles(const void *a, const void *b) {
-    double first = *(const double *)a, second = *(const double *)b;
-    return (first > second) - (first < second);
-}
-
 /* Where the horizontal line at `y` crosses the rings, in rising order. */
 static size_t crossings_at(double y, const Vec2 *points, const size_t *starts, size_t ring_count, double *crossings) {
     size_t count = 0;
@@ -66,7 +62,7 @@ static size_t crossings_at(double y, const Vec2 *points, const size_t *starts, s
             if ((a.y > y) != (b.y > y))
                 crossings[count++] = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
         }
-    qsort(crossings, count, sizeof *crossings, compare_doubles);
+    qsort(crossings, count, sizeof *crossings, order_rising);
     return count;
 }
 

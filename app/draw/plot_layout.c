@@ -1,7 +1,5 @@
 #include "draw/plot_layout.h"
 
-#include <string.h>
-
 #include "draw/plot_key.h"
 #include "draw/plot_names.h"
 #include "draw/text.h"

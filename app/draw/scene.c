@@ -129,12 +129,9 @@ SceneRow *scene_add_row(Scene *scene, RowKind kind, const char *first) {
 }
 
 const char *scene_text(Scene *scene, const char *format, ...) {
-    Text text = {0};
     va_list arguments;
     va_start(arguments, format);
-    text_vformat(&text, format, arguments);
+    const char *kept = text_vin_arena(&scene->arena, format, arguments);
     va_end(arguments);
-    const char *kept = arena_text(&scene->arena, text.text);
-    memory_free(text.text);
     return kept;
 }

@@ -2,7 +2,6 @@
 
 #include <geos_c.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/memory.h"
 

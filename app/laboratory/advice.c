@@ -68,7 +68,8 @@ static void add_quantity(Text *text, const char *unit, double value) {
                                     : "");
 }
 
-void advice_value(Text *text, const Experiment *experiment, const char *name, double value) {
+/* Adds "clearance 0.1315 mm": a parameter and a value of it. */
+static void add_value(Text *text, const Experiment *experiment, const char *name, double value) {
     text_format(text, "%s ", short_name(name));
     add_quantity(text, experiment->parameter(experiment->given, name)->unit, value);
 }
@@ -87,7 +88,7 @@ static void add_place(Text *text, const Types *types, const Experiment *experime
         return;
     }
     text_add(text, "at ");
-    advice_value(text, experiment, types->parameters[point->parameter].name, point->value);
+    add_value(text, experiment, types->parameters[point->parameter].name, point->value);
 }
 
 /* `all` is the word for every one of them. */
@@ -200,7 +201,7 @@ static size_t order_parameters(const Types *types, size_t order[TYPES_PARAMETERS
 
 static void add_side(Text *text, const Experiment *experiment, const TypesParameter *parameter) {
     const Neighbour *side = nearer_side(parameter);
-    advice_value(text, experiment, parameter->name, side->value);
+    add_value(text, experiment, parameter->name, side->value);
     text_format(text, " (%.3g %% %s)", 100 * fabs(side->share), side->share < 0 ? "below" : "above");
 }
 

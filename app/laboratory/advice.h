@@ -6,6 +6,3 @@
 
 /* Adds the sentences, each on a line; `each` is how long a run is, "400 cycles", or NULL. */
 void advice_words(Text *text, const Types *types, const Experiment *experiment, const char *each);
-
-/* Adds "clearance 0.1315 mm": a parameter and a value of it. */
-void advice_value(Text *text, const Experiment *experiment, const char *name, double value);

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/parameters_number.h"
 #include "laboratory/beam_numbers.h"
 
 /* How a number is shown. */
@@ -89,7 +90,7 @@ static LiveParameter make_parameter(const BeamControls *controls, const Looks *l
                                .provenance = controls->file.provenance[row - table->rows],
                                .unit = looks->unit,
                                .factor = looks->factor,
-                               .initial = beam_numbers_get(row, &controls->file),
+                               .initial = parameters_number_get(row, &controls->file),
                                .logarithmic = looks->logarithmic,
                                .first = looks->first};
     set_range(&parameter, looks);
@@ -153,7 +154,7 @@ void beam_controls_close(BeamControls *controls) {
 void beam_controls_show(BeamControls *controls, const Beam *beam) {
     for (size_t i = 0; i < controls->count; i++) {
         LiveParameter *parameter = &controls->parameters[i];
-        parameter->value = beam_numbers_get(parameter->row, beam);
+        parameter->value = parameters_number_get(parameter->row, beam);
         parameter->provenance = beam->provenance[parameter->row - beam_table()->rows];
     }
 }

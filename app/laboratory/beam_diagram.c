@@ -1,9 +1,9 @@
 #include "laboratory/beam_diagram.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
+#include "base/parameters_number.h"
 #include "laboratory/beam_numbers.h"
 
 /* Design points. */
@@ -54,7 +54,7 @@ static bool same_task(const BeamSweepTask *a, const BeamSweepTask *b) {
     const Parameter *row = parameters_find(beam_table(), b->name);
     Beam like = b->beam;
     Fault none = {0};
-    beam_numbers_set(row, &like, beam_numbers_get(row, &a->beam), &none);
+    beam_numbers_set(row, &like, parameters_number_get(row, &a->beam), &none);
     fault_clear(&none);
     return beam_numbers_same(&a->beam, &like);
 }

@@ -6,7 +6,9 @@
 
 #include "base/digest.h"
 #include "base/parallel.h"
+#include "base/parameters_number.h"
 #include "base/random.h"
+#include "base/text.h"
 #include "beam/lanes.h"
 #include "beam/response.h"
 #include "laboratory/beam_numbers.h"
@@ -93,7 +95,7 @@ static void tell_unknown(const void *given, const char *name, const char *place,
 
 static double nominal(const void *given, const char *name) {
     const Parameter *row = find_parameter(given, name);
-    return !row || is_of_start(row) ? 0 : beam_numbers_get(row, &((const Given *)given)->beam);
+    return !row || is_of_start(row) ? 0 : parameters_number_get(row, &((const Given *)given)->beam);
 }
 
 /* Trials ---------------------------------------------------------------------------------------------------------- */
@@ -108,8 +110,7 @@ typedef struct Case {
 
 /* Moves the first fault to the trial. */
 static void keep_fault(Trial *trial, Fault *fault) {
-    trial->fault = memory_allocate(strlen(fault->lines[0]) + 1, 1);
-    strcpy(trial->fault, fault->lines[0]);
+    trial->fault = text_copy(fault->lines[0]);
     trial->done = true;
     fault_clear(fault);
 }

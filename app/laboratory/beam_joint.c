@@ -23,14 +23,15 @@ Vec2 beam_joint_tip(const BeamJoint *joint, double deflection) {
     return vec2(joint->middle.x, joint->middle.y + joint->factor * deflection);
 }
 
-double beam_joint_face(const BeamJoint *joint, const Beam *beam) {
+/* m of the drawing, how far a stop's face is from the middle while nothing presses it. */
+static double face_of(const BeamJoint *joint, const Beam *beam) {
     return joint->ball + joint->factor * beam->clearance;
 }
 
 /* How far it is to a stop, beside it. */
 static void add_gap(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint, int side) {
     double length = scale->length, x = joint->middle.x + DIMENSION_AT * length, end = x + DIMENSION_END * length;
-    double rest = joint->middle.y + side * joint->ball, face = joint->middle.y + side * beam_joint_face(joint, beam);
+    double rest = joint->middle.y + side * joint->ball, face = joint->middle.y + side * face_of(joint, beam);
     for (int i = 0; i < 2; i++) {
         double y = i ? face : rest;
         scene_add_line(scene, ROLE_DIM_TEXT, THIN, (Vec2[]){{joint->middle.x, y}, {end, y}}, 2)->style = LINE_DASHED;
@@ -81,7 +82,7 @@ static void add_words(Scene *scene, const Beam *beam, const BeamScale *scale, co
     if (!touched && !last)
         return;
     Vec2 at = vec2(joint->middle.x + joint->half + WORDS_BESIDE * scale->length,
-                   joint->middle.y + side * (beam_joint_face(joint, beam) + joint->ground) / 2);
+                   joint->middle.y + side * (face_of(joint, beam) + joint->ground) / 2);
     Vec2 right = vec2(at.x + scale->length, at.y);
     const char *text = touched ? beam_words_newtons(scene, fabs(moment->force), moment->largest)
                                : scene_text(scene, "last %s", beam_words_newtons(scene, last->peak, moment->largest));

@@ -10,9 +10,6 @@
 /* m of the drawing, where the tip's middle stands that is deflected by so many m. */
 Vec2 beam_joint_tip(const BeamJoint *joint, double deflection);
 
-/* m of the drawing, how far a stop's face is from the middle while nothing presses it. */
-double beam_joint_face(const BeamJoint *joint, const Beam *beam);
-
 /* What stays: what holds the stops; in the loupe also the size of the clearance. */
 void beam_joint_still(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint);
 

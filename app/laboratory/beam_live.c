@@ -3,8 +3,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
+#include "base/text.h"
 #include "laboratory/beam_film.h"
 #include "laboratory/beam_live_change.h"
 #include "laboratory/beam_live_show.h"
@@ -14,12 +15,6 @@
 #define BUSY_MOST 2e-3 /* s, that the motion is followed at a time */
 
 enum { STEPS = 60 /* a cycle, from picture to picture */ };
-
-static double clock_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /* Opening -----------------------------------------------------------------------------------------------------------*/
 
@@ -59,7 +54,7 @@ static void *open_live(const char *path, const LiveOptions *options, Fault *faul
         memory_free(live);
         return NULL;
     }
-    live->path = strcpy(memory_allocate(strlen(path) + 1, 1), path);
+    live->path = text_copy(path);
     live->tape.place = live->opened.name;
     live->view.parts = BEAM_SCENE_ALL & ~BEAM_SCENE_SOURCES;
     beam_traces_open(&live->traces);

@@ -1,7 +1,6 @@
 #include "laboratory/beam_live_change.h"
 
-#include <math.h>
-
+#include "base/parameters_number.h"
 #include "base/text.h"
 #include "laboratory/beam_numbers.h"
 
@@ -135,7 +134,7 @@ const char *const *beam_live_change_command(const void *context, size_t *count) 
         const LiveParameter *parameter = &live->controls.parameters[i];
         if (parameter->value == parameter->initial)
             continue;
-        const char *value = beam_numbers_text(parameter->row, parameter->value, &live->command_words);
+        const char *value = parameters_number_text(parameter->row, parameter->value, &live->command_words);
         live->command[used++] = "--set";
         live->command[used++] = text_in_arena(&live->command_words, "%s=%s", parameter->name, value);
     }

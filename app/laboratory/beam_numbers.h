@@ -3,15 +3,8 @@
 
 #include "beam/rig.h"
 
-/* The value in the row's unit; of a choice the place of its word. */
-double beam_numbers_get(const Parameter *row, const Beam *beam);
-
 /* False: a fault says what would be right, and the beam is as it was. */
 bool beam_numbers_set(const Parameter *row, Beam *beam, double value, Fault *fault);
-
-/* The value as `--set` takes it: the shortest digits that are read as the same number, or a word; as long as the arena
- * lives. */
-const char *beam_numbers_text(const Parameter *row, double value, Arena *arena);
 
 /* Is a rig of the one a rig of the other, but for the drive and the clearance? */
 bool beam_numbers_same_rig(const Beam *a, const Beam *b);

@@ -1,7 +1,6 @@
 #include "laboratory/beam_plots.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "laboratory/measured_marks.h"
 #include "mechanics/spectrum.h"

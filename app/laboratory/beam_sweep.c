@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/order.h"
 #include "base/parallel.h"
 #include "study/bunch.h"
 #include "study/study.h"
@@ -75,15 +76,10 @@ static void run_batch(void *context, size_t i) {
                     rest < share->batch ? rest : share->batch, false, share->stop);
 }
 
-static int compare(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static void take_trial(Trial *trial, double value, BeamSweepPoints *points) {
     size_t count = trial->series_count;
     if (count)
-        qsort(trial->series, count, sizeof *trial->series, compare);
+        qsort(trial->series, count, sizeof *trial->series, order_rising);
     double apart = count ? ALIKE * trial->series[count - 1] : 0, last = -HUGE_VAL;
     for (size_t i = 0; i < count; i++)
         if (trial->series[i] - last > apart)

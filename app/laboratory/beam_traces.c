@@ -1,7 +1,6 @@
 #include "laboratory/beam_traces.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/text.h"

@@ -6,7 +6,9 @@
 #include <sys/resource.h>
 #include <time.h>
 
+#include "base/clock.h"
 #include "base/parallel.h"
+#include "base/text.h"
 
 enum {
     GIVES_WAY = 10, /* how nice the thread is */
@@ -39,12 +41,6 @@ struct BeamWorker {
     bool sweeps, swept;
 };
 
-static double clock_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 static bool is_due(const Question *question, double now) {
     return question->asked && now >= question->since + BEAM_WORKER_PAUSE;
 }
@@ -61,10 +57,8 @@ static void take_up(Question *question) {
 static void publish_verdict(BeamWorker *worker) {
     beam_verdict_clear(&worker->news.told);
     worker->news.told = worker->own;
-    if (worker->own.advice) {
-        size_t size = strlen(worker->own.advice) + 1;
-        worker->news.told.advice = memcpy(memory_allocate(size, 1), worker->own.advice, size);
-    }
+    if (worker->own.advice)
+        worker->news.told.advice = text_copy(worker->own.advice);
     worker->news.verdict = true;
 }
 

@@ -56,9 +56,7 @@ static Pose pose_before(const Plan *plan, const Inhabitant *person, const Blocka
 }
 
 static void add_body(Scene *scene, const Profile *profile, Pose pose) {
-    Vec2 outline[SILHOUETTE_POINTS];
-    silhouette_outline(profile, pose.at, pose.heading, 0, outline);
-    Primitive *body = scene_add_polygon(scene, ROLE_ERROR, outline, SILHOUETTE_POINTS);
+    Primitive *body = silhouette_add(scene, ROLE_ERROR, profile, pose);
     body->fill_opacity = BODY_OPACITY;
     body->width = BODY_EDGE;
     body->style = LINE_DASHED;

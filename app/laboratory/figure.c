@@ -100,9 +100,7 @@ static void add_head(Scene *scene, Vec2 at, double height) {
 }
 
 void figure_add_chair(Scene *scene, const Profile *profile, Pose pose, Role role) {
-    Vec2 outline[SILHOUETTE_POINTS];
-    silhouette_outline(profile, pose.at, pose.heading, 0, outline);
-    Primitive *body = scene_add_polygon(scene, role, outline, SILHOUETTE_POINTS);
+    Primitive *body = silhouette_add(scene, role, profile, pose);
     body->fill_opacity = BODY_OPACITY;
     body->width = BODY_EDGE;
     Frame frame = frame_of(profile, pose);

@@ -1,9 +1,8 @@
 #include "laboratory/house_edit.h"
 
-#include <math.h>
 #include <stdio.h>
-#include <string.h>
 
+#include "house/draft_file.h"
 #include "laboratory/house_live_parts.h"
 
 static const LiveToolRow tools[LIVE_TOOLS] = {
@@ -188,13 +187,13 @@ static void hold(void *context, const char *name) {
     char step[2 * EDIT_NAME] = "Change a number";
     if (row != SIZE_MAX)
         snprintf(step, sizeof step, "%s: %s", live->values.rows[row].group, live->values.rows[row].label);
-    house_live_hold(live, step);
+    house_live_change_hold(live, step);
 }
 
 static void settle(void *context) {
     HouseLive *live = context;
     if (live->held)
-        house_live_settle(live);
+        house_live_change_settle(live);
 }
 
 /* Texts, items, files -----------------------------------------------------------------------------------------------
@@ -275,7 +274,7 @@ static size_t edits(const void *context) {
 }
 
 static bool changed(const void *context) {
-    return draft_is_changed(((const HouseLive *)context)->draft);
+    return draft_file_is_changed(((const HouseLive *)context)->draft);
 }
 
 static const char *text(const void *context) {
@@ -284,7 +283,7 @@ static const char *text(const void *context) {
 
 static bool save(void *context, const char *path, Fault *fault) {
     HouseLive *live = ready(context);
-    if (!draft_save(live->draft, path, fault))
+    if (!draft_file_save(live->draft, path, fault))
         return false;
     live->edit.saved_steps = draft_step_count(live->draft);
     return true;

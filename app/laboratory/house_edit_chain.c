@@ -1,7 +1,5 @@
 /* Points one after another: walls, exits, outlines of rooms, routes, distances. */
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "laboratory/house_live_parts.h"
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "house/draft_clip.h"
 #include "laboratory/house_live_parts.h"
 
 static const double APART = 0.30; /* m, to the right and below: where a duplicate goes */
@@ -176,14 +177,14 @@ bool house_edit_do_remove(HouseLive *live, Fault *fault) {
 
 char *house_edit_do_copy(const HouseLive *live) {
     const HouseEdit *edit = &live->edit;
-    return edit->id_count ? draft_copy(live->draft, (const char *const *)edit->ids, edit->id_count) : NULL;
+    return edit->id_count ? draft_clip_copy(live->draft, (const char *const *)edit->ids, edit->id_count) : NULL;
 }
 
 static bool paste(HouseLive *live, const char *name, const char *text, Vec2 by, Fault *fault) {
     const char **ids = NULL;
     size_t count = 0;
     house_edit_gesture_open(live, name);
-    if (!draft_paste(live->draft, text, by, &ids, &count, fault)) {
+    if (!draft_clip_paste(live->draft, text, by, &ids, &count, fault)) {
         draft_cancel(live->draft);
         return false;
     }

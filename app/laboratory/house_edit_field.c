@@ -35,14 +35,6 @@ bool house_edit_field_any(const HouseLive *live) {
     return false;
 }
 
-void house_edit_field_forget(HouseLive *live) {
-    HouseEdit *edit = &live->edit;
-    for (size_t i = 0; i < edit->field_count; i++)
-        edit->fields[i].typed = false;
-    edit->field = 0;
-    *edit->typed = *edit->wrong = 0;
-}
-
 bool house_edit_field_begins(const char *letters) {
     return (*letters >= '0' && *letters <= '9') || (*letters && strchr("-.,+", *letters));
 }

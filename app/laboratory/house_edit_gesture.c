@@ -1,7 +1,5 @@
 /* What all gestures have in common: a step that is made anew with each movement, tried, and put down or let go. */
-#include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "laboratory/house_live_parts.h"
 

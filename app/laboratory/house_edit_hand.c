@@ -1,6 +1,4 @@
 /* The hand and the keys: which of them begins, follows and ends what. */
-#include <math.h>
-#include <string.h>
 
 #include "laboratory/house_live_parts.h"
 

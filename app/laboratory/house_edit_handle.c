@@ -1,6 +1,4 @@
 /* What can be taken up of what is selected: points, edges, corners, what turns it. */
-#include <math.h>
-#include <string.h>
 
 #include "laboratory/house_live_parts.h"
 

@@ -7,6 +7,8 @@
 #include <string.h>
 
 #include "base/digest.h"
+#include "base/text.h"
+#include "house/draft_file.h"
 #include "laboratory/house_live_parts.h"
 
 static const double FIRST_WIDTH = 10; /* m, before its scale is known */
@@ -18,12 +20,6 @@ enum { IMAGE_LARGEST = 256 * 1024 * 1024 /* bytes */, HEADER = 24 /* of a PNG, w
 enum { ITEM_SCALE, ITEM_LEVEL }; /* of the tool */
 
 #define FADE "Fade picture"
-
-static char *copy_of(const char *text) {
-    Text copy = {0};
-    text_add(&copy, text);
-    return copy.text;
-}
 
 /* Files ----------------------------------------------------------------------------------------------------------- */
 
@@ -54,7 +50,7 @@ static bool look_at(const char *path, double *shape, char digest[17]) {
 
 /* The folder of the house's file with its "/"; memory_free it. "": it has no file. */
 static char *folder_of(const HouseLive *live) {
-    const char *path = draft_path(live->draft);
+    const char *path = draft_file_path(live->draft);
     char whole[PATH_MAX];
     Text folder = {0};
     text_add(&folder, "");
@@ -154,7 +150,7 @@ void house_edit_image_fade(HouseLive *live, double opacity) {
     if (!draft_plan(live->draft)->background.image)
         return;
     Background background = draft_plan(live->draft)->background;
-    char *image = copy_of(background.image), *digest = copy_of(background.digest);
+    char *image = text_copy(background.image), *digest = text_copy(background.digest);
     background.image = image;
     background.digest = digest;
     background.opacity = real_clamp(opacity, 0, 1);

@@ -8,7 +8,7 @@
 static const double FARTHEST_GAP = 5.0; /* m: what is farther from a piece is not told */
 static const double LEAST_TOLD = 0.005; /* m: shorter lengths are not */
 
-LiveMark *house_edit_marks_add(HouseLive *live, LiveMarkKind kind, const char *words) {
+static LiveMark *add_mark(HouseLive *live, LiveMarkKind kind, const char *words) {
     HouseEdit *edit = &live->edit;
     edit->marks = memory_reserve(edit->marks, &edit->mark_capacity, edit->mark_count + 1, sizeof *edit->marks);
     LiveMark *mark = &edit->marks[edit->mark_count++];
@@ -17,7 +17,7 @@ LiveMark *house_edit_marks_add(HouseLive *live, LiveMarkKind kind, const char *w
 }
 
 static void add_points(HouseLive *live, LiveMarkKind kind, const Vec2 *points, size_t count, const char *words) {
-    LiveMark *mark = house_edit_marks_add(live, kind, words);
+    LiveMark *mark = add_mark(live, kind, words);
     mark->count = count < LIVE_MARK_POINTS ? count : LIVE_MARK_POINTS;
     memcpy(mark->points, points, mark->count * sizeof *points);
 }
@@ -117,7 +117,7 @@ static void add_handles(HouseLive *live) {
     EditHandle handles[EDIT_HANDLES];
     size_t count = house_edit_handle_list(live, draft_plan(live->draft), handles);
     for (size_t i = 0; i < count; i++) {
-        LiveMark *mark = house_edit_marks_add(live, MARK_HANDLE, NULL);
+        LiveMark *mark = add_mark(live, MARK_HANDLE, NULL);
         mark->points[0] = handles[i].at;
         mark->count = 1;
         mark->round = handles[i].grip == GRIP_TURN;

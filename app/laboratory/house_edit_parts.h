@@ -201,7 +201,6 @@ void house_edit_field_list(HouseLive *live, const char *const *names, const char
 bool house_edit_field_typed(const HouseLive *live, size_t field, double *value);
 void house_edit_field_show(HouseLive *live, size_t field, double value);
 bool house_edit_field_any(const HouseLive *live);
-void house_edit_field_forget(HouseLive *live);
 bool house_edit_field_type(HouseLive *live, const char *letters);
 bool house_edit_field_back(HouseLive *live);
 bool house_edit_field_tab(HouseLive *live, int step);
@@ -270,7 +269,6 @@ size_t house_edit_handle_list(const HouseLive *live, const Plan *plan, EditHandl
 bool house_edit_handle_at(const HouseLive *live, const LiveHand *hand, EditHandle *handle);
 
 /* Marks of the gesture, for what it shows. */
-LiveMark *house_edit_marks_add(HouseLive *live, LiveMarkKind kind, const char *words);
 void house_edit_marks_line(HouseLive *live, Vec2 from, Vec2 to);
 void house_edit_marks_outline(HouseLive *live, const Vec2 *points, size_t count);
 void house_edit_marks_length(HouseLive *live, Vec2 from, Vec2 to);

@@ -1,7 +1,6 @@
 /* Furniture that is placed. */
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "laboratory/house_live_parts.h"
 

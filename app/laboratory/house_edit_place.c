@@ -1,6 +1,5 @@
 /* One thing at the hand: a door, a piece of furniture, a person. */
 #include <stdio.h>
-#include <string.h>
 
 #include "laboratory/house_live_parts.h"
 

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "base/text.h"
+#include "house/draft_parameter.h"
 #include "house/suggest.h"
 #include "laboratory/house_live_parts.h"
 
@@ -25,12 +27,6 @@ struct EditSearch {
     char answers[SUGGEST_MOST][64];
     EditSearch *next; /* of those that are given up and have not ended yet */
 };
-
-static char *copy_of(const char *text) {
-    Text copy = {0};
-    text_add(&copy, text);
-    return copy.text;
-}
 
 static void count_tries(void *context, size_t tries) {
     EditSearch *search = context;
@@ -111,9 +107,9 @@ void house_edit_propose_ask(HouseLive *live) {
     reap(edit, false);
     EditSearch *search = memory_allocate(1, sizeof *search);
     search->revision = draft_revision(live->draft);
-    search->text = copy_of(draft_text(live->draft));
-    search->path = copy_of(live->wish.path);
-    search->profiles = copy_of(live->wish.profiles);
+    search->text = text_copy(draft_text(live->draft));
+    search->path = text_copy(live->wish.path);
+    search->profiles = text_copy(live->wish.profiles);
     search->options =
         (HouseOptions){.profiles = search->profiles, .seed = live->wish.seed, .driving = live->wish.driving};
     search->jobs = live->wish.jobs;
@@ -170,7 +166,7 @@ static bool set(HouseLive *live, const char *setting, Fault *fault) {
     char name[2 * EDIT_NAME];
     snprintf(name, sizeof name, "%.*s", (int)(equals - setting), setting);
     json_t *value = json_loads(equals + 1, JSON_DECODE_ANY, NULL);
-    return draft_set_parameter(live->draft, name, value ? value : json_string(equals + 1), fault);
+    return draft_parameter_set(live->draft, name, value ? value : json_string(equals + 1), fault);
 }
 
 bool house_edit_propose_accept(HouseLive *live, size_t proposal, Fault *fault) {

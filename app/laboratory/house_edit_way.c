@@ -1,6 +1,5 @@
 /* Exits, rooms and routes that are drawn. */
 #include <stdio.h>
-#include <string.h>
 
 #include "laboratory/house_live_parts.h"
 

@@ -6,6 +6,8 @@
 
 #include "base/digest.h"
 #include "base/parallel.h"
+#include "base/parameters_number.h"
+#include "base/text.h"
 #include "house/run.h"
 #include "laboratory/shake_record.h"
 
@@ -61,10 +63,7 @@ static double nominal(const void *given, const char *name) {
     const void *object;
     const Parameter *row = find_number(&((const HouseGiven *)given)->house, name, &object, "", &fault);
     fault_clear(&fault);
-    if (!row)
-        return NAN;
-    const char *field = (const char *)object + row->offset;
-    return row->kind == PARAMETER_WHOLE ? *(const int *)field : *(const double *)field;
+    return row ? parameters_number_get(row, object) : NAN;
 }
 
 /* Runs ----------------------------------------------------------------------------------------------------------- */
@@ -109,11 +108,6 @@ static void observe(Trial *trial, const HouseGiven *given, const House *house, c
     observed[HOUSE_WAY] = way_of(house, observation);
 }
 
-static char *copy_text(const char *text) {
-    char *copy = memory_allocate(strlen(text) + 1, 1);
-    return strcpy(copy, text);
-}
-
 /* The options' settings, then a NAME=VALUE for each varied one; memory_free both. */
 static char *join_settings(const HouseOptions *options, const char **settings, const char *const *names,
                            size_t name_count, const double *at) {
@@ -151,7 +145,7 @@ static void run_one(const HouseGiven *given, const char *const *names, size_t na
         observation_free(&observation);
         house_free(&house);
     } else {
-        trial->fault = copy_text(fault.lines[0]);
+        trial->fault = text_copy(fault.lines[0]);
         trial->done = true;
     }
     fault_clear(&fault);

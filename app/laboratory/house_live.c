@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "house/draft_file.h"
 #include "laboratory/house_live_parts.h"
 #include "laboratory/live_save.h"
 
@@ -71,7 +72,7 @@ static bool know_route(const Plan *plan, const char *path, const char *route, Fa
 static Draft *open_draft(const char *path, const LiveOptions *options, Fault *fault) {
     if (!path)
         return draft_create("new house");
-    Draft *draft = draft_read(path, options->settings, options->setting_count, fault);
+    Draft *draft = draft_file_read(path, options->settings, options->setting_count, fault);
     if (draft && know_route(draft_plan(draft), path, options->route, fault))
         return draft;
     draft_destroy(draft);
@@ -259,122 +260,6 @@ static const char *trouble(const void *context, double *time) {
     return live->trouble.text;
 }
 
-/* Changing -------------------------------------------------------------------------------------------------------- */
-
-static const LiveParameter *parameters(const void *context, size_t *count) {
-    const HouseLive *live = context;
-    *count = live->values.count;
-    return live->values.listed;
-}
-
-void house_live_hold(HouseLive *live, const char *name) {
-    draft_begin(live->draft, name);
-    live->held = true;
-}
-
-void house_live_settle(HouseLive *live) {
-    Fault none = {0}; /* what did not stand was said when it was set */
-    live->held = false;
-    draft_end(live->draft, &none);
-    fault_clear(&none);
-    house_live_follow_edited(live);
-}
-
-/* Sets what a row says in the draft: as a step of its own, unless numbers are in the hand. */
-static bool set_in_draft(HouseLive *live, size_t row, Fault *fault) {
-    const LiveParameter *value = &live->values.rows[row];
-    char name[HOUSE_THING_NAME];
-    snprintf(name, sizeof name, "%s: %s", value->group, value->label);
-    if (live->held)
-        draft_rewind(live->draft);
-    else
-        draft_begin(live->draft, name);
-    bool known = draft_set_parameter(live->draft, value->name, house_live_value_json(&live->values, row), fault);
-    if (live->held)
-        return known && draft_try(live->draft, fault);
-    if (known)
-        return draft_end(live->draft, fault);
-    draft_cancel(live->draft);
-    return false;
-}
-
-static bool set(void *context, const char *name, double value, Fault *fault) {
-    HouseLive *live = context;
-    size_t row = house_live_value_find(&live->values, name);
-    if (row == SIZE_MAX) {
-        fault_add(fault, "there is no number called \"%s\"", name);
-        return false;
-    }
-    double before = live->values.rows[row].value;
-    if (!house_live_value_set(&live->values, row, value, fault))
-        return false;
-    if (value == before)
-        return true;
-    if (!set_in_draft(live, row, fault)) {
-        live->values.rows[row].value = before;
-        return false;
-    }
-    house_live_follow_edited(live);
-    if (live->shown)
-        house_live_value_sort(&live->values, &live->shown->house, live->selected);
-    return true;
-}
-
-static void reset(void *context) {
-    HouseLive *live = context;
-    uint64_t before = draft_revision(live->draft);
-    live->held = false;
-    draft_reset(live->draft, "Reset scene");
-    if (draft_revision(live->draft) == before)
-        return;
-    for (size_t i = 0; i < live->values.count; i++)
-        live->values.rows[i].value = live->values.rows[i].initial;
-    if (live->kept_itself)
-        house_live_follow_forget(live);
-    house_live_history_begin(&live->history, draft_text(live->draft), draft_revision(live->draft));
-    house_live_follow_edited(live);
-}
-
-static const LivePreset *presets(const void *context, size_t *count) {
-    (void)context;
-    *count = 0;
-    return NULL;
-}
-
-static void prefer(void *context, size_t preset) {
-    (void)context;
-    (void)preset;
-}
-
-static const LiveChoice *choices(const void *context, size_t *count) {
-    return house_live_choices_list((HouseLive *)context, count);
-}
-
-static void choose(void *context, size_t choice, size_t word) {
-    house_live_choices_take(context, choice, word);
-}
-
-/* What is recorded is what would come: only a run that was stopped or broke down is made again, or one in which the
- * plan changed. */
-static void again(void *context) {
-    HouseLive *live = context;
-    house_live_follow_clean(live);
-    if (live->trouble.text && !live->latest)
-        house_live_follow_ask(live);
-}
-
-static bool keep(void *context, double time) {
-    HouseLive *live = context;
-    (void)time;
-    live->changed |= LIVE_WORDS | LIVE_PLOTS;
-    return house_live_follow_keep(live, false);
-}
-
-static void clear(void *context, double time) {
-    (void)time;
-    house_live_follow_forget(context);
-}
-
 /* Pointing -------------------------------------------------------------------------------------------------------- */
 
 static LiveThing pick(const void *context, Vec2 at, double time, LiveThing below) {
@@ -499,16 +384,16 @@ const LiveKind house_live = {
     .rows = rows,
     .ticks = ticks,
     .trouble = trouble,
-    .parameters = parameters,
-    .set = set,
-    .reset = reset,
-    .presets = presets,
-    .prefer = prefer,
-    .choices = choices,
-    .choose = choose,
-    .again = again,
-    .keep = keep,
-    .clear = clear,
+    .parameters = house_live_change_parameters,
+    .set = house_live_change_set,
+    .reset = house_live_change_reset,
+    .presets = house_live_change_presets,
+    .prefer = house_live_change_prefer,
+    .choices = house_live_change_choices,
+    .choose = house_live_change_choose,
+    .again = house_live_change_again,
+    .keep = house_live_change_keep,
+    .clear = house_live_change_clear,
     .pick = pick,
     .next = next,
     .select = select_thing,

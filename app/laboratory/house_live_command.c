@@ -1,6 +1,7 @@
 /* The command line that makes what a window shows. */
 #include <string.h>
 
+#include "house/draft_file.h"
 #include "laboratory/house_live_parts.h"
 
 enum { WORDS = 8 /* besides settings: the verb, the file, and three options with their values */ };
@@ -8,7 +9,7 @@ enum { WORDS = 8 /* besides settings: the verb, the file, and three options with
 /* Is the draft what its file has, with the numbers changed that have been changed? Not a thing added, moved by hand or
  * taken away. */
 static bool is_file_with(const HouseLive *live, const char *const *settings, size_t count) {
-    const char *path = draft_path(live->draft);
+    const char *path = draft_file_path(live->draft);
     Fault none = {0};
     Plan plan = {0};
     bool same = path && plan_read(&plan, path, settings, count, &none);
@@ -41,7 +42,7 @@ const char *const *house_live_command_words(HouseLive *live, size_t *count) {
     const char **words = memory_allocate(WORDS + 2 * setting_count, sizeof *words);
     bool whole = is_file_with(live, NULL, 0), made = !whole && is_file_with(live, settings, setting_count);
     words[used++] = "run";
-    words[used++] = whole || made ? draft_path(live->draft) : "";
+    words[used++] = whole || made ? draft_file_path(live->draft) : "";
     for (size_t i = 0; made && i < setting_count; i++) {
         words[used++] = "--set";
         words[used++] = settings[i];

@@ -2,6 +2,7 @@
  * one shown, the one before, the rival, the planned ways. */
 #include <string.h>
 
+#include "base/clock.h"
 #include "base/parallel.h"
 #include "laboratory/house_live_parts.h"
 #include "laboratory/people_scene.h"
@@ -396,7 +397,7 @@ static void follow_shown(HouseLive *live, double time) {
     if (live->film)
         film_extend(live->film);
     house_live_plots_make(live, false);
-    if (house_live_words_now() - live->words.said > GRACE) {
+    if (clock_now() - live->words.said > GRACE) {
         live->retell = true;
         live->changed |= LIVE_WORDS;
     }

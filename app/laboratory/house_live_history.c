@@ -1,7 +1,5 @@
 #include "laboratory/house_live_history.h"
 
-#include <string.h>
-
 /* Takes the first epochs of what there is and one more. */
 static void take(HouseHistory *history, size_t kept, HouseEpoch last) {
     Arena arena = {0};

@@ -152,9 +152,6 @@ void house_live_plots_make(HouseLive *live, bool anew);
 void house_live_plots_clear(HouseLive *live);
 LivePlot house_live_plots_at(const HouseLive *live, size_t index);
 
-/* s, of a steady clock. */
-double house_live_words_now(void);
-
 /* A row more; good until the next one. */
 LiveRow *house_live_words_add(HouseLive *live, RowKind kind, const char *first);
 
@@ -178,9 +175,21 @@ bool house_live_words_does_other(HouseLive *live);
 const LiveChoice *house_live_choices_list(HouseLive *live, size_t *count);
 void house_live_choices_take(HouseLive *live, size_t choice, size_t word);
 
+/* As in LiveKind. */
+const LiveParameter *house_live_change_parameters(const void *context, size_t *count);
+bool house_live_change_set(void *context, const char *name, double value, Fault *fault);
+void house_live_change_reset(void *context);
+const LivePreset *house_live_change_presets(const void *context, size_t *count);
+void house_live_change_prefer(void *context, size_t preset);
+const LiveChoice *house_live_change_choices(const void *context, size_t *count);
+void house_live_change_choose(void *context, size_t choice, size_t word);
+void house_live_change_again(void *context);
+bool house_live_change_keep(void *context, double time);
+void house_live_change_clear(void *context, double time);
+
 /* Numbers are taken into the hand, under the name that their step will have, and put down. */
-void house_live_hold(HouseLive *live, const char *name);
-void house_live_settle(HouseLive *live);
+void house_live_change_hold(HouseLive *live, const char *name);
+void house_live_change_settle(HouseLive *live);
 
 /* The words behind "clearance" that make what is shown; the file is "" where none has it. */
 const char *const *house_live_command_words(HouseLive *live, size_t *count);

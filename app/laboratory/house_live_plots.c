@@ -1,6 +1,5 @@
 /* The plots beside a house: of who is selected, or of all. While a run goes on their axes reach to round numbers and
  * only grow; of a whole run they fit. */
-#include <stdio.h>
 #include <string.h>
 
 #include "laboratory/house_live_parts.h"

@@ -2,18 +2,12 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "base/parallel.h"
 #include "house/observer.h"
 #include "house/run.h"
 #include "laboratory/route_scene.h"
-
-static double now(void) {
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 HouseRun *house_live_run_create(const HouseWish *wish) {
     HouseRun *run = memory_allocate(1, sizeof *run);
@@ -48,7 +42,7 @@ static void enter(HouseRun *run, HouseStage stage) {
     pthread_mutex_lock(&run->mutex);
     run->stage = stage;
     if (stage == HOUSE_READS)
-        run->begun = now();
+        run->begun = clock_now();
     pthread_mutex_unlock(&run->mutex);
 }
 
@@ -182,7 +176,7 @@ HouseStage house_live_run_stage(HouseRun *run) {
 
 double house_live_run_age(HouseRun *run) {
     pthread_mutex_lock(&run->mutex);
-    double age = run->begun > 0 ? now() - run->begun : 0;
+    double age = run->begun > 0 ? clock_now() - run->begun : 0;
     pthread_mutex_unlock(&run->mutex);
     return age;
 }

@@ -1,10 +1,10 @@
 #include "laboratory/house_live_values.h"
 
 #include <ctype.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "base/choice.h"
+#include "base/parameters_number.h"
 #include "laboratory/house_live_things.h"
 
 /* Which parameters of the plan are offered, and the useful part of their ranges. */
@@ -54,21 +54,6 @@ enum { KEY_DOORS = 6 /* whose widths are shown without being asked for */ };
 
 /* The list -------------------------------------------------------------------------------------------------------- */
 
-static double read_field(const Parameter *row, const void *object) {
-    const char *field = (const char *)object + row->offset;
-    switch (row->kind) {
-    case PARAMETER_NUMBER:
-        return *(const double *)field;
-    case PARAMETER_WHOLE:
-    case PARAMETER_CHOICE:
-        return *(const int *)field;
-    case PARAMETER_FLAG:
-        return *(const bool *)field;
-    default:
-        return NAN;
-    }
-}
-
 static const char *sentence(Arena *arena, const char *words) {
     return text_in_arena(arena, "%c%s.", toupper((unsigned char)*words), words + 1);
 }
@@ -117,7 +102,7 @@ static LiveParameter *add_value(HouseValues *values, const House *house, const c
     const void *object;
     const Parameter *row = house_parameter(house, name, &object, "", &fault);
     fault_clear(&fault);
-    double value = row ? read_field(row, object) : NAN;
+    double value = row ? parameters_number_get(row, object) : NAN;
     if (!isfinite(value))
         return NULL;
     values->owners = memory_reserve(values->owners, &values->owner_capacity, values->count + 1, sizeof owner);
@@ -287,13 +272,6 @@ size_t house_live_value_find(const HouseValues *values, const char *name) {
     return SIZE_MAX;
 }
 
-static size_t choice_count(const char *choices) {
-    size_t count = 1;
-    for (; *choices; choices++)
-        count += *choices == '|';
-    return count;
-}
-
 bool house_live_value_set(HouseValues *values, size_t row, double value, Fault *fault) {
     LiveParameter *live = &values->rows[row];
     const Parameter *is = live->row;
@@ -301,7 +279,7 @@ bool house_live_value_set(HouseValues *values, size_t row, double value, Fault *
     double low = number ? is->low : 0, high = number ? is->high : 1;
     if (is->kind == PARAMETER_CHOICE)
         high = (double)choice_count(is->choices) - 1;
-    const char *space = *is->unit && strcmp(is->unit, "1") != 0 ? " " : "", *unit = *space ? is->unit : "";
+    const char *unit = parameters_unit(is), *space = *unit ? " " : "";
     if (!(value >= low && value <= high)) {
         fault_add(fault, "%s: %g%s%s is out of range, %g%s%s to %g%s%s", live->label, value, space, unit, low, space,
                   unit, high, space, unit);
@@ -315,41 +293,12 @@ bool house_live_value_set(HouseValues *values, size_t row, double value, Fault *
     return true;
 }
 
-json_t *house_live_value_json(const HouseValues *values, size_t row) {
-    const LiveParameter *live = &values->rows[row];
-    if (live->row->kind == PARAMETER_FLAG)
-        return json_boolean(live->value > 0);
-    if (live->row->kind != PARAMETER_CHOICE)
-        return json_number(live->value);
-    const char *word = live->row->choices;
-    for (int skip = (int)live->value; skip > 0; skip--)
-        word += strcspn(word, "|") + 1;
-    return json_stringn(word, strcspn(word, "|"));
-}
-
-static const char *setting(const LiveParameter *live, Arena *arena) {
-    const Parameter *row = live->row;
-    if (row->kind == PARAMETER_FLAG)
-        return text_in_arena(arena, "%s=%s", live->name, live->value > 0 ? "true" : "false");
-    if (row->kind == PARAMETER_CHOICE) {
-        const char *word = row->choices;
-        for (int skip = (int)live->value; skip > 0; skip--)
-            word += strcspn(word, "|") + 1;
-        return text_in_arena(arena, "%s=%.*s", live->name, (int)strcspn(word, "|"), word);
-    }
-    char number[32];
-    for (int digits = 6; digits <= 17; digits++) {
-        snprintf(number, sizeof number, "%.*g", digits, live->value);
-        if (strtod(number, NULL) == live->value)
-            break;
-    }
-    return text_in_arena(arena, "%s=%s", live->name, number);
-}
-
 size_t house_live_value_settings(const HouseValues *values, const char **settings, Arena *arena) {
     size_t count = 0;
     for (size_t i = 0; i < values->count; i++)
         if (values->rows[i].value != values->rows[i].initial)
-            settings[count++] = setting(&values->rows[i], arena);
+            settings[count++] =
+                text_in_arena(arena, "%s=%s", values->rows[i].name,
+                              parameters_number_text(values->rows[i].row, values->rows[i].value, arena));
     return count;
 }

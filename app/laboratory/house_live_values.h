@@ -36,9 +36,6 @@ void house_live_value_list_again(HouseValues *values, const HouseValues *opened,
 /* Sets a value, or says with a fault what would be right. */
 bool house_live_value_set(HouseValues *values, size_t row, double value, Fault *fault);
 
-/* The row's value, as a file has it. New. */
-json_t *house_live_value_json(const HouseValues *values, size_t row);
-
 /* NAME=VALUE for each that is not as at the opening; returns how many. They are the arena's; `settings` has room for
  * all. */
 size_t house_live_value_settings(const HouseValues *values, const char **settings, Arena *arena);

@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "laboratory/house_live_parts.h"
 #include "laboratory/people_scene.h"
 
@@ -14,12 +14,6 @@
 enum { TICKS_MOST = 2000 };
 
 #define NEW_CONTACT 0.1 /* s: a body that has been free for less is still touching */
-
-double house_live_words_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 LiveRow *house_live_words_add(HouseLive *live, RowKind kind, const char *first) {
     HouseWords *words = &live->words;
@@ -228,7 +222,7 @@ static void tell_run(HouseLive *live) {
 void house_live_words_make(HouseLive *live, double time) {
     HouseWords *words = &live->words;
     words->row_count = 0;
-    words->said = house_live_words_now();
+    words->said = clock_now();
     words->time = time;
     if (live->retell)
         tell_run(live);
@@ -252,7 +246,7 @@ bool house_live_words_moved(const HouseLive *live, double time) {
     if (!live->shown || live->selected.kind != HOUSE_PERSON || time == live->words.time)
         return false;
     const Trail *trail = &live->trails.trails[live->selected.index];
-    return house_live_words_now() - live->words.said >= MOMENT &&
+    return clock_now() - live->words.said >= MOMENT &&
            trail_row_at(trail, time) != trail_row_at(trail, live->words.time);
 }
 

@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-const LiveKind *const live_kinds[] = {&house_live, &beam_live};
-const size_t live_kind_count = sizeof live_kinds / sizeof *live_kinds;
+static const LiveKind *const kinds[] = {&house_live, &beam_live};
+enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* Longer than any house or beam that is opened in a window. */
 enum { LONGEST = 64 << 20 /* bytes */ };
@@ -20,10 +20,10 @@ static bool says(const char *text, const char *word) {
 const LiveKind *live_kind_of(const char *path) {
     size_t size;
     char *text = text_read_file(path, LONGEST, &size);
-    const LiveKind *kind = live_kinds[0];
-    for (size_t i = 0; text && i < live_kind_count; i++)
-        if (says(text, live_kinds[i]->word)) {
-            kind = live_kinds[i];
+    const LiveKind *kind = kinds[0];
+    for (size_t i = 0; text && i < KINDS; i++)
+        if (says(text, kinds[i]->word)) {
+            kind = kinds[i];
             break;
         }
     memory_free(text);

@@ -231,6 +231,4 @@ typedef struct LiveKind {
 
 /* The laboratories; live_kind_of tells whose a file is, by what is in it (a house's when nothing can be told). */
 extern const LiveKind house_live, beam_live;
-extern const LiveKind *const live_kinds[];
-extern const size_t live_kind_count;
 const LiveKind *live_kind_of(const char *path);

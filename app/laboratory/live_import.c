@@ -1,7 +1,6 @@
 #include "laboratory/live_import.h"
 
-#include <string.h>
-
+#include "base/text.h"
 #include "exchange/import.h"
 
 bool live_import_knows(const char *path) {
@@ -24,7 +23,7 @@ bool live_import_read(LiveImport *import, const char *path, Fault *fault) {
     bool read = import_read(&plan, path, &(ImportOptions){.unit = 0}, &report, fault);
     if (read) {
         import->text = plan_text(&plan);
-        import->name = strcpy(memory_allocate(strlen(plan.name) + 1, 1), plan.name);
+        import->name = text_copy(plan.name);
         import->format = report.format ? report.format : "another program";
         tell(import, &report);
     }

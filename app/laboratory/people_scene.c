@@ -115,9 +115,7 @@ static void add_swept(Scene *scene, const Profile *profile, const Trail *trail, 
 }
 
 void people_scene_body(Scene *scene, const Profile *profile, Pose pose, Role role) {
-    Vec2 outline[SILHOUETTE_POINTS];
-    silhouette_outline(profile, pose.at, pose.heading, 0, outline);
-    Primitive *body = scene_add_polygon(scene, role, outline, SILHOUETTE_POINTS);
+    Primitive *body = silhouette_add(scene, role, profile, pose);
     body->fill_opacity = GHOST_OPACITY;
     body->edge_opacity = GHOST_EDGE_OPACITY;
     body->width = GHOST_EDGE;
@@ -247,10 +245,8 @@ static void add_arrow(Scene *scene, const Profile *profile, const Inhabitant *pe
 
 void people_scene_start(Scene *scene, const Inhabitant *person, Role role) {
     const Profile *profile = person->profile;
-    Vec2 outline[SILHOUETTE_POINTS];
     bool walker = census_walks(profile);
-    silhouette_outline(profile, person->at, person->heading, 0, outline);
-    Primitive *body = scene_add_polygon(scene, role, outline, SILHOUETTE_POINTS);
+    Primitive *body = silhouette_add(scene, role, profile, (Pose){.at = person->at, .heading = person->heading});
     body->edge = ROLE_WALL;
     body->width = walker ? GHOST_EDGE : START_EDGE;
     body->keep_clear = KEEP_START;

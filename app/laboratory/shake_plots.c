@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/order.h"
 #include "base/text.h"
 #include "laboratory/house_experiment.h"
 #include "laboratory/people_scene.h"
@@ -12,11 +13,6 @@
 #define ONE_WIDTH 2.0
 
 enum { PEOPLE_MOST = 4 /* have a curve of their own */ };
-
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 /* The end of the time axis, s: a little behind the last who gets out. */
 static double end_of(const ShakeFindings *findings) {
@@ -33,13 +29,8 @@ static double end_of(const ShakeFindings *findings) {
 static PlotSeries cumulated(const ShakeFindings *findings, size_t observable, Arena *arena) {
     const Study *study = findings->study;
     double *times = arena_allocate(arena, study->trial_count * sizeof *times);
-    size_t count = 0;
-    for (size_t t = 0; t < study->trial_count; t++) {
-        double time = study_axes_value(&study->trials[t], observable);
-        if (isfinite(time))
-            times[count++] = time;
-    }
-    qsort(times, count, sizeof *times, ascending);
+    size_t count = study_axes_values(study, observable, times);
+    qsort(times, count, sizeof *times, order_rising);
     double *x = arena_allocate(arena, (2 * count + 1) * sizeof *x);
     double *y = arena_allocate(arena, (2 * count + 1) * sizeof *y);
     for (size_t i = 0; i < count; i++) {

@@ -19,7 +19,8 @@ static const double MIDDLE = 0.05, HIGH = 0.2;
 
 enum { ROWS_MOST = 12 /* of pieces, and of people, in the list */ };
 
-Role shake_scene_danger(double share) {
+/* How bad it is that a piece stops somebody in such a share of shakes. */
+static Role danger_of(double share) {
     return share >= HIGH ? ROLE_DANGER_HIGH : share >= MIDDLE ? ROLE_DANGER_MIDDLE : ROLE_DANGER_LOW;
 }
 
@@ -56,7 +57,7 @@ static void add_pieces(Scene *scene, const ShakeFindings *findings) {
             continue;
         Vec2 corners[4];
         plan_furniture_corners(piece_of(findings, piece), corners);
-        Primitive *body = scene_add_polygon(scene, shake_scene_danger(piece->stops.value), corners, 4);
+        Primitive *body = scene_add_polygon(scene, danger_of(piece->stops.value), corners, 4);
         body->edge = ROLE_WALL;
         body->width = PIECE_EDGE;
         body->keep_clear = KEEP_PIECE;
@@ -78,7 +79,7 @@ static void add_piece_tags(Scene *scene, const ShakeFindings *findings) {
     for (size_t p = 0; p < findings->piece_count && p < ROWS_MOST; p++) {
         const ShakePiece *piece = &findings->pieces[p];
         if (piece->stops.good)
-            add_tag(scene, shake_scene_danger(piece->stops.value), piece_of(findings, piece)->centre,
+            add_tag(scene, danger_of(piece->stops.value), piece_of(findings, piece)->centre,
                     scene_text(scene, "%s blocks in %s", name_of(piece_of(findings, piece)),
                                per_cent(scene, piece->stops.value)));
     }
@@ -119,7 +120,7 @@ static void list_pieces(Scene *scene, const ShakeFindings *findings) {
         const char *fell = per_cent(scene, (double)piece->toppled / (double)findings->shakes);
         const char *stops = per_cent(scene, piece->stops.value);
         SceneRow *row = scene_add_row(scene, piece->stops.good ? ROW_LINE : ROW_PLAIN, name_of(furniture));
-        row->role = shake_scene_danger(piece->stops.value);
+        row->role = danger_of(piece->stops.value);
         row->symbol = SYMBOL_BOX;
         row->cells[1] = fell;
         row->cells[2] = stops;

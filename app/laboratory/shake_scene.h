@@ -7,6 +7,3 @@
 
 /* Fills an empty scene; scene_clear releases it. */
 void shake_scene_make(Scene *scene, const ShakeFindings *findings);
-
-/* How bad it is that a piece stops somebody in such a share of shakes. */
-Role shake_scene_danger(double share);

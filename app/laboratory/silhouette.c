@@ -3,6 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+Primitive *silhouette_add(Scene *scene, Role role, const Profile *profile, Pose pose) {
+    Vec2 outline[SILHOUETTE_POINTS];
+    silhouette_outline(profile, pose.at, pose.heading, 0, outline);
+    return scene_add_polygon(scene, role, outline, SILHOUETTE_POINTS);
+}
+
 Vec2 silhouette_middle(const Profile *profile, Vec2 at, double heading) {
     if (profile->driving != DRIVING_DRIVER)
         return at;

@@ -3,12 +3,17 @@
 
 #include <stddef.h>
 
+#include "draw/scene.h"
 #include "house/profile.h"
+#include "house/route.h"
 
 enum { SILHOUETTE_POINTS = 28 /* seven a corner: 1 mm from the circle for a body of 0.7 m */ };
 
 /* The body with its reference point at `at`, or its personal space, `grown` m beyond the body; counter-clockwise. */
 void silhouette_outline(const Profile *profile, Vec2 at, double heading, double grown, Vec2 outline[SILHOUETTE_POINTS]);
+
+/* Adds the body as a polygon. */
+Primitive *silhouette_add(Scene *scene, Role role, const Profile *profile, Pose pose);
 
 /* The middle of a body whose reference point is `at`. */
 Vec2 silhouette_middle(const Profile *profile, Vec2 at, double heading);

@@ -42,6 +42,16 @@ double study_axes_value(const Trial *trial, size_t observable) {
     return trial->done && !trial->fault ? trial->observed[observable] : NAN;
 }
 
+size_t study_axes_values(const Study *study, size_t observable, double *values) {
+    size_t count = 0;
+    for (size_t t = 0; t < study->trial_count; t++) {
+        double value = study_axes_value(&study->trials[t], observable);
+        if (isfinite(value))
+            values[count++] = value;
+    }
+    return count;
+}
+
 size_t study_axes_find(const Study *study, const char *name) {
     size_t o = 0;
     while (o < study->experiment->observable_count && strcmp(study->experiment->observables[o].name, name) != 0)

@@ -19,6 +19,9 @@ StudyScale study_axes_observable(const Observable *observable);
 /* An observable of a trial; NAN: it is not done, could not be run, or has none. */
 double study_axes_value(const Trial *trial, size_t observable);
 
+/* Those of all trials, as far as they are numbers, into `values` (trial_count); returns how many. */
+size_t study_axes_values(const Study *study, size_t observable, double *values);
+
 /* The index of the observable of that name; the count: there is none. */
 size_t study_axes_find(const Study *study, const char *name);
 

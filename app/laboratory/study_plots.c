@@ -283,12 +283,7 @@ static void add_histogram(StudyPlots *plots, const Study *study, size_t observab
     const Observable *shown = &study->experiment->observables[observable];
     Arena *arena = &plots->arena;
     double *values = arena_allocate(arena, study->trial_count * sizeof *values);
-    size_t count = 0;
-    for (size_t t = 0; t < study->trial_count; t++) {
-        double value = study_axes_value(&study->trials[t], observable);
-        if (isfinite(value))
-            values[count++] = value;
-    }
+    size_t count = study_axes_values(study, observable, values);
     Plot *plot = add_plot(plots, study, shown->name, 1);
     Distribution of = montecarlo_distribution(values, count);
     plot->title = text_in_arena(arena, "%zu runs", count);

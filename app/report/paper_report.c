@@ -1,6 +1,5 @@
 #include "report/paper_report.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "base/parameters.h"
@@ -91,9 +90,8 @@ static void add_numbers(Document *document, const Paper *paper) {
     document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
     for (size_t i = 0; i < table->count; i++) {
         char *value = parameters_words(&table->rows[i], &paper->beam);
-        const char *unit = strcmp(table->rows[i].unit, "1") == 0 ? "" : table->rows[i].unit;
-        const char *cells[] = {table->rows[i].name, document_text(document, "%s", value), unit,
-                               paper->beam.provenance[i]};
+        const char *cells[] = {table->rows[i].name, document_text(document, "%s", value),
+                               parameters_unit(&table->rows[i]), paper->beam.provenance[i]};
         document_add_row(document, cells);
         memory_free(value);
     }

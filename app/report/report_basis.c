@@ -5,7 +5,6 @@
 
 #include "base/text.h"
 #include "house/plan_tables.h"
-#include "laboratory/census.h"
 
 /* How ---------------------------------------------------------------------------------------------------------------*/
 
@@ -82,7 +81,7 @@ static const char *kept_words(Document *document, const Parameter *row, const vo
 
 /* "N s/m", which stays on one line. */
 static const char *unit_words(Document *document, const Parameter *row) {
-    const char *unit = strcmp(row->unit, "1") == 0 ? "" : row->unit, *space = strchr(unit, ' ');
+    const char *unit = parameters_unit(row), *space = strchr(unit, ' ');
     return space ? document_text(document, "%.*s\u00a0%s", (int)(space - unit), unit, space + 1) : unit;
 }
 

@@ -26,7 +26,7 @@ static void add_difference(Differences *differences, const char *what, const cha
 }
 
 static const char *name_of(Document *document, const char *what, const char *id, const Parameter *row) {
-    const char *unit = strcmp(row->unit, "1") == 0 ? "" : row->unit;
+    const char *unit = parameters_unit(row);
     return document_text(document, "%s%s%s, %s%s%s", what, *id ? " " : "", id, row->name, *unit ? ", " : "", unit);
 }
 

@@ -6,17 +6,15 @@
 #include <string.h>
 
 #include "laboratory/shipped.h"
+#include "window/act_play.h"
 #include "window/act_plot.h"
+#include "window/act_view.h"
 #include "window/edit.h"
 #include "window/files.h"
 #include "window/files_import.h"
 
-#define ZOOM_STEP 1.25
-#define PAN_STEP 0.1   /* of the view */
-#define TURN_STEP 15.0 /* degrees */
 #define TEXT_STEP 0.25
 #define TEXT_MOST 3.0
-#define STEPS_MANY 10
 
 #define DEFAULT_BEAM "ibs.json"
 
@@ -201,109 +199,6 @@ static void set_fullscreen(Window *window) {
     window->fullscreen = !window->fullscreen;
     window->settings.likes.full_screen = window->fullscreen;
     glass_set_fullscreen(window->glass, window->fullscreen);
-}
-
-static Vec2 looked_at(const Room *room) {
-    Box frame = room->scenery.still.frame;
-    return scenery_floor(&room->scenery, vec2_scale(vec2_add(frame.low, frame.high), 0.5));
-}
-
-/* By parts of the view, on the page. */
-static void pan(Room *room, double right, double down) {
-    Box frame = room->scenery.still.frame;
-    Vec2 middle = vec2_scale(vec2_add(frame.low, frame.high), 0.5);
-    Vec2 aside = vec2_add(middle, vec2(right * PAN_STEP * box_width(frame), down * PAN_STEP * box_height(frame)));
-    room_pan(room, vec2_sub(scenery_floor(&room->scenery, aside), scenery_floor(&room->scenery, middle)));
-}
-
-static void turn(Room *room, double degrees) {
-    room->camera.azimuth = remainder(room->camera.azimuth + degrees, 360);
-    room_look(room);
-}
-
-static void toggle_raised(Window *window, Room *room) {
-    if (!room->kind->raised) {
-        act_say(window, "a beam is seen from the side only");
-        return;
-    }
-    room->camera.kind = room->camera.kind == VIEW_RAISED ? VIEW_PLAN : VIEW_RAISED;
-    room_look(room);
-}
-
-static void follow(Window *window, Room *room) {
-    room->follows = !room->follows;
-    if (room->follows && !room->kind->selected(room->live).kind)
-        room_select(room, room->kind->next(room->live, (LiveThing){0}, 1));
-    if (room->follows && room->camera.zoom < 2)
-        room_show_selected(room);
-    act_say(window, room->follows ? "following what is selected" : "not following");
-}
-
-static void toggle_layer(Window *window, Room *room, int32_t key) {
-    size_t layer = (size_t)(key - '1');
-    if (key < '1' || layer >= room->kind->layer_count)
-        return;
-    room_toggle_layer(room, layer);
-    act_say(window, "%s: %s", room->kind->layers[layer], room_layers(room) & 1u << layer ? "shown" : "hidden");
-}
-
-/* The transport ---------------------------------------------------------------------------------------------------- */
-
-static void transport(Room *room, Action action) {
-    Player *player = &room->player;
-    LiveSpan span = room->kind->span(room->live);
-    double second = span.pace;
-    switch (action) {
-    case ACTION_PLAY:
-        player_toggle(player, &span);
-        break;
-    case ACTION_STEP:
-    case ACTION_STEP_BACK:
-        player_step(player, action == ACTION_STEP ? 1 : -1, &span);
-        break;
-    case ACTION_STEP_TEN:
-    case ACTION_STEP_BACK_TEN:
-        player_step(player, action == ACTION_STEP_TEN ? STEPS_MANY : -STEPS_MANY, &span);
-        break;
-    case ACTION_SECOND:
-    case ACTION_SECOND_BACK:
-        player_seek(player, player->time + (action == ACTION_SECOND ? second : -second), &span);
-        break;
-    case ACTION_SLOWER:
-    case ACTION_FASTER:
-        player_change_speed(player, action == ACTION_FASTER ? 1 : -1, &span);
-        break;
-    case ACTION_NORMAL_SPEED:
-        player_normal_speed(player);
-        break;
-    case ACTION_START:
-        player_seek(player, span.begin, &span);
-        break;
-    case ACTION_NOW:
-        player_seek(player, span.end, &span);
-        break;
-    case ACTION_LOOP:
-        player->loops = !player->loops;
-        break;
-    case ACTION_MARK_IN:
-        player->in = player->time;
-        player->loops = true;
-        break;
-    case ACTION_MARK_OUT:
-        player->out = player->time;
-        player->loops = true;
-        break;
-    default:
-        break;
-    }
-}
-
-static void again(Room *room) {
-    bool playing = room->player.playing;
-    room->kind->again(room->live);
-    LiveSpan span = room->kind->span(room->live);
-    player_seek(&room->player, span.begin, &span);
-    room->player.playing = playing;
 }
 
 static void next_word(Window *window, Room *room, const char *name) {
@@ -498,7 +393,7 @@ static bool do_room(Window *window, Room *room, Action action) {
         room->kind->clear(room->live, room->player.time);
         return true;
     case ACTION_AGAIN:
-        again(room);
+        act_play_again(room);
         return true;
     case ACTION_NEXT_THING:
         walk_things(window, room, 1);
@@ -515,51 +410,12 @@ static bool do_room(Window *window, Room *room, Action action) {
     }
 }
 
-/* What moves the eye. */
-static bool do_view(Window *window, Room *room, Action action, int32_t key) {
-    switch (action) {
-    case ACTION_FIT:
-        room_fit(room);
-        return true;
-    case ACTION_ZOOM_IN:
-    case ACTION_ZOOM_OUT:
-        room_zoom(room, action == ACTION_ZOOM_IN ? ZOOM_STEP : 1 / ZOOM_STEP, looked_at(room));
-        return true;
-    case ACTION_ZOOM_SELECTION:
-        room_show_selected(room);
-        return true;
-    case ACTION_RAISED:
-        toggle_raised(window, room);
-        return true;
-    case ACTION_FOLLOW:
-        follow(window, room);
-        return true;
-    case ACTION_TURN_LEFT:
-    case ACTION_TURN_RIGHT:
-        turn(room, action == ACTION_TURN_LEFT ? -TURN_STEP : TURN_STEP);
-        return true;
-    case ACTION_PAN_LEFT:
-    case ACTION_PAN_RIGHT:
-        pan(room, action == ACTION_PAN_LEFT ? -1 : 1, 0);
-        return true;
-    case ACTION_PAN_UP:
-    case ACTION_PAN_DOWN:
-        pan(room, 0, action == ACTION_PAN_UP ? -1 : 1);
-        return true;
-    case ACTION_LAYER:
-        toggle_layer(window, room, key);
-        return true;
-    default:
-        return false;
-    }
-}
-
 void act_do(Window *window, Action action, int32_t key, int mods) {
     Room *room = window_room(window);
     window->dirty = true;
     if (do_sheet(window, action) || do_window(window, action) || !room->live || act_plot_do(window, action, mods) ||
         edit_do(window, action, mods))
         return;
-    if (!do_room(window, room, action) && !do_view(window, room, action, key))
-        transport(room, action);
+    if (!do_room(window, room, action) && !act_view_do(window, room, action, key))
+        act_play_do(room, action);
 }

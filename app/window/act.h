@@ -7,7 +7,7 @@
 void act_do(Window *window, Action action, int32_t key, int mods);
 
 /* Opens a file in the laboratory it is of, and shows that; NULL: a new house. A fault goes to the messages, and what is
- * open stays. What is open is let go unsaved: see files_open. */
+ * open stays. What is open is let go unsaved: see files_leave. */
 bool act_open(Window *window, const char *path);
 
 /* The same, of a house that no file of its own holds, as `mark` says: it has no path, and is not remembered. */

@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "window/act.h"
 #include "window/files.h"
@@ -32,9 +31,7 @@ static void move_corner(ChartBox *box, Action action, double step) {
 }
 
 static Vec2 value_at(const Chart *chart, Vec2 part) {
-    Box frame = plot_canvas_frame(chart->canvas);
-    return plot_canvas_value(chart->canvas,
-                             vec2(frame.low.x + part.x * box_width(frame), frame.high.y - part.y * box_height(frame)));
+    return plot_canvas_value(chart->canvas, charts_place(plot_canvas_frame(chart->canvas), part));
 }
 
 /* From no box to its first corner, its second, and the axes it encloses. */

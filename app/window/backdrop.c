@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "window/act.h"
 #include "window/edit.h"
 
@@ -78,7 +79,7 @@ void backdrop_show(Window *window) {
         return;
     if (!window->backdrop_path || strcmp(window->backdrop_path, image.path) != 0) {
         backdrop_clear(window);
-        window->backdrop_path = strcpy(memory_allocate(strlen(image.path) + 1, 1), image.path);
+        window->backdrop_path = text_copy(image.path);
         load(window, window->backdrop_path);
     }
     Vec2 corners[4];

@@ -1,7 +1,6 @@
 #include "window/bars.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #include "window/act.h"
 #include "window/edit.h"

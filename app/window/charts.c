@@ -179,7 +179,7 @@ static void draw_cursor(const Chart *chart, double x, const char *words, Ui *ui)
     ui_draw_words(ui, UI_BOLD, ROLE_PAPER, vec2(tag.low.x + 6, (tag.low.y + tag.high.y) / 2), 0, words);
 }
 
-static Vec2 part_to_place(Box frame, Vec2 part) {
+Vec2 charts_place(Box frame, Vec2 part) {
     return vec2(frame.low.x + part.x * box_width(frame), frame.high.y - part.y * box_height(frame));
 }
 
@@ -187,7 +187,7 @@ static void draw_box(const Chart *chart, Ui *ui) {
     if (!chart->box.corner)
         return;
     Box frame = frame_of(chart);
-    Vec2 from = part_to_place(frame, chart->box.from), to = part_to_place(frame, chart->box.to);
+    Vec2 from = charts_place(frame, chart->box.from), to = charts_place(frame, chart->box.to);
     ui_draw_disc(ui, chart->box.corner == 1 ? from : to, NOW_RADIUS, ROLE_IMPACT);
     if (chart->box.corner == 2)
         ui_draw_frame(ui, box_include(box_include(box_empty(), from), to), ROLE_IMPACT, CURSOR_WIDTH);

@@ -65,3 +65,6 @@ void charts_fit(Chart *chart);
 
 /* The axes shown, whether chosen or the plot's own. */
 ChartAxes charts_axes(const Chart *chart);
+
+/* The place of a part of a frame, from 0 to 1 to the right and up. */
+Vec2 charts_place(Box frame, Vec2 part);

@@ -11,9 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "window/folder.h"
@@ -40,7 +40,7 @@ char *export_folder(Fault *fault) {
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         error = *places[i] ? text_make_folder(places[i]) : error;
         if (*places[i] && !error)
-            return strcpy(memory_allocate(strlen(places[i]) + 1, 1), places[i]);
+            return text_copy(places[i]);
     }
     fault_add(fault, "there is no folder to write to: neither %s nor clearance/ here can be made: %s",
               *in_home ? in_home : "$HOME/clearance", strerror(error));
@@ -120,10 +120,10 @@ struct Export {
     pid_t child; /* 0: it is over */
     int pipe;    /* its standard error */
     bool cancelled;
-    struct timespec asked; /* to end */
-    Text line;             /* what it is saying */
-    bool overwrites;       /* the line began with a carriage return: progress */
-    Text doing, said;      /* the last progress, and the last line that is none */
+    double asked;     /* s, by the clock, to end */
+    Text line;        /* what it is saying */
+    bool overwrites;  /* the line began with a carriage return: progress */
+    Text doing, said; /* the last progress, and the last line that is none */
     const char *out, *movie;
     const char **files; /* (file_count) */
     size_t file_count, file_capacity;
@@ -257,12 +257,6 @@ static double part_of(const char *doing) {
     return known && all && done <= all ? (double)done / (double)all : NAN;
 }
 
-static double seconds_since(const struct timespec *begin) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)(now.tv_sec - begin->tv_sec) + 1e-9 * (double)(now.tv_nsec - begin->tv_nsec);
-}
-
 static int is_shown(const struct dirent *entry) {
     return *entry->d_name != '.';
 }
@@ -318,7 +312,7 @@ const ExportStatus *export_look(Export *export) {
             how = FAILED << 8; /* nobody can tell how it ended */
         if (ended)
             conclude(export, how);
-        else if (export->cancelled && seconds_since(&export->asked) > PATIENCE)
+        else if (export->cancelled && clock_now() - export->asked > PATIENCE)
             kill(export->child, SIGKILL);
     }
     ExportStatus *status = &export->status;
@@ -336,16 +330,16 @@ void export_cancel(Export *export) {
     if (!export->child || export->cancelled)
         return;
     export->cancelled = true;
-    clock_gettime(CLOCK_MONOTONIC, &export->asked);
+    export->asked = clock_now();
     kill(export->child, SIGINT);
 }
 
 /* Nobody waits for it any more: it is given a moment. */
 static void end_child(Export *export) {
     export_cancel(export);
-    clock_gettime(CLOCK_MONOTONIC, &export->asked);
+    export->asked = clock_now();
     while (export_look(export)->stage == EXPORT_RUNNING) {
-        if (seconds_since(&export->asked) > LAST_PATIENCE)
+        if (clock_now() - export->asked > LAST_PATIENCE)
             kill(export->child, SIGKILL);
         usleep(10000);
     }

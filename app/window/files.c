@@ -8,7 +8,9 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "base/digest.h"
+#include "base/text.h"
 #include "laboratory/shipped.h"
 #include "window/act.h"
 #include "window/edit.h"
@@ -59,7 +61,7 @@ static bool is_shipped(const char *path) {
 }
 
 static void keep_path(Room *room, const char *path) {
-    char *kept = strcpy(memory_allocate(strlen(path) + 1, 1), path);
+    char *kept = text_copy(path);
     memory_free(room->path);
     room->path = kept;
 }
@@ -209,7 +211,7 @@ static void watch_house(Window *window) {
     uint64_t state = state_of(room, editor);
     if (state != watch->state) {
         watch->state = state;
-        watch->since = glass_now();
+        watch->since = clock_now();
         watch->waits = true;
     }
     if (!files_unsaved(room)) {
@@ -217,7 +219,7 @@ static void watch_house(Window *window) {
             recovery_remove(window->recovery);
         watch->waits = watch->written = false;
     }
-    if (!watch->waits || glass_now() - watch->since < PATIENCE)
+    if (!watch->waits || clock_now() - watch->since < PATIENCE)
         return;
     watch->waits = false;
     write_recovery(window, room, editor);
@@ -248,7 +250,7 @@ void files_recover(Window *window, size_t found) {
         return;
     if (!recovery_adopt(window->recovery, one))
         act_say(window, "%s has been moved away meanwhile", one->path);
-    room->origin = one->origin ? strcpy(memory_allocate(strlen(one->origin) + 1, 1), one->origin) : NULL;
+    room->origin = one->origin ? text_copy(one->origin) : NULL;
     window->watch.written = true;
     act_say(window, "recovered%s%s: save it to keep it", one->origin ? ", of " : "", one->origin ? one->origin : "");
     act_close_sheet(window);

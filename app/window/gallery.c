@@ -4,7 +4,6 @@
 #include <inttypes.h>
 #include <pthread.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/digest.h"
@@ -46,10 +45,6 @@ struct Gallery {
     Theme theme;
     unsigned revision; /* of the theme */
 };
-
-static char *copy_of(const char *text) {
-    return strcpy(memory_allocate(strlen(text) + 1, 1), text);
-}
 
 /* A picture -------------------------------------------------------------------------------------------------------- */
 
@@ -143,7 +138,7 @@ static void put(Gallery *gallery, size_t i, Found *found) {
 }
 
 static char *fault_line(Fault *fault) {
-    char *line = copy_of(fault->count ? fault->lines[0] : "it cannot be drawn");
+    char *line = text_copy(fault->count ? fault->lines[0] : "it cannot be drawn");
     fault_clear(fault);
     return line;
 }
@@ -153,11 +148,11 @@ static void find_words(Gallery *gallery, size_t i) {
     Fault fault = {0};
     Found found = {.name = NULL};
     if (thumbnail_read(&thumbnail, gallery->items[i].path, &fault)) {
-        found.name = copy_of(thumbnail.name);
-        found.line = copy_of(thumbnail.line);
+        found.name = text_copy(thumbnail.name);
+        found.line = text_copy(thumbnail.line);
         thumbnail_clear(&thumbnail);
     } else {
-        found.line = copy_of("");
+        found.line = text_copy("");
         found.fault = fault_line(&fault);
     }
     put(gallery, i, &found);

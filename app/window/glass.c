@@ -291,12 +291,6 @@ int32_t glass_key(const char *name) {
     return SDL_GetKeyFromName(name);
 }
 
-double glass_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 void glass_sleep(double seconds) {
     struct timespec left = {.tv_sec = (time_t)seconds, .tv_nsec = (long)(1e9 * (seconds - (double)(time_t)seconds))};
     while (nanosleep(&left, &left) != 0)

@@ -80,6 +80,4 @@ void glass_set_clipboard(void *glass, const char *text);
 /* The code of a key by its name, "F1", "Space", "A", "Left", "Keypad +"; 0: there is none. */
 int32_t glass_key(const char *name);
 
-/* s, since some moment: for pacing, never for what is simulated. */
-double glass_now(void);
 void glass_sleep(double seconds);

@@ -33,13 +33,12 @@ static void join_lines(char *text) {
 }
 
 void messages_say(Messages *messages, MessageKind kind, double time, const char *format, ...) {
-    Text text = {0};
     va_list arguments;
     va_start(arguments, format);
-    text_vformat(&text, format, arguments);
+    char *text = text_printed(format, arguments);
     va_end(arguments);
-    join_lines(text.text);
-    add(messages, kind, time, text.text);
+    join_lines(text);
+    add(messages, kind, time, text);
 }
 
 void messages_take(Messages *messages, Fault *fault, double time) {

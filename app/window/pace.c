@@ -6,17 +6,19 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "base/memory.h"
+#include "base/order.h"
 #include "base/text.h"
 #include "window/glass.h"
 
 #define MILLI 1000.0
 
 double pace_wait(Pace *pace, bool hurried) {
-    double now = glass_now(), due = pace->last + 1 / PACE_RATE;
+    double now = clock_now(), due = pace->last + 1 / PACE_RATE;
     if (!hurried && now < due)
         glass_sleep(due - now);
-    now = glass_now();
+    now = clock_now();
     double since = pace->last > 0 ? now - pace->last : 0;
     pace->last = now;
     return since;
@@ -55,19 +57,14 @@ void pace_count(Pace *pace) {
     pace->counting = true;
     pace->count = 0;
     pace->worked = 0;
-    pace->begun = glass_now();
-}
-
-static int by_size(const void *a, const void *b) {
-    double first = *(const double *)a, second = *(const double *)b;
-    return (first > second) - (first < second);
+    pace->begun = clock_now();
 }
 
 void pace_print(Pace *pace, const char *what, int width, int height) {
-    double passed = glass_now() - pace->begun;
+    double passed = clock_now() - pace->begun;
     if (!pace->count)
         return;
-    qsort(pace->times, pace->count, sizeof *pace->times, by_size);
+    qsort(pace->times, pace->count, sizeof *pace->times, order_rising);
     printf("%s, %d x %d: first picture after %.2f s, %.1f frames/s, a frame takes %.1f ms (median), %.1f ms (99 of "
            "100), simulating is %.1f %%\n",
            what, width, height, pace->first, (double)pace->count / passed, MILLI * pace->times[pace->count / 2],

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "window/act.h"
+#include "base/clock.h"
+#include "base/order.h"
 #include "window/edit.h"
 
 #define WARM 3.0     /* s, before the piece is taken up */
@@ -72,7 +73,7 @@ static bool begin(Window *window) {
         return false;
     push(window, pace->middle, GLASS_MOUSE, false);
     push(window, pace->middle, GLASS_BUTTON, true);
-    pace->begun = glass_now();
+    pace->begun = clock_now();
     pace_count(&window->pace);
     return true;
 }
@@ -88,11 +89,6 @@ static void step(Window *window) {
 
 /* What came of it -------------------------------------------------------------------------------------------------- */
 
-static int by_size(const void *a, const void *b) {
-    double first = *(const double *)a, second = *(const double *)b;
-    return (first > second) - (first < second);
-}
-
 static double part_of(const double *sorted, size_t count, double part) {
     return count ? sorted[(size_t)(part * (double)(count - 1))] : NAN;
 }
@@ -100,8 +96,8 @@ static double part_of(const double *sorted, size_t count, double part) {
 static void print(Window *window) {
     PaceEdit *pace = &window->pace_edit;
     Pace *frames = &window->pace;
-    qsort(pace->answers, pace->count, sizeof *pace->answers, by_size);
-    qsort(frames->times, frames->count, sizeof *frames->times, by_size);
+    qsort(pace->answers, pace->count, sizeof *pace->answers, order_rising);
+    qsort(frames->times, frames->count, sizeof *frames->times, order_rising);
     double median = MILLI * part_of(pace->answers, pace->count, 0.5);
     double late = MILLI * part_of(pace->answers, pace->count, 0.99);
     double frame = MILLI * part_of(frames->times, frames->count, 0.5);
@@ -110,7 +106,7 @@ static void print(Window *window) {
     printf("%s, %d x %d, dragged for %.1f s: %zu edits, %zu unanswered; from an edit to its answer on the screen %.1f "
            "ms (median), %.1f ms (99 of 100); a frame takes %.1f ms (median), %.1f ms (99 of 100), %.1f ms (longest)\n",
            window_room(window)->kind->title(window_room(window)->live), window->width, window->height,
-           glass_now() - pace->begun, pace->count + pace->missed, pace->missed, median, late, frame, slow, longest);
+           clock_now() - pace->begun, pace->count + pace->missed, pace->missed, median, late, frame, slow, longest);
     if (pace->count && frames->count)
         printf("{\"edits\":%zu,\"unanswered\":%zu,\"answer_ms\":{\"median\":%.3f,\"p99\":%.3f},\"frame_ms\":"
                "{\"median\":%.3f,\"p99\":%.3f,\"longest\":%.3f}}\n",
@@ -122,7 +118,7 @@ static void print(Window *window) {
 static void look(Window *window) {
     PaceEdit *pace = &window->pace_edit;
     const Room *room = window_room(window);
-    double now = glass_now();
+    double now = clock_now();
     if (pace->frames++ == 0) {
         pace->edited = window->pace.last; /* when that frame was begun */
         return;
@@ -139,7 +135,7 @@ static void look(Window *window) {
 
 bool pace_edit_go_on(Window *window, double begun) {
     PaceEdit *pace = &window->pace_edit;
-    double now = glass_now();
+    double now = clock_now();
     if (pace->begun <= 0)
         return now - begun > WARM && !begin(window);
     if (pace->waits)

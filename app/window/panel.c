@@ -1,7 +1,6 @@
 #include "window/panel.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "window/act.h"

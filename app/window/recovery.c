@@ -103,7 +103,7 @@ void recovery_remove(Recovery *recovery) {
 /* Finding ---------------------------------------------------------------------------------------------------------- */
 
 static char *copy_of(const char *text) {
-    return text ? strcpy(memory_allocate(strlen(text) + 1, 1), text) : NULL;
+    return text ? text_copy(text) : NULL;
 }
 
 static int64_t time_of(const char *path) {

@@ -3,8 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/clock.h"
+#include "base/text.h"
 #include "laboratory/live_edit.h"
-#include "window/glass.h"
 
 #define LEAST_SEEN 8.0 /* m, of what can be edited: a house begins with nothing */
 #define ASPECT 1.5     /* of what has no size */
@@ -36,11 +37,6 @@ void room_close(Room *room, PaintGlScreen *screen) {
     drop_live(room);
 }
 
-static char *copy_of(const char *text) {
-    char *copy = memory_allocate(strlen(text) + 1, 1);
-    return strcpy(copy, text);
-}
-
 static void keep_shape(Room *room) {
     Box box = room->kind->still(room->live)->box;
     double width = box_width(box), height = box_height(box);
@@ -61,7 +57,7 @@ bool room_open(Room *room, const char *path, const LiveOptions *options, PaintGl
     void *live = room->kind->open(path, options, fault);
     if (!live)
         return false;
-    char *kept = path ? copy_of(path) : NULL; /* it may be the path of what is closed */
+    char *kept = path ? text_copy(path) : NULL; /* it may be the path of what is closed */
     charts_clear(&room->charts, screen);
     drop_live(room);
     room->live = live;
@@ -143,14 +139,14 @@ unsigned room_update(Room *room, double seconds) {
     if (!room->live)
         return 0;
     const LiveKind *kind = room->kind;
-    double begun = glass_now();
+    double begun = clock_now();
     LiveSpan span = kind->span(room->live);
     double wish = player_wish(&room->player, seconds, &span);
     kind->reach(room->live, wish);
     unsigned changes = kind->update(room->live, room->player.time);
     span = kind->span(room->live);
     player_advance(&room->player, seconds, wish, &span);
-    room->worked += glass_now() - begun;
+    room->worked += clock_now() - begun;
     follow(room);
     if (changes & LIVE_VIEW) {
         keep_eye(room);

@@ -1,7 +1,5 @@
 #include "window/scenery.h"
 
-#include <math.h>
-
 void scenery_fit(Scenery *scenery, const Gl *gl, int width, int height, double unit, Theme theme) {
     if (scenery->paint && scenery->width == width && scenery->height == height && scenery->unit == unit &&
         scenery->theme == theme)

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/choice.h"
 #include "base/json.h"
 #include "base/text.h"
 
@@ -115,13 +116,12 @@ static int column_of(const Reader *reader, const char *at) {
 
 static void fault_at(const Reader *reader, int column, const char *format, ...) __attribute__((format(printf, 3, 4)));
 static void fault_at(const Reader *reader, int column, const char *format, ...) {
-    Text text = {0};
     va_list arguments;
     va_start(arguments, format);
-    text_vformat(&text, format, arguments);
+    char *text = text_printed(format, arguments);
     va_end(arguments);
-    fault_add(reader->fault, "%s:%d:%d: %s", reader->script->path, reader->line, column, text.text);
-    memory_free(text.text);
+    fault_add(reader->fault, "%s:%d:%d: %s", reader->script->path, reader->line, column, text);
+    memory_free(text);
 }
 
 /* The character that is meant by a backslash and `letter`, or 0. */
@@ -189,18 +189,6 @@ static bool read_double(const char *word, double *value) {
     return *word && !*end && plain && isfinite(*value);
 }
 
-static int choice_of(const char *choices, const char *word) {
-    size_t length = strlen(word);
-    int place = 0;
-    for (const char *at = choices; *at; place++) {
-        size_t size = strcspn(at, "|");
-        if (size == length && memcmp(at, word, size) == 0)
-            return place;
-        at += size + (at[size] == '|');
-    }
-    return -1;
-}
-
 /* How many words and numbers a command has so far. */
 typedef struct Filled {
     int words, numbers;
@@ -233,7 +221,7 @@ static bool read_argument(const Reader *reader, const Argument *argument, const 
         return *word->text;
     case ARGUMENT_CHOICE:
         command->words[filled->words++] = word->text;
-        command->choice = choice_of(argument->choices, word->text);
+        command->choice = choice_place(argument->choices, word->text);
         if (command->choice < 0)
             fault_at(reader, word->column, "\"%.60s\" must be one of %s", word->text, argument->choices);
         return command->choice >= 0;
@@ -347,13 +335,12 @@ const ScriptCommand *script_next(Script *script) {
 /* Doing ------------------------------------------------------------------------------------------------------------ */
 
 void script_fault(const Script *script, const ScriptCommand *command, Fault *fault, const char *format, ...) {
-    Text text = {0};
     va_list arguments;
     va_start(arguments, format);
-    text_vformat(&text, format, arguments);
+    char *text = text_printed(format, arguments);
     va_end(arguments);
-    fault_add(fault, "%s:%d:1: %s: %s", script->path, command->line, rows[command->kind].word, text.text);
-    memory_free(text.text);
+    fault_add(fault, "%s:%d:1: %s: %s", script->path, command->line, rows[command->kind].word, text);
+    memory_free(text);
 }
 
 /* The value at the end of a way "people.0.time", or NULL; the rest of a way may be one name, "door.d1.width". */

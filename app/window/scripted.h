@@ -1,4 +1,4 @@
-/* Carries out a script, command by command, and tells the window's state for it. */
+/* Carries out a script, command by command. */
 #pragma once
 
 #include "window/script.h"

@@ -1,7 +1,6 @@
 #include "window/settings.h"
 
 #include <errno.h>
-#include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -107,7 +106,7 @@ char *settings_state_folder(void) {
 
 static void remember_recent(Settings *settings, const char *path) {
     if (settings->recent_count < SETTINGS_RECENT_MOST)
-        settings->recent[settings->recent_count++] = strcpy(memory_allocate(strlen(path) + 1, 1), path);
+        settings->recent[settings->recent_count++] = text_copy(path);
 }
 
 /* Takes the list out of the file's values: it is of paths, which no table describes. */
@@ -271,7 +270,7 @@ void settings_add_recent(Settings *settings, const char *path) {
         else
             settings->recent_count++;
         memmove(settings->recent + 1, settings->recent, at * sizeof *settings->recent);
-        settings->recent[0] = strcpy(memory_allocate(strlen(whole) + 1, 1), whole);
+        settings->recent[0] = text_copy(whole);
     }
     free(whole);
 }

@@ -1,15 +1,16 @@
 #include "window/sheet_export.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "window/act.h"
 #include "window/edit.h"
 #include "window/files.h"
+#include "window/sheet_pane.h"
 
 #define WIDTH 760.0 /* design points */
 #define HEIGHT 560.0
+#define EDGE 16.0
 
 /* What can be made by the program's own command line. */
 typedef struct Making {
@@ -96,12 +97,6 @@ static void make(Window *window, const Making *making) {
     memory_free(folder);
 }
 
-static Box centred(const Window *window) {
-    Vec2 page = window->frame.page, half = {fmin(WIDTH, page.x - 16) / 2, fmin(HEIGHT, page.y - 16) / 2};
-    Vec2 middle = vec2_scale(page, 0.5);
-    return (Box){vec2_sub(middle, half), vec2_add(middle, half)};
-}
-
 static void show_now(Window *window) {
     UiRow now = {.id = "now",
                  .shape = ROW_PLAIN,
@@ -115,9 +110,7 @@ static void show_now(Window *window) {
 
 void sheet_export_show(Window *window) {
     Room *room = window_room(window);
-    ui_pane_begin(
-        window->ui,
-        &(UiPane){.name = "sheet", .box = centred(window), .ground = ROLE_PANEL, .scrolls = true, .modal = true});
+    sheet_pane_begin(window, sheet_pane_centred(window, WIDTH, HEIGHT, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Export");
     size_t count;
     const char *const *words = room->live ? room->kind->command(room->live, &count) : NULL;
@@ -146,10 +139,9 @@ void sheet_export_show(Window *window) {
 /* Saving ----------------------------------------------------------------------------------------------------------- */
 
 void sheet_export_show_save(Window *window) {
-    Box box = centred(window);
+    Box box = sheet_pane_centred(window, WIDTH, HEIGHT, EDGE);
     box.high.y = box.low.y + 250;
-    ui_pane_begin(window->ui,
-                  &(UiPane){.name = "sheet", .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true});
+    sheet_pane_begin(window, box);
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save as");
     ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT,
             "The file that was opened stays as it is. The new one holds what is shown now.");

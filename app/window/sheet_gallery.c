@@ -4,6 +4,7 @@
 
 #include "window/act.h"
 #include "window/files.h"
+#include "window/sheet_pane.h"
 
 /* Design points. */
 #define EDGE 24.0
@@ -47,8 +48,7 @@ void sheet_gallery_show(Window *window) {
     const GalleryItem *items = gallery_items(window->gallery, &count);
     fill_pictures(window, items, count, news);
     Box box = box_expand((Box){{0, 0}, window->frame.page}, -EDGE);
-    ui_pane_begin(window->ui,
-                  &(UiPane){.name = "sheet", .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true});
+    sheet_pane_begin(window, box);
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Gallery: choose one to open it; Escape goes back");
     int columns = (int)fmax(1, floor(box_width(box) / (ITEM_WIDTH + GAP)));
     for (size_t i = 0; i < count; i++) {
@@ -90,8 +90,7 @@ static void choose(Window *window, const FolderEntry *entry) {
 
 void sheet_gallery_show_open(Window *window) {
     Box box = box_expand((Box){{0, 0}, window->frame.page}, -3 * EDGE);
-    ui_pane_begin(window->ui,
-                  &(UiPane){.name = "sheet", .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true});
+    sheet_pane_begin(window, box);
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Open a house or a beam");
     ui_line(window->ui, UI_BODY, ROLE_DIM_TEXT, window->folder.path);
     if (ui_field(window->ui, "path", "or type its path", "Path: Return opens it", window->field,

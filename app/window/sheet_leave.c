@@ -1,11 +1,11 @@
 #include "window/sheet_leave.h"
 
-#include <math.h>
 #include <time.h>
 
 #include "window/act.h"
 #include "window/edit.h"
 #include "window/files.h"
+#include "window/sheet_pane.h"
 
 /* Design points. */
 #define WIDTH 660.0
@@ -14,21 +14,11 @@
 #define HIGH 460.0
 #define EDGE 24.0
 
-static void begin(Window *window, double width, double height) {
-    Vec2 page = window->frame.page, half = {fmin(width, page.x - EDGE) / 2, fmin(height, page.y - EDGE) / 2};
-    Vec2 middle = vec2_scale(page, 0.5);
-    ui_pane_begin(window->ui, &(UiPane){.name = "sheet",
-                                        .box = {vec2_sub(middle, half), vec2_add(middle, half)},
-                                        .ground = ROLE_PANEL,
-                                        .scrolls = true,
-                                        .modal = true});
-}
-
 void sheet_leave_show(Window *window) {
     const Room *room = window_room(window);
     const LiveEditor *editor = edit_of(room);
     size_t edits = editor ? editor->edits(room->live) : 0;
-    begin(window, WIDTH, HEIGHT);
+    sheet_pane_begin(window, sheet_pane_centred(window, WIDTH, HEIGHT, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save before closing?");
     ui_text(window->ui, UI_BODY, ROLE_TEXT,
             text_in_arena(&window->words, "%s has %zu edit%s that no file holds yet.", room->kind->title(room->live),
@@ -86,7 +76,7 @@ static bool show_found(Window *window, size_t index) {
 }
 
 void sheet_leave_show_recovered(Window *window) {
-    begin(window, WIDE, HIGH);
+    sheet_pane_begin(window, sheet_pane_centred(window, WIDE, HIGH, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Edited, not saved, and kept");
     ui_text(window->ui, UI_BODY, ROLE_TEXT,
             "The program ended before this was saved. The files themselves are as they were.");

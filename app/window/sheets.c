@@ -1,7 +1,6 @@
 #include "window/sheets.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -11,6 +10,7 @@
 #include "window/sheet_export.h"
 #include "window/sheet_gallery.h"
 #include "window/sheet_leave.h"
+#include "window/sheet_pane.h"
 
 /* Design points. */
 #define MENU_WIDTH 376.0
@@ -18,13 +18,6 @@
 #define EDGE 24.0
 #define SMALL_WIDTH 620.0
 #define SMALL_HEIGHT 230.0
-
-static Box centred(const Window *window, double width, double height) {
-    Vec2 page = window->frame.page;
-    Vec2 half = {fmin(width, page.x - EDGE) / 2, fmin(height, page.y - EDGE) / 2};
-    Vec2 middle = vec2_scale(page, 0.5);
-    return (Box){vec2_sub(middle, half), vec2_add(middle, half)};
-}
 
 /* The menus -------------------------------------------------------------------------------------------------------- */
 
@@ -100,8 +93,7 @@ static void show_menu(Window *window) {
     double left = menu_left(window), top = window->frame.menu.high.y;
     double height = fmin((double)(rows + 1) * MENU_ROW + 34, window->frame.page.y - top);
     Box box = {{left, top}, {fmin(left + MENU_WIDTH, window->frame.page.x), top + height}};
-    ui_pane_begin(window->ui,
-                  &(UiPane){.name = "sheet", .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true});
+    sheet_pane_begin(window, box);
     bool edits = edit_of(window_room(window));
     ui_row(window->ui, MENUS - MENU_FILE - !edits);
     for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++)
@@ -137,9 +129,7 @@ static const char *all_keys(Window *window, size_t row) {
 }
 
 static void show_keys(Window *window) {
-    Box box = centred(window, 1180, 680);
-    ui_pane_begin(window->ui,
-                  &(UiPane){.name = "sheet", .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true});
+    sheet_pane_begin(window, sheet_pane_centred(window, 1180, 680, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Keys");
     ui_text(
         window->ui, UI_BODY, ROLE_DIM_TEXT,
@@ -170,10 +160,7 @@ static void show_keys(Window *window) {
 /* The log ---------------------------------------------------------------------------------------------------------- */
 
 static void show_messages(Window *window) {
-    ui_pane_begin(
-        window->ui,
-        &(UiPane){
-            .name = "sheet", .box = centred(window, 1000, 560), .ground = ROLE_PANEL, .scrolls = true, .modal = true});
+    sheet_pane_begin(window, sheet_pane_centred(window, 1000, 560, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Messages");
     if (!messages_count(&window->messages))
         ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, "Nothing has been said yet.");
@@ -210,11 +197,7 @@ static bool show_close(Window *window) {
 }
 
 static void show_explanation(Window *window) {
-    ui_pane_begin(window->ui, &(UiPane){.name = "sheet",
-                                        .box = centred(window, SMALL_WIDTH, SMALL_HEIGHT),
-                                        .ground = ROLE_PANEL,
-                                        .scrolls = true,
-                                        .modal = true});
+    sheet_pane_begin(window, sheet_pane_centred(window, SMALL_WIDTH, SMALL_HEIGHT, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "What has the focus");
     ui_text(window->ui, UI_BODY, ROLE_TEXT, window->hold);
     show_close(window);
@@ -222,10 +205,7 @@ static void show_explanation(Window *window) {
 }
 
 static void show_about(Window *window) {
-    ui_pane_begin(
-        window->ui,
-        &(UiPane){
-            .name = "sheet", .box = centred(window, 760, 420), .ground = ROLE_PANEL, .scrolls = true, .modal = true});
+    sheet_pane_begin(window, sheet_pane_centred(window, 760, 420, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "clearance " CLEARANCE_VERSION);
     ui_text(
         window->ui, UI_BODY, ROLE_TEXT,

@@ -1,7 +1,6 @@
 #include "window/timeline.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #include "window/act.h"
 

@@ -1,4 +1,3 @@
-#include <string.h>
 
 #include "base/digest.h"
 #include "window/ui_inside.h"

@@ -1,6 +1,7 @@
 #include <string.h>
 
 #include "base/digest.h"
+#include "base/text.h"
 #include "window/ui_inside.h"
 
 #define NARROW 160.0 /* a pane no wider than that has only a small margin */
@@ -23,10 +24,8 @@ UiPlace *ui_pane_find(const Ui *ui, UiId id) {
 
 static UiPlace *make_place(Ui *ui, UiId id, const char *name) {
     UiPlace *place = memory_allocate(1, sizeof *place);
-    size_t bytes = strlen(name) + 1;
     place->id = id;
-    place->name = memory_allocate(bytes, 1);
-    memcpy(place->name, name, bytes);
+    place->name = text_copy(name);
     ui->places = memory_reserve(ui->places, &ui->place_capacity, ui->place_count + 1, sizeof *ui->places);
     ui->places[ui->place_count++] = place;
     return place;

@@ -1,7 +1,7 @@
 #include <stdio.h>
-#include <string.h>
 
 #include "base/quantity.h"
+#include "base/text.h"
 #include "window/ui_inside.h"
 
 #define LABEL_HEIGHT 24.0
@@ -76,11 +76,9 @@ void ui_slider_drop_draft(Ui *ui, UiId id) {
 
 void ui_slider_keep_draft(Ui *ui, UiId id, const char *text) {
     ui_slider_drop_draft(ui, id);
-    size_t bytes = strlen(text) + 1;
     ui->drafts = memory_reserve(ui->drafts, &ui->draft_capacity, ui->draft_count + 1, sizeof *ui->drafts);
     UiDraft *draft = &ui->drafts[ui->draft_count++];
-    *draft = (UiDraft){id, memory_allocate(bytes, 1)};
-    memcpy(draft->text, text, bytes);
+    *draft = (UiDraft){id, text_copy(text)};
 }
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */

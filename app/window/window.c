@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/clock.h"
 #include "laboratory/shipped.h"
 #include "window/act.h"
 #include "window/backdrop.h"
@@ -321,10 +322,10 @@ static void forget_notes(Window *window) {
     const Message *last = messages_last(&window->messages);
     if (last && last->number != window->noted) {
         window->noted = last->number;
-        window->noted_at = glass_now();
+        window->noted_at = clock_now();
     }
     if (last && last->kind == MESSAGE_SAID && last->number > window->dismissed &&
-        glass_now() - window->noted_at > NOTE_STAY) {
+        clock_now() - window->noted_at > NOTE_STAY) {
         window->dismissed = last->number;
         window->dirty = true;
     }
@@ -351,7 +352,7 @@ static void turn(Window *window, Scripted *scripted) {
     bool lively = is_lively(window, scripted);
     bool hurried = (window->pace.counting && window->options->benchmark > 0) ||
                    (scripted_is_busy(scripted) && !scripted->until && !glass_is_seen(window->glass));
-    double seconds = pace_wait(&window->pace, hurried), begun = glass_now();
+    double seconds = pace_wait(&window->pace, hurried), begun = clock_now();
     edit_animate(window, seconds);
     take_events(window, lively ? 0 : IDLE_WAIT);
     double worked = window_room(window)->worked;
@@ -363,7 +364,7 @@ static void turn(Window *window, Scripted *scripted) {
     scripted_go_on(scripted, window);
     glass_swap(window->glass);
     pace_note_first(&window->pace);
-    pace_note(&window->pace, glass_now() - begun, window_room(window)->worked - worked);
+    pace_note(&window->pace, clock_now() - begun, window_room(window)->worked - worked);
 }
 
 /* Beginning and end ------------------------------------------------------------------------------------------------ */
@@ -444,15 +445,15 @@ static void close_all(Window *window) {
 }
 
 static void loop(Window *window, Scripted *scripted) {
-    double begun = glass_now();
+    double begun = clock_now();
     while (!window->quit) {
         turn(window, scripted);
         if (window->options->benchmark_edit > 0 && pace_edit_go_on(window, begun))
             window->quit = true;
-        if (window->options->benchmark > 0 && !window->pace.counting && glass_now() - begun > BENCHMARK_WARM)
+        if (window->options->benchmark > 0 && !window->pace.counting && clock_now() - begun > BENCHMARK_WARM)
             pace_count(&window->pace);
         if (window->options->benchmark > 0 && window->pace.counting &&
-            glass_now() - begun > BENCHMARK_WARM + window->options->benchmark)
+            clock_now() - begun > BENCHMARK_WARM + window->options->benchmark)
             window->quit = true;
     }
     if (window->options->benchmark > 0 && window->pace.counting)

@@ -7,14 +7,12 @@ void fault_add(Fault *fault, const char *format, ...) {
     fault->total++;
     if (fault->count >= FAULT_MOST)
         return;
-    Text line = {0};
     va_list arguments;
     va_start(arguments, format);
-    text_vformat(&line, format, arguments);
+    char *line = text_printed_line(format, arguments);
     va_end(arguments);
-    text_make_plain(line.text);
     fault->lines = memory_reserve(fault->lines, &fault->capacity, fault->count + 1, sizeof *fault->lines);
-    fault->lines[fault->count++] = line.text;
+    fault->lines[fault->count++] = line;
 }
 
 void fault_clear(Fault *fault) {

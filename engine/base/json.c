@@ -5,7 +5,6 @@
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -57,8 +56,7 @@ static bool read_values(JsonFile *file, const char *path, char *text, size_t siz
         memory_free(text);
         return false;
     }
-    file->path = memory_allocate(strlen(path) + 1, 1);
-    strcpy(file->path, path);
+    file->path = text_copy(path);
     file->text = text;
     file->root = root;
     return true;
@@ -75,10 +73,7 @@ bool json_read(JsonFile *file, const char *path, Fault *fault) {
 }
 
 bool json_read_memory(JsonFile *file, const char *path, const char *text, Fault *fault) {
-    size_t size = strlen(text);
-    char *copy = memory_allocate(size + 1, 1);
-    memcpy(copy, text, size);
-    return read_values(file, path, copy, size, fault);
+    return read_values(file, path, text_copy(text), strlen(text), fault);
 }
 
 void json_free(JsonFile *file) {
@@ -304,13 +299,8 @@ const char *json_read_text(const JsonNode *object, const char *key, Arena *arena
 
 /* The fewest digits that give the same bits again; always to be seen as no whole number. */
 static void line_add_real(Text *line, double value) {
-    const int most = 17;
-    char number[40];
-    for (int digits = 15; digits <= most; digits++) {
-        snprintf(number, sizeof number, "%.*g", digits, value);
-        if (strtod(number, NULL) == value)
-            break;
-    }
+    char number[TEXT_NUMBER];
+    text_of_number(number, value, 15);
     text_add(line, number);
     if (!number[strcspn(number, ".e")])
         text_add(line, ".0");

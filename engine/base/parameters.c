@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/choice.h"
+#include "base/parameters_number.h"
 #include "base/text.h"
 
 enum { NAMES_MOST = 64 /* rows of the longest table, choices of the longest list */ };
@@ -13,37 +15,6 @@ static void *field(const Parameter *row, void *object) {
 
 static const void *const_field(const Parameter *row, const void *object) {
     return (const char *)object + row->offset;
-}
-
-/* The place of `word` in "one|two|three", or -1. */
-static int choice_place(const char *choices, const char *word) {
-    size_t length = strlen(word);
-    int place = 0;
-    for (const char *at = choices; *at; place++) {
-        size_t size = strcspn(at, "|");
-        if (size == length && memcmp(at, word, size) == 0)
-            return place;
-        at += size + (at[size] == '|');
-    }
-    return -1;
-}
-
-/* "one, two or three" of "one|two|three". */
-static void choice_list(const char *choices, char *list, size_t size) {
-    size_t used = 0;
-    for (const char *at = choices; *at && used < size;) {
-        size_t length = strcspn(at, "|");
-        const char *next = at + length + (at[length] == '|');
-        const char *before = at == choices ? "" : *next ? ", " : " or ";
-        used += (size_t)snprintf(list + used, size - used, "%s%.*s", before, (int)length, at);
-        at = next;
-    }
-}
-
-static json_t *choice_word(const char *choices, int place) {
-    for (; place > 0; place--)
-        choices += strcspn(choices, "|") + 1;
-    return json_stringn(choices, strcspn(choices, "|"));
 }
 
 void parameters_reset(const ParameterTable *table, void *object) {
@@ -81,12 +52,12 @@ void parameters_reset(const ParameterTable *table, void *object) {
     }
 }
 
-static const char *space_unit(const Parameter *row) {
+const char *parameters_unit(const Parameter *row) {
     return row->unit[0] && strcmp(row->unit, "1") != 0 ? row->unit : "";
 }
 
 static bool read_number(const Parameter *row, const JsonNode *node, double *value, Fault *fault) {
-    const char *unit = space_unit(row);
+    const char *unit = parameters_unit(row);
     if (!json_is_number(node->value)) {
         json_fault(node, fault, "%s must be a number%s%s", row->name, *unit ? " in " : "", unit);
         return false;
@@ -296,7 +267,7 @@ static json_t *write_value(const Parameter *row, const void *object) {
     case PARAMETER_FLAG:
         return json_boolean(*(const bool *)place);
     case PARAMETER_CHOICE:
-        return choice_word(row->choices, *(const int *)place);
+        return parameters_number_json(row, *(const int *)place);
     case PARAMETER_TEXT:
     case PARAMETER_ID:
         return json_string(*(const char *const *)place);
@@ -332,15 +303,11 @@ json_t *parameters_write(const ParameterTable *table, const void *object) {
     return written;
 }
 
-static char *copy(const char *text) {
-    return strcpy(memory_allocate(strlen(text) + 1, 1), text);
-}
-
 char *parameters_words(const Parameter *row, const void *object) {
     json_t *value = write_value(row, object);
-    char *words = !value                   ? copy("never") /* infinite: JSON has no such number */
-                  : json_is_boolean(value) ? copy(json_is_true(value) ? "yes" : "no")
-                  : json_is_string(value)  ? copy(json_string_value(value))
+    char *words = !value                   ? text_copy("never") /* infinite: JSON has no such number */
+                  : json_is_boolean(value) ? text_copy(json_is_true(value) ? "yes" : "no")
+                  : json_is_string(value)  ? text_copy(json_string_value(value))
                                            : json_line(value);
     json_decref(value);
     return words;
@@ -397,85 +364,4 @@ void parameters_fault_unknown(const ParameterTable *table, const char *name, con
             used += (size_t)snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "", table->rows[i].name);
         json_fault(node, fault, "%s has no parameter \"%.60s\", it has %s", table->what, name, known);
     }
-}
-
-json_t *parameters_schema_value(const Parameter *row) {
-    if (row->kind == PARAMETER_TABLE)
-        return parameters_schema(row->table);
-    static const char point[] = "{s:s, s:i, s:i, s:{s:s, s:f, s:f}}";
-    json_t *schema = json_object();
-    json_t *type = NULL;
-    switch (row->kind) {
-    case PARAMETER_NUMBER:
-    case PARAMETER_WHOLE:
-        type = json_string(row->kind == PARAMETER_NUMBER ? "number" : "integer");
-        json_object_set_new(schema, "minimum", json_number(row->low));
-        if (row->high < HUGE_VAL)
-            json_object_set_new(schema, "maximum", json_number(row->high));
-        if (!row->needed && fabs(row->fallback) < HUGE_VAL)
-            json_object_set_new(schema, "default", json_number(row->fallback));
-        break;
-    case PARAMETER_FLAG:
-        type = json_string("boolean");
-        json_object_set_new(schema, "default", json_boolean(row->fallback != 0));
-        break;
-    case PARAMETER_CHOICE: {
-        json_t *words = json_array();
-        for (const char *at = row->choices; *at; at += strcspn(at, "|"), at += *at == '|')
-            json_array_append_new(words, json_stringn(at, strcspn(at, "|")));
-        json_object_set_new(schema, "enum", words);
-        if (!row->needed)
-            json_object_set_new(schema, "default", choice_word(row->choices, (int)row->fallback));
-        break;
-    }
-    case PARAMETER_TEXT:
-        type = json_string("string");
-        break;
-    case PARAMETER_ID:
-        type = json_string("string");
-        json_object_set_new(schema, "pattern", json_string("^[A-Za-z0-9_-]+$"));
-        break;
-    case PARAMETER_IDS:
-        type = json_string("array");
-        json_object_set_new(schema, "items", json_pack("{s:s, s:s}", "type", "string", "pattern", "^[A-Za-z0-9_-]+$"));
-        break;
-    case PARAMETER_POINT:
-    case PARAMETER_POINTS: {
-        json_t *one = json_pack(point, "type", "array", "minItems", 2, "maxItems", 2, "items", "type", "number",
-                                "minimum", -PARAMETER_FARTHEST, "maximum", PARAMETER_FARTHEST);
-        if (row->kind == PARAMETER_POINT) {
-            json_object_update(schema, one);
-            json_decref(one);
-        } else {
-            type = json_string("array");
-            json_object_set_new(schema, "minItems", json_integer((json_int_t)row->low));
-            json_object_set_new(schema, "items", one);
-        }
-        break;
-    }
-    case PARAMETER_TABLE:
-        break;
-    }
-    if (type)
-        json_object_set_new(schema, "type", type);
-    char description[400];
-    const char *unit = space_unit(row);
-    snprintf(description, sizeof description, "%s%s%s", row->meaning, *unit ? ", in " : "", unit);
-    json_object_set_new(schema, "description", json_string(description));
-    return schema;
-}
-
-json_t *parameters_schema(const ParameterTable *table) {
-    json_t *properties = json_object(), *needed = json_array();
-    for (size_t i = 0; i < table->count; i++) {
-        json_object_set_new(properties, table->rows[i].name, parameters_schema_value(&table->rows[i]));
-        if (table->rows[i].needed)
-            json_array_append_new(needed, json_string(table->rows[i].name));
-    }
-    json_t *schema =
-        json_pack("{s:s, s:b, s:o}", "type", "object", "additionalProperties", 0, "properties", properties);
-    if (json_array_size(needed))
-        json_object_set(schema, "required", needed);
-    json_decref(needed);
-    return schema;
 }

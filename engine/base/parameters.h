@@ -81,6 +81,5 @@ const Parameter *parameters_find(const ParameterTable *table, const char *name);
 /* Adds "unknown NAME, did you mean ...?" pointing at `node`. */
 void parameters_fault_unknown(const ParameterTable *table, const char *name, const JsonNode *node, Fault *fault);
 
-/* JSON Schema of one value, and of an object with all rows. */
-json_t *parameters_schema_value(const Parameter *row);
-json_t *parameters_schema(const ParameterTable *table);
+/* The unit as it is written behind a number; "": a pure number. */
+const char *parameters_unit(const Parameter *row);

@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/parameters_schema.h"
+
 enum { SOURCES_LONGEST = 200 /* characters of all sources in words */ };
 
 const char *provenance_name(const Parameter *row, const char *group) {

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -105,6 +106,17 @@ char *text_read_file(const char *path, size_t largest, size_t *size) {
     return text;
 }
 
+char *text_copy(const char *text) {
+    return strcpy(memory_allocate(strlen(text) + 1, 1), text);
+}
+
+void text_of_number(char text[TEXT_NUMBER], double value, int digits) {
+    const int most = 17; /* tell any two numbers apart */
+    do
+        snprintf(text, TEXT_NUMBER, "%.*g", digits, value);
+    while (strtod(text, NULL) != value && digits++ < most);
+}
+
 void text_add(Text *text, const char *more) {
     size_t length = strlen(more);
     text->text = memory_reserve(text->text, &text->capacity, text->used + length + 1, 1);
@@ -112,7 +124,8 @@ void text_add(Text *text, const char *more) {
     text->used += length;
 }
 
-void text_vformat(Text *text, const char *format, va_list arguments) {
+static void add_printed(Text *text, const char *format, va_list arguments) __attribute__((format(printf, 2, 0)));
+static void add_printed(Text *text, const char *format, va_list arguments) {
     va_list measured;
     va_copy(measured, arguments);
     int length = vsnprintf(NULL, 0, format, measured);
@@ -125,18 +138,34 @@ void text_vformat(Text *text, const char *format, va_list arguments) {
 void text_format(Text *text, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    text_vformat(text, format, arguments);
+    add_printed(text, format, arguments);
     va_end(arguments);
 }
 
-const char *text_in_arena(Arena *arena, const char *format, ...) {
+char *text_printed(const char *format, va_list arguments) {
     Text text = {0};
+    add_printed(&text, format, arguments);
+    return text.text;
+}
+
+char *text_printed_line(const char *format, va_list arguments) {
+    char *line = text_printed(format, arguments);
+    text_make_plain(line);
+    return line;
+}
+
+const char *text_vin_arena(Arena *arena, const char *format, va_list arguments) {
+    char *text = text_printed(format, arguments);
+    const char *kept = arena_text(arena, text);
+    memory_free(text);
+    return kept;
+}
+
+const char *text_in_arena(Arena *arena, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    text_vformat(&text, format, arguments);
+    const char *kept = text_vin_arena(arena, format, arguments);
     va_end(arguments);
-    const char *kept = arena_text(arena, text.text);
-    memory_free(text.text);
     return kept;
 }
 
@@ -147,24 +176,26 @@ char *text_beside(const char *path) {
     return beside;
 }
 
+int text_beside_end(char *beside, const char *path, int error) {
+    if (!error && rename(beside, path))
+        error = errno;
+    if (error)
+        unlink(beside);
+    memory_free(beside);
+    return error;
+}
+
 static int write_beside(const char *path, const char *text, size_t size, bool to_disk) {
     char *beside = text_beside(path);
-    int error = 0;
     FILE *file = fopen(beside, "wb");
-    if (!file) {
-        error = errno;
-    } else {
+    int error = file ? 0 : errno;
+    if (file) {
         if (fwrite(text, 1, size, file) != size || fflush(file) || (to_disk && fsync(fileno(file))))
             error = errno ? errno : EIO;
         if (fclose(file) && !error)
             error = errno;
-        if (!error && rename(beside, path))
-            error = errno;
-        if (error)
-            unlink(beside);
     }
-    memory_free(beside);
-    return error;
+    return text_beside_end(beside, path, error);
 }
 
 int text_write_file(const char *path, const char *text, size_t size) {
@@ -176,7 +207,7 @@ int text_write_quickly(const char *path, const char *text, size_t size) {
 }
 
 int text_make_folder(const char *path) {
-    char *part = strcpy(memory_allocate(strlen(path) + 1, 1), path);
+    char *part = text_copy(path);
     int error = 0;
     for (size_t end = 0; path[end] && !error; part[end] = path[end]) {
         end += 1 + strcspn(path + end + 1, "/");

@@ -16,6 +16,9 @@ void text_make_plain(char *line);
 /* The whole file, ended by 0, or NULL with errno set; memory_free it. `*size` counts its bytes without the 0. */
 char *text_read_file(const char *path, size_t largest, size_t *size);
 
+/* A copy; memory_free it. */
+char *text_copy(const char *text);
+
 /* Text that grows. Zero is empty; memory_free(text->text) releases it. */
 typedef struct Text {
     char *text; /* ended by 0; NULL when empty */
@@ -24,15 +27,27 @@ typedef struct Text {
 
 void text_add(Text *text, const char *more);
 
-/* Adds what printf, or vprintf, would print. */
-void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
-void text_vformat(Text *text, const char *format, va_list arguments) __attribute__((format(printf, 2, 0)));
+enum { TEXT_NUMBER = 40 /* bytes */ };
 
-/* What printf would print, as long as the arena lives. */
+/* The fewest digits, at least so many, that are read as the same number again. */
+void text_of_number(char text[TEXT_NUMBER], double value, int digits);
+
+/* Adds what printf would print. */
+void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* What vprintf would print, as it is or as one line; memory_free it. */
+char *text_printed(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
+char *text_printed_line(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
+
+/* What printf, or vprintf, would print, as long as the arena lives. */
 const char *text_in_arena(Arena *arena, const char *format, ...) __attribute__((format(printf, 2, 3)));
+const char *text_vin_arena(Arena *arena, const char *format, va_list arguments) __attribute__((format(printf, 2, 0)));
 
 /* The name of a file beside `path`, of this process, to be renamed to it when it is whole; memory_free it. */
 char *text_beside(const char *path);
+
+/* Renames it to `path`, or removes it where an error (errno) has come up; takes the name. 0, or errno. */
+int text_beside_end(char *beside, const char *path, int error);
 
 /* Writes beside `path` and renames, so that a failed write leaves the old file. 0, or errno. */
 int text_write_file(const char *path, const char *text, size_t size);

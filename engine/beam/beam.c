@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/parameters_number.h"
+#include "base/parameters_schema.h"
 #include "base/provenance.h"
 #include "base/text.h"
 
@@ -235,18 +237,6 @@ static void add_json(Text *lines, json_t *value) {
     json_decref(value);
 }
 
-static json_t *value_of(const Beam *beam, const Parameter *row) {
-    const void *field = (const char *)beam + row->offset;
-    if (row->kind == PARAMETER_NUMBER)
-        return json_number(*(const double *)field);
-    if (row->kind == PARAMETER_WHOLE)
-        return json_integer(*(const int *)field);
-    char *word = parameters_words(row, beam);
-    json_t *value = json_string(word);
-    memory_free(word);
-    return value;
-}
-
 static void add_group(Text *lines, const Beam *beam, const char *group) {
     text_format(lines, ",\n  \"%s\": {", group);
     const char *between = "\n    ";
@@ -256,7 +246,7 @@ static void add_group(Text *lines, const Beam *beam, const char *group) {
             continue;
         text_format(lines, "%s\"%s\": ", between, name);
         bool told = strcmp(beam->provenance[i], WITHOUT) != 0;
-        json_t *value = value_of(beam, &beam_rows[i]);
+        json_t *value = parameters_number_json(&beam_rows[i], parameters_number_get(&beam_rows[i], beam));
         add_json(lines, told ? json_pack("{s:o,s:s}", "value", value, "provenance", beam->provenance[i]) : value);
         between = ",\n    ";
     }

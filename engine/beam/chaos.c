@@ -2,9 +2,9 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/memory.h"
+#include "base/order.h"
 #include "base/random.h"
 
 /* Exponents ------------------------------------------------------------------------------------------------------- */
@@ -65,11 +65,6 @@ double chaos_exponent_sum(const Rig *rig, double contact_share) {
 
 enum { FREQUENCIES = 100 /* values of c */ };
 
-static int compare_numbers(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The correlation of values (count) with 1, 2, 3 ... */
 static double correlation_with_time(const double *values, size_t count) {
     double mean = 0, middle = ((double)count - 1) / 2, own = 0, time = 0, both = 0;
@@ -121,6 +116,6 @@ double chaos_zero_one(const double *series, size_t count) {
         grown[k] = growth_of(series, count, mean, c, room);
     }
     memory_free(room);
-    qsort(grown, FREQUENCIES, sizeof *grown, compare_numbers);
+    qsort(grown, FREQUENCIES, sizeof *grown, order_rising);
     return (grown[FREQUENCIES / 2 - 1] + grown[FREQUENCIES / 2]) / 2;
 }

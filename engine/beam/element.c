@@ -5,14 +5,10 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "base/order.h"
 
 /* Stations nearer to each other than this share of the length are one. */
 static const double SAME_STATION = 1e-9;
-
-static int compare_places(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 /* Both ends and the stations, rising, each once; returns how many. */
 static size_t sort_stations(double *sorted, double length, const double *stations, size_t count) {
@@ -20,7 +16,7 @@ static size_t sort_stations(double *sorted, double length, const double *station
         sorted[i] = stations[i];
     sorted[count] = 0;
     sorted[count + 1] = length;
-    qsort(sorted, count + 2, sizeof *sorted, compare_places);
+    qsort(sorted, count + 2, sizeof *sorted, order_rising);
     size_t kept = 1;
     for (size_t i = 1; i < count + 2; i++)
         if (sorted[i] - sorted[kept - 1] > SAME_STATION * length)

@@ -1,6 +1,5 @@
 #include "beam/regime.h"
 
-#include <assert.h>
 #include <lapacke.h>
 #include <math.h>
 #include <string.h>

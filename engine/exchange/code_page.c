@@ -1,9 +1,7 @@
 #include "exchange/code_page.h"
 
-#include <errno.h>
 #include <iconv.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "base/memory.h"
 

@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "exchange/dxf_shapes.h"
 #include "exchange/rectangle.h"

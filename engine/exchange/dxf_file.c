@@ -176,14 +176,10 @@ static void take_common(Reader *reader, DxfEntity *entity) {
 static void take_line(Reader *reader, DxfEntity *entity) {
     switch (reader->group.code) {
     case 10:
-        add_vertex(reader, entity)->at.x = real(reader);
-        break;
-    case 20:
-        last_vertex(reader, entity)->at.y = real(reader);
-        break;
     case 11:
         add_vertex(reader, entity)->at.x = real(reader);
         break;
+    case 20:
     case 21:
         last_vertex(reader, entity)->at.y = real(reader);
         break;
@@ -222,59 +218,40 @@ static void take_polyline(Reader *reader, DxfEntity *entity) {
     }
 }
 
+/* The number of a group, and where it goes. */
+typedef struct Place {
+    int code;
+    size_t offset; /* of a double of the entity */
+} Place;
+
+static void take_numbers(Reader *reader, DxfEntity *entity, const Place *places, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        if (places[i].code == reader->group.code)
+            *(double *)((char *)entity + places[i].offset) = real(reader);
+}
+
 static void take_arc(Reader *reader, DxfEntity *entity) {
-    switch (reader->group.code) {
-    case 10:
-        entity->at.x = real(reader);
-        break;
-    case 20:
-        entity->at.y = real(reader);
-        break;
-    case 40:
+    static const Place places[] = {{10, offsetof(DxfEntity, at.x)},
+                                   {20, offsetof(DxfEntity, at.y)},
+                                   {50, offsetof(DxfEntity, start)},
+                                   {51, offsetof(DxfEntity, end)}};
+    take_numbers(reader, entity, places, sizeof places / sizeof *places);
+    if (reader->group.code == 40)
         entity->radius = fabs(real(reader));
-        break;
-    case 50:
-        entity->start = real(reader);
-        break;
-    case 51:
-        entity->end = real(reader);
-        break;
-    }
 }
 
 static void take_insert(Reader *reader, DxfEntity *entity) {
-    switch (reader->group.code) {
-    case 2:
+    static const Place places[] = {{10, offsetof(DxfEntity, at.x)},      {20, offsetof(DxfEntity, at.y)},
+                                   {41, offsetof(DxfEntity, scale.x)},   {42, offsetof(DxfEntity, scale.y)},
+                                   {44, offsetof(DxfEntity, spacing.x)}, {45, offsetof(DxfEntity, spacing.y)},
+                                   {50, offsetof(DxfEntity, turned)}};
+    take_numbers(reader, entity, places, sizeof places / sizeof *places);
+    if (reader->group.code == 2)
         entity->block = name(reader);
-        break;
-    case 10:
-        entity->at.x = real(reader);
-        break;
-    case 20:
-        entity->at.y = real(reader);
-        break;
-    case 41:
-        entity->scale.x = real(reader);
-        break;
-    case 42:
-        entity->scale.y = real(reader);
-        break;
-    case 44:
-        entity->spacing.x = real(reader);
-        break;
-    case 45:
-        entity->spacing.y = real(reader);
-        break;
-    case 50:
-        entity->turned = real(reader);
-        break;
-    case 70:
+    else if (reader->group.code == 70)
         entity->columns = whole(reader);
-        break;
-    case 71:
+    else if (reader->group.code == 71)
         entity->rows = whole(reader);
-        break;
-    }
 }
 
 typedef void Take(Reader *reader, DxfEntity *entity);

@@ -20,13 +20,26 @@ static const double WIDEST_DOOR = 100; /* m */
 
 enum { TEXT_LONGEST = 80 /* bytes of a name */ };
 
+/* Texts of a file that may be anything: kept as one short line. */
+static const char *kept_text(HouseBuilder *builder, const char *text) {
+    char line[TEXT_LONGEST + 1];
+    size_t length = strnlen(text, TEXT_LONGEST + 1);
+    if (length > TEXT_LONGEST)
+        for (length = TEXT_LONGEST; length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80;)
+            length--;
+    memcpy(line, text, length);
+    line[length] = 0;
+    text_make_plain(line);
+    return arena_text(&builder->plan.arena, line);
+}
+
 void house_builder_init(HouseBuilder *builder, const char *path, const ImportOptions *options, ImportReport *report,
                         Fault *fault) {
     *builder = (HouseBuilder){.path = path, .line = 1, .options = options, .report = report, .fault = fault};
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
     const char *ending = strrchr(name, '.');
     const char *bare = text_in_arena(&builder->plan.arena, "%.*s", ending ? (int)(ending - name) : -1, name);
-    builder->plan.name = house_builder_text(builder, bare);
+    builder->plan.name = kept_text(builder, bare);
     parameters_reset(&plan_tables_run, &builder->plan.run);
 }
 
@@ -40,31 +53,18 @@ bool house_builder_fail(HouseBuilder *builder, const char *format, ...) {
     if (builder->failed)
         return false;
     builder->failed = true;
-    Text what = {0};
     va_list arguments;
     va_start(arguments, format);
-    text_vformat(&what, format, arguments);
+    char *what = text_printed(format, arguments);
     va_end(arguments);
-    fault_add(builder->fault, "%s:%d:1: %s", builder->path, builder->line, what.text);
-    memory_free(what.text);
+    fault_add(builder->fault, "%s:%d:1: %s", builder->path, builder->line, what);
+    memory_free(what);
     return false;
-}
-
-const char *house_builder_text(HouseBuilder *builder, const char *text) {
-    char line[TEXT_LONGEST + 1];
-    size_t length = strnlen(text, TEXT_LONGEST + 1);
-    if (length > TEXT_LONGEST)
-        for (length = TEXT_LONGEST; length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80;)
-            length--;
-    memcpy(line, text, length);
-    line[length] = 0;
-    text_make_plain(line);
-    return arena_text(&builder->plan.arena, line);
 }
 
 void house_builder_name(HouseBuilder *builder, const char *name) {
     if (*name)
-        builder->plan.name = house_builder_text(builder, name);
+        builder->plan.name = kept_text(builder, name);
 }
 
 bool house_builder_good(HouseBuilder *builder, Vec2 at) {
@@ -201,7 +201,7 @@ size_t house_builder_piece(HouseBuilder *builder, const char *name, Vec2 centre,
     Furniture *piece = add_element(builder, LIST_FURNITURE, &builder->furniture_capacity, HOUSE_BUILDER_THINGS);
     if (!piece)
         return SIZE_MAX;
-    piece->name = house_builder_text(builder, name);
+    piece->name = kept_text(builder, name);
     piece->centre = house_builder_rounded(centre);
     piece->size = house_builder_rounded(size);
     piece->angle = isfinite(angle) ? rounded_length(remainder(angle, 360)) : 0;
@@ -226,7 +226,7 @@ size_t house_builder_room(HouseBuilder *builder, const char *name, const Vec2 *p
     Room *room = kept ? add_element(builder, LIST_ROOMS, &builder->room_capacity, HOUSE_BUILDER_THINGS) : NULL;
     if (!room)
         return SIZE_MAX;
-    room->name = house_builder_text(builder, name);
+    room->name = kept_text(builder, name);
     room->outline = (Points){kept, count};
     return builder->plan.room_count - 1;
 }

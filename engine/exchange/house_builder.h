@@ -41,9 +41,6 @@ bool house_builder_good(HouseBuilder *builder, Vec2 at);
 /* To the nanometre, which reads well. */
 Vec2 house_builder_rounded(Vec2 at);
 
-/* Texts of a file that may be anything: kept as one short line. */
-const char *house_builder_text(HouseBuilder *builder, const char *text);
-
 /* Those that add something return its place in the plan's list, or SIZE_MAX where there is nothing to add or the
  * builder has failed. */
 

@@ -52,14 +52,10 @@ bool import_is_file(const char *path) {
     return find_format(path);
 }
 
-const char *import_endings(void) {
-    return ".sh3d, .dxf, .wkt or .scenario";
-}
-
 bool import_read(Plan *plan, const char *path, const ImportOptions *options, ImportReport *report, Fault *fault) {
     const Format *format = find_format(path);
     if (!format) {
-        fault_add(fault, "%s:1:1: of an unknown kind, its name must end in %s", path, import_endings());
+        fault_add(fault, "%s:1:1: of an unknown kind, its name must end in .sh3d, .dxf, .wkt or .scenario", path);
         return false;
     }
     report->format = format->name;

@@ -23,8 +23,5 @@ double import_unit(const char *name);
  * has been checked as plan_read does; nobody need live in it, and there need not be an exit. plan_free releases it. */
 bool import_read(Plan *plan, const char *path, const ImportOptions *options, ImportReport *report, Fault *fault);
 
-/* ".sh3d, .dxf, .wkt or .scenario", for those who are asked for a file. */
-const char *import_endings(void);
-
 /* Does the name end as one that can be read? */
 bool import_is_file(const char *path);

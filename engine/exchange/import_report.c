@@ -28,29 +28,25 @@ static void add_count(ImportReport *report, const char *what, size_t count) {
 void import_report_leave(ImportReport *report, size_t count, const char *format, ...) {
     if (!count)
         return;
-    Text what = {0};
     va_list arguments;
     va_start(arguments, format);
-    text_vformat(&what, format, arguments);
+    char *what = text_printed_line(format, arguments);
     va_end(arguments);
-    text_make_plain(what.text);
-    add_count(report, what.text, count);
-    memory_free(what.text);
+    add_count(report, what, count);
+    memory_free(what);
 }
 
 void import_report_note(ImportReport *report, const char *format, ...) {
     if (report->note_count == IMPORT_REPORT_NOTES)
         return;
-    Text note = {0};
     va_list arguments;
     va_start(arguments, format);
-    text_vformat(&note, format, arguments);
+    char *note = text_printed_line(format, arguments);
     va_end(arguments);
-    text_make_plain(note.text);
     report->notes =
         memory_reserve(report->notes, &report->note_capacity, report->note_count + 1, sizeof *report->notes);
-    report->notes[report->note_count++] = arena_text(&report->arena, note.text);
-    memory_free(note.text);
+    report->notes[report->note_count++] = arena_text(&report->arena, note);
+    memory_free(note);
 }
 
 void import_report_clear(ImportReport *report) {

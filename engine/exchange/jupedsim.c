@@ -6,7 +6,6 @@
 #include <sqlite3.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "base/memory.h"
@@ -81,10 +80,8 @@ static char *walkable_wkt(const House *house) {
         GEOSWKTWriter_setTrim_r(geos, writer, 1);
         GEOSWKTWriter_setRoundingPrecision_r(geos, writer, 6);
         char *text = GEOSWKTWriter_write_r(geos, writer, inhabited_part(geos, area, house));
-        if (text) {
-            copy = memory_allocate(strlen(text) + 1, 1);
-            strcpy(copy, text);
-        }
+        if (text)
+            copy = text_copy(text);
         GEOSFree_r(geos, text);
         GEOSWKTWriter_destroy_r(geos, writer);
         GEOSGeom_destroy_r(geos, area);
@@ -194,10 +191,5 @@ int jupedsim_write(const House *house, const Observation *observation, const cha
         error = database && sqlite3_system_errno(database) ? sqlite3_system_errno(database) : EIO;
     if (sqlite3_close(database) != SQLITE_OK && !error)
         error = EIO;
-    if (!error && rename(beside, path))
-        error = errno;
-    if (error)
-        unlink(beside);
-    memory_free(beside);
-    return error;
+    return text_beside_end(beside, path, error);
 }

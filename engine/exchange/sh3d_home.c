@@ -1,7 +1,6 @@
 #include "exchange/sh3d_home.h"
 
 #include <expat.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <zip.h>

@@ -1,7 +1,6 @@
 #include "house/blockage.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "base/memory.h"
 #include "house/outline.h"
@@ -129,14 +128,7 @@ static void mark_locked(Breach *breach) {
         Vec2 from, to;
         plan_door_ends(plan, &plan->doors[d], &from, &to);
         double reach = plan->walls[plan->doors[d].wall_index].thickness / 2 + space->cell;
-        Box box = box_expand(box_include(box_include(box_empty(), from), to), reach);
-        int first_x = (int)fmax((box.low.x - space->origin.x) / space->cell, 0);
-        int last_x = (int)fmin((box.high.x - space->origin.x) / space->cell, space->nx - 1);
-        int first_y = (int)fmax((box.low.y - space->origin.y) / space->cell, 0);
-        int last_y = (int)fmin((box.high.y - space->origin.y) / space->cell, space->ny - 1);
-        for (int j = first_y; j <= last_y; j++)
-            for (int i = first_x; i <= last_x; i++)
-                breach->locked[(size_t)j * (size_t)space->nx + (size_t)i] = 1;
+        freespace_mark(space, box_expand(box_include(box_include(box_empty(), from), to), reach), breach->locked);
     }
 }
 

@@ -9,7 +9,8 @@
  *     draft_try(draft, &fault);                            while a hand moves: does it stand? then it is the plan
  *     draft_rewind(draft);                                 as at the beginning of the step, for the next try
  *     draft_end(draft, &fault);                            it stands, and is a step; or nothing has happened
- */
+ *
+ * Its file is in draft_file.h, numbers by their names in draft_parameter.h, pieces on a clipboard in draft_clip.h. */
 #pragma once
 
 #include <jansson.h>
@@ -38,10 +39,6 @@ typedef enum DraftList {
 
 /* A house without anything in it, called `name`. draft_destroy releases it. */
 Draft *draft_create(const char *name);
-
-/* The house of a file with some settings, as plan_read has it, which count as being in the file. NULL: faults say why
- * not. */
-Draft *draft_read(const char *path, const char *const *settings, size_t setting_count, Fault *fault);
 
 /* The house of a text, the way a file would have it; `path` stands in faults, and is where the house's profiles may be.
  */
@@ -112,43 +109,12 @@ bool draft_set_text(Draft *draft, const char *id, const char *member, const char
 bool draft_set_point(Draft *draft, const char *id, const char *member, Vec2 value);
 bool draft_set_points(Draft *draft, const char *id, const char *member, const Vec2 *points, size_t count);
 
-/* Sets a parameter as `--set NAME=VALUE` does: "door.d1.width", "furniture.f3.centre.x", "run.dt", "profile.adult.mass"
- * (kept as an override). False: a fault says what there is instead; whether the value is right tells draft_try. */
-bool draft_set_parameter(Draft *draft, const char *name, json_t *value, Fault *fault);
-
 /* A member of the house itself, "name", "note", "background" (steals the value; NULL takes it out). */
 void draft_set_house(Draft *draft, const char *member, json_t *value);
 json_t *draft_house(const Draft *draft, const char *member); /* borrowed, NULL: absent */
 
-/* An id that nothing has: the list's letter and a number. It is good until the next call. */
-const char *draft_free_id(Draft *draft, DraftList list);
-
 /* Renames an element everywhere. False: there is no such id, or the new one is taken or none. */
 bool draft_rename(Draft *draft, const char *id, const char *to, Fault *fault);
 
-/* Pieces of a house as text, for a clipboard: {"format": "clearance-pieces", "version": 1, "walls": [...], ...} of the
- * elements with these ids (id_count), with the doors of walls. New; memory_free it. NULL: there are none. */
-char *draft_copy(const Draft *draft, const char *const *ids, size_t id_count);
-
-/* Adds pieces, moved by so much, with new ids, in an open step. Their ids go to `ids` (a new array of texts that live
- * as long as the elements; memory_free the array). False: faults say what is wrong with the text, nothing has changed.
- */
-bool draft_paste(Draft *draft, const char *text, Vec2 by, const char ***ids, size_t *id_count, Fault *fault);
-
 /* Moves a piece of a house (any element with places), m. */
 void draft_move(Draft *draft, const char *id, Vec2 by);
-
-/* Files ------------------------------------------------------------------------------------------------------------ */
-
-/* Of the file that was read or saved last; NULL: none. */
-const char *draft_path(const Draft *draft);
-
-/* Does the plan differ from that file? */
-bool draft_is_changed(const Draft *draft);
-
-/* Writes the plan beside and renames; the very bytes that were read where they are still what the plan is. From then on
- * it is the draft's file. False: a fault says why not. */
-bool draft_save(Draft *draft, const char *path, Fault *fault);
-
-/* Puts everything as in the file, as a step. */
-void draft_reset(Draft *draft, const char *name);

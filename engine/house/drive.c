@@ -1,7 +1,5 @@
 #include "house/drive.h"
 
-#include <stdint.h>
-
 #include "house/track.h"
 #include "house/yield.h"
 

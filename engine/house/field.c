@@ -1,7 +1,6 @@
 #include "house/field.h"
 
 #include <stdint.h>
-#include <string.h>
 
 #include "base/memory.h"
 #include "house/outline.h"
@@ -48,14 +47,9 @@ static void mark_doors(Ground *ground) {
         DoorLine *line = &ground->lines[ground->line_count++];
         plan_door_ends(ground->plan, door, &line->from, &line->to);
         line->delay = door->opening_time;
-        Box box = box_expand(box_include(box_include(box_empty(), line->from), line->to), DOOR_BAND * space->cell);
-        int first_x = (int)fmax((box.low.x - space->origin.x) / space->cell, 0);
-        int last_x = (int)fmin((box.high.x - space->origin.x) / space->cell, space->nx - 1);
-        int first_y = (int)fmax((box.low.y - space->origin.y) / space->cell, 0);
-        int last_y = (int)fmin((box.high.y - space->origin.y) / space->cell, space->ny - 1);
-        for (int j = first_y; j <= last_y; j++)
-            for (int i = first_x; i <= last_x; i++)
-                ground->doors[(size_t)j * (size_t)space->nx + (size_t)i] = 1;
+        freespace_mark(space,
+                       box_expand(box_include(box_include(box_empty(), line->from), line->to), DOOR_BAND * space->cell),
+                       ground->doors);
     }
 }
 

@@ -1,7 +1,6 @@
 #include "house/freespace.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/memory.h"
 
@@ -285,6 +284,16 @@ void freespace_free(FreeSpace *space) {
     memory_free(space->bucket_faces);
     memory_free(space->bucket_near);
     *space = (FreeSpace){0};
+}
+
+void freespace_mark(const FreeSpace *space, Box box, unsigned char *marks) {
+    int first_x = (int)fmax((box.low.x - space->origin.x) / space->cell, 0);
+    int last_x = (int)fmin((box.high.x - space->origin.x) / space->cell, space->nx - 1);
+    int first_y = (int)fmax((box.low.y - space->origin.y) / space->cell, 0);
+    int last_y = (int)fmin((box.high.y - space->origin.y) / space->cell, space->ny - 1);
+    for (int j = first_y; j <= last_y; j++)
+        for (int i = first_x; i <= last_x; i++)
+            marks[(size_t)j * (size_t)space->nx + (size_t)i] = 1;
 }
 
 double freespace_distance(const FreeSpace *space, Vec2 at) {

@@ -39,6 +39,9 @@ typedef struct FreeSpace {
 void freespace_build(FreeSpace *space, const Outline *outline, double cell);
 void freespace_free(FreeSpace *space);
 
+/* Sets the marks (ny x nx) of the grid's points within a box to 1. */
+void freespace_mark(const FreeSpace *space, Box box, unsigned char *marks);
+
 /* The distance to the nearest obstacle, m, interpolated between grid points; outside the grid FREESPACE_FARTHEST. It
  * may be wrong by up to 0.5 cell near obstacles. */
 double freespace_distance(const FreeSpace *space, Vec2 at);

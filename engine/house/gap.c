@@ -1,7 +1,5 @@
 #include "house/gap.h"
 
-#include <string.h>
-
 /* The part of a body in a key: its core's corners 0 to 3, or its sides. */
 enum { PART_SIDE = 4, PARTS = GAP_PARTS };
 

@@ -1,7 +1,6 @@
 #include "house/house.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 

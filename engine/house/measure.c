@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/order.h"
 
 /* m: who has moved so far from where they stood has started. A hair, but more than a personal space settles by. */
 static const double HAIR = 0.01;
@@ -345,11 +346,6 @@ static double passes(const Points *line, Vec2 a, Vec2 b) {
     return place >= 0 && place <= 1 ? share : -1;
 }
 
-static int compare_numbers(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The sorted times (s) at which those asked about pass the exit or, for the first time, the line. */
 static size_t passing_times(double **times, const House *house, const Observation *observation,
                             const MeasureQuestion *question) {
@@ -368,7 +364,7 @@ static size_t passing_times(double **times, const House *house, const Observatio
     for (size_t i = 0; i < observation->person_count; i++)
         if (asked(house, observation, question, i) && passed[i] >= 0)
             passed[count++] = passed[i];
-    qsort(passed, count, sizeof *passed, compare_numbers);
+    qsort(passed, count, sizeof *passed, order_rising);
     *times = passed;
     return count;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/json.h"
+#include "base/parameters_schema.h"
 #include "base/text.h"
 #include "house/plan_check.h"
 #include "house/plan_tables.h"
@@ -341,10 +342,10 @@ json_t *plan_schema(void) {
     for (size_t l = 0; l < PLAN_LISTS; l++) {
         const PlanList *list = &plan_tables_lists[l];
         json_object_set_new(properties, list->key,
-                            json_pack("{s:s, s:o}", "type", "array", "items", parameters_schema(&list->table)));
+                            json_pack("{s:s, s:o}", "type", "array", "items", parameters_schema_table(&list->table)));
     }
-    json_object_set_new(properties, "run", parameters_schema(&plan_tables_run));
-    json_object_set_new(properties, "background", parameters_schema(&plan_tables_background));
+    json_object_set_new(properties, "run", parameters_schema_table(&plan_tables_run));
+    json_object_set_new(properties, "background", parameters_schema_table(&plan_tables_background));
     json_object_set_new(properties, "overrides",
                         json_pack("{s:s, s:{s:s}, s:s}", "type", "object", "propertyNames", "pattern",
                                   "^(run|[a-z]+\\.[A-Za-z0-9_-]+)\\.[a-z_.]+$", "description",

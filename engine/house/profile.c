@@ -1,10 +1,10 @@
 #include "house/profile.h"
 
-#include <stdint.h>
-#include <stdio.h>
 #include <string.h>
 
+#include "base/parameters_schema.h"
 #include "base/provenance.h"
+#include "base/text.h"
 
 /* Who needs the row. */
 enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS };
@@ -196,8 +196,7 @@ const Parameter *profile_parameter(const Profile *profile, const char *name, con
 
 bool profile_set(Profile *profile, const char *name, const char *value, const char *place, Fault *fault) {
     size_t before = fault->total;
-    char *prefix = memory_allocate(strlen(place) + 1, 1);
-    strcpy(prefix, place);
+    char *prefix = text_copy(place);
     JsonFile file = {.path = prefix, .root = json_loads(value, JSON_DECODE_ANY, NULL)};
     JsonNode node = json_root(&file);
     const Parameter *row = find_row(profile, name, &node, fault);

@@ -1,7 +1,6 @@
 #include "house/search.h"
 
 #include <stdint.h>
-#include <string.h>
 
 #include "base/heap.h"
 #include "base/memory.h"

@@ -1,7 +1,6 @@
 #include "house/suggest_change.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #include "base/rectangle.h"
 #include "base/text.h"

@@ -92,7 +92,8 @@ bool suggest_search_try(Search *search, Attempt *attempts, size_t count) {
     return !parallel_stopped(search->task->stop);
 }
 
-const Change *suggest_search_with(Search *search, const Change *changes, size_t count, Change one) {
+/* Changes (count) and one more, in the search's arena. */
+static const Change *with_one(Search *search, const Change *changes, size_t count, Change one) {
     Change *all = arena_allocate(&search->arena, (count + 1) * sizeof *all);
     if (count)
         memcpy(all, changes, count * sizeof *all);
@@ -138,7 +139,7 @@ static bool climb(Search *search, const Change *others, size_t other_count, Ladd
             continue;
         whose[used] = l;
         attempts[used++] =
-            (Attempt){.changes = suggest_search_with(search, others, other_count, change), .count = other_count + 1};
+            (Attempt){.changes = with_one(search, others, other_count, change), .count = other_count + 1};
     }
     if (!suggest_search_try(search, attempts, used))
         return false;
@@ -244,8 +245,8 @@ static size_t turn_and_raise(Search *search, const Change *others, size_t other_
     size_t count = 0, found = 0;
     for (size_t i = 0; i < (lies ? sizeof all / sizeof *all : 1); i++)
         if (all[i].kind == CHANGE_RAISE || suggest_change_stands_free(plan, &all[i]))
-            attempts[count++] = (Attempt){.changes = suggest_search_with(search, others, other_count, all[i]),
-                                          .count = other_count + 1};
+            attempts[count++] =
+                (Attempt){.changes = with_one(search, others, other_count, all[i]), .count = other_count + 1};
     if (!suggest_search_try(search, attempts, count))
         return 0;
     for (size_t a = 0; a < count; a++)

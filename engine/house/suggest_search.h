@@ -36,9 +36,6 @@ bool suggest_search_open(const SuggestTask *task, House *house, const HouseOptio
 /* Reads the house with its changes. False: there is none with them. */
 bool suggest_search_read(const Search *search, const Attempt *attempt, House *house);
 
-/* Changes (count) and one more, in the search's arena. */
-const Change *suggest_search_with(Search *search, const Change *changes, size_t count, Change one);
-
 #define SUGGEST_SEARCH_WIDEST 1.5 /* m, of a door: a chair turns in it */
 
 /* The widest that the door can be made, to the centimetre. False: no wider than it is. */

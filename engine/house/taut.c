@@ -1,8 +1,5 @@
 #include "house/taut.h"
 
-#include <stdint.h>
-#include <string.h>
-
 #include "base/memory.h"
 
 /* Downhill on the field of times from grid point to grid point, then pulled taut: from each point on, the farthest one

@@ -1,7 +1,5 @@
 #include "house/track.h"
 
-#include <string.h>
-
 #include "house/passage.h"
 
 /* m/s, assumed: how slowly somebody edges through a gap hardly wider than the body. */

@@ -4,11 +4,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
-
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
+#include "base/order.h"
 
 /* Of sorted numbers, count at least 1: the k-th of n numbers is the quantile (k - 1) / (n - 1). */
 static double quantile(const double *sorted, size_t count, double share) {
@@ -35,7 +31,7 @@ Distribution montecarlo_distribution(const double *numbers, size_t count) {
         if (isfinite(numbers[i]))
             sum += finite[d.count++] = numbers[i];
     if (d.count) {
-        qsort(finite, d.count, sizeof *finite, ascending);
+        qsort(finite, d.count, sizeof *finite, order_rising);
         d.mean = sum / (double)d.count;
         d.deviation = deviation_of(finite, d.count, d.mean);
         d.error = d.deviation / sqrt((double)d.count);

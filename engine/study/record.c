@@ -34,13 +34,8 @@ static int close_sheet(Sheet *sheet) {
             sheet->error = errno ? errno : EIO;
         if (fclose(sheet->file) && !sheet->error)
             sheet->error = errno;
-        if (!sheet->error && rename(sheet->beside, sheet->path))
-            sheet->error = errno;
-        if (sheet->error)
-            unlink(sheet->beside);
     }
-    memory_free(sheet->beside);
-    return sheet->error;
+    return text_beside_end(sheet->beside, sheet->path, sheet->error);
 }
 
 static void begin_cell(Sheet *sheet) {

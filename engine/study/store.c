@@ -4,10 +4,11 @@
 #include <sqlite3.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "base/digest.h"
 #include "base/memory.h"
+#include "base/text.h"
 
 enum {
     FORMAT = 1,
@@ -27,7 +28,7 @@ struct Store {
     sqlite3_stmt *insert;
     char *path;
     int64_t study;
-    struct timespec committed;
+    double committed;    /* s, by the clock, the last time */
     bool open;           /* a transaction is */
     char reason[REASON]; /* why something could not be written; "" */
 };
@@ -98,11 +99,6 @@ static uint64_t row_digest(const Trial *trial, size_t observables, int64_t index
     return digest_mix(digest_text(digest, trial->fault ? trial->fault : ""), (double)index);
 }
 
-static char *copy_text(const char *text) {
-    char *copy = memory_allocate(strlen(text) + 1, 1);
-    return strcpy(copy, text);
-}
-
 /* Takes the row into its trial. False: it is not what was written. */
 static bool take_row(sqlite3_stmt *row, Study *study) {
     int64_t index = sqlite3_column_int64(row, 0);
@@ -120,7 +116,7 @@ static bool take_row(sqlite3_stmt *row, Study *study) {
         memcpy(trial->series, sqlite3_column_blob(row, 2), trial->series_count * sizeof(double));
     }
     const char *text = (const char *)sqlite3_column_text(row, 3);
-    trial->fault = text ? copy_text(text) : NULL;
+    trial->fault = text ? text_copy(text) : NULL;
     trial->done = (uint64_t)sqlite3_column_int64(row, 4) == row_digest(trial, observables, index);
     return trial->done;
 }
@@ -211,13 +207,13 @@ static void free_store(Store *store) {
 
 Store *store_open(const char *path, Study *study, uint64_t digest, StoreFound *found, Fault *fault) {
     Store *store = memory_allocate(1, sizeof *store);
-    store->path = copy_text(path);
+    store->path = text_copy(path);
     *found = (StoreFound){0};
     if (!open_database(store, study, digest, found, fault)) {
         free_store(store);
         return NULL;
     }
-    clock_gettime(CLOCK_MONOTONIC, &store->committed);
+    store->committed = clock_now();
     return store;
 }
 
@@ -262,11 +258,8 @@ void store_keep(void *keeper, const Study *study, const size_t *done, size_t cou
             note_failure(store);
             return;
         }
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    double seconds =
-        (double)(now.tv_sec - store->committed.tv_sec) + 1e-9 * (double)(now.tv_nsec - store->committed.tv_nsec);
-    if (seconds < 1)
+    double now = clock_now();
+    if (now - store->committed < 1)
         return;
     if (!commit(store))
         note_failure(store);

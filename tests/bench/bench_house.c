@@ -1,13 +1,11 @@
 /* One chair in the ube house, on one core: simulated seconds per second of the step alone, and from file to answer with
  * the share of each part. */
 
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "bench.h"
 #include "house/observer.h"
-#include "house/run.h"
 #include "house/world.h"
 #include "houses.h"
 

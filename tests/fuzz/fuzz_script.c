@@ -1,6 +1,5 @@
 /* The input is a script for the window. */
 #include <math.h>
-#include <string.h>
 
 #include "fuzz.h"
 #include "window/script.h"

@@ -1,0 +1,60 @@
+#include "window/act_play.h"
+
+enum { STEPS_MANY = 10 };
+
+void act_play_do(Room *room, Action action) {
+    Player *player = &room->player;
+    LiveSpan span = room->kind->span(room->live);
+    double second = span.pace;
+    switch (action) {
+    case ACTION_PLAY:
+        player_toggle(player, &span);
+        break;
+    case ACTION_STEP:
+    case ACTION_STEP_BACK:
+        player_step(player, action == ACTION_STEP ? 1 : -1, &span);
+        break;
+    case ACTION_STEP_TEN:
+    case ACTION_STEP_BACK_TEN:
+        player_step(player, action == ACTION_STEP_TEN ? STEPS_MANY : -STEPS_MANY, &span);
+        break;
+    case ACTION_SECOND:
+    case ACTION_SECOND_BACK:
+        player_seek(player, player->time + (action == ACTION_SECOND ? second : -second), &span);
+        break;
+    case ACTION_SLOWER:
+    case ACTION_FASTER:
+        player_change_speed(player, action == ACTION_FASTER ? 1 : -1, &span);
+        break;
+    case ACTION_NORMAL_SPEED:
+        player_normal_speed(player);
+        break;
+    case ACTION_START:
+        player_seek(player, span.begin, &span);
+        break;
+    case ACTION_NOW:
+        player_seek(player, span.end, &span);
+        break;
+    case ACTION_LOOP:
+        player->loops = !player->loops;
+        break;
+    case ACTION_MARK_IN:
+        player->in = player->time;
+        player->loops = true;
+        break;
+    case ACTION_MARK_OUT:
+        player->out = player->time;
+        player->loops = true;
+        break;
+    default:
+        break;
+    }
+}
+
+void act_play_again(Room *room) {
+    bool playing = room->player.playing;
+    room->kind->again(room->live);
+    LiveSpan span = room->kind->span(room->live);
+    player_seek(&room->player, span.begin, &span);
+    room->player.playing = playing;
+}

@@ -1,0 +1,11 @@
+/* What actions do to the clock of what is shown. */
+#pragma once
+
+#include "window/keys.h"
+#include "window/room.h"
+
+/* Plays, steps and goes to another time; any other action is nothing. */
+void act_play_do(Room *room, Action action);
+
+/* From the beginning on, once more; it plays where it did. */
+void act_play_again(Room *room);
