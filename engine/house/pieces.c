@@ -4,6 +4,7 @@
 
 #include "base/json.h"
 #include "house/plan_tables.h"
+#include "house/snap.h"
 
 const char *pieces_text(const json_t *element, const char *member) {
     const char *text = json_string_value(json_object_get(element, member));
@@ -38,8 +39,8 @@ static bool is_point(const json_t *value) {
 }
 
 static json_t *point_moved(const json_t *value, Vec2 by) {
-    return pieces_point(
-        vec2_add(vec2(json_number_value(json_array_get(value, 0)), json_number_value(json_array_get(value, 1))), by));
+    double x = json_number_value(json_array_get(value, 0)), y = json_number_value(json_array_get(value, 1));
+    return pieces_point(vec2(by.x != 0 ? snap_tidy(x + by.x) : x, by.y != 0 ? snap_tidy(y + by.y) : y));
 }
 
 /* A point, or a list of them; NULL: neither. */
