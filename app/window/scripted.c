@@ -258,6 +258,7 @@ static json_t *state_of(Window *window) {
     json_object_set_new(state, "sound", json_boolean(window->sound != NULL));
     json_object_set_new(state, "writing", json_boolean(window->export != NULL));
     json_object_set_new(state, "focus", json_string(ui_focus_pane(window->ui)));
+    json_object_set_new(state, "focus_help", text_or_null(ui_focus_help(window->ui)));
     json_object_set_new(state, "focus_is_pane", json_boolean(ui_focus_is_pane(window->ui)));
     json_object_set_new(state, "types", json_boolean(ui_types(window->ui)));
     json_object_set_new(state, "message", last ? json_string(last->text) : json_null());
