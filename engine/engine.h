@@ -46,6 +46,7 @@
 #include "house/locus.h"
 #include "house/replan.h"
 #include "house/shake.h"
+#include "house/sunk.h"
 #include "house/run.h"
 #include "house/suggest.h"
 #include "house/measure.h"

@@ -452,6 +452,27 @@ TEST(what_is_selected_is_nudged_turned_toppled_copied_and_removed_by_steps_with_
     undo_all(live, before);
 }
 
+TEST(what_is_pasted_without_a_pointer_lies_beside_what_it_was_copied_from) {
+    void *live = open_text(small_house);
+    Fault fault = {0};
+    LiveHand nowhere = {.at = {4, 3}, .reach = REACH, .nowhere = true};
+    click(live, 1, 2.5);
+    char *pieces = editor->copy(live);
+    editor->point(live, &nowhere);
+    CHECK(succeeds(editor->paste(live, pieces, &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"id\": \"f2\", \"name\": \"wardrobe\", \"centre\": [1.3, 2.3]"));
+    CHECK(succeeds(editor->paste(live, pieces, &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"id\": \"f3\", \"name\": \"wardrobe\", \"centre\": [1.6, 2]"));
+    CHECK(!editor->paste(live, "{\"format\": \"clearance-pieces\",\n \"walls\": [", &fault));
+    CHECK(fault.count == 1 && strstr(fault.lines[0], "the pasted text is broken at its line 2"));
+    fault_clear(&fault);
+    CHECK(!editor->paste(live, "{\"format\": \"clearance-pieces\", \"walls\": [{\"id\": \"w9\"}]}", &fault));
+    CHECK(fault.count && strstr(fault.lines[0], "what is pasted cannot be put here: "));
+    fault_clear(&fault);
+    memory_free(pieces);
+    kind->close(live);
+}
+
 TEST(a_handle_with_the_focus_of_the_keys_is_nudged_and_typed) {
     void *live = open_text(small_house);
     Fault fault = {0};

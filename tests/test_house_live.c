@@ -417,6 +417,23 @@ TEST(a_row_of_a_dangerous_point_leads_there) {
     kind->close(live);
 }
 
+TEST(where_somebody_is_stopped_is_the_place_that_is_shown) {
+    const char *settings[] = {"door.d1.width=0.6"};
+    void *live = open_live("closed-door", settings, 1, NULL);
+    settle(live, 0);
+    size_t count, first = 0;
+    const LiveRow *rows = kind->rows(live, &count);
+    while (first < count && !rows[first].place.kind)
+        first++;
+    CHECK(first < count && rows[first].place.kind == HOUSE_STOP);
+    kind->select(live, rows[first < count ? first : 0].place);
+    CHECK(kind->update(live, 0) & LIVE_WORDS);
+    CHECK_TEXT(kind->rows(live, &count)[0].row.cells[0], "P1 stops at door d1");
+    Vec2 outline[LIVE_OUTLINE_MOST];
+    CHECK(kind->outline(live, kind->selected(live), 0, outline) > 0);
+    kind->close(live);
+}
+
 TEST(what_is_pointed_at_is_found) {
     void *live = open_live("ube-techno-house", NULL, 0, NULL);
     settle(live, 0);

@@ -5,6 +5,7 @@
 #include "command/house_file.h"
 #include "command/suggestions.h"
 #include "house/journey.h"
+#include "house/sunk.h"
 #include "laboratory/census.h"
 
 /* Of the only exit also when a route leads to any; NULL: whichever is the quickest. */
@@ -125,6 +126,18 @@ static void print_answer(const House *house, const Journeys *journeys) {
     observation_free(&observation);
 }
 
+/* What is no fault, but strange. */
+static void print_remarks(const Plan *plan) {
+    for (size_t f = 0; f < plan->furniture_count; f++) {
+        char name[80];
+        size_t wall = 0;
+        double depth = sunk_depth(plan, &plan->furniture[f], &wall);
+        outline_name(plan, OWNER_FURNITURE, (int)f, name, sizeof name);
+        if (depth >= SUNK_LEAST)
+            printf("note: %s stands %.0f cm in wall %s\n", name, 100 * depth, plan->walls[wall].id);
+    }
+}
+
 static json_t *fault_lines(const Fault *fault) {
     json_t *lines = json_array();
     for (size_t i = 0; i < fault->count; i++)
@@ -162,8 +175,10 @@ int command_check(const Options *options) {
         json_array_append_new(people, check_person(&house, i, route));
     }
     json_t *answer = json_pack("{s:s, s:[], s:o}", "kind", "check", "faults", "people", people);
-    if (!options->json)
+    if (!options->json) {
         print_answer(&house, &journeys);
+        print_remarks(&house.plan);
+    }
     bool good = !options->suggest || suggest(options, answer, &fault);
     if (options->json && good)
         answer_print(json_incref(answer));

@@ -71,8 +71,9 @@ void suggestions_print(const SuggestList *list) {
         printf("\neverybody gets out as it is, in %.1f s: nothing needs to be changed\n", list->time);
         return;
     }
-    printf(list->count ? "\nsmallest changes that let everybody out:\n"
-                       : "\nno change was found that lets everybody out\n");
+    printf(list->count     ? "\nsmallest changes that let everybody out:\n"
+           : list->stopped ? "\ninterrupted before a change was found that lets everybody out\n"
+                           : "\nno change was found that lets everybody out\n");
     for (size_t i = 0; i < list->count; i++) {
         const Suggestion *suggestion = &list->list[i];
         printf("%2zu  %s: everybody out in %.1f s\n     (%.2f m of change:", i + 1, suggestion->words, suggestion->time,

@@ -3,10 +3,11 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/digest.h"
 #include "house/draft_clip.h"
 #include "laboratory/house_live_parts.h"
 
-static const double APART = 0.30; /* m, to the right and below: where a duplicate goes */
+static const double APART = 0.30; /* m, to the right and below: where a copy goes that no pointer leads */
 
 static bool is_anything(const HouseLive *live, Fault *fault) {
     if (live->edit.id_count)
@@ -188,7 +189,11 @@ static bool paste(HouseLive *live, const char *name, const char *text, Vec2 by, 
         draft_cancel(live->draft);
         return false;
     }
-    bool good = house_edit_gesture_close(live, fault);
+    Fault own = {0};
+    bool good = house_edit_gesture_close(live, &own);
+    for (size_t i = 0; i < own.count; i++)
+        fault_add(fault, "what is pasted cannot be put here: %s", own.lines[i]);
+    fault_clear(&own);
     for (size_t i = 0; good && i < count; i++) {
         if (i == 0)
             house_edit_select_only(live, ids[i]);
@@ -228,14 +233,23 @@ static Box include_places(Box box, const json_t *value) {
     return box;
 }
 
+/* How far what is pasted goes: to the hand; where there is none, or it would lie on what it was copied from, beside
+ * that, the second time beside the first. */
+static Vec2 paste_by(HouseEdit *edit, const char *text, Box box) {
+    Vec2 to = vec2_sub(edit->hand.at, vec2_scale(vec2_add(box.low, box.high), 0.5));
+    Vec2 by = vec2(round(to.x / SNAP_GRID) * SNAP_GRID, round(to.y / SNAP_GRID) * SNAP_GRID);
+    if (edit->seen && !edit->hand.nowhere && vec2_length(by) >= APART)
+        return by;
+    uint64_t digest = digest_bytes(DIGEST_START, text, strlen(text));
+    edit->copies = digest == edit->pasted ? edit->copies + 1 : 1;
+    edit->pasted = digest;
+    return vec2(edit->copies * APART, -edit->copies * APART);
+}
+
 bool house_edit_do_paste(HouseLive *live, const char *text, Fault *fault) {
     json_t *pieces = json_loads(text, 0, NULL);
     Box box = include_places(box_empty(), pieces);
+    Vec2 by = box.low.x <= box.high.x ? paste_by(&live->edit, text, box) : vec2(0, 0);
     json_decref(pieces);
-    Vec2 by = {0, 0};
-    if (live->edit.seen && box.low.x <= box.high.x) {
-        Vec2 to = vec2_sub(live->edit.hand.at, vec2_scale(vec2_add(box.low, box.high), 0.5));
-        by = vec2(round(to.x / SNAP_GRID) * SNAP_GRID, round(to.y / SNAP_GRID) * SNAP_GRID);
-    }
     return paste(live, "Paste", text, by, fault);
 }

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "house/sunk.h"
 #include "laboratory/house_live_parts.h"
 
 static const EditGesture shape, body, slide, whole, box;
@@ -96,6 +97,17 @@ static void release(HouseLive *live, bool moved) {
         live->edit.taken = true;
 }
 
+/* Remarks a piece that is held in a wall. */
+static void say_sunk(const HouseLive *live, Text *words) {
+    const Plan *plan = draft_plan(live->draft);
+    size_t index, wall = 0;
+    if (draft_find(live->draft, live->edit.held, &index) != DRAFT_FURNITURE || index >= plan->furniture_count)
+        return;
+    double depth = sunk_depth(plan, &plan->furniture[index], &wall);
+    if (depth >= SUNK_LEAST)
+        text_format(words, "; stands %.0f cm in wall %s", 100 * depth, plan->walls[wall].id);
+}
+
 static void say(HouseLive *live, Text *words) {
     const HouseEdit *edit = &live->edit;
     char thing[EDIT_NAME];
@@ -105,6 +117,7 @@ static void say(HouseLive *live, Text *words) {
         text_format(words, "%s %s %.*f%s", i ? "," : "", edit->fields[i].name,
                     strcmp(edit->fields[i].unit, "degree") == 0 ? 1 : 2, edit->fields[i].value,
                     strcmp(edit->fields[i].unit, "degree") == 0 ? " degrees" : " m");
+    say_sunk(live, words);
 }
 
 static void show(HouseLive *live) {

@@ -169,6 +169,8 @@ typedef struct HouseEdit {
     LiveMark *marks; /* of the gesture that is shown */
     size_t mark_count, mark_capacity;
     Arena words;
+    uint64_t pasted;    /* digest of what was pasted last without a pointer, */
+    int copies;         /* so often */
     size_t saved_steps; /* that could be undone when it was saved */
     Text doing;
     LiveGesture shown;

@@ -13,6 +13,7 @@ typedef enum HouseThing {
     HOUSE_FURNITURE,
     HOUSE_WALL,
     HOUSE_EXIT,
+    HOUSE_STOP, /* where a person is stopped; not among those that follow one another */
     HOUSE_THINGS,
 } HouseThing;
 

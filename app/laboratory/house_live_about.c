@@ -2,6 +2,7 @@
 #include <ctype.h>
 #include <stdio.h>
 
+#include "laboratory/blockage_scene.h"
 #include "laboratory/house_live_parts.h"
 #include "laboratory/people_scene.h"
 
@@ -95,6 +96,10 @@ void house_live_about_say(HouseLive *live, double time) {
         say_person(live, thing.index, time);
     } else if (thing.kind == HOUSE_HAZARD) {
         say_hazard(live, &live->observation->hazards[thing.index]);
+    } else if (thing.kind == HOUSE_STOP) {
+        const char *widths = blockage_scene_widths(scene, &live->observation->people[thing.index].blockage);
+        if (*widths)
+            house_live_words_add(live, ROW_PLAIN, widths);
     } else if (thing.kind == HOUSE_DOOR) {
         say_door(live, &plan->doors[thing.index]);
     } else if (thing.kind == HOUSE_FURNITURE) {

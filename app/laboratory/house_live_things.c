@@ -4,11 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "laboratory/blockage_scene.h"
 #include "laboratory/silhouette.h"
 
 #define LEAST_DEPTH 0.10  /* m, of what is thinner, so that it can be pointed at */
 #define EXIT_DEPTH 0.20   /* m */
 #define HAZARD_SHOWN 0.25 /* m, radius */
+#define STOP_SHOWN 0.50   /* m, radius */
 #define STAY 1.0          /* s, that whoever is out is still there */
 
 enum { CIRCLE = 24 /* points */ };
@@ -30,6 +32,8 @@ size_t house_live_thing_count(const House *house, const Observation *observation
         return house->plan.wall_count;
     case HOUSE_EXIT:
         return house->plan.exit_count;
+    case HOUSE_STOP:
+        return observation ? observation->person_count : 0;
     case HOUSE_NOTHING:
     case HOUSE_THINGS:
         break;
@@ -63,6 +67,9 @@ void house_live_thing_name(const House *house, const Observation *observation, L
     const char *id = house_live_thing_id(house, thing);
     if (thing.kind == HOUSE_HAZARD)
         snprintf(name, size, "dangerous point %zu: %s", thing.index + 1, observation->hazards[thing.index].what);
+    else if (thing.kind == HOUSE_STOP)
+        snprintf(name, size, "%s stops at %s", house->people[thing.index].id,
+                 observation->people[thing.index].blockage.what);
     else if (thing.kind == HOUSE_FURNITURE)
         outline_name(&house->plan, OWNER_FURNITURE, (int)thing.index, name, size);
     else
@@ -98,9 +105,9 @@ static size_t outline_person(const HouseScenery *scenery, size_t i, double time,
     return SILHOUETTE_POINTS;
 }
 
-static size_t outline_circle(Vec2 middle, Vec2 *points) {
+static size_t outline_circle(Vec2 middle, double radius, Vec2 *points) {
     for (int i = 0; i < CIRCLE; i++)
-        points[i] = vec2_along(middle, HAZARD_SHOWN, vec2_heading(2 * M_PI * i / CIRCLE));
+        points[i] = vec2_along(middle, radius, vec2_heading(2 * M_PI * i / CIRCLE));
     return CIRCLE;
 }
 
@@ -137,7 +144,11 @@ size_t house_live_thing_outline(const HouseScenery *scenery, LiveThing thing, do
     case HOUSE_PERSON:
         return outline_person(scenery, thing.index, time, points);
     case HOUSE_HAZARD:
-        return outline_circle(scenery->observation->hazards[thing.index].at, points);
+        return outline_circle(scenery->observation->hazards[thing.index].at, HAZARD_SHOWN, points);
+    case HOUSE_STOP:
+        if (!blockage_scene_has(&scenery->observation->people[thing.index]))
+            return 0;
+        return outline_circle(scenery->observation->people[thing.index].blockage.at, STOP_SHOWN, points);
     case HOUSE_DOOR:
         plan_door_ends(plan, &plan->doors[thing.index], &from, &to);
         return outline_strip(from, to, plan->walls[plan->doors[thing.index].wall_index].thickness, points);

@@ -238,7 +238,7 @@ void house_live_value_clear(HouseValues *values) {
 
 /* Of what is selected, and of a person's profile what tells most. */
 static bool comes_first(const ValueOwner *owner, const LiveParameter *live, const House *house, LiveThing selected) {
-    if (selected.kind == HOUSE_NOTHING || selected.kind == HOUSE_HAZARD)
+    if (selected.kind == HOUSE_NOTHING || selected.kind == HOUSE_HAZARD || selected.kind == HOUSE_STOP)
         return owner->key && (owner->thing.kind != HOUSE_DOOR || strcmp(live->label, "width") == 0);
     if (live_same(owner->thing, selected))
         return true;

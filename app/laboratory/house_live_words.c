@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "laboratory/blockage_scene.h"
 #include "laboratory/house_live_parts.h"
 #include "laboratory/people_scene.h"
 
@@ -92,16 +93,28 @@ static void find_times(HouseLive *live) {
     }
 }
 
+/* The first who is stopped somewhere; person_count: nobody. */
+static size_t first_stopped(const Observation *observation) {
+    size_t i = 0;
+    while (i < observation->person_count && !blockage_scene_has(&observation->people[i]))
+        i++;
+    return i;
+}
+
 /* Rows of the scene's list with what they mean: the n-th below a heading is the n-th of its kind. */
 static void add_listed(HouseLive *live) {
     const Scene *scene = &live->words.run;
     const House *house = &live->shown->house;
-    size_t hazard = 0, person = 0;
+    size_t hazard = 0, person = 0, stopped = first_stopped(live->observation);
+    bool stops = live->whole && stopped < live->observation->person_count;
     for (size_t i = 0; i < scene->row_count; i++) {
         LiveRow *row = house_live_words_add(live, ROW_PLAIN, NULL);
         row->row = scene->rows[i];
+        if (stops)
+            row->place = (LiveThing){HOUSE_STOP, stopped};
         if (row->row.kind == ROW_DISC) {
             row->thing = (LiveThing){HOUSE_HAZARD, hazard};
+            row->place = stops ? row->place : row->thing;
             row->time = live->words.before[hazard++];
         } else if (row->row.kind == ROW_LINE && house->person_count <= PEOPLE_SCENE_INDIVIDUALS) {
             while (person < house->person_count && !live->observation->people[person].took_part)

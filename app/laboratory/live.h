@@ -79,6 +79,7 @@ static inline bool live_same(LiveThing a, LiveThing b) {
 typedef struct LiveRow {
     SceneRow row;
     LiveThing thing; /* selected by choosing it */
+    LiveThing place; /* what matters most is there: of the first row that has one it is shown by "Show place" */
     double time;     /* s, shown then; NAN: none */
 } LiveRow;
 

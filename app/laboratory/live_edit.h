@@ -41,6 +41,7 @@ typedef struct LiveHand {
     bool free;     /* no snapping now */
     bool straight; /* along one axis only */
     bool more;     /* to what is selected already, not in its place */
+    bool nowhere;  /* there is no pointer on the plan: the middle of what is seen is meant */
 } LiveHand;
 
 /* A number of a gesture that can be typed. */

@@ -268,7 +268,7 @@ const LiveRow *act_first_place(const Room *room) {
     size_t count;
     const LiveRow *rows = room->kind->rows(room->live, &count);
     for (size_t i = 0; i < count; i++)
-        if (rows[i].row.kind == ROW_DISC && rows[i].thing.kind)
+        if (rows[i].place.kind)
             return &rows[i];
     return NULL;
 }
@@ -279,7 +279,7 @@ void act_show_place(Window *window) {
     if (!place)
         return;
     double time = place->time;
-    room_select(room, place->thing);
+    room_select(room, place->place);
     room_show_selected(room);
     if (!isnan(time))
         room_seek(room, time);

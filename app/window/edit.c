@@ -55,7 +55,7 @@ static LiveHand hand_at(const Window *window, const Room *room, Vec2 at) {
 
 static bool same_hand(const LiveHand *a, const LiveHand *b) {
     return a->at.x == b->at.x && a->at.y == b->at.y && a->reach == b->reach && a->free == b->free &&
-           a->straight == b->straight;
+           a->straight == b->straight && a->nowhere == b->nowhere;
 }
 
 /* Says where it is, unless it is there already. */
@@ -74,9 +74,11 @@ static void tell_where(Window *window, Room *room) {
     Box view = window->frame.view;
     if (!room->scenery.painted)
         return;
-    if (!box_holds(view, at))
+    bool nowhere = !box_holds(view, at);
+    if (nowhere)
         at = vec2_scale(vec2_add(view.low, view.high), 0.5);
     LiveHand hand = hand_at(window, room, at);
+    hand.nowhere = nowhere;
     tell(window, room, &hand);
 }
 

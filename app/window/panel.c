@@ -245,12 +245,14 @@ void panel_show(Window *window) {
     ui_pane_begin(window->ui,
                   &(UiPane){.name = "panel", .box = window->frame.panel, .ground = ROLE_PANEL, .scrolls = true});
     if (room->live) {
+        bool numbers_first = room->kind->numbers_first || room->kind->selected(room->live).kind;
         panel_edit_show(window);
-        if (!room->kind->numbers_first)
+        if (!numbers_first)
             show_rows(window, room);
         show_parameters(window, room, true);
+        panel_edit_show_words(window);
         show_presets(window, room);
-        if (room->kind->numbers_first)
+        if (numbers_first)
             show_rows(window, room);
         show_choices(window, room);
         show_more(window, room);

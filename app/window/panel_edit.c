@@ -151,8 +151,14 @@ void panel_edit_show(Window *window) {
     show_items(window, room, editor);
     if (editor->tool(room->live) == TOOL_IMAGE || editor->image(room->live).path)
         show_image(window, room, editor);
-    show_texts(window, room, editor, false);
     show_way_out(window, room, editor);
+}
+
+void panel_edit_show_words(Window *window) {
+    Room *room = window_room(window);
+    const LiveEditor *editor = edit_of(room);
+    if (editor)
+        show_texts(window, room, editor, false);
 }
 
 void panel_edit_show_house(Window *window) {

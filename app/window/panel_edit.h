@@ -6,5 +6,6 @@
 
 void panel_edit_show(Window *window);
 
-/* The house's own name and note. */
+/* Names and ids of what is selected; the house's own name and note. */
+void panel_edit_show_words(Window *window);
 void panel_edit_show_house(Window *window);

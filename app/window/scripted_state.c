@@ -69,6 +69,20 @@ static json_t *choices_state(const Room *room) {
     return state;
 }
 
+/* What the panel lists, cell by cell. */
+static json_t *rows_state(const Room *room) {
+    size_t count;
+    const LiveRow *rows = room->kind->rows(room->live, &count);
+    json_t *state = json_array();
+    for (size_t i = 0; i < count; i++) {
+        json_t *cells = json_array();
+        for (size_t c = 0; c < sizeof rows[i].row.cells / sizeof *rows[i].row.cells; c++)
+            json_array_append_new(cells, json_string(rows[i].row.cells[c] ? rows[i].row.cells[c] : ""));
+        json_array_append_new(state, cells);
+    }
+    return state;
+}
+
 static json_t *answer_state(const Room *room) {
     LiveAnswer answer = room->kind->answer(room->live);
     json_t *state = json_pack("{s:s,s:b}", "title", answer.title, "stale", answer.stale);
@@ -194,6 +208,7 @@ static void add_room(json_t *state, Window *window) {
                         thing.kind ? json_string(room->kind->name_thing(room->live, thing)) : json_null());
     json_object_set_new(state, "floor", floor_state(window, room));
     json_object_set_new(state, "answer", answer_state(room));
+    json_object_set_new(state, "rows", rows_state(room));
     json_object_set_new(state, "parameters", parameters_state(room));
     json_object_set_new(state, "choices", choices_state(room));
     json_object_set_new(state, "charts", charts_state(&room->charts));
@@ -219,6 +234,7 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "sound", json_boolean(window->sound != NULL));
     json_object_set_new(state, "writing", json_boolean(window->export != NULL));
     json_object_set_new(state, "focus", json_string(ui_focus_pane(window->ui)));
+    json_object_set_new(state, "focus_help", text_or_null(ui_focus_help(window->ui)));
     json_object_set_new(state, "focus_is_pane", json_boolean(ui_focus_is_pane(window->ui)));
     json_object_set_new(state, "types", json_boolean(ui_types(window->ui)));
     json_object_set_new(state, "message", last ? json_string(last->text) : json_null());

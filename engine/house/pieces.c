@@ -4,6 +4,7 @@
 
 #include "base/json.h"
 #include "house/plan_tables.h"
+#include "house/snap.h"
 
 const char *pieces_text(const json_t *element, const char *member) {
     const char *text = json_string_value(json_object_get(element, member));
@@ -38,8 +39,8 @@ static bool is_point(const json_t *value) {
 }
 
 static json_t *point_moved(const json_t *value, Vec2 by) {
-    return pieces_point(
-        vec2_add(vec2(json_number_value(json_array_get(value, 0)), json_number_value(json_array_get(value, 1))), by));
+    double x = json_number_value(json_array_get(value, 0)), y = json_number_value(json_array_get(value, 1));
+    return pieces_point(vec2(by.x != 0 ? snap_tidy(x + by.x) : x, by.y != 0 ? snap_tidy(y + by.y) : y));
 }
 
 /* A point, or a list of them; NULL: neither. */
@@ -120,12 +121,12 @@ bool pieces_is_empty(const json_t *list) {
 static bool check_list(const json_t *pieces, const char *key, Fault *fault) {
     const json_t *list = json_object_get(pieces, key);
     if (list && !json_is_array(list)) {
-        fault_add(fault, "the pieces cannot be used: \"%s\" must be a list [ ... ]", key);
+        fault_add(fault, "the pasted pieces cannot be used: \"%s\" must be a list [ ... ]", key);
         return false;
     }
     for (size_t i = 0; i < json_array_size(list); i++)
         if (!*pieces_text(json_array_get(list, i), "id")) {
-            fault_add(fault, "the pieces cannot be used: number %zu of \"%s\" has no id", i + 1, key);
+            fault_add(fault, "the pasted pieces cannot be used: number %zu of \"%s\" has no id", i + 1, key);
             return false;
         }
     return true;
@@ -133,10 +134,14 @@ static bool check_list(const json_t *pieces, const char *key, Fault *fault) {
 
 json_t *pieces_read(const char *text, Fault *fault) {
     json_error_t error;
-    json_t *pieces = strlen(text) <= JSON_LARGEST_FILE ? json_loads(text, JSON_REJECT_DUPLICATES, &error) : NULL;
+    bool fits = strlen(text) <= JSON_LARGEST_FILE;
+    json_t *pieces = fits ? json_loads(text, JSON_REJECT_DUPLICATES, &error) : NULL;
     bool good = strcmp(pieces_text(pieces, "format"), "clearance-pieces") == 0 ||
                 strcmp(pieces_text(pieces, "format"), "clearance-house") == 0;
-    if (!good)
+    if (!pieces && fits && strstr(text, "\"clearance-"))
+        fault_add(fault, "the pasted text is broken at its line %d, column %d: %s", error.line, error.column,
+                  error.text);
+    else if (!good)
         fault_add(fault, "these are no pieces of a house: copy some here first, or paste a house file's text");
     for (size_t l = 0; good && l < PLAN_LISTS; l++)
         good = check_list(pieces, plan_tables_lists[l].key, fault);

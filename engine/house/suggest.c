@@ -119,6 +119,16 @@ static void sift(Search *search, const Elements *elements, size_t first, size_t 
         sift(search, elements, middle, last, good);
 }
 
+/* An element that is enough, of which nothing was found that is less. */
+static void note_unfound(SuggestList *list, Search *search, const Change *element) {
+    const char *words = suggest_change_words(&search->base->plan, element, &list->arena);
+    bool cut_short = search->exhausted || parallel_stopped(search->task->stop);
+    add_note(list, text_in_arena(&list->arena,
+                                 cut_short ? "it would help to %s: how much less is enough was not yet known"
+                                           : "it would help to %s, but nothing less than that was found",
+                                 words));
+}
+
 /* Elements that are enough but cannot be made real are taken out of the list. */
 static void suggest_singles(SuggestList *list, Search *search, Elements *elements) {
     const Plan *plan = &search->base->plan;
@@ -131,9 +141,8 @@ static void suggest_singles(SuggestList *list, Search *search, Elements *element
         size_t found = good[e] ? suggest_search_ways(search, NULL, 0, &element, ways) : 0;
         for (size_t w = 0; w < found; w++)
             add_suggestion(list, plan, &ways[w].change, 1, ways[w].time);
-        if (good[e] && !found && !search->exhausted)
-            add_note(list, text_in_arena(&list->arena, "it would help to %s, but nothing less than that was found",
-                                         suggest_change_words(plan, &element, &list->arena)));
+        if (good[e] && !found)
+            note_unfound(list, search, &element);
         if (!good[e] || found)
             elements->of[kept++] = element;
     }
@@ -233,7 +242,7 @@ static void explain_nothing(SuggestList *list, Search *search, const Elements *e
     Observation observation;
     run_house(&observation, &house,
               &(RunOptions){.route = SIZE_MAX, .jobs = search->task->jobs, .stop = search->task->stop});
-    if (!observation.completed)
+    if (!observation.completed && !parallel_stopped(search->task->stop))
         add_note(list, text_in_arena(&list->arena, "%s: %s. Walls are not moved",
                                      elements->count ? "even with every door as wide as its wall lets it be and no "
                                                        "furniture at all"

@@ -109,6 +109,7 @@ class Screen:
         self.place.mkdir(exist_ok=True)
         self.display = self.start_display(width, height)
         self.log = self.place / "states"
+        self.log_read, self.log_count, self.last = 0, 0, {}  # bytes and lines of it that have been read, the last one
         script = self.place / "script"
         script.write_text(f"wait 2\nstate {self.log}\n" * int(minutes * 60 * 20) + "quit\n")
         self.env = environment(self.place / "home", DISPLAY=self.display)
@@ -131,26 +132,37 @@ class Screen:
         return subprocess.run(["xdotool", *[str(w) for w in words]], env=self.env, capture_output=True, text=True,
                               timeout=60)
 
+    def look(self):
+        """Reads what has come since; the last state there is."""
+        if self.log.exists():
+            with open(self.log, "rb") as log:
+                log.seek(self.log_read)
+                whole, end, _ = log.read().rpartition(b"\n")
+            lines = whole.split(b"\n")
+            if end:
+                self.log_read += len(whole) + 1
+                self.log_count += len(lines)
+                self.last = json.loads(lines[-1])
+        return self.last
+
     def state(self):
         """As it is now: the second line that is written from now on, since the first may have been begun before."""
-        seen = len(states(self.log))
-        for _ in range(1500):
-            now = states(self.log)
-            if len(now) >= seen + 2 or self.program.poll() is not None:
-                break
+        self.look()
+        seen, begun = self.log_count, time.monotonic()
+        while self.log_count < seen + 2 and time.monotonic() - begun < 60 and self.program.poll() is None:
             time.sleep(0.02)
-        return states(self.log)[-1]
+            self.look()
+        return self.last
 
     def until(self, what, seconds=30):
         """Waits for a state; returns the last one, whether it came or not."""
         begun = time.monotonic()
         while time.monotonic() - begun < seconds and self.program.poll() is None:
-            lines = states(self.log)
-            if lines and what(lines[-1]):
-                return lines[-1]
+            now = self.look()
+            if now and what(now):
+                return now
             time.sleep(0.05)
-        lines = states(self.log)
-        return lines[-1] if lines else {}
+        return self.look()
 
     def keys(self, *names):
         for name in names:

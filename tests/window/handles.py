@@ -1,0 +1,268 @@
+#!/usr/bin/env python3
+"""Each handle of a house by a real mouse and real keys: dragged and clicked, undone and redone, and what is answered to
+it, beside what the command line says of the same files."""
+
+import json
+import subprocess
+
+import stage
+from drawing import Plan
+from stage import check
+
+HOUSE = {
+    "format": "clearance-house", "version": 1, "name": "two rooms",
+    "walls": [{"id": "w1", "points": [[0, 0], [6, 0], [6, 4], [0, 4], [0, 0]]}, {"id": "w2", "points": [[3, 0], [3, 4]]}],
+    "doors": [{"id": "d1", "wall": "w2", "at": 2, "width": 0.9, "kind": "hinged", "swing": "right"},
+              {"id": "d2", "wall": "w1", "segment": 1, "at": 2, "width": 1.0, "kind": "opening"}],
+    "furniture": [{"id": "f1", "name": "wardrobe", "centre": [2.3, 3.5], "size": [0.8, 0.5], "height": 1.2,
+                   "topples": "front"}],
+    "exits": [{"id": "e1", "from": [6.8, 1.4], "to": [6.8, 2.6]}],
+    "people": [{"id": "p1", "profile": "manual-chair", "at": [0.8, 2.0]}],
+    "routes": [{"id": "A", "people": ["p1"], "via": [[4.5, 2.0]], "exit": "e1"}]}
+
+
+class Hand(Plan):
+    """A window with the house, paused."""
+
+    def __init__(self, name, house=HOUSE):
+        place = stage.folder / name
+        place.mkdir()
+        self.house = place / "house.json"
+        self.house.write_text(json.dumps(house))
+        super().__init__(name, self.house, minutes=9)
+        self.until(lambda s: s["complete"] and s["floor"] and not s["answer"]["stale"], 120)
+        self.keys("space")
+        self.settle()
+
+    def settle(self):
+        """Waits until nothing is in work."""
+        self.state()
+        return self.until(lambda s: s["complete"] and not s["answer"]["stale"] and not s["answer"]["doing"], 120)
+
+    def saved(self):
+        """What its file says once it is saved."""
+        self.keys("ctrl+s")
+        self.state()
+        self.until(lambda s: not s["unsaved"], 30)
+        return self.house.read_bytes()
+
+    def choose(self, x, y):
+        """Selects what lies there; the hand is away from it then."""
+        self.keys("Escape", "Escape", "Escape")
+        self.put(x, y)
+        self.move(-0.8, 3.5)
+        return self.state()
+
+    def width_of_door(self, value):
+        """Typed into the panel, by keys from the plan on."""
+        self.choose(3, 2)
+        self.keys("Return")
+        self.until(lambda s: s["focus"] == "panel", 30)
+        self.keys("Return")
+        self.until(lambda s: s["types"], 30)
+        self.keys("ctrl+a")
+        self.type(value)
+        self.keys("Return")
+        self.choose(-0.8, 3.5)  # the plan has the focus again
+
+    def redo_to(self, name):
+        """Until that step is the next one to be done again."""
+        for _ in range(200):
+            if self.state()["redo_name"] in (name, None):
+                return
+            self.keys("ctrl+y")
+
+    def undo_to(self, name):
+        for _ in range(10):
+            if self.state()["undo_name"] == name:
+                return
+            self.keys("ctrl+z")
+
+
+def has_handle(state, at):
+    return any(mark["kind"] == "handle" and abs(mark["at"][0] - at[0]) + abs(mark["at"][1] - at[1]) < 0.02
+               for mark in state["gesture"]["marks"])
+
+
+# 15: what can be taken up: where it is selected, the handle, where it goes
+plan = Hand("handles")
+plan.choose(2.3, 3.5)
+plan.keys("Left")
+plan.saved()  # from here on it is written as the program writes it
+plan.undo_to(None)
+start = plan.saved()
+for what, at, handle, to in (("piece of furniture", (2.3, 3.5), (2.3, 3.5), (1.3, 0.8)),
+                             ("corner of a piece", (2.3, 3.5), (1.9, 3.25), (1.6, 3.0)),
+                             ("way that a piece looks", (2.3, 3.5), None, (1.4, 2.9)),
+                             ("corner of a wall", (3, 0.6), (3, 4), (4, 3.2)),
+                             ("piece of a wall", (1.5, 0), (3, 0), (3, -0.5)),
+                             ("door", (3, 2), (3, 2), (3, 2.7)),
+                             ("edge of a door", (3, 2), (3, 2.45), (3, 2.3)),
+                             ("end of an exit", (6.8, 2.3), (6.8, 2.6), (6.8, 2.9)),
+                             ("exit", (6.8, 2.3), (6.8, 2), (7.0, 1.6)),
+                             ("person", (0.8, 2.0), (0.8, 2.0), (1.2, 1.2)),
+                             ("way that a person looks", (0.8, 2.0), (1.7, 2.0), (0.8, 3.2)),
+                             ("point of a route", (0.8, 2.0), (4.5, 2.0), (4.2, 1.0))):
+    state = plan.choose(*at)
+    if not handle:  # the disc that turns it
+        handle = next((m["at"] for m in state["gesture"]["marks"] if m["kind"] == "handle" and m["at"][1] < 3.2), (0, 0))
+    found = has_handle(state, handle)
+    plan.drag(*handle, *to)
+    plan.keys("Escape", "Escape", "Escape")
+    dragged = plan.saved()
+    plan.undo_to(None)
+    plan.choose(*at)
+    plan.put(*handle)
+    taken = plan.state()["gesture"]["active"]
+    plan.move(0.3 * handle[0] + 0.7 * to[0], 0.3 * handle[1] + 0.7 * to[1])
+    plan.put(*to)
+    plan.move(-0.8, 3.5)
+    left = plan.state()["gesture"]["active"]
+    plan.keys("Escape", "Escape", "Escape")
+    clicked = plan.saved()
+    check(found and taken and not left and dragged == clicked and dragged != start,
+          f"15: {what}: click, move, click is dragging",
+          (found, taken, left, dragged != start, dragged.decode(), clicked.decode()))
+    plan.undo_to(None)
+check(plan.saved() == start, "15: all of it undone, the file has its first bytes again")
+
+# 16: by mouse to another wall
+plan.choose(3, 2)
+plan.drag(3, 2, 1.5, 0.02)
+plan.keys("Escape", "Escape")
+door = json.loads(plan.saved())["doors"][0]
+check(door["wall"] == "w1" and door.get("segment", 0) == 0 and abs(door["at"] - 1.5) < 0.05,
+      "16: dragged to another wall a door is in that wall, along it", door)
+plan.undo_to(None)
+
+# 17: turned by keys, toppled, and stood up again
+before = plan.choose(2.3, 3.5)
+plan.settle()
+plan.keys(*["e"] * 6)
+turned = plan.settle()
+check(abs(abs(turned["parameters"]["furniture.f1.angle"]) - 90) < 1e-9, "17: E six times is a quarter, and is shown",
+      turned["parameters"]["furniture.f1.angle"])
+plan.undo_to(None)
+upright = plan.settle()
+plan.keys("t")
+lying = plan.settle()
+check(lying["undo_name"] == "Topple wardrobe (f1)" and ["toppled", "yes"] in [row[:2] for row in lying["rows"]],
+      "17: T topples it", (lying["undo_name"], lying["rows"]))
+check((lying["answer"], lying["digest"]) != (upright["answer"], upright["digest"]) and "before" in
+      lying["answer"]["detail"], "17: what lies there changes route and answer", lying["answer"])
+plan.keys("t", "ctrl+z", "ctrl+z")
+again = plan.settle()
+check(again["undo_name"] is None and again["answer"] == upright["answer"], "17: undone it is as it was", again["answer"])
+
+# 18: too narrow: the same numbers as by the command line, and a button that shows the place
+plan.width_of_door("0.6")
+narrow = plan.settle()
+check(narrow["parameters"]["door.d1.width"] == 0.6, "Enter goes to the number of what is selected, Enter types it",
+      (narrow["focus"], narrow["message"], narrow["parameters"]["door.d1.width"]))
+plan.saved()
+told = subprocess.run([str(stage.program), "check", str(plan.house)], capture_output=True, text=True, timeout=120).stdout
+words = narrow["answer"]["detail"].split("; ")[-1]
+check(narrow["answer"]["title"] == "Cannot pass door d1" and words.startswith("needs at least") and words in told,
+      "18: too narrow it says what it needs and has, as the command line does", (narrow["answer"], told))
+place = json.loads(subprocess.run([str(stage.program), "check", "--json", str(plan.house)], capture_output=True,
+                                  text=True, timeout=120).stdout)["people"][0]["blocked_at"]
+x, y, right, bottom = narrow["frame"]["answer"]
+plan.click(right - 70, (y + bottom) / 2)
+shown = plan.state()
+shown = plan.until(lambda s: s["zoom"] > 1, 20)
+at, view = plan.point(place["x"], place["y"], shown), shown["frame"]["view"]
+middle = ((view[0] + view[2]) / 2, (view[1] + view[3]) / 2)
+check(shown["zoom"] > 1 and abs(at[0] - middle[0]) < 60 and abs(at[1] - middle[1]) < 60,
+      "18: Show place zooms to where it stops", (shown["zoom"], at, middle))
+plan.shot("place")
+plan.end()
+
+# 19: what was before, and what is now, as the command line compares the two files
+plan = Hand("compare")
+first = plan.place / "first.json"
+first.write_bytes(plan.saved())
+plan.width_of_door("1.1")
+now = plan.settle()
+plan.saved()
+told = json.loads(subprocess.run([str(stage.program), "compare", "--json", str(first), str(plan.house)],
+                                 capture_output=True, text=True, timeout=120).stdout)
+before, after = told["a"], told["b"]
+check(now["answer"]["title"] == f"Out in {after['time']:.1f} s" and now["answer"]["detail"].startswith(
+    f"before {before['time']:.1f} s, {after['time'] - before['time']:+.1f} s"),
+      "19: what was before and the difference are told unasked, as by the command line", (now["answer"], after["time"]))
+plan.keys("r")
+clean = plan.until(lambda s: s["digest"] == after["digest"], 60)
+check(clean["digest"] == after["digest"], "19: R runs it from the beginning, as the command line does",
+      (now["digest"], clean["digest"], clean["focus"]))
+rows = {row[0]: row[1:] for row in plan.until(lambda s: any("Compare" in row[0] for row in s["rows"]), 60)["rows"]}
+check(rows.get("time") == [f"{before['time']:.1f} s", f"{after['time']:.1f} s"]
+      and rows.get("contacts") == [str(run["people"][0]["contacts"]) for run in (before, after)]
+      and rows.get("space pressed") == [f"{run['people'][0]['ring_time']:.1f} s" for run in (before, after)],
+      "19: the table of both has the same numbers", (rows, before["people"], after["people"]))
+plan.end()
+
+# 14: twenty edits of many kinds, undone and done again to the same bytes
+plan = Hand("mixed")
+start = plan.saved()
+
+
+def word(plan, x, y, value):
+    """Another name, typed into the panel's first text."""
+    plan.choose(x, y)
+    plan.keys("Return")
+    plan.until(lambda s: s["focus"] == "panel", 30)
+    for _ in range(40):
+        if plan.state()["focus_help"].startswith("name"):
+            break
+        plan.keys("Tab")
+    plan.keys("Return")
+    plan.until(lambda s: s["types"], 30)
+    plan.keys("ctrl+a")
+    plan.type(value)
+    plan.keys("Return")
+    plan.choose(-0.8, 3.5)
+
+
+def put(plan, tool, *places):
+    plan.keys(tool)
+    for place in places:
+        plan.put(*place)
+    plan.keys("Escape", "Escape", "Escape")
+
+
+plan.choose(2.3, 3.5)
+plan.keys("Left", "shift+Down", "q", "shift+e", "t", "t", "ctrl+d", "Delete")
+plan.choose(0.8, 2.0)
+plan.keys("ctrl+Up", "e")
+plan.width_of_door("1.05")
+word(plan, 2.3, 3.4, "tall wardrobe")
+plan.choose(2.3, 3.4)
+plan.keys("ctrl+c")
+plan.move(5, 0.8)
+plan.keys("ctrl+v")
+put(plan, "w", (3, 1), (4.2, 1))
+plan.choose(3.6, 1)
+plan.keys("shift+w", "Up")
+put(plan, "p", (5, 3.2))
+put(plan, "x", (-0.8, 1), (-0.8, 2))
+put(plan, "d", (0, 1.5))
+plan.choose(6.8, 2.3)
+plan.keys("Right")
+plan.choose(3, 0.5)
+plan.drag(3, 0.5, 3.2, 0.5)
+plan.keys("Escape", "Escape")
+plan.keys("alt+r")
+plan.keys("ctrl+z")
+edited = plan.settle()
+check(edited["edits"] >= 20, "14: twenty edits and more of many kinds", (edited["edits"], edited["undo_name"]))
+check(edited["redo_name"] == "Reset scene", "14: Alt+R puts all back as a step, which is undone, too", edited["redo_name"])
+plan.undo_all()
+check(plan.saved() == start, "14: undone, the file has its first bytes")
+plan.redo_to(edited["redo_name"])
+last = plan.saved()
+plan.undo_all()
+plan.redo_to(edited["redo_name"])
+check(plan.saved() == last and last != start, "14: undone and done again, the last bytes")
+plan.end()
+
+stage.end()
