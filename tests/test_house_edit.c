@@ -392,6 +392,94 @@ TEST(a_door_stops_at_the_end_of_its_wall_and_says_why) {
     kind->close(live);
 }
 
+static bool set(void *live, const char *name, double value) {
+    Fault fault = {0};
+    bool good = kind->set(live, name, value, &fault);
+    CHECK(good == !fault.count);
+    fault_clear(&fault);
+    return good;
+}
+
+TEST(a_slider_that_is_refused_is_put_down_where_it_stood_last) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    editor->hold(live, "door.d1.width");
+    CHECK(set(live, "door.d1.width", 1.1) && set(live, "door.d1.width", 1.2) && !set(live, "door.d1.width", 9));
+    editor->settle(live);
+    CHECK(strstr(editor->text(live), "\"at\": 2, \"width\": 1.2"));
+    CHECK(set(live, "door.d1.width", 1.1) && editor->undo(live) && editor->undo(live) && !editor->undo(live));
+    CHECK_TEXT(editor->text(live), before);
+    editor->hold(live, "door.d1.width");
+    CHECK(!set(live, "door.d1.width", 9));
+    editor->settle(live);
+    undo_all(live, before);
+}
+
+TEST(keys_while_a_slider_is_held_put_it_down_first) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    Fault fault = {0};
+    click(live, 2, 0);
+    editor->hold(live, "door.d1.width");
+    CHECK(set(live, "door.d1.width", 1.2) && editor->undo(live));
+    CHECK_TEXT(editor->text(live), before);
+    CHECK(set(live, "door.d1.width", 1.1)); /* a step of its own */
+    editor->settle(live);
+    CHECK(editor->undo(live));
+    CHECK_TEXT(editor->text(live), before);
+    click(live, 5.5, 3);
+    editor->hold(live, "door.d1.width");
+    CHECK(set(live, "door.d1.width", 1.2) && editor->split(live, &fault));
+    editor->settle(live);
+    CHECK(editor->undo(live) && editor->undo(live) && !editor->undo(live));
+    undo_all(live, before);
+}
+
+TEST(a_number_that_is_typed_while_a_handle_is_held_stays) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    click(live, 2, 0);
+    click(live, 2, 0); /* its middle is taken up */
+    CHECK(editor->gesture(live)->active && set(live, "door.d1.width", 1.2));
+    move_to(live, 2.5, 0);
+    click(live, 2.5, 0);
+    CHECK(strstr(editor->text(live), "\"at\": 2.5, \"width\": 1.2"));
+    undo_all(live, before);
+}
+
+TEST(what_is_removed_under_the_button_is_not_moved) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    Fault fault = {0};
+    click(live, 2, 0);
+    press(live, 2.45, 0);
+    CHECK(editor->remove(live, &fault));
+    move_to(live, 2.6, 0);
+    release(live, 2.7, 0);
+    CHECK(!strstr(editor->text(live), "d1"));
+    undo_all(live, before);
+}
+
+TEST(an_id_may_be_as_long_as_it_likes) {
+    Text text = {0};
+    char id[151];
+    memset(id, 'd', sizeof id - 1);
+    id[sizeof id - 1] = 0;
+    const char *at = strstr(small_house, "\"d1\"");
+    text_format(&text, "%.*s\"%s\"%s", (int)(at - small_house), small_house, id, at + 4);
+    void *live = open_text(text.text);
+    char *before = keep_text(live);
+    click(live, 2, 0);
+    drag(live, 2, 0, 2.5, 0);
+    CHECK(strstr(editor->text(live), "\"at\": 2.5"));
+    memory_free(text.text);
+    text = (Text){0};
+    text_format(&text, "door.%s.width", id);
+    CHECK(set(live, text.text, 1.2) && strstr(editor->text(live), "\"at\": 2.5, \"width\": 1.2"));
+    memory_free(text.text);
+    undo_all(live, before);
+}
+
 TEST(what_overlaps_is_refused) {
     void *live = open_text(small_house);
     editor->take(live, TOOL_DOOR);
@@ -707,7 +795,7 @@ static void act_at_random(void *live) {
     Fault fault = {0};
     LiveHand at = any_hand();
     size_t count;
-    switch ((int)any(0, 26)) {
+    switch ((int)any(0, 29)) {
     case 0:
         editor->take(live, (LiveTool)any(0, LIVE_TOOLS));
         break;
@@ -771,6 +859,17 @@ static void act_at_random(void *live) {
         editor->gesture(live);
         editor->selection(live, &count);
         editor->texts(live, &count);
+        break;
+    case 26:
+        editor->hold(live, "door.d1.width");
+        break;
+    case 27:
+        kind->set(live, any(0, 1) < 0.5 ? "door.d1.width" : "furniture.f1.height", any(0.3, 3), &fault);
+        break;
+    case 28:
+        editor->settle(live);
+        if (any(0, 1) < 0.1)
+            kind->reset(live);
         break;
     }
     fault_clear(&fault);

@@ -142,7 +142,8 @@ static void add_exits(Film *film) {
     size_t *left = memory_allocate(plan->exit_count, sizeof *left);
     for (size_t i = 0; i < film->house->person_count; i++) {
         const PersonObservation *person = &film->observation->people[i];
-        if (person->took_part && person->completed && person->time <= film->time)
+        bool out = person->took_part && person->completed && person->time <= film->time;
+        if (out && person->exit < plan->exit_count) /* else by one that is there no more */
             left[person->exit]++;
     }
     for (size_t e = 0; e < plan->exit_count; e++) {

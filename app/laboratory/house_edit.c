@@ -28,8 +28,16 @@ static const LiveToolRow tools[LIVE_TOOLS] = {
 
 /* Tools, hand and keys -------------------------------------------------------------------------------------------- */
 
+/* A number that is in the hand is put down before something else is done. */
+static HouseLive *settled(void *context) {
+    HouseLive *live = context;
+    if (live->held)
+        house_live_change_settle(live);
+    return live;
+}
+
 static void take(void *context, LiveTool tool) {
-    house_edit_hand_take(context, tool);
+    house_edit_hand_take(settled(context), tool);
 }
 
 static LiveTool tool(const void *context) {
@@ -41,7 +49,7 @@ static void point(void *context, const LiveHand *hand) {
 }
 
 static void press(void *context, const LiveHand *hand, bool twice) {
-    house_edit_hand_press(context, hand, twice);
+    house_edit_hand_press(settled(context), hand, twice);
 }
 
 static void release(void *context, const LiveHand *hand) {
@@ -49,15 +57,15 @@ static void release(void *context, const LiveHand *hand) {
 }
 
 static bool type(void *context, const char *letters) {
-    return house_edit_hand_type(context, letters);
+    return house_edit_hand_type(settled(context), letters);
 }
 
 static bool enter(void *context) {
-    return house_edit_hand_enter(context);
+    return house_edit_hand_enter(settled(context));
 }
 
 static bool back(void *context) {
-    return house_edit_hand_back(context);
+    return house_edit_hand_back(settled(context));
 }
 
 static bool tab(void *context, int step) {
@@ -65,7 +73,7 @@ static bool tab(void *context, int step) {
 }
 
 static bool escape(void *context) {
-    return house_edit_hand_escape(context);
+    return house_edit_hand_escape(settled(context));
 }
 
 static const LiveGesture *gesture(const void *context) {
@@ -111,7 +119,7 @@ static void handle(void *context, int step) {
 
 /* What is selected is as it is when something is done to it. */
 static HouseLive *ready(void *context) {
-    HouseLive *live = context;
+    HouseLive *live = settled(context);
     house_edit_gesture_drop(live);
     house_edit_select_meet(live);
     return live;
@@ -153,7 +161,8 @@ static bool paste(void *context, const char *text, Fault *fault) {
 
 /* Steps ----------------------------------------------------------------------------------------------------------- */
 
-static bool step(HouseLive *live, bool (*go)(Draft *draft)) {
+static bool step(void *context, bool (*go)(Draft *draft)) {
+    HouseLive *live = settled(context);
     if (live->edit.gesture) {
         house_edit_gesture_drop(live);
         return true;
@@ -191,9 +200,7 @@ static void hold(void *context, const char *name) {
 }
 
 static void settle(void *context) {
-    HouseLive *live = context;
-    if (live->held)
-        house_live_change_settle(live);
+    settled(context);
 }
 
 /* Texts, items, files -----------------------------------------------------------------------------------------------

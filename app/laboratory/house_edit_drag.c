@@ -63,9 +63,8 @@ static const EditGesture *gesture_of(const EditHandle *handle) {
 
 void house_edit_drag_begin(HouseLive *live, const EditHandle *handle, EditHold how) {
     HouseEdit *edit = &live->edit;
-    char name[EDIT_NAME], id[EDIT_NAME];
+    char name[EDIT_NAME], *id = text_copy(handle->id);
     EditHandle copy = *handle;
-    snprintf(id, sizeof id, "%s", handle->id);
     copy.id = id;
     house_edit_gesture_drop(live);
     name_step(live, &copy, name);
@@ -76,6 +75,7 @@ void house_edit_drag_begin(HouseLive *live, const EditHandle *handle, EditHold h
     edit->clicked = how == HOLD_CLICK;
     list_fields(live, &edit->grip);
     house_edit_gesture_follow(live);
+    memory_free(id);
 }
 
 static bool put(HouseLive *live, bool keys) {

@@ -51,8 +51,6 @@ void house_edit_gesture_begin(HouseLive *live, const EditGesture *gesture, const
 /* Makes the target in the draft and tries it. */
 static bool try_now(HouseLive *live, Fault *fault) {
     uint64_t before = draft_revision(live->draft);
-    if (!draft_is_open(live->draft)) /* a number was set meanwhile, which is a step of its own */
-        draft_begin(live->draft, live->edit.name);
     draft_rewind(live->draft);
     live->edit.gesture->make(live);
     if (!draft_try(live->draft, fault))
@@ -69,6 +67,10 @@ void house_edit_gesture_follow(HouseLive *live) {
     Fault fault = {0}, again = {0};
     if (!edit->gesture)
         return;
+    if (edit->gesture->make && !draft_is_open(live->draft)) { /* a number was set meanwhile: a step of its own */
+        keep_begun(live);
+        draft_begin(live->draft, edit->name);
+    }
     edit->snap = (Snap){.at = edit->hand.at};
     edit->limited = false;
     edit->gesture->follow(live);

@@ -46,13 +46,23 @@ static void keep_hand(HouseLive *live, const LiveHand *hand) {
         edit->keys = edit->clicked = false;
 }
 
+/* Of the handle that is now where the button went down: what was there then may be gone. */
+static void begin_handle(HouseLive *live, EditHold how) {
+    LiveHand was = live->edit.hand;
+    EditHandle handle;
+    was.at = live->edit.pressed;
+    house_edit_select_meet(live);
+    if (house_edit_handle_at(live, &was, &handle))
+        house_edit_drag_begin(live, &handle, how);
+}
+
 /* The button is down and the hand has left the place: what was meant begins. */
 static void begin_pending(HouseLive *live) {
     HouseEdit *edit = &live->edit;
     EditPending pending = edit->pending;
     edit->pending = PENDING_NOTHING;
     if (pending == PENDING_HANDLE)
-        house_edit_drag_begin(live, &edit->meant, HOLD_DRAG);
+        begin_handle(live, HOLD_DRAG);
     else if (pending == PENDING_WHOLE)
         house_edit_drag_whole(live);
     else if (pending == PENDING_BOX)
@@ -76,8 +86,9 @@ static bool is_room(const HouseLive *live, const char *id) {
 
 static void press_select(HouseLive *live) {
     HouseEdit *edit = &live->edit;
+    EditHandle handle;
     edit->pending = PENDING_BOX;
-    if (!edit->hand.more && house_edit_handle_at(live, &edit->hand, &edit->meant)) {
+    if (!edit->hand.more && house_edit_handle_at(live, &edit->hand, &handle)) {
         edit->pending = PENDING_HANDLE;
         return;
     }
@@ -123,7 +134,7 @@ static void release_pending(HouseLive *live) {
     EditPending pending = edit->pending;
     edit->pending = PENDING_NOTHING;
     if (pending == PENDING_HANDLE) {
-        house_edit_drag_begin(live, &edit->meant, HOLD_CLICK);
+        begin_handle(live, HOLD_CLICK);
     } else if (pending == PENDING_BOX) {
         const char *id = house_edit_select_at(live, edit->hand.at);
         if (edit->hand.more && id)

@@ -102,7 +102,6 @@ typedef struct HouseEdit {
     bool moved;    /* since it is */
     Vec2 pressed;  /* m, where it went down */
     EditPending pending;
-    EditHandle meant; /* by the press */
     bool seen;        /* the hand has been anywhere */
 
     char **ids; /* (id_count) of what is selected, the last one last */

@@ -92,22 +92,22 @@ void house_edit_select_meet(HouseLive *live) {
         tell(live); /* it is shown now */
         return;
     }
-    char kept[EDIT_NAME];
-    snprintf(kept, sizeof kept, "%s", id);
+    char *kept = text_copy(id); /* which may be one that is cleared */
     clear(edit);
     if (*kept)
         append(edit, kept);
+    memory_free(kept);
     edit->told = live->selected;
 }
 
 void house_edit_select_only(HouseLive *live, const char *id) {
     HouseEdit *edit = &live->edit;
-    char kept[EDIT_NAME];
-    snprintf(kept, sizeof kept, "%s", id ? id : "");
+    char *kept = text_copy(id ? id : "");
     if (edit->id_count != 1 || strcmp(edit->ids[0], kept) != 0)
         clear(edit);
     if (*kept && !edit->id_count)
         append(edit, kept);
+    memory_free(kept);
     tell(live);
 }
 

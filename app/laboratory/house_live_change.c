@@ -30,6 +30,7 @@ static bool set_in_draft(HouseLive *live, size_t row, Fault *fault) {
     const LiveParameter *value = &live->values.rows[row];
     char name[HOUSE_THING_NAME];
     snprintf(name, sizeof name, "%s: %s", value->group, value->label);
+    live->held = live->held && draft_is_open(live->draft); /* what ends a step lets go of its numbers */
     if (live->held)
         draft_rewind(live->draft);
     else
@@ -41,6 +42,12 @@ static bool set_in_draft(HouseLive *live, size_t row, Fault *fault) {
         return draft_end(live->draft, fault);
     draft_cancel(live->draft);
     return false;
+}
+
+static void put_back(HouseLive *live, size_t row) {
+    Fault none = {0};
+    set_in_draft(live, row, &none);
+    fault_clear(&none);
 }
 
 bool house_live_change_set(void *context, const char *name, double value, Fault *fault) {
@@ -57,6 +64,8 @@ bool house_live_change_set(void *context, const char *name, double value, Fault 
         return true;
     if (!set_in_draft(live, row, fault)) {
         live->values.rows[row].value = before;
+        if (live->held) /* the last that stood, if there was one, is what is put down */
+            put_back(live, row);
         return false;
     }
     house_live_follow_edited(live);
@@ -67,6 +76,7 @@ bool house_live_change_set(void *context, const char *name, double value, Fault 
 
 void house_live_change_reset(void *context) {
     HouseLive *live = context;
+    house_edit_gesture_drop(live);
     uint64_t before = draft_revision(live->draft);
     live->held = false;
     draft_file_reset(live->draft, "Reset scene");

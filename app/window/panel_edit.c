@@ -7,7 +7,7 @@
 #include "window/act.h"
 #include "window/edit.h"
 
-enum { TEXT_MOST = 512 };
+enum { TEXT_MOST = 4096 + 1 /* bytes: what the editor takes, and its end */ };
 
 /* What the tool places --------------------------------------------------------------------------------------------- */
 

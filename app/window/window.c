@@ -257,9 +257,9 @@ static void draw(Window *window, double seconds) {
         paint_gl_screen_show(window->screen, room->scenery.paint, (int)lround(window->frame.view.low.x * window->unit),
                              (int)lround(window->frame.view.low.y * window->unit));
     fill_input(window, seconds);
-    edit_hold_clock(window);
     ui_begin(window->ui, &window->input);
     show_panes(window);
+    edit_hold_clock(window); /* behind the sliders, which still move in the frame in which they are let go */
     ui_end(window->ui);
     window->input.wheel = 0;
     window->input.twice = false;

@@ -17,6 +17,8 @@ static const double FLAT = 0.03;       /* m: nor is what lies on the floor and i
 static const double OFF_WALL = 0.15;   /* m: how far beside a wall's faces a door may stand to lie in it */
 static const double TURNS = 0.2;       /* rad: a leaf that turns by less slides */
 
+enum { MOST_LINES = 2 * HOUSE_BUILDER_POINTS /* of walls, a round one has many */ };
+
 typedef struct Converter {
     const Home *home;
     HouseBuilder *builder;
@@ -114,6 +116,10 @@ static size_t add_walls(const Converter *converter) {
             add_arc(converter, wall, line, &lines);
         else
             wall_chains_keep(&lines, line);
+        if (lines.count > MOST_LINES) {
+            house_builder_fail(converter->builder, "walls of more than %d pieces, must be fewer", MOST_LINES);
+            break;
+        }
     }
     wall_chains_add(converter->builder, lines.list, lines.count);
     memory_free(lines.list);

@@ -29,7 +29,7 @@ static bool set_component(Draft *draft, const char *id, const char *name, json_t
 }
 
 bool draft_parameter_set(Draft *draft, const char *name, json_t *value, Fault *fault) {
-    char kind[32], id[64];
+    char kind[32], id[256];
     int used = 0;
     size_t index;
     if (strncmp(name, "run.", 4) == 0 && name[4]) {
@@ -40,7 +40,7 @@ bool draft_parameter_set(Draft *draft, const char *name, json_t *value, Fault *f
         set_in_house(draft, "overrides", name, value);
         return true;
     }
-    if (sscanf(name, "%31[a-z].%63[A-Za-z0-9_-].%n", kind, id, &used) == 2 && used && name[used]) {
+    if (sscanf(name, "%31[a-z].%255[A-Za-z0-9_-].%n", kind, id, &used) == 2 && used && name[used]) {
         DraftList list = draft_find(draft, id, &index);
         if (list < DRAFT_LISTS && strcmp(plan_tables_lists[list].table.what, kind) == 0)
             return set_component(draft, id, name + used, value) || draft_set(draft, id, name + used, value);

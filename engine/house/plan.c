@@ -120,7 +120,7 @@ static bool find_in_lists(const Plan *plan, Target *target, const char *kind, co
 
 /* Any name but a profile's. */
 static bool find_target(const Plan *plan, Target *target, const char *name, const JsonNode *node, Fault *fault) {
-    char kind[32], id[64];
+    char kind[32], id[256];
     int used = 0;
     if (sscanf(name, "run.%n", &used) == 0 && used) {
         *target = (Target){.row = parameters_find(&plan_tables_run, name + used), .object = (void *)&plan->run};
@@ -128,7 +128,7 @@ static bool find_target(const Plan *plan, Target *target, const char *name, cons
             parameters_fault_unknown(&plan_tables_run, name + used, node, fault);
         return target->row;
     }
-    if (sscanf(name, "%31[a-z].%63[A-Za-z0-9_-].%n", kind, id, &used) == 2 && used && name[used])
+    if (sscanf(name, "%31[a-z].%255[A-Za-z0-9_-].%n", kind, id, &used) == 2 && used && name[used])
         return find_in_lists(plan, target, kind, id, name + used, node, fault);
     json_fault(node, fault,
                "\"%.80s\" is no parameter's name: run.NAME, or KIND.ID.NAME such as door.d1.width or "

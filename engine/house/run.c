@@ -304,19 +304,19 @@ static void conclude(Observation *observation) {
     }
 }
 
-/* The number of changes after which a group was the farthest; where another was broken off before, what was seen of it
- * is told in the same terms. */
+/* The number of changes after which a group was the farthest. What was seen of all is told in terms of the last house,
+ * also where they were broken off, or all was over, before it was changed into that. */
 static size_t change_the_rest(Group *groups, size_t count, const RunOptions *options) {
     size_t most = 0;
-    for (size_t g = 0; g < count; g++)
+    for (size_t g = 0; g < count; g++) {
         most = groups[g].changes > most ? groups[g].changes : most;
-    for (size_t g = 0; g < count; g++)
-        while (groups[g].changes < most) {
+        while (groups[g].changes < options->change_count) {
             Change change;
             change_init(&change, groups[g].house, options->changes[groups[g].changes].house);
             rename_group(&groups[g], &change);
             change_clear(&change);
         }
+    }
     return most;
 }
 
@@ -361,7 +361,7 @@ void run_house(Observation *observation, const House *house, const RunOptions *o
     size_t group_count = make_groups(groups, &roster, options);
     parallel_for(options->jobs, group_count, run_group, groups);
     size_t changes = change_the_rest(groups, group_count, options);
-    const House *last = roster.houses[changes];
+    const House *last = roster.houses[options->change_count];
     *observation = blank(last);
     observation->dt = house->plan.run.dt;
     observation->sample = (double)observer_sample_steps(house) * house->plan.run.dt;

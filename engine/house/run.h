@@ -53,5 +53,6 @@ typedef struct RunOptions {
  * stands inside a wall or a piece of furniture now stays there and cannot pass. Doors that were opened stay open. The
  * springs of all contacts begin anew. dt, sample and routes of the first house hold for the whole run, everything else
  * that is set is the present house's. The run goes on until no change is left, or to the time limit. The observation is
- * told in terms of the last house: observation->mixed_count changes were applied. */
+ * told in terms of the last house of all, also where observation->mixed_count, the changes that were applied before the
+ * end, are fewer. */
 void run_house(Observation *observation, const House *house, const RunOptions *options);

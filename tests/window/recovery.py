@@ -32,10 +32,11 @@ def opens(path):
 
 
 def edit_and_kill(seconds):
-    """Edits every 2.2 s, so that each is written; killed so many s after the window has come."""
+    """Edits at once, and again after so many frames that what was done is written; killed so many s after the window has
+    come."""
     lines = [f'open "{house}"', "wait 5", f"state {place}/states"]
     for i in range(12):
-        lines += [f"set door.d1.width {0.8 + 0.01 * i:.2f}", "wait 140"]
+        lines += [f"set door.d1.width {0.8 + 0.01 * i:.2f}", "wait 2000"]
     script = place / "script"
     script.write_text("\n".join(lines) + "\nwait 10000\n")
     (place / "states").unlink(missing_ok=True)
