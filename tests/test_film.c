@@ -226,6 +226,8 @@ TEST(a_crowd_is_counted_out) {
         CHECK(shown == inside);
         CHECK_TEXT(text, expected);
     }
+    observation.people[0].exit = SIZE_MAX; /* by one that an edit has taken away since */
+    film_show(film, observation.time);
     film_destroy(film);
     observation_free(&observation);
     house_free(&house);

@@ -91,7 +91,7 @@ static void follow_place(HouseLive *live) {
     edit->now.at = at;
 }
 
-/* Where a hand puts the next point; `*by_hand`: it has one. */
+/* Where a hand puts the next point. */
 static Vec2 hand_point(HouseLive *live) {
     Vec2 from = last_point(live);
     return house_edit_gesture_snap(live, (SnapAsk){.from = &from,

@@ -196,7 +196,7 @@ typedef struct LiveEditor {
     LiveImage (*image)(const void *live);
 
     /* Files: a new, empty house in a kind's `open` has no path (NULL). `edits`: steps since the file; `text`: what a
-     * file would hold, good until the next call. `adopt`: it is now of this file (a recovered one: with its edits). */
+     * file would hold, good until the next call. */
     size_t (*edits)(const void *live);
     bool (*changed)(const void *live);
     const char *(*text)(const void *live);

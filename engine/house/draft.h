@@ -45,7 +45,7 @@ Draft *draft_create(const char *name);
 Draft *draft_read_text(const char *path, const char *text, Fault *fault);
 void draft_destroy(Draft *draft);
 
-/* The last plan that stood; good until the next try, end, undo or redo. */
+/* The last plan that stood; good until a step is begun, tried, ended, cancelled, undone or done again. */
 const Plan *draft_plan(const Draft *draft);
 
 /* That plan as plan_write writes it; owned by the draft, good as long as the plan. */
