@@ -293,6 +293,7 @@ static bool save(void *context, const char *path, Fault *fault) {
     if (!draft_file_save(live->draft, path, fault))
         return false;
     live->edit.saved_steps = draft_step_count(live->draft);
+    live->wish.path = arena_text(&live->arena, path);
     return true;
 }
 

@@ -50,11 +50,11 @@ static bool look_at(const char *path, double *shape, char digest[17]) {
 
 /* The folder of the house's file with its "/"; memory_free it. "": it has no file. */
 static char *folder_of(const HouseLive *live) {
-    const char *path = draft_file_path(live->draft);
+    const char *path = live->wish.path;
     char whole[PATH_MAX];
     Text folder = {0};
     text_add(&folder, "");
-    if (path && realpath(path, whole)) {
+    if (*path && realpath(path, whole)) {
         *(strrchr(whole, '/') + 1) = 0;
         text_add(&folder, whole);
     }

@@ -50,6 +50,7 @@ static void keep_wish(HouseLive *live, const char *path, const LiveOptions *opti
         settings[i] = arena_text(&live->arena, options->settings[i]);
     live->given = *options;
     live->given.settings = settings;
+    live->given.origin = NULL;
     live->wish = (HouseWish){.path = arena_text(&live->arena, path),
                              .profiles = arena_text(&live->arena, options->profiles),
                              .route = options->route ? arena_text(&live->arena, options->route) : NULL,
@@ -93,7 +94,7 @@ static void *open_house(const char *path, const LiveOptions *options, Fault *fau
     house_edit_begin(live);
     live->nothing = (Scene){.box = {{0, 0}, {1, 1}}, .bare = true, .unscaled = true};
     live->layers = house_live.layers_at_first;
-    keep_wish(live, path ? path : "", options);
+    keep_wish(live, options->origin ? options->origin : path ? path : "", options);
     live->worker = worker;
     house_live_history_begin(&live->history, draft_text(draft), draft_revision(draft));
     house_live_follow_ask(live);

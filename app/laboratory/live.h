@@ -22,8 +22,9 @@ typedef struct LiveOptions {
     const char *profiles;        /* directory of the shipped profiles */
     const char *const *settings; /* (setting_count) NAME=VALUE */
     size_t setting_count;
-    const char *route; /* id, or NULL: everybody */
-    int driving;       /* Driving, or -1 */
+    const char *route;  /* id, or NULL: everybody */
+    const char *origin; /* file that the one opened is a copy of, beside which the rest of it lies; NULL: it is none */
+    int driving;        /* Driving, or -1 */
     uint64_t seed;
     int jobs; /* threads */
 } LiveOptions;

@@ -55,12 +55,13 @@ static size_t room_of(const LiveKind *kind) {
     return kind == &beam_live ? ROOM_BEAM : ROOM_HOUSE;
 }
 
-static bool open_in(Window *window, size_t index, const char *path, bool remembered) {
+static bool open_in(Window *window, size_t index, const char *path, const char *origin, bool remembered) {
     Fault fault = {0};
     Room *room = &window->rooms[index];
     const char *first = window->options->file ? window->options->file : shipped_places()->default_house;
     bool given = path && strcmp(path, first) == 0 && !room->live;
     LiveOptions options = options_of(window, given);
+    options.origin = origin;
     bool opened = room_open(room, path, &options, window->screen, &fault);
     act_complain(window, &fault, NAN);
     if (opened) {
@@ -89,16 +90,16 @@ bool act_open(Window *window, const char *path) {
         return files_import_open(window, path);
     size_t index = path ? room_of(live_kind_of(path)) : ROOM_HOUSE;
     edit_let_go(window);
-    if (!open_in(window, index, path, true))
+    if (!open_in(window, index, path, NULL, true))
         return false;
     enter(window, index);
     return true;
 }
 
-bool act_open_copy(Window *window, const char *path, const char *mark) {
+bool act_open_copy(Window *window, const char *path, const char *origin, const char *mark) {
     Room *room = &window->rooms[ROOM_HOUSE];
     edit_let_go(window);
-    if (!open_in(window, ROOM_HOUSE, path, false))
+    if (!open_in(window, ROOM_HOUSE, path, origin, false))
         return false;
     room->mark = mark;
     memory_free(room->path);
@@ -111,7 +112,8 @@ void act_enter(Window *window, size_t index) {
     char path[WINDOW_PATH];
     const Shipped *shipped = shipped_places();
     snprintf(path, sizeof path, "%s/" DEFAULT_BEAM, shipped->beams);
-    if (window->rooms[index].live || open_in(window, index, index == ROOM_BEAM ? path : shipped->default_house, true))
+    if (window->rooms[index].live ||
+        open_in(window, index, index == ROOM_BEAM ? path : shipped->default_house, NULL, true))
         enter(window, index);
 }
 

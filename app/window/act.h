@@ -10,8 +10,9 @@ void act_do(Window *window, Action action, int32_t key, int mods);
  * open stays. What is open is let go unsaved: see files_leave. */
 bool act_open(Window *window, const char *path);
 
-/* The same, of a house that no file of its own holds, as `mark` says: it has no path, and is not remembered. */
-bool act_open_copy(Window *window, const char *path, const char *mark);
+/* The same, of a house that no file of its own holds, as `mark` says: it has no path, and is not remembered. `origin`:
+ * as in LiveOptions. */
+bool act_open_copy(Window *window, const char *path, const char *origin, const char *mark);
 
 /* Shows a laboratory, with its default file when nothing is open in it. */
 void act_enter(Window *window, size_t room);

@@ -246,7 +246,7 @@ void files_begin(Window *window, Room *room) {
 void files_recover(Window *window, size_t found) {
     RecoveryFound *one = &window->found[found];
     Room *room = house_room(window);
-    if (!act_open_copy(window, one->path, " [Recovered]"))
+    if (!act_open_copy(window, one->path, one->origin, " [Recovered]"))
         return;
     if (!recovery_adopt(window->recovery, one))
         act_say(window, "%s has been moved away meanwhile", one->path);

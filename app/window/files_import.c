@@ -28,7 +28,7 @@ static bool open_text(Window *window, const char *path, const LiveImport *import
         act_say(window, "%s cannot be imported: %s: %s", path, recovery_path(window->recovery), strerror(error));
         return false;
     }
-    if (!act_open_copy(window, recovery_path(window->recovery), " [Imported]"))
+    if (!act_open_copy(window, recovery_path(window->recovery), NULL, " [Imported]"))
         return false;
     window->watch.waits = true;
     return true;

@@ -2,6 +2,8 @@
 """Nothing that was edited is lost: the program is killed at random moments, and what it leaves behind always opens; the
 file that was edited is untouched."""
 
+import json
+import pathlib
 import random
 import shutil
 import signal
@@ -16,7 +18,10 @@ place.mkdir()
 home = place / "home"
 kept = home / ".local" / "state" / "clearance" / "recovery"
 house = place / "mine.json"
-shutil.copy(stage.house("closed-door"), house)
+plan = json.loads(pathlib.Path(stage.house("closed-door")).read_text())
+plan["people"][0]["profile"] = "own-chair"  # which lies beside the house
+house.write_text(json.dumps(plan))
+shutil.copy(stage.source / "assets" / "profiles" / "manual-chair.json", place / "own-chair.json")
 original = house.read_bytes()
 random.seed(7)
 
@@ -26,8 +31,9 @@ def left():
 
 
 def opens(path):
-    """Does it stand as a house?"""
-    done = subprocess.run([program, "check", str(path)], capture_output=True, text=True, timeout=60)
+    """Does it stand as a house, beside the profile that it needs?"""
+    shutil.copy(path, place / "left.json")
+    done = subprocess.run([program, "check", str(place / "left.json")], capture_output=True, text=True, timeout=60)
     return done.returncode != 2, done.stderr
 
 
@@ -70,10 +76,12 @@ shutil.rmtree(folder / "next", ignore_errors=True)
 shutil.copytree(home, folder / "next" / "home")
 there = sorted((folder / "next" / "home" / ".local" / "state" / "clearance" / "recovery").glob("*.json"))
 seen = act("next", "wait 20", "state STATE", "picture FOLDER/sheet.png", "key Tab", "key Shift+Tab", "key Return",
-           "wait 20", "state STATE", "picture FOLDER/opened.png")
+           "until answered 60", "state STATE", "picture FOLDER/opened.png")
 check(seen and seen[0]["sheet"] == "recovered", "the next start asks about it", seen[0]["sheet"] if seen else None)
 check(len(seen) > 1 and seen[1]["shown_title"].endswith("[Recovered]") and seen[1]["unsaved"] and not seen[1]["file"],
       "opened, it says that it is recovered, and is not saved", seen[1]["shown_title"] if len(seen) > 1 else None)
+check(len(seen) > 1 and "cannot be run" not in seen[1]["answer"]["title"], "what lies beside the file itself is found",
+      seen[1]["answer"] if len(seen) > 1 else None)
 
 # a clean end leaves nothing behind
 act("clean", f'open "{house}"', "set door.d1.width 0.85", "wait 200", "state STATE")
