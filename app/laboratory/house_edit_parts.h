@@ -102,7 +102,7 @@ typedef struct HouseEdit {
     bool moved;    /* since it is */
     Vec2 pressed;  /* m, where it went down */
     EditPending pending;
-    bool seen;        /* the hand has been anywhere */
+    bool seen; /* the hand has been anywhere */
 
     char **ids; /* (id_count) of what is selected, the last one last */
     size_t id_count, id_capacity;
