@@ -34,6 +34,11 @@ def check_answers():
     expect(2, "loci", house("corner-1.20-1.20"), "--driving", "miura", says="unknown option")
     answer = json.loads(expect(2, "check", str(source / "tests/data/bad/houses/many-faults.json"), "--json").stdout)
     check(len(answer["faults"]) > 1, "check --json lists several faults")
+    sunk = (house("bedroom-after-earthquake"), "--set", "furniture.bed.centre=[1.0,0.57]")
+    notes = json.loads(expect(0, "check", *sunk, "--json").stdout)["notes"]
+    check(notes == ["bed stands 8 cm in wall w1"], f"check --json remarks {notes}")
+    check(expect(0, "check", *sunk).stdout.endswith(f"\nnote: {notes[0]}\n"), "check remarks the same in words")
+    check(json.loads(expect(0, "check", sunk[0], "--json").stdout)["notes"] == [], "check --json remarks nothing else")
 
 
 def check_crowds():

@@ -1,5 +1,6 @@
 #include <stdio.h>
 
+#include "base/text.h"
 #include "command/answer.h"
 #include "command/command.h"
 #include "command/house_file.h"
@@ -126,16 +127,26 @@ static void print_answer(const House *house, const Journeys *journeys) {
     observation_free(&observation);
 }
 
-/* What is no fault, but strange. */
-static void print_remarks(const Plan *plan) {
+/* What is no fault, but strange, in words. */
+static json_t *notes_of(const Plan *plan) {
+    json_t *notes = json_array();
     for (size_t f = 0; f < plan->furniture_count; f++) {
-        char name[80];
+        char name[80], note[160];
         size_t wall = 0;
         double depth = sunk_depth(plan, &plan->furniture[f], &wall);
+        if (depth < SUNK_LEAST)
+            continue;
         outline_name(plan, OWNER_FURNITURE, (int)f, name, sizeof name);
-        if (depth >= SUNK_LEAST)
-            printf("note: %s stands %.0f cm in wall %s\n", name, 100 * depth, plan->walls[wall].id);
+        snprintf(note, sizeof note, "%s stands %.0f cm in wall %s", name, 100 * depth, plan->walls[wall].id);
+        text_make_plain(note);
+        json_array_append_new(notes, json_string(note));
     }
+    return notes;
+}
+
+static void print_notes(const json_t *notes) {
+    for (size_t i = 0; i < json_array_size(notes); i++)
+        printf("note: %s\n", json_string_value(json_array_get(notes, i)));
 }
 
 static json_t *fault_lines(const Fault *fault) {
@@ -174,10 +185,11 @@ int command_check(const Options *options) {
         all &= route->answer == ROUTE_FOUND;
         json_array_append_new(people, check_person(&house, i, route));
     }
-    json_t *answer = json_pack("{s:s, s:[], s:o}", "kind", "check", "faults", "people", people);
+    json_t *notes = notes_of(&house.plan);
+    json_t *answer = json_pack("{s:s, s:[], s:o, s:o}", "kind", "check", "faults", "notes", notes, "people", people);
     if (!options->json) {
         print_answer(&house, &journeys);
-        print_remarks(&house.plan);
+        print_notes(notes);
     }
     bool good = !options->suggest || suggest(options, answer, &fault);
     if (options->json && good)

@@ -84,6 +84,8 @@ static bool is_falling(const Film *film, const char *id) {
 /* The house without the furniture that is drawn with what moves: its places are kept. */
 static House without_falling(Film *film) {
     House rest = *film->house;
+    if (!film->options.falling_count)
+        return rest;
     const Plan *plan = &film->house->plan;
     Furniture *kept = arena_allocate(&film->still.arena, (plan->furniture_count + 1) * sizeof *kept);
     rest.plan.furniture = kept;

@@ -15,6 +15,14 @@ static FurnitureFall *find(HouseFall *falls, const char *id) {
     return NULL;
 }
 
+/* It is as the piece will be from now on, under its own copy of the id. */
+static void take(FurnitureFall *fall, const Furniture *piece) {
+    const char *id = fall->piece.id;
+    fall->piece = *piece;
+    fall->piece.id = id;
+    fall->piece.name = "";
+}
+
 /* That of a piece, from now on: standing or lying as it did before, unless it is on its way. */
 static FurnitureFall *begin(HouseFall *falls, const Furniture *piece, bool lay) {
     FurnitureFall *fall = find(falls, piece->id);
@@ -23,10 +31,7 @@ static FurnitureFall *begin(HouseFall *falls, const Furniture *piece, bool lay) 
         fall = &falls->pieces[falls->count++];
         *fall = (FurnitureFall){.piece = {.id = arena_text(&falls->arena, piece->id)}, .way = lay};
     }
-    const char *id = fall->piece.id;
-    fall->piece = *piece;
-    fall->piece.id = id;
-    fall->piece.name = "";
+    take(fall, piece);
     fall->delay = 0;
     return fall;
 }
@@ -53,6 +58,13 @@ static const Furniture *find_piece(const Furniture *pieces, size_t count, const 
     return NULL;
 }
 
+/* The plan's i-th piece as it was seen last: most often in the same place of the list. NULL: it is new. */
+static const Furniture *find_seen(const HouseFall *falls, const Plan *plan, size_t i) {
+    const char *id = plan->furniture[i].id;
+    bool same = i < falls->seen_count && strcmp(falls->seen[i].id, id) == 0;
+    return same ? &falls->seen[i] : find_piece(falls->seen, falls->seen_count, id);
+}
+
 static void note(HouseFall *falls, const Draft *draft) {
     const Plan *plan = draft_plan(draft);
     arena_clear(&falls->seen_arena);
@@ -76,7 +88,7 @@ static bool begin_changed(HouseFall *falls, const Plan *plan) {
     bool any = false;
     for (size_t i = 0; i < plan->furniture_count; i++) {
         const Furniture *piece = &plan->furniture[i];
-        const Furniture *seen = find_piece(falls->seen, falls->seen_count, piece->id);
+        const Furniture *seen = find_seen(falls, plan, i);
         if (!seen || seen->toppled == piece->toppled || !same_place(seen, piece))
             continue;
         begin(falls, piece, seen->toppled);
@@ -93,12 +105,8 @@ static bool follow_moved(HouseFall *falls, const Plan *plan) {
         const Furniture *piece = find_piece(plan->furniture, plan->furniture_count, falls->pieces[i].piece.id);
         if (!piece)
             continue;
-        FurnitureFall fall = falls->pieces[i];
-        const char *id = fall.piece.id;
-        fall.piece = *piece;
-        fall.piece.id = id;
-        fall.piece.name = "";
-        falls->pieces[kept++] = fall;
+        take(&falls->pieces[i], piece);
+        falls->pieces[kept++] = falls->pieces[i];
     }
     falls->count = kept;
     return kept < count;
@@ -126,13 +134,6 @@ void house_live_fall_follow(HouseLive *live) {
         house_live_show_anew(live);
 }
 
-static bool is_among(const char *id, const char *const *ids, size_t count) {
-    for (size_t i = 0; i < count; i++)
-        if (strcmp(ids[i], id) == 0)
-            return true;
-    return false;
-}
-
 /* The first one begins at once. */
 static void hurry(HouseFall *falls) {
     double least = FURNITURE_FALL_SPREAD;
@@ -151,8 +152,8 @@ void house_live_fall_shake(HouseLive *live, uint64_t seed, const char *const *id
     follow_moved(falls, plan);
     for (size_t i = 0; i < plan->furniture_count; i++) {
         const Furniture *piece = &plan->furniture[i];
-        const Furniture *seen = find_piece(falls->seen, falls->seen_count, piece->id);
-        bool drops = is_among(piece->id, ids, count), stands_up = seen && seen->toppled && !piece->toppled;
+        const Furniture *seen = find_seen(falls, plan, i);
+        bool drops = text_is_among(piece->id, ids, count), stands_up = seen && seen->toppled && !piece->toppled;
         if (!drops && !stands_up && !find(falls, piece->id))
             continue;
         FurnitureFall *fall = begin(falls, piece, false);

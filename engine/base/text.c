@@ -2,7 +2,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -108,6 +107,13 @@ char *text_read_file(const char *path, size_t largest, size_t *size) {
 
 char *text_copy(const char *text) {
     return strcpy(memory_allocate(strlen(text) + 1, 1), text);
+}
+
+bool text_is_among(const char *text, const char *const *words, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(words[i], text) == 0)
+            return true;
+    return false;
 }
 
 void text_of_number(char text[TEXT_NUMBER], double value, int digits) {

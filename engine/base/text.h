@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/memory.h"
@@ -18,6 +19,9 @@ char *text_read_file(const char *path, size_t largest, size_t *size);
 
 /* A copy; memory_free it. */
 char *text_copy(const char *text);
+
+/* Is it one of the words (count)? */
+bool text_is_among(const char *text, const char *const *words, size_t count);
 
 /* Text that grows. Zero is empty; memory_free(text->text) releases it. */
 typedef struct Text {

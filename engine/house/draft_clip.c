@@ -3,16 +3,10 @@
 #include <string.h>
 
 #include "base/json.h"
+#include "base/text.h"
 #include "house/draft_parts.h"
 #include "house/pieces.h"
 #include "house/plan_tables.h"
-
-static bool is_among(const char *id, const char *const *ids, size_t id_count) {
-    for (size_t i = 0; i < id_count; i++)
-        if (strcmp(ids[i], id) == 0)
-            return true;
-    return false;
-}
 
 char *draft_clip_copy(const Draft *draft, const char *const *ids, size_t id_count) {
     json_t *pieces = json_pack("{s:s, s:i}", "format", "clearance-pieces", "version", 1);
@@ -21,8 +15,8 @@ char *draft_clip_copy(const Draft *draft, const char *const *ids, size_t id_coun
         json_t *list = json_array();
         for (size_t i = 0; i < draft_count(draft, (DraftList)l); i++) {
             json_t *element = draft_at(draft, (DraftList)l, i);
-            if (is_among(pieces_text(element, "id"), ids, id_count) ||
-                (l == DRAFT_DOORS && is_among(pieces_text(element, "wall"), ids, id_count)))
+            if (text_is_among(pieces_text(element, "id"), ids, id_count) ||
+                (l == DRAFT_DOORS && text_is_among(pieces_text(element, "wall"), ids, id_count)))
                 json_array_append(list, element);
         }
         found += json_array_size(list);
