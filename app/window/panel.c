@@ -1,6 +1,7 @@
 #include "window/panel.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "window/act.h"
@@ -12,13 +13,18 @@ enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2 };
 
 /* What came of it -------------------------------------------------------------------------------------------------- */
 
+/* Can it be chosen? */
+static bool is_usable(const LiveRow *row) {
+    return row->thing.kind || !isnan(row->time);
+}
+
 static void show_row(Window *window, Room *room, const LiveRow *row, size_t index) {
     const SceneRow *scene = &row->row;
     if (scene->kind == ROW_HEADING) {
         ui_heading(window->ui, scene->cells[0]);
         return;
     }
-    bool usable = row->thing.kind || !isnan(row->time);
+    bool usable = is_usable(row);
     if (scene->kind == ROW_PLAIN && !usable && !scene->cells[1]) {
         ui_text(window->ui, UI_BODY, ROLE_TEXT, scene->cells[0]);
         return;
@@ -44,10 +50,20 @@ static void show_row(Window *window, Room *room, const LiveRow *row, size_t inde
     window->dirty = true;
 }
 
-static void show_rows(Window *window, Room *room) {
+/* The row where the lists begin from which something can be chosen; those before only tell: of what is selected, and of
+ * before and now. */
+static size_t find_lists(const Room *room) {
+    size_t count, begin = 0;
+    const LiveRow *rows = room->kind->rows(room->live, &count);
+    for (size_t i = 0; i < count && !is_usable(&rows[i]); i++)
+        begin = rows[i].row.kind == ROW_HEADING ? i : begin;
+    return begin;
+}
+
+static void show_rows(Window *window, Room *room, size_t from, size_t to) {
     size_t count;
     const LiveRow *rows = room->kind->rows(room->live, &count);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = from; i < count && i < to; i++) {
         show_row(window, room, &rows[i], i);
         rows = room->kind->rows(room->live, &count); /* choosing one may have changed them */
     }
@@ -245,15 +261,14 @@ void panel_show(Window *window) {
     ui_pane_begin(window->ui,
                   &(UiPane){.name = "panel", .box = window->frame.panel, .ground = ROLE_PANEL, .scrolls = true});
     if (room->live) {
-        bool numbers_first = room->kind->numbers_first || room->kind->selected(room->live).kind;
+        bool selected = room->kind->selected(room->live).kind;
+        size_t lists = room->kind->numbers_first ? 0 : selected ? find_lists(room) : SIZE_MAX;
         panel_edit_show(window);
-        if (!numbers_first)
-            show_rows(window, room);
-        show_parameters(window, room, true);
+        show_rows(window, room, 0, lists);
+        show_parameters(window, room, true); /* of what is selected: Enter goes to the first that can be changed */
         panel_edit_show_words(window);
         show_presets(window, room);
-        if (numbers_first)
-            show_rows(window, room);
+        show_rows(window, room, lists, SIZE_MAX);
         show_choices(window, room);
         show_more(window, room);
         panel_edit_show_house(window);
