@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "laboratory/census.h"
+#include "visual/house/census.h"
 
 /* Six digits behind the point are a micrometre and a microsecond: more would be noise. */
 static json_t *rounded(double value) {

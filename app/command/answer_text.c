@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "laboratory/census.h"
-#include "laboratory/wording.h"
+#include "visual/house/census.h"
+#include "visual/house/wording.h"
 
 enum {
     NAME_LEAST = 12, /* characters for a name's column */

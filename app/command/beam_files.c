@@ -4,8 +4,8 @@
 
 #include "command/house_file.h"
 #include "command/output.h"
-#include "draw/plot_write.h"
-#include "laboratory/beam_plots.h"
+#include "plot/plot_write.h"
+#include "visual/beam/beam_plots.h"
 
 bool beam_files_begin(BeamFiles *files, const Options *options) {
     char message[PLOT_CHOICE_FAULT];

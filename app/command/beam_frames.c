@@ -4,8 +4,8 @@
 
 #include "command/output.h"
 #include "command/studio.h"
-#include "draw/plate.h"
-#include "laboratory/beam_film.h"
+#include "plot/plate.h"
+#include "visual/beam/beam_film.h"
 
 #define TAIL 0.25 /* of a cycle: so much of the lines before the present is thick */
 

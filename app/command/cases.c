@@ -16,8 +16,8 @@
 #include "command/command.h"
 #include "command/house_file.h"
 #include "command/output.h"
-#include "house/trial.h"
-#include "laboratory/shipped.h"
+#include "inquiry/trial.h"
+#include "live/shipped.h"
 
 /* Case files --------------------------------------------------------------------------------------------------------*/
 

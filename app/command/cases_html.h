@@ -7,6 +7,6 @@
 #include <stdint.h>
 
 #include "base/text.h"
-#include "house/verification.h"
+#include "inquiry/verification.h"
 
 void cases_html_add(Text *text, const Verification *cases, size_t count, uint64_t seed);

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "command/cases_words.h"
-#include "house/trial.h"
+#include "inquiry/trial.h"
 
 /* Terminal ----------------------------------------------------------------------------------------------------------*/
 

@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 #include "base/text.h"
-#include "house/verification.h"
+#include "inquiry/verification.h"
 
 /* Prints the table on standard output, and below it why checks are not passed. */
 void cases_table_print(const Verification *cases, size_t count);

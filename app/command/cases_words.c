@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "house/trial.h"
+#include "inquiry/trial.h"
 
 const char *cases_words_verdict(Verdict verdict) {
     static const char *const words[] = {[VERDICT_NOT_RUN] = "not run",

@@ -3,7 +3,7 @@
 
 #include <stddef.h>
 
-#include "house/verification.h"
+#include "inquiry/verification.h"
 
 enum { CASES_WORDS_SIZE = 320 /* characters of the longest of these texts */ };
 

@@ -6,8 +6,8 @@
 #include "command/house_file.h"
 #include "command/suggestions.h"
 #include "house/journey.h"
-#include "house/sunk.h"
-#include "laboratory/census.h"
+#include "plan/sunk.h"
+#include "visual/house/census.h"
 
 /* Of the only exit also when a route leads to any; NULL: whichever is the quickest. */
 static const char *exit_name(const House *house, size_t exit) {

@@ -10,7 +10,7 @@
 #include "command/study_request.h"
 #include "draw/palette.h"
 #include "draw/view.h"
-#include "laboratory/house_plots.h"
+#include "visual/house/house_plots.h"
 
 /* Exit codes, part of the contract. */
 typedef enum ExitCode {

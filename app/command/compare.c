@@ -7,9 +7,9 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/report_files.h"
-#include "laboratory/census.h"
-#include "laboratory/house_scene.h"
-#include "laboratory/wording.h"
+#include "visual/house/census.h"
+#include "visual/house/house_scene.h"
+#include "visual/house/wording.h"
 
 static void print_row(const char *name, const char *id, const PersonObservation *person) {
     printf("%-12s %-8s %9.2f %11.3f %9d %8.0f %8.1f  %s\n", id, name, person->time, person->narrowest, person->contacts,

@@ -8,10 +8,10 @@
 #include "command/command.h"
 #include "command/house_file.h"
 #include "command/output.h"
-#include "draw/paint_cairo.h"
+#include "paint/paint_cairo.h"
 #include "exchange/walkable.h"
 #include "house/house.h"
-#include "laboratory/plan_picture.h"
+#include "visual/house/plan_picture.h"
 
 static bool is_folder(const char *path) {
     struct stat status;

@@ -4,8 +4,8 @@
 
 #include "command/output.h"
 #include "command/studio.h"
-#include "draw/png.h"
-#include "laboratory/film.h"
+#include "paint/png.h"
+#include "visual/house/film.h"
 
 enum {
     RAISED_WIDTH = 1920, /* pixels, of a report's picture */

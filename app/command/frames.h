@@ -2,7 +2,7 @@
 #pragma once
 
 #include "command/command.h"
-#include "laboratory/house_scene.h"
+#include "visual/house/house_scene.h"
 #include "report/report_motion.h"
 
 /* Do the options ask for any of it? */

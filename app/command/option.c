@@ -7,10 +7,10 @@
 #include <string.h>
 
 #include "exchange/import.h"
-#include "house/profile.h"
-#include "laboratory/beam_plots.h"
-#include "laboratory/film.h"
-#include "window/settings.h"
+#include "plan/profile.h"
+#include "visual/beam/beam_plots.h"
+#include "visual/house/film.h"
+#include "platform/settings.h"
 
 static bool take_setting(Options *options, const char *value) {
     options->settings[options->setting_count++] = value;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "draw/paint_cairo.h"
+#include "paint/paint_cairo.h"
 
 bool output_directory(const char *path) {
     int error = strlen(path) + OUTPUT_NAME < OUTPUT_PATH ? text_make_folder(path) : ENAMETOOLONG;

@@ -6,7 +6,7 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/report_files.h"
-#include "draw/plot_write.h"
+#include "plot/plot_write.h"
 #include "report/paper_report.h"
 
 static void show_progress(void *context, const char *what) {

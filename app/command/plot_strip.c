@@ -1,7 +1,7 @@
 #include "command/plot_strip.h"
 
 #include "command/output.h"
-#include "draw/plot_write.h"
+#include "plot/plot_write.h"
 
 /* Design points. */
 #define TAIL_WIDTH 4.0

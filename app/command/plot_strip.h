@@ -3,9 +3,9 @@
 
 #include "command/command.h"
 #include "draw/layout.h"
-#include "draw/paint_gl.h"
-#include "draw/plot_canvas.h"
-#include "laboratory/house_plots.h"
+#include "paint/paint_gl.h"
+#include "plot/plot_canvas.h"
+#include "visual/house/house_plots.h"
 
 /* Whose plots they are, and how many points of a series lie at or before a time, s. */
 typedef struct PlotStripSource {

@@ -11,7 +11,7 @@
 #include "command/report_files.h"
 #include "command/run_beam.h"
 #include "exchange/jupedsim.h"
-#include "laboratory/house_scene.h"
+#include "visual/house/house_scene.h"
 
 static int write_summary(const House *house, const Observation *observation, const char *path) {
     json_t *answer = answer_house(house, observation);

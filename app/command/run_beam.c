@@ -11,7 +11,7 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/types_answer.h"
-#include "laboratory/beam_experiment.h"
+#include "experiment/beam_experiment.h"
 
 /* Type ------------------------------------------------------------------------------------------------------------ */
 

@@ -4,8 +4,8 @@
 #include "beam/beam.h"
 #include "command/answer.h"
 #include "command/command.h"
-#include "house/plan.h"
-#include "house/profile.h"
+#include "plan/plan.h"
+#include "plan/profile.h"
 
 int command_schema(const Options *options) {
     const char *kind = options->files[0];

@@ -7,9 +7,9 @@
 #include "base/json.h"
 #include "command/output.h"
 #include "command/report_files.h"
-#include "draw/plot_write.h"
-#include "laboratory/shake_plots.h"
-#include "laboratory/shake_scene.h"
+#include "plot/plot_write.h"
+#include "visual/house/shake_plots.h"
+#include "visual/house/shake_scene.h"
 #include "report/shake_report.h"
 #include "study/summary.h"
 

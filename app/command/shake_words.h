@@ -1,6 +1,6 @@
 /* The answer of a study of earthquakes in words. */
 #pragma once
 
-#include "laboratory/shake_findings.h"
+#include "visual/house/shake_findings.h"
 
 void shake_words_print(const ShakeFindings *findings, const char *file);

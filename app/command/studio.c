@@ -6,7 +6,7 @@
 
 #include "command/movie.h"
 #include "command/output.h"
-#include "draw/png.h"
+#include "paint/png.h"
 
 enum {
     FRAMES_MOST = 1000000,

@@ -3,8 +3,8 @@
 
 #include "command/command.h"
 #include "command/plot_strip.h"
-#include "draw/offscreen.h"
-#include "draw/paint_gl.h"
+#include "paint/offscreen.h"
+#include "paint/paint_gl.h"
 
 #define STUDIO_FPS 30.0 /* pictures a s of a film, where --frames does not say */
 

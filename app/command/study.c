@@ -19,7 +19,7 @@
 #include "command/study_words.h"
 #include "study/record.h"
 #include "study/store.h"
-#include "laboratory/study_plots.h"
+#include "visual/study/study_plots.h"
 #include "study/summary.h"
 
 /* One study on its way from the command line to its answer. */

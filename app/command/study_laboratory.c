@@ -1,9 +1,9 @@
 #include "command/study_laboratory.h"
 
 #include "beam/beam.h"
-#include "laboratory/beam_experiment.h"
-#include "laboratory/house_experiment.h"
-#include "laboratory/shipped.h"
+#include "experiment/beam_experiment.h"
+#include "experiment/house_experiment.h"
+#include "live/shipped.h"
 
 static bool open_beam(Experiment *experiment, const Options *options, Fault *fault) {
     const char *foreign = options->route          ? "--route"

@@ -8,7 +8,7 @@
 #include "command/output.h"
 #include "command/study_laboratory.h"
 #include "command/types_answer.h"
-#include "laboratory/beam_experiment.h"
+#include "experiment/beam_experiment.h"
 
 /* The names of the list, parted by commas. */
 static void split_names(StudyTypes *types, const char *list) {

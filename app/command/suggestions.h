@@ -4,7 +4,7 @@
 #include <jansson.h>
 
 #include "command/command.h"
-#include "house/suggest.h"
+#include "inquiry/suggest.h"
 
 /* Looks for them, with progress on standard error when that is wanted. False: faults say why not. */
 bool suggestions_find(SuggestList *list, const Options *options, Fault *fault);

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "base/clock.h"
-#include "laboratory/advice.h"
+#include "visual/study/advice.h"
 
 /* Telling --------------------------------------------------------------------------------------------------------- */
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "draw/paint_cairo.h"
+#include "paint/paint_cairo.h"
 #include "draw/text.h"
 
 Document document_begin(const char *creator) {

@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "document/pdf_table.h"
 #include "document/sheet.h"
-#include "draw/bytes.h"
+#include "paint/bytes.h"
 
 /* pt */
 #define PARAGRAPH_GAP 6.0

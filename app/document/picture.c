@@ -1,6 +1,6 @@
 #include "document/picture.h"
 
-#include "draw/cairo_file.h"
+#include "paint/cairo_file.h"
 
 #define PNG_SCALE 2.0 /* pixels a design point: sharp also where letters are shown at 200 % */
 

@@ -2,10 +2,10 @@
 
 #include <string.h>
 
-#include "house/plan_tables.h"
-#include "laboratory/census.h"
-#include "laboratory/house_scene.h"
-#include "laboratory/wording.h"
+#include "plan/plan_tables.h"
+#include "visual/house/census.h"
+#include "visual/house/house_scene.h"
+#include "visual/house/wording.h"
 #include "report/report_basis.h"
 #include "report/report_motion.h"
 #include "report/report_people.h"

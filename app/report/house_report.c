@@ -2,9 +2,9 @@
 
 #include <ctype.h>
 
-#include "laboratory/house_scene.h"
-#include "laboratory/people_scene.h"
-#include "laboratory/wording.h"
+#include "visual/house/house_scene.h"
+#include "visual/house/people_scene.h"
+#include "visual/house/wording.h"
 #include "report/report_basis.h"
 #include "report/report_loci.h"
 #include "report/report_motion.h"

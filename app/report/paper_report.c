@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/parameters.h"
-#include "laboratory/advice.h"
+#include "visual/study/advice.h"
 
 /* Design points of a figure. */
 #define FIGURE_WIDTH 1027.0

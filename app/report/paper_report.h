@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "laboratory/paper_figures.h"
+#include "report/paper_figures.h"
 #include "report/report_basis.h"
 
 /* document_clear releases what is made; the paper must outlive it, and the figures are taken over. */

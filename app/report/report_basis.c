@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "house/plan_tables.h"
+#include "plan/plan_tables.h"
 
 /* How ---------------------------------------------------------------------------------------------------------------*/
 

@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "house/locus.h"
-#include "laboratory/blockage_scene.h"
-#include "laboratory/census.h"
-#include "laboratory/house_scene.h"
-#include "laboratory/people_scene.h"
-#include "laboratory/plan_scene.h"
+#include "visual/house/blockage_scene.h"
+#include "visual/house/census.h"
+#include "visual/house/house_scene.h"
+#include "visual/house/people_scene.h"
+#include "visual/house/plan_scene.h"
 #include "report/report_people.h"
 #include "report/report_pictures.h"
 

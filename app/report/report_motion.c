@@ -3,8 +3,8 @@
 #include <cairo.h>
 #include <string.h>
 
-#include "laboratory/house_plots.h"
-#include "laboratory/plan_scene.h"
+#include "visual/house/house_plots.h"
+#include "visual/house/plan_scene.h"
 
 /* Design points. */
 #define RAISED_WIDTH 1027.0

@@ -1,6 +1,6 @@
 #include "report/report_people.h"
 
-#include "laboratory/census.h"
+#include "visual/house/census.h"
 
 const char *report_people_number(Document *document, double value, int digits) {
     if (!isfinite(value))

@@ -1,6 +1,6 @@
 #include "report/report_pictures.h"
 
-#include "laboratory/house_scene.h"
+#include "visual/house/house_scene.h"
 
 /* Design points: with these widths letters are as large in all pictures of a page. */
 #define WIDTH 1027.0

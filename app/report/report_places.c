@@ -3,8 +3,8 @@
 #include <stdio.h>
 
 #include "base/text.h"
-#include "laboratory/census.h"
-#include "laboratory/house_scene.h"
+#include "visual/house/census.h"
+#include "visual/house/house_scene.h"
 #include "report/report_people.h"
 
 #define DETAIL_WIDTH 3.2 /* m, across a picture of a place */

@@ -3,7 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "house/plan_tables.h"
+#include "plan/plan_tables.h"
 
 enum {
     ROWS_MOST = 40,

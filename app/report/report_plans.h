@@ -2,6 +2,6 @@
 #pragma once
 
 #include "document/document.h"
-#include "house/plan.h"
+#include "plan/plan.h"
 
 void report_plans_add(Document *document, const Plan *a, const Plan *b);

@@ -4,8 +4,8 @@
 #include <inttypes.h>
 #include <math.h>
 
-#include "laboratory/shake_plots.h"
-#include "laboratory/shake_scene.h"
+#include "visual/house/shake_plots.h"
+#include "visual/house/shake_scene.h"
 #include "report/house_report.h"
 #include "report/report_people.h"
 #include "report/report_pictures.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "laboratory/shake_findings.h"
+#include "visual/house/shake_findings.h"
 #include "report/report_basis.h"
 
 /* document_clear releases what is made; house and findings must outlive it. */

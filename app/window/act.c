@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "laboratory/shipped.h"
+#include "live/shipped.h"
 #include "window/act_play.h"
 #include "window/act_plot.h"
 #include "window/act_view.h"

@@ -3,10 +3,10 @@
  * are let go. */
 #pragma once
 
-#include "draw/paint_gl_screen.h"
-#include "draw/plot_canvas.h"
-#include "laboratory/live.h"
-#include "window/ui.h"
+#include "paint/paint_gl_screen.h"
+#include "plot/plot_canvas.h"
+#include "live/live.h"
+#include "widgets/ui.h"
 
 enum { CHARTS_MOST = 8, CHART_VIEWS_MOST = 16, CHART_WORDS = 160 };
 

@@ -1,7 +1,7 @@
 /* What is done by mouse and keys to what can be edited: they become calls of its LiveEditor. */
 #pragma once
 
-#include "laboratory/live_edit.h"
+#include "live/live_edit.h"
 #include "window/window_state.h"
 
 /* The editor of what is shown; NULL: it cannot be edited, or nothing is open. */

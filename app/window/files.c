@@ -11,7 +11,7 @@
 #include "base/clock.h"
 #include "base/digest.h"
 #include "base/text.h"
-#include "laboratory/shipped.h"
+#include "live/shipped.h"
 #include "window/act.h"
 #include "window/edit.h"
 

@@ -4,7 +4,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "laboratory/live_import.h"
+#include "live/live_import.h"
 #include "window/act.h"
 
 bool files_import_knows(const char *path) {

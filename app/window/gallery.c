@@ -11,12 +11,12 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "draw/layout.h"
-#include "draw/paint_cairo.h"
-#include "draw/png.h"
-#include "laboratory/shipped.h"
-#include "laboratory/thumbnail.h"
-#include "window/folder.h"
-#include "window/settings.h"
+#include "paint/paint_cairo.h"
+#include "paint/png.h"
+#include "live/shipped.h"
+#include "live/thumbnail.h"
+#include "platform/folder.h"
+#include "platform/settings.h"
 
 enum {
     STRIDE = 4 * GALLERY_WIDTH, /* bytes a row */

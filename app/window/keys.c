@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "window/glass.h"
+#include "platform/glass.h"
 
 const char *const keys_menus[MENUS] = {[MENU_FILE] = "File", [MENU_EDIT] = "Edit", [MENU_TOOLS] = "Tools",
                                        [MENU_VIEW] = "View", [MENU_RUN] = "Run",   [MENU_HELP] = "Help"};

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "laboratory/live.h"
+#include "live/live.h"
 
 enum { PLAYER_SLOWEST = -4 /* powers of two: 1/16 */ };
 

@@ -5,7 +5,7 @@
 
 #include "base/clock.h"
 #include "base/text.h"
-#include "laboratory/live_edit.h"
+#include "live/live_edit.h"
 
 #define LEAST_SEEN 8.0 /* m, of what can be edited: a house begins with nothing */
 #define ASPECT 1.5     /* of what has no size */

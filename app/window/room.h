@@ -1,7 +1,7 @@
 /* A laboratory in the window: what is open in it, which moment is shown, and how it is looked at. */
 #pragma once
 
-#include "laboratory/live.h"
+#include "live/live.h"
 #include "window/charts.h"
 #include "window/player.h"
 #include "window/scenery.h"

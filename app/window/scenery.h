@@ -2,8 +2,8 @@
  * the hand. */
 #pragma once
 
-#include "draw/paint_gl.h"
-#include "laboratory/live.h"
+#include "paint/paint_gl.h"
+#include "live/live.h"
 
 typedef struct Scenery {
     PaintGl *paint; /* NULL: there is no place for it yet */

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "laboratory/house_live.h"
+#include "live/house/house_live.h"
 #include "window/edit.h"
 #include "window/files.h"
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/clock.h"
-#include "laboratory/shipped.h"
+#include "live/shipped.h"
 #include "window/act.h"
 #include "window/backdrop.h"
 #include "window/bars.h"

@@ -1,21 +1,21 @@
 /* All that the window is made of; its parts, each in a file of its own, are functions of it. */
 #pragma once
 
-#include "laboratory/live_edit.h"
-#include "window/export.h"
+#include "live/live_edit.h"
+#include "platform/export.h"
 #include "window/frame.h"
-#include "window/folder.h"
+#include "platform/folder.h"
 #include "window/gallery.h"
-#include "window/glass.h"
+#include "platform/glass.h"
 #include "window/keys.h"
 #include "window/messages.h"
-#include "window/pace.h"
-#include "window/recovery.h"
+#include "platform/pace.h"
+#include "platform/recovery.h"
 #include "window/room.h"
-#include "window/settings.h"
-#include "window/snapshot.h"
-#include "window/sound.h"
-#include "window/ui.h"
+#include "platform/settings.h"
+#include "platform/snapshot.h"
+#include "platform/sound.h"
+#include "widgets/ui.h"
 #include "window/window.h"
 
 /* What lies over the window, one at a time. */

@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 #include "exchange/rectangle.h"
-#include "house/plan_tables.h"
+#include "plan/plan_tables.h"
 
 static const double ROUNDED = 1e9;     /* per m: coordinates are rounded to a nanometre, which reads well */
 static const double FARTHEST = 1e8;    /* m, before the plan is moved to its origin: farther is no place on Earth */

@@ -6,7 +6,7 @@
 
 #include "base/fault.h"
 #include "exchange/import_report.h"
-#include "house/plan.h"
+#include "plan/plan.h"
 
 typedef struct ImportOptions {
     double unit;        /* m, of the file's numbers; 0: as the file says, or what is usual */

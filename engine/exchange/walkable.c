@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "house/solids.h"
+#include "space/solids.h"
 
 static const double MARGIN = 1;        /* m, round the plan: the way past an open door */
 static const double HALF_LEAST = 5e-4; /* m: a wall of no thickness that ends within the area is twice this thick */

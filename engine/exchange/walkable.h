@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/fault.h"
-#include "house/plan.h"
+#include "plan/plan.h"
 
 /* One line of WKT, a POLYGON, or a MULTIPOLYGON where it has several parts (a GEOMETRYCOLLECTION where these meet along
  * a wall of no thickness): the box of the plan, a metre larger, less walls, furniture and the leaves of doors that

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "house/broadphase.h"
+#include "mechanics/broadphase.h"
 
 enum {
     LARGEST_FILE = 16 * 1024 * 1024, /* bytes: four times what the most points of walls take */

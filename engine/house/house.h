@@ -7,11 +7,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "house/freespace.h"
-#include "house/outline.h"
-#include "house/plan.h"
-#include "house/profile.h"
-#include "house/vicinity.h"
+#include "space/freespace.h"
+#include "space/outline.h"
+#include "plan/plan.h"
+#include "plan/profile.h"
+#include "space/vicinity.h"
 
 /* One person of the plan, or of a crowd. */
 typedef struct Inhabitant {

@@ -6,10 +6,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "house/fields.h"
+#include "route/fields.h"
 #include "house/house.h"
-#include "house/march.h"
-#include "house/route.h"
+#include "route/march.h"
+#include "route/route.h"
 #include "house/track.h"
 
 /* What is planned for one person. */

@@ -7,7 +7,7 @@
 
 #include "house/hazard.h"
 #include "house/house.h"
-#include "house/route.h"
+#include "route/route.h"
 #include "mechanics/trace.h"
 
 typedef enum Reason {

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "house/passage.h"
+#include "space/passage.h"
 
 /* s: the body has to be free for so long before touching counts as a new contact. */
 static const double NEW_CONTACT = 0.1;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "house/gap.h"
+#include "space/gap.h"
 
 enum {
     PLACING_TRIES = 10000, /* random places tried for one member of a crowd */

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "house/gap.h"
+#include "space/gap.h"
 
 enum { RIDE_SLIPS = 10 /* gaps between two bodies at once: a corner of one, or a side, for each of the other's */ };
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "house/house.h"
-#include "house/route.h"
+#include "route/route.h"
 
 /* Can it fall in a shake at all? */
 static inline bool shake_can_topple(const Furniture *piece) {

@@ -1,6 +1,6 @@
 #include "house/track.h"
 
-#include "house/passage.h"
+#include "space/passage.h"
 
 /* m/s, assumed: how slowly somebody edges through a gap hardly wider than the body. */
 static const double CREEP = 0.1;

@@ -17,7 +17,7 @@
 #include <stddef.h>
 
 #include "house/house.h"
-#include "house/route.h"
+#include "route/route.h"
 
 /* 1, assumed: the share of the deceleration that a driver plans with, before corners, doors, exits and people; the rest
  * is in hand. */

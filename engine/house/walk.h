@@ -3,7 +3,7 @@
  * See walk.c for the law and its sources. */
 #pragma once
 
-#include "house/freespace.h"
+#include "space/freespace.h"
 #include "house/walkers.h"
 
 #define WALK_PERIOD 0.1 /* s: assumed, about the reaction time of a person */

@@ -12,8 +12,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "house/cells.h"
-#include "house/gap.h"
+#include "space/cells.h"
+#include "space/gap.h"
 
 #define WALKERS_SKIN 0.20 /* m: how much nearer two may come before the lists are made anew */
 

@@ -22,7 +22,7 @@
 #include <stdint.h>
 
 #include "base/parallel.h"
-#include "house/gap.h"
+#include "space/gap.h"
 #include "house/house.h"
 #include "house/journey.h"
 #include "house/ride.h"

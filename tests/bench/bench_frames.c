@@ -8,13 +8,13 @@
 
 #include "bench.h"
 #include "command/studio.h"
-#include "draw/offscreen.h"
-#include "draw/paint_gl.h"
-#include "draw/png.h"
+#include "paint/offscreen.h"
+#include "paint/paint_gl.h"
+#include "paint/png.h"
 #include "house/run.h"
 #include "houses.h"
-#include "laboratory/beam_film.h"
-#include "laboratory/film.h"
+#include "visual/beam/beam_film.h"
+#include "visual/house/film.h"
 
 enum { TURNS = 7, FRAMES = 20 /* a turn */, SIZES = 2 };
 

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "fuzz.h"
-#include "house/plan_tables.h"
-#include "house/profile.h"
+#include "plan/plan_tables.h"
+#include "plan/profile.h"
 
 /* One row of each kind, to be sure of all. */
 typedef struct Every {

@@ -7,9 +7,9 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "fuzz.h"
-#include "house/freespace.h"
-#include "house/outline.h"
-#include "house/plan.h"
+#include "space/freespace.h"
+#include "space/outline.h"
+#include "plan/plan.h"
 
 enum { LARGEST_FILE = 1 << 24, MOST_POINTS = 500 };
 static const double MOST_CELLS = 3e5; /* 1, of the grid: what takes some ms */

@@ -1,6 +1,6 @@
 /* The input is a profile file: read, and checked against several steps. */
 #include "fuzz.h"
-#include "house/profile.h"
+#include "plan/profile.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const char *path = fuzz_file(data, size);

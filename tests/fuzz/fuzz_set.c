@@ -5,8 +5,8 @@
 
 #include "base/memory.h"
 #include "fuzz.h"
-#include "house/plan.h"
-#include "house/profile.h"
+#include "plan/plan.h"
+#include "plan/profile.h"
 
 enum { MOST_SETTINGS = 64 };
 

@@ -33,9 +33,9 @@ done
 cp houses/*.json tests/data/bad/houses/*.json $build/seeds/plan/
 cp assets/profiles/*.json tests/data/bad/profiles/*.json $build/seeds/profile/
 cp assets/beams/*.json tests/data/bad/beams/*.json $build/seeds/beam/
-cp tests/data/bad-observed/*.csv $build/seeds/observed/
-cp tests/data/bad-measured/*.csv $build/seeds/measured/
-cp tests/data/bad-scripts/*.script $build/seeds/script/
+cp tests/data/bad/observed/*.csv $build/seeds/observed/
+cp tests/data/bad/measured/*.csv $build/seeds/measured/
+cp tests/data/bad/scripts/*.script $build/seeds/script/
 for ending in dxf wkt sh3d; do
     cp tests/data/imports/*.$ending tests/data/bad/imports/*.$ending $build/seeds/$ending/
 done

@@ -1,8 +1,0 @@
-/* Cells of a raster, and their key, in colours and patterns. */
-#pragma once
-
-#include "draw/plot_layout.h"
-
-struct _cairo; /* cairo's own name of cairo_t */
-
-void plot_raster_paint(struct _cairo *cairo, const PlotLayout *layout, const Plot *plot, Theme theme);

@@ -1,0 +1,44 @@
+/* The running beam between its files: what it holds, and how they make a LiveKind of it (live.h). */
+#pragma once
+
+#include "live/beam/beam_answer.h"
+#include "live/beam/beam_diagram.h"
+#include "live/beam/beam_traces.h"
+#include "live/beam/beam_view.h"
+#include "live/live.h"
+
+/* The beam at work. The motion runs on the caller's thread, as far as it is reached for, into a record; pictures and
+ * plots are made of the record; what takes longer is a worker's. */
+typedef struct BeamLive {
+    char *path;
+    Beam opened; /* the file's, changed by the settings; holds texts */
+    Beam beam;   /* as it is now */
+    BeamControls controls;
+    BeamTape tape;
+    BeamView view;
+    BeamTraces traces;
+    BeamDiagram diagram;
+    BeamWorker *worker;
+    BeamAnswer answer;
+    BeamVerdict verdict;
+    bool told;     /* the verdict is there */
+    size_t looked; /* at the front when the answer was written */
+    double shown;  /* s */
+    unsigned news; /* LIVE_..., of the next update */
+    Scene added;   /* nothing */
+    const char *trouble;
+    LiveTick ticks[BEAM_TAPE_PARTS + 1];
+    LiveChoice choices[2];
+    Arena command_words;
+    const char *command[3 + 2 * BEAM_VALUES];
+    Arena troubles; /* texts */
+    char clock[64];
+} BeamLive;
+
+/* Records one more cycle, or notes what is the trouble: the record has ended. */
+void beam_live_advance(BeamLive *live);
+
+/* Has the record come to an end, so that nothing more comes until something is changed? */
+static inline bool beam_live_has_ended(const BeamLive *live) {
+    return live->tape.status != MOTION_GOOD && !live->tape.next;
+}

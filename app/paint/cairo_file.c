@@ -1,0 +1,83 @@
+#include "paint/cairo_file.h"
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <errno.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/text.h"
+
+static cairo_status_t keep_bytes(void *context, const unsigned char *data, unsigned length) {
+    bytes_add(context, data, length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+/* cairo names a page by how many surfaces the process has made. */
+static void remove_surface_number(Bytes *bytes) {
+    static const char name[] = "<g id=\"surface";
+    char *found = bytes->size ? strstr(bytes->at, name) : NULL;
+    if (!found)
+        return;
+    char *number = found + sizeof name - 1;
+    size_t digits = strspn(number, "0123456789");
+    memmove(number, number + digits, bytes->size - (size_t)(number - bytes->at) - digits + 1);
+    bytes->size -= digits;
+}
+
+static cairo_surface_t *create_surface(CairoFileKind kind, Bytes *bytes, int width, int height) {
+    cairo_surface_t *surface;
+    switch (kind) {
+    case CAIRO_FILE_SVG:
+        surface = cairo_svg_surface_create_for_stream(keep_bytes, bytes, width, height);
+        cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PX);
+        return surface;
+    case CAIRO_FILE_PDF:
+        surface = cairo_pdf_surface_create_for_stream(keep_bytes, bytes, width, height);
+        cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
+        return surface;
+    case CAIRO_FILE_PNG:
+        break;
+    }
+    return cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
+}
+
+static int status_error(cairo_status_t status) {
+    return status == CAIRO_STATUS_SUCCESS ? 0 : status == CAIRO_STATUS_NO_MEMORY ? ENOMEM : EINVAL;
+}
+
+/* Paints, and makes cairo write all that it has. */
+static int paint_surface(CairoFileKind kind, cairo_surface_t *surface, Bytes *bytes, Vec2 page, double unit,
+                         CairoFilePaint *paint, const void *what) {
+    cairo_t *cairo = cairo_create(surface);
+    cairo_scale(cairo, unit, unit);
+    paint(cairo, page, what);
+    int error = status_error(cairo_status(cairo));
+    cairo_destroy(cairo);
+    if (!error && kind == CAIRO_FILE_PNG)
+        error = status_error(cairo_surface_write_to_png_stream(surface, keep_bytes, bytes));
+    cairo_surface_finish(surface);
+    return error ? error : status_error(cairo_surface_status(surface));
+}
+
+int cairo_file_bytes(CairoFileKind kind, Bytes *bytes, int width, int height, double unit, CairoFilePaint *paint,
+                     const void *what) {
+    if (width <= 0 || height <= 0 || width > CAIRO_FILE_LARGEST || height > CAIRO_FILE_LARGEST)
+        return EINVAL;
+    cairo_surface_t *surface = create_surface(kind, bytes, width, height);
+    int error = paint_surface(kind, surface, bytes, vec2(width / unit, height / unit), unit, paint, what);
+    cairo_surface_destroy(surface);
+    if (kind == CAIRO_FILE_SVG)
+        remove_surface_number(bytes);
+    return error;
+}
+
+int cairo_file_write(CairoFileKind kind, const char *path, int width, int height, double unit, CairoFilePaint *paint,
+                     const void *what) {
+    Bytes bytes = {0};
+    int error = cairo_file_bytes(kind, &bytes, width, height, unit, paint, what);
+    if (!error)
+        error = text_write_file(path, bytes.at, bytes.size);
+    memory_free(bytes.at);
+    return error;
+}

@@ -1,0 +1,46 @@
+/* Moving pictures: scenes by OpenGL. What stays is drawn once, smooth, and copied into each frame; over it comes what
+ * moves, and over all of it the words. Draws into a framebuffer of its own with row 0 at the top, so that it needs
+ * nothing but a current context; every call must find that context current. The same calls give the same bytes.
+ *
+ *     paint_gl_still    ground, grid, list, primitives, words: the static layer
+ *     paint_gl_add      more for it, as loci grow
+ *     paint_gl_rewind   the static layer as it was at first
+ *     paint_gl_panel    a plot has changed
+ *     paint_gl_frame    static layer, moving layer, words
+ *     paint_gl_read     the frame's pixels                                                                           */
+#pragma once
+
+#include "paint/gl.h"
+#include "draw/layout.h"
+#include "draw/palette.h"
+
+typedef struct PaintGl PaintGl;
+
+/* For pictures of width x height pixels, `unit` of them a design point, with the functions of the current context,
+ * which must outlive it; NULL when it has no room for such a picture. Layouts of its layers are made for a page of that
+ * size over the unit. */
+PaintGl *paint_gl_create(const Gl *gl, int width, int height, double unit, Theme theme);
+void paint_gl_destroy(PaintGl *paint);
+
+/* Draws the static layer anew; panels are empty then. The layer may go. */
+void paint_gl_still(PaintGl *paint, Layer ground);
+
+/* Adds a layer made by layout_make_over to the static one, over it. Its solids have no shadows. */
+void paint_gl_add(PaintGl *paint, Layer more);
+
+/* Takes back all that paint_gl_add and paint_gl_panel have put onto the static layer. */
+void paint_gl_rewind(PaintGl *paint);
+
+/* Copies the part x, y, w, h of a picture of layout->panels[index], which has changed. The picture is cairo's RGB24 or
+ * opaque ARGB32, width x height pixels, a pixel of it a pixel of the page. */
+void paint_gl_panel(PaintGl *paint, int index, const unsigned char *pixels, int width, int height, int stride, int x,
+                    int y, int w, int h);
+
+/* Draws a frame: the static layer, a layer made by layout_make_over, and all captions. */
+void paint_gl_frame(PaintGl *paint, Layer moving);
+
+/* The last frame: width x height pixels of 4 bytes, blue, green, red and 255, rows from the top. */
+void paint_gl_read(PaintGl *paint, unsigned char *pixels);
+
+/* The framebuffer that holds the last frame, row 0 at the top, and its size in pixels. */
+GLuint paint_gl_framebuffer(const PaintGl *paint, int *width, int *height);

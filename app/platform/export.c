@@ -1,0 +1,358 @@
+#include "platform/export.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <math.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/clock.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include "platform/folder.h"
+
+enum {
+    NAME_LONGEST = 100, /* bytes of a file's name, without number and ending */
+    NUMBERS_MOST = 100000,
+    LINE_MOST = 1000, /* characters of a line that a child says */
+    FAILED = 2,       /* exit code of what could not be done */
+};
+
+/* s: so long a child may take to finish what it has begun, and to go when nobody waits for it. */
+static const double PATIENCE = 5, LAST_PATIENCE = 1;
+
+/* Where ------------------------------------------------------------------------------------------------------------ */
+
+char *export_folder(Fault *fault) {
+    const char *home = getenv("HOME");
+    char in_home[NAME_MAX + PATH_MAX] = "";
+    if (home && *home)
+        snprintf(in_home, sizeof in_home, "%s/clearance", home);
+    const char *places[] = {access("out", W_OK | X_OK) == 0 ? "out/clearance" : "", in_home, "clearance"};
+    int error = 0;
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        error = *places[i] ? text_make_folder(places[i]) : error;
+        if (*places[i] && !error)
+            return text_copy(places[i]);
+    }
+    fault_add(fault, "there is no folder to write to: neither %s nor clearance/ here can be made: %s",
+              *in_home ? in_home : "$HOME/clearance", strerror(error));
+    return NULL;
+}
+
+/* Without what is awkward in a file's name, in a shell or on another system. */
+static void add_name(Text *path, const char *name) {
+    size_t begin = path->used;
+    for (const char *c = name; *c; c++) {
+        bool inside = ((unsigned char)*c & 0xc0) == 0x80; /* of a character of UTF-8 */
+        bool plain = (unsigned char)*c > ' ' && *c != 127 && !strchr("/\\:*?\"'<>|$&;`()[]{}!#~^", *c);
+        bool first = path->used == begin, after_blank = !first && path->text[path->used - 1] == '-';
+        if (path->used - begin >= NAME_LONGEST && !inside)
+            break;
+        if (plain && !(first && strchr(".-", *c)))
+            text_add(path, (char[]){*c, 0});
+        else if (!plain && !first && !after_blank)
+            text_add(path, "-");
+    }
+    while (path->used > begin && path->text[path->used - 1] == '-')
+        path->text[--path->used] = 0;
+    if (path->used == begin)
+        text_add(path, "picture");
+}
+
+static bool is_free(const char *path, const char *const *endings) {
+    Text whole = {0};
+    bool free = true;
+    for (; *endings && free; endings++) {
+        whole.used = 0;
+        text_format(&whole, "%s%s%s", path, **endings ? "." : "", *endings);
+        free = access(whole.text, F_OK) != 0;
+    }
+    memory_free(whole.text);
+    return free;
+}
+
+char *export_free_name(const char *folder, const char *name, const char *const *endings) {
+    Text path = {0};
+    text_format(&path, "%s/", folder);
+    add_name(&path, name);
+    size_t used = path.used;
+    for (int number = 2; number < NUMBERS_MOST && !is_free(path.text, endings); number++) {
+        path.used = used;
+        text_format(&path, "-%d", number);
+    }
+    return path.text;
+}
+
+/* A command -------------------------------------------------------------------------------------------------------- */
+
+/* 'word' when a shell would take it for something else. */
+static void add_quoted(Text *text, const char *word) {
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./,:=+@%";
+    if (*word && !word[strspn(word, plain)]) {
+        text_add(text, word);
+        return;
+    }
+    text_add(text, "'");
+    for (; *word; word++)
+        text_add(text, *word == '\'' ? "'\\''" : (char[]){*word, 0});
+    text_add(text, "'");
+}
+
+char *export_command(const char *const *words, size_t count) {
+    Text text = {0};
+    text_add(&text, "clearance");
+    for (size_t i = 0; i < count; i++) {
+        text_add(&text, " ");
+        add_quoted(&text, words[i]);
+    }
+    return text.text;
+}
+
+struct Export {
+    pid_t child; /* 0: it is over */
+    int pipe;    /* its standard error */
+    bool cancelled;
+    double asked;     /* s, by the clock, to end */
+    Text line;        /* what it is saying */
+    bool overwrites;  /* the line began with a carriage return: progress */
+    Text doing, said; /* the last progress, and the last line that is none */
+    const char *out, *movie;
+    const char **files; /* (file_count) */
+    size_t file_count, file_capacity;
+    ExportStatus status;
+    Arena arena; /* holds the names */
+};
+
+/* The words, and the environment with what makes it tell progress; memory_free both. */
+static char **make_words(const ExportOrder *order) {
+    char **words = memory_allocate(order->word_count + order->option_count + 6, sizeof *words), **end = words;
+    *end++ = (char *)"clearance";
+    for (size_t i = 0; i < order->word_count; i++)
+        *end++ = (char *)order->words[i];
+    for (size_t i = 0; i < order->option_count; i++)
+        *end++ = (char *)order->options[i];
+    if (order->out) {
+        *end++ = (char *)"--out";
+        *end++ = (char *)order->out;
+    }
+    if (order->movie) {
+        *end++ = (char *)"--movie";
+        *end++ = (char *)order->movie;
+    }
+    return words;
+}
+
+extern char **environ;
+
+static char **make_environment(void) {
+    size_t count = 0;
+    while (environ[count])
+        count++;
+    char **copy = memory_allocate(count + 2, sizeof *copy);
+    memcpy(copy, environ, count * sizeof *copy);
+    copy[count] = (char *)"CLEARANCE_PROGRESS=1";
+    return copy;
+}
+
+/* In a group of its own, so that Ctrl-C in a terminal ends the window, which ends it. 0 or errno. */
+static int spawn(Export *export, const ExportOrder *order, int writing) {
+    posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
+    sigset_t usual;
+    sigemptyset(&usual);
+    sigaddset(&usual, SIGINT);
+    sigaddset(&usual, SIGPIPE);
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, writing, STDERR_FILENO);
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setsigdefault(&attributes, &usual);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+    char **words = make_words(order), **environment = make_environment();
+    const char *program = order->program ? order->program : "/proc/self/exe";
+    int error = posix_spawn(&export->child, program, &actions, &attributes, words, environment);
+    memory_free(words);
+    memory_free(environment);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    return error;
+}
+
+Export *export_begin(const ExportOrder *order, Fault *fault) {
+    int ends[2], error = pipe2(ends, O_CLOEXEC) ? errno : 0;
+    Export *export = memory_allocate(1, sizeof *export);
+    if (!error) {
+        error = spawn(export, order, ends[1]);
+        close(ends[1]);
+        export->pipe = ends[0];
+        fcntl(export->pipe, F_SETFL, O_NONBLOCK);
+        if (error)
+            close(ends[0]);
+    }
+    if (error) {
+        fault_add(fault, "the program cannot start itself: %s", strerror(error));
+        memory_free(export);
+        return NULL;
+    }
+    export->out = order->out ? arena_text(&export->arena, order->out) : "";
+    export->movie = order->movie ? arena_text(&export->arena, order->movie) : NULL;
+    text_add(&export->doing, "");
+    text_add(&export->said, "");
+    text_add(&export->line, "");
+    return export;
+}
+
+static void replace(Text *text, const char *words, size_t length) {
+    text->used = 0;
+    text_format(text, "%.*s", (int)length, words);
+}
+
+/* A piece of progress, or the end of a line; what a carriage return begins is progress, unless a sentence follows. */
+static void take_line(Export *export, bool ended) {
+    const char *words = export->line.text, *sentence = strstr(words, "clearance: ");
+    size_t length = export->line.used;
+    while (length && words[length - 1] == ' ')
+        length--;
+    if (length && export->overwrites && !sentence)
+        replace(&export->doing, words, length);
+    else if (length && ended && sentence && export->overwrites)
+        replace(&export->said, sentence, length - (size_t)(sentence - words));
+    else if (length && ended)
+        replace(&export->said, words, length);
+    export->line.used = 0;
+    export->line.text[0] = 0;
+    export->overwrites = !ended;
+}
+
+static void take_said(Export *export) {
+    char said[4096];
+    ssize_t got;
+    while ((got = read(export->pipe, said, sizeof said)) > 0)
+        for (ssize_t i = 0; i < got; i++) {
+            if (said[i] == '\r' || said[i] == '\n')
+                take_line(export, said[i] == '\n');
+            else if (said[i] && export->line.used < LINE_MOST)
+                text_add(&export->line, (char[]){said[i], 0});
+        }
+    /* progress stands at the end of what has been said, and nothing follows it until the next */
+    if (export->overwrites && export->line.used && !strstr(export->line.text, "clearance: "))
+        replace(&export->doing, export->line.text, export->line.used);
+}
+
+/* "picture 40 of 300", "types: 40 of at most 768 runs". */
+static double part_of(const char *doing) {
+    size_t done, all;
+    const char *number = doing + strcspn(doing, "0123456789");
+    bool known =
+        sscanf(number, "%zu of %zu", &done, &all) == 2 || sscanf(number, "%zu of at most %zu", &done, &all) == 2;
+    return known && all && done <= all ? (double)done / (double)all : NAN;
+}
+
+static int is_shown(const struct dirent *entry) {
+    return *entry->d_name != '.';
+}
+
+static int by_name(const struct dirent **a, const struct dirent **b) {
+    return folder_compare((*a)->d_name, (*b)->d_name);
+}
+
+static void add_file(Export *export, const char *name) {
+    export->files =
+        memory_reserve(export->files, &export->file_capacity, export->file_count + 1, sizeof *export->files);
+    export->files[export->file_count++] = arena_text(&export->arena, name);
+}
+
+static void list_files(Export *export) {
+    struct dirent **entries = NULL;
+    int count = *export->out ? scandir(export->out, &entries, is_shown, by_name) : 0;
+    for (int i = 0; i < count; i++) {
+        add_file(export, entries[i]->d_name);
+        free(entries[i]);
+    }
+    free(entries);
+    if (export->movie && access(export->movie, F_OK) == 0)
+        add_file(export, export->movie);
+}
+
+static void conclude(Export *export, int how) {
+    ExportStatus *status = &export->status;
+    bool ended = WIFEXITED(how);
+    int code = ended ? WEXITSTATUS(how) : 0;
+    export->child = 0;
+    list_files(export);
+    if (ended && (code == 0 || (code == 1 && !export->cancelled))) {
+        status->stage = EXPORT_DONE;
+        status->no = code == 1;
+        return;
+    }
+    status->stage = export->cancelled ? EXPORT_CANCELLED : EXPORT_FAILED;
+    if (export->cancelled)
+        replace(&export->said, "cancelled", strlen("cancelled"));
+    else if (!ended)
+        replace(&export->said, strsignal(WTERMSIG(how)), LINE_MOST);
+    else if (!export->said.used)
+        text_format(&export->said, "it ended with the exit code %d", code);
+}
+
+const ExportStatus *export_look(Export *export) {
+    int how;
+    if (export->child) {
+        pid_t ended = waitpid(export->child, &how, WNOHANG);
+        take_said(export);
+        if (ended < 0)
+            how = FAILED << 8; /* nobody can tell how it ended */
+        if (ended)
+            conclude(export, how);
+        else if (export->cancelled && clock_now() - export->asked > PATIENCE)
+            kill(export->child, SIGKILL);
+    }
+    ExportStatus *status = &export->status;
+    bool over = status->stage != EXPORT_RUNNING;
+    status->doing = over ? "" : export->doing.text;
+    status->part = status->stage == EXPORT_DONE ? 1 : part_of(status->doing);
+    status->reason = over && status->stage != EXPORT_DONE ? export->said.text : "";
+    status->folder = export->out;
+    status->files = export->files;
+    status->file_count = export->file_count;
+    return status;
+}
+
+void export_cancel(Export *export) {
+    if (!export->child || export->cancelled)
+        return;
+    export->cancelled = true;
+    export->asked = clock_now();
+    kill(export->child, SIGINT);
+}
+
+/* Nobody waits for it any more: it is given a moment. */
+static void end_child(Export *export) {
+    export_cancel(export);
+    export->asked = clock_now();
+    while (export_look(export)->stage == EXPORT_RUNNING) {
+        if (clock_now() - export->asked > LAST_PATIENCE)
+            kill(export->child, SIGKILL);
+        usleep(10000);
+    }
+}
+
+void export_end(Export *export) {
+    if (export->child)
+        end_child(export);
+    close(export->pipe);
+    memory_free(export->line.text);
+    memory_free(export->doing.text);
+    memory_free(export->said.text);
+    memory_free(export->files);
+    arena_clear(&export->arena);
+    memory_free(export);
+}

@@ -1,0 +1,286 @@
+#include "platform/settings.h"
+
+#include <errno.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/parameters.h"
+#include "base/text.h"
+#include "draw/palette.h"
+
+/* 1, of a laboratory's pace. */
+#define SPEED_LEAST 1e-6
+#define SPEED_MOST 1e6
+
+/* Tables ----------------------------------------------------------------------------------------------------------- */
+
+#define LIKES(kind_, field_) .name = #field_, .kind = kind_, .offset = offsetof(SettingsLikes, field_), .unit = "1"
+
+static const Parameter likes_rows[] = {
+    {LIKES(PARAMETER_CHOICE, theme), .choices = THEME_WORDS, .meaning = "light or dark"},
+    {LIKES(PARAMETER_WHOLE, text), .low = 1, .high = SETTINGS_TEXT_MOST, .fallback = 1, .meaning = "size of the text"},
+    {LIKES(PARAMETER_FLAG, sound), .meaning = "is it to be heard"},
+    {LIKES(PARAMETER_FLAG, reduced_motion), .meaning = "does nothing move but what is simulated"},
+    {LIKES(PARAMETER_FLAG, letters), .fallback = 1, .meaning = "are single letters keys"},
+    {LIKES(PARAMETER_WHOLE, width), .low = SETTINGS_WIDTH_LEAST, .high = SETTINGS_SIDE_MOST, .fallback = 1280,
+     .meaning = "pixels of the window"},
+    {LIKES(PARAMETER_WHOLE, height), .low = SETTINGS_HEIGHT_LEAST, .high = SETTINGS_SIDE_MOST, .fallback = 720,
+     .meaning = "pixels of the window"},
+    {LIKES(PARAMETER_FLAG, full_screen), .meaning = "does the window fill the screen"},
+};
+static const ParameterTable likes_table = {"settings", likes_rows, sizeof likes_rows / sizeof *likes_rows};
+
+#define SHOWN(kind_, field_) .name = #field_, .kind = kind_, .offset = offsetof(SettingsLaboratory, field_), .unit = "1"
+
+static const Parameter laboratory_rows[] = {
+    {SHOWN(PARAMETER_NUMBER, speed), .low = SPEED_LEAST, .high = SPEED_MOST, .fallback = 1,
+     .meaning = "of the usual pace"},
+    {SHOWN(PARAMETER_WHOLE, layers), .low = -1, .high = 65535, .fallback = -1, .meaning = "which are shown, as bits"},
+    {SHOWN(PARAMETER_TEXT, plots), .meaning = "which are shown"},
+};
+static const ParameterTable laboratory_table = {"laboratory", laboratory_rows,
+                                                sizeof laboratory_rows / sizeof *laboratory_rows};
+
+static const Parameter state_rows[] = {
+    {.name = "folder",
+     .kind = PARAMETER_TEXT,
+     .offset = offsetof(SettingsState, folder),
+     .meaning = "last looked into"},
+    {.name = "house",
+     .kind = PARAMETER_TABLE,
+     .offset = offsetof(SettingsState, house),
+     .table = &laboratory_table,
+     .meaning = "how the house was shown"},
+    {.name = "beam",
+     .kind = PARAMETER_TABLE,
+     .offset = offsetof(SettingsState, beam),
+     .table = &laboratory_table,
+     .meaning = "how the beam was shown"},
+};
+static const ParameterTable state_table = {"state", state_rows, sizeof state_rows / sizeof *state_rows};
+
+/* Places ----------------------------------------------------------------------------------------------------------- */
+
+/* What an XDG variable names, or its place in the home; a relative path does not count. NULL: there is none. */
+static char *base_folder(const char *variable, const char *in_home) {
+    Text text = {0};
+    const char *value = getenv(variable), *home = getenv("HOME");
+    if (value && *value == '/')
+        text_format(&text, "%s/clearance", value);
+    else if (home && *home == '/')
+        text_format(&text, "%s/%s/clearance", home, in_home);
+    return text.text;
+}
+
+static char *file_in(const char *variable, const char *in_home, const char *name) {
+    char *folder = base_folder(variable, in_home);
+    Text text = {0};
+    if (folder)
+        text_format(&text, "%s/%s", folder, name);
+    memory_free(folder);
+    return text.text;
+}
+
+/* The same, there to be written to. */
+static char *made_folder(const char *variable, const char *in_home) {
+    char *folder = base_folder(variable, in_home);
+    if (folder && text_make_folder(folder) == 0)
+        return folder;
+    memory_free(folder);
+    return NULL;
+}
+
+char *settings_cache_folder(void) {
+    return made_folder("XDG_CACHE_HOME", ".cache");
+}
+
+char *settings_state_folder(void) {
+    return made_folder("XDG_STATE_HOME", ".local/state");
+}
+
+/* Reading ---------------------------------------------------------------------------------------------------------- */
+
+static void remember_recent(Settings *settings, const char *path) {
+    if (settings->recent_count < SETTINGS_RECENT_MOST)
+        settings->recent[settings->recent_count++] = text_copy(path);
+}
+
+/* Takes the list out of the file's values: it is of paths, which no table describes. */
+static bool read_recent(Settings *settings, const JsonNode *root, Fault *fault) {
+    JsonNode list = json_member(root, "recent");
+    size_t before = fault->total;
+    if (list.value && !json_is_array(list.value))
+        json_fault(&list, fault, "recent must be a list of files");
+    for (size_t i = 0; i < json_array_size(list.value); i++) {
+        JsonNode element = json_element(&list, i);
+        const char *path = json_string_value(element.value);
+        if (path && *path == '/')
+            remember_recent(settings, path);
+        else
+            json_fault(&element, fault, "each recent file must be an absolute path");
+    }
+    json_object_del(root->value, "recent");
+    return fault->total == before;
+}
+
+static void forget_recent(Settings *settings) {
+    while (settings->recent_count)
+        memory_free(settings->recent[--settings->recent_count]);
+}
+
+static void keep_bad(const char *path, const Fault *fault, Fault *notes) {
+    Text bad = {0};
+    text_format(&bad, "%s.bad", path);
+    bool kept = rename(path, bad.text) == 0;
+    fault_add(notes, "%s; all is as at first%s%s", fault->count ? fault->lines[0] : path,
+              kept ? ", and what stood there is kept as " : "", kept ? bad.text : "");
+    memory_free(bad.text);
+}
+
+/* Reads a file into `object`, which is reset when that is not possible; what was read is left in *written. */
+static void read_file(Settings *settings, const char *path, const ParameterTable *table, void *object, char **written,
+                      Fault *notes) {
+    JsonFile file = {0};
+    Fault fault = {0};
+    if (!path || (access(path, F_OK) != 0 && errno == ENOENT))
+        return;
+    bool good = json_read(&file, path, &fault);
+    if (good) {
+        JsonNode root = json_root(&file);
+        *written = json_line(root.value);
+        good = (table != &state_table || read_recent(settings, &root, &fault)) &&
+               parameters_read(table, object, &root, &settings->arena, &fault);
+    }
+    if (!good) {
+        parameters_reset(table, object);
+        if (table == &state_table)
+            forget_recent(settings);
+        memory_free(*written);
+        *written = NULL;
+        keep_bad(path, &fault, notes);
+    }
+    json_free(&file);
+    fault_clear(&fault);
+}
+
+void settings_open(Settings *settings, Fault *notes) {
+    *settings = (Settings){.told = false};
+    parameters_reset(&likes_table, &settings->likes);
+    parameters_reset(&state_table, &settings->state);
+    settings->likes_path = file_in("XDG_CONFIG_HOME", ".config", "settings.json");
+    settings->state_path = file_in("XDG_STATE_HOME", ".local/state", "state.json");
+    read_file(settings, settings->likes_path, &likes_table, &settings->likes, &settings->likes_written, notes);
+    read_file(settings, settings->state_path, &state_table, &settings->state, &settings->state_written, notes);
+}
+
+/* Writing ---------------------------------------------------------------------------------------------------------- */
+
+/* 0, or errno: ENOENT without a place. */
+static int write_object(const char *path, json_t *object) {
+    if (!path)
+        return ENOENT;
+    char *slash = strrchr(path, '/'), *folder = memory_allocate(strlen(path) + 1, 1);
+    memcpy(folder, path, (size_t)(slash - path));
+    int error = text_make_folder(folder);
+    memory_free(folder);
+    if (error)
+        return error;
+    char *text = json_dumps(object, JSON_INDENT(2) | JSON_PRESERVE_ORDER);
+    Text lines = {0};
+    text_format(&lines, "%s\n", text);
+    free(text);
+    error = text_write_quickly(path, lines.text, lines.used);
+    memory_free(lines.text);
+    return error;
+}
+
+/* Takes the object. */
+static void save_object(Settings *settings, const char *path, json_t *object, char **written, Fault *notes) {
+    char *line = json_line(object);
+    bool same = *written ? strcmp(*written, line) == 0 : json_object_size(object) == 0;
+    int error = same ? 0 : write_object(path, object);
+    if (error && !settings->told) {
+        settings->told = true;
+        fault_add(notes, "what is set here cannot be remembered: %s%s%s", path ? path : "there is no HOME",
+                  path ? ": " : "", path ? strerror(error) : "");
+    }
+    if (same || error) {
+        memory_free(line);
+    } else {
+        memory_free(*written);
+        *written = line;
+    }
+    json_decref(object);
+}
+
+void settings_save(Settings *settings, Fault *notes) {
+    json_t *state = parameters_write(&state_table, &settings->state);
+    if (settings->recent_count) {
+        json_t *recent = json_array();
+        for (size_t i = 0; i < settings->recent_count; i++)
+            json_array_append_new(recent, json_string(settings->recent[i]));
+        json_object_set_new(state, "recent", recent);
+    }
+    save_object(settings, settings->likes_path, parameters_write(&likes_table, &settings->likes),
+                &settings->likes_written, notes);
+    save_object(settings, settings->state_path, state, &settings->state_written, notes);
+}
+
+void settings_close(Settings *settings) {
+    forget_recent(settings);
+    memory_free(settings->likes_path);
+    memory_free(settings->state_path);
+    memory_free(settings->likes_written);
+    memory_free(settings->state_written);
+    arena_clear(&settings->arena);
+    *settings = (Settings){.told = false};
+}
+
+/* What is in it ---------------------------------------------------------------------------------------------------- */
+
+SettingsLaboratory *settings_laboratory(Settings *settings, const char *word) {
+    return strcmp(word, "beam") == 0 ? &settings->state.beam : &settings->state.house;
+}
+
+const char *settings_keep(Settings *settings, const char *text) {
+    return arena_text(&settings->arena, text);
+}
+
+/* JSON holds UTF-8 and nothing else. */
+static bool can_be_written(const char *text) {
+    json_t *value = json_string(text);
+    json_decref(value);
+    return value;
+}
+
+void settings_add_recent(Settings *settings, const char *path) {
+    char *whole = realpath(path, NULL);
+    if (whole && can_be_written(whole)) {
+        size_t at = 0;
+        while (at < settings->recent_count && strcmp(settings->recent[at], whole) != 0)
+            at++;
+        if (at == SETTINGS_RECENT_MOST)
+            at--;
+        if (at < settings->recent_count)
+            memory_free(settings->recent[at]);
+        else
+            settings->recent_count++;
+        memmove(settings->recent + 1, settings->recent, at * sizeof *settings->recent);
+        settings->recent[0] = text_copy(whole);
+    }
+    free(whole);
+}
+
+size_t settings_recent(const Settings *settings, const char *paths[SETTINGS_RECENT_MOST]) {
+    size_t count = 0;
+    for (size_t i = 0; i < settings->recent_count; i++) {
+        struct stat status;
+        if (stat(settings->recent[i], &status) == 0 && S_ISREG(status.st_mode))
+            paths[count++] = settings->recent[i];
+    }
+    return count;
+}

@@ -1,0 +1,10 @@
+/* What of a plot stays as it is while its series are drawn: paper, faint lines, guides and axes below them, words
+ * above. */
+#pragma once
+
+#include "plot/plot_layout.h"
+
+struct _cairo; /* cairo's own name of cairo_t */
+
+void plot_ground_paint(struct _cairo *cairo, const PlotLayout *layout, const Plot *plot, Theme theme);
+void plot_ground_paint_words(struct _cairo *cairo, const PlotLayout *layout, Theme theme);

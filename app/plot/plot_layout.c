@@ -1,0 +1,369 @@
+#include "plot/plot_layout.h"
+
+#include "plot/plot_key.h"
+#include "plot/plot_names.h"
+#include "draw/text.h"
+
+/* Design points. */
+#define TITLE_LETTERS 19.0
+#define AXIS_LETTERS 15.0
+#define NAME_LETTERS 15.0
+#define MARGIN 6.0
+#define ROW_HEIGHT 23.0 /* of titles and names */
+#define ROW_GAP 7.0     /* below them: half of the topmost label */
+#define LABEL_HEIGHT 18.0
+#define LABEL_GAP 7.0    /* between an axis and its labels: the tick is within */
+#define LABEL_APART 12.0 /* between the labels of the x axis */
+#define ITEM_GAP 11.0
+#define SAMPLE_LENGTH 26.0
+#define SAMPLE_GAP 5.0
+#define AREA_SAMPLE 14.0   /* the height of a piece of an area */
+#define UPRIGHT_LEAST 33.0 /* from tick to tick of the y axis */
+#define ACROSS_LEAST 34.0  /* and of the x axis */
+#define LOW 200.0          /* a lower plot has its titles in shared rows */
+#define LEAST_FRAME 0.4    /* of the height: where the names leave less to the lines, they are left out */
+#define FAR 1e5            /* of a point beyond the page: cairo's coordinates end at some 8e6 pixels */
+
+Vec2 plot_layout_point(const PlotLayout *layout, Vec2 value) {
+    Box frame = layout->sheet.frame;
+    double right = plot_ticks_part(&layout->x, value.x), up = plot_ticks_part(&layout->y, value.y);
+    return vec2(real_clamp(frame.low.x + right * box_width(frame), -FAR, FAR),
+                real_clamp(frame.high.y - up * box_height(frame), -FAR, FAR));
+}
+
+bool plot_layout_shows(const PlotLayout *layout, Vec2 value) {
+    return isfinite(value.x) && isfinite(value.y) && (!layout->x.logarithmic || value.x > 0) &&
+           (!layout->y.logarithmic || value.y > 0);
+}
+
+bool plot_layout_band(const PlotLayout *layout, const PlotGuide *guide, Box *band) {
+    const PlotTicks *axis = guide->upright ? &layout->x : &layout->y;
+    double from = fmax(fmin(guide->at, guide->to), axis->low), to = fmin(fmax(guide->at, guide->to), axis->high);
+    Vec2 first = plot_layout_point(layout, vec2(from, from)), last = plot_layout_point(layout, vec2(to, to));
+    *band = layout->sheet.frame;
+    if (guide->upright)
+        *band = (Box){{first.x, band->low.y}, {last.x, band->high.y}};
+    else
+        *band = (Box){{band->low.x, last.y}, {band->high.x, first.y}};
+    return from < to;
+}
+
+bool plot_layout_guide(const PlotLayout *layout, const PlotGuide *guide, Vec2 ends[2]) {
+    Box frame = layout->sheet.frame;
+    const PlotTicks *axis = guide->upright ? &layout->x : &layout->y;
+    Vec2 at = plot_layout_point(layout, vec2(guide->at, guide->at));
+    ends[0] = guide->upright ? vec2(at.x, frame.high.y) : vec2(frame.low.x, at.y);
+    ends[1] = guide->upright ? vec2(at.x, frame.low.y) : vec2(frame.high.x, at.y);
+    return !guide->band && guide->at >= axis->low && guide->at <= axis->high;
+}
+
+static Box include_shown(Box reach, const Plot *plot, Vec2 value) {
+    bool shown = isfinite(value.x) && isfinite(value.y) && (!plot->x.logarithmic || value.x > 0) &&
+                 (!plot->y.logarithmic || value.y > 0);
+    return shown ? box_include(reach, value) : reach;
+}
+
+static Box include_guide(Box reach, const Plot *plot, const PlotGuide *guide) {
+    double ends[] = {guide->at, guide->band ? guide->to : guide->at};
+    for (int i = 0; i < 2; i++) {
+        bool shown = isfinite(ends[i]) && (!(guide->upright ? &plot->x : &plot->y)->logarithmic || ends[i] > 0);
+        double at = shown ? ends[i] : NAN;
+        reach = box_include(reach, guide->upright ? vec2(at, NAN) : vec2(NAN, at));
+    }
+    return reach;
+}
+
+/* What the series and the guides hold; what is not finite, or not on the scale, does not count. */
+static Box plot_reach(const Plot *plot) {
+    Box reach = box_empty();
+    for (size_t s = 0; s < plot->series_count; s++)
+        for (size_t i = 0; i < plot->series[s].count; i++)
+            reach = include_shown(reach, plot, plot_value(&plot->series[s], i));
+    for (size_t a = 0; a < plot->area_count; a++)
+        for (size_t i = 0; i < plot->areas[a].count; i++) {
+            const PlotArea *area = &plot->areas[a];
+            reach = include_shown(reach, plot, vec2(area->x[i], area->low[i]));
+            reach = include_shown(reach, plot, vec2(area->x[i], area->high[i]));
+        }
+    for (size_t g = 0; g < plot->guide_count; g++)
+        reach = include_guide(reach, plot, &plot->guides[g]);
+    return reach;
+}
+
+/* A raster fills its axes. */
+static PlotAxis shown_axis(const Plot *plot, bool upright) {
+    PlotAxis axis = upright ? plot->y : plot->x;
+    if (plot->raster && axis.low == axis.high) {
+        axis.low = upright ? plot->raster->box.low.y : plot->raster->box.low.x;
+        axis.high = upright ? plot->raster->box.high.y : plot->raster->box.high.x;
+    }
+    return axis;
+}
+
+static PlotTicks axis_ticks(const PlotAxis *axis, double low, double high, int most) {
+    bool fitted = axis->low == axis->high;
+    if (axis->logarithmic)
+        return plot_ticks_make_logarithmic(fitted ? low : axis->low, fitted ? high : axis->high, most, fitted);
+    return plot_ticks_make(fitted ? low : axis->low, fitted ? high : axis->high, most, fitted);
+}
+
+static double widest_label(const PlotTicks *ticks) {
+    double widest = 0;
+    for (int i = 0; i < ticks->count; i++) {
+        char label[PLOT_TICKS_LABEL];
+        plot_ticks_label(ticks, i, label);
+        widest = fmax(widest, text_extent(label, AXIS_LETTERS, false).x);
+    }
+    return widest;
+}
+
+/* The most ticks of the x axis whose labels have room between them. */
+static PlotTicks ticks_across(const PlotAxis *axis, Box reach, double width) {
+    PlotTicks ticks;
+    int most = (int)(fmax(0, width) / ACROSS_LEAST) + 1;
+    do
+        ticks = axis_ticks(axis, reach.low.x, reach.high.x, most);
+    while (--most >= 2 &&
+           widest_label(&ticks) + LABEL_APART > width * (plot_ticks_part(&ticks, plot_ticks_at(&ticks, 1)) -
+                                                         plot_ticks_part(&ticks, plot_ticks_at(&ticks, 0))));
+    return ticks;
+}
+
+static Caption *add_text(PlotLayout *layout, const char *text, double size, bool bold, Vec2 centre) {
+    Layout *sheet = &layout->sheet;
+    return layout_add_caption(sheet, arena_text(&sheet->arena, text), size, bold, centre);
+}
+
+/* Rows of words above the frame, filled from left to right. */
+typedef struct Rows {
+    PlotLayout *layout;
+    double left, middle; /* design points, where the next words begin */
+} Rows;
+
+static void begin_row(Rows *rows) {
+    rows->left = MARGIN;
+    rows->middle += ROW_HEIGHT;
+}
+
+/* Adds words, behind `before` of room for something else, in this row or the next. */
+static Caption *add_item(Rows *rows, const char *text, double size, bool bold, double before) {
+    Layout *sheet = &rows->layout->sheet;
+    double right = sheet->page.x - MARGIN, rounding = 0.5;
+    const char *words = layout_shortened(sheet, text, size, bold, right - MARGIN - before);
+    double width = before + text_extent(words, size, bold).x;
+    if (rows->left > MARGIN && rows->left + width > right + rounding)
+        begin_row(rows);
+    Caption *caption = add_text(rows->layout, words, size, bold, vec2(rows->left + before, rows->middle));
+    caption->centre.x += caption->extent.x / 2;
+    rows->left += width + ITEM_GAP;
+    return caption;
+}
+
+static double name_width(const char *name, double before) {
+    return name ? before + SAMPLE_LENGTH + SAMPLE_GAP + text_extent(name, NAME_LETTERS, false).x : 0;
+}
+
+static double names_width(const Plot *plot) {
+    double width = 0;
+    for (size_t a = 0; a < plot->area_count; a++)
+        width += name_width(plot->areas[a].name, width > 0 ? ITEM_GAP : 0);
+    for (size_t s = 0; s < plot->series_count; s++)
+        width += name_width(plot->series[s].name, width > 0 ? ITEM_GAP : 0);
+    return width;
+}
+
+/* A name; where the middle of what it names is to be shown before it. */
+static Vec2 add_name(Rows *rows, const char *name) {
+    Caption *caption = add_item(rows, name, NAME_LETTERS, false, SAMPLE_LENGTH + SAMPLE_GAP);
+    return vec2(caption->centre.x - caption->extent.x / 2 - SAMPLE_GAP - SAMPLE_LENGTH / 2, caption->centre.y);
+}
+
+static void add_series_name(Rows *rows, const PlotSeries *series) {
+    PlotLayout *layout = rows->layout;
+    Vec2 middle = add_name(rows, series->name);
+    if (series->width > 0)
+        layout_add_sample(&layout->sheet, (Sample){.from = vec2(middle.x - SAMPLE_LENGTH / 2, middle.y),
+                                                   .to = vec2(middle.x + SAMPLE_LENGTH / 2, middle.y),
+                                                   .role = series->role,
+                                                   .style = series->style,
+                                                   .width = series->width});
+    if (series->symbol != SYMBOL_NONE)
+        layout->marks[layout->mark_count++] = (PlotMark){series, middle};
+}
+
+/* How much the second axis for y takes. */
+static double right_width(const PlotLayout *layout, const Plot *plot) {
+    char title[PLOT_TICKS_TITLE];
+    if (plot->right_factor == 0)
+        return 0;
+    plot_ticks_title(&layout->right, plot->right.title, plot->right.unit, title);
+    return fmax(LABEL_GAP + widest_label(&layout->right), text_extent(title, AXIS_LETTERS, false).x + LABEL_GAP);
+}
+
+/* At the right end of a row if one holds them all. */
+static void add_names(Rows *rows, const Plot *plot) {
+    Layout *sheet = &rows->layout->sheet;
+    double right = sheet->page.x - MARGIN, width = names_width(plot);
+    if (rows->left > MARGIN && rows->left + width > right)
+        begin_row(rows);
+    rows->left = fmax(rows->left, right - width);
+    for (size_t a = 0; a < plot->area_count; a++)
+        if (plot->areas[a].name) {
+            Vec2 middle = add_name(rows, plot->areas[a].name);
+            layout_add_sample(sheet, (Sample){.from = vec2(middle.x - SAMPLE_LENGTH / 2, middle.y),
+                                              .to = vec2(middle.x + SAMPLE_LENGTH / 2, middle.y),
+                                              .role = plot->areas[a].role,
+                                              .width = AREA_SAMPLE});
+        }
+    for (size_t s = 0; s < plot->series_count; s++)
+        if (plot->series[s].name)
+            add_series_name(rows, &plot->series[s]);
+}
+
+/* The titles and, if they stand above, the names of the series; returns how far down they reach. */
+static double add_rows(PlotLayout *layout, const Plot *plot, bool names) {
+    char title[PLOT_TICKS_TITLE];
+    plot_ticks_title(&layout->y, plot->y.title, plot->y.unit, title);
+    Rows rows = {layout, MARGIN, ROW_HEIGHT / 2 + 2};
+    bool low = layout->sheet.page.y < LOW;
+    if (plot->title)
+        add_item(&rows, plot->title, TITLE_LETTERS, true, 0);
+    if (*title && (low || !plot->title))
+        add_item(&rows, title, plot->title ? AXIS_LETTERS : TITLE_LETTERS - 2, !plot->title, 0);
+    if (plot->note)
+        add_item(&rows, plot->note, AXIS_LETTERS, false, 0)->role = ROLE_DIM_TEXT;
+    if (*title && !low && plot->title) {
+        begin_row(&rows);
+        add_item(&rows, title, AXIS_LETTERS, false, 0);
+    }
+    if (names)
+        add_names(&rows, plot);
+    return rows.middle + ROW_HEIGHT / 2;
+}
+
+static void add_grid(PlotLayout *layout) {
+    Box frame = layout->sheet.frame;
+    for (int i = 0; i < layout->x.count; i++) {
+        double x = plot_layout_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
+        layout_add_grid_line(&layout->sheet, vec2(x, frame.low.y), vec2(x, frame.high.y));
+    }
+    for (int i = 0; i < layout->y.count; i++) {
+        double y = plot_layout_point(layout, vec2(0, plot_ticks_at(&layout->y, i))).y;
+        layout_add_grid_line(&layout->sheet, vec2(frame.low.x, y), vec2(frame.high.x, y));
+    }
+}
+
+static void add_upright_labels(PlotLayout *layout) {
+    double right = layout->sheet.frame.low.x - LABEL_GAP;
+    for (int i = 0; i < layout->y.count; i++) {
+        char label[PLOT_TICKS_LABEL];
+        plot_ticks_label(&layout->y, i, label);
+        double y = plot_layout_point(layout, vec2(0, plot_ticks_at(&layout->y, i))).y;
+        Caption *caption = add_text(layout, label, AXIS_LETTERS, false, vec2(right, y));
+        caption->centre.x -= caption->extent.x / 2;
+    }
+}
+
+/* In a low plot the title takes the end of the labels' row, and their place where it needs it. */
+static void add_across_labels(PlotLayout *layout, const Plot *plot) {
+    char title[PLOT_TICKS_TITLE];
+    Layout *sheet = &layout->sheet;
+    plot_ticks_title(&layout->x, plot->x.title, plot->x.unit, title);
+    double row = sheet->frame.high.y + LABEL_GAP + LABEL_HEIGHT / 2, end = sheet->page.x;
+    if (*title) {
+        bool low = sheet->page.y < LOW;
+        Caption *caption = add_text(layout, title, AXIS_LETTERS, false,
+                                    vec2((sheet->frame.low.x + sheet->frame.high.x) / 2, row + LABEL_HEIGHT));
+        if (low) {
+            caption->centre = vec2(sheet->page.x - MARGIN - caption->extent.x / 2, row);
+            end = caption->centre.x - caption->extent.x / 2 - LABEL_APART;
+        }
+    }
+    for (int i = 0; i < layout->x.count; i++) {
+        char label[PLOT_TICKS_LABEL];
+        plot_ticks_label(&layout->x, i, label);
+        double x = plot_layout_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
+        if (x + text_extent(label, AXIS_LETTERS, false).x / 2 <= end)
+            add_text(layout, label, AXIS_LETTERS, false, vec2(x, row));
+    }
+}
+
+/* The second axis for y. */
+static void add_right_labels(PlotLayout *layout, const Plot *plot) {
+    char title[PLOT_TICKS_TITLE];
+    Box frame = layout->sheet.frame;
+    if (plot->right_factor == 0)
+        return;
+    for (int i = 0; i < layout->right.count; i++) {
+        char label[PLOT_TICKS_LABEL];
+        plot_ticks_label(&layout->right, i, label);
+        double y = plot_layout_point(layout, vec2(0, plot_ticks_at(&layout->right, i) / plot->right_factor)).y;
+        Caption *caption = add_text(layout, label, AXIS_LETTERS, false, vec2(frame.high.x + LABEL_GAP, y));
+        caption->centre.x += caption->extent.x / 2;
+    }
+    plot_ticks_title(&layout->right, plot->right.title, plot->right.unit, title);
+    add_text(layout, title, AXIS_LETTERS, false,
+             vec2(frame.high.x + right_width(layout, plot) / 2, frame.low.y - ROW_GAP - ROW_HEIGHT / 2));
+}
+
+/* The frame between the words around it. */
+static void place_frame(PlotLayout *layout, const Plot *plot, Box reach, bool names) {
+    Layout *sheet = &layout->sheet;
+    bool low = sheet->page.y < LOW;
+    double foot = LABEL_GAP + LABEL_HEIGHT * (low || !plot->x.title ? 1 : 2) + MARGIN / 2;
+    sheet->frame = (Box){{0, 0}, {sheet->page.x - MARGIN, sheet->page.y - foot}};
+    PlotAxis across = shown_axis(plot, false), upright = shown_axis(plot, true);
+    layout->y = axis_ticks(&upright, reach.low.y, reach.high.y, 2);
+    sheet->frame.low.y = add_rows(layout, plot, names) + ROW_GAP;
+    int most = (int)(fmax(0, box_height(sheet->frame)) / UPRIGHT_LEAST) + 1;
+    layout->y = axis_ticks(&upright, reach.low.y, reach.high.y, most);
+    if (plot->right_factor != 0)
+        layout->right =
+            plot_ticks_make(layout->y.low * plot->right_factor, layout->y.high * plot->right_factor, most, false);
+    sheet->frame.high.x -= plot_key_place(layout, plot, most) + right_width(layout, plot);
+    sheet->frame.low.x = MARGIN + widest_label(&layout->y) + LABEL_GAP;
+    layout->x = ticks_across(&across, reach, box_width(sheet->frame));
+    double half = widest_label(&layout->x) / 2; /* of a label below either end */
+    sheet->frame.low.x = fmax(sheet->frame.low.x, MARGIN + half);
+    double beside = sheet->page.x - MARGIN - sheet->frame.high.x;
+    sheet->frame.high.x -= fmax(0, half - beside);
+    layout->x = ticks_across(&across, reach, box_width(sheet->frame));
+}
+
+/* Marks and areas have no line to be named at. */
+static bool has_lines_only(const Plot *plot) {
+    bool lines = !plot->area_count;
+    for (size_t s = 0; s < plot->series_count; s++)
+        lines = lines && plot->series[s].width > 0 && !plot->series[s].stems && !plot->series[s].open;
+    return lines;
+}
+
+static void lay_out(PlotLayout *layout, const Plot *plot, Vec2 page, bool names) {
+    plot_layout_clear(layout);
+    layout->sheet.page = page;
+    layout->marks = arena_allocate(&layout->sheet.arena, (plot->series_count + 1) * sizeof *layout->marks);
+    place_frame(layout, plot, plot_reach(plot), names);
+    add_grid(layout);
+    add_upright_labels(layout);
+    add_across_labels(layout, plot);
+    add_right_labels(layout, plot);
+    plot_key_add(layout, plot);
+    plot_names_classes(layout, plot);
+    plot_names_guides(layout, plot);
+}
+
+void plot_layout_make(PlotLayout *layout, const Plot *plot, Vec2 page, PlotNames names) {
+    *layout = (PlotLayout){0};
+    bool several = plot->series_count + plot->area_count > 1;
+    bool beside = names == PLOT_NAMES_BESIDE && has_lines_only(plot);
+    lay_out(layout, plot, page, several && !beside);
+    if (several && beside && !plot_names_series(layout, plot))
+        lay_out(layout, plot, page, true);
+    if (box_height(layout->sheet.frame) < LEAST_FRAME * page.y)
+        lay_out(layout, plot, page, false);
+}
+
+void plot_layout_clear(PlotLayout *layout) {
+    layout_clear(&layout->sheet);
+    *layout = (PlotLayout){0};
+}

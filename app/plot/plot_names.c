@@ -1,0 +1,247 @@
+#include "plot/plot_names.h"
+
+#include "draw/mask.h"
+#include "draw/text.h"
+
+/* Design points. */
+#define LETTERS 15.0
+#define AIR 3.0          /* kept between words and what is round them */
+#define STRIDE 4.0       /* between the points of a series that are marked */
+#define APART 8.0        /* from other series, where a name stands */
+#define PLACE_STRIDE 6.0 /* between the places that are tried along a series */
+#define MARK_HEIGHT 18.0 /* of a class' mark */
+
+#define SERIES_WEIGHT 1.0
+#define WORDS_WEIGHT 10.0
+#define TEXT_CONTRAST 4.5 /* a name in a paler colour than that cannot be read */
+
+enum { GUIDE_PLACES = 13 /* that are tried along a guide, on either side */ };
+
+/* The points of a series on the page, about STRIDE apart; where it is broken there is a NAN. `*count` of them. */
+static Vec2 *series_points(const PlotLayout *layout, const PlotSeries *series, size_t *count) {
+    Vec2 *points = memory_allocate(series->count + 1, sizeof *points);
+    *count = 0;
+    for (size_t i = 0; i < series->count; i++) {
+        Vec2 value = plot_value(series, i);
+        bool whole = plot_layout_shows(layout, value);
+        Vec2 at = whole ? plot_layout_point(layout, value) : vec2(NAN, NAN);
+        if (*count && vec2_distance(points[*count - 1], at) < STRIDE && i + 1 < series->count)
+            continue;
+        points[(*count)++] = at;
+    }
+    return points;
+}
+
+static void mark_series(Mask *mask, const PlotLayout *layout, const PlotSeries *series) {
+    size_t count;
+    Vec2 *points = series_points(layout, series, &count);
+    for (size_t i = 0; i < count; i++) {
+        if (isnan(points[i].x))
+            continue;
+        if (series->symbol != SYMBOL_NONE)
+            mask_mark_box(mask, box_around(points[i], series->size / 2), SERIES_WEIGHT);
+        if (series->width > 0 && i && !isnan(points[i - 1].x))
+            mask_mark_line(mask, points[i - 1], points[i], series->width, SERIES_WEIGHT);
+    }
+    memory_free(points);
+}
+
+static void mark_guides(Mask *mask, const PlotLayout *layout, const Plot *plot) {
+    Vec2 ends[2];
+    for (size_t g = 0; g < plot->guide_count; g++)
+        if (plot_layout_guide(layout, &plot->guides[g], ends))
+            mask_mark_line(mask, ends[0], ends[1], 1, SERIES_WEIGHT);
+}
+
+/* What must stay visible of the plot. */
+static void mark_plot(Mask *mask, const PlotLayout *layout, const Plot *plot) {
+    mask_init(mask, layout->sheet.frame);
+    for (size_t s = 0; s < plot->series_count; s++)
+        mark_series(mask, layout, &plot->series[s]);
+    mark_guides(mask, layout, plot);
+    for (size_t i = 0; i < layout->sheet.caption_count; i++)
+        mask_mark_box(mask, layout_caption_box(&layout->sheet.captions[i]), WORDS_WEIGHT);
+}
+
+static Role text_role(Role role) {
+    for (Theme theme = 0; theme < THEME_COUNT; theme++)
+        if (palette_contrast(palette_colour(theme, role), palette_colour(theme, ROLE_PAPER)) < TEXT_CONTRAST)
+            return ROLE_TEXT;
+    return role;
+}
+
+/* The middle of words beside a point: right of it, above, below, left. */
+static Vec2 beside(Vec2 at, Vec2 extent, int side, double gap) {
+    static const Vec2 sides[] = {{1, 0}, {0, -1}, {0, 1}, {-1, 0}};
+    return vec2(at.x + sides[side].x * (extent.x / 2 + gap), at.y + sides[side].y * (extent.y / 2 + gap));
+}
+
+/* A free place beside the series, the nearer to its end the better, where it runs apart from all others; false: there
+ * is none. */
+static bool find_place(const Mask *mask, const Mask *others, const PlotLayout *layout, const PlotSeries *series,
+                       Vec2 extent, Vec2 *centre) {
+    size_t count;
+    Vec2 *points = series_points(layout, series, &count), last = vec2(HUGE_VAL, HUGE_VAL);
+    Vec2 half = vec2_scale(extent, 0.5);
+    bool found = false;
+    for (size_t i = count; i-- > 0 && !found;) {
+        if (isnan(points[i].x) || vec2_distance(points[i], last) < PLACE_STRIDE)
+            continue;
+        last = points[i];
+        if (mask_cost(others, box_around(last, APART)) > 0)
+            continue;
+        for (int side = 0; side < 4 && !found; side++) {
+            *centre = beside(last, extent, side, series->width / 2 + 2 * AIR);
+            found = mask_cost(mask, box_expand((Box){vec2_sub(*centre, half), vec2_add(*centre, half)}, AIR)) == 0;
+        }
+    }
+    memory_free(points);
+    return found;
+}
+
+static bool add_name(PlotLayout *layout, Mask *mask, const Plot *plot, const PlotSeries *series) {
+    Mask others;
+    mask_init(&others, box_expand(layout->sheet.frame, APART));
+    for (size_t s = 0; s < plot->series_count; s++)
+        if (&plot->series[s] != series)
+            mark_series(&others, layout, &plot->series[s]);
+    Caption *caption = layout_add_caption(&layout->sheet, series->name, LETTERS, true, vec2(0, 0));
+    caption->role = text_role(series->role);
+    bool found = find_place(mask, &others, layout, series, caption->extent, &caption->centre);
+    mask_mark_box(mask, layout_caption_box(caption), WORDS_WEIGHT);
+    mask_clear(&others);
+    return found;
+}
+
+bool plot_names_series(PlotLayout *layout, const Plot *plot) {
+    Mask mask;
+    size_t before = layout->sheet.caption_count;
+    bool good = true;
+    mark_plot(&mask, layout, plot);
+    for (size_t s = 0; s < plot->series_count && good; s++)
+        good = !plot->series[s].name || add_name(layout, &mask, plot, &plot->series[s]);
+    if (!good)
+        layout->sheet.caption_count = before;
+    mask_clear(&mask);
+    return good;
+}
+
+/* The middle of words on one side of a guide, a part of its length from where it is read first: the right end, or the
+ * upper one of an upright guide. */
+static Vec2 beside_guide(const PlotLayout *layout, const PlotGuide *guide, Vec2 extent, int side, double part) {
+    Box frame = box_expand(layout->sheet.frame, -AIR);
+    Vec2 at = plot_layout_point(layout, vec2(guide->at, guide->at)), half = vec2_scale(extent, 0.5);
+    Vec2 room = vec2(box_width(frame) - extent.x, box_height(frame) - extent.y);
+    if (guide->upright)
+        return vec2(at.x + side * (half.x + AIR), frame.low.y + half.y + part * fmax(0, room.y));
+    return vec2(frame.high.x - half.x - part * fmax(0, room.x), at.y - side * (half.y + 1));
+}
+
+static Vec2 best_beside_guide(const Mask *mask, const PlotLayout *layout, const PlotGuide *guide, Vec2 extent) {
+    Vec2 best = vec2(0, 0), half = vec2_scale(extent, 0.5);
+    double least = HUGE_VAL;
+    for (int i = 0; i < GUIDE_PLACES; i++)
+        for (int side = 1; side >= -1; side -= 2) {
+            Vec2 centre = beside_guide(layout, guide, extent, side, (double)i / (GUIDE_PLACES - 1));
+            double cost = mask_cost(mask, (Box){vec2_sub(centre, half), vec2_add(centre, half)});
+            if (cost < least) {
+                least = cost;
+                best = centre;
+            }
+        }
+    return best;
+}
+
+/* Within a band, in the middle across it. */
+static Vec2 best_within_band(const Mask *mask, Box band, bool upright, Vec2 extent) {
+    Vec2 best = vec2(0, 0), half = vec2_scale(extent, 0.5);
+    Vec2 room = vec2(fmax(0, box_width(band) - extent.x - 2 * AIR), fmax(0, box_height(band) - extent.y - 2 * AIR));
+    double least = HUGE_VAL;
+    for (int i = 0; i < GUIDE_PLACES; i++) {
+        double part = (double)i / (GUIDE_PLACES - 1);
+        Vec2 centre = upright ? vec2((band.low.x + band.high.x) / 2, band.low.y + AIR + half.y + part * room.y)
+                              : vec2(band.high.x - AIR - half.x - part * room.x, (band.low.y + band.high.y) / 2);
+        centre.x = real_clamp(centre.x, mask->box.low.x + half.x, mask->box.high.x - half.x);
+        double cost = mask_cost(mask, (Box){vec2_sub(centre, half), vec2_add(centre, half)});
+        if (cost < least) {
+            least = cost;
+            best = centre;
+        }
+    }
+    return best;
+}
+
+void plot_names_guides(PlotLayout *layout, const Plot *plot) {
+    Mask mask;
+    if (!plot->guide_count)
+        return;
+    mark_plot(&mask, layout, plot);
+    for (size_t g = 0; g < plot->guide_count; g++) {
+        const PlotGuide *guide = &plot->guides[g];
+        Vec2 ends[2];
+        Box band;
+        bool shown = guide->band ? plot_layout_band(layout, guide, &band) : plot_layout_guide(layout, guide, ends);
+        if (!guide->name || !shown)
+            continue;
+        Caption *caption = layout_add_caption(&layout->sheet, guide->name, LETTERS, false, vec2(0, 0));
+        caption->centre = guide->band ? best_within_band(&mask, band, guide->upright, caption->extent)
+                                      : best_beside_guide(&mask, layout, guide, caption->extent);
+        caption->role = guide->band ? ROLE_TEXT : text_role(guide->role);
+        caption->halo = true;
+        caption->fill = ROLE_PAPER;
+        mask_mark_box(&mask, layout_caption_box(caption), WORDS_WEIGHT);
+    }
+    mask_clear(&mask);
+}
+
+/* The largest square of cells of a class: its upper right corner and how many cells a side, 0: none. */
+typedef struct Square {
+    size_t column, row, side;
+} Square;
+
+/* `sides` has room for a row of the raster. */
+static Square largest_square(const PlotRaster *raster, double class, size_t *sides) {
+    Square best = {0, 0, 0};
+    for (size_t row = 0; row < raster->rows; row++)
+        for (size_t column = 0, before = 0; column < raster->columns; column++) {
+            size_t above = row ? sides[column] : 0, left = column ? sides[column - 1] : 0, side = 0;
+            if (raster->values[row * raster->columns + column] == class) {
+                side = above < left ? above : left;
+                side = 1 + (before < side ? before : side);
+            }
+            before = above;
+            sides[column] = side;
+            if (side > best.side)
+                best = (Square){column, row, side};
+        }
+    return best;
+}
+
+static void add_mark(PlotLayout *layout, const PlotRaster *raster, const PlotClass *marked, Square square) {
+    Vec2 cell = vec2(box_width(raster->box) / (double)raster->columns, box_height(raster->box) / (double)raster->rows);
+    Vec2 high = vec2(raster->box.low.x + cell.x * (double)(square.column + 1),
+                     raster->box.low.y + cell.y * (double)(square.row + 1));
+    Vec2 low = vec2_along(high, -(double)square.side, cell);
+    Vec2 from = plot_layout_point(layout, low), to = plot_layout_point(layout, high);
+    Vec2 extent = text_extent(marked->mark, LETTERS, true);
+    if (extent.x > to.x - from.x || MARK_HEIGHT > from.y - to.y)
+        return;
+    Caption *caption =
+        layout_add_caption(&layout->sheet, marked->mark, LETTERS, true, vec2_scale(vec2_add(from, to), 0.5));
+    caption->extent.y = MARK_HEIGHT;
+    caption->shape = LABEL_TAG;
+    caption->fill = marked->role;
+}
+
+void plot_names_classes(PlotLayout *layout, const Plot *plot) {
+    const PlotRaster *raster = plot->raster;
+    if (!raster || !raster->classes)
+        return;
+    size_t *sides = memory_allocate(raster->columns, sizeof *sides);
+    for (size_t c = 0; c < raster->class_count; c++) {
+        Square square = largest_square(raster, (double)c, sides);
+        if (square.side && raster->classes[c].mark)
+            add_mark(layout, raster, &raster->classes[c], square);
+    }
+    memory_free(sides);
+}

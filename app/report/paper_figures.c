@@ -1,0 +1,79 @@
+#include "report/paper_figures.h"
+
+#include <assert.h>
+#include <string.h>
+
+/* Where a figure's plot is: of a run, or of a study. */
+typedef struct Source {
+    const char *name, *title, *caption;
+    bool is_run;
+    int of;           /* PaperRun or PaperStudy */
+    const char *plot; /* beam_plots.h, study_plots.h */
+} Source;
+
+/* Which of the figures 3 to 6 showed what, and what the axes of 7 and 9 were, is lost; it is what the text speaks of.
+ */
+static const Source sources[PAPER_FIGURES] = {
+    {"figure-2-phase", "Figure 2", "The tip at 190 Hz, in its phase plane; dashed: the clearance's edges.", true,
+     PAPER_PERIODIC, "phase"},
+    {"figure-2-force", "Figure 2", "The force of the joint on the tip at 190 Hz.", true, PAPER_PERIODIC, "force"},
+    {"figure-3-phase", "Figures 3 to 6", "The tip at 300 Hz, in its phase plane.", true, PAPER_CHAOTIC, "phase"},
+    {"figure-4-poincare", "Figures 3 to 6", "The Poincar\u00e9 map at 300 Hz: the tip once a cycle of the drive.", true,
+     PAPER_CHAOTIC, "poincare"},
+    {"figure-5-force", "Figures 3 to 6", "The force of the joint on the tip at 300 Hz.", true, PAPER_CHAOTIC, "force"},
+    {"figure-6-spectrum", "Figures 3 to 6", "The spectrum of the tip's displacement at 300 Hz.", true, PAPER_CHAOTIC,
+     "spectrum"},
+    {"figure-8-peaks", "Figures 7 and 8",
+     "Largest force of each of 100 cycles against the drive's frequency: each from rest, and going on upwards and "
+     "downwards; where they differ, motions coexist.",
+     false, PAPER_FREQUENCIES, "peaks"},
+    {"figure-9-map", "Figure 9",
+     "Responses over frequency and clearance, from rest; on the right the clearance over the static deflection of the "
+     "tip under the drive's amplitude, without the joint.",
+     false, PAPER_MAP, "map-period"},
+    {"figure-10-length", "Figure 10", "Largest force of each of 100 cycles at 290 Hz against the length of the beam.",
+     false, PAPER_LENGTHS, "peaks"},
+};
+
+static const Plot *find_beam_plot(const BeamPlots *plots, const char *name) {
+    for (size_t i = 0; i < plots->choice.count; i++)
+        if (strcmp(beam_plots_name(plots->choice.indices[i]), name) == 0)
+            return &plots->plots[i];
+    return NULL;
+}
+
+static const Plot *find_study_plot(const StudyPlots *plots, const char *name) {
+    for (size_t i = 0; i < plots->count; i++)
+        if (strcmp(plots->plots[i].name, name) == 0)
+            return &plots->plots[i].plot;
+    return NULL;
+}
+
+PaperFigures *paper_figures_make(const Paper *paper) {
+    PaperFigures *figures = memory_allocate(1, sizeof *figures);
+    char fault[PLOT_CHOICE_FAULT];
+    PlotChoice choice;
+    bool known = beam_plots_choose(&choice, BEAM_PLOTS_WORDS, fault);
+    assert(known);
+    (void)known;
+    for (size_t i = 0; i < PAPER_RUNS; i++)
+        figures->responses[i] = beam_plots_make(&paper->responses[i], &paper->beams[i], NULL, &choice);
+    for (size_t i = 0; i < PAPER_STUDIES; i++)
+        figures->studies[i] = study_plots_make(&paper->studies[i], NULL);
+    for (size_t i = 0; i < PAPER_FIGURES; i++) {
+        const Source *source = &sources[i];
+        figures->figures[i] =
+            (PaperFigure){source->name, source->title, source->caption,
+                          source->is_run ? find_beam_plot(&figures->responses[source->of], source->plot)
+                                         : find_study_plot(&figures->studies[source->of], source->plot)};
+    }
+    return figures;
+}
+
+void paper_figures_free(PaperFigures *figures) {
+    for (size_t i = 0; i < PAPER_RUNS; i++)
+        beam_plots_free(&figures->responses[i]);
+    for (size_t i = 0; i < PAPER_STUDIES; i++)
+        study_plots_free(&figures->studies[i]);
+    memory_free(figures);
+}

@@ -1,0 +1,26 @@
+/* The figures of the paper that can be made (2 to 10), of a beam's runs and studies, as plots. */
+#pragma once
+
+#include "plot/plot.h"
+#include "visual/beam/beam_plots.h"
+#include "experiment/paper.h"
+#include "visual/study/study_plots.h"
+
+enum { PAPER_FIGURES = 9 };
+
+typedef struct PaperFigure {
+    const char *name;    /* of its files: "figure-2-phase" */
+    const char *title;   /* "Figure 2" */
+    const char *caption; /* what it shows, a sentence */
+    const Plot *plot;    /* NULL: there is none */
+} PaperFigure;
+
+typedef struct PaperFigures {
+    PaperFigure figures[PAPER_FIGURES];
+    BeamPlots responses[PAPER_RUNS];
+    StudyPlots studies[PAPER_STUDIES];
+} PaperFigures;
+
+/* The paper must outlive them; paper_figures_free releases them. */
+PaperFigures *paper_figures_make(const Paper *paper);
+void paper_figures_free(PaperFigures *figures);

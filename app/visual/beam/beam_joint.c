@@ -1,0 +1,114 @@
+#include "visual/beam/beam_joint.h"
+
+#include "visual/beam/beam_pieces.h"
+#include "visual/beam/beam_words.h"
+
+/* Of the beam's length. */
+#define SPRING_HALF 0.35 /* of a stop's half length */
+#define DIMENSION_AT 0.062
+#define DIMENSION_END 0.010
+#define FORCE_MOST 0.115
+#define BURST_MOST 0.040
+#define SHAFT_HALF 0.008
+#define WORDS_BESIDE 0.012
+#define SMALL 0.55 /* 1, of the signs beside the beam, where the loupe has them large */
+
+/* Design points. */
+#define NAME_LETTERS 17.0
+#define FORCE_LETTERS 24.0
+#define THIN 1.5
+#define DIMENSION_WIDTH 2.0
+
+Vec2 beam_joint_tip(const BeamJoint *joint, double deflection) {
+    return vec2(joint->middle.x, joint->middle.y + joint->factor * deflection);
+}
+
+/* m of the drawing, how far a stop's face is from the middle while nothing presses it. */
+static double face_of(const BeamJoint *joint, const Beam *beam) {
+    return joint->ball + joint->factor * beam->clearance;
+}
+
+/* How far it is to a stop, beside it. */
+static void add_gap(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint, int side) {
+    double length = scale->length, x = joint->middle.x + DIMENSION_AT * length, end = x + DIMENSION_END * length;
+    double rest = joint->middle.y + side * joint->ball, face = joint->middle.y + side * face_of(joint, beam);
+    for (int i = 0; i < 2; i++) {
+        double y = i ? face : rest;
+        scene_add_line(scene, ROLE_DIM_TEXT, THIN, (Vec2[]){{joint->middle.x, y}, {end, y}}, 2)->style = LINE_DASHED;
+    }
+    scene_add_dimension(scene, ROLE_TEXT, DIMENSION_WIDTH, vec2(x, rest), vec2(x, face));
+    Vec2 at = vec2(end, (rest + face) / 2), right = vec2(end + length, at.y);
+    const char *text = beam->clearance < 1e-6 ? beam_words_quantity(scene, beam->clearance, "m")
+                                              : scene_text(scene, "%.4g mm", 1000 * beam->clearance);
+    Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_LETTERS, at, text);
+    scene_bind_label(scene, label, &right, 1);
+    label->bold = label->fixed = true;
+}
+
+void beam_joint_still(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint) {
+    Vec2 middle = joint->middle;
+    for (int side = -1; side <= 1; side += 2) {
+        double y = middle.y + side * joint->ground;
+        beam_pieces_ground(scene, vec2(middle.x - 1.3 * joint->half, y), vec2(middle.x + 1.3 * joint->half, y),
+                           side * BEAM_JOINT_GROUND * scale->length);
+        if (joint->loupe && beam->clearance > 0)
+            add_gap(scene, beam, scale, joint, side);
+    }
+    if (joint->loupe && beam->clearance == 0) {
+        Vec2 at = vec2(middle.x + DIMENSION_AT * scale->length, middle.y), right = vec2(at.x + 1, at.y);
+        Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_LETTERS, at, "no clearance");
+        scene_bind_label(scene, label, &right, 1);
+        label->bold = label->fixed = true;
+    }
+}
+
+void beam_joint_stops(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint,
+                      double deflection) {
+    Vec2 middle = joint->middle;
+    for (int side = -1; side <= 1; side += 2) {
+        double face = joint->ball + joint->factor * fmax(beam->clearance, side * deflection);
+        double back = face + BEAM_JOINT_DEPTH * scale->length;
+        beam_pieces_spring(scene, vec2(middle.x, middle.y + side * back),
+                           vec2(middle.x, middle.y + side * joint->ground), SPRING_HALF * joint->half);
+        Box near = box_around(vec2(middle.x - joint->half, middle.y + side * face), 0);
+        beam_pieces_block(scene, ROLE_WALL, box_include(near, vec2(middle.x + joint->half, middle.y + side * back)));
+    }
+}
+
+/* The force that a stop has now, or had at the most when it was last touched, beside it. */
+static void add_words(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint,
+                      const BeamMoment *moment, int side, bool touched) {
+    const BeamImpact *last = moment->last[side > 0 ? 0 : 1];
+    if (!touched && !last)
+        return;
+    Vec2 at = vec2(joint->middle.x + joint->half + WORDS_BESIDE * scale->length,
+                   joint->middle.y + side * (face_of(joint, beam) + joint->ground) / 2);
+    Vec2 right = vec2(at.x + scale->length, at.y);
+    const char *text = touched ? beam_words_newtons(scene, fabs(moment->force), moment->largest)
+                               : scene_text(scene, "last %s", beam_words_newtons(scene, last->peak, moment->largest));
+    Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, touched ? FORCE_LETTERS : NAME_LETTERS, at, text);
+    scene_bind_label(scene, label, &right, 1);
+    label->fixed = true;
+    if (touched) {
+        label->bold = true;
+        label->shape = LABEL_TAG;
+        label->fill = ROLE_DANGER_MIDDLE;
+    }
+}
+
+void beam_joint_contact(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint,
+                        double deflection, const BeamMoment *moment) {
+    int side = moment->force < 0 ? 1 : -1;
+    bool touched = moment->force != 0;
+    if (touched) {
+        double share = fabs(moment->force) / fmax(moment->largest, fabs(moment->force));
+        double size = scale->length * (joint->loupe ? 1 : SMALL);
+        Vec2 at = beam_joint_tip(joint, deflection);
+        at.y += side * joint->ball;
+        beam_pieces_burst(scene, at, BURST_MOST * size * sqrt(share));
+        beam_pieces_arrow(scene, ROLE_DANGER_MIDDLE, at, vec2(at.x, at.y - side * FORCE_MOST * size * share),
+                          SHAFT_HALF * size);
+    }
+    for (int s = -1; s <= 1 && joint->loupe; s += 2)
+        add_words(scene, beam, scale, joint, moment, s, touched && s == side);
+}

@@ -1,0 +1,102 @@
+#include "visual/house/blockage_scene.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "visual/house/silhouette.h"
+
+/* Design points. */
+#define BODY_EDGE 3.0
+#define CROSS_WIDTH 4.0
+#define DIMENSION_WIDTH 3.0
+#define LETTERS 17.0
+
+#define BODY_OPACITY 0.15
+#define KEEP_BODY 4.0 /* how much labels avoid them */
+#define KEEP_SIGN 6.0
+
+#define CROSS_HALF 0.12 /* m */
+#define AHEAD 0.10      /* m, from the body to the dimension before it */
+
+bool blockage_scene_has(const PersonObservation *observed) {
+    return observed->took_part && !observed->completed && *observed->blockage.what &&
+           (observed->reason == REASON_CANNOT_PASS || observed->reason == REASON_BLOCKED);
+}
+
+const char *blockage_scene_widths(Scene *scene, const Blockage *blockage) {
+    char widths[64];
+    route_widths(blockage, widths, sizeof widths);
+    return scene_text(scene, "%s", widths);
+}
+
+/* The door that a name like "door d2" means, or NULL. */
+static const Door *named_door(const Plan *plan, const char *what) {
+    for (size_t i = 0; i < plan->door_count; i++) {
+        char name[sizeof((Blockage *)0)->what];
+        snprintf(name, sizeof name, "door %s", plan->doors[i].id);
+        if (strcmp(name, what) == 0)
+            return &plan->doors[i];
+    }
+    return NULL;
+}
+
+/* How somebody who does not pass would stand there: across the door's line, otherwise on the way from the start. */
+static Pose pose_before(const Plan *plan, const Inhabitant *person, const Blockage *blockage) {
+    Vec2 way = vec2_sub(blockage->at, person->at);
+    const Door *door = named_door(plan, blockage->what);
+    if (door) {
+        Vec2 from, to;
+        plan_door_ends(plan, door, &from, &to);
+        Vec2 across = vec2_left(vec2_sub(to, from));
+        way = vec2_dot(across, way) < 0 ? vec2_scale(across, -1) : across;
+    }
+    Pose pose = {.heading = atan2(way.y, way.x)};
+    pose.at = vec2_sub(blockage->at, silhouette_middle(person->profile, vec2(0, 0), pose.heading));
+    return pose;
+}
+
+static void add_body(Scene *scene, const Profile *profile, Pose pose) {
+    Primitive *body = silhouette_add(scene, ROLE_ERROR, profile, pose);
+    body->fill_opacity = BODY_OPACITY;
+    body->width = BODY_EDGE;
+    body->style = LINE_DASHED;
+    body->keep_clear = KEEP_BODY;
+}
+
+static void add_cross(Scene *scene, Vec2 at) {
+    for (int sign = -1; sign <= 1; sign += 2) {
+        Vec2 arm = vec2(CROSS_HALF, sign * CROSS_HALF);
+        Vec2 ends[] = {vec2_sub(at, arm), vec2_add(at, arm)};
+        scene_add_line(scene, ROLE_ERROR, CROSS_WIDTH, ends, 2)->keep_clear = KEEP_SIGN;
+    }
+}
+
+/* The door's width, clear of the body that stands in it. */
+static void add_width(Scene *scene, const Plan *plan, const Door *door, const Profile *profile, double heading) {
+    Vec2 from, to, ahead = vec2_scale(vec2_heading(heading), profile->length / 2 + AHEAD);
+    plan_door_ends(plan, door, &from, &to);
+    scene_add_dimension(scene, ROLE_ERROR, DIMENSION_WIDTH, vec2_add(from, ahead), vec2_add(to, ahead))->keep_clear =
+        KEEP_SIGN;
+}
+
+void blockage_scene_add(Scene *scene, const House *house, const Observation *observation, size_t person,
+                        const Trail *trail) {
+    const Inhabitant *inhabitant = &house->people[person];
+    const PersonObservation *observed = &observation->people[person];
+    const Blockage *blockage = &observed->blockage;
+    bool stuck = observed->reason == REASON_BLOCKED && trail->count > 0;
+    Pose pose = stuck ? trail_pose(trail, trail_end(trail)) : pose_before(&house->plan, inhabitant, blockage);
+    add_body(scene, inhabitant->profile, pose);
+    add_cross(scene, blockage->at);
+    const Door *door = named_door(&house->plan, blockage->what);
+    if (!stuck && door && blockage->needs > blockage->has)
+        add_width(scene, &house->plan, door, inhabitant->profile, pose.heading);
+}
+
+void blockage_scene_label(Scene *scene, const Blockage *blockage) {
+    const char *widths = blockage_scene_widths(scene, blockage);
+    Primitive *tag = scene_add_label(scene, ROLE_TEXT, LETTERS, blockage->at, *widths ? widths : blockage->what);
+    tag->fill = ROLE_ERROR;
+    tag->shape = LABEL_TAG;
+    tag->bold = tag->leader = true;
+}

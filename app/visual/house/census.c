@@ -1,0 +1,234 @@
+#include "visual/house/census.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+#define TOGETHER 1.5 /* m: who is stopped so near to others is stopped by the same thing */
+#define ALIKE 0.005  /* m: widths that are told alike */
+
+enum { REASONS_TOLD = 3 };
+
+bool census_walks(const Profile *profile) {
+    return profile->driving == DRIVING_WALKER;
+}
+
+const char *census_party_name(const House *house, const Party *party) {
+    return party->crowd ? party->crowd->id : party->people == 1 ? house->people[party->first].id : "single people";
+}
+
+/* Is this "<crowd>-<number>", the number one of its members'? Nobody else has such a name. */
+static bool is_member(const Crowd *crowd, const char *id) {
+    size_t length = strlen(crowd->id);
+    if (strncmp(id, crowd->id, length) != 0 || id[length] != '-')
+        return false;
+    const char *digits = id + length + 1;
+    if (*digits < '1' || *digits > '9' || digits[strspn(digits, "0123456789")] != 0 || strlen(digits) > 9)
+        return false;
+    return atoi(digits) <= crowd->count;
+}
+
+/* People are sorted by name, so that the crowd of the one before is the best guess. */
+static const Crowd *crowd_of(const Plan *plan, const char *id, const Crowd *guess) {
+    if (guess && is_member(guess, id))
+        return guess;
+    for (size_t c = 0; c < plan->crowd_count; c++)
+        if (is_member(&plan->crowds[c], id))
+            return &plan->crowds[c];
+    return NULL;
+}
+
+static size_t find_party(Census *census, const Crowd *crowd, size_t i, const Inhabitant *person) {
+    for (size_t p = census->party_count; p-- > 0;) {
+        const Party *party = &census->parties[p];
+        if (party->crowd == crowd && party->profile == person->profile && party->route == person->route)
+            return p;
+    }
+    census->parties =
+        memory_reserve(census->parties, &census->party_capacity, census->party_count + 1, sizeof *census->parties);
+    census->parties[census->party_count] =
+        (Party){.crowd = crowd, .profile = person->profile, .route = person->route, .first = i};
+    return census->party_count++;
+}
+
+static void count_person(Census *census, size_t party_index, const PersonObservation *person) {
+    Party *party = &census->parties[party_index];
+    party->people++;
+    party->out += person->completed;
+    party->lost += person->lost_time;
+    party->contacts += person->contacts;
+    party->peak_force = fmax(party->peak_force, person->peak_force);
+    census->people++;
+    census->out += person->completed;
+    census->contacts += person->contacts;
+    census->peak_force = fmax(census->peak_force, person->peak_force);
+    if (!person->completed)
+        return;
+    party->mean += person->time;
+    party->last = fmax(party->last, person->time);
+    census->last = fmax(census->last, person->time);
+}
+
+static void take_means(Party *party) {
+    party->lost /= (double)party->people;
+    party->mean = party->out ? party->mean / (double)party->out : NAN;
+    party->last = party->out ? party->last : NAN;
+}
+
+static bool has_place(Reason reason) {
+    return reason == REASON_CANNOT_PASS || reason == REASON_BLOCKED;
+}
+
+static int telling(const char *what) {
+    return strncmp(what, "door ", 5) == 0 ? 2 : strncmp(what, "person ", 7) != 0;
+}
+
+/* Are these two the same? A narrow place is told by its widths, a jam by where it is. */
+static bool holds_meet(const Hold *a, const Hold *b) {
+    if (a->reason != b->reason)
+        return false;
+    if (!has_place(a->reason))
+        return true;
+    if (a->reason == REASON_CANNOT_PASS &&
+        (strcmp(a->blockage.what, b->blockage.what) != 0 || fabs(a->blockage.needs - b->blockage.needs) > ALIKE))
+        return false;
+    return a->box.low.x < b->box.high.x + TOGETHER && b->box.low.x < a->box.high.x + TOGETHER &&
+           a->box.low.y < b->box.high.y + TOGETHER && b->box.low.y < a->box.high.y + TOGETHER;
+}
+
+static void join_holds(Hold *into, const Hold *other) {
+    into->people += other->people;
+    into->first = other->first < into->first ? other->first : into->first;
+    into->box = box_include(box_include(into->box, other->box.low), other->box.high);
+    if (telling(other->blockage.what) > telling(into->blockage.what))
+        into->blockage = other->blockage;
+}
+
+static size_t find_hold(const Census *census, const Hold *hold) {
+    size_t h = 0;
+    while (h < census->hold_count && !holds_meet(hold, &census->holds[h]))
+        h++;
+    return h;
+}
+
+/* A hold that has grown may meet others in turn. */
+static void add_hold(Census *census, Hold hold) {
+    for (size_t h; (h = find_hold(census, &hold)) < census->hold_count;) {
+        Hold joined = census->holds[h];
+        join_holds(&joined, &hold);
+        hold = joined;
+        census->holds[h] = census->holds[--census->hold_count];
+    }
+    census->holds = memory_reserve(census->holds, &census->hold_capacity, census->hold_count + 1, sizeof hold);
+    census->holds[census->hold_count++] = hold;
+}
+
+static void hold_person(Census *census, size_t i, const PersonObservation *person) {
+    Hold hold = {.reason = person->reason, .first = i, .people = 1};
+    if (has_place(person->reason)) {
+        hold.box = (Box){person->blockage.at, person->blockage.at};
+        hold.blockage = person->blockage;
+    }
+    add_hold(census, hold);
+}
+
+static int compare_holds(const void *a, const void *b) {
+    const Hold *p = a, *q = b;
+    return p->people != q->people ? (p->people < q->people) - (p->people > q->people)
+                                  : (p->first > q->first) - (p->first < q->first);
+}
+
+Census census_take(const House *house, const Observation *observation) {
+    Census census = {.stuck = SIZE_MAX,
+                     .left = memory_allocate(house->plan.exit_count, sizeof *census.left),
+                     .party_of = memory_allocate(house->person_count, sizeof *census.party_of)};
+    const Crowd *crowd = NULL;
+    for (size_t i = 0; i < house->person_count; i++) {
+        const PersonObservation *person = &observation->people[i];
+        if (!person->took_part)
+            continue;
+        crowd = crowd_of(&house->plan, house->people[i].id, crowd);
+        census.party_of[i] = find_party(&census, crowd, i, &house->people[i]);
+        count_person(&census, census.party_of[i], person);
+        if (person->completed && person->exit < house->plan.exit_count)
+            census.left[person->exit]++;
+        if (person->completed)
+            continue;
+        hold_person(&census, i, person);
+        census.stuck = census.stuck == SIZE_MAX ? i : census.stuck;
+    }
+    for (size_t p = 0; p < census.party_count; p++)
+        take_means(&census.parties[p]);
+    if (census.hold_count)
+        qsort(census.holds, census.hold_count, sizeof *census.holds, compare_holds);
+    return census;
+}
+
+void census_clear(Census *census) {
+    memory_free(census->parties);
+    memory_free(census->holds);
+    memory_free(census->left);
+    memory_free(census->party_of);
+    *census = (Census){0};
+}
+
+/* "29 blocked at door d2", "p1 cannot pass door d2 (needs at least 0.80 m, has 0.75 m)" */
+static void say_hold(const House *house, const Hold *hold, bool with_widths, char *text, size_t size) {
+    const char *what = hold->blockage.what;
+    char widths[64] = "", who[64];
+    if (with_widths)
+        route_widths(&hold->blockage, widths, sizeof widths);
+    snprintf(who, sizeof who, "%zu", hold->people);
+    if (hold->people == 1)
+        snprintf(who, sizeof who, "%s", house->people[hold->first].id);
+    if (house->people[hold->first].under)
+        snprintf(text, size, "%s caught %s", who, what);
+    else if (hold->reason == REASON_CANNOT_PASS)
+        snprintf(text, size, "%s cannot pass %s%s%s%s", who, *what ? what : "here", *widths ? " (" : "", widths,
+                 *widths ? ")" : "");
+    else if (hold->reason == REASON_BLOCKED && telling(what))
+        snprintf(text, size, "%s blocked at %s", who, what);
+    else if (hold->reason == REASON_BLOCKED)
+        snprintf(text, size, "%s blocked by %s", who, hold->people > 1 ? "other people" : what);
+    else
+        snprintf(text, size, "%s %s", who, observation_reason(hold->reason));
+}
+
+void census_reasons(const House *house, const Census *census, bool with_widths, char *text, size_t size) {
+    size_t used = 0, told = 0;
+    *text = 0;
+    for (size_t h = 0; h < census->hold_count && h < REASONS_TOLD && used < size; h++) {
+        char hold[256];
+        say_hold(house, &census->holds[h], with_widths, hold, sizeof hold);
+        used += (size_t)snprintf(text + used, size - used, "%s%s", h ? ", " : "", hold);
+        told += census->holds[h].people;
+    }
+    size_t rest = census->people - census->out - told;
+    if (rest && used < size)
+        snprintf(text + used, size - used, ", %zu elsewhere", rest);
+}
+
+const Party *census_find_party(const House *house, const Census *census, const char *name, const char *profile) {
+    for (size_t p = 0; p < census->party_count; p++)
+        if (strcmp(census_party_name(house, &census->parties[p]), name) == 0 &&
+            strcmp(census->parties[p].profile->name, profile) == 0)
+            return &census->parties[p];
+    return NULL;
+}
+
+double census_route_time(const House *house, const Observation *observation, const PlanRoute *route) {
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = 0; i < house->person_count; i++) {
+        if (house->people[i].route != route)
+            continue;
+        if (!observation->people[i].completed)
+            return -1;
+        sum += observation->people[i].time;
+        count++;
+    }
+    return count ? sum / (double)count : -1;
+}

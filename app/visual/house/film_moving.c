@@ -1,0 +1,199 @@
+/* The layer of a film that moves: who is where at the time that is shown. */
+#include "visual/house/film_layers.h"
+
+#include "visual/house/burst.h"
+#include "visual/house/crowd_scene.h"
+#include "visual/house/figure.h"
+#include "visual/house/plan_scene.h"
+#include "visual/house/silhouette.h"
+
+/* Design points. */
+#define CONTACT_EDGE 1.5
+#define CONTACT_LETTERS 17.0
+#define ID_LETTERS 15.0
+#define GHOST_EDGE 2.5
+
+#define ID_BESIDE 0.62   /* m, up the plan, of the name from a body's middle */
+#define ID_HEIGHT 1.45   /* m, in the raised view */
+#define STAY 1.0         /* s: who is out is seen so much longer */
+#define CONTACT_STAY 0.4 /* s, that a touch is seen */
+
+/* The star of a contact: its radius, m, at this force, N; it grows with the root of the force, up to this, m. */
+#define CONTACT_RADIUS 0.10
+#define CONTACT_FORCE 100.0
+#define CONTACT_MOST 0.25
+#define CONTACT_HEIGHT 0.725 /* m, in the raised view */
+
+#define SPACE_OPACITY 0.13
+
+/* Is the person still, or again, to be seen? The last one out stays: a film ends with somebody in the picture. */
+static bool is_there(const Film *film, size_t i) {
+    const PersonObservation *observed = &film->observation->people[i];
+    if (!observed->took_part || !film->trails[i].count)
+        return false;
+    bool last = !film->crowd && observed->time >= film->observation->time;
+    return !observed->completed || last || film->time <= observed->time + (film->crowd ? 0 : STAY);
+}
+
+/* Whoever runs alone: by route. */
+static size_t group_of(const Film *film, size_t i) {
+    const Plan *plan = &film->house->plan;
+    const PlanRoute *route = film->house->people[i].route;
+    if (plan->run.routes != ROUTES_ALONE)
+        return 0;
+    return route ? (size_t)(route - plan->routes) : plan->route_count;
+}
+
+static size_t find_standing(Film *film) {
+    size_t count = 0;
+    for (size_t i = 0; i < film->house->person_count; i++)
+        if (is_there(film, i))
+            film->standing[count++] = (Standing){.profile = film->house->people[i].profile,
+                                                 .pose = trail_pose(&film->trails[i], film->time),
+                                                 .person = i,
+                                                 .group = group_of(film, i)};
+    return count;
+}
+
+static void add_walkers(Film *film, size_t count) {
+    for (size_t k = 0; k < film->house->profile_count; k++) {
+        const Profile *profile = &film->house->profiles[k];
+        size_t of_this = 0;
+        for (size_t i = 0; i < count && census_walks(profile); i++)
+            if (film->standing[i].profile == profile)
+                film->poses[of_this++] = film->standing[i].pose;
+        if (of_this)
+            figure_add_walkers(&film->moving, profile, film->poses, of_this);
+    }
+}
+
+static void add_space(Film *film, size_t count, size_t i) {
+    const Standing *standing = &film->standing[i];
+    double compression = trail_compression(&film->trails[standing->person], film->time, film->time);
+    if (standing->profile->space_reach <= 0)
+        return;
+    Primitive *ring = space_scene_add(&film->moving, film->house, film->door_open, film->standing, count, i);
+    people_scene_dress_ring(ring, compression > PEOPLE_SCENE_COMPRESSED);
+    ring->fill_opacity = SPACE_OPACITY;
+}
+
+static void add_chair(Film *film, const Standing *standing) {
+    Role role = film_layers_look(film, standing->person).role;
+    if (film->small)
+        crowd_scene_chair(&film->moving, film->still.box, standing->profile, standing->pose, role);
+    else
+        figure_add_chair(&film->moving, standing->profile, standing->pose, role);
+    if (film->options.shown & FILM_CIRCLES)
+        space_scene_add_circles(&film->moving, standing->profile, standing->pose);
+}
+
+static void add_chairs(Film *film, size_t count) {
+    for (size_t i = 0; i < count && !film->small && !(film->options.hidden & FILM_RINGS); i++)
+        if (!census_walks(film->standing[i].profile))
+            add_space(film, count, i);
+    for (size_t i = 0; i < count; i++)
+        if (!census_walks(film->standing[i].profile))
+            add_chair(film, &film->standing[i]);
+}
+
+/* A star whose size tells the force, and the force in words. */
+static void add_burst(Scene *scene, Vec2 at, double force) {
+    double radius = fmin(CONTACT_MOST, CONTACT_RADIUS * sqrt(force / CONTACT_FORCE));
+    Primitive *burst = burst_add(scene, at, radius);
+    burst->width = CONTACT_EDGE;
+    burst->base = CONTACT_HEIGHT;
+}
+
+/* The hardest touch of a person within the last moments; its force stands outside the body. */
+static void add_contact(Film *film, const Standing *standing) {
+    const double *hardest = trail_hardest(&film->trails[standing->person], film->time - CONTACT_STAY, film->time);
+    if (!hardest)
+        return;
+    Vec2 at = vec2(hardest[TRACE_CONTACT_X], hardest[TRACE_CONTACT_Y]);
+    add_burst(&film->moving, at, hardest[TRACE_BODY_FORCE]);
+    if (film->crowd)
+        return;
+    const char *text = scene_text(&film->moving, "%.0f N", hardest[TRACE_BODY_FORCE]);
+    Primitive *tag = scene_add_label(&film->moving, ROLE_TEXT, CONTACT_LETTERS, at, text);
+    Vec2 middle = silhouette_middle(standing->profile, standing->pose.at, standing->pose.heading);
+    Vec2 beside = vec2_add(at, vec2_sub(at, middle));
+    scene_bind_label(&film->moving, tag, &beside, 1);
+    tag->fill = ROLE_DANGER_MIDDLE;
+    tag->shape = LABEL_TAG;
+    tag->fixed = tag->bold = true;
+}
+
+static void add_name(Film *film, const Standing *standing) {
+    const Inhabitant *person = &film->house->people[standing->person];
+    Vec2 middle = silhouette_middle(person->profile, standing->pose.at, standing->pose.heading);
+    bool raised = film->options.camera.kind == VIEW_RAISED;
+    Vec2 at = raised ? middle : vec2_add(middle, vec2(0, ID_BESIDE));
+    Primitive *tag =
+        scene_add_label(&film->moving, ROLE_TEXT, ID_LETTERS, at, person->route ? person->route->id : person->id);
+    tag->fill = film_layers_look(film, standing->person).role;
+    tag->base = ID_HEIGHT;
+    tag->shape = LABEL_TAG;
+    tag->fixed = tag->bold = true;
+}
+
+/* Of a crowd: how many have left by each exit so far. */
+static void add_exits(Film *film) {
+    const Plan *plan = &film->house->plan;
+    size_t *left = memory_allocate(plan->exit_count, sizeof *left);
+    for (size_t i = 0; i < film->house->person_count; i++) {
+        const PersonObservation *person = &film->observation->people[i];
+        bool out = person->took_part && person->completed && person->time <= film->time;
+        if (out && person->exit < plan->exit_count) /* else by one that is there no more */
+            left[person->exit]++;
+    }
+    for (size_t e = 0; e < plan->exit_count; e++) {
+        const char *text = scene_text(&film->moving, "EXIT %s: %zu", plan->exits[e].id, left[e]);
+        plan_scene_sign(&film->moving, film->house, &plan->exits[e], text);
+    }
+    memory_free(left);
+}
+
+/* Whoever is shown as a ghost, at the same time. */
+static void add_ghosts(Film *film) {
+    const Before *before = &film->options.before;
+    for (size_t i = 0; film->ghosts && i < before->observation->person_count; i++) {
+        const PersonObservation *observed = &before->observation->people[i];
+        const Profile *profile = before->house->people[i].profile;
+        bool gone = observed->completed && film->time > observed->time + STAY;
+        if (!film->ghosts[i].count || gone || census_walks(profile))
+            continue;
+        Pose pose = trail_pose(&film->ghosts[i], film->time);
+        Vec2 outline[SILHOUETTE_POINTS];
+        silhouette_outline(profile, pose.at, pose.heading, 0, outline);
+        Primitive *body = scene_add_polygon(&film->moving, ROLE_GHOST, outline, SILHOUETTE_POINTS);
+        body->fill_opacity = 0;
+        body->width = GHOST_EDGE;
+        body->style = LINE_DASHED;
+    }
+}
+
+void film_moving_make(Film *film) {
+    Scene *scene = &film->moving;
+    size_t count = find_standing(film);
+    for (size_t d = 0; d < film->house->plan.door_count; d++) {
+        size_t observed = film->door_observed[d];
+        film->door_opened[d] = observed == SIZE_MAX ? HUGE_VAL : film->observation->door_opened[observed];
+        film->door_open[d] = film->door_opened[d] <= film->time;
+    }
+    for (size_t i = 0; i < film->options.falling_count; i++)
+        plan_scene_falling(scene, &film->options.falling[i], film->options.camera.kind == VIEW_RAISED);
+    plan_scene_moving(scene, film->house, film->door_opened, film->time);
+    add_walkers(film, count);
+    add_chairs(film, count);
+    add_ghosts(film);
+    for (size_t i = 0; i < count && !(film->options.hidden & FILM_FORCES); i++)
+        add_contact(film, &film->standing[i]);
+    for (size_t i = 0; i < count && !film->crowd && !(film->options.hidden & FILM_NAMES); i++)
+        add_name(film, &film->standing[i]);
+    if (film->crowd)
+        add_exits(film);
+    bool alone = film->house->plan.run.routes == ROUTES_ALONE && film->several;
+    if (film->options.live)
+        return; /* a window has a clock of its own */
+    scene->clock = scene_text(scene, alone ? "%.1f s of separate runs, one over the other" : "%.1f s", film->time);
+}

@@ -1,0 +1,319 @@
+#include "visual/house/house_scene.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "visual/house/blockage_scene.h"
+#include "visual/house/census.h"
+#include "visual/house/crowd_scene.h"
+#include "visual/house/people_scene.h"
+#include "visual/house/plan_scene.h"
+#include "visual/house/wording.h"
+
+/* The word that a note holds when its plan was not measured: then it must be read wherever the plan is seen. */
+static const char ASSUMED[] = "assumed";
+
+static bool is_crowd(const Census *census) {
+    return census->people > PEOPLE_SCENE_INDIVIDUALS;
+}
+
+static bool holds_word(const char *text, const char *word) {
+    size_t length = strlen(word);
+    for (; *text; text++)
+        if (strncasecmp(text, word, length) == 0)
+            return true;
+    return false;
+}
+
+bool house_scene_is_assumed(const Plan *plan) {
+    return holds_word(plan->note, ASSUMED);
+}
+
+/* "cannot pass door d2", and so on: why somebody is not out. */
+static const char *failure(Scene *scene, const Inhabitant *who, const PersonObservation *person) {
+    const char *what = person->blockage.what;
+    if (who->under)
+        return scene_text(scene, "caught %s", what);
+    switch (person->reason) {
+    case REASON_CANNOT_PASS:
+        return scene_text(scene, "cannot pass %s", *what ? what : "here");
+    case REASON_BLOCKED:
+        return *what ? scene_text(scene, "blocked by %s", what) : "blocked";
+    case REASON_NO_EXIT:
+        return "no exit to go to";
+    case REASON_TIME_LIMIT:
+    case REASON_NONE:
+        return scene_text(scene, "not out after %.0f s", person->time);
+    case REASON_INTERRUPTED:
+        return scene_text(scene, "interrupted at %.1f s", person->time);
+    case REASON_DIVERGED:
+        return scene_text(scene, "the numbers broke down at %.2f s", person->time);
+    }
+    return "";
+}
+
+static const char *capitalized(Scene *scene, const char *text) {
+    return scene_text(scene, "%c%s", toupper((unsigned char)*text), text + (*text != 0));
+}
+
+/* "narrowest 0.06 m at door d2" and the contacts. */
+static const char *findings(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+    size_t narrowest = people_scene_narrowest(house, observation);
+    const char *contacts = "no contact";
+    if (census->contacts)
+        contacts = scene_text(scene, "%d contact%s, up to %.0f N", census->contacts, census->contacts == 1 ? "" : "s",
+                              census->peak_force);
+    if (narrowest == SIZE_MAX)
+        return scene_text(scene, "personal space stays free, %s", contacts);
+    const PersonObservation *person = &observation->people[narrowest];
+    char place[96];
+    if (person->narrowest_other >= 0)
+        snprintf(place, sizeof place, "person %s", house->people[person->narrowest_other].id);
+    else
+        outline_place_name(&house->outline, &house->plan, person->narrowest_to, place, sizeof place);
+    const char *clearance = people_scene_clearance(scene, person->narrowest);
+    if (person->narrowest <= 0)
+        return scene_text(scene, "%s %s, %s", clearance, place, contacts);
+    return scene_text(scene, "narrowest %s at %s, %s", clearance, place, contacts);
+}
+
+/* Routes that are driven alone have no time in common: what they have is that they lead out. */
+static void say_yes(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+    scene->title_role = ROLE_TEXT;
+    scene->detail = findings(scene, house, observation, census);
+    if (census->people == 1) {
+        scene->title = scene_text(scene, "Out in %.1f s", observation->time);
+    } else if (house->plan.run.routes == ROUTES_ALONE) {
+        scene->title = scene_text(scene, "All %zu get out", census->people);
+        scene->detail = scene_text(scene, "each alone, at most %.1f s, %s", observation->time, scene->detail);
+    } else {
+        scene->title = scene_text(scene, "All %zu out in %.1f s", census->people, observation->time);
+    }
+}
+
+/* The first who is not out says why. */
+static void say_no(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+    const PersonObservation *person = &observation->people[census->stuck];
+    const char *why = failure(scene, &house->people[census->stuck], person),
+               *how_much = blockage_scene_widths(scene, &person->blockage);
+    scene->title_role = ROLE_ERROR;
+    if (census->people == 1) {
+        scene->title = capitalized(scene, why);
+        scene->detail = how_much;
+        return;
+    }
+    scene->title = scene_text(scene, "%zu of %zu out", census->out, census->people);
+    scene->detail =
+        scene_text(scene, "%s: %s%s%s", house->people[census->stuck].id, why, *how_much ? ", " : "", how_much);
+}
+
+static void say_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+    scene->name = arena_text(&scene->arena, *house->plan.name ? house->plan.name : "house");
+    scene->note = house_scene_is_assumed(&house->plan) ? arena_text(&scene->arena, house->plan.note) : "";
+    scene->clock = observation->time > 0 ? scene_text(scene, "0 to %.1f s", observation->time) : "";
+    if (!census->people) {
+        scene->title_role = ROLE_TEXT;
+        scene->title = "Nobody is here";
+        scene->detail = "";
+    } else if (is_crowd(census)) {
+        crowd_scene_answer(scene, house, observation, census);
+    } else if (census->stuck == SIZE_MAX) {
+        say_yes(scene, house, observation, census);
+    } else {
+        say_no(scene, house, observation, census);
+    }
+}
+
+/* How far people in a crowd stay away from something says nothing, and the names need the room. */
+static void list_hazards(Scene *scene, const House *house, const Observation *observation, bool crowd) {
+    if (!observation->hazard_count)
+        return;
+    scene_add_row(scene, ROW_HEADING, "Dangerous points");
+    for (size_t i = 0; i < observation->hazard_count && i < PEOPLE_SCENE_HAZARDS; i++) {
+        const Hazard *hazard = &observation->hazards[i];
+        const char *clearance = people_scene_clearance(scene, hazard->clearance);
+        const RunSettings *run = &house->plan.run;
+        bool pushed = crowd ? hazard->peak_force * run->loss_warning > hazard->lost_time * run->force_warning
+                            : hazard->peak_force > 0;
+        const char *cost = pushed ? scene_text(scene, "%.0f N", hazard->peak_force)
+                                  : scene_text(scene, crowd ? "%.0f s lost" : "%.1f s lost", hazard->lost_time);
+        const char *mark = scene_text(scene, "%zu", i + 1);
+        SceneRow *row = scene_add_row(scene, ROW_DISC, hazard->what);
+        row->role = people_scene_danger(hazard);
+        row->mark = mark;
+        row->cells[1] = crowd ? cost : clearance;
+        row->cells[2] = crowd ? NULL : cost;
+    }
+}
+
+static void list_person(Scene *scene, const House *house, const Observation *observation, size_t i) {
+    const Inhabitant *person = &house->people[i];
+    const PersonObservation *observed = &observation->people[i];
+    const char *who = scene_text(scene, "%s %s", person->id, person->profile->name);
+    const char *result =
+        observed->completed ? scene_text(scene, "%.1f s", observed->time) : observation_reason(observed->reason);
+    LocusLook look = people_scene_look(house, i);
+    SceneRow *row = scene_add_row(scene, ROW_LINE, who);
+    row->role = look.role;
+    row->style = look.style;
+    row->width = look.width;
+    row->mark = person->route ? arena_text(&scene->arena, person->route->id) : NULL;
+    row->cells[1] = result;
+}
+
+static void list_people(Scene *scene, const House *house, const Observation *observation) {
+    scene_add_row(scene, ROW_HEADING, "People");
+    for (size_t i = 0; i < house->person_count; i++)
+        if (observation->people[i].took_part)
+            list_person(scene, house, observation, i);
+}
+
+static void add_key(Scene *scene, const char *meaning, LocusLook look) {
+    SceneRow *row = scene_add_row(scene, ROW_LINE, meaning);
+    row->role = look.role;
+    row->style = look.style;
+    row->width = look.width;
+}
+
+static void list_key(Scene *scene, const House *house, const Observation *observation) {
+    if (house->person_count > PEOPLE_SCENE_SEVERAL || observation->time <= 0)
+        return;
+    scene_add_row(scene, ROW_HEADING, "Key");
+    add_key(scene, "personal space", PEOPLE_SCENE_SPACE);
+    add_key(scene, "personal space, pressed", PEOPLE_SCENE_PRESSED);
+}
+
+/* The plan, and the bodies wherever they have been: out of the door, too. */
+static Box whole_box(const House *house, const Observation *observation) {
+    Box box = house->outline.box;
+    for (size_t i = 0; i < observation->trace.rows; i++) {
+        const double *row = trace_row(&observation->trace, i);
+        const Profile *profile = house->people[(size_t)row[TRACE_PERSON]].profile;
+        Vec2 at = vec2(row[TRACE_X], row[TRACE_Y]);
+        box = box_include(box, at);
+        box = box_include(box, vec2_along(at, profile->length - profile->axle, vec2_heading(row[TRACE_HEADING])));
+    }
+    return box_expand(box, HOUSE_SCENE_MARGIN);
+}
+
+bool house_scene_begin(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+    *scene = (Scene){.grid = HOUSE_SCENE_GRID, .top = PLAN_SCENE_CUT};
+    scene->box = whole_box(house, observation);
+    return house_scene_say(scene, house, observation, census);
+}
+
+bool house_scene_say(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+    bool crowd = is_crowd(census);
+    say_answer(scene, house, observation, census);
+    list_hazards(scene, house, observation, crowd);
+    if (crowd)
+        crowd_scene_list(scene, house, census);
+    else
+        list_people(scene, house, observation);
+    list_key(scene, house, observation);
+    return crowd;
+}
+
+/* All that belongs to the plan and to what came of it, without words around it; and what was before, or
+ * NULL; with the names of rooms, doors and furniture or without. */
+static void add_house(Scene *scene, const House *house, const Observation *observation, const Census *census,
+                      const Observation *before, bool names) {
+    bool crowd = is_crowd(census);
+    plan_scene_solids(scene, house);
+    if (before)
+        people_scene_ghost(scene, before, "before");
+    if (crowd)
+        crowd_scene_ways(scene, house, observation, census);
+    else
+        people_scene_ways(scene, house, observation);
+    plan_scene_tags(scene, house, crowd ? census->left : NULL);
+    if (crowd)
+        crowd_scene_labels(scene, observation, census);
+    else
+        people_scene_labels(scene, house, observation);
+    if (names)
+        plan_scene_names(scene, house, !crowd);
+}
+
+void house_scene_say_before(Scene *scene, Before before) {
+    char headline[WORDING_HEADLINE];
+    if (!before.observation)
+        return;
+    wording_headline(before.house, before.observation, headline, sizeof headline);
+    *headline = (char)tolower((unsigned char)*headline);
+    scene->detail = scene_text(scene, "%s: %s%s%s", house_scene_before_word(before), headline,
+                               *scene->detail ? "; now: " : "", scene->detail);
+}
+
+void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation, Before before) {
+    Census census = census_take(house, observation);
+    house_scene_begin(scene, house, observation, &census);
+    house_scene_say_before(scene, before);
+    add_house(scene, house, observation, &census, before.observation, true);
+    census_clear(&census);
+}
+
+void house_scene_make_small(Scene *scene, const House *house, const Observation *observation, Before before) {
+    Census census = census_take(house, observation);
+    house_scene_begin(scene, house, observation, &census);
+    add_house(scene, house, observation, &census, before.observation, false);
+    census_clear(&census);
+}
+
+void house_scene_make(Scene *scene, const House *house, const Observation *observation) {
+    house_scene_make_compared(scene, house, observation, (Before){.house = NULL});
+}
+
+static bool boxes_meet(Box a, Box b) {
+    return a.high.x >= b.low.x && a.low.x <= b.high.x && a.high.y >= b.low.y && a.low.y <= b.high.y;
+}
+
+static Box box_of(const Vec2 *points, size_t count) {
+    Box box = box_empty();
+    for (size_t i = 0; i < count; i++)
+        box = box_include(box, points[i]);
+    return box;
+}
+
+static bool is_elsewhere(const Primitive *primitive, Box box) {
+    if (primitive->kind == PRIMITIVE_LABEL)
+        return !box_holds(box, primitive->points[0]);
+    return !boxes_meet(box_expand(box_of(primitive->points, primitive->count), primitive->radius), box);
+}
+
+/* Of many rings that unite, thousands of bodies or of places along a way, only those that are seen. */
+static void drop_rings(Scene *scene, Primitive *polygon, Box box) {
+    Vec2 *points = arena_allocate(&scene->arena, polygon->count * sizeof *points);
+    size_t *starts = arena_allocate(&scene->arena, (polygon->ring_count + 1) * sizeof *starts), kept = 0;
+    for (size_t r = 0; r < polygon->ring_count; r++) {
+        const Vec2 *ring = polygon->points + polygon->starts[r];
+        size_t count = polygon->starts[r + 1] - polygon->starts[r];
+        if (!boxes_meet(box_of(ring, count), box))
+            continue;
+        memcpy(points + starts[kept], ring, count * sizeof *points);
+        starts[kept + 1] = starts[kept] + count;
+        kept++;
+    }
+    polygon->points = points;
+    polygon->count = starts[kept];
+    polygon->starts = starts;
+    polygon->ring_count = kept;
+}
+
+void house_scene_make_detail(Scene *scene, const House *house, const Observation *observation, Box box) {
+    Census census = census_take(house, observation);
+    *scene = (Scene){.grid = HOUSE_SCENE_GRID, .box = box, .bare = true};
+    add_house(scene, house, observation, &census, NULL, true);
+    census_clear(&census);
+    size_t kept = 0;
+    for (size_t i = 0; i < scene->count; i++) {
+        Primitive *primitive = &scene->primitives[i];
+        if (is_elsewhere(primitive, box))
+            continue;
+        if (primitive->kind == PRIMITIVE_POLYGON && primitive->united)
+            drop_rings(scene, primitive, box);
+        scene->primitives[kept++] = *primitive;
+    }
+    scene->count = kept;
+}

@@ -1,0 +1,36 @@
+#include "visual/house/plan_picture.h"
+
+#include "visual/house/house_scene.h"
+#include "visual/house/plan_scene.h"
+
+#define PERSON 0.35        /* m, radius of somebody at the start */
+#define LETTERS 12.0       /* design points */
+#define CROWD_OPACITY 0.12 /* of each crowd: several may stand in one place */
+
+/* Everybody where they begin; of a crowd, where it is. */
+static void add_people(Scene *scene, const Plan *plan) {
+    for (size_t i = 0; i < plan->crowd_count; i++) {
+        const Points *area = &plan->crowds[i].area;
+        scene_add_polygon(scene, ROLE_WALKER, area->at, area->count)->fill_opacity = CROWD_OPACITY;
+    }
+    for (size_t i = 0; i < plan->person_count; i++)
+        scene_add_discs(scene, ROLE_CHAIR, PERSON, &plan->people[i].at, 1);
+}
+
+void plan_picture_bare(Scene *scene, const House *house) {
+    scene->box = box_expand(house->outline.box, HOUSE_SCENE_MARGIN);
+    add_people(scene, &house->plan);
+    plan_scene_solids(scene, house);
+}
+
+void plan_picture_make(Scene *scene, const House *house) {
+    plan_picture_bare(scene, house);
+    scene->grid = HOUSE_SCENE_GRID;
+    scene->title_role = ROLE_TEXT;
+    scene->title = scene_text(scene, "%s", house->plan.name);
+    scene->note = house_scene_is_assumed(&house->plan) ? scene_text(scene, "%s", house->plan.note) : "";
+    for (size_t i = 0; i < house->plan.person_count && i < PLAN_SCENE_NAMES; i++)
+        scene_add_label(scene, ROLE_CHAIR, LETTERS, house->plan.people[i].at, house->plan.people[i].id)->bold = true;
+    plan_scene_tags(scene, house, NULL);
+    plan_scene_names(scene, house, true);
+}

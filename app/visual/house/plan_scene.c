@@ -1,0 +1,398 @@
+#include "visual/house/plan_scene.h"
+
+#include <string.h>
+
+/* Design points. */
+#define WALL_EDGE 1.5 /* keeps thin walls of large plans visible */
+#define THIN_WALL 3.0 /* walls without thickness */
+#define FURNITURE_EDGE 2.0
+#define LEAF 4.0
+#define SWING 1.5
+#define EXIT_BAND 10.0
+#define EXIT_RIM 14.0
+#define CROSS_EDGE 3.0
+#define TAG_LETTERS 17.0
+#define NAME_LETTERS 17.0
+#define ROOM_LETTERS 18.0
+#define DOOR_LETTERS 15.0
+
+/* How much labels avoid them. */
+#define KEEP_WALL 1.0
+#define KEEP_FURNITURE 0.4
+#define KEEP_DOOR 1.0
+#define KEEP_EXIT 3.0
+
+#define CROSS_HALF 0.11 /* m, of the x on a locked door: within a wall's depth of the opening */
+
+#define LEAF_SECONDS 0.8 /* that a leaf moves, of the time that a door takes to be opened */
+
+enum {
+    ARC_PIECES = 16, /* of a quarter circle */
+    RASTER = 24,     /* points each way that are tried for a room's middle */
+    SLICES = 48,     /* of a piece that leans */
+};
+
+/* Walls from so high up to less than `high`, shown as high as `shown`, m. */
+static void add_walls_between(Scene *scene, const Plan *plan, double low, double high, double shown) {
+    Rings rings;
+    if (outline_walls(plan, low, high, &rings) && rings.count) {
+        Primitive *walls = scene_add_rings(scene, ROLE_WALL, rings.points, rings.starts, rings.count);
+        walls->width = WALL_EDGE;
+        walls->keep_clear = KEEP_WALL;
+        walls->height = shown;
+    }
+    outline_free_rings(&rings);
+}
+
+/* The least height from `low` m on that a wall has, or PLAN_SCENE_CUT. */
+static double next_height(const Plan *plan, double low) {
+    double next = PLAN_SCENE_CUT;
+    for (size_t w = 0; w < plan->wall_count; w++)
+        if (plan->walls[w].height >= low)
+            next = fmin(next, plan->walls[w].height);
+    return next;
+}
+
+static void add_walls(Scene *scene, const House *house) {
+    const Outline *outline = &house->outline;
+    const Plan *plan = &house->plan;
+    double low = next_height(plan, 0);
+    for (; low < PLAN_SCENE_CUT; low = next_height(plan, nextafter(low, HUGE_VAL)))
+        add_walls_between(scene, plan, low, nextafter(low, HUGE_VAL), low);
+    add_walls_between(scene, plan, low, HUGE_VAL, PLAN_SCENE_CUT);
+    for (size_t i = 0; i < outline->face_count; i++) {
+        const Face *face = &outline->faces[i];
+        if (face->owner != OWNER_WALL || plan->walls[face->index].thickness > 0)
+            continue;
+        Primitive *wall = scene_add_line(scene, ROLE_WALL, THIN_WALL, (Vec2[]){face->a, face->b}, 2);
+        wall->height = fmin(plan->walls[face->index].height, PLAN_SCENE_CUT);
+        wall->keep_clear = KEEP_WALL;
+    }
+}
+
+/* What a piece covers at a share of its way from standing to lying. */
+static Primitive *add_body(Scene *scene, const Furniture *piece, double share) {
+    Vec2 corners[4];
+    furniture_fall_corners(piece, share, corners);
+    Primitive *body = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
+    body->edge = ROLE_FURNITURE_LINE;
+    body->width = FURNITURE_EDGE;
+    body->keep_clear = KEEP_FURNITURE;
+    return body;
+}
+
+static void add_furniture(Scene *scene, const Furniture *piece) {
+    Primitive *body = add_body(scene, piece, piece->toppled);
+    body->hatched = piece->toppled;
+    body->height = fmin(furniture_fall_height(piece, piece->toppled), PLAN_SCENE_STOREY);
+    if (!piece->toppled)
+        return;
+    Vec2 corners[4];
+    furniture_fall_corners(piece, 0, corners);
+    Primitive *before = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
+    before->edge = ROLE_WALL;
+    before->width = FURNITURE_EDGE;
+    before->style = LINE_DASHED;
+}
+
+/* From so many m beyond the face to which a piece falls to so many, as wide as that. */
+static Furniture part_beyond(const Furniture *piece, double from, double to) {
+    static const Vec2 ways[] = {
+        [TOPPLE_FRONT] = {0, -1}, [TOPPLE_BACK] = {0, 1}, [TOPPLE_LEFT] = {-1, 0}, [TOPPLE_RIGHT] = {1, 0}};
+    Furniture part = *piece;
+    part.toppled = false;
+    Vec2 way = ways[piece->topples];
+    double half = (fabs(way.x) > 0 ? piece->size.x : piece->size.y) / 2;
+    part.size = fabs(way.x) > 0 ? vec2(to - from, piece->size.y) : vec2(piece->size.x, to - from);
+    part.centre =
+        vec2_along(piece->centre, half + (from + to) / 2, vec2_turn(way, vec2_heading(radians(piece->angle))));
+    return part;
+}
+
+/* Level slices, as nothing else can lean. */
+static void add_leaning(Scene *scene, const Furniture *piece, double share) {
+    double thickness = furniture_fall_height(piece, share) / SLICES;
+    for (int i = 0; i < SLICES && (i + 1) * thickness <= PLAN_SCENE_STOREY; i++) {
+        double from, to;
+        furniture_fall_cut(piece, share, (i + 0.5) * thickness, &from, &to);
+        Furniture part = part_beyond(piece, from, to);
+        Vec2 corners[4];
+        plan_furniture_corners(&part, corners);
+        Primitive *slice = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
+        slice->edge_opacity = 0; /* no edges between them */
+        slice->width = FURNITURE_EDGE;
+        slice->base = i * thickness;
+        slice->height = thickness;
+    }
+}
+
+void plan_scene_falling(Scene *scene, const FurnitureFall *fall, bool raised) {
+    double share = furniture_fall_share(fall);
+    Furniture piece = fall->piece;
+    piece.toppled = share >= 1;
+    if (share <= 0 || share >= 1) {
+        add_furniture(scene, &piece);
+        return;
+    }
+    add_body(scene, &piece, share);
+    if (raised)
+        add_leaning(scene, &piece, share);
+}
+
+void plan_scene_place(Scene *scene, const Furniture *piece) {
+    Vec2 corners[4];
+    plan_furniture_corners(piece, corners);
+    Primitive *place = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
+    place->fill_opacity = 0;
+    place->keep_clear = KEEP_FURNITURE;
+}
+
+/* A door's opening: its ends, the unit direction between them and the one to which it swings. */
+typedef struct Opening {
+    Vec2 hinge, latch;
+    Vec2 along; /* from the hinge to the latch */
+    Vec2 out;
+    double half; /* m, half the wall's thickness */
+} Opening;
+
+static Opening opening_of(const Plan *plan, const Door *door) {
+    Vec2 from, to;
+    plan_door_ends(plan, door, &from, &to);
+    Vec2 left = vec2_left(vec2_unit(vec2_sub(to, from)));
+    bool at_start = door->hinge == HINGE_START;
+    Opening opening = {.hinge = at_start ? from : to, .latch = at_start ? to : from};
+    opening.along = vec2_unit(vec2_sub(opening.latch, opening.hinge));
+    opening.out = door->swing == SWING_LEFT ? left : vec2_scale(left, -1);
+    opening.half = plan->walls[door->wall_index].thickness / 2;
+    return opening;
+}
+
+static Primitive *add_door_line(Scene *scene, Vec2 from, Vec2 to, double width, LineStyle style) {
+    Primitive *line = scene_add_line(scene, ROLE_DOOR, width, (Vec2[]){from, to}, 2);
+    line->style = style;
+    line->keep_clear = KEEP_DOOR;
+    return line;
+}
+
+/* A leaf with its free end so far towards open: 0 shut, 1 at a right angle. */
+static void add_leaf(Scene *scene, const Opening *opening, double width, double open) {
+    double turn = M_PI / 2 * open;
+    Vec2 root = vec2_along(opening->hinge, open * opening->half, opening->out);
+    Vec2 tip = vec2_along(vec2_along(root, width * cos(turn), opening->along), width * sin(turn), opening->out);
+    add_door_line(scene, open < 1 ? root : opening->hinge, tip, LEAF, LINE_SOLID)->height = PLAN_SCENE_CUT;
+}
+
+/* The quarter circle on which the leaf's edge goes from shut to open. */
+static void add_swing(Scene *scene, const Opening *opening, double width, LineStyle style) {
+    Vec2 arc[ARC_PIECES + 1], centre = vec2_along(opening->hinge, opening->half, opening->out);
+    for (int i = 0; i <= ARC_PIECES; i++) {
+        double turn = M_PI / 2 * i / ARC_PIECES;
+        arc[i] = vec2_along(vec2_along(centre, width * cos(turn), opening->along), width * sin(turn), opening->out);
+    }
+    Primitive *swing = scene_add_line(scene, ROLE_DOOR, SWING, arc, ARC_PIECES + 1);
+    swing->style = style;
+    swing->keep_clear = KEEP_DOOR / 2;
+}
+
+/* A locked door is wall, with a sign on it. */
+static void add_locked(Scene *scene, const Opening *opening) {
+    Vec2 side = vec2_scale(opening->out, opening->half);
+    Vec2 corners[] = {vec2_sub(opening->hinge, side), vec2_sub(opening->latch, side), vec2_add(opening->latch, side),
+                      vec2_add(opening->hinge, side)};
+    Primitive *recess = scene_add_polygon(scene, ROLE_PAPER, corners, 4);
+    recess->width = WALL_EDGE;
+    recess->base = PLAN_SCENE_CUT;
+    add_door_line(scene, opening->hinge, opening->latch, LEAF, LINE_SOLID)->base = PLAN_SCENE_CUT;
+    Vec2 middle = vec2_scale(vec2_add(opening->hinge, opening->latch), 0.5);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        Vec2 arm = vec2_scale(vec2_along(opening->along, sign, opening->out), CROSS_HALF);
+        add_door_line(scene, vec2_sub(middle, arm), vec2_add(middle, arm), CROSS_EDGE, LINE_SOLID)->base =
+            PLAN_SCENE_CUT;
+    }
+}
+
+/* A leaf slides along its wall, beside the opening. */
+static void add_sliding(Scene *scene, const Opening *opening, double width, double open) {
+    Vec2 root = vec2_along(opening->hinge, -open * width, opening->along);
+    Primitive *leaf = add_door_line(scene, root, vec2_along(root, width, opening->along), open > 0 ? LEAF / 2 : LEAF,
+                                    open > 0 ? LINE_DASHED : LINE_SOLID);
+    leaf->height = PLAN_SCENE_CUT;
+}
+
+/* `open` from 0, shut, to 1. */
+static void add_door(Scene *scene, const Plan *plan, const Door *door, double open) {
+    Opening opening = opening_of(plan, door);
+    if (door->state == DOOR_LOCKED) {
+        add_locked(scene, &opening);
+    } else if (door->kind == DOOR_HINGED) {
+        add_swing(scene, &opening, door->width, open < 1 ? LINE_DASHED : LINE_SOLID);
+        add_leaf(scene, &opening, door->width, open);
+    } else if (door->kind == DOOR_SLIDING) {
+        add_sliding(scene, &opening, door->width, open);
+    } else if (door->state != DOOR_OPEN) {
+        add_leaf(scene, &opening, door->width, 0);
+    }
+}
+
+static void add_exit(Scene *scene, const Exit *exit) {
+    Vec2 ends[] = {exit->from, exit->to};
+    scene_add_line(scene, ROLE_WALL, EXIT_RIM, ends, 2);
+    Primitive *band = scene_add_line(scene, ROLE_EXIT, EXIT_BAND, ends, 2);
+    band->keep_clear = KEEP_EXIT;
+}
+
+static void add_solids(Scene *scene, const House *house, bool all_doors) {
+    const Plan *plan = &house->plan;
+    add_walls(scene, house);
+    for (size_t i = 0; i < plan->furniture_count; i++)
+        add_furniture(scene, &plan->furniture[i]);
+    for (size_t i = 0; i < plan->door_count; i++)
+        if (all_doors || !outline_door_moves(&plan->doors[i]))
+            add_door(scene, plan, &plan->doors[i], plan->doors[i].state == DOOR_OPEN);
+    for (size_t i = 0; i < plan->exit_count; i++)
+        add_exit(scene, &plan->exits[i]);
+}
+
+void plan_scene_solids(Scene *scene, const House *house) {
+    add_solids(scene, house, true);
+}
+
+void plan_scene_still(Scene *scene, const House *house) {
+    add_solids(scene, house, false);
+}
+
+/* A leaf has come to its end when its door counts as open. */
+void plan_scene_moving(Scene *scene, const House *house, const double *door_opened, double time) {
+    const Plan *plan = &house->plan;
+    for (size_t i = 0; i < plan->door_count; i++) {
+        const Door *door = &plan->doors[i];
+        double takes = fmax(1e-3, fmin(LEAF_SECONDS, door->opening_time));
+        if (outline_door_moves(door))
+            add_door(scene, plan, door, real_clamp(1 + (time - door_opened[i]) / takes, 0, 1));
+    }
+}
+
+static Primitive *add_tag(Scene *scene, Role fill, Vec2 at, const char *text) {
+    Primitive *tag = scene_add_label(scene, ROLE_TEXT, TAG_LETTERS, at, text);
+    tag->fill = fill;
+    tag->bold = true;
+    tag->shape = LABEL_TAG;
+    return tag;
+}
+
+static void bind_to_furniture(Scene *scene, Primitive *label, const Furniture *piece) {
+    Vec2 corners[4];
+    plan_furniture_corners(piece, corners);
+    scene_bind_label(scene, label, corners, 4);
+}
+
+static const char *exit_name(Scene *scene, const Plan *plan, const Exit *exit) {
+    return plan->exit_count > 1 ? scene_text(scene, "EXIT %s", exit->id) : "EXIT";
+}
+
+static void add_toppled_tags(Scene *scene, const Plan *plan) {
+    for (size_t i = 0; i < plan->furniture_count; i++) {
+        if (!plan->furniture[i].toppled)
+            continue;
+        Furniture fallen = part_beyond(&plan->furniture[i], 0, plan->furniture[i].height);
+        bind_to_furniture(scene, add_tag(scene, ROLE_PAPER, fallen.centre, "toppled"), &fallen);
+    }
+}
+
+void plan_scene_tags(Scene *scene, const House *house, const size_t *left) {
+    const Plan *plan = &house->plan;
+    for (size_t i = 0; i < plan->exit_count; i++) {
+        const Exit *exit = &plan->exits[i];
+        const char *text = exit_name(scene, plan, exit);
+        if (left)
+            text = scene_text(scene, "%s: %zu", text, left[i]);
+        add_tag(scene, ROLE_EXIT_TAG, vec2_scale(vec2_add(exit->from, exit->to), 0.5), text)->leader = left;
+    }
+    add_toppled_tags(scene, plan);
+}
+
+/* At the end that is lower on the page: the names of those who leave stand above them. */
+void plan_scene_sign(Scene *scene, const House *house, const Exit *exit, const char *text) {
+    Vec2 middle = vec2_scale(vec2_add(house->outline.box.low, house->outline.box.high), 0.5);
+    bool to_is_lower = exit->to.y <= exit->from.y;
+    Vec2 end = to_is_lower ? exit->to : exit->from, along = vec2_sub(end, to_is_lower ? exit->from : exit->to);
+    Vec2 across = vec2_left(along);
+    double outwards = vec2_dot(across, vec2_sub(end, middle)) < 0 ? -1 : 1;
+    Vec2 beside = vec2_add(end, vec2_along(along, outwards, across));
+    Primitive *sign = add_tag(scene, ROLE_EXIT_TAG, end, text);
+    scene_bind_label(scene, sign, &beside, 1);
+    sign->fixed = true;
+}
+
+void plan_scene_signs(Scene *scene, const House *house) {
+    for (size_t i = 0; i < house->plan.exit_count; i++)
+        plan_scene_sign(scene, house, &house->plan.exits[i], exit_name(scene, &house->plan, &house->plan.exits[i]));
+    add_toppled_tags(scene, &house->plan);
+}
+
+static double edge_distance(const Points *outline, Vec2 p) {
+    double nearest = HUGE_VAL;
+    for (size_t i = 0; i < outline->count; i++) {
+        Vec2 a = outline->at[i], b = outline->at[(i + 1) % outline->count];
+        nearest = fmin(nearest, vec2_distance(p, vec2_nearest_on_segment(p, a, b)));
+    }
+    return nearest;
+}
+
+static bool outline_contains(const Points *outline, Vec2 p) {
+    bool inside = false;
+    for (size_t i = 0, j = outline->count - 1; i < outline->count; j = i++) {
+        Vec2 a = outline->at[i], b = outline->at[j];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
+    }
+    return inside;
+}
+
+/* A point of the room that is far from its walls, for an L as for a rectangle: the centroid lies outside an L. */
+static Vec2 room_middle(const Points *outline) {
+    Box box = box_empty();
+    for (size_t i = 0; i < outline->count; i++)
+        box = box_include(box, outline->at[i]);
+    Vec2 size = vec2_sub(box.high, box.low), best = vec2_along(box.low, 0.5, size);
+    double farthest = outline_contains(outline, best) ? edge_distance(outline, best) : 0;
+    for (int i = 0; i < RASTER * RASTER; i++) {
+        Vec2 part = vec2((i % RASTER + 0.5) / RASTER, (double)(i / RASTER) / RASTER + 0.5 / RASTER);
+        Vec2 at = vec2(box.low.x + part.x * size.x, box.low.y + part.y * size.y);
+        double distance = outline_contains(outline, at) ? edge_distance(outline, at) : 0;
+        if (distance > farthest) {
+            farthest = distance;
+            best = at;
+        }
+    }
+    return best;
+}
+
+static void add_furniture_name(Scene *scene, const Furniture *piece, bool needed) {
+    const char *name = *piece->name ? piece->name : piece->id;
+    Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_LETTERS, piece->centre, name);
+    label->fill = ROLE_FURNITURE;
+    label->leader = true;
+    label->close = !needed;
+    Furniture standing = *piece;
+    standing.toppled = false;
+    bind_to_furniture(scene, label, &standing);
+}
+
+void plan_scene_names(Scene *scene, const House *house, bool needed) {
+    const Plan *plan = &house->plan;
+    for (size_t i = 0; i < plan->furniture_count && plan->furniture_count <= PLAN_SCENE_NAMES; i++)
+        add_furniture_name(scene, &plan->furniture[i], needed);
+    for (size_t i = 0; i < plan->room_count; i++) {
+        const Points *outline = &plan->rooms[i].outline;
+        Primitive *label = scene_add_label(scene, ROLE_ROOM, ROOM_LETTERS, room_middle(outline), plan->rooms[i].name);
+        label->optional = true;
+        scene_bind_label(scene, label, outline->at, outline->count);
+    }
+    for (size_t i = 0; i < plan->door_count && plan->door_count <= PLAN_SCENE_NAMES; i++) {
+        Opening opening = opening_of(plan, &plan->doors[i]);
+        Vec2 middle = vec2_scale(vec2_add(opening.hinge, opening.latch), 0.5);
+        Primitive *label = scene_add_label(scene, ROLE_DOOR, DOOR_LETTERS, middle, plan->doors[i].id);
+        label->close = label->optional = !needed;
+    }
+}

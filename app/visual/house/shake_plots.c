@@ -1,0 +1,89 @@
+#include "visual/house/shake_plots.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/order.h"
+#include "base/text.h"
+#include "experiment/house_experiment.h"
+#include "visual/house/people_scene.h"
+#include "visual/study/study_axes.h"
+
+#define ALL_WIDTH 3.5 /* design points */
+#define ONE_WIDTH 2.0
+
+enum { PEOPLE_MOST = 4 /* have a curve of their own */ };
+
+/* The end of the time axis, s: a little behind the last who gets out. */
+static double end_of(const ShakeFindings *findings) {
+    double first = HUGE_VAL, last = -HUGE_VAL;
+    for (size_t p = 0; p <= findings->party_count; p++) {
+        const Distribution *time = p < findings->party_count ? &findings->parties[p].time : &findings->time;
+        first = time->count ? fmin(first, time->least) : first;
+        last = time->count ? fmax(last, time->greatest) : last;
+    }
+    return last + 0.05 * fmax(last - first, 1);
+}
+
+/* A step up at each time, and on to the end. */
+static PlotSeries cumulated(const ShakeFindings *findings, size_t observable, Arena *arena) {
+    const Study *study = findings->study;
+    double *times = arena_allocate(arena, study->trial_count * sizeof *times);
+    size_t count = study_axes_values(study, observable, times);
+    qsort(times, count, sizeof *times, order_rising);
+    double *x = arena_allocate(arena, (2 * count + 1) * sizeof *x);
+    double *y = arena_allocate(arena, (2 * count + 1) * sizeof *y);
+    for (size_t i = 0; i < count; i++) {
+        x[2 * i] = x[2 * i + 1] = times[i];
+        y[2 * i] = 100 * (double)i / (double)findings->shakes;
+        y[2 * i + 1] = 100 * (double)(i + 1) / (double)findings->shakes;
+    }
+    x[2 * count] = end_of(findings);
+    y[2 * count] = 100 * (double)count / (double)findings->shakes;
+    return (PlotSeries){.x = x, .y = y, .count = 2 * count + 1};
+}
+
+static void add_guide(Plot *plot, double at, const char *name, LineStyle style) {
+    plot->guides[plot->guide_count++] =
+        (PlotGuide){.upright = true, .at = at, .name = name, .role = ROLE_DIM_TEXT, .style = style};
+}
+
+static void add_people(Plot *plot, const ShakeFindings *findings, Arena *arena) {
+    for (size_t p = 0; p < findings->party_count && findings->party_count <= PEOPLE_MOST; p++) {
+        if (!findings->parties[p].time.count)
+            continue;
+        LocusLook look = people_scene_nth_look(p);
+        PlotSeries *series = &plot->series[plot->series_count++];
+        *series = cumulated(findings, findings->parties[p].observable, arena);
+        series->name = findings->parties[p].id;
+        series->role = look.role;
+        series->style = look.style;
+        series->width = ONE_WIDTH;
+    }
+}
+
+bool shake_plots_times(Plot *plot, const ShakeFindings *findings, Arena *arena) {
+    const Distribution *time = &findings->time;
+    bool several = findings->party_count > 1;
+    *plot = (Plot){.x = {.title = "time", .unit = "s"},
+                   .y = {.title = "share of shakes", .unit = "%", .low = 0, .high = 100}};
+    plot->series = arena_allocate(arena, (PEOPLE_MOST + 1) * sizeof *plot->series);
+    plot->guides = arena_allocate(arena, 3 * sizeof *plot->guides);
+    plot->title = text_in_arena(arena, "Out within a time, of %zu shakes", findings->shakes);
+    if (several)
+        add_people(plot, findings, arena);
+    if (time->count) {
+        PlotSeries *all = &plot->series[plot->series_count++];
+        *all = cumulated(findings, HOUSE_TIME, arena);
+        all->name = several ? "everybody" : NULL;
+        all->role = ROLE_WALL;
+        all->width = ALL_WIDTH;
+        plot->note = text_in_arena(arena, "everybody: median %.1f s, quartiles %.1f and %.1f s, 95 %% within %.1f s",
+                                   time->median, time->quarters[0], time->quarters[1], time->high);
+        add_guide(plot, time->median, "median", LINE_DASHED);
+        add_guide(plot, time->high, "95 %", LINE_DOTTED);
+    }
+    if (findings->calm_out && isfinite(findings->calm_time))
+        add_guide(plot, findings->calm_time, "without a shake", LINE_SOLID);
+    return plot->series_count;
+}

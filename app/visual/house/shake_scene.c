@@ -1,0 +1,169 @@
+#include "visual/house/shake_scene.h"
+
+#include "visual/house/census.h"
+#include "visual/house/house_scene.h"
+#include "visual/house/people_scene.h"
+#include "visual/house/plan_scene.h"
+
+/* Design points. */
+#define PIECE_EDGE 2.0
+#define FALL_EDGE 2.0
+#define LETTERS 17.0
+
+/* How much labels avoid them. */
+#define KEEP_PIECE 2.0
+#define KEEP_FALL 0.2
+
+/* 1, shares of shakes from which on a piece is a middle and a high danger. */
+static const double MIDDLE = 0.05, HIGH = 0.2;
+
+enum { ROWS_MOST = 12 /* of pieces, and of people, in the list */ };
+
+/* How bad it is that a piece stops somebody in such a share of shakes. */
+static Role danger_of(double share) {
+    return share >= HIGH ? ROLE_DANGER_HIGH : share >= MIDDLE ? ROLE_DANGER_MIDDLE : ROLE_DANGER_LOW;
+}
+
+static const Furniture *piece_of(const ShakeFindings *findings, const ShakePiece *piece) {
+    return &findings->house->plan.furniture[piece->index];
+}
+
+static const char *name_of(const Furniture *piece) {
+    return *piece->name ? piece->name : piece->id;
+}
+
+/* Dashed: where it would lie. */
+static void add_falls(Scene *scene, const ShakeFindings *findings) {
+    for (size_t p = 0; p < findings->piece_count; p++) {
+        Furniture lying = *piece_of(findings, &findings->pieces[p]);
+        if (lying.toppled || lying.topples == TOPPLE_NO)
+            continue;
+        lying.toppled = true;
+        Vec2 corners[4];
+        plan_furniture_corners(&lying, corners);
+        Primitive *fall = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
+        fall->fill_opacity = 0;
+        fall->edge = ROLE_FURNITURE_LINE;
+        fall->width = FALL_EDGE;
+        fall->style = LINE_DASHED;
+        fall->keep_clear = KEEP_FALL;
+    }
+}
+
+static void add_pieces(Scene *scene, const ShakeFindings *findings) {
+    for (size_t p = 0; p < findings->piece_count; p++) {
+        const ShakePiece *piece = &findings->pieces[p];
+        if (!piece->stops.good)
+            continue;
+        Vec2 corners[4];
+        plan_furniture_corners(piece_of(findings, piece), corners);
+        Primitive *body = scene_add_polygon(scene, danger_of(piece->stops.value), corners, 4);
+        body->edge = ROLE_WALL;
+        body->width = PIECE_EDGE;
+        body->keep_clear = KEEP_PIECE;
+    }
+}
+
+static const char *per_cent(Scene *scene, double share) {
+    return scene_text(scene, share > 0 && share < 0.01 ? "%.1f %%" : "%.0f %%", 100 * share);
+}
+
+static void add_tag(Scene *scene, Role fill, Vec2 at, const char *text) {
+    Primitive *tag = scene_add_label(scene, ROLE_TEXT, LETTERS, at, text);
+    tag->fill = fill;
+    tag->shape = LABEL_TAG;
+    tag->bold = tag->leader = true;
+}
+
+static void add_piece_tags(Scene *scene, const ShakeFindings *findings) {
+    for (size_t p = 0; p < findings->piece_count && p < ROWS_MOST; p++) {
+        const ShakePiece *piece = &findings->pieces[p];
+        if (piece->stops.good)
+            add_tag(scene, danger_of(piece->stops.value), piece_of(findings, piece)->centre,
+                    scene_text(scene, "%s blocks in %s", name_of(piece_of(findings, piece)),
+                               per_cent(scene, piece->stops.value)));
+    }
+}
+
+/* Of the house as it is before a shake. */
+static void add_people(Scene *scene, const House *house) {
+    for (size_t i = 0; i < house->person_count; i++)
+        people_scene_start(scene, &house->people[i], census_walks(house->people[i].profile) ? ROLE_WALKER : ROLE_CHAIR);
+}
+
+static void add_people_tags(Scene *scene, const ShakeFindings *findings) {
+    for (size_t p = 0; p < findings->party_count && p < ROWS_MOST; p++) {
+        const ShakeParty *party = &findings->parties[p];
+        const char *text = scene_text(scene, "%s: out in %zu of %zu", party->id, party->out.good, party->out.all);
+        add_tag(scene, party->out.good < party->out.all ? ROLE_ERROR : ROLE_PAPER, party->at, text);
+    }
+}
+
+static void list_people(Scene *scene, const ShakeFindings *findings) {
+    scene_add_row(scene, ROW_HEADING, "People: out in, median time");
+    for (size_t p = 0; p < findings->party_count && p < ROWS_MOST; p++) {
+        const ShakeParty *party = &findings->parties[p];
+        const char *who = scene_text(scene, "%s %s", party->id, party->profile);
+        const char *out = per_cent(scene, party->out.value);
+        const char *time = party->time.count ? scene_text(scene, "%.1f s", party->time.median) : "-";
+        SceneRow *row = scene_add_row(scene, ROW_PLAIN, who);
+        row->cells[1] = out;
+        row->cells[2] = time;
+    }
+}
+
+static void list_pieces(Scene *scene, const ShakeFindings *findings) {
+    scene_add_row(scene, ROW_HEADING, "Furniture: fell in, blocks in");
+    for (size_t p = 0; p < findings->piece_count && p < ROWS_MOST; p++) {
+        const ShakePiece *piece = &findings->pieces[p];
+        const Furniture *furniture = piece_of(findings, piece);
+        const char *fell = per_cent(scene, (double)piece->toppled / (double)findings->shakes);
+        const char *stops = per_cent(scene, piece->stops.value);
+        SceneRow *row = scene_add_row(scene, piece->stops.good ? ROW_LINE : ROW_PLAIN, name_of(furniture));
+        row->role = danger_of(piece->stops.value);
+        row->symbol = SYMBOL_BOX;
+        row->cells[1] = fell;
+        row->cells[2] = stops;
+    }
+    if (!findings->piece_count)
+        scene_add_row(scene, ROW_PLAIN, "nothing here can fall");
+}
+
+static void list_key(Scene *scene) {
+    scene_add_row(scene, ROW_HEADING, "Key");
+    SceneRow *row = scene_add_row(scene, ROW_LINE, "where it would fall");
+    row->role = ROLE_FURNITURE_LINE;
+    row->style = LINE_DASHED;
+    row->width = FALL_EDGE;
+}
+
+static void say(Scene *scene, const ShakeFindings *findings) {
+    const Plan *plan = &findings->house->plan;
+    const Share *share = &findings->everybody;
+    scene->name = scene_text(scene, "%s, %zu shakes", *plan->name ? plan->name : "house", findings->shakes);
+    scene->note = house_scene_is_assumed(plan) ? arena_text(&scene->arena, plan->note) : "";
+    scene->title = shake_findings_headline(findings, &scene->arena);
+    scene->title_role = share->good == share->all ? ROLE_TEXT : ROLE_ERROR;
+    const char *times = shake_findings_times(findings, &scene->arena);
+    scene->detail = share->good < share->all ? scene_text(scene, "95 %% sure: %.0f to %.0f %%%s%s", 100 * share->low,
+                                                          100 * share->high, *times ? "; " : "", times)
+                                             : times;
+}
+
+void shake_scene_make(Scene *scene, const ShakeFindings *findings) {
+    const House *house = findings->house;
+    *scene = (Scene){.grid = HOUSE_SCENE_GRID, .top = PLAN_SCENE_CUT};
+    scene->box = box_expand(house->outline.box, HOUSE_SCENE_MARGIN);
+    say(scene, findings);
+    list_people(scene, findings);
+    list_pieces(scene, findings);
+    list_key(scene);
+    plan_scene_solids(scene, house);
+    add_pieces(scene, findings);
+    add_falls(scene, findings);
+    add_people(scene, house);
+    plan_scene_tags(scene, house, NULL);
+    add_piece_tags(scene, findings);
+    add_people_tags(scene, findings);
+    plan_scene_names(scene, house, false);
+}

@@ -1,0 +1,64 @@
+#include "visual/study/study_axes.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+
+/* Below these a length is shown in mm, a time in ms. */
+#define SHORT 0.01 /* m */
+#define BRIEF 0.1  /* s */
+
+#define MILLI 1000.0
+
+/* "joint.clearance" as "joint clearance". */
+static const char *spoken(Arena *arena, const char *name) {
+    char *words = (char *)arena_text(arena, name);
+    for (char *at = words; *at; at++)
+        if (*at == '.' || *at == '_')
+            *at = ' ';
+    return words;
+}
+
+StudyScale study_axes_parameter(const Study *study, size_t axis, Arena *arena) {
+    const StudyAxis *varied = &study->axes[axis];
+    const Parameter *row = study->experiment->parameter(study->experiment->given, varied->name);
+    const char *unit = row && row->unit ? row->unit : "1";
+    double largest = fmax(fabs(varied->from), fabs(varied->to));
+    StudyScale scale = {{.title = spoken(arena, varied->name), .unit = unit}, 1};
+    bool length = strcmp(unit, "m") == 0 && largest < SHORT, time = strcmp(unit, "s") == 0 && largest < BRIEF;
+    if (length || time) {
+        scale.axis.unit = length ? "mm" : "ms";
+        scale.factor = MILLI;
+    }
+    return scale;
+}
+
+StudyScale study_axes_observable(const Observable *observable) {
+    return (StudyScale){{.title = observable->meaning, .unit = observable->unit}, 1};
+}
+
+double study_axes_value(const Trial *trial, size_t observable) {
+    return trial->done && !trial->fault ? trial->observed[observable] : NAN;
+}
+
+size_t study_axes_values(const Study *study, size_t observable, double *values) {
+    size_t count = 0;
+    for (size_t t = 0; t < study->trial_count; t++) {
+        double value = study_axes_value(&study->trials[t], observable);
+        if (isfinite(value))
+            values[count++] = value;
+    }
+    return count;
+}
+
+size_t study_axes_find(const Study *study, const char *name) {
+    size_t o = 0;
+    while (o < study->experiment->observable_count && strcmp(study->experiment->observables[o].name, name) != 0)
+        o++;
+    return o;
+}
+
+bool study_axes_is_mark(const Study *study, size_t observable) {
+    return strcmp(study->experiment->kind, "house") == 0 && observable == study->experiment->outcome;
+}

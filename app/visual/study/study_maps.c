@@ -1,0 +1,398 @@
+#include "visual/study/study_maps.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "visual/study/measured_marks.h"
+#include "visual/study/study_axes.h"
+
+#define SAME 1e-3      /* of a measure: nearer ones are of one attractor */
+#define CONSTANT 1e-6  /* of a ratio over the map: nearer ones are one number */
+#define EDGE_WIDTH 1.8 /* design points, of the lines round regions of types */
+
+enum { CLASSES_MOST = 12 };
+
+/* A map that is being made. */
+typedef struct Map {
+    const Study *study;
+    size_t pass, columns, rows;
+    StudyScale x, y;
+    Arena *arena;
+    StudyPlot *to;
+    PlotRaster *raster;
+    double *values; /* (rows x columns) */
+    PlotClass *classes;
+} Map;
+
+size_t study_maps_most(const Study *study) {
+    return study->axis_count == 2 ? study->pass_count * (study->experiment->observable_count + 1) : 0;
+}
+
+static const Trial *map_trial(const Map *map, size_t run, size_t cell) {
+    return study_trial(map->study, map->pass, run, cell / map->columns, cell % map->columns);
+}
+
+/* The mean of all runs. */
+static double cell_value(const Map *map, size_t cell, size_t observable) {
+    double sum = 0;
+    for (size_t run = 0; run < map->study->runs; run++)
+        sum += study_axes_value(map_trial(map, run, cell), observable);
+    return sum / (double)map->study->runs;
+}
+
+/* Attractors ------------------------------------------------------------------------------------------------------ */
+
+typedef struct Attractor {
+    double outcome, measure;
+    size_t trials, first; /* how many lead there; in the order in which they were found */
+} Attractor;
+
+static bool is_same(const Attractor *known, double outcome, double measure) {
+    return known->outcome == outcome && fabs(known->measure - measure) <= SAME * fabs(known->measure);
+}
+
+static int compare_attractors(const void *a, const void *b) {
+    const Attractor *p = a, *q = b;
+    if (p->trials != q->trials)
+        return (p->trials < q->trials) - (p->trials > q->trials);
+    return (p->first > q->first) - (p->first < q->first);
+}
+
+/* In the order of their trials; `list` is to be freed. */
+static size_t list_attractors(const Study *study, size_t pass, int *found, Attractor **list) {
+    const Experiment *experiment = study->experiment;
+    size_t steps = study->axes[0].steps, cells = steps * study->axes[1].steps, count = 0, capacity = 0;
+    Attractor *known = NULL;
+    for (size_t c = 0; c < cells; c++) {
+        const Trial *trial = study_trial(study, pass, 0, c / steps, c % steps);
+        double regular = study_axes_value(trial, experiment->regular);
+        found[c] = isnan(regular) ? -2 : regular > 0 ? (int)count : -1;
+        if (!(regular > 0))
+            continue;
+        double outcome = trial->observed[experiment->outcome], measure = trial->observed[experiment->measure];
+        for (size_t a = count; a-- > 0;)
+            if (is_same(&known[a], outcome, measure))
+                found[c] = (int)a;
+        if ((size_t)found[c] == count) {
+            known = memory_reserve(known, &capacity, count + 1, sizeof *known);
+            known[count] = (Attractor){outcome, measure, 0, count};
+            count++;
+        }
+        known[found[c]].trials++;
+    }
+    if (count)
+        qsort(known, count, sizeof *known, compare_attractors);
+    int *place = memory_allocate(count + 1, sizeof *place);
+    for (size_t a = 0; a < count; a++)
+        place[known[a].first] = (int)a;
+    for (size_t c = 0; c < cells; c++)
+        found[c] = found[c] < 0 ? found[c] : place[found[c]];
+    memory_free(place);
+    *list = known;
+    return count;
+}
+
+size_t study_maps_attractors(const Study *study, size_t pass, int *found) {
+    Attractor *list;
+    size_t count = list_attractors(study, pass, found, &list);
+    memory_free(list);
+    return count;
+}
+
+/* Maps ------------------------------------------------------------------------------------------------------------ */
+
+/* A cell reaches half a step beyond its value. */
+static void axis_box(const StudyAxis *axis, double factor, double *low, double *high) {
+    double half = axis->steps > 1 ? (axis->to - axis->from) / (double)(axis->steps - 1) / 2 : 0.5;
+    *low = factor * (axis->from - half);
+    *high = factor * (axis->to + half);
+}
+
+static Map begin_map(StudyPlots *plots, const Study *study, size_t pass, const char *name) {
+    Map map = {.study = study,
+               .pass = pass,
+               .columns = study->axes[0].steps,
+               .rows = study->axes[1].steps,
+               .x = study_axes_parameter(study, 0, &plots->arena),
+               .y = study_axes_parameter(study, 1, &plots->arena),
+               .arena = &plots->arena,
+               .to = &plots->plots[plots->count]};
+    map.raster = arena_allocate(map.arena, sizeof *map.raster);
+    map.values = arena_allocate(map.arena, map.columns * map.rows * sizeof *map.values);
+    map.classes = arena_allocate(map.arena, CLASSES_MOST * sizeof *map.classes);
+    *map.raster = (PlotRaster){.columns = map.columns, .rows = map.rows, .values = map.values};
+    axis_box(&study->axes[0], map.x.factor, &map.raster->box.low.x, &map.raster->box.high.x);
+    axis_box(&study->axes[1], map.y.factor, &map.raster->box.low.y, &map.raster->box.high.y);
+    bool several = study->pass_count > 1;
+    const char *way = several ? study_pass_name(study->passes[pass]) : NULL;
+    *map.to = (StudyPlot){.name = text_in_arena(map.arena, "%s%s%s", name, way ? "-" : "", way ? way : ""),
+                          .plot = {.x = map.x.axis, .y = map.y.axis, .raster = map.raster, .note = way}};
+    map.to->plot.series = arena_allocate(map.arena, 2 * sizeof *map.to->plot.series);
+    return map;
+}
+
+/* A class that the map has gets a place in the key; what the cells hold is its number there. */
+static void keep_classes(Map *map, const PlotClass *classes, size_t count) {
+    int place[CLASSES_MOST];
+    memset(place, -1, sizeof place);
+    for (size_t c = 0; c < count; c++)
+        for (size_t i = 0; i < map->columns * map->rows && place[c] < 0; i++)
+            if (map->values[i] == (double)c) {
+                place[c] = (int)map->raster->class_count;
+                map->classes[map->raster->class_count++] = classes[c];
+            }
+    for (size_t i = 0; i < map->columns * map->rows; i++)
+        if (isfinite(map->values[i]))
+            map->values[i] = place[(size_t)map->values[i]];
+    map->raster->classes = map->classes;
+}
+
+static bool is_house(const Map *map) {
+    return strcmp(map->study->experiment->kind, "house") == 0;
+}
+
+/* Was the cell run, to the end? Then what it does not say cannot be told. */
+static bool was_run(const Map *map, size_t cell) {
+    for (size_t run = 0; run < map->study->runs; run++)
+        if (!map_trial(map, run, cell)->done || map_trial(map, run, cell)->fault)
+            return false;
+    return true;
+}
+
+/* Of several runs of a place, classes are the first one's. */
+static void note_first(Map *map) {
+    if (map->study->runs > 1)
+        map->to->plot.note = text_in_arena(map->arena, "the first of %zu runs", map->study->runs);
+}
+
+#define CANNOT_BE_TOLD                                                                                                 \
+    { "cannot be told", "?", ROLE_CLASS_NONE, PLOT_PATTERN_RISING }
+
+static void classify_regular(Map *map) {
+    bool house = is_house(map);
+    const PlotClass classes[] = {
+        {house ? "not all out" : "not periodic", house ? "no" : "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
+        {house ? "all out" : "periodic", house ? "out" : "p", ROLE_CLASS_FIRST, PLOT_PATTERN_PLAIN},
+        CANNOT_BE_TOLD};
+    for (size_t i = 0; i < map->columns * map->rows; i++) {
+        double regular = cell_value(map, i, map->study->experiment->regular);
+        map->values[i] = !isnan(regular) ? regular >= 0.5 : was_run(map, i) ? 2 : NAN;
+    }
+    keep_classes(map, classes, 3);
+}
+
+/* 0 where nothing is touched, 1 to 4, 5 for 5 to 8, 6 for more, 7 for none. */
+static double period_class(double period, double touches) {
+    if (isnan(period) || touches == 0)
+        return isnan(period) ? NAN : 0;
+    return period < 1 ? 7 : period <= 4 ? floor(period) : period <= 8 ? 5 : 6;
+}
+
+static void classify_period(Map *map) {
+    static const PlotClass classes[] = {
+        {"no contact", "free", ROLE_CLASS_NONE, PLOT_PATTERN_PLAIN},
+        {"period 1", "1", ROLE_CLASS_FIRST, PLOT_PATTERN_PLAIN},
+        {"period 2", "2", ROLE_CLASS_SECOND, PLOT_PATTERN_RISING},
+        {"period 3", "3", ROLE_CLASS_THIRD, PLOT_PATTERN_FALLING},
+        {"period 4", "4", ROLE_CLASS_FOURTH, PLOT_PATTERN_CROSSED},
+        {"5 to 8", "5", ROLE_CLASS_FIFTH, PLOT_PATTERN_UPRIGHT},
+        {"9 and more", "9", ROLE_CLASS_SIXTH, PLOT_PATTERN_LEVEL},
+        {"not periodic", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
+        CANNOT_BE_TOLD,
+    };
+    const double untold = sizeof classes / sizeof *classes - 1;
+    size_t period = study_axes_find(map->study, "period"), touches = study_axes_find(map->study, "touches");
+    bool told = touches < map->study->experiment->observable_count;
+    for (size_t i = 0; i < map->columns * map->rows; i++) {
+        const Trial *trial = map_trial(map, 0, i);
+        double class = period_class(study_axes_value(trial, period), told ? study_axes_value(trial, touches) : NAN);
+        map->values[i] = isnan(class) && was_run(map, i) ? untold : class;
+    }
+    note_first(map);
+    keep_classes(map, classes, sizeof classes / sizeof *classes);
+}
+
+static void classify_type(Map *map) {
+    static const PlotClass classes[] = {{"type I", "I", ROLE_TYPE_FIRST, PLOT_PATTERN_PLAIN},
+                                        {"type II", "II", ROLE_TYPE_SECOND, PLOT_PATTERN_RISING},
+                                        {"type III", "III", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
+                                        {"unresolved", "?", ROLE_CLASS_NONE, PLOT_PATTERN_RISING}};
+    size_t type = study_axes_find(map->study, "type");
+    for (size_t i = 0; i < map->columns * map->rows; i++) {
+        double value = study_axes_value(map_trial(map, 0, i), type);
+        map->values[i] = value >= 1 && value <= 3 ? value - 1 : was_run(map, i) ? 3 : NAN;
+    }
+    note_first(map);
+    keep_classes(map, classes, 4);
+}
+
+static const char *attractor_name(const Map *map, const Attractor *attractor) {
+    const Experiment *experiment = map->study->experiment;
+    const Observable *outcome = &experiment->observables[experiment->outcome];
+    const Observable *measure = &experiment->observables[experiment->measure];
+    return text_in_arena(map->arena, "%s %g, %.4g %s", outcome->name, attractor->outcome, attractor->measure,
+                         measure->unit);
+}
+
+static void classify_attractors(Map *map) {
+    static const Role roles[] = {ROLE_CLASS_FIRST,  ROLE_CLASS_FOURTH, ROLE_TYPE_SECOND,
+                                 ROLE_CLASS_SECOND, ROLE_CLASS_SIXTH,  ROLE_CLASS_THIRD};
+    static const char *const marks[] = {"A", "B", "C", "D", "E", "F", "G", "H", "I"};
+    enum { SHOWN = sizeof marks / sizeof *marks, REST = SHOWN, WILD, UNTOLD, ROLES = sizeof roles / sizeof *roles };
+    size_t cells = map->columns * map->rows;
+    int *found = arena_allocate(map->arena, cells * sizeof *found);
+    Attractor *list;
+    size_t count = list_attractors(map->study, map->pass, found, &list);
+    PlotClass classes[CLASSES_MOST] = {[REST] = {"others", "+", ROLE_CLASS_NONE, PLOT_PATTERN_CROSSED},
+                                       [WILD] = {"not regular", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
+                                       [UNTOLD] = CANNOT_BE_TOLD};
+    for (size_t a = 0; a < SHOWN && a < count; a++)
+        classes[a] = (PlotClass){text_in_arena(map->arena, "%s: %s", marks[a], attractor_name(map, &list[a])), marks[a],
+                                 roles[a % ROLES], (PlotPattern)(a % PLOT_PATTERNS)};
+    for (size_t i = 0; i < cells; i++)
+        map->values[i] = found[i] == -2     ? (was_run(map, i) ? UNTOLD : NAN)
+                         : found[i] == -1   ? WILD
+                         : found[i] < SHOWN ? found[i]
+                                            : REST;
+    memory_free(list);
+    note_first(map);
+    keep_classes(map, classes, UNTOLD + 1);
+}
+
+/* A quantity; false: it is the same everywhere, or not known. */
+static bool fill_quantity(Map *map, size_t observable) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (size_t i = 0; i < map->columns * map->rows; i++) {
+        map->values[i] = cell_value(map, i, observable);
+        low = fmin(low, isfinite(map->values[i]) ? map->values[i] : low);
+        high = fmax(high, isfinite(map->values[i]) ? map->values[i] : high);
+    }
+    const Observable *shown = &map->study->experiment->observables[observable];
+    map->raster->value = study_axes_observable(shown).axis;
+    return low < high;
+}
+
+/* What lies over a map --------------------------------------------------------------------------------------------- */
+
+/* The clearance by the static deflection, where it depends on the clearance alone. */
+static void add_ratio(Map *map) {
+    size_t ratio = study_axes_find(map->study, "clearance_ratio");
+    if (ratio == map->study->experiment->observable_count || strcmp(map->study->axes[1].name, "joint.clearance") != 0)
+        return;
+    double factor = NAN;
+    for (size_t i = 0; i < map->columns * map->rows; i++) {
+        const Trial *trial = map_trial(map, 0, i);
+        double own = study_axes_value(trial, ratio) / (map->y.factor * trial->at[1]);
+        if (!isfinite(own))
+            continue;
+        if (isfinite(factor) && fabs(own - factor) > CONSTANT * fabs(factor))
+            return;
+        factor = own;
+    }
+    if (isfinite(factor)) {
+        map->to->plot.right = (PlotAxis){.title = "g/a"};
+        map->to->plot.right_factor = factor;
+    }
+}
+
+/* The line between a cell and its neighbour to the right or above, when their types differ. */
+static void add_edge(const Map *map, size_t type, size_t cell, size_t neighbour, double *x, double *y, size_t *count) {
+    double own = study_axes_value(map_trial(map, 0, cell), type);
+    double other = study_axes_value(map_trial(map, 0, neighbour), type);
+    if (isnan(own) || isnan(other) || own == other)
+        return;
+    Vec2 low = map->raster->box.low, step = vec2(box_width(map->raster->box) / (double)map->columns,
+                                                 box_height(map->raster->box) / (double)map->rows);
+    size_t column = neighbour % map->columns, row = neighbour / map->columns;
+    Vec2 from = vec2(low.x + step.x * (double)column, low.y + step.y * (double)row);
+    Vec2 to = neighbour == cell + 1 ? vec2(from.x, from.y + step.y) : vec2(from.x + step.x, from.y);
+    double ends[] = {from.x, to.x, NAN}, heights[] = {from.y, to.y, NAN};
+    memcpy(x + *count, ends, sizeof ends);
+    memcpy(y + *count, heights, sizeof heights);
+    *count += 3;
+}
+
+/* Regions of types, where another observable says them. */
+static void add_types(Map *map) {
+    size_t type = study_axes_find(map->study, "type"), cells = map->columns * map->rows, count = 0;
+    if (type == map->study->experiment->observable_count)
+        return;
+    double *x = arena_allocate(map->arena, 6 * cells * sizeof *x),
+           *y = arena_allocate(map->arena, 6 * cells * sizeof *y);
+    for (size_t i = 0; i < cells; i++) {
+        if (i % map->columns + 1 < map->columns)
+            add_edge(map, type, i, i + 1, x, y, &count);
+        if (i + map->columns < cells)
+            add_edge(map, type, i, i + map->columns, x, y, &count);
+    }
+    if (count)
+        map->to->plot.series[map->to->plot.series_count++] = (PlotSeries){
+            .name = "between types", .x = x, .y = y, .count = count, .role = ROLE_IMPACT, .width = EDGE_WIDTH};
+}
+
+/* A map that has been filled, among the plots. */
+static void end_map(StudyPlots *plots, Map *map, const Measured *measured, bool types) {
+    add_ratio(map);
+    if (types)
+        add_types(map);
+    bool laid = measured_marks_add(&map->to->plot, measured, (MeasuredAxis){map->study->axes[0].name, map->x.factor},
+                                   (MeasuredAxis){map->study->axes[1].name, map->y.factor}, "measured", 0, map->arena);
+    if (laid && map->to->plot.series_count == 1)
+        map->to->plot.note = "rings: measured";
+    plots->count++;
+}
+
+/* A heading begins with a capital. */
+static const char *capital(Arena *arena, const char *words) {
+    char *heading = (char *)arena_text(arena, words);
+    heading[0] = (char)toupper((unsigned char)heading[0]);
+    return heading;
+}
+
+/* How an observable is shown. */
+static bool fill_map(Map *map, size_t observable) {
+    const Experiment *experiment = map->study->experiment;
+    const Observable *shown = &experiment->observables[observable];
+    map->to->plot.title = capital(map->arena, shown->meaning);
+    map->raster->value.title = shown->name;
+    if (strcmp(shown->name, "type") == 0) {
+        map->to->plot.title = "Regions of types";
+        classify_type(map);
+    } else if (strcmp(shown->name, "period") == 0) {
+        map->to->plot.title = "Periodic or not, and the period in cycles";
+        classify_period(map);
+    } else if (observable == experiment->regular) {
+        map->to->plot.title = is_house(map) ? "Does everybody get out?" : "Periodic or not";
+        classify_regular(map);
+    } else {
+        return fill_quantity(map, observable);
+    }
+    return map->raster->class_count > 0;
+}
+
+static bool is_start(const StudyAxis *axis) {
+    return strncmp(axis->name, "start.", strlen("start.")) == 0;
+}
+
+void study_maps_add(StudyPlots *plots, const Study *study, const Measured *measured) {
+    if (study->axis_count != 2)
+        return;
+    for (size_t pass = 0; pass < study->pass_count; pass++) {
+        for (size_t o = 0; o < study->experiment->observable_count; o++) {
+            const char *name = study->experiment->observables[o].name;
+            Map map = begin_map(plots, study, pass, text_in_arena(&plots->arena, "map-%s", name));
+            if (!study_axes_is_mark(study, o) && fill_map(&map, o))
+                end_map(plots, &map, measured, strcmp(name, "type") != 0);
+        }
+        if (is_start(&study->axes[0]) && is_start(&study->axes[1])) {
+            Map map = begin_map(plots, study, pass, "basins");
+            map.to->plot.title = "Basins: where each start leads";
+            map.raster->value.title = "attractor";
+            classify_attractors(&map);
+            end_map(plots, &map, measured, false);
+        }
+    }
+}

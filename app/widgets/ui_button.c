@@ -1,0 +1,264 @@
+#include <assert.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/digest.h"
+#include "widgets/ui_inside.h"
+
+#define PADDING 8.0
+#define LINE 19.0 /* of several lines in a button */
+#define FLAG_BOX 20.0
+#define ROW_HEIGHT 32.0
+#define ROW_MARK 34.0 /* a disc, or a piece of line, and some room */
+#define ROW_DISC_RADIUS 11.0
+#define ROW_GAP 14.0
+#define CHOICE_GAP 4.0
+
+typedef struct Look {
+    bool chosen, plain, disabled, hovered, held;
+} Look;
+
+/* Buttons ---------------------------------------------------------------------------------------------------------- */
+
+static int count_lines(const char *words) {
+    int count = 1;
+    for (; *words; words++)
+        count += *words == '\n';
+    return count;
+}
+
+static UiInk words_ink(const Ui *ui, Look look) {
+    return look.chosen ? ui_frame_ink_on(ui, ROLE_CHAIR) : ui_frame_ink(ui, look.disabled ? ROLE_ROOM : ROLE_TEXT, 1);
+}
+
+static void draw_button_ground(Ui *ui, Box box, Look look) {
+    if (look.chosen)
+        ui_pencil_box(ui->pencil, box, ui_frame_ink(ui, ROLE_CHAIR, 1));
+    else if (!look.disabled && (!look.plain || look.hovered))
+        ui_pencil_box(ui->pencil, box, ui_frame_ink(ui, look.hovered ? ROLE_SHADE : ROLE_PAPER, 1));
+    if (look.hovered || look.held)
+        ui_pencil_frame(ui->pencil, box, look.held ? 2 * UI_EDGE : UI_EDGE, ui_frame_ink(ui, ROLE_TEXT, 1));
+    else if (!look.plain)
+        ui_pencil_frame(ui->pencil, box, UI_EDGE, ui_frame_ink(ui, ROLE_ROOM, look.disabled ? 0.5 : 1));
+}
+
+/* The largest letters that have room. */
+static UiLetters fitting_letters(Ui *ui, UiLetters large, const char *words, double width) {
+    return ui_extent(ui, large, words).x <= width ? large : UI_SMALL;
+}
+
+/* Several lines: the first is bold, as a key above its name. */
+static void draw_lines(Ui *ui, Box box, UiInk ink, const char *label) {
+    double height = LINE * count_lines(label), top = (box.low.y + box.high.y - height) / 2;
+    UiLetters letters = UI_BOLD;
+    for (const char *line = label; line; letters = UI_SMALL) {
+        Box place = {{box.low.x + 2, top}, {box.high.x - 2, top + LINE}};
+        ui_words_in(ui, letters, ink, place, 0.5, line);
+        top += LINE;
+        line = strchr(line, '\n');
+        line = line ? line + 1 : NULL;
+    }
+}
+
+/* Words behind a tab stand at the right. */
+static void draw_plain(Ui *ui, Box box, UiInk ink, const char *label) {
+    char first[256];
+    size_t bytes = strcspn(label, "\t");
+    snprintf(first, sizeof first, "%.*s", (int)bytes, label);
+    double padding = ui_extent(ui, UI_BODY, label).x + 2 * PADDING <= box_width(box) ? PADDING : PADDING / 4;
+    Box inside = {{box.low.x + padding, box.low.y}, {box.high.x - padding, box.high.y}};
+    ui_words_in(ui, fitting_letters(ui, UI_BODY, label, box_width(inside)), ink, inside, 0, first);
+    if (label[bytes])
+        ui_words_in(ui, UI_SMALL, ink, inside, 1, label + bytes + 1);
+}
+
+static void draw_label(Ui *ui, Box box, Look look, const char *label) {
+    UiInk ink = words_ink(ui, look);
+    Box inside = {{box.low.x + PADDING / 2, box.low.y}, {box.high.x - PADDING / 2, box.high.y}};
+    if (strchr(label, '\n'))
+        draw_lines(ui, box, ink, label);
+    else if (look.plain)
+        draw_plain(ui, box, ink, label);
+    else
+        ui_words_in(ui, fitting_letters(ui, look.chosen ? UI_BOLD : UI_BODY, label, box_width(inside)), ink, inside,
+                    0.5, label);
+}
+
+bool ui_button(Ui *ui, const UiButton *button) {
+    UiId id = ui_frame_id(ui, button->id ? button->id : button->label);
+    int lines = count_lines(button->label);
+    Box box = ui_pane_next(ui, lines > 1 ? LINE * lines + 2 * PADDING : UI_BUTTON_HEIGHT);
+    UiTouch touch = ui_frame_touch(ui, id, box, false);
+    /* one that is no longer to be used keeps the focus until it goes on by itself */
+    bool focused = (!button->disabled || ui->focus == id) && ui_focus_stop(ui, id, UI_IS_BUTTON, box);
+    bool used = ui_focus_used(ui, id) || touch.clicked;
+    bool lives = !button->disabled;
+    Look look = {button->chosen, button->plain, button->disabled, touch.hovered && lives,
+                 touch.held && touch.hovered && lives};
+    draw_button_ground(ui, box, look);
+    draw_label(ui, box, look, button->label);
+    ui_tip_offer(ui, id, box, button->help, touch.hovered, focused);
+    return used && lives;
+}
+
+/* Flags ------------------------------------------------------------------------------------------------------------ */
+
+bool ui_flag(Ui *ui, const char *id_text, const char *label, const char *help, bool *value) {
+    UiId id = ui_frame_id(ui, id_text ? id_text : label);
+    Box box = ui_pane_next(ui, UI_BUTTON_HEIGHT - 4);
+    UiTouch touch = ui_frame_touch(ui, id, box, false);
+    bool focused = ui_focus_stop(ui, id, UI_IS_BUTTON, box);
+    bool used = ui_focus_used(ui, id) || touch.clicked;
+    if (used)
+        *value = !*value;
+    double middle = (box.low.y + box.high.y) / 2, left = box.low.x;
+    Box square = {{left, middle - FLAG_BOX / 2}, {left + FLAG_BOX, middle + FLAG_BOX / 2}};
+    draw_button_ground(ui, square, (Look){.chosen = *value, .hovered = touch.hovered, .held = touch.held});
+    if (*value) {
+        Vec2 tick[] = {{left + 4.5, middle}, {left + 8.5, middle + 4.5}, {left + 15.5, middle - 5}};
+        ui_pencil_polyline(ui->pencil, tick, 3, false, 2.5, ui_frame_ink_on(ui, ROLE_CHAIR));
+    }
+    Box words = {{square.high.x + PADDING, box.low.y}, box.high};
+    ui_words_in(ui, UI_BODY, ui_frame_ink(ui, ROLE_TEXT, 1), words, 0, label);
+    ui_tip_offer(ui, id, box, help, touch.hovered, focused);
+    return used;
+}
+
+/* Choices ---------------------------------------------------------------------------------------------------------- */
+
+static void choose_by_keys(Ui *ui, UiId id, size_t count, size_t *chosen) {
+    for (UiPress press; ui_focus_take(ui, id, &press);)
+        switch (press.key) {
+        case UI_KEY_LEFT:
+        case UI_KEY_UP:
+            *chosen -= *chosen > 0;
+            break;
+        case UI_KEY_RIGHT:
+        case UI_KEY_DOWN:
+            *chosen += *chosen + 1 < count;
+            break;
+        case UI_KEY_HOME:
+            *chosen = 0;
+            break;
+        case UI_KEY_END:
+            *chosen = count - 1;
+            break;
+        default:
+            *chosen = (*chosen + 1) % count;
+        }
+}
+
+/* As wide as their words need, and what is left shared out: equally wide where that has room. */
+static void share_width(Ui *ui, const char *const *words, size_t count, double width, double *widths) {
+    double equal = (width - CHOICE_GAP * (double)(count - 1)) / (double)count, sum = 0, widest = 0;
+    for (size_t i = 0; i < count; i++) {
+        widths[i] = ui_extent(ui, UI_BOLD, words[i]).x + 2 * PADDING;
+        widest = fmax(widest, widths[i]);
+        sum += widths[i];
+    }
+    for (size_t i = 0; i < count; i++)
+        widths[i] = widest <= equal ? equal : widths[i] * equal * (double)count / sum;
+}
+
+bool ui_choice(Ui *ui, const char *id_text, const char *label, const char *help, const char *const *words, size_t count,
+               size_t *chosen) {
+    enum { MOST = 12 };
+    assert(count <= MOST);
+    UiId id = ui_frame_id(ui, id_text ? id_text : label);
+    bool named = label && *label;
+    size_t before = *chosen;
+    Box box = ui_pane_next(ui, UI_BUTTON_HEIGHT + (named ? UI_LINE_HEIGHT : 0));
+    bool focused = ui_focus_stop(ui, id, UI_IS_CHOICE, box), hovered = false;
+    double widths[MOST];
+    share_width(ui, words, count, box_width(box), widths);
+    if (named)
+        ui_words_in(ui, UI_BODY, ui_frame_ink(ui, ROLE_TEXT, 1),
+                    (Box){box.low, {box.high.x, box.low.y + UI_LINE_HEIGHT}}, 0, label);
+    Vec2 at = {box.low.x, named ? box.low.y + UI_LINE_HEIGHT : box.low.y};
+    for (size_t i = 0; i < count; at.x += widths[i] + CHOICE_GAP, i++) {
+        Box part = {at, {at.x + widths[i], box.high.y}};
+        UiTouch touch = ui_frame_touch(ui, digest_chain(id, i + 1), part, false);
+        if (touch.clicked)
+            *chosen = i;
+        hovered = hovered || touch.hovered;
+        Look look = {.chosen = i == *chosen, .hovered = touch.hovered, .held = touch.held && touch.hovered};
+        draw_button_ground(ui, part, look);
+        draw_label(ui, part, look, words[i]);
+    }
+    choose_by_keys(ui, id, count, chosen);
+    ui_tip_offer(ui, id, box, help, hovered, focused);
+    return *chosen != before;
+}
+
+/* Rows of a list --------------------------------------------------------------------------------------------------- */
+
+static void draw_mark(Ui *ui, Box box, const UiRow *row) {
+    Vec2 middle = {box.low.x + ROW_DISC_RADIUS + 1, (box.low.y + box.high.y) / 2};
+    UiInk ink = ui_frame_ink_on(ui, row->role), fill = ui_frame_ink(ui, row->role, 1);
+    if (row->shape == ROW_DISC) {
+        ui_pencil_disc(ui->pencil, middle, ROW_DISC_RADIUS, ui_frame_ink(ui, ROLE_WALL, 1));
+        ui_pencil_disc(ui->pencil, middle, ROW_DISC_RADIUS - 2, fill);
+    } else if (row->shape == ROW_LINE) {
+        static const double dashes[LINE_STYLES][2] = {{26, 0}, {7, 4}, {3, 3}, {10, 3}};
+        const double *dash = dashes[row->style];
+        for (double x = 0; x < 26; x += dash[0] + dash[1])
+            ui_pencil_box(ui->pencil,
+                          (Box){{box.low.x + x, middle.y - 2}, {box.low.x + fmin(26, x + dash[0]), middle.y + 2}},
+                          fill);
+        if (row->mark)
+            ui_pencil_box(ui->pencil, box_expand((Box){middle, middle}, ROW_DISC_RADIUS - 2), fill);
+    }
+    if (row->mark)
+        ui_words_in(ui, UI_SMALL, row->shape == ROW_DISC || row->shape == ROW_LINE ? ink : fill,
+                    box_expand((Box){middle, middle}, 14), 0.5, row->mark);
+}
+
+/* Where there are several, the columns at the right are as wide as their widest cell of the frame before. */
+static double draw_cells(Ui *ui, Box box, UiLetters letters, const char *const *cells) {
+    double right = box.high.x;
+    int count = !cells[0] ? 0 : !cells[1] ? 1 : !cells[2] ? 2 : 3;
+    for (int column = count - 1; column >= 1; column--) {
+        double width = ui_extent(ui, letters, cells[column]).x;
+        double *columns[] = {ui->place ? &ui->place->columns[0][column - 1] : &width,
+                             ui->place ? &ui->place->columns[1][column - 1] : &width};
+        *columns[1] = count > 2 ? fmax(*columns[1], width) : *columns[1];
+        ui_words_in(ui, letters, ui_frame_ink(ui, ROLE_TEXT, 1), (Box){{right - width, box.low.y}, {right, box.high.y}},
+                    1, cells[column]);
+        right -= (count > 2 ? fmax(width, *columns[0]) : width) + ROW_GAP;
+    }
+    return right;
+}
+
+/* Rows of a list have nothing between them. */
+static Box next_row(Ui *ui) {
+    if (!ui->at_given && ui->y == ui->list_y)
+        ui->y -= UI_GAP;
+    Box box = ui_pane_next(ui, ROW_HEIGHT);
+    ui->list_y = ui->y;
+    return box;
+}
+
+bool ui_list_row(Ui *ui, const UiRow *row) {
+    UiId id = ui_frame_id(ui, row->id ? row->id : row->cells[0]);
+    Box box = next_row(ui);
+    UiTouch touch = row->usable ? ui_frame_touch(ui, id, box, false) : (UiTouch){0};
+    Box wide = {{box.low.x - 6, box.low.y}, {box.high.x + 6, box.high.y}};
+    /* the frame of the focus hides nothing of the rows beside it */
+    bool focused = row->usable && ui_focus_stop(ui, id, UI_IS_ROW, box_expand(wide, -UI_FRAME - UI_RIM));
+    bool used = row->usable && (ui_focus_used(ui, id) || touch.clicked);
+    if (row->selected || touch.hovered)
+        ui_pencil_box(ui->pencil, wide, ui_frame_ink(ui, ROLE_SHADE, row->selected ? 1 : 0.6));
+    if (row->selected)
+        ui_pencil_box(ui->pencil, (Box){wide.low, {wide.low.x + 4, wide.high.y}}, ui_frame_ink(ui, ROLE_CHAIR, 1));
+    UiLetters letters = row->selected ? UI_BOLD : UI_BODY;
+    Box inside = box;
+    if (row->mark || row->shape == ROW_DISC || row->shape == ROW_LINE) {
+        draw_mark(ui, box, row);
+        inside.low.x += ROW_MARK;
+    }
+    inside.high.x = draw_cells(ui, inside, letters, row->cells);
+    if (row->cells[0])
+        ui_words_in(ui, letters, ui_frame_ink(ui, ROLE_TEXT, 1), inside, 0, row->cells[0]);
+    ui_tip_offer(ui, id, box, row->help, touch.hovered, focused);
+    return used;
+}

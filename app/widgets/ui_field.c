@@ -1,0 +1,51 @@
+#include <string.h>
+
+#include "widgets/ui_inside.h"
+
+#define FIELD_HEIGHT 32.0
+
+static void draw_text(Ui *ui, Box box, const char *text, UiTouch touch, bool typing) {
+    ui_pencil_box(ui->pencil, box, ui_frame_ink(ui, ROLE_PAPER, 1));
+    ui_pencil_frame(ui->pencil, box, UI_EDGE, ui_frame_ink(ui, typing || touch.hovered ? ROLE_TEXT : ROLE_ROOM, 1));
+    if (typing)
+        ui_editor_draw(ui, box, touch);
+    else
+        ui_words_in(ui, UI_BODY, ui_frame_ink(ui, ROLE_TEXT, 1),
+                    (Box){{box.low.x + 7, box.low.y}, {box.high.x - 7, box.high.y}}, 0, text);
+}
+
+/* As much of the words as has room, in whole letters. */
+static void take(char *text, size_t size, const char *words) {
+    size_t bytes = strlen(words);
+    if (bytes >= size) {
+        bytes = size - 1;
+        while (bytes > 0 && ((unsigned char)words[bytes] & 0xC0) == 0x80)
+            bytes--;
+    }
+    memcpy(text, words, bytes);
+    text[bytes] = 0;
+}
+
+bool ui_field(Ui *ui, const char *id_text, const char *label, const char *help, char *text, size_t size) {
+    UiId id = ui_frame_id(ui, id_text ? id_text : label);
+    bool named = label && *label, typing = ui->editor.id == id;
+    Box whole = ui_pane_next(ui, FIELD_HEIGHT + (named ? UI_LINE_HEIGHT : 0)), box = whole;
+    const UiTyped *ended = ui_editor_ended(ui, id);
+    if (ended)
+        take(text, size, ended->text);
+    if (typing)
+        take(text, size, ui->editor.text);
+    if (named) {
+        box.low.y += UI_LINE_HEIGHT;
+        ui_words_in(ui, UI_BODY, ui_frame_ink(ui, ROLE_TEXT, 1), (Box){whole.low, {whole.high.x, box.low.y}}, 0, label);
+    }
+    bool focused = ui_focus_stop_typed(ui, id, UI_IS_FIELD, whole, text, NULL);
+    UiTouch touch = ui_frame_touch(ui, id, box, false);
+    if (touch.pressed && !typing) {
+        ui_editor_open(ui, id, text);
+        typing = true;
+    }
+    draw_text(ui, box, text, touch, typing);
+    ui_tip_offer(ui, id, whole, help, touch.hovered, focused);
+    return ended && ended->end == UI_END_ENTERED;
+}

@@ -1,0 +1,338 @@
+
+#include "base/digest.h"
+#include "widgets/ui_inside.h"
+
+/* Stops ------------------------------------------------------------------------------------------------------------ */
+
+static const UiSlider *keep_number(Ui *ui, const UiSlider *number) {
+    if (!number)
+        return NULL;
+    UiSlider *kept = arena_allocate(&ui->stop_texts, sizeof *kept);
+    *kept = *number;
+    kept->unit = arena_text(&ui->stop_texts, number->unit ? number->unit : "");
+    kept->id = kept->label = kept->help = NULL;
+    return kept;
+}
+
+bool ui_focus_stop_typed(Ui *ui, UiId id, UiKind kind, Box box, const char *text, const UiSlider *number) {
+    ui->stops = memory_reserve(ui->stops, &ui->stop_capacity, ui->stop_count + 1, sizeof *ui->stops);
+    ui->stops[ui->stop_count++] = (UiStop){id, ui->place ? ui->place->id : 0, kind,
+                                           text ? arena_text(&ui->stop_texts, text) : NULL, keep_number(ui, number)};
+    if (ui->focus != id)
+        return false;
+    ui->focus_box = box;
+    ui->focus_made = true;
+    return true;
+}
+
+bool ui_focus_stop(Ui *ui, UiId id, UiKind kind, Box box) {
+    return ui_focus_stop_typed(ui, id, kind, box, NULL, NULL);
+}
+
+static bool reaches(const Ui *ui, const UiStop *stop) {
+    return !ui->modal || stop->pane == ui->modal;
+}
+
+static const UiStop *find(const UiStop *stops, size_t count, UiId id) {
+    for (size_t i = 0; id && i < count; i++)
+        if (stops[i].id == id)
+            return &stops[i];
+    return NULL;
+}
+
+const UiStop *ui_focus_find(const Ui *ui, UiId id) {
+    return find(ui->old_stops, ui->old_stop_count, id);
+}
+
+static void give(Ui *ui, const UiStop *stop) {
+    ui_frame_stir(ui);
+    ui->focus = stop->id;
+    ui->focus_pane = stop->pane;
+    ui->reveal = true;
+    ui->tip_hidden = 0;
+    if (stop->kind == UI_IS_FIELD)
+        ui_editor_open(ui, stop->id, stop->text);
+}
+
+static void give_by_key(Ui *ui, const UiStop *stop) {
+    give(ui, stop);
+    ui->by_key = true;
+}
+
+/* The one that has been opened by the mouse is where Tab goes on from. */
+static size_t current_index(const Ui *ui, UiId from) {
+    for (size_t i = 0; i < ui->old_stop_count; i++)
+        if (ui->old_stops[i].id == from)
+            return i;
+    return ui->old_stop_count;
+}
+
+/* Without a focus it is given to the first stop, or the last one. */
+static size_t begin_of_way(const Ui *ui, size_t index, bool back) {
+    return index < ui->old_stop_count ? index : back ? 0 : ui->old_stop_count - 1;
+}
+
+static void go_round(Ui *ui, UiId from, bool back) {
+    size_t count = ui->old_stop_count, index = begin_of_way(ui, current_index(ui, from), back);
+    for (size_t step = 1; step <= count; step++) {
+        const UiStop *stop = &ui->old_stops[(index + (back ? count - step : step)) % count];
+        if (reaches(ui, stop)) {
+            give_by_key(ui, stop);
+            return;
+        }
+    }
+}
+
+/* The first stop of the next pane that has one. */
+static void go_to_pane(Ui *ui, UiId from, bool back) {
+    size_t count = ui->old_stop_count, index = current_index(ui, from);
+    UiId pane = index < count ? ui->old_stops[index].pane : 0, found = 0;
+    index = begin_of_way(ui, index, back);
+    for (size_t step = 1; step <= count && !found; step++) {
+        const UiStop *stop = &ui->old_stops[(index + (back ? count - step : step)) % count];
+        if (reaches(ui, stop) && stop->pane != pane)
+            found = stop->pane;
+    }
+    for (size_t i = 0; i < count; i++)
+        if (found && ui->old_stops[i].pane == found) {
+            give_by_key(ui, &ui->old_stops[i]);
+            return;
+        }
+}
+
+static const UiStop *first_of(const Ui *ui, const UiStop *stops, size_t count, UiId pane) {
+    for (size_t i = 0; i < count; i++)
+        if (pane ? stops[i].pane == pane : reaches(ui, &stops[i]))
+            return &stops[i];
+    return NULL;
+}
+
+void ui_focus(Ui *ui, const char *pane) {
+    UiId id = digest_text(DIGEST_START, pane);
+    const UiStop *stop = first_of(ui, ui->old_stops, ui->old_stop_count, id);
+    if (ui->editor.id)
+        ui_editor_close(ui, UI_END_LEFT);
+    ui->by_key = false;
+    ui->focus = 0; /* a pane that is made for the first time gets it at the end of the frame */
+    ui->focus_pane = id;
+    if (stop)
+        give(ui, stop);
+}
+
+const char *ui_focus_pane(const Ui *ui) {
+    const UiPlace *place = ui_pane_find(ui, ui->focus_pane);
+    return place ? place->name : "";
+}
+
+bool ui_focus_is_pane(const Ui *ui) {
+    return ui->focus && ui->focus == ui->focus_pane;
+}
+
+const char *ui_focus_help(const Ui *ui) {
+    return ui->focus && ui->focus_tip.id == ui->focus ? ui->focus_tip.text : NULL;
+}
+
+/* Frames ----------------------------------------------------------------------------------------------------------- */
+
+void ui_focus_frame_begin(Ui *ui) {
+    ui->focus_made = false;
+}
+
+static void swap_stops(Ui *ui) {
+    UiStop *stops = ui->old_stops;
+    size_t capacity = ui->old_stop_capacity;
+    Arena texts = ui->old_stop_texts;
+    ui->old_stops = ui->stops;
+    ui->old_stop_count = ui->stop_count;
+    ui->old_stop_capacity = ui->stop_capacity;
+    ui->old_stop_texts = ui->stop_texts;
+    arena_clear(&texts);
+    ui->stop_texts = texts;
+    ui->stops = stops;
+    ui->stop_count = 0;
+    ui->stop_capacity = capacity;
+}
+
+/* A modal pane takes the focus and gives it back. */
+static void mind_modal(Ui *ui) {
+    if (ui->modal && ui->focus_pane != ui->modal) {
+        if (ui->editor.id)
+            ui_editor_close(ui, UI_END_LEFT);
+        ui->hover_tip.id = 0;
+        if (!ui->keeps) {
+            ui->kept = ui->focus;
+            ui->kept_pane = ui->focus_pane;
+        }
+        ui->keeps = true;
+        ui->focus = 0;
+        ui->focus_pane = ui->modal;
+    } else if (!ui->modal && ui->keeps) {
+        ui_frame_stir(ui);
+        ui->focus = ui->kept;
+        ui->focus_pane = ui->kept_pane;
+        ui->keeps = false;
+    }
+}
+
+/* A stop that is gone leaves the focus to the first one of its pane. */
+static void mind_gone(Ui *ui) {
+    if (!ui->focus_pane || ui_focus_find(ui, ui->focus))
+        return;
+    const UiStop *stop = first_of(ui, ui->old_stops, ui->old_stop_count, ui->focus_pane);
+    if (!stop && !ui->modal)
+        stop = first_of(ui, ui->old_stops, ui->old_stop_count, 0);
+    ui->focus = 0;
+    if (stop)
+        give(ui, stop);
+}
+
+void ui_focus_frame_end(Ui *ui) {
+    swap_stops(ui);
+    if (ui->focus_made)
+        ui->reveal = false;
+    ui->press_count = ui->typed_count = 0;
+    arena_clear(&ui->typed_texts);
+    if (ui->editor.id && !ui_focus_find(ui, ui->editor.id))
+        ui->editor.id = 0;
+    mind_modal(ui);
+    mind_gone(ui);
+}
+
+/* Two frames, one in the colour of ink and one of paper: one of them differs from any ground. */
+void ui_focus_draw(Ui *ui) {
+    double reach = UI_FRAME + UI_RIM;
+    Box box = ui->focus == ui->place->id ? ui->place->box : box_expand(ui->focus_box, reach), pane = ui->place->box;
+    box.low = vec2(fmax(box.low.x, pane.low.x), fmax(box.low.y, pane.low.y));
+    box.high = vec2(fmin(box.high.x, pane.high.x), fmin(box.high.y, pane.high.y));
+    Colour ground = palette_colour(ui->theme, ROLE_PAPER);
+    bool dark = palette_ink_on(ground).red > 0.5;
+    UiInk black = 0xFF000000, white = 0xFFFFFFFF;
+    ui_pencil_frame(ui->pencil, box, UI_FRAME, dark ? white : black);
+    ui_pencil_frame(ui->pencil, box_expand(box, -UI_FRAME), UI_RIM, dark ? black : white);
+}
+
+/* Keys ------------------------------------------------------------------------------------------------------------- */
+
+static void press(Ui *ui, UiId id, UiKey key, bool shift) {
+    ui->presses = memory_reserve(ui->presses, &ui->press_capacity, ui->press_count + 1, sizeof *ui->presses);
+    ui->presses[ui->press_count++] = (UiPress){id, key, shift};
+}
+
+bool ui_focus_take(Ui *ui, UiId id, UiPress *taken) {
+    for (size_t i = 0; i < ui->press_count; i++)
+        if (ui->presses[i].id == id) {
+            *taken = ui->presses[i];
+            ui->presses[i].id = 0;
+            return true;
+        }
+    return false;
+}
+
+bool ui_focus_used(Ui *ui, UiId id) {
+    bool used = false;
+    for (UiPress taken; ui_focus_take(ui, id, &taken);)
+        used = true;
+    return used;
+}
+
+/* Sets of keys, a bit each. */
+#define KEY(name_) (1u << UI_KEY_##name_)
+#define USE (KEY(ENTER) | KEY(SPACE))
+#define UPWARDS (KEY(UP) | KEY(DOWN) | KEY(HOME) | KEY(END))
+#define PAGES (KEY(PAGE_UP) | KEY(PAGE_DOWN))
+#define SIDEWAYS (KEY(LEFT) | KEY(RIGHT))
+
+static bool uses(UiKind kind, UiKey key) {
+    static const unsigned keys[] = {
+        [UI_IS_PANE] = 0,
+        [UI_IS_BUTTON] = USE,
+        [UI_IS_ROW] = USE | UPWARDS,
+        [UI_IS_CHOICE] = USE | UPWARDS | SIDEWAYS,
+        [UI_IS_SLIDER] = KEY(ENTER) | UPWARDS | SIDEWAYS | PAGES | KEY(DELETE),
+        [UI_IS_FIELD] = KEY(ENTER),
+    };
+    return keys[kind] & 1u << key;
+}
+
+/* From row to row of a list. */
+static void go_along_rows(Ui *ui, const UiStop *stop, UiKey key) {
+    const UiStop *end = ui->old_stops + ui->old_stop_count, *next = stop;
+    int way = key == UI_KEY_UP || key == UI_KEY_HOME ? -1 : 1;
+    bool all = key == UI_KEY_HOME || key == UI_KEY_END;
+    for (const UiStop *s = stop + way; s >= ui->old_stops && s < end && s->pane == stop->pane; s += way)
+        if (s->kind == UI_IS_ROW) {
+            next = s;
+            if (!all)
+                break;
+        }
+    give_by_key(ui, next);
+}
+
+static bool use_key(Ui *ui, const UiStop *stop, UiKey key, bool shift) {
+    if (!uses(stop->kind, key)) {
+        const UiPlace *place = ui_pane_find(ui, stop->pane);
+        bool scrolls = place && ui_pane_overflows(place) && ((UPWARDS | PAGES) & 1u << key);
+        if (scrolls)
+            press(ui, place->id, key, shift);
+        return scrolls;
+    }
+    if (stop->kind == UI_IS_ROW && (UPWARDS & 1u << key))
+        go_along_rows(ui, stop, key);
+    else if (stop->text && key == UI_KEY_ENTER)
+        ui_editor_open(ui, stop->id, stop->text);
+    else
+        press(ui, stop->id, key, shift);
+    return true;
+}
+
+static bool escape(Ui *ui) {
+    if (ui->editor.id) {
+        ui_editor_close(ui, UI_END_ESCAPED);
+        return true;
+    }
+    if (ui_slider_draft(ui, ui->focus)) {
+        ui_slider_drop_draft(ui, ui->focus);
+        return true;
+    }
+    return !ui->modal && ui_tip_hide(ui);
+}
+
+static void go(Ui *ui, UiKey key) {
+    UiId from = ui->editor.id ? ui->editor.id : ui->focus;
+    if (ui->editor.id)
+        ui_editor_close(ui, UI_END_LEFT);
+    if (!ui->old_stop_count)
+        return;
+    if (key == UI_KEY_NEXT || key == UI_KEY_PREVIOUS)
+        go_round(ui, from, key == UI_KEY_PREVIOUS);
+    else
+        go_to_pane(ui, from, key == UI_KEY_PANE_BACK);
+}
+
+/* Enter in a field that the focus keeps open leaves it open. */
+static void enter(Ui *ui) {
+    UiId id = ui->editor.id;
+    const UiStop *stop = ui_focus_find(ui, id);
+    ui_editor_close(ui, UI_END_ENTERED);
+    if (stop && stop->kind == UI_IS_FIELD && ui->focus == id)
+        ui_editor_open(ui, id, ui->typed[ui->typed_count - 1].text);
+}
+
+bool ui_key(Ui *ui, UiKey key, bool shift, bool control) {
+    ui_frame_stir(ui);
+    if (key <= UI_KEY_PANE_BACK) {
+        go(ui, key);
+        return true;
+    }
+    if (key == UI_KEY_ESCAPE)
+        return escape(ui);
+    if (ui->editor.id) {
+        if (key == UI_KEY_ENTER)
+            enter(ui);
+        else
+            ui_editor_key(ui, key, shift, control);
+        return true;
+    }
+    const UiStop *stop = ui_focus_find(ui, ui->focus);
+    return stop && !control && use_key(ui, stop, key, shift);
+}

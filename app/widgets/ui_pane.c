@@ -1,0 +1,240 @@
+#include <string.h>
+
+#include "base/digest.h"
+#include "base/text.h"
+#include "widgets/ui_inside.h"
+
+#define NARROW 160.0 /* a pane no wider than that has only a small margin */
+#define MARGIN 16.0
+#define NARROW_MARGIN 6.0
+#define TOP_MARGIN 8.0
+#define BAR_WIDTH 8.0
+#define BAR_LEAST 24.0
+#define NOTCH 60.0
+#define DIM 0.45
+
+/* Places ----------------------------------------------------------------------------------------------------------- */
+
+UiPlace *ui_pane_find(const Ui *ui, UiId id) {
+    for (size_t i = 0; i < ui->place_count; i++)
+        if (ui->places[i]->id == id)
+            return ui->places[i];
+    return NULL;
+}
+
+static UiPlace *make_place(Ui *ui, UiId id, const char *name) {
+    UiPlace *place = memory_allocate(1, sizeof *place);
+    place->id = id;
+    place->name = text_copy(name);
+    ui->places = memory_reserve(ui->places, &ui->place_capacity, ui->place_count + 1, sizeof *ui->places);
+    ui->places[ui->place_count++] = place;
+    return place;
+}
+
+void ui_pane_frame_begin(Ui *ui) {
+    for (size_t i = 0; i < ui->place_count; i++)
+        ui->places[i]->made = false;
+    ui->order = 0;
+    ui->modal = 0;
+    ui->place = NULL;
+    ui->at_given = false;
+    ui->row_count = ui->row_index = 0;
+    ui->inner = ui->window;
+}
+
+/* What is remembered of a pane is forgotten with it: it begins anew at its top. */
+void ui_pane_frame_end(Ui *ui) {
+    for (size_t i = 0; i < ui->place_count; i++)
+        if (!ui->places[i]->made)
+            ui->places[i]->scroll = 0;
+}
+
+/* Scrolling -------------------------------------------------------------------------------------------------------- */
+
+static double hidden(const UiPlace *place) {
+    return fmax(0, place->content - box_height(place->box));
+}
+
+bool ui_pane_overflows(const UiPlace *place) {
+    return place->scrolls && hidden(place) > 0.5;
+}
+
+static void scroll_by_wheel(Ui *ui, UiPlace *place) {
+    if (ui->hovered_pane == place && !ui->on_canvas)
+        place->scroll -= NOTCH * ui->input.wheel;
+}
+
+/* The bar says how much there is and where one is; it can be dragged. */
+static void draw_bar(Ui *ui, UiPlace *place) {
+    Box box = place->box;
+    double height = box_height(box), length = fmax(BAR_LEAST, height * height / place->content);
+    double part = hidden(place) > 0 ? place->scroll / hidden(place) : 0;
+    Box track = {{box.high.x - BAR_WIDTH - 2, box.low.y}, box.high};
+    UiTouch touch = ui_frame_touch(ui, ui_frame_id(ui, "scroll bar"), track, false);
+    if (touch.held)
+        place->scroll += ui->moved.y * hidden(place) / fmax(1, height - length);
+    double top = box.low.y + part * (height - length);
+    Box block = {{box.high.x - BAR_WIDTH, top}, {box.high.x - 2, top + length}};
+    ui_pencil_box(ui->pencil, block, ui_frame_ink(ui, ROLE_ROOM, touch.hovered || touch.held ? 1 : 0.75));
+}
+
+static void bring_into_view(Ui *ui, UiPlace *place) {
+    double margin = UI_FRAME + UI_RIM + 2;
+    double above = place->box.low.y + margin - ui->focus_box.low.y;
+    double below = ui->focus_box.high.y + margin - place->box.high.y;
+    if (above > 0)
+        place->scroll -= above;
+    else if (below > 0)
+        place->scroll += fmin(below, -above);
+}
+
+/* Panes ------------------------------------------------------------------------------------------------------------ */
+
+static void begin_flow(Ui *ui, UiPlace *place) {
+    double margin = box_width(place->box) <= NARROW ? NARROW_MARGIN : MARGIN;
+    double right = ui_pane_overflows(place) ? fmax(margin, BAR_WIDTH + UI_FRAME + UI_RIM) : margin;
+    ui->inner = (Box){{place->box.low.x + margin, place->box.low.y}, {place->box.high.x - right, place->box.high.y}};
+    ui->list_y = -HUGE_VAL;
+    ui->first_y = ui->y = place->box.low.y + TOP_MARGIN - place->scroll;
+    ui->row_count = ui->row_index = 0;
+    ui->at_given = false;
+    memcpy(place->columns[0], place->columns[1], sizeof place->columns[0]);
+    memset(place->columns[1], 0, sizeof place->columns[1]);
+}
+
+static void draw_ground(Ui *ui, const UiPane *pane) {
+    ui_pencil_layer(ui->pencil, pane->modal ? UI_LAYER_MODAL : UI_LAYER_PANES);
+    if (pane->modal)
+        ui_pencil_box(ui->pencil, ui->window, (UiInk)lrint(255 * DIM) << 24);
+    if (pane->ground != ROLE_COUNT)
+        ui_pencil_ground(ui->pencil, pane->box, palette_colour(ui->theme, pane->ground));
+    if (pane->modal)
+        ui_pencil_frame(ui->pencil, box_expand(pane->box, UI_RIM), UI_RIM, ui_frame_ink(ui, ROLE_TEXT, 1));
+}
+
+void ui_pane_begin(Ui *ui, const UiPane *pane) {
+    UiId id = digest_text(DIGEST_START, pane->name);
+    UiPlace *place = ui_pane_find(ui, id);
+    if (!place)
+        place = make_place(ui, id, pane->name);
+    place->box = pane->box;
+    place->made = true;
+    place->modal = pane->modal;
+    place->stop = pane->stop;
+    place->scrolls = pane->scrolls;
+    place->order = ui->order++;
+    if (pane->modal)
+        ui->modal = id;
+    if (pane->scrolls)
+        scroll_by_wheel(ui, place);
+    place->scroll = place->seen_scroll = pane->scrolls ? real_clamp(place->scroll, 0, hidden(place)) : 0;
+    ui->place = place;
+    ui->ground = pane->ground;
+    draw_ground(ui, pane);
+    ui_pencil_clip(ui->pencil, pane->box);
+    begin_flow(ui, place);
+    ui->first_stop = ui->stop_count;
+    if (pane->stop)
+        ui_focus_stop(ui, id, UI_IS_PANE, pane->box);
+}
+
+static void scroll_by_key(Ui *ui, UiPlace *place) {
+    double page = 0.9 * box_height(place->box);
+    for (UiPress press; ui_focus_take(ui, place->id, &press);)
+        switch (press.key) {
+        case UI_KEY_UP:
+            place->scroll -= NOTCH;
+            break;
+        case UI_KEY_DOWN:
+            place->scroll += NOTCH;
+            break;
+        case UI_KEY_PAGE_UP:
+            place->scroll -= page;
+            break;
+        case UI_KEY_PAGE_DOWN:
+            place->scroll += page;
+            break;
+        case UI_KEY_HOME:
+            place->scroll = 0;
+            break;
+        default:
+            place->scroll = hidden(place);
+        }
+}
+
+/* What has become longer or wider, or was scrolled, is in its place in the next frame. */
+static void mind_change(Ui *ui, UiPlace *place, double content) {
+    bool wider = memcmp(place->columns[0], place->columns[1], sizeof place->columns[0]) != 0;
+    if (place->content != content || place->scroll != place->seen_scroll || wider)
+        ui_frame_stir(ui);
+}
+
+void ui_pane_end(Ui *ui) {
+    UiPlace *place = ui->place;
+    double content = place->content;
+    if (ui->row_index)
+        ui->y += ui->row_height + UI_GAP;
+    place->content = ui->y - ui->first_y + TOP_MARGIN; /* below the last widget its gap is the margin */
+    if (ui_pane_overflows(place)) {
+        draw_bar(ui, place);
+        scroll_by_key(ui, place);
+    }
+    if (ui->stop_count == ui->first_stop && (place->modal || ui_pane_overflows(place)))
+        ui_focus_stop(ui, place->id, UI_IS_PANE, place->box);
+    if (ui->focus_pane == place->id && ui->focus_made) {
+        if (ui->reveal && place->scrolls && ui->focus != place->id)
+            bring_into_view(ui, place);
+        ui_focus_draw(ui);
+    }
+    mind_change(ui, place, content);
+    ui_pencil_unclip(ui->pencil);
+    ui_pencil_layer(ui->pencil, UI_LAYER_PANES);
+    ui->place = NULL;
+    ui->inner = ui->window;
+}
+
+/* Where things go -------------------------------------------------------------------------------------------------- */
+
+void ui_at(Ui *ui, Box box) {
+    ui->at = box;
+    ui->at_given = true;
+}
+
+void ui_row(Ui *ui, int count) {
+    if (ui->row_index)
+        ui->y += ui->row_height + UI_GAP;
+    ui->row_count = count;
+    ui->row_index = 0;
+    ui->row_height = 0;
+}
+
+void ui_gap(Ui *ui, double height) {
+    ui->y += height;
+}
+
+double ui_pane_width(const Ui *ui) {
+    if (ui->at_given)
+        return box_width(ui->at);
+    double width = box_width(ui->inner);
+    return ui->row_count > 1 ? (width - UI_GAP * (ui->row_count - 1)) / ui->row_count : width;
+}
+
+Box ui_pane_next(Ui *ui, double height) {
+    if (ui->at_given) {
+        ui->at_given = false;
+        return ui->at;
+    }
+    double width = ui_pane_width(ui), left = ui->inner.low.x + ui->row_index * (width + UI_GAP);
+    Box box = {{left, ui->y}, {left + width, ui->y + height}};
+    if (ui->row_count <= 1) {
+        ui->y += height + UI_GAP;
+        ui->row_count = 0;
+        return box;
+    }
+    ui->row_height = fmax(ui->row_height, height);
+    if (++ui->row_index == ui->row_count) {
+        ui->y += ui->row_height + UI_GAP;
+        ui->row_count = ui->row_index = 0;
+    }
+    return box;
+}

@@ -1,0 +1,108 @@
+#include <stdio.h>
+#include <string.h>
+
+#include "widgets/ui_inside.h"
+
+#define DELAY 0.5 /* s of hovering */
+#define GRACE 0.4 /* s in which the mouse can go from the widget to its help */
+#define WIDEST 330.0
+#define PADDING 9.0
+#define EDGE 1.5
+
+static void set(Ui *ui, UiTip *tip, UiId id, Box box, const char *help) {
+    tip->id = id;
+    tip->item = ui->hovered;
+    tip->box = box;
+    tip->pane = ui->place ? ui->place->box : ui->window;
+    snprintf(tip->text, sizeof tip->text, "%s", help);
+}
+
+void ui_tip_offer(Ui *ui, UiId id, Box box, const char *help, bool hovered, bool focused) {
+    if (!help || !*help)
+        return;
+    if (hovered && !ui->held) {
+        ui->hover_time = ui->hover_tip.id == id ? ui->hover_time + ui->input.seconds : 0;
+        ui->leave_time = 0;
+        set(ui, &ui->hover_tip, id, box, help);
+    }
+    if (focused)
+        set(ui, &ui->focus_tip, id, box, help);
+}
+
+/* Help that is being read stays while the mouse is on it or on its way to it. */
+void ui_tip_frame_begin(Ui *ui) {
+    bool kept = ui->tip_shown && box_holds(ui->tip_box, ui->mouse);
+    ui->leave_time = kept ? 0 : ui->leave_time + ui->input.seconds;
+    if (ui->leave_time > GRACE || ui->pressed[0] || (ui->hovered && ui->hovered != ui->hover_tip.item && !kept))
+        ui->hover_tip.id = 0;
+    if (!ui->hover_tip.id)
+        ui->hover_time = 0;
+    ui->focus_tip.id = 0;
+}
+
+bool ui_tip_comes(const Ui *ui) {
+    bool waits = ui->hover_tip.id && ui->hover_tip.id != ui->tip_hidden && ui->hover_time < DELAY;
+    bool leaves = ui->hover_tip.id && ui->leave_time > 0;
+    return waits || leaves;
+}
+
+bool ui_tip_hide(Ui *ui) {
+    if (!ui->tip_shown)
+        return false;
+    ui->tip_hidden = ui->hover_tip.id && ui->hover_time >= DELAY ? ui->hover_tip.id : ui->focus_tip.id;
+    ui->by_key = false;
+    ui->tip_shown = false;
+    return true;
+}
+
+/* Beside the widget's pane, so that it hides none of its widgets; below it where there is no room. */
+static Box place_tip(const Ui *ui, const UiTip *tip, double width, double height) {
+    Box pane = tip->pane, window = ui->window, widget = tip->box;
+    bool tall = box_height(pane) > box_width(pane);
+    Vec2 at = {widget.low.x, widget.low.y};
+    if (tall && pane.high.x + width <= window.high.x)
+        at.x = pane.high.x;
+    else if (tall && pane.low.x - width >= 0)
+        at.x = pane.low.x - width;
+    else if (!tall && pane.high.y + height <= window.high.y)
+        at.y = pane.high.y;
+    else if (!tall && pane.low.y - height >= 0)
+        at.y = pane.low.y - height;
+    else
+        at.y = widget.high.y + height <= window.high.y ? widget.high.y : widget.low.y - height;
+    at.x = real_clamp(at.x, 0, fmax(0, window.high.x - width));
+    at.y = real_clamp(at.y, 0, fmax(0, window.high.y - height));
+    return (Box){at, vec2_add(at, vec2(width, height))};
+}
+
+/* The first of several lines is the name. */
+static void draw_words(Ui *ui, const UiTip *tip, UiInk ink, Box inside, double *height) {
+    size_t name = strcspn(tip->text, "\n");
+    char first[sizeof tip->text];
+    snprintf(first, sizeof first, "%.*s", (int)name, tip->text);
+    bool several = tip->text[name] == '\n';
+    *height = ui_words_wrapped(ui, several ? UI_BOLD : UI_BODY, ink, inside, first);
+    inside.low.y += *height;
+    if (several)
+        *height += ui_words_wrapped(ui, UI_BODY, ink, inside, tip->text + name + 1);
+}
+
+void ui_tip_draw(Ui *ui) {
+    bool hovering = ui->hover_tip.id && ui->hover_time >= DELAY && ui->hover_tip.id != ui->tip_hidden;
+    bool focused = ui->by_key && ui->focus_tip.id && ui->focus_tip.id == ui->focus && !ui->editor.id;
+    ui->tip_shown = hovering || focused;
+    if (!hovering && ui->hover_tip.id != ui->tip_hidden)
+        ui->tip_hidden = 0;
+    if (!ui->tip_shown)
+        return;
+    const UiTip *tip = hovering ? &ui->hover_tip : &ui->focus_tip;
+    double width = fmin(WIDEST, box_width(ui->window)) - 2 * PADDING, height;
+    draw_words(ui, tip, 0, (Box){{0, 0}, {width, 0}}, &height);
+    width = fmin(width, ui_extent(ui, UI_BOLD, tip->text).x + 1);
+    draw_words(ui, tip, 0, (Box){{0, 0}, {width, 0}}, &height);
+    ui->tip_box = place_tip(ui, tip, width + 2 * PADDING, height + 2 * PADDING);
+    ui_pencil_layer(ui->pencil, UI_LAYER_TIP);
+    ui_pencil_box(ui->pencil, ui->tip_box, ui_frame_ink(ui, ROLE_PAPER, 1));
+    ui_pencil_frame(ui->pencil, ui->tip_box, EDGE, ui_frame_ink(ui, ROLE_TEXT, 1));
+    draw_words(ui, tip, ui_frame_ink(ui, ROLE_TEXT, 1), box_expand(ui->tip_box, -PADDING), &height);
+}

@@ -1,0 +1,64 @@
+/* The beam in its clearance as what a study runs.
+ *
+ * Parameters are the rows of a beam file that are numbers, whole ones too, and the start, at phase 0 of the drive:
+ *
+ *     start.deflection   m, of the tip: the beam is bent as by a static force at its tip
+ *     start.velocity     m/s, of the tip: every point moves in proportion to that same shape
+ *
+ * A trial of seed 0 begins as these say, at rest where they do not. Of another seed, what they do not say is random:
+ * the deflection uniform within the clearance, the velocity uniform up to +-omega times the amplitude that the tip has
+ * without the joint.
+ *
+ * Carried on, a trial begins with the state that the one before ended with, at the drive's phase 0. Where the beam is
+ * another one, each natural mode keeps its share of the tip's deflection and velocity; modes that there were not rest.
+ * After numbers that were lost, it begins as its seed says.
+ *
+ * Quick trials are told by how the tip returns (section.h) in run.cycles cycles after run.transient_cycles; thorough
+ * ones as `clearance run` tells them (response.h). */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/fault.h"
+#include "beam/beam.h"
+#include "experiment/beam_carry.h"
+#include "study/experiment.h"
+
+typedef enum BeamObservable {
+    BEAM_REGULAR, /* 1 periodic, 0 not periodic within the cycles seen or chaotic, NAN cannot be told */
+    BEAM_PERIOD,
+    BEAM_PEAK_MIN,
+    BEAM_PEAK_MAX,
+    BEAM_PEAK_MEAN,
+    BEAM_TOUCHES,
+    BEAM_CLEARANCE_RATIO, /* 1, g/a, a the static deflection of the tip under the drive's amplitude, without the joint
+                           */
+    BEAM_LYAPUNOV,        /* of thorough trials only, as those that follow */
+    BEAM_LYAPUNOV_ERROR,
+    BEAM_ZERO_ONE,
+    BEAM_OBSERVABLES,
+} BeamObservable;
+
+/* What a beam's type is told in a window of. */
+enum { BEAM_EXPERIMENT_WINDOW = 4 };
+extern const char *const beam_experiment_window[BEAM_EXPERIMENT_WINDOW];
+
+/* The experiment of a beam file changed by settings (setting_count), of quick trials. False: faults, and there is
+ * nothing to close. */
+bool beam_experiment_open(Experiment *experiment, const char *path, const char *const *settings, size_t setting_count,
+                          Fault *fault);
+
+/* The experiment of a beam that is read already and outlives it; `place` begins its faults. */
+bool beam_experiment_of(Experiment *experiment, const Beam *beam, const char *place, Fault *fault);
+
+/* From now on, each trial is told thoroughly. */
+void beam_experiment_be_thorough(Experiment *experiment);
+
+/* Trials (count) of one parameter, one after the other, the first from where `carry` was left: a carried pass in
+ * pieces.
+ */
+void beam_experiment_run_on(const Experiment *experiment, const char *name, Trial *trials, size_t count,
+                            BeamCarry *carry, const volatile sig_atomic_t *stop);
+
+void beam_experiment_close(Experiment *experiment);

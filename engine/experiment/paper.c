@@ -1,0 +1,319 @@
+#include "experiment/paper.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/parallel.h"
+#include "base/text.h"
+#include "experiment/beam_experiment.h"
+
+/* The paper's numbers, as they are read. */
+#define PERIODIC_FREQUENCY 190.0 /* Hz */
+#define CHAOTIC_FREQUENCY 300.0
+#define NOMINAL_FREQUENCY 290.0
+#define LONGER (284.0 / 281.2) /* of the length */
+#define CHAOS_LEAST 300.0      /* N */
+#define CHAOS_MOST 850.0
+#define NOMINAL_PEAK 700.0
+#define LONGER_PEAK 905.0
+#define SWEEP_PEAK 1000.0
+#define TIP_SPEED 0.6  /* m/s */
+#define BAD_FROM 160.0 /* Hz, of type III */
+#define BAD_TO 300.0
+#define QUIET_BELOW 130.0 /* Hz */
+
+/* Figures agree that are nearer than this, of the paper's: read off pictures, or with lost digits. */
+#define AGREES 0.10
+
+/* Of the studies. */
+enum { SWEEP_STEPS = 301, LENGTH_STEPS = 61, MAP_FREQUENCIES = 111, MAP_CLEARANCES = 40 };
+#define SWEEP_FROM 20.0 /* Hz */
+#define SWEEP_TO 320.0
+#define LENGTH_FROM 0.98 /* of the length */
+#define LENGTH_TO 1.04
+#define MAP_FROM 100.0      /* Hz */
+#define CLEARANCE_FROM 0.05 /* of the clearance */
+#define CLEARANCE_TO 2.0    /* the joint could be set to +-.25 mm */
+#define TYPES_FROM 40.0     /* Hz */
+#define TYPES_STEP 20.0
+
+/* Runs ------------------------------------------------------------------------------------------------------------ */
+
+static void tell(const PaperOptions *options, const char *what) {
+    if (options->progress)
+        options->progress(options->context, what);
+}
+
+static bool stopped(const PaperOptions *options) {
+    return parallel_stopped(options->stop);
+}
+
+typedef struct RunTask {
+    Paper *paper;
+    Rig rigs[PAPER_RUNS];
+    const PaperOptions *options;
+} RunTask;
+
+static void make_run(void *context, size_t i) {
+    RunTask *task = context;
+    response_run(&task->paper->responses[i], &task->rigs[i], &task->paper->beams[i], NULL, task->options->stop);
+}
+
+static bool make_runs(Paper *paper, const PaperOptions *options, Fault *fault) {
+    static const double frequencies[] = {PERIODIC_FREQUENCY, CHAOTIC_FREQUENCY, NOMINAL_FREQUENCY, NOMINAL_FREQUENCY};
+    RunTask task = {.paper = paper, .options = options};
+    size_t built = 0;
+    tell(options, "runs at 190, 290 and 300 Hz");
+    for (; built < PAPER_RUNS; built++) {
+        Beam *beam = &paper->beams[built];
+        *beam = paper->beam;
+        beam->frequency = frequencies[built];
+        beam->length *= built == PAPER_LONGER ? LONGER : 1;
+        if (!rig_build(&task.rigs[built], beam, options->path, fault))
+            break;
+    }
+    if (built == PAPER_RUNS)
+        parallel_for(options->jobs, PAPER_RUNS, make_run, &task);
+    for (size_t i = 0; i < built; i++)
+        rig_clear(&task.rigs[i]);
+    return built == PAPER_RUNS;
+}
+
+/* Studies --------------------------------------------------------------------------------------------------------- */
+
+static void ask(Paper *paper, PaperStudy which, const Study *asked) {
+    Study *study = &paper->studies[which];
+    *study = *asked;
+    study->experiment = &paper->experiments[which];
+    study->runs = 1;
+}
+
+static void ask_all(Paper *paper) {
+    const Beam *beam = &paper->beam;
+    ask(paper, PAPER_FREQUENCIES,
+        &(Study){.axes = {{"drive.frequency", SWEEP_FROM, SWEEP_TO, SWEEP_STEPS}},
+                 .axis_count = 1,
+                 .passes = {STUDY_RESET, STUDY_UP, STUDY_DOWN},
+                 .pass_count = 3});
+    ask(paper, PAPER_LENGTHS,
+        &(Study){.axes = {{"beam.length", LENGTH_FROM * beam->length, LENGTH_TO * beam->length, LENGTH_STEPS}},
+                 .axis_count = 1,
+                 .passes = {STUDY_RESET, STUDY_UP},
+                 .pass_count = 2});
+    ask(paper, PAPER_MAP,
+        &(Study){.axes = {{"drive.frequency", MAP_FROM, SWEEP_TO, MAP_FREQUENCIES},
+                          {"joint.clearance", CLEARANCE_FROM * beam->clearance, CLEARANCE_TO * beam->clearance,
+                           MAP_CLEARANCES}},
+                 .axis_count = 2,
+                 .passes = {STUDY_RESET},
+                 .pass_count = 1});
+}
+
+static bool make_studies(Paper *paper, const PaperOptions *options, Fault *fault) {
+    static const char *const names[] = {"peaks against frequency", "peaks against length",
+                                        "map over frequency and clearance"};
+    bool good = true;
+    for (size_t i = 0; i < PAPER_STUDIES && good; i++)
+        good =
+            beam_experiment_of(&paper->experiments[i], i == PAPER_LENGTHS ? &paper->beams[PAPER_NOMINAL] : &paper->beam,
+                               options->path, fault);
+    if (!good)
+        return false;
+    ask_all(paper);
+    for (size_t i = 0; i < PAPER_STUDIES && good; i++) {
+        tell(options, names[i]);
+        good = study_check(&paper->studies[i], fault);
+        if (good) {
+            study_begin(&paper->studies[i]);
+            study_run(&paper->studies[i], &(StudyOptions){.jobs = options->jobs, .stop = options->stop});
+        }
+    }
+    return good;
+}
+
+static bool make_types(Paper *paper, const PaperOptions *options, Fault *fault) {
+    bool good = true;
+    for (size_t i = 0; i < PAPER_TYPES && good && !stopped(options); i++) {
+        Beam beam = paper->beam;
+        Experiment quick, thorough;
+        paper->frequency[i] = beam.frequency = TYPES_FROM + TYPES_STEP * (double)i;
+        tell(options, text_in_arena(&paper->arena, "types at %.0f Hz", beam.frequency));
+        good = beam_experiment_of(&quick, &beam, options->path, fault);
+        if (!good)
+            break;
+        good = beam_experiment_of(&thorough, &beam, options->path, fault);
+        if (good) {
+            beam_experiment_be_thorough(&thorough);
+            good = types_tell(&paper->types[i],
+                              &(TypesTask){.experiment = &quick,
+                                           .thorough = &thorough,
+                                           .names = beam_experiment_window,
+                                           .name_count = BEAM_EXPERIMENT_WINDOW,
+                                           .jobs = options->jobs,
+                                           .stop = options->stop},
+                              fault);
+            beam_experiment_close(&thorough);
+        }
+        beam_experiment_close(&quick);
+    }
+    return good;
+}
+
+/* The map is over shares of the clearance. */
+static bool check_beam(const Paper *paper, Fault *fault) {
+    if (paper->beam.clearance <= 0)
+        fault_add(fault, "%s: joint.clearance is 0: the paper's map needs one over 0", paper->path);
+    return paper->beam.clearance > 0;
+}
+
+bool paper_make(Paper *paper, const PaperOptions *options, Fault *fault) {
+    *paper = (Paper){.path = options->path};
+    bool good = beam_read(&paper->beam, options->path, options->settings, options->setting_count, fault) &&
+                check_beam(paper, fault) && make_runs(paper, options, fault) && make_studies(paper, options, fault) &&
+                make_types(paper, options, fault) && !stopped(options);
+    if (!good)
+        paper_clear(paper);
+    return good;
+}
+
+void paper_clear(Paper *paper) {
+    for (size_t i = 0; i < PAPER_RUNS; i++)
+        response_clear(&paper->responses[i]);
+    for (size_t i = 0; i < PAPER_STUDIES; i++) {
+        study_clear(&paper->studies[i]);
+        if (paper->experiments[i].given)
+            beam_experiment_close(&paper->experiments[i]);
+    }
+    beam_free(&paper->beam);
+    arena_clear(&paper->arena);
+    *paper = (Paper){.path = NULL};
+}
+
+/* Claims ---------------------------------------------------------------------------------------------------------- */
+
+const char *paper_met_name(PaperMet met) {
+    static const char *const names[] = {"met", "not met", "not told"};
+    return names[met];
+}
+
+static bool agrees(double ours, double theirs) {
+    return fabs(ours / theirs - 1) <= AGREES;
+}
+
+static PaperMet met_if(bool met) {
+    return met ? PAPER_MET : PAPER_NOT_MET;
+}
+
+static const char *say_response(Paper *paper, const Response *response) {
+    switch (response->verdict) {
+    case RESPONSE_PERIODIC:
+        return text_in_arena(&paper->arena, "periodic, period %zu, %.0f N", response->orbit.period,
+                             response->peaks.max);
+    case RESPONSE_CHAOTIC:
+        return text_in_arena(&paper->arena, "chaotic, exponent %+.2f a cycle, %.0f to %.0f N", response->exponent.value,
+                             response->peaks.min, response->peaks.max);
+    default:
+        return text_in_arena(&paper->arena, "%s, %.0f to %.0f N", response_verdict_name(response->verdict),
+                             response->peaks.min, response->peaks.max);
+    }
+}
+
+/* Is the response so? Of one that cannot be told, nothing is. */
+static PaperMet met_verdict(const Response *response, ResponseVerdict verdict) {
+    return response->verdict == RESPONSE_UNRESOLVED ? PAPER_NOT_TOLD : met_if(response->verdict == verdict);
+}
+
+static double tip_speed(const Response *response) {
+    double most = 0;
+    for (size_t row = 0; row < response->trace.rows; row++)
+        most = fmax(most, fabs(trace_row(&response->trace, row)[RESPONSE_VELOCITY]));
+    return most;
+}
+
+/* The largest peak from rest over all frequencies, and where. */
+static double sweep_peak(const Paper *paper, double *frequency) {
+    const Study *study = &paper->studies[PAPER_FREQUENCIES];
+    double most = 0;
+    for (size_t i = 0; i < study->axes[0].steps; i++) {
+        double peak = study_trial(study, 0, 0, 0, i)->observed[BEAM_PEAK_MAX];
+        if (peak > most) {
+            most = peak;
+            *frequency = study_value(&study->axes[0], i);
+        }
+    }
+    return most;
+}
+
+/* Of the frequencies from rest below `below`, how many are not periodic, of how many. */
+static size_t count_irregular(const Paper *paper, double below, size_t *of) {
+    const Study *study = &paper->studies[PAPER_FREQUENCIES];
+    size_t count = 0;
+    *of = 0;
+    for (size_t i = 0; i < study->axes[0].steps && study_value(&study->axes[0], i) < below; i++, ++*of)
+        count += study_trial(study, 0, 0, 0, i)->observed[BEAM_REGULAR] == 0;
+    return count;
+}
+
+/* "III at 180, 200 Hz" of the frequencies that the paper calls type III, and whether all of them are. */
+static const char *say_types(Paper *paper, size_t *met, size_t *all) {
+    char text[256] = "";
+    size_t used = 0;
+    *met = *all = 0;
+    for (size_t i = 0; i < PAPER_TYPES; i++) {
+        if (paper->frequency[i] < BAD_FROM || paper->frequency[i] > BAD_TO)
+            continue;
+        ++*all;
+        *met += paper->types[i].kind == TYPES_III;
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s%.0f Hz %s", used ? ", " : "", paper->frequency[i],
+                                 types_kind_name(paper->types[i].kind));
+    }
+    return arena_text(&paper->arena, text);
+}
+
+void paper_claims(Paper *paper, PaperClaim claims[PAPER_CLAIMS]) {
+    const Response *periodic = &paper->responses[PAPER_PERIODIC], *chaotic = &paper->responses[PAPER_CHAOTIC];
+    const Response *nominal = &paper->responses[PAPER_NOMINAL], *longer = &paper->responses[PAPER_LONGER];
+    const char *near = text_in_arena(&paper->arena, "within %.0f %%", 100 * AGREES);
+    double ratio = chaotic->peaks.min > 0 ? chaotic->peaks.max / chaotic->peaks.min : (double)NAN, frequency = 0;
+    double rise = longer->peaks.max / nominal->peaks.max - 1, speed = tip_speed(chaotic);
+    double most = sweep_peak(paper, &frequency);
+    size_t met_types, all_types, quiet_all, loud = count_irregular(paper, QUIET_BELOW, &quiet_all);
+    const char *types = say_types(paper, &met_types, &all_types);
+    const PaperClaim made[PAPER_CLAIMS] = {
+        {"periodic", "figure 2", "at 190 Hz the motion is periodic", "periodic", say_response(paper, periodic),
+         met_verdict(periodic, RESPONSE_PERIODIC), "a stable orbit is certified"},
+        {"chaotic", "figures 3 to 6", "at 300 Hz it is chaotic", "chaotic", say_response(paper, chaotic),
+         met_verdict(chaotic, RESPONSE_CHAOTIC), "exponent above 0 by three errors, and K above 0.8"},
+        {"chaos-peaks", "text", "peaks in chaos at 300 Hz",
+         text_in_arena(&paper->arena, "%.0f to %.0f N", CHAOS_LEAST, CHAOS_MOST),
+         text_in_arena(&paper->arena, "%.0f to %.0f N", chaotic->peaks.min, chaotic->peaks.max),
+         met_if(agrees(chaotic->peaks.min, CHAOS_LEAST) && agrees(chaotic->peaks.max, CHAOS_MOST)), near},
+        {"chaos-ratio", "text", "the largest is two or three times the smallest", "2 to 3",
+         isfinite(ratio) ? text_in_arena(&paper->arena, "%.1f", ratio) : "no contact",
+         met_if(ratio >= 2 - AGREES && ratio <= 3 + AGREES), "between them, to a tenth"},
+        {"tip-speed", "figure 3", "largest speed of the tip at 300 Hz",
+         text_in_arena(&paper->arena, "about %.1f m/s", TIP_SPEED), text_in_arena(&paper->arena, "%.2f m/s", speed),
+         met_if(agrees(speed, TIP_SPEED)), near},
+        {"nominal", "figure 10", "at 290 Hz, 281.2 mm long: periodic",
+         text_in_arena(&paper->arena, "periodic, %.0f N", NOMINAL_PEAK), say_response(paper, nominal),
+         met_if(nominal->verdict == RESPONSE_PERIODIC && agrees(nominal->peaks.max, NOMINAL_PEAK)),
+         text_in_arena(&paper->arena, "periodic, and %s", near)},
+        {"longer", "figure 10", "1 % longer, 284 mm: chaotic, peaks a third higher",
+         text_in_arena(&paper->arena, "chaotic, at most %.0f N, %+.0f %%", LONGER_PEAK,
+                       100 * (LONGER_PEAK / NOMINAL_PEAK - 1)),
+         isfinite(rise) ? text_in_arena(&paper->arena, "%s, %+.0f %%", say_response(paper, longer), 100 * rise)
+                        : say_response(paper, longer),
+         met_if(longer->verdict == RESPONSE_CHAOTIC && agrees(longer->peaks.max, LONGER_PEAK)),
+         text_in_arena(&paper->arena, "chaotic, and %s", near)},
+        {"sweep-peak", "figure 8", "largest peak over the frequencies",
+         text_in_arena(&paper->arena, "about %.0f N", SWEEP_PEAK),
+         text_in_arena(&paper->arena, "%.0f N at %.0f Hz", most, frequency), met_if(agrees(most, SWEEP_PEAK)), near},
+        {"quiet", "figure 8", "below 130 Hz no chaos is spoken of", "periodic",
+         text_in_arena(&paper->arena, "not periodic at %zu of %zu frequencies", loud, quiet_all), met_if(loud == 0),
+         "all periodic"},
+        {"types", "figure 9", "type III from 160 to 300 Hz", "III throughout", types, met_if(met_types == all_types),
+         "all of them"},
+    };
+    memcpy(claims, made, sizeof made);
+}

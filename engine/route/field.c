@@ -1,0 +1,297 @@
+#include "route/field.h"
+
+#include <stdint.h>
+
+#include "base/memory.h"
+#include "space/outline.h"
+
+/* The grid rounds a disc's place by up to this many cells, so it is let through passages that much narrower. */
+#define ROUNDING 0.75
+
+/* Cells on either side of a closed door's line that are looked at more closely. */
+#define DOOR_BAND 2.5
+
+/* The lowest speed that the search reckons with, m/s: keeps times finite. */
+#define SLOWEST 0.02
+
+/* Below COMFORT (m) of clearance, time counts up to 1 + DISCOMFORT times: chosen so that a chair keeps off a wall by
+ * some 5 cm where there is room for it, but does not make detours of more than a few metres for it. */
+#define COMFORT 0.10
+#define DISCOMFORT 2.0
+
+double field_speed(const Profile *profile, double distance) {
+    double free = profile->free_speed, least = fmax(fmin(profile->minimum_speed, free), SLOWEST);
+    double room = 2 * distance - profile->width;
+    double speed = profile->steering_time > 0 ? room / profile->steering_time : free;
+    return speed > free ? free : speed < least ? least : speed;
+}
+
+double field_discomfort(double clearance) {
+    double lack = fmin(fmax(1 - clearance / COMFORT, 0), 1);
+    return 1 + DISCOMFORT * lack * lack;
+}
+
+static void mark_doors(Ground *ground) {
+    const FreeSpace *space = ground->space;
+    size_t count = 0;
+    for (size_t d = 0; d < ground->plan->door_count; d++)
+        count += outline_door_moves(&ground->plan->doors[d]);
+    if (!count)
+        return;
+    ground->lines = memory_allocate(count, sizeof *ground->lines);
+    ground->doors = memory_allocate((size_t)space->nx * (size_t)space->ny, 1);
+    for (size_t d = 0; d < ground->plan->door_count; d++) {
+        const Door *door = &ground->plan->doors[d];
+        if (!outline_door_moves(door))
+            continue;
+        DoorLine *line = &ground->lines[ground->line_count++];
+        plan_door_ends(ground->plan, door, &line->from, &line->to);
+        line->delay = door->opening_time;
+        freespace_mark(space,
+                       box_expand(box_include(box_include(box_empty(), line->from), line->to), DOOR_BAND * space->cell),
+                       ground->doors);
+    }
+}
+
+void field_ground_init(Ground *ground, const Plan *plan, const FreeSpace *space, const Profile *profile,
+                       double radius) {
+    field_ground_init_exact(ground, plan, space, profile, fmax(radius - ROUNDING * space->cell, 0));
+}
+
+void field_ground_init_exact(Ground *ground, const Plan *plan, const FreeSpace *space, const Profile *profile,
+                             double radius) {
+    size_t points = (size_t)space->nx * (size_t)space->ny;
+    *ground = (Ground){.plan = plan, .space = space, .profile = profile};
+    ground->slowness = memory_allocate(points, sizeof *ground->slowness);
+    for (size_t i = 0; i < points; i++) {
+        double distance = (double)space->distance[i];
+        if (distance > radius)
+            ground->slowness[i] =
+                (float)(field_discomfort(distance - profile->width / 2) / field_speed(profile, distance));
+    }
+    mark_doors(ground);
+}
+
+void field_ground_clear(Ground *ground) {
+    memory_free(ground->slowness);
+    memory_free(ground->doors);
+    memory_free(ground->lines);
+    *ground = (Ground){0};
+}
+
+/* Does the motion from one place to another cross the line? One that ends on it has not, the next one has. */
+static bool crosses(Vec2 from, Vec2 to, Vec2 a, Vec2 b) {
+    Vec2 line = vec2_sub(b, a), motion = vec2_sub(to, from);
+    double before = vec2_cross(line, vec2_sub(from, a)), after = vec2_cross(line, vec2_sub(to, a));
+    if ((before < 0) == (after < 0))
+        return false;
+    double one = vec2_cross(motion, vec2_sub(a, from)), other = vec2_cross(motion, vec2_sub(b, from));
+    return (one <= 0 && other >= 0) || (one >= 0 && other <= 0);
+}
+
+/* The grid point nearest to a place, or SIZE_MAX outside. */
+static size_t grid_point(const FreeSpace *space, Vec2 at) {
+    double x = (at.x - space->origin.x) / space->cell + 0.5, y = (at.y - space->origin.y) / space->cell + 0.5;
+    if (!(x >= 0 && y >= 0 && x < space->nx && y < space->ny))
+        return SIZE_MAX;
+    return (size_t)y * (size_t)space->nx + (size_t)x;
+}
+
+double field_delay(const Ground *ground, Vec2 from, Vec2 to) {
+    if (!ground->doors)
+        return 0;
+    size_t one = grid_point(ground->space, from), other = grid_point(ground->space, to);
+    if ((one == SIZE_MAX || !ground->doors[one]) && (other == SIZE_MAX || !ground->doors[other]))
+        return 0;
+    double delay = 0;
+    for (size_t i = 0; i < ground->line_count; i++)
+        if (crosses(from, to, ground->lines[i].from, ground->lines[i].to))
+            delay += ground->lines[i].delay;
+    return delay;
+}
+
+bool field_exit_usable(const Goal *goal, const Plan *plan, size_t exit) {
+    return (goal->exit == SIZE_MAX || goal->exit == exit) && plan->exits[exit].closes > goal->time &&
+           !(goal->open && plan->exits[exit].opens > goal->time);
+}
+
+Goal field_exit_goal(const Plan *plan, size_t exit, double time, bool open_first) {
+    Goal goal = {.exit = exit, .time = time, .open = open_first};
+    for (size_t e = 0; open_first && e < plan->exit_count; e++)
+        if (field_exit_usable(&goal, plan, e))
+            return goal;
+    goal.open = false;
+    return goal;
+}
+
+bool field_goal_reached(const Goal *goal, const Plan *plan, Vec2 from, Vec2 to, size_t *exit) {
+    *exit = SIZE_MAX;
+    if (goal->radius > 0)
+        return vec2_distance(to, goal->at) <= goal->radius;
+    for (size_t e = 0; e < plan->exit_count; e++)
+        if (field_exit_usable(goal, plan, e) && crosses(from, to, plan->exits[e].from, plan->exits[e].to)) {
+            *exit = e;
+            return true;
+        }
+    return false;
+}
+
+/* Dial's queue: buckets of equal width in time, used round and round. */
+typedef struct Entry {
+    int point;
+    int next;   /* in the same bucket, or among the unused; -1: none */
+    float time; /* s */
+} Entry;
+
+typedef struct Queue {
+    Entry *entries;
+    size_t capacity, used;
+    int unused;
+    int *heads; /* (bucket_count) */
+    size_t bucket_count, held;
+    double width; /* s */
+} Queue;
+
+static void queue_put(Queue *queue, int point, float time) {
+    int place = queue->unused;
+    if (place >= 0) {
+        queue->unused = queue->entries[place].next;
+    } else {
+        queue->entries = memory_reserve(queue->entries, &queue->capacity, queue->used + 1, sizeof *queue->entries);
+        place = (int)queue->used++;
+    }
+    size_t bucket = (size_t)((double)time / queue->width) % queue->bucket_count;
+    queue->entries[place] = (Entry){point, queue->heads[bucket], time};
+    queue->heads[bucket] = place;
+    queue->held++;
+}
+
+static void seed_point(const Field *field, Queue *queue, int i, int j) {
+    const FreeSpace *space = field->ground->space;
+    if (i < 0 || j < 0 || i >= space->nx || j >= space->ny)
+        return;
+    size_t point = (size_t)j * (size_t)space->nx + (size_t)i;
+    if (field->ground->slowness[point] > 0 && field->time[point] > 0) {
+        field->time[point] = 0;
+        queue_put(queue, (int)point, 0);
+    }
+}
+
+/* The points within `reach` m of a line. */
+static void seed_line(const Field *field, Queue *queue, Vec2 from, Vec2 to, double reach) {
+    const FreeSpace *space = field->ground->space;
+    Box box = box_expand(box_include(box_include(box_empty(), from), to), reach);
+    double nx = space->nx, ny = space->ny;
+    int first_x = (int)fmin(fmax((box.low.x - space->origin.x) / space->cell, 0), nx);
+    int last_x = (int)fmax(fmin((box.high.x - space->origin.x) / space->cell, nx - 1), -1);
+    int first_y = (int)fmin(fmax((box.low.y - space->origin.y) / space->cell, 0), ny);
+    int last_y = (int)fmax(fmin((box.high.y - space->origin.y) / space->cell, ny - 1), -1);
+    for (int j = first_y; j <= last_y; j++)
+        for (int i = first_x; i <= last_x; i++) {
+            Vec2 at = {space->origin.x + i * space->cell, space->origin.y + j * space->cell};
+            if (vec2_distance(at, vec2_nearest_on_segment(at, from, to)) <= reach)
+                seed_point(field, queue, i, j);
+        }
+}
+
+static const signed char moves[16][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},  {1, 1}, {-1, 1}, {1, -1}, {-1, -1},
+                                         {2, 1}, {-2, 1}, {2, -1}, {-2, -1}, {1, 2}, {-1, 2}, {1, -2}, {-1, -2}};
+
+/* A knight's move passes between two points; both must be free. */
+static bool way_free(const float *slowness, int nx, size_t point, int dx, int dy) {
+    if (dx * dx + dy * dy <= 2)
+        return true;
+    ptrdiff_t half = (ptrdiff_t)(dy / 2) * nx + dx / 2, rest = (ptrdiff_t)(dy - dy / 2) * nx + (dx - dx / 2);
+    return slowness[(size_t)((ptrdiff_t)point + half)] > 0 && slowness[(size_t)((ptrdiff_t)point + rest)] > 0;
+}
+
+static void relax(const Field *field, Queue *queue, size_t point) {
+    const Ground *ground = field->ground;
+    const FreeSpace *space = ground->space;
+    const float *slowness = ground->slowness;
+    static const float lengths[16] = {1,        1,        1,        1,        1.41421f, 1.41421f, 1.41421f, 1.41421f,
+                                      2.23607f, 2.23607f, 2.23607f, 2.23607f, 2.23607f, 2.23607f, 2.23607f, 2.23607f};
+    int x = (int)(point % (size_t)space->nx), y = (int)(point / (size_t)space->nx);
+    float half = 0.5f * (float)space->cell, time = field->time[point];
+    for (int m = 0; m < 16; m++) {
+        int i = x + moves[m][0], j = y + moves[m][1];
+        if (i < 0 || j < 0 || i >= space->nx || j >= space->ny)
+            continue;
+        size_t to = (size_t)j * (size_t)space->nx + (size_t)i;
+        if (!(slowness[to] > 0))
+            continue;
+        float reached = time + lengths[m] * half * (slowness[point] + slowness[to]);
+        if (reached >= field->time[to] || !way_free(slowness, space->nx, point, moves[m][0], moves[m][1]))
+            continue;
+        if (ground->doors && ground->doors[point] && ground->doors[to]) {
+            Vec2 from = {space->origin.x + x * space->cell, space->origin.y + y * space->cell};
+            Vec2 there = {space->origin.x + i * space->cell, space->origin.y + j * space->cell};
+            reached += (float)field_delay(ground, from, there);
+            if (reached >= field->time[to])
+                continue;
+        }
+        field->time[to] = reached;
+        queue_put(queue, (int)to, reached);
+    }
+}
+
+static double longest_delay(const Ground *ground) {
+    double longest = 0;
+    for (size_t i = 0; i < ground->line_count; i++)
+        longest += ground->lines[i].delay;
+    return fmin(longest, 2000);
+}
+
+void field_init(Field *field, const Ground *ground, const Goal *goal) {
+    const FreeSpace *space = ground->space;
+    const Plan *plan = ground->plan;
+    size_t points = (size_t)space->nx * (size_t)space->ny;
+    *field = (Field){.ground = ground, .time = memory_allocate(points, sizeof *field->time)};
+    for (size_t i = 0; i < points; i++)
+        field->time[i] = HUGE_VALF;
+    /* No step takes less than one bucket's width, so that what a bucket holds is final but for its own order. */
+    Queue queue = {.unused = -1, .width = space->cell / ground->profile->free_speed};
+    double longest = 2.3 * space->cell * field_discomfort(0) / field_speed(ground->profile, 0) + longest_delay(ground);
+    queue.bucket_count = (size_t)(longest / queue.width) + 3;
+    queue.heads = memory_allocate(queue.bucket_count, sizeof *queue.heads);
+    for (size_t b = 0; b < queue.bucket_count; b++)
+        queue.heads[b] = -1;
+    if (goal->radius > 0)
+        seed_line(field, &queue, goal->at, goal->at, fmax(goal->radius / 2, space->cell));
+    for (size_t e = 0; goal->radius <= 0 && e < plan->exit_count; e++)
+        if (field_exit_usable(goal, plan, e))
+            seed_line(field, &queue, plan->exits[e].from, plan->exits[e].to, space->cell);
+    for (size_t b = 0; queue.held > 0; b = (b + 1) % queue.bucket_count)
+        while (queue.heads[b] >= 0) {
+            int place = queue.heads[b];
+            Entry entry = queue.entries[place];
+            queue.heads[b] = entry.next;
+            queue.entries[place].next = queue.unused;
+            queue.unused = place;
+            queue.held--;
+            if (entry.time <= field->time[entry.point])
+                relax(field, &queue, (size_t)entry.point);
+        }
+    memory_free(queue.entries);
+    memory_free(queue.heads);
+}
+
+void field_clear(Field *field) {
+    memory_free(field->time);
+    *field = (Field){0};
+}
+
+double field_time(const Field *field, Vec2 at) {
+    const FreeSpace *space = field->ground->space;
+    double x = (at.x - space->origin.x) / space->cell, y = (at.y - space->origin.y) / space->cell;
+    if (!(x >= 0 && y >= 0 && x < space->nx - 1 && y < space->ny - 1))
+        return HUGE_VAL;
+    int i = (int)x, j = (int)y;
+    const float *low = field->time + (size_t)j * (size_t)space->nx + (size_t)i, *high = low + space->nx;
+    double u = x - i, v = y - j;
+    double time = (1 - v) * ((1 - u) * (double)low[0] + u * (double)low[1]) +
+                  v * ((1 - u) * (double)high[0] + u * (double)high[1]);
+    if (isfinite(time))
+        return time;
+    return (double)fminf(fminf(low[0], low[1]), fminf(high[0], high[1]));
+}

@@ -1,0 +1,77 @@
+/* How long it still takes from every place: what guides the search for a route.
+ *
+ * The time to the goal of a disc that always fits inside the body, by Dijkstra's method on the grid of distances, 16
+ * neighbours a point, with the speed law of the driver: v = (W - w) / b between v_min and v_free, W twice the distance
+ * to the nearest obstacle. A closed door costs its opening time. */
+#pragma once
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "space/freespace.h"
+#include "plan/plan.h"
+#include "plan/profile.h"
+
+/* Where a leg of a route leads: to within `radius` of a point, or across one of several lines. */
+typedef struct Goal {
+    Vec2 at;       /* m */
+    double radius; /* m; 0: across an exit */
+    size_t exit;   /* SIZE_MAX: any that is usable */
+    double time;   /* s, from when an exit has to be usable */
+    bool open;     /* exits that open only later than `time` do not count */
+} Goal;
+
+typedef struct DoorLine {
+    Vec2 from, to; /* m */
+    double delay;  /* s */
+} DoorLine;
+
+typedef struct Ground {
+    const Plan *plan;
+    const FreeSpace *space;
+    const Profile *profile;
+    float *slowness;      /* (ny x nx) s/m; 0 where the disc does not go */
+    unsigned char *doors; /* (ny x nx) 1: near a closed door; NULL: there is none */
+    DoorLine *lines;      /* (line_count) */
+    size_t line_count;
+    const volatile sig_atomic_t *stop; /* set: searches on it give up; NULL: never */
+} Ground;
+
+typedef struct Field {
+    const Ground *ground;
+    float *time; /* (ny x nx) s to the goal; infinite where it cannot be reached */
+} Field;
+
+/* The ground for discs of `radius` m. field_ground_clear releases it. */
+void field_ground_init(Ground *ground, const Plan *plan, const FreeSpace *space, const Profile *profile, double radius);
+/* The same without the allowance for the grid's rounding: every point that is let through is truly free. */
+void field_ground_init_exact(Ground *ground, const Plan *plan, const FreeSpace *space, const Profile *profile,
+                             double radius);
+void field_ground_clear(Ground *ground);
+
+/* The speed of the steering law, m/s, where the nearest obstacle is `distance` m from the body's middle. */
+double field_speed(const Profile *profile, double distance);
+
+/* By how many times a lack of clearance (m) makes time count more, 1 and more. */
+double field_discomfort(double clearance);
+
+/* What closed doors cost on the straight way from one place to another, s. */
+double field_delay(const Ground *ground, Vec2 from, Vec2 to);
+
+/* Across `exit`, or any for SIZE_MAX, for somebody who starts at `time` s. `open_first`: exits that are not open yet
+ * are left out, provided that another one is open by then. */
+Goal field_exit_goal(const Plan *plan, size_t exit, double time, bool open_first);
+
+/* Is the exit open to somebody who starts at `time`, or will it be? */
+bool field_exit_usable(const Goal *goal, const Plan *plan, size_t exit);
+
+/* Does a straight motion end the leg? `*exit` is the exit crossed (SIZE_MAX: none). */
+bool field_goal_reached(const Goal *goal, const Plan *plan, Vec2 from, Vec2 to, size_t *exit);
+
+/* The time to the goal from everywhere. field_clear releases it. */
+void field_init(Field *field, const Ground *ground, const Goal *goal);
+void field_clear(Field *field);
+
+/* The time from a place, s, interpolated; infinite where there is no way. */
+double field_time(const Field *field, Vec2 at);

@@ -1,0 +1,134 @@
+#include "route/fields.h"
+
+#include <pthread.h>
+#include <stdint.h>
+
+#include "base/memory.h"
+
+typedef struct Shared {
+    FieldWish wish;
+    Ground ground;
+    Field field;
+    bool ready;    /* built */
+    int users;     /* who took it and did not return it yet */
+    uint64_t used; /* when it was taken last, counted in takings */
+} Shared;
+
+struct Fields {
+    pthread_mutex_t lock;
+    pthread_cond_t built;
+    Shared **all; /* (count) */
+    size_t count, capacity;
+    uint64_t takings;
+};
+
+Fields *fields_create(void) {
+    Fields *fields = memory_allocate(1, sizeof *fields);
+    pthread_mutex_init(&fields->lock, NULL);
+    pthread_cond_init(&fields->built, NULL);
+    return fields;
+}
+
+static void shared_free(Shared *shared) {
+    field_clear(&shared->field);
+    field_ground_clear(&shared->ground);
+    memory_free(shared);
+}
+
+void fields_destroy(Fields *fields) {
+    for (size_t i = 0; i < fields->count; i++)
+        shared_free(fields->all[i]);
+    memory_free(fields->all);
+    pthread_cond_destroy(&fields->built);
+    pthread_mutex_destroy(&fields->lock);
+    memory_free(fields);
+}
+
+/* Two goals across exits are one when the same exits are usable, whenever that is. */
+static bool same_goal(const Goal *one, const Goal *other, const Plan *plan) {
+    if (one->radius > 0 || other->radius > 0)
+        return vec2_distance(one->at, other->at) <= 0 && !(one->radius < other->radius || one->radius > other->radius);
+    for (size_t e = 0; e < plan->exit_count; e++)
+        if (field_exit_usable(one, plan, e) != field_exit_usable(other, plan, e))
+            return false;
+    return true;
+}
+
+static bool same_wish(const FieldWish *one, const FieldWish *other) {
+    return one->plan == other->plan && one->space == other->space && one->profile == other->profile &&
+           !(one->radius < other->radius || one->radius > other->radius) && one->exact == other->exact &&
+           one->stop == other->stop && same_goal(&one->goal, &other->goal, one->plan);
+}
+
+static size_t wish_bytes(const FieldWish *wish) {
+    return (size_t)wish->space->nx * (size_t)wish->space->ny * 2 * sizeof(float);
+}
+
+/* Drops those that nobody uses, the longest unused first, until `bytes` more have room, if that can be. */
+static void make_room(Fields *fields, size_t bytes) {
+    size_t held = bytes;
+    for (size_t i = 0; i < fields->count; i++)
+        held += wish_bytes(&fields->all[i]->wish);
+    while (held > FIELDS_MOST_BYTES) {
+        size_t oldest = fields->count;
+        for (size_t i = 0; i < fields->count; i++)
+            if (!fields->all[i]->users && (oldest == fields->count || fields->all[i]->used < fields->all[oldest]->used))
+                oldest = i;
+        if (oldest == fields->count)
+            return;
+        held -= wish_bytes(&fields->all[oldest]->wish);
+        shared_free(fields->all[oldest]);
+        fields->all[oldest] = fields->all[--fields->count];
+    }
+}
+
+static Shared *find(const Fields *fields, const FieldWish *wish) {
+    for (size_t i = 0; i < fields->count; i++)
+        if (same_wish(&fields->all[i]->wish, wish))
+            return fields->all[i];
+    return NULL;
+}
+
+static void build(Shared *shared) {
+    const FieldWish *wish = &shared->wish;
+    if (wish->exact)
+        field_ground_init_exact(&shared->ground, wish->plan, wish->space, wish->profile, wish->radius);
+    else
+        field_ground_init(&shared->ground, wish->plan, wish->space, wish->profile, wish->radius);
+    shared->ground.stop = wish->stop;
+    field_init(&shared->field, &shared->ground, &wish->goal);
+}
+
+const Field *fields_take(Fields *fields, const FieldWish *wish) {
+    pthread_mutex_lock(&fields->lock);
+    Shared *shared = find(fields, wish);
+    bool new = !shared;
+    if (new) {
+        make_room(fields, wish_bytes(wish));
+        shared = memory_allocate(1, sizeof *shared);
+        shared->wish = *wish;
+        fields->all = memory_reserve(fields->all, &fields->capacity, fields->count + 1, sizeof(Shared *));
+        fields->all[fields->count++] = shared;
+    }
+    shared->users++;
+    shared->used = ++fields->takings;
+    if (new) { /* the others go on meanwhile, but those who wish for the same */
+        pthread_mutex_unlock(&fields->lock);
+        build(shared);
+        pthread_mutex_lock(&fields->lock);
+        shared->ready = true;
+        pthread_cond_broadcast(&fields->built);
+    }
+    while (!shared->ready)
+        pthread_cond_wait(&fields->built, &fields->lock);
+    pthread_mutex_unlock(&fields->lock);
+    return &shared->field;
+}
+
+void fields_return(Fields *fields, const Field *field) {
+    pthread_mutex_lock(&fields->lock);
+    for (size_t i = 0; i < fields->count; i++)
+        if (&fields->all[i]->field == field)
+            fields->all[i]->users--;
+    pthread_mutex_unlock(&fields->lock);
+}

@@ -1,0 +1,19 @@
+/* By how much a body fits: see fit.c. */
+#pragma once
+
+#include "route/route.h"
+#include "route/search.h"
+
+/* The tightest place of the widest way. */
+typedef struct FitPlace {
+    Vec2 centre;    /* m, of the body */
+    double heading; /* rad */
+    double margin;  /* m */
+    int face;       /* the planned face that decides, or -1 */
+} FitPlace;
+
+/* The largest growth, m, up to FIT_MOST, with which the body passes the goals one after another by any rigid motion. */
+double fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
+                  FitPlace *tightest);
+
+#define FIT_MOST 0.1 /* m */

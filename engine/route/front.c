@@ -1,0 +1,207 @@
+#include "route/front.h"
+
+#include <limits.h>
+
+#include "base/heap.h"
+#include "base/memory.h"
+
+/* The fast marching method (Sethian 1996; second order: Sethian 1999). The time T(x), s, after which a front arrives
+ * that crosses the ground at 1 / s(x), obeys the eikonal equation
+ *
+ *     |grad T| = s(x)
+ *
+ * s the slowness, s/m. On a grid of cell h, m, with upwind differences: of the two neighbours on an axis the one with
+ * the smaller time t1, and t2 behind it where that is known and not larger,
+ *
+ *     a_x (T - q_x)^2 + a_y (T - q_y)^2 = h^2 s^2,    a = 9/4, q = (4 t1 - t2) / 3,    or a = 1, q = t1,
+ *
+ * an axis counting only where T > q. Times are made final from the smallest on, from a heap; equal ones in the order of
+ * the grid, so that the answer is always the same. Entries are not moved in the heap when a time falls: the stale ones
+ * come out later and find their point final. */
+
+#define STEEP 2.0f /* 1, times as slow as behind: more than discomfort makes */
+
+/* The bits of a point's state above its class. */
+enum {
+    POINT_CLASS = 3,
+    POINT_FINAL = 4,
+    POINT_GIVEN = 8, /* of a passable point: its time was given */
+    POINT_STEP = 8,  /* of a squeezed one, times the steps from a passable one */
+};
+
+static const int neighbours[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+
+static size_t point_at(const Front *front, int i, int j) {
+    return (size_t)j * (size_t)front->nx + (size_t)i;
+}
+
+static bool inside_grid(const Front *front, int i, int j) {
+    return i >= 0 && j >= 0 && i < front->nx && j < front->ny;
+}
+
+void front_init(Front *front, int nx, int ny, double cell, float *time) {
+    size_t points = (size_t)nx * (size_t)ny;
+    *front = (Front){.nx = nx, .ny = ny, .cell = cell, .time = time};
+    front->slowness = memory_allocate(points, sizeof *front->slowness);
+    front->states = memory_allocate(points, sizeof *front->states);
+    for (size_t p = 0; p < points; p++)
+        time[p] = HUGE_VALF;
+}
+
+void front_clear(Front *front) {
+    memory_free(front->slowness);
+    memory_free(front->states);
+    memory_free(front->heap);
+    *front = (Front){0};
+}
+
+static bool entry_before(FrontEntry a, FrontEntry b) {
+    return a.time < b.time || (a.time <= b.time && a.point < b.point);
+}
+
+HEAP_DEFINE(heap, FrontEntry, entry_before)
+
+/* The smallest final time beside a point on one axis, as q and a of the equation above. */
+typedef struct Upwind {
+    double time;   /* s, t1; infinite: none */
+    double value;  /* s, q */
+    double weight; /* 1, a */
+} Upwind;
+
+/* Does the second order hold? From slow ground on to quick it makes time, and at a door it loses some. */
+static bool is_even(float here, float behind) {
+    return behind <= here && here <= STEEP * behind;
+}
+
+static Upwind upwind(const Front *front, size_t point, int place, int end, ptrdiff_t stride, int class) {
+    const float *time = front->time + point;
+    const unsigned char *states = front->states + point;
+    Upwind best = {HUGE_VAL, HUGE_VAL, 1};
+    for (int side = -1; side <= 1; side += 2) {
+        if (place + side < 0 || place + side >= end)
+            continue;
+        ptrdiff_t next = side * stride, behind = 2 * next;
+        if (!(states[next] & POINT_FINAL) || (states[next] & POINT_CLASS) < class || !((double)time[next] < best.time))
+            continue;
+        best = (Upwind){(double)time[next], (double)time[next], 1};
+        if (place + 2 * side >= 0 && place + 2 * side < end && (states[behind] & POINT_FINAL) &&
+            (states[behind] & POINT_CLASS) >= class && time[behind] <= time[next] &&
+            is_even(front->slowness[point], front->slowness[point + (size_t)behind])) {
+            best.value = (4 * (double)time[next] - (double)time[behind]) / 3;
+            best.weight = 2.25;
+        }
+    }
+    return best;
+}
+
+/* The larger root of a_x (T - q_x)^2 + a_y (T - q_y)^2 = rise^2, or of one of the terms alone. */
+static double solve(const Upwind *x, const Upwind *y, double rise) {
+    double one = x->value + rise / sqrt(x->weight), other = y->value + rise / sqrt(y->weight);
+    if (one <= y->value || other <= x->value)
+        return real_min(one, other);
+    double a = x->weight + y->weight, b = x->weight * x->value + y->weight * y->value;
+    double apart = x->value - y->value, root = a * rise * rise - x->weight * y->weight * apart * apart;
+    return root > 0 ? (b + sqrt(root)) / a : real_min(one, other);
+}
+
+static double point_time(const Front *front, int i, int j, int class) {
+    size_t point = point_at(front, i, j);
+    Upwind x = upwind(front, point, i, front->nx, 1, class), y = upwind(front, point, j, front->ny, front->nx, class);
+    double rise = front->cell * (double)front->slowness[point];
+    double time = solve(&x, &y, rise);
+    /* The second order may fall behind where the slowness jumps. */
+    return real_max(time, real_min(x.time, y.time));
+}
+
+static void lower_point(Front *front, int i, int j, int class) {
+    size_t point = point_at(front, i, j);
+    float time = (float)point_time(front, i, j, class);
+    if (time < front->time[point]) {
+        front->time[point] = time;
+        heap_put(&front->heap, &front->heap_count, &front->heap_capacity, (FrontEntry){time, (int)point});
+    }
+}
+
+/* Makes the times of all points of a class final that are reached from what is in the heap. */
+static void run(Front *front, unsigned char class, int most_steps) {
+    while (front->heap_count > 0) {
+        FrontEntry entry = heap_take(front->heap, &front->heap_count);
+        size_t point = (size_t)entry.point;
+        if (front->states[point] & POINT_FINAL)
+            continue;
+        front->states[point] |= POINT_FINAL;
+        int i = entry.point % front->nx, j = entry.point / front->nx, steps = front->states[point] / POINT_STEP;
+        if (steps >= most_steps)
+            continue;
+        for (int n = 0; n < 4; n++) {
+            int x = i + neighbours[n][0], y = j + neighbours[n][1];
+            if (!inside_grid(front, x, y))
+                continue;
+            unsigned char *state = &front->states[point_at(front, x, y)];
+            if ((*state & POINT_CLASS) != class || (*state & POINT_FINAL) ||
+                (class == FRONT_PASSABLE && (*state & POINT_GIVEN)))
+                continue;
+            if (class == FRONT_SQUEEZED && *state < POINT_STEP)
+                *state = (unsigned char)(class + POINT_STEP * (steps + 1));
+            lower_point(front, x, y, class);
+        }
+    }
+}
+
+bool front_run(Front *front) {
+    bool given = front->heap_count > 0;
+    run(front, FRONT_PASSABLE, INT_MAX);
+    return given;
+}
+
+void front_squeeze(Front *front, int most_steps) {
+    for (int j = 0; j < front->ny; j++)
+        for (int i = 0; i < front->nx; i++) {
+            size_t point = point_at(front, i, j);
+            if (front->states[point] != FRONT_SQUEEZED)
+                continue;
+            for (int n = 0; n < 4; n++) {
+                int x = i + neighbours[n][0], y = j + neighbours[n][1];
+                if (inside_grid(front, x, y) &&
+                    (front->states[point_at(front, x, y)] & ~POINT_GIVEN) == (FRONT_PASSABLE | POINT_FINAL)) {
+                    lower_point(front, i, j, FRONT_SQUEEZED);
+                    break;
+                }
+            }
+        }
+    run(front, FRONT_SQUEEZED, most_steps);
+}
+
+void front_give(Front *front, int i, int j, double time) {
+    size_t point = point_at(front, i, j);
+    if ((front->states[point] & POINT_CLASS) != FRONT_PASSABLE || !((float)time < front->time[point]))
+        return;
+    front->states[point] |= POINT_GIVEN;
+    front->time[point] = (float)time;
+    heap_put(&front->heap, &front->heap_count, &front->heap_capacity, (FrontEntry){(float)time, (int)point});
+}
+
+/* The slope of the time along one axis, s/m, from the neighbour that it came from. */
+static double slope(const Front *front, size_t point, int place, int end, ptrdiff_t stride, int class) {
+    const float *time = front->time + point;
+    const unsigned char *states = front->states + point;
+    double least = (double)time[0], rise = 0;
+    for (int side = -1; side <= 1; side += 2) {
+        ptrdiff_t next = side * stride;
+        if (place + side < 0 || place + side >= end || !(states[next] & POINT_FINAL) ||
+            (states[next] & POINT_CLASS) < class || !((double)time[next] < least))
+            continue;
+        least = (double)time[next];
+        rise = side * ((double)time[0] - least) / front->cell;
+    }
+    return rise;
+}
+
+Vec2 front_downhill(const Front *front, int i, int j) {
+    size_t point = point_at(front, i, j);
+    int class = front->states[point] & POINT_CLASS;
+    if (!(front->states[point] & POINT_FINAL))
+        return vec2(0, 0);
+    return vec2_unit(
+        vec2(slope(front, point, i, front->nx, 1, class), slope(front, point, j, front->ny, front->nx, class)));
+}

@@ -1,0 +1,472 @@
+#include "route/route.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/parallel.h"
+#include "route/blockage.h"
+#include "route/fit.h"
+#include "route/search.h"
+#include "route/smooth.h"
+#include "route/taut.h"
+
+/* Quick when the way is easy, but not to be believed when it finds none; then finer, each with room for about as many
+ * nodes as take a second. */
+static const SearchGrain grains[] = {
+    {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 60000},
+    {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 150000},
+    {.cell = 0.025, .turn = M_PI / 72, .step = 0.06, .weight = 2.0, .most_nodes = 150000},
+    {.cell = 0.0125, .turn = M_PI / 144, .step = 0.03, .weight = 2.0, .most_nodes = 300000},
+};
+enum { GRAINS = sizeof grains / sizeof *grains };
+
+/* A chair that crosses the exit's line goes on straight for so much, m, as far as it is free: out is out. */
+#define BEYOND_EXIT 0.3
+#define BEYOND_CLEARANCE 0.1 /* m, that is kept from what stands before the door */
+
+/* The straightened end of a way: how long, m, the longest that can be; its step, m; what it keeps from everything, m;
+ * how bent it may be, 1/m. */
+static const double end_lengths[] = {4, 3, 2, 1};
+#define END_STEP 0.05
+#define END_CLEARANCE 0.08
+#define END_CURVATURE 1.5
+
+#define SAME_PLACE 0.5 /* m: between two findings about one thing */
+
+#define SCRAPE 0.02 /* m: with less clearance than this a quick way is not good enough yet */
+enum { ROOMIER_NODES = 50000 };
+
+/* The lattice of fit_margin ends at 3.1 mm and is low by half of that. */
+#define FIT_BIAS 0.0015 /* m */
+
+/* Bodies that are smaller by so much on every side, m, tell where the true one sticks. */
+static const double shrinkings[] = {0.0075, 0.015, 0.025, 0.035, 0.05, 0.08, 0.12};
+
+/* m: the lattice's margin is never so far below the true one. */
+#define FIT_SURELY 0.02
+
+#define EASED_STEP 0.002    /* m */
+enum { MOST_EASINGS = 12 }; /* moves off one thing after another */
+
+#define FINER 4.0 /* 1, of the grid on which a disc's way is looked for again */
+
+typedef struct Legs {
+    Goal *goals; /* (count) */
+    size_t count;
+} Legs;
+
+static Legs legs_make(const RouteQuery *query) {
+    Legs legs = {memory_allocate(query->via_count + 1, sizeof(Goal)), query->via_count + 1};
+    for (size_t i = 0; i < query->via_count; i++)
+        legs.goals[i] = (Goal){.at = query->via[i], .radius = query->profile->length / 2, .exit = SIZE_MAX};
+    legs.goals[query->via_count] = field_exit_goal(query->plan, query->exit, query->time, query->open_first);
+    return legs;
+}
+
+/* Is there an exit to go to? Otherwise the answer names the one that is closed. */
+static bool exit_usable(const RouteQuery *query, const Goal *goal, Route *route) {
+    for (size_t e = 0; e < query->plan->exit_count; e++)
+        if (field_exit_usable(goal, query->plan, e))
+            return true;
+    route->answer = ROUTE_NO_EXIT;
+    route->blockage = (Blockage){.at = query->at};
+    size_t exit = query->exit < query->plan->exit_count ? query->exit : 0;
+    if (query->plan->exit_count > 0) {
+        const Exit *closed = &query->plan->exits[exit];
+        route->blockage.at = vec2_scale(vec2_add(closed->from, closed->to), 0.5);
+        snprintf(route->blockage.what, sizeof route->blockage.what, "exit %s", closed->id);
+    } else {
+        snprintf(route->blockage.what, sizeof route->blockage.what, "no exit");
+    }
+    return false;
+}
+
+/* Searches all legs one after another; `pins` are the poses at which they end. */
+static SearchAnswer search_legs(const RouteQuery *query, const Legs *legs, const Rectangle *body,
+                                const SearchGrain *grain, SearchTrack *track, size_t *pins) {
+    /* A disc about the axle that never leaves the body. */
+    double radius = fmin(body->half_width, body->half_length - fabs(body->ahead));
+    FieldWish wish = {query->plan, query->space, query->profile, radius, .stop = query->stop};
+    search_track_clear(track);
+    search_track_add(track, (Pose){query->at, query->heading, 0, 0});
+    SearchAnswer answer = SEARCH_FOUND;
+    for (size_t leg = 0; leg < legs->count && answer == SEARCH_FOUND; leg++) {
+        wish.goal = legs->goals[leg];
+        const Field *field = fields_take(query->fields, &wish);
+        answer = search_leg(track, field, &legs->goals[leg], body, grain, query->most_reversals);
+        pins[leg] = track->count - 1;
+        fields_return(query->fields, field);
+    }
+    return answer;
+}
+
+/* Where somebody would cross the exit who comes straight from `from`: at a right angle, a hair behind the line, as far
+ * from its ends as they have been keeping, at most in the middle. */
+static Pose straight_out(const Exit *exit, const Rectangle *body, const Pose *from) {
+    const double hair = 0.02; /* m */
+    Vec2 along = vec2_unit(vec2_sub(exit->to, exit->from)), out = vec2_left(along);
+    double length = vec2_distance(exit->from, exit->to);
+    double margin = fmin(body->half_width + END_CLEARANCE, length / 2);
+    double at = vec2_dot(vec2_sub(from->at, exit->from), along);
+    at = fmax(margin, fmin(length - margin, at));
+    if (vec2_dot(out, vec2_heading(from->heading)) < 0)
+        out = vec2_scale(out, -1);
+    return (Pose){vec2_along(vec2_along(exit->from, at, along), hair, out), atan2(out.y, out.x), 0, 1};
+}
+
+/* The way from one pose to another on a cubic, forwards; false when it is too bent or not free. */
+static bool connect(SearchTrack *track, const RouteQuery *query, const Rectangle *body, const Pose *from,
+                    const Pose *to) {
+    int pieces = (int)ceil(vec2_distance(from->at, to->at) / END_STEP);
+    Pose before = *from;
+    for (int i = 1; i <= pieces; i++) {
+        Vec2 at = smooth_between(from, to, 1, (double)i / pieces);
+        Vec2 ahead = smooth_between(from, to, 1, (double)(i + 1) / pieces);
+        Vec2 way = vec2_sub(i < pieces ? ahead : at, before.at);
+        Pose pose = {at, i < pieces ? atan2(way.y, way.x) : to->heading, 0, 1};
+        double turn = fabs(vec2_wrap_angle(pose.heading - before.heading));
+        double clearance = search_clearance(query->space, body, at, pose.heading, END_CLEARANCE, NULL);
+        if (turn > END_CURVATURE * vec2_length(way) || clearance < END_CLEARANCE)
+            return false;
+        pose.heading = before.heading + vec2_wrap_angle(pose.heading - before.heading);
+        search_track_add(track, pose);
+        before = pose;
+    }
+    return true;
+}
+
+/* The search crosses the exit as it happens to; where there is room, the last metres lead straight out instead. Poses
+ * up to `first` stay. */
+static void straighten_end(SearchTrack *track, const RouteQuery *query, const Rectangle *body, size_t first) {
+    for (size_t t = 0; t < sizeof end_lengths / sizeof *end_lengths; t++) {
+        double left = 0;
+        size_t index = track->count - 1;
+        while (index > first && left < end_lengths[t] && track->poses[index].direction == 1) {
+            left += vec2_distance(track->poses[index].at, track->poses[index - 1].at);
+            index--;
+        }
+        if (left < end_lengths[t])
+            continue;
+        SearchTrack tail = {0};
+        Pose out = straight_out(&query->plan->exits[track->exit], body, &track->poses[index]);
+        bool good = connect(&tail, query, body, &track->poses[index], &out);
+        if (good) {
+            track->count = index + 1;
+            for (size_t i = 0; i < tail.count; i++)
+                search_track_add(track, tail.poses[i]);
+        }
+        search_track_clear(&tail);
+        if (good)
+            return;
+    }
+}
+
+/* Ends the track BEYOND_EXIT behind the line, whatever the length of the motion that crossed it. `*crossing` is the
+ * pose that comes next after the line. */
+static void go_beyond_exit(SearchTrack *track, const RouteQuery *query, const Rectangle *body, size_t *crossing) {
+    const int steps = 6;
+    const Exit *exit = &query->plan->exits[track->exit];
+    Goal goal = {.exit = track->exit, .time = -HUGE_VAL};
+    size_t crossed, index = track->count - 1;
+    while (index > 1 &&
+           !field_goal_reached(&goal, query->plan, track->poses[index - 1].at, track->poses[index].at, &crossed))
+        index--;
+    *crossing = index;
+    track->count = index + 1;
+    Pose pose = track->poses[index];
+    double passed = fabs(vec2_cross(vec2_unit(vec2_sub(exit->to, exit->from)), vec2_sub(pose.at, exit->from)));
+    double step = (BEYOND_EXIT - passed) / steps;
+    double clearance = search_clearance(query->space, body, pose.at, pose.heading, 2 * BEYOND_CLEARANCE, NULL);
+    for (int i = 0; i < steps && step > 0; i++) {
+        pose.at = vec2_along(pose.at, pose.direction * step, vec2_heading(pose.heading));
+        double ahead = search_clearance(query->space, body, pose.at, pose.heading, 2 * BEYOND_CLEARANCE, NULL);
+        if (ahead < fmin(clearance, BEYOND_CLEARANCE) || clearance + ahead < step)
+            return;
+        clearance = ahead;
+        search_track_add(track, pose);
+    }
+}
+
+/* Does a smoothed track still cross the exit that it was searched for? */
+static bool crosses_exit(const SearchTrack *track, const Plan *plan) {
+    Goal goal = {.exit = track->exit, .time = -HUGE_VAL};
+    size_t exit;
+    for (size_t i = 1; i < track->count; i++)
+        if (field_goal_reached(&goal, plan, track->poses[i - 1].at, track->poses[i].at, &exit))
+            return true;
+    return false;
+}
+
+static void give_poses(Route *route, const SearchTrack *track) {
+    route->answer = ROUTE_FOUND;
+    route->fits = route->drivable = true;
+    route->reversals = track->reversals;
+    route->exit = track->exit;
+    route->poses = track->poses;
+    route->count = track->count;
+    route->narrowest = ROUTE_CLEARANCE_REACH;
+    route->narrowest_at = track->poses[0].at;
+    for (size_t i = 0; i < track->count; i++) {
+        if (i > 0)
+            route->length += vec2_distance(track->poses[i - 1].at, track->poses[i].at);
+        if (track->poses[i].clearance < route->narrowest) {
+            route->narrowest = track->poses[i].clearance;
+            route->narrowest_at = track->poses[i].at;
+        }
+    }
+}
+
+/* Smooths a searched track and makes it the answer. */
+static void answer_drive(Route *route, const RouteQuery *query, const Rectangle *body, SearchTrack *track, size_t *pins,
+                         size_t leg_count) {
+    straighten_end(track, query, body, leg_count > 1 ? pins[leg_count - 2] : 0);
+    go_beyond_exit(track, query, body, &pins[leg_count - 1]);
+    SearchTrack searched = {.reversals = track->reversals, .direction = track->direction, .exit = track->exit};
+    for (size_t i = 0; i < track->count; i++)
+        search_track_add(&searched, track->poses[i]);
+    smooth_track(track, query->space, body, pins, leg_count - 1);
+    if (!crosses_exit(track, query->plan)) {
+        /* Held at the pose just across the line, it cannot miss it. */
+        search_track_clear(track);
+        *track = searched;
+        searched = (SearchTrack){0};
+        smooth_track(track, query->space, body, pins, leg_count);
+    }
+    search_track_clear(&searched);
+    give_poses(route, track);
+}
+
+static Rectangle shrunk(const Rectangle *body, double by) {
+    Rectangle smaller = *body;
+    smaller.half_length = fmax(body->half_length - by, 0.01);
+    smaller.half_width = fmax(body->half_width - by, 0.01);
+    smaller.ahead = fmin(body->ahead, smaller.half_length);
+    return smaller;
+}
+
+/* It fits, but cannot be driven: where a somewhat smaller body gets through, the true one sticks. */
+static void explain_not_drivable(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
+                                 double margin, const FitPlace *tightest) {
+    size_t *pins = memory_allocate(legs->count, sizeof *pins);
+    SearchTrack track = {0};
+    bool found = false;
+    for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings && !found && !parallel_stopped(query->stop); i++) {
+        if (shrinkings[i] + margin < -FIT_SURELY)
+            continue; /* what cannot be carried through cannot be driven through */
+        Rectangle smaller = shrunk(body, shrinkings[i]);
+        found = search_legs(query, legs, &smaller, &grains[2], &track, pins) == SEARCH_FOUND;
+    }
+    if (found)
+        blockage_of_track(&route->blockage, query, body, &track);
+    else
+        blockage_of_fit(&route->blockage, query, body, tightest);
+    search_track_clear(&track);
+    memory_free(pins);
+}
+
+/* A quick way that scrapes past something: is there a roomier one at the next grain, with a few nodes more? */
+static void try_roomier(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
+    if (route->narrowest >= fmin(SCRAPE, route->poses[0].clearance))
+        return;
+    size_t *pins = memory_allocate(legs->count, sizeof *pins);
+    SearchGrain grain = grains[1];
+    grain.most_nodes = ROOMIER_NODES;
+    SearchTrack track = {0};
+    if (search_legs(query, legs, body, &grain, &track, pins) == SEARCH_FOUND) {
+        Route other = {.exit = query->exit};
+        answer_drive(&other, query, body, &track, pins, legs->count);
+        bool better = other.narrowest > route->narrowest && other.reversals <= route->reversals;
+        Route worse = better ? *route : other;
+        if (better)
+            *route = other;
+        route_free(&worse);
+    } else {
+        search_track_clear(&track);
+    }
+    memory_free(pins);
+}
+
+/* What would fit is not yet what can be driven: where a smaller body that can be driven through sticks at the same
+ * thing, it says how much wider that has to be. */
+static void ask_for_driving(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
+                            double margin, const FitPlace *tightest) {
+    Blockage fit = route->blockage;
+    explain_not_drivable(route, query, legs, body, margin, tightest);
+    double more = route->blockage.needs - route->blockage.has;
+    bool same = strcmp(route->blockage.what, fit.what) == 0 && vec2_distance(route->blockage.at, fit.at) < SAME_PLACE;
+    if (same && fit.has > 0 && more > fit.needs - fit.has)
+        fit.needs = fit.has + more;
+    route->blockage = fit;
+}
+
+static void search_drive(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
+    size_t *pins = memory_allocate(legs->count, sizeof *pins);
+    SearchTrack track = {0};
+    FitPlace tightest;
+    double margin = 0; /* m */
+    SearchAnswer answer = search_legs(query, legs, body, &grains[0], &track, pins);
+    bool quick = answer == SEARCH_FOUND;
+    if (!quick && !parallel_stopped(query->stop)) {
+        margin = fit_margin(query, body, legs->goals, legs->count, &tightest);
+        route->fits = margin + FIT_BIAS >= 0;
+        for (int grain = 1; grain < GRAINS && route->fits && answer != SEARCH_FOUND; grain++) {
+            /* The finest can only end where the last one came to an end. */
+            if (grain == GRAINS - 1 && answer == SEARCH_GAVE_UP)
+                break;
+            answer = search_legs(query, legs, body, &grains[grain], &track, pins);
+        }
+    }
+    if (answer == SEARCH_FOUND) {
+        answer_drive(route, query, body, &track, pins, legs->count);
+        if (quick)
+            try_roomier(route, query, legs, body);
+    } else {
+        search_track_clear(&track);
+        if (parallel_stopped(query->stop))
+            route->fits = false; /* it was not looked for to the end */
+        else if (route->fits && query->brief)
+            blockage_of_fit(&route->blockage, query, body, &tightest);
+        else if (route->fits)
+            explain_not_drivable(route, query, legs, body, margin, &tightest);
+        else {
+            blockage_of_fit(&route->blockage, query, body, &tightest);
+            if (!query->brief)
+                ask_for_driving(route, query, legs, body, margin, &tightest);
+        }
+    }
+    memory_free(pins);
+}
+
+/* All legs of a disc on one grid. */
+static bool taut_legs(SearchTrack *track, const RouteQuery *query, const FreeSpace *space, Fields *fields,
+                      const Legs *legs, double radius) {
+    double clearance = freespace_exact(space, query->at, radius + ROUTE_CLEARANCE_REACH, NULL) - radius;
+    search_track_clear(track);
+    search_track_add(track, (Pose){query->at, query->heading, clearance, 0});
+    for (size_t leg = 0; leg < legs->count; leg++)
+        if (!taut_leg(track, fields, query->plan, space, query->profile, radius, &legs->goals[leg]))
+            return false;
+    return true;
+}
+
+static void search_round(Route *route, const RouteQuery *query, const Legs *legs, double radius) {
+    SearchTrack track = {0};
+    bool found = taut_legs(&track, query, query->space, query->fields, legs, radius);
+    if (!found) { /* gaps hardly wider than the disc slip between the points of a coarse grid */
+        FreeSpace fine;
+        Fields *own = fields_create(); /* `fine` does not outlive this */
+        freespace_build(&fine, query->space->outline, query->space->cell / FINER);
+        found = taut_legs(&track, query, &fine, own, legs, radius);
+        fields_destroy(own);
+        freespace_free(&fine);
+    }
+    if (found) {
+        if (track.count > 1)
+            track.poses[0].heading = track.poses[1].heading;
+        give_poses(route, &track);
+        return;
+    }
+    search_track_clear(&track);
+    FitPlace tightest;
+    Rectangle square = {radius, radius, 0}; /* in a gap between walls or jambs it is as wide as the disc */
+    fit_margin(query, &square, legs->goals, legs->count, &tightest);
+    blockage_of_fit(&route->blockage, query, &square, &tightest);
+}
+
+/* The answer of one of the two ways of driving, with fields of its own unless there are shared ones. */
+static Route answer_with(const RouteQuery *query, void (*answer)(Route *route, const RouteQuery *query)) {
+    Route route = {.answer = ROUTE_CANNOT_PASS, .exit = query->exit};
+    RouteQuery with = *query;
+    if (!query->fields)
+        with.fields = fields_create();
+    answer(&route, &with);
+    if (!query->fields)
+        fields_destroy(with.fields);
+    return route;
+}
+
+/* Where the body starts: in the middle of a run, beside what it presses on or stands close to, because a chair whose
+ * flank is at a wall cannot turn away from it without its tail going through. Of the places tried the roomiest one;
+ * false: it is not free. */
+static bool ease_off(const RouteQuery *query, const Rectangle *body, Vec2 *at) {
+    int face;
+    Vec2 here = query->at;
+    double best = search_clearance(query->space, body, here, query->heading, ROUTE_EASED, &face), clearance = best;
+    *at = here;
+    if (!(query->pressed > 0) || best < -query->pressed)
+        return best >= 0;
+    for (int n = 0; n < MOST_EASINGS && clearance < ROUTE_EASED && face >= 0; n++) {
+        /* All the way out, but only half of what is missing to comfort: there may be something on the other side. */
+        double move = clearance < 0 ? EASED_STEP - clearance : fmax((ROUTE_EASED - clearance) / 2, EASED_STEP);
+        here = vec2_along(here, move, query->space->outline->faces[face].normal);
+        clearance = search_clearance(query->space, body, here, query->heading, ROUTE_EASED, &face);
+        if (clearance > best && vec2_distance(here, query->at) <= 2 * (query->pressed + ROUTE_EASED)) {
+            best = clearance;
+            *at = here;
+        }
+    }
+    return best >= 0;
+}
+
+static void drive(Route *route, const RouteQuery *query) {
+    Rectangle body = search_body(query->profile);
+    Legs legs = legs_make(query);
+    RouteQuery from = *query;
+    if (exit_usable(query, &legs.goals[legs.count - 1], route)) {
+        if (ease_off(query, &body, &from.at))
+            search_drive(route, &from, &legs, &body);
+        else
+            blockage_of_start(&route->blockage, query, &body);
+    }
+    memory_free(legs.goals);
+}
+
+static void go_round(Route *route, const RouteQuery *query) {
+    double radius = query->profile->width / 2;
+    Rectangle disc = {radius, radius, 0};
+    Legs legs = legs_make(query);
+    if (exit_usable(query, &legs.goals[legs.count - 1], route)) {
+        if (freespace_distance(query->space, query->at) < 0 ||
+            freespace_exact(query->space, query->at, radius, NULL) < radius)
+            blockage_of_start(&route->blockage, query, &disc);
+        else
+            search_round(route, query, &legs, radius);
+    }
+    memory_free(legs.goals);
+}
+
+Route route_drive(const RouteQuery *query) {
+    return answer_with(query, drive);
+}
+
+Route route_round(const RouteQuery *query) {
+    return answer_with(query, go_round);
+}
+
+void route_widths(const Blockage *blockage, char *text, size_t size) {
+    const double centimetres = 100, slack = 1e-6; /* 1/m; cm, so that a whole centimetre stays one */
+    double needs = ceil(blockage->needs * centimetres - slack) / centimetres;
+    double has = floor(blockage->has * centimetres + slack) / centimetres;
+    if (blockage->has > 0 && blockage->needs > blockage->has)
+        snprintf(text, size, "needs at least %.2f m, has %.2f m", needs, has);
+    else
+        snprintf(text, size, "%s", "");
+}
+
+void route_free(Route *route) {
+    memory_free(route->poses);
+    *route = (Route){0};
+}
+
+double route_fits_margin(const RouteQuery *query, Blockage *blockage) {
+    Rectangle body = search_body(query->profile);
+    Legs legs = legs_make(query);
+    FitPlace tightest;
+    double margin = fit_margin(query, &body, legs.goals, legs.count, &tightest);
+    if (blockage)
+        blockage_of_fit(blockage, query, &body, &tightest);
+    memory_free(legs.goals);
+    return fmin(margin + FIT_BIAS, FIT_MOST);
+}

@@ -1,0 +1,394 @@
+#include "route/search.h"
+
+#include <stdint.h>
+
+#include "base/heap.h"
+#include "base/memory.h"
+#include "base/parallel.h"
+
+/* Hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010): poses are real numbers, moved by primitives; of those that
+ * fall into one cell of the grid over (x, y, heading, direction) only the cheapest goes on, and another one only with
+ * fewer changes of direction than all before it.
+ *
+ * Primitives: straight, arcs, both forwards and backwards, and turns on the spot. Cost, s: the time under the speed
+ * law, the time to stop and start again around a turn on the spot, to change direction and to open a door, and the
+ * time once more in proportion to the lack of clearance.
+ *
+ * A motion is swept exactly: no point of the body moves farther than D during it, so that it is free when the
+ * clearances at its two ends add up to D or more; otherwise its two halves are looked at. As every pose looked at has
+ * SEARCH_CLEARANCE, this ends after a few steps, and what is accepted is proven free. */
+
+#define SWEEP_REACH 0.25 /* m, farther clearance is not asked for */
+
+#define SAMPLE 0.04 /* m, between the poses of a finished track */
+
+static const double radii[] = {0.35, 0.6, 1.0, 2.0}; /* m: the median turn of drivers has 1.09 */
+enum { RADII = sizeof radii / sizeof *radii, MOST_PRIMITIVES = 4 * RADII + 4, REVERSAL_LEVELS = 21 };
+
+typedef struct Primitive {
+    double length;  /* m, along the path, negative backwards */
+    double turn;    /* rad */
+    Vec2 chord;     /* m, from its beginning to its end, in the frame of the beginning */
+    Vec2 rotation;  /* unit vector of `turn` */
+    double reach;   /* m, no point of the body moves farther */
+    double slowest; /* s, least time it takes */
+    int direction;  /* +1, -1, 0 on the spot */
+} Primitive;
+
+typedef struct Node {
+    Vec2 at;
+    double heading;    /* rad */
+    Vec2 axis;         /* its unit vector */
+    double cost;       /* s, so far */
+    float clearance;   /* m, up to SWEEP_REACH */
+    float slowness;    /* s/m, of the speed law */
+    int parent;        /* -1: the start */
+    short primitive;   /* that led here */
+    signed char last;  /* direction of the last motion that was not on the spot */
+    signed char count; /* changes of direction */
+    int exit;          /* crossed; -1: none, -2: the goal was a point */
+} Node;
+
+typedef struct Open {
+    double estimate; /* s */
+    int node;
+} Open;
+
+/* What is known of a cell: the best way through it, and how many changes of direction the best expanded one took. Ways
+ * are compared by cost and time still to go together: poses of one cell are not equally far on. */
+typedef struct Cell {
+    uint64_t key;   /* 0: empty */
+    float estimate; /* s */
+    signed char count, expanded;
+} Cell;
+
+typedef struct Search {
+    const Field *field;
+    const Goal *goal;
+    const Rectangle *body;
+    const SearchGrain *grain;
+    const FreeSpace *space;
+    const Profile *profile;
+    Primitive primitives[MOST_PRIMITIVES];
+    int primitive_count;
+    int turns;        /* headings told apart in a full turn */
+    double stop_time; /* s, lost by stopping or by starting */
+    Vec2 origin;      /* m, the start */
+    double bearing;   /* rad */
+    int most_reversals;
+    Node *nodes;
+    size_t node_count, node_capacity;
+    Open *open; /* binary heap */
+    size_t open_count, open_capacity;
+    Cell *cells;
+    size_t cell_count, cell_capacity;
+} Search;
+
+Rectangle search_body(const Profile *profile) {
+    return (Rectangle){profile->length / 2, profile->width / 2, profile->length / 2 - profile->axle};
+}
+
+double search_clearance(const FreeSpace *space, const Rectangle *body, Vec2 at, double heading, double reach,
+                        int *face) {
+    Vec2 axis = vec2_heading(heading);
+    return freespace_clearance(space, vec2_along(at, body->ahead, axis), axis, body->half_length, body->half_width,
+                               reach, face);
+}
+
+void search_track_add(SearchTrack *track, Pose pose) {
+    track->poses = memory_reserve(track->poses, &track->capacity, track->count + 1, sizeof *track->poses);
+    track->poses[track->count++] = pose;
+}
+
+void search_track_clear(SearchTrack *track) {
+    memory_free(track->poses);
+    *track = (SearchTrack){0};
+}
+
+/* The farthest that a point of the body travels in a motion: its distance from the turning point times the turn. */
+static double motion_reach(const Rectangle *body, double length, double turn) {
+    if (fabs(turn) < 1e-9)
+        return fabs(length);
+    double ahead = fabs(body->ahead) + body->half_length, radius = fabs(length / turn) + body->half_width;
+    return fabs(turn) * sqrt(ahead * ahead + radius * radius);
+}
+
+/* Where a part, 0 to 1, of a motion leads. */
+static Node moved(const Node *from, const Primitive *primitive, double part) {
+    Node to = *from;
+    double length = primitive->length * part, turn = primitive->turn * part, half = turn / 2;
+    double chord = fabs(half) > 1e-9 ? length * sin(half) / half : length;
+    to.at = vec2_along(from->at, chord, vec2_turn(vec2_heading(half), from->axis));
+    to.heading = from->heading + turn;
+    to.axis = vec2_turn(vec2_heading(turn), from->axis);
+    return to;
+}
+
+/* Where the whole of it leads: the same, quicker. */
+static Node moved_whole(const Node *from, const Primitive *primitive) {
+    Node to = *from;
+    to.at = vec2_add(from->at, vec2_turn(primitive->chord, from->axis));
+    to.heading = from->heading + primitive->turn;
+    to.axis = vec2_turn(primitive->rotation, from->axis);
+    return to;
+}
+
+static void add_primitive(Search *search, int direction, double length, double turn) {
+    const Profile *profile = search->profile;
+    double time = fabs(turn) / profile->turn_rate;
+    if (direction) {
+        double speed = direction > 0 ? profile->free_speed : fmin(profile->free_speed, profile->reversing_speed);
+        if (turn != 0)
+            speed = fmin(speed, sqrt(profile->lateral_acceleration * fabs(length / turn)));
+        time = fmax(time, fabs(length) / speed);
+    }
+    Primitive *primitive = &search->primitives[search->primitive_count++];
+    *primitive = (Primitive){.length = direction * length, .turn = turn, .slowest = time, .direction = direction};
+    primitive->reach = motion_reach(search->body, length, turn);
+    Node begin = {.axis = {1, 0}}, end = moved(&begin, primitive, 1);
+    primitive->chord = end.at;
+    primitive->rotation = end.axis;
+}
+
+static void make_primitives(Search *search) {
+    double step = search->grain->step, unit = search->grain->turn;
+    for (int direction = 1; direction >= -1; direction -= 2) {
+        add_primitive(search, direction, step, 0);
+        for (int r = RADII - 1; r >= 0; r--) {
+            /* Whole units of turn, so that a chair that starts in line with the walls is so again after its turns. */
+            double turn = unit * fmax(round(step / (radii[r] * unit)), 1);
+            add_primitive(search, direction, radii[r] * turn, turn);
+            add_primitive(search, direction, radii[r] * turn, -turn);
+        }
+    }
+    add_primitive(search, 0, 0, search->grain->turn);
+    add_primitive(search, 0, 0, -search->grain->turn);
+}
+
+static float node_slowness(const Search *search, const Node *node) {
+    Vec2 middle = vec2_along(node->at, search->body->ahead, node->axis);
+    return (float)(1 / field_speed(search->profile, freespace_distance(search->space, middle)));
+}
+
+static double node_clearance(const Search *search, const Node *node) {
+    const Rectangle *body = search->body;
+    return freespace_clearance(search->space, vec2_along(node->at, body->ahead, node->axis), node->axis,
+                               body->half_length, body->half_width, SWEEP_REACH, NULL);
+}
+
+/* Is the motion free between two parts of it, whose clearances are known? `*narrowest` falls to what is met. */
+static bool swept(const Search *search, const Node *from, const Primitive *primitive, double first, double at_first,
+                  double last, double at_last, double *narrowest) {
+    if (at_first + at_last >= primitive->reach * (last - first))
+        return true;
+    double middle = (first + last) / 2;
+    Node between = moved(from, primitive, middle);
+    double clearance = node_clearance(search, &between);
+    if (clearance < SEARCH_CLEARANCE)
+        return false;
+    *narrowest = fmin(*narrowest, clearance);
+    return swept(search, from, primitive, first, at_first, middle, clearance, narrowest) &&
+           swept(search, from, primitive, middle, clearance, last, at_last, narrowest);
+}
+
+/* Rounded half away from 0, so that a mirrored house is searched alike. */
+static int64_t rounded(double value) {
+    return (int64_t)(value < 0 ? value - 0.5 : value + 0.5);
+}
+
+static uint64_t node_key(const Search *search, const Node *node) {
+    double cell = search->grain->cell;
+    int64_t x = rounded((node->at.x - search->origin.x) / cell), y = rounded((node->at.y - search->origin.y) / cell);
+    int64_t all = search->turns, turns = rounded((node->heading - search->bearing) / search->grain->turn) % all;
+    uint64_t turn = (uint64_t)((turns + all) % all), side = (uint64_t)(node->last + 1);
+    return ((uint64_t)(x + (1 << 24)) << 38) ^ ((uint64_t)(y + (1 << 24)) << 12) ^ (turn << 2) ^ side ^
+           ((uint64_t)1 << 63);
+}
+
+static Cell *cell_slot(Cell *cells, size_t capacity, uint64_t key) {
+    uint64_t hash = key * UINT64_C(0x9e3779b97f4a7c15);
+    for (size_t i = (size_t)(hash >> 20) & (capacity - 1);; i = (i + 1) & (capacity - 1))
+        if (cells[i].key == key || cells[i].key == 0)
+            return &cells[i];
+}
+
+/* The cell's entry, made when it is new. */
+static Cell *cell_of(Search *search, uint64_t key) {
+    if (2 * search->cell_count >= search->cell_capacity) {
+        size_t capacity = search->cell_capacity ? 2 * search->cell_capacity : 1 << 14;
+        Cell *grown = memory_allocate(capacity, sizeof *grown);
+        for (size_t i = 0; i < search->cell_capacity; i++)
+            if (search->cells[i].key)
+                *cell_slot(grown, capacity, search->cells[i].key) = search->cells[i];
+        memory_free(search->cells);
+        search->cells = grown;
+        search->cell_capacity = capacity;
+    }
+    Cell *cell = cell_slot(search->cells, search->cell_capacity, key);
+    if (!cell->key) {
+        *cell = (Cell){key, HUGE_VALF, INT8_MAX, INT8_MAX};
+        search->cell_count++;
+    }
+    return cell;
+}
+
+/* Of equal estimates the later one goes first: it is the nearer to the goal. */
+static bool before(Open a, Open b) {
+    return a.estimate < b.estimate || (a.estimate <= b.estimate && a.node > b.node);
+}
+
+HEAP_DEFINE(open, Open, before)
+
+static void add_node(Search *search, const Node *node, double to_go) {
+    search->nodes = memory_reserve(search->nodes, &search->node_capacity, search->node_count + 1, sizeof *node);
+    search->nodes[search->node_count] = *node;
+    open_put(&search->open, &search->open_count, &search->open_capacity,
+             (Open){node->cost + search->grain->weight * to_go, (int)search->node_count++});
+}
+
+/* What a motion costs from `from` to `to`, s. */
+static double motion_cost(const Search *search, const Node *from, const Node *to, const Primitive *primitive,
+                          double narrowest) {
+    const Profile *profile = search->profile;
+    double time = fmax(primitive->slowest, fabs(primitive->length) * (double)(from->slowness + to->slowness) / 2);
+    time *= field_discomfort(narrowest);
+    bool was_moving = from->parent >= 0 && search->primitives[from->primitive].direction != 0;
+    if (from->parent >= 0 && was_moving != (primitive->direction != 0))
+        time += search->stop_time;
+    if (to->count > from->count)
+        time += profile->reversing_time + search->stop_time;
+    return time + field_delay(search->field->ground, from->at, to->at);
+}
+
+/* Makes the node that a primitive leads to, unless something is in the way or a better one is known there. */
+static void try_primitive(Search *search, int parent, int which) {
+    const Node from = search->nodes[parent];
+    const Primitive *primitive = &search->primitives[which];
+    Node to = moved_whole(&from, primitive);
+    to.parent = parent;
+    to.primitive = (short)which;
+    if (primitive->direction) {
+        if (from.last && from.last != primitive->direction && ++to.count > search->most_reversals)
+            return;
+        to.last = (signed char)primitive->direction;
+    } else if (from.parent >= 0) {
+        /* Turning back what was just turned leads nowhere. */
+        const Primitive *previous = &search->primitives[from.primitive];
+        if (!previous->direction && previous->turn * primitive->turn < 0)
+            return;
+    }
+    size_t exit;
+    bool reached = field_goal_reached(search->goal, search->field->ground->plan, from.at, to.at, &exit);
+    double to_go = reached ? 0 : field_time(search->field, to.at);
+    if (!isfinite(to_go))
+        return;
+    Cell *cell = cell_of(search, node_key(search, &to));
+    if (!reached &&
+        (cell->expanded <= to.count || (cell->count <= to.count && (double)cell->estimate <= from.cost + to_go)))
+        return;
+    double clearance = node_clearance(search, &to), narrowest = fmin(clearance, (double)from.clearance);
+    if (clearance < SEARCH_CLEARANCE ||
+        !swept(search, &from, primitive, 0, fmax((double)from.clearance, SEARCH_CLEARANCE), 1, clearance, &narrowest))
+        return;
+    to.clearance = (float)clearance;
+    to.slowness = node_slowness(search, &to);
+    to.cost = from.cost + motion_cost(search, &from, &to, primitive, narrowest);
+    to.exit = !reached ? -1 : exit == SIZE_MAX ? -2 : (int)exit;
+    if (!reached) {
+        double estimate = to.cost + to_go;
+        if (cell->count <= to.count && (double)cell->estimate <= estimate)
+            return;
+        if (to.count < cell->count || estimate < (double)cell->estimate) {
+            cell->estimate = (float)estimate;
+            cell->count = to.count;
+        }
+    }
+    add_node(search, &to, to_go);
+}
+
+/* Adds the poses of the motions that led to `last`, without the start's. */
+static void write_track(const Search *search, SearchTrack *track, int last) {
+    size_t count = 0;
+    for (int n = last; search->nodes[n].parent >= 0; n = search->nodes[n].parent)
+        count++;
+    int *chain = memory_allocate(count, sizeof *chain);
+    for (int n = last, i = (int)count - 1; i >= 0; n = search->nodes[n].parent, i--)
+        chain[i] = n;
+    for (size_t i = 0; i < count; i++) {
+        const Node *to = &search->nodes[chain[i]], *from = &search->nodes[to->parent];
+        const Primitive *primitive = &search->primitives[to->primitive];
+        int parts = (int)ceil(fmax(fabs(primitive->length) / SAMPLE, fabs(primitive->turn) / radians(5)) - 1e-9);
+        for (int part = 1; part <= parts; part++) {
+            Node at = moved(from, primitive, (double)part / parts);
+            search_track_add(track, (Pose){at.at, at.heading, 0, primitive->direction});
+        }
+    }
+    memory_free(chain);
+    const Node *end = &search->nodes[last];
+    track->reversals = end->count;
+    track->direction = end->last;
+    track->exit = end->exit >= 0 ? (size_t)end->exit : SIZE_MAX;
+}
+
+static SearchAnswer search_run(Search *search, SearchTrack *track) {
+    const volatile sig_atomic_t *stop = search->field->ground->stop;
+    for (size_t expanded = 0; search->open_count > 0;) {
+        if (parallel_stopped(stop))
+            return SEARCH_GAVE_UP;
+        int node = open_take(search->open, &search->open_count).node;
+        if (search->nodes[node].exit != -1) {
+            write_track(search, track, node);
+            return SEARCH_FOUND;
+        }
+        Cell *cell = cell_of(search, node_key(search, &search->nodes[node]));
+        if (cell->expanded <= search->nodes[node].count)
+            continue;
+        cell->expanded = search->nodes[node].count;
+        if (++expanded > search->grain->most_nodes)
+            return SEARCH_GAVE_UP;
+        for (int p = 0; p < search->primitive_count; p++)
+            try_primitive(search, node, p);
+    }
+    return SEARCH_NONE;
+}
+
+SearchAnswer search_leg(SearchTrack *track, const Field *field, const Goal *goal, const Rectangle *body,
+                        const SearchGrain *grain, int most_reversals) {
+    const Pose *start = &track->poses[track->count - 1];
+    const Profile *profile = field->ground->profile;
+    Search search = {.field = field,
+                     .goal = goal,
+                     .body = body,
+                     .grain = grain,
+                     .space = field->ground->space,
+                     .profile = profile,
+                     .origin = start->at,
+                     .bearing = start->heading,
+                     .most_reversals = most_reversals < REVERSAL_LEVELS ? most_reversals : REVERSAL_LEVELS - 1};
+    search.stop_time = profile->free_speed * (1 / profile->acceleration + 1 / profile->deceleration) / 4;
+    search.turns = (int)rounded(2 * M_PI / grain->turn);
+    make_primitives(&search);
+    Node first = {.at = start->at,
+                  .heading = start->heading,
+                  .axis = vec2_heading(start->heading),
+                  .parent = -1,
+                  .primitive = -1,
+                  .last = (signed char)track->direction,
+                  .count = (signed char)track->reversals,
+                  .exit = -1};
+    first.clearance = (float)node_clearance(&search, &first);
+    first.slowness = node_slowness(&search, &first);
+    SearchAnswer answer = SEARCH_NONE;
+    size_t none;
+    double to_go = field_time(field, first.at);
+    if (goal->radius > 0 && field_goal_reached(goal, field->ground->plan, first.at, first.at, &none)) {
+        answer = SEARCH_FOUND; /* there already */
+    } else if (isfinite(to_go)) {
+        add_node(&search, &first, to_go);
+        answer = search_run(&search, track);
+    }
+    memory_free(search.nodes);
+    memory_free(search.open);
+    memory_free(search.cells);
+    return answer;
+}

@@ -1,0 +1,218 @@
+#include "route/taut.h"
+
+#include "base/memory.h"
+
+/* Downhill on the field of times from grid point to grid point, then pulled taut: from each point on, the farthest one
+ * that is seen along a straight line with the clearance COMFORT, or as much as the points passed over have, replaces
+ * all between. The line is walked by sphere tracing (Hart 1996): where the nearest obstacle is d away from the disc,
+ * the next d of the line are free. */
+
+#define COMFORT 0.05 /* m, of clearance is kept where there is that much */
+#define TIGHT 0.002  /* m, of clearance at grid points: the chords between them round a corner lose 1 mm at most */
+#define SMALLEST_STEP 0.002 /* m, of sphere tracing */
+#define SPACING 0.05        /* m, between poses */
+#define BEYOND 0.3          /* m, straight on across an exit's line */
+
+enum { PASSES = 4 };
+
+typedef struct Line {
+    Vec2 *at; /* (count) */
+    size_t count, capacity;
+} Line;
+
+static void line_add(Line *line, Vec2 at) {
+    line->at = memory_reserve(line->at, &line->capacity, line->count + 1, sizeof *line->at);
+    line->at[line->count++] = at;
+}
+
+/* The least distance to an obstacle on a straight line, m, as soon as it is known to be below `enough`; at most
+ * FREESPACE_FARTHEST. */
+static double least_distance(const FreeSpace *space, Vec2 from, Vec2 to, double enough) {
+    double length = vec2_distance(from, to), least = FREESPACE_FARTHEST;
+    Vec2 along = vec2_unit(vec2_sub(to, from));
+    for (double gone = 0;;) {
+        double distance = freespace_exact(space, vec2_along(from, gone, along), FREESPACE_FARTHEST, NULL);
+        least = fmin(least, distance);
+        if (least < enough || gone >= length)
+            return least;
+        gone = fmin(gone + fmax(distance - enough, SMALLEST_STEP), length);
+    }
+}
+
+static Vec2 grid_place(const FreeSpace *space, int i, int j) {
+    return vec2(space->origin.x + i * space->cell, space->origin.y + j * space->cell);
+}
+
+/* The grid points downhill from a place to where the field is 0. */
+static bool walk_down(const Field *field, Vec2 start, double radius, Line *line) {
+    const FreeSpace *space = field->ground->space;
+    int i = (int)floor((start.x - space->origin.x) / space->cell),
+        j = (int)floor((start.y - space->origin.y) / space->cell);
+    double best = HUGE_VAL;
+    int at_x = -1, at_y = -1;
+    line_add(line, start);
+    for (int n = 0; n < 16; n++) { /* the start lies between grid points: which of those about it is best? */
+        int x = i - 1 + n % 4, y = j - 1 + n / 4;
+        if (x < 0 || y < 0 || x >= space->nx || y >= space->ny)
+            continue;
+        Vec2 at = grid_place(space, x, y);
+        double time = (double)field->time[(size_t)y * (size_t)space->nx + (size_t)x] +
+                      vec2_distance(start, at) / field->ground->profile->free_speed;
+        if (time < best && least_distance(space, start, at, radius) >= radius) {
+            best = time;
+            at_x = x;
+            at_y = y;
+        }
+    }
+    if (at_x < 0)
+        return false;
+    for (;;) {
+        Vec2 here = grid_place(space, at_x, at_y);
+        line_add(line, here);
+        double time = (double)field->time[(size_t)at_y * (size_t)space->nx + (size_t)at_x];
+        if (time <= 0)
+            return true;
+        int next_x = -1, next_y = -1;
+        best = HUGE_VAL;
+        for (int y = at_y - 1; y <= at_y + 1; y++)
+            for (int x = at_x - 1; x <= at_x + 1; x++) {
+                if (x < 0 || y < 0 || x >= space->nx || y >= space->ny || (x == at_x && y == at_y))
+                    continue;
+                double there = (double)field->time[(size_t)y * (size_t)space->nx + (size_t)x];
+                if (!(there < time))
+                    continue;
+                Vec2 to = grid_place(space, x, y);
+                double slope = (there - time + field_delay(field->ground, here, to)) / vec2_distance(here, to);
+                if (slope < best) {
+                    best = slope;
+                    next_x = x;
+                    next_y = y;
+                }
+            }
+        if (next_x < 0)
+            return false;
+        at_x = next_x;
+        at_y = next_y;
+    }
+}
+
+/* Goes on straight across the exit that the line leads to. */
+static bool cross_exit(Line *line, const FreeSpace *space, const Plan *plan, const Goal *goal, double radius) {
+    Vec2 last = line->at[line->count - 1], across = {0, 0}, foot = last;
+    double nearest = HUGE_VAL;
+    for (size_t e = 0; e < plan->exit_count; e++) {
+        if (!field_exit_usable(goal, plan, e))
+            continue;
+        Vec2 on = vec2_nearest_on_segment(last, plan->exits[e].from, plan->exits[e].to);
+        if (vec2_distance(last, on) < nearest) {
+            nearest = vec2_distance(last, on);
+            across = vec2_unit(vec2_left(vec2_sub(plan->exits[e].to, plan->exits[e].from)));
+            /* Away from where the line comes from. */
+            Vec2 before = line->at[line->count > 8 ? line->count - 8 : 0];
+            if (vec2_dot(across, vec2_sub(before, on)) > 0)
+                across = vec2_scale(across, -1);
+            foot = on;
+        }
+    }
+    /* The field is 0 on both sides of the line: what is beyond already is left out. */
+    while (line->count > 1 && vec2_dot(across, vec2_sub(line->at[line->count - 1], foot)) > 0)
+        line->count--;
+    last = line->at[line->count - 1];
+    for (double beyond = BEYOND; beyond > 0.01; beyond /= 2) {
+        Vec2 out = vec2_along(foot, beyond, across);
+        size_t exit;
+        if (field_goal_reached(goal, plan, last, out, &exit) && least_distance(space, last, out, radius) >= radius) {
+            line_add(line, out);
+            return true;
+        }
+    }
+    return false;
+}
+
+static Line pulled(const Line *line, const FreeSpace *space, double radius) {
+    Line taut = {0};
+    line_add(&taut, line->at[0]);
+    /* The ends may stand close to something, which is no reason to come close to anything else. */
+    size_t first = 0, last = line->count - 1;
+    while (first < last && freespace_exact(space, line->at[first], FREESPACE_FARTHEST, NULL) < radius + COMFORT)
+        line_add(&taut, line->at[++first]);
+    while (last > first && freespace_exact(space, line->at[last], FREESPACE_FARTHEST, NULL) < radius + COMFORT)
+        last--;
+    for (size_t from = first; from < last;) {
+        size_t to = from + 1;
+        double kept = least_distance(space, line->at[from], line->at[to], radius);
+        while (to < last) {
+            double next = fmin(kept, least_distance(space, line->at[to], line->at[to + 1], radius));
+            double enough = fmin(next, radius + COMFORT);
+            if (least_distance(space, line->at[from], line->at[to + 1], enough) < enough)
+                break;
+            kept = next;
+            to++;
+        }
+        line_add(&taut, line->at[to]);
+        from = to;
+    }
+    while (last + 1 < line->count)
+        line_add(&taut, line->at[++last]);
+    return taut;
+}
+
+static Line spaced(const Line *line) {
+    Line result = {0};
+    line_add(&result, line->at[0]);
+    for (size_t i = 1; i < line->count; i++) {
+        int parts = (int)fmax(ceil(vec2_distance(line->at[i - 1], line->at[i]) / SPACING), 1);
+        for (int part = 1; part <= parts; part++)
+            line_add(&result,
+                     vec2_along(line->at[i - 1], (double)part / parts, vec2_sub(line->at[i], line->at[i - 1])));
+    }
+    return result;
+}
+
+static Line line_reversed(const Line *line) {
+    Line result = {0};
+    for (size_t i = line->count; i > 0; i--)
+        line_add(&result, line->at[i - 1]);
+    return result;
+}
+
+static void line_replace(Line *line, Line by) {
+    memory_free(line->at);
+    *line = by;
+}
+
+static void write_poses(SearchTrack *track, const Line *line, const FreeSpace *space, double radius) {
+    double heading = track->poses[track->count - 1].heading;
+    for (size_t i = 1; i < line->count; i++) {
+        Vec2 along = vec2_sub(line->at[i], line->at[i - 1]);
+        if (vec2_length(along) > 1e-9)
+            heading += vec2_wrap_angle(atan2(along.y, along.x) - heading);
+        double clearance = freespace_exact(space, line->at[i], radius + ROUTE_CLEARANCE_REACH, NULL) - radius;
+        search_track_add(track, (Pose){line->at[i], heading, clearance, 1});
+    }
+}
+
+bool taut_leg(SearchTrack *track, Fields *fields, const Plan *plan, const FreeSpace *space, const Profile *profile,
+              double radius, const Goal *goal) {
+    Vec2 start = track->poses[track->count - 1].at;
+    Line line = {0};
+    const Field *field = fields_take(fields, &(FieldWish){plan, space, profile, radius + TIGHT, true, *goal, NULL});
+    bool found =
+        walk_down(field, start, radius, &line) && (goal->radius > 0 || cross_exit(&line, space, plan, goal, radius));
+    if (found) {
+        for (int pass = 0; pass < PASSES; pass++) { /* forwards and backwards in turn */
+            line_replace(&line, spaced(&line));
+            line_replace(&line, pulled(&line, space, radius));
+            line_replace(&line, line_reversed(&line));
+        }
+        line_replace(&line, spaced(&line));
+        write_poses(track, &line, space, radius);
+        size_t exit;
+        for (size_t i = 1; i < line.count; i++)
+            if (goal->radius <= 0 && field_goal_reached(goal, plan, line.at[i - 1], line.at[i], &exit))
+                track->exit = exit;
+    }
+    memory_free(line.at);
+    fields_return(fields, field);
+    return found;
+}

@@ -1,0 +1,145 @@
+#include "space/near.h"
+
+/* m: nothing is thicker to the touch than this, however thick it is. */
+static const double DEEPEST = 0.05;
+
+/* How deep a body may sink behind a face before it is on the other side: half of the solid. */
+static double face_depth(const Plan *plan, const Face *face) {
+    switch ((Owner)face->owner) {
+    case OWNER_WALL:
+        return fmin(plan->walls[face->index].thickness / 2, DEEPEST);
+    case OWNER_DOOR:
+        return fmin(OUTLINE_LEAF_THICKNESS / 2, DEEPEST);
+    case OWNER_FURNITURE:
+        return fmin(fmin(plan->furniture[face->index].size.x, plan->furniture[face->index].size.y) / 2, DEEPEST);
+    }
+    return DEEPEST;
+}
+
+NearFace near_face(const Outline *outline, const Plan *plan, size_t index) {
+    const Face *face = &outline->faces[index];
+    Vec2 tangent = vec2_left(face->normal); /* from a to b: the solid is on its left */
+    return (NearFace){.normal = face->normal,
+                      .offset = vec2_dot(face->normal, face->a),
+                      .begin = vec2_dot(tangent, face->a),
+                      .end = vec2_dot(tangent, face->b),
+                      .depth = face_depth(plan, face),
+                      .id = (int)index};
+}
+
+NearCorner near_corner(const Outline *outline, size_t index) {
+    const Corner *corner = &outline->corners[index];
+    return (NearCorner){
+        .at = corner->at, .in = corner->in, .out = corner->out, .id = (int)(outline->face_count + index)};
+}
+
+typedef struct Candidate {
+    double distance;
+    int item;
+} Candidate;
+
+typedef struct Gathering {
+    const Outline *outline;
+    const bool *door_open;
+    Vec2 centre;
+    double reach;
+    Candidate candidate[2 * NEAR_MOST];
+    int count;
+} Gathering;
+
+static bool is_nearer(Candidate a, Candidate b) {
+    return a.distance < b.distance || (a.distance == b.distance && a.item < b.item);
+}
+
+/* Keeps the candidates sorted; when they are too many the farthest falls out, whatever order the tree has. */
+static bool gather(void *context, int item) {
+    Gathering *gathering = context;
+    const Outline *outline = gathering->outline;
+    Candidate candidate = {.item = item};
+    if ((size_t)item < outline->face_count) {
+        const Face *face = &outline->faces[item];
+        if (!outline_present(face->door, face->presence, gathering->door_open))
+            return true;
+        candidate.distance =
+            vec2_distance(gathering->centre, vec2_nearest_on_segment(gathering->centre, face->a, face->b));
+    } else {
+        const Corner *corner = &outline->corners[(size_t)item - outline->face_count];
+        if (!outline_present(corner->door, corner->presence, gathering->door_open))
+            return true;
+        candidate.distance = vec2_distance(gathering->centre, corner->at);
+    }
+    if (candidate.distance > gathering->reach)
+        return true;
+    const int most = sizeof gathering->candidate / sizeof *gathering->candidate;
+    if (gathering->count == most && !is_nearer(candidate, gathering->candidate[most - 1]))
+        return true;
+    int place = gathering->count < most ? gathering->count++ : most - 1;
+    while (place > 0 && is_nearer(candidate, gathering->candidate[place - 1])) {
+        gathering->candidate[place] = gathering->candidate[place - 1];
+        place--;
+    }
+    gathering->candidate[place] = candidate;
+    return true;
+}
+
+static void gather_all(Near *near, double outer, Vec2 middle, const Outline *outline, const Plan *plan,
+                       const bool *door_open) {
+    Gathering gathering = {
+        .outline = outline, .door_open = door_open, .centre = middle, .reach = outer + NEAR_SKIN + NEAR_SLACK};
+    broadphase_visit(outline->broadphase, box_around(middle, gathering.reach), gather, &gathering);
+    near->centre = middle;
+    near->faces = near->corners = 0;
+    for (int i = 0; i < gathering.count; i++) {
+        size_t item = (size_t)gathering.candidate[i].item;
+        if (item < outline->face_count && near->faces < NEAR_MOST)
+            near->face[near->faces++] = near_face(outline, plan, item);
+        else if (item >= outline->face_count && near->corners < NEAR_MOST)
+            near->corner[near->corners++] = near_corner(outline, item - outline->face_count);
+    }
+}
+
+/* May a corner of the core be within `reach` of the face? */
+static bool face_is_close(const Stance *stance, const NearFace *face, double reach) {
+    const Body *body = stance->body;
+    Vec2 tangent = vec2_left(face->normal);
+    double across = fabs(vec2_dot(face->normal, stance->axis)), beside = fabs(vec2_dot(tangent, stance->axis));
+    double deep = across * body->half.x + beside * body->half.y, wide = beside * body->half.x + across * body->half.y;
+    double from_middle = vec2_dot(face->normal, stance->middle) - face->offset;
+    double along_middle = vec2_dot(tangent, stance->middle), slack = reach - body->sight;
+    return from_middle - deep - body->radius < reach && from_middle + deep > -face->depth - slack &&
+           along_middle + wide + slack > face->begin && along_middle - wide - slack < face->end;
+}
+
+/* May the core be within `reach` of the obstacle's corner? */
+static bool corner_is_close(const Stance *stance, const NearCorner *corner, double reach) {
+    const Body *body = stance->body;
+    Vec2 local = vec2_unturn(vec2_sub(corner->at, stance->middle), stance->axis);
+    double outer = body->radius + reach;
+    return fabs(local.x) < body->half.x + outer && fabs(local.y) < body->half.y + outer;
+}
+
+static void choose_close(Near *near, const Stance *stance) {
+    double reach = stance->body->sight + NEAR_SLACK;
+    near->slack_centre = stance->centre;
+    near->slack_axis = stance->axis;
+    near->close_faces = near->close_corners = 0;
+    for (int i = 0; i < near->faces; i++)
+        if (face_is_close(stance, &near->face[i], reach))
+            near->close_face[near->close_faces++] = (short)i;
+    for (int i = 0; i < near->corners; i++)
+        if (corner_is_close(stance, &near->corner[i], reach))
+            near->close_corner[near->close_corners++] = (short)i;
+}
+
+void near_update(Near *near, const Body *body, Vec2 centre, Vec2 axis, const Outline *outline, const Plan *plan,
+                 const bool *door_open, int door_changes) {
+    bool same_doors = near->doors == door_changes + 1;
+    double moved = vec2_distance(centre, near->slack_centre) + vec2_distance(axis, near->slack_axis) * body->swing;
+    if (same_doors && moved < NEAR_SLACK)
+        return;
+    Stance stance = body_stance(body, centre, axis);
+    if (!same_doors || vec2_distance(near->centre, stance.middle) > NEAR_SKIN)
+        gather_all(near, body->outer, stance.middle, outline, plan, door_open);
+    near->doors = door_changes + 1;
+    choose_close(near, &stance);
+}

@@ -1,0 +1,12 @@
+#include "space/passage.h"
+
+Passage passage_at(const Outline *outline, Vec2 at, Vec2 along) {
+    Vec2 left = vec2_left(along);
+    return (Passage){outline_ray(outline, at, left, PASSAGE_WIDEST, NULL),
+                     outline_ray(outline, at, vec2_scale(left, -1), PASSAGE_WIDEST, NULL)};
+}
+
+double passage_across(const Outline *outline, Vec2 corner, Vec2 across) {
+    const double hair = 1e-4; /* m: off the corner's own faces */
+    return hair + outline_ray(outline, vec2_along(corner, hair, across), across, PASSAGE_WIDEST, NULL);
+}

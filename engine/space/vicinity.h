@@ -1,0 +1,46 @@
+/* What walkers may touch from where they stand: for every square of the house the faces and corners beside it, found
+ * once and for all, since walls and furniture do not move and doors only come and go. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/vec2.h"
+#include "space/near.h"
+#include "space/outline.h"
+
+typedef struct Vicinity {
+    Vec2 low;    /* m, of square (0, 0) */
+    double side; /* m */
+    int nx, ny;
+    uint32_t *begin;       /* (nx * ny + 1) into items */
+    uint32_t *items;       /* features: face i as i, corner j as face_count + j, rising */
+    NearFace *faces;       /* (face_count) */
+    NearCorner *corners;   /* (corner_count) */
+    signed char *presence; /* (face_count + corner_count) Presence */
+    int *door;             /* (as many) whose state decides, or -1 */
+    size_t face_count, corner_count;
+    double reach; /* m, from a square within which features are listed for it */
+} Vicinity;
+
+/* Lists what is within `reach` m of each square. Zero is a vicinity of nothing; vicinity_clear releases it. */
+void vicinity_init(Vicinity *vicinity, const Outline *outline, const Plan *plan, double reach);
+void vicinity_clear(Vicinity *vicinity);
+
+/* The features beside a place, `*count` of them. */
+static inline const uint32_t *vicinity_at(const Vicinity *vicinity, Vec2 at, size_t *count) {
+    double x = (at.x - vicinity->low.x) / vicinity->side, y = (at.y - vicinity->low.y) / vicinity->side;
+    *count = 0;
+    if (!(x >= 0 && y >= 0 && x < vicinity->nx && y < vicinity->ny))
+        return NULL;
+    size_t square = (size_t)y * (size_t)vicinity->nx + (size_t)x;
+    *count = vicinity->begin[square + 1] - vicinity->begin[square];
+    return vicinity->items + vicinity->begin[square];
+}
+
+/* Is the feature there now? */
+static inline bool vicinity_has(const Vicinity *vicinity, uint32_t item, const bool *door_open) {
+    int presence = vicinity->presence[item];
+    return presence == PRESENT_ALWAYS || door_open[vicinity->door[item]] == (presence == PRESENT_OPEN);
+}

@@ -1,0 +1,349 @@
+/* Films: what is shown at a time is where the record says, whatever was shown before; spaces end at what presses. */
+
+#include "visual/house/film.h"
+
+#include <string.h>
+
+#include "base/text.h"
+#include "case.h"
+#include "check.h"
+#include "visual/house/figure.h"
+#include "visual/house/silhouette.h"
+#include "visual/house/space_scene.h"
+#include "visual/house/trail.h"
+
+/* A house that has been run. */
+typedef struct Shown {
+    House house;
+    Observation observation;
+    Film *film;
+} Shown;
+
+static void show(Shown *shown, const char *name, FilmOptions options) {
+    *shown = (Shown){.film = NULL};
+    case_house(&shown->house, name, -1, NULL);
+    shown->observation = case_run(&shown->house, 1);
+    shown->film = film_create(&shown->house, &shown->observation, &options);
+}
+
+static void hide(Shown *shown) {
+    film_destroy(shown->film);
+    observation_free(&shown->observation);
+    house_free(&shown->house);
+}
+
+/* How many primitives of a kind and role there are; the last one's place in the scene is `*last`. */
+static size_t count_of(const Scene *scene, PrimitiveKind kind, Role edge, size_t *last) {
+    size_t count = 0;
+    for (size_t i = 0; i < scene->count; i++)
+        if (scene->primitives[i].kind == kind && scene->primitives[i].edge == edge) {
+            count++;
+            if (last)
+                *last = i;
+        }
+    return count;
+}
+
+static double line_length(const Primitive *line) {
+    double length = 0;
+    for (size_t i = 1; i < line->count; i++)
+        length += vec2_distance(line->points[i - 1], line->points[i]);
+    return length;
+}
+
+TEST(words_say_what_is_shown) {
+    const char *unknown;
+    CHECK(film_shown("", &unknown) == 0);
+    CHECK(film_shown("circles", &unknown) == FILM_CIRCLES);
+    CHECK(film_shown("widths,circles", &unknown) == (FILM_WIDTHS | FILM_CIRCLES));
+    CHECK(film_shown("routes,round,circles", &unknown) == -1);
+    CHECK(strncmp(unknown, "round", 5) == 0);
+    CHECK(film_shown("route", &unknown) == -1);
+}
+
+/* What a painter is given to add, as text. */
+static void list_added(Text *text, const Scene *added) {
+    char line[128];
+    for (size_t i = 0; i < added->count; i++) {
+        const Primitive *primitive = &added->primitives[i];
+        snprintf(line, sizeof line, "%d %d %zu %.9f %.9f %.9f\n", primitive->kind, primitive->edge, primitive->count,
+                 primitive->points[0].x, primitive->points[0].y, primitive->begun);
+        text_add(text, line);
+    }
+}
+
+/* Whatever the times at which it is looked at, a film adds the same, in the same order. */
+TEST(what_comes_does_not_depend_on_when_one_looks) {
+    static const double steps[] = {1.0 / 60, 1.0 / 30, 0.04, 0.37, 5, 100};
+    static const char *const houses[] = {"closed-door", "two-chairs-corridor", "ube-techno-house"};
+    for (size_t h = 0; h < sizeof houses / sizeof *houses; h++) {
+        Text first = {0};
+        Shown shown;
+        show(&shown, houses[h], (FilmOptions){.panels = 0});
+        for (size_t s = 0; s < sizeof steps / sizeof *steps; s++) {
+            Text now = {0};
+            CHECK(film_show(shown.film, 0) == (s == 0)); /* back to the beginning */
+            list_added(&now, film_added(shown.film));
+            for (double time = steps[s]; time < shown.observation.time; time += steps[s]) {
+                CHECK(film_show(shown.film, time));
+                list_added(&now, film_added(shown.film));
+            }
+            CHECK(film_show(shown.film, shown.observation.time));
+            list_added(&now, film_added(shown.film));
+            if (s == 0)
+                first = now;
+            else
+                CHECK(strcmp(first.text, now.text) == 0);
+            if (s > 0)
+                memory_free(now.text);
+        }
+        memory_free(first.text);
+        hide(&shown);
+    }
+}
+
+/* The pieces of a locus are as long as the way, and each goes on where the one before ended. */
+TEST(a_locus_grows_into_the_whole_way) {
+    Shown shown;
+    show(&shown, "closed-door", (FilmOptions){.panels = 0});
+    film_show(shown.film, shown.observation.time);
+    const Scene *added = film_added(shown.film);
+    double length = 0;
+    Vec2 end = added->primitives[0].points[0];
+    for (size_t i = 0; i < added->count; i++) {
+        const Primitive *piece = &added->primitives[i];
+        if (piece->kind != PRIMITIVE_LINE || piece->edge != ROLE_LOCUS)
+            continue;
+        if (length > 0)
+            CHECK(vec2_distance(end, piece->points[0]) == 0);
+        CHECK_NEAR(piece->begun, length, 1e-9);
+        length = piece->begun + line_length(piece);
+        end = piece->points[1];
+    }
+    size_t ticks = count_of(added, PRIMITIVE_TICK, ROLE_LOCUS, NULL);
+    CHECK_NEAR(length, shown.observation.people[0].path_length, 0.01);
+    CHECK(ticks > shown.observation.time / 2 && ticks <= shown.observation.time);
+    hide(&shown);
+}
+
+/* The same time shows the same, from wherever one comes. */
+TEST(any_time_can_be_shown_in_any_order) {
+    Shown shown;
+    show(&shown, "two-chairs-corridor", (FilmOptions){.shown = FILM_CIRCLES});
+    film_show(shown.film, 7);
+    size_t count = film_moving(shown.film)->count;
+    const Primitive *ring = &film_moving(shown.film)->primitives[0];
+    Vec2 first[SILHOUETTE_EDGE];
+    CHECK(ring->kind == PRIMITIVE_POLYGON && ring->count == SILHOUETTE_EDGE);
+    memcpy(first, ring->points, sizeof first);
+    film_show(shown.film, 12);
+    CHECK(memcmp(first, film_moving(shown.film)->primitives[0].points, sizeof first) != 0);
+    film_show(shown.film, 7);
+    CHECK(film_moving(shown.film)->count == count);
+    CHECK(memcmp(first, film_moving(shown.film)->primitives[0].points, sizeof first) == 0);
+    hide(&shown);
+}
+
+/* The leaf's free end: where the way into the corridor is barred, and out of it once the door has been opened. */
+TEST(a_door_is_seen_to_open) {
+    Shown shown;
+    show(&shown, "closed-door", (FilmOptions){.panels = 0});
+    double opened = shown.observation.door_opened[0];
+    static const struct { double after, angle; } times[] = {{-3, 0}, {-0.8, 0}, {-0.4, 45}, {0, 90}, {2, 90}};
+    for (size_t i = 0; i < sizeof times / sizeof *times; i++) {
+        film_show(shown.film, opened + times[i].after);
+        const Scene *moving = film_moving(shown.film);
+        size_t leaf = SIZE_MAX;
+        for (size_t p = 0; p < moving->count; p++)
+            if (moving->primitives[p].edge == ROLE_DOOR && moving->primitives[p].height > 0)
+                leaf = p;
+        CHECK(leaf != SIZE_MAX);
+        Vec2 way = vec2_sub(moving->primitives[leaf].points[1], moving->primitives[leaf].points[0]);
+        CHECK_NEAR(degrees(fabs(atan2(way.x, way.y))), times[i].angle, 4); /* the wall runs along y */
+    }
+    for (size_t p = 0; p < film_still(shown.film)->count; p++)
+        CHECK(film_still(shown.film)->primitives[p].edge != ROLE_DOOR || film_still(shown.film)->primitives[p].text[0]);
+    hide(&shown);
+}
+
+/* The ring of the chair that is the `own`-th in the picture. */
+static const Primitive *find_ring(const Scene *moving, size_t own) {
+    for (size_t p = 0; p < moving->count; p++)
+        if (moving->primitives[p].kind == PRIMITIVE_POLYGON && moving->primitives[p].count == SILHOUETTE_EDGE &&
+            own-- == 0)
+            return &moving->primitives[p];
+    return NULL;
+}
+
+/* Touches are marked where and while they are felt, and a force is told. */
+TEST(a_touch_is_seen_where_it_is) {
+    Shown shown;
+    show(&shown, "corner-0.90-0.90", (FilmOptions){.panels = 0});
+    const PersonObservation *person = &shown.observation.people[0];
+    CHECK(person->contacts > 0);
+    Trail *trail = trail_list(&shown.observation);
+    const double *hardest = trail_hardest(trail, -1, shown.observation.time);
+    CHECK_NEAR(hardest[TRACE_BODY_FORCE], person->peak_force, 0);
+    film_show(shown.film, hardest[TRACE_TIME]);
+    size_t burst = 0;
+    CHECK(count_of(film_moving(shown.film), PRIMITIVE_POLYGON, ROLE_WALL, NULL) > 0);
+    for (size_t p = 0; p < film_moving(shown.film)->count; p++)
+        if (film_moving(shown.film)->primitives[p].fill == ROLE_DANGER_MIDDLE &&
+            film_moving(shown.film)->primitives[p].kind == PRIMITIVE_POLYGON)
+            burst = p;
+    const Primitive *star = &film_moving(shown.film)->primitives[burst];
+    Vec2 middle = {0, 0};
+    for (size_t i = 0; i < star->count; i++)
+        middle = vec2_along(middle, 1.0 / (double)star->count, star->points[i]);
+    CHECK_NEAR(vec2_distance(middle, person->peak_at), 0, 1e-9);
+    trail_free_list(trail);
+    hide(&shown);
+}
+
+/* A crowd: everybody who is still in is shown once, and the exits count the others. */
+TEST(a_crowd_is_counted_out) {
+    House house;
+    json_t *plan = case_corridor(3);
+    for (int i = 0; i < 40; i++)
+        case_add_person(plan, "adult", 1 + 0.5 * (i % 10), -1 + 0.6 * (i / 10), 0);
+    case_made(&house, plan, -1, NULL);
+    Observation observation = case_run(&house, 1);
+    CHECK(observation.completed);
+    Film *film = film_create(&house, &observation, &(FilmOptions){.panels = 0});
+    for (double time = 0; time <= observation.time; time += 1.7) {
+        size_t inside = 0, shown = 0;
+        for (size_t i = 0; i < house.person_count; i++)
+            inside += observation.people[i].time >= time;
+        film_show(film, time);
+        const char *text = "";
+        for (size_t p = 0; p < film_moving(film)->count; p++) {
+            const Primitive *primitive = &film_moving(film)->primitives[p];
+            shown += primitive->kind == PRIMITIVE_DISC ? primitive->count : 0;
+            text = primitive->kind == PRIMITIVE_LABEL ? primitive->text : text;
+        }
+        char expected[32];
+        snprintf(expected, sizeof expected, "EXIT e1: %zu", house.person_count - inside);
+        CHECK(shown == inside);
+        CHECK_TEXT(text, expected);
+    }
+    observation.people[0].exit = SIZE_MAX; /* by one that an edit has taken away since */
+    film_show(film, observation.time);
+    film_destroy(film);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+static Profile chair(void) {
+    return (Profile){.driving = DRIVING_DRIVER,
+                     .length = 1.1,
+                     .width = 0.63,
+                     .axle = 0.28,
+                     .corner_radius = 0.05,
+                     .space_reach = 0.3};
+}
+
+/* Points of the edge lie on the outline, and look straight out of it. */
+TEST(the_edge_is_the_outlines) {
+    Profile profiles[] = {chair(), chair()};
+    profiles[1].driving = DRIVING_MIURA;
+    for (int k = 0; k < 2; k++) {
+        EdgePoint edge[SILHOUETTE_EDGE];
+        Vec2 outline[SILHOUETTE_POINTS];
+        silhouette_edge(&profiles[k], vec2(3, 1), 0.7, edge);
+        silhouette_outline(&profiles[k], vec2(3, 1), 0.7, 0.3, outline);
+        for (int i = 0; i < SILHOUETTE_EDGE; i++) {
+            CHECK_NEAR(vec2_length(edge[i].normal), 1, 1e-12);
+            double out = silhouette_ray(outline, SILHOUETTE_POINTS, edge[i].at, edge[i].normal, 1);
+            CHECK(out <= 0.3 + 1e-9 && out > 0.3 - 0.02); /* the outline's corners are polygons */
+        }
+    }
+}
+
+/* In a corridor the space is as wide as the corridor, and in the open as wide as it reaches. */
+TEST(a_space_ends_at_the_wall) {
+    static const double widths[] = {0.7, 0.9, 1.1, 1.23, 1.5, 3};
+    for (size_t k = 0; k < sizeof widths / sizeof *widths; k++) {
+        House house;
+        case_made(&house, case_corridor(widths[k]), -1, NULL);
+        Profile profile = chair();
+        Scene scene = {0};
+        Standing standing = {.profile = &profile, .pose = {.at = {8, 0}}};
+        space_scene_add(&scene, &house, NULL, &standing, 1, 0);
+        Box box = box_empty();
+        for (size_t i = 0; i < scene.primitives[0].count; i++)
+            box = box_include(box, scene.primitives[0].points[i]);
+        CHECK_NEAR(box.high.y - box.low.y, fmin(widths[k], 0.63 + 0.6), 1e-6);
+        CHECK_NEAR(box.high.x - box.low.x, 1.1 + 0.6, 1e-6);
+        scene_clear(&scene);
+        house_free(&house);
+    }
+}
+
+/* Two side by side share the gap between them; people who run alone do not feel each other. */
+TEST(a_space_ends_at_somebody_elses_body) {
+    House house;
+    case_made(&house, case_corridor(5), -1, NULL);
+    Profile profile = chair();
+    static const struct {
+        double apart, edge;
+        size_t group;
+    } cases[] = {{0.8, 0.8 - 0.315, 0}, {0.8, 0.315 + 0.3, 1}, {0.62, 0.315, 0} /* one presses the other */};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        Scene scene = {0};
+        Standing all[] = {{.profile = &profile, .pose = {.at = {8, 0}}},
+                          {.profile = &profile, .pose = {.at = {8, cases[k].apart}}, .group = cases[k].group}};
+        space_scene_add(&scene, &house, NULL, all, 2, 0);
+        double highest = 0;
+        for (size_t i = 0; i < scene.primitives[0].count; i++)
+            if (fabs(scene.primitives[0].points[i].x - 8.2) < 0.3)
+                highest = fmax(highest, scene.primitives[0].points[i].y);
+        CHECK_NEAR(highest, cases[k].edge, 1e-6);
+        scene_clear(&scene);
+    }
+    house_free(&house);
+}
+
+/* At a door that is shut, and no longer there when it is open. */
+TEST(a_space_ends_at_a_shut_door) {
+    Shown shown;
+    show(&shown, "closed-door", (FilmOptions){.panels = 0});
+    const Plan *plan = &shown.house.plan;
+    const Wall *wall = &plan->walls[plan->doors[0].wall_index];
+    Vec2 from = wall->points.at[plan->doors[0].segment], to = wall->points.at[plan->doors[0].segment + 1];
+    for (int open = 0; open <= 1; open++) {
+        double beyond = 0;
+        film_show(shown.film, shown.observation.door_opened[0] + (open ? 0.5 : -0.5));
+        const Primitive *ring = find_ring(film_moving(shown.film), 0);
+        double own = vec2_cross(vec2_sub(to, from), vec2_sub(shown.house.people[0].at, from));
+        for (size_t i = 0; i < ring->count; i++) {
+            double across = vec2_cross(vec2_sub(to, from), vec2_sub(ring->points[i], from)) / vec2_distance(from, to);
+            beyond = fmax(beyond, own < 0 ? across : -across);
+        }
+        CHECK(open ? beyond > 0.1 : beyond <= 1e-9);
+    }
+    hide(&shown);
+}
+
+/* Every part of a figure lies within the body that the simulation knows. */
+TEST(a_figure_stays_within_its_body) {
+    Profile profiles[] = {chair(), chair(), chair()};
+    profiles[1].driving = DRIVING_MIURA;
+    profiles[2].length = 1.4;
+    profiles[2].width = 0.7;
+    profiles[2].axle = 0.4;
+    for (int k = 0; k < 3; k++) {
+        Scene scene = {0};
+        Vec2 outline[SILHOUETTE_POINTS];
+        Pose pose = {.at = {2, 3}, .heading = 1.1};
+        figure_add_chair(&scene, &profiles[k], pose, ROLE_CHAIR);
+        silhouette_outline(&profiles[k], pose.at, pose.heading, 0.02, outline);
+        Vec2 middle = silhouette_middle(&profiles[k], pose.at, pose.heading);
+        for (size_t p = 0; p < scene.count; p++)
+            for (size_t i = 0; i < scene.primitives[p].count; i++) {
+                Vec2 way = vec2_sub(scene.primitives[p].points[i], middle);
+                double edge = silhouette_ray(outline, SILHOUETTE_POINTS, middle, vec2_unit(way), 5);
+                CHECK(edge < 5 && vec2_length(way) <= edge);
+            }
+        scene_clear(&scene);
+    }
+}

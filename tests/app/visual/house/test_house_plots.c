@@ -1,0 +1,192 @@
+#include "check.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "case.h"
+#include "visual/house/house_plots.h"
+#include "visual/house/people_scene.h"
+
+static const PlotChoice ALL = {{0, 1, 2, 3, 4}, HOUSE_PLOTS_KNOWN};
+
+TEST(words_choose_plots_in_their_order_each_once) {
+    PlotChoice choice;
+    char fault[PLOT_CHOICE_FAULT];
+    CHECK(house_plots_choose(&choice, "phase,speed,phase", fault));
+    CHECK(choice.count == 2);
+    CHECK_TEXT(house_plots_name(choice.indices[0]), "phase");
+    CHECK_TEXT(house_plots_name(choice.indices[1]), "speed");
+    CHECK(house_plots_choose(&choice, "speed,clearance,force,ring,phase", fault));
+    CHECK(choice.count == HOUSE_PLOTS_KNOWN);
+}
+
+TEST(a_word_that_is_no_plot_is_named_with_those_that_are) {
+    static const char *const wrong[][2] = {{"speed,sped", "sped"}, {"", ""}, {"speed,", ""}, {"Speed", "Speed"}};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        PlotChoice choice = {{3}, 1};
+        char fault[PLOT_CHOICE_FAULT], expected[PLOT_CHOICE_FAULT];
+        CHECK(!house_plots_choose(&choice, wrong[i][0], fault));
+        snprintf(expected, sizeof expected, "no plot \"%s\": plots are speed, clearance, force, ring, phase",
+                 wrong[i][1]);
+        CHECK_TEXT(fault, expected);
+        CHECK(choice.count == 1 && choice.indices[0] == 3);
+    }
+}
+
+static const PlotSeries *find_series(const Plot *plot, const char *name) {
+    for (size_t s = 0; s < plot->series_count; s++)
+        if (plot->series[s].name && strcmp(plot->series[s].name, name) == 0)
+            return &plot->series[s];
+    return NULL;
+}
+
+TEST(each_route_has_its_line_as_on_the_plan_up_to_the_time_it_takes) {
+    House house;
+    case_house(&house, "ube-techno-house", -1, NULL);
+    Observation observation = case_run(&house, 1);
+    HousePlots plots = house_plots_make(&house, &observation, NULL, NULL, &ALL);
+    for (size_t p = 0; p < plots.choice.count; p++) {
+        const Plot *plot = &plots.plots[p];
+        bool force = strcmp(house_plots_name(plots.choice.indices[p]), "force") == 0; /* nobody touches anything */
+        CHECK(plot->series_count == 4 && (force ? plot->note && strcmp(plot->note, "no contact") == 0 : !plot->note));
+        for (size_t i = 0; i < house.person_count; i++) {
+            const PlotSeries *series = find_series(plot, house.people[i].route->id);
+            LocusLook look = people_scene_look(&house, i);
+            CHECK(series && series->role == look.role && series->style == look.style);
+            CHECK(series && series->count > 100);
+            if (series && p < 4)
+                CHECK_NEAR(plot_value(series, series->count - 1).x, observation.people[i].time, observation.sample);
+        }
+        CHECK_TEXT(plot->x.unit, p < 4 ? "s" : "m");
+    }
+    house_plots_free(&plots);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+TEST(plots_show_the_columns_of_the_trace_and_live_without_it) {
+    House house;
+    case_house(&house, "bedroom-after-earthquake", -1, NULL);
+    Observation observation = case_run(&house, 1);
+    size_t last = observation.trace.rows - 1;
+    double row[TRACE_COLUMNS];
+    memcpy(row, trace_row(&observation.trace, last), sizeof row);
+    HousePlots plots = house_plots_make(&house, &observation, NULL, NULL, &ALL);
+    observation_free(&observation);
+    static const size_t columns[HOUSE_PLOTS_KNOWN][2] = {{TRACE_TIME, TRACE_SPEED},
+                                                         {TRACE_TIME, TRACE_CLEARANCE},
+                                                         {TRACE_TIME, TRACE_BODY_FORCE},
+                                                         {TRACE_TIME, TRACE_RING},
+                                                         {TRACE_OFFSET, TRACE_OFFSET_RATE}};
+    for (size_t p = 0; p < HOUSE_PLOTS_KNOWN; p++) {
+        const PlotSeries *series = &plots.plots[p].series[0];
+        CHECK(series->count == last + 1);
+        CHECK_NEAR(plot_value(series, last).x, row[columns[p][0]], 0);
+        CHECK_NEAR(plot_value(series, last).y, row[columns[p][1]], 0);
+    }
+    CHECK(plots.plots[2].series_count == plots.plots[1].series_count); /* the body's forces alone */
+    house_plots_free(&plots);
+    house_free(&house);
+}
+
+TEST(points_until_a_time_are_those_at_or_before_it_also_where_time_is_no_axis) {
+    House house;
+    case_house(&house, "two-chairs-corridor", -1, NULL);
+    Observation observation = case_run(&house, 1);
+    HousePlots plots = house_plots_make(&house, &observation, NULL, NULL, &ALL);
+    const PlotSeries *speed = &plots.plots[0].series[1];
+    for (double time = -1; time < observation.time + 2; time += 0.37) {
+        size_t expected = 0;
+        while (expected < speed->count && plot_value(speed, expected).x <= time)
+            expected++;
+        for (size_t p = 0; p < HOUSE_PLOTS_KNOWN; p++)
+            CHECK(house_plots_until(&plots, p, 1, time) == expected);
+    }
+    CHECK(house_plots_until(&plots, 4, 0, plot_value(speed, 5).x) == 6);
+    house_plots_free(&plots);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+TEST(of_many_people_chairs_are_shown_first_and_it_is_said_of_how_many) {
+    json_t *plan = case_corridor(3);
+    House house;
+    for (int i = 0; i < 7; i++)
+        case_add_person(plan, "adult", 1.5 + i, i % 2 ? 0.9 : -0.9, 0);
+    case_add_person(plan, "manual-chair", 10, 0, 0);
+    case_add_person(plan, "manual-chair", 13, 0, 0);
+    case_made(&house, plan, -1, NULL);
+    Observation observation = case_run(&house, 1);
+    HousePlots plots = house_plots_make(&house, &observation, NULL, NULL, &ALL);
+    const Plot *plot = &plots.plots[0];
+    CHECK(plot->series_count == PEOPLE_SCENE_INDIVIDUALS);
+    CHECK_TEXT(plot->note, "6 of 9 people");
+    CHECK_TEXT(plot->series[0].name, "p8");
+    CHECK_TEXT(plot->series[1].name, "p9");
+    CHECK_TEXT(plot->series[2].name, "p1");
+    for (size_t a = 0; a < plot->series_count; a++)
+        for (size_t b = 0; b < a; b++)
+            CHECK(plot->series[a].role != plot->series[b].role || plot->series[a].width != plot->series[b].width);
+    house_plots_free(&plots);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+TEST(a_run_in_which_nobody_sets_off_says_so) {
+    House house;
+    case_house(&house, "flat-0.910-module", -1, NULL);
+    Observation observation = case_run(&house, 1);
+    HousePlots plots = house_plots_make(&house, &observation, NULL, NULL, &ALL);
+    CHECK_TEXT(plots.plots[0].note, "nobody sets off");
+    house_plots_free(&plots);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+static bool has_guide(const Plot *plot, const char *name, double at) {
+    for (size_t g = 0; g < plot->guide_count; g++)
+        if (plot->guides[g].name && strcmp(plot->guides[g].name, name) == 0 && plot->guides[g].at == at)
+            return true;
+    return false;
+}
+
+TEST(what_was_before_lies_below_dashed_and_has_one_name) {
+    House now, before;
+    case_house(&now, "two-chairs-corridor", -1, NULL);
+    case_house(&before, "two-chairs-corridor", -1, (const char *[]){"run.clearance_warning=0.11", NULL});
+    Observation first = case_run(&now, 1), second = case_run(&before, 1);
+    HousePlots plots = house_plots_make(&now, &first, &before, &second, &ALL);
+    const Plot *clearance = &plots.plots[1];
+    CHECK(clearance->series_count == 4);
+    CHECK_TEXT(clearance->series[0].name, "before");
+    CHECK(!clearance->series[1].name);
+    CHECK_TEXT(clearance->series[0].heading, "eastwards before");
+    CHECK_TEXT(clearance->series[1].heading, "westwards before");
+    for (int s = 0; s < 2; s++)
+        CHECK(clearance->series[s].role == ROLE_GHOST && clearance->series[s].style == LINE_DASHED);
+    CHECK(clearance->series[2].role != ROLE_GHOST && clearance->series[3].role != ROLE_GHOST);
+    CHECK(has_guide(clearance, "danger below", now.plan.run.clearance_warning));
+    CHECK(has_guide(&plots.plots[0], "free speed", now.people[0].speed));
+    CHECK(!has_guide(&plots.plots[2], "danger above", now.plan.run.force_warning));
+    house_plots_free(&plots);
+    observation_free(&first);
+    observation_free(&second);
+    house_free(&now);
+    house_free(&before);
+}
+
+TEST(a_house_without_people_has_empty_plots_and_a_record_with_its_columns) {
+    House house;
+    case_made(&house, case_corridor(2), -1, NULL);
+    Observation observation = case_run(&house, 1);
+    CHECK(observation.trace.width == TRACE_COLUMNS && observation.trace.rows == 0);
+    HousePlots plots = house_plots_make(&house, &observation, NULL, NULL, &ALL);
+    for (size_t p = 0; p < plots.choice.count; p++) {
+        CHECK(plots.plots[p].series_count == 0);
+        CHECK_TEXT(plots.plots[p].x.unit, p < 4 ? "s" : "m");
+        CHECK_TEXT(plots.plots[p].note, "nobody sets off");
+    }
+    house_plots_free(&plots);
+    observation_free(&observation);
+    house_free(&house);
+}

@@ -1,0 +1,128 @@
+#!/bin/sh
+# Holds what the architecture says of who may know whom, and that names and format are kept. Prints every breach.
+set -u
+cd "$(dirname "$0")/../.."
+breaches=$(mktemp)
+trap 'rm -f "$breaches"' EXIT
+
+# forbid WHY PATTERN FILES...: no line of the files may match
+forbid() {
+    why=$1
+    pattern=$2
+    shift 2
+    grep -nE "$pattern" "$@" /dev/null | sed "s/^/$why: /" >>"$breaches"
+}
+
+sources() {
+    find "$@" \( -name '*.c' -o -name '*.h' -o -name '*.cpp' \)
+}
+
+# Each folder, the lowest first, and the folders it may include beside its own and base. A name that ends in / stands for
+# all folders below it.
+floors() {
+    cat <<'END'
+engine/base         -
+engine/mechanics    -
+engine/plan         mechanics
+engine/space        mechanics plan
+engine/route        plan space
+engine/house        mechanics plan route space
+engine/inquiry      house plan space
+engine/beam         mechanics
+engine/study        -
+engine/experiment   beam house study
+engine/exchange     house mechanics plan space
+app/draw            -
+app/paint           draw
+app/plot            draw paint
+app/document        draw paint
+app/visual/study    exchange plot study
+app/visual/house    draw experiment house plan plot route space study visual/study
+app/visual/beam     beam draw exchange mechanics plot visual/house visual/study
+app/live            beam draw exchange house plot visual/beam visual/house
+app/live/house      draw house live live/edit plan visual/house
+app/live/edit       house inquiry live live/house plan
+app/live/beam       beam experiment live mechanics plot study visual/beam visual/study
+app/widgets         draw paint
+app/platform        draw paint plot
+app/window          draw live live/house paint platform plot widgets
+app/report          document exchange experiment house plan plot visual/
+app/command         beam document draw exchange experiment house inquiry live paint plan platform plot report study visual/ window
+END
+}
+
+# Every include stands in the table, and every folder with sources, too.
+check_floors() {
+    floors | while read -r folder allowed; do
+        pattern=base
+        for name in $allowed ${folder#*/}; do
+            pattern="$pattern|$name"
+            case $name in */) pattern="$pattern[a-z]*" ;; esac
+        done
+        grep -nE '^#include "[a-z]' "$folder"/*.[ch] "$folder"/*.cpp 2>/dev/null |
+            grep -vE "#include \"($pattern)/[a-z0-9_]+\.h\"" | sed "s|^|$folder may not include: |" >>"$breaches"
+    done
+    find engine app -mindepth 1 -type d | while read -r folder; do
+        ls "$folder"/*.c >/dev/null 2>&1 || continue
+        floors | grep -q "^$folder " || echo "not in the table of folders: $folder" >>"$breaches"
+    done
+}
+
+# shellcheck disable=SC2046 # file names have no spaces
+{
+    check_floors
+    forbid 'engine draws or has a window' '#include *<(SDL|cairo|pango|GL|EGL|glib)' $(sources engine)
+    forbid 'engine prints or exits' '(^|[^a-z_])(printf|puts|putchar|exit|abort) *\(' $(sources engine)
+    forbid 'OpenGL outside its painter and the window that has the context' '#include "paint/(gl|shaders)\.h"' \
+        $(sources engine app | grep -vE 'app/(paint/(gl|offscreen|paint_gl[a-z_]*|shaders)|platform/glass)\.[ch]')
+    forbid 'SDL outside the window' '#include *[<"]SDL' $(sources app | grep -vE 'app/(window|platform)/')
+    forbid 'Dear ImGui outside the pencil of the widgets' '#include *[<"](imgui|imstb)' $(sources engine app | grep -v app/widgets/ui.cpp)
+    forbid 'widgets from inside' '#include "widgets/ui_inside\.h"' $(sources app | grep -vE 'app/widgets/')
+    forbid 'Box2D outside its adaptor' 'box2d/' $(sources engine app | grep -v mechanics/broadphase.cpp)
+    forbid 'LAPACK outside the beam' '#include *<lapacke' $(sources engine app | grep -v engine/beam/)
+    forbid 'FFTW outside the spectrum' '#include *<fftw' $(sources engine app | grep -v mechanics/spectrum.c)
+    forbid 'zip files and XML outside the homes' '#include *<(zip|expat)' $(sources engine app | grep -v exchange/sh3d_home.c)
+    forbid 'GEOS outside what unites, reads and writes areas' '#include *<geos' \
+        $(sources engine app | grep -vE '(app/paint/tessellation|engine/(space/solids|exchange/(jupedsim|wkt)))\.[ch]')
+    forbid 'an importer outside the table of them' '#include "exchange/(sh3d|dxf|wkt|vadere|house_builder|house_finish|wall_chains)' \
+        $(sources engine app | grep -v engine/exchange/)
+    forbid 'memory outside memory.c' '(^|[^a-z_])(malloc|calloc|realloc) *\(' $(sources engine app | grep -v base/memory.c)
+}
+
+# An exported function's name begins with its module's, the file's name; in a folder that is one module of several files
+# (widgets) with the module's.
+for source in $(find engine app -name '*.c' -o -name '*.cpp'); do
+    module=$(basename "$source")
+    module=${module%.c*}
+    case $source in app/widgets/*) module=ui ;; app/main.c) continue ;; esac
+    library=${source%%/*}
+    object="${1:-build-test}/$library/libclearance_$library.a.p/$(echo "${source#*/}" | tr / _).o"
+    nm --defined-only -g "$object" | awk '$2 == "T" { print $3 }' | while read -r name; do
+        case $name in
+        "$module"_* | "${module%s}"_*) ;;
+        *)
+            # memory.c has the arena, and a verb's file command_VERB
+            case $source/$name in
+            engine/base/memory.c/arena_* | app/command/"$module".c/command_"$module") ;;
+            *) echo "exported name: $name in $source does not begin with $module" >>"$breaches" ;;
+            esac
+            ;;
+        esac
+    done
+done
+
+# Each header compiles alone.
+for header in $(find engine app -name '*.h'); do
+    echo "#include \"${header#*/}\"" | cc -std=gnu11 -D_GNU_SOURCE -fsyntax-only -Iengine -Iapp \
+        $(pkg-config --cflags pangocairo jansson) -xc - 2>/dev/null || echo "header does not compile alone: $header" >>"$breaches"
+done
+
+if command -v clang-format >/dev/null; then
+    # shellcheck disable=SC2046
+    clang-format --dry-run $(sources engine app tests) 2>&1 | grep 'warning:' | sed 's/^/format: /' >>"$breaches"
+fi
+
+sort -u "$breaches"
+count=$(sort -u "$breaches" | wc -l)
+echo "layers: $count breaches"
+[ "$count" -eq 0 ]
