@@ -28,7 +28,7 @@ typedef struct Paths {
 
 static void add_path(Paths *paths, const char *directory, const char *name) {
     size_t size = strlen(directory) + strlen(name) + 2;
-    char *path = memory_allocate(size, 1);
+    char *path = memory_zeroed(size, 1);
     snprintf(path, size, "%s%s%s", directory, *directory ? "/" : "", name);
     paths->at = memory_reserve(paths->at, &paths->capacity, paths->count + 1, sizeof *paths->at);
     paths->at[paths->count++] = path;
@@ -60,7 +60,7 @@ static void find_files(Paths *paths, const char *file, Fault *fault) {
 }
 
 static Verification *read_cases(const Paths *paths, Fault *fault) {
-    Verification *cases = memory_allocate(paths->count, sizeof *cases);
+    Verification *cases = memory_zeroed(paths->count, sizeof *cases);
     for (size_t i = 0; i < paths->count; i++) {
         size_t before = fault->total;
         verification_read(&cases[i], paths->at[i], fault);

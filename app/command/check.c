@@ -67,7 +67,7 @@ static Observation observation_of_routes(const House *house, const Journeys *jou
     static const Reason reasons[] = {
         [ROUTE_FOUND] = REASON_NONE, [ROUTE_CANNOT_PASS] = REASON_CANNOT_PASS, [ROUTE_NO_EXIT] = REASON_NO_EXIT};
     Observation observation = {
-        .people = memory_allocate(house->person_count, sizeof *observation.people),
+        .people = memory_zeroed(house->person_count, sizeof *observation.people),
         .person_count = house->person_count,
     };
     for (size_t i = 0; i < house->person_count; i++) {

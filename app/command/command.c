@@ -175,8 +175,8 @@ static int run_verb(const Verb *verb, int argc, char **argv, int first) {
                        .camera = {.azimuth = VIEW_AZIMUTH, .elevation = VIEW_ELEVATION, .zoom = 1}};
     options.arguments = argv;
     options.argument_count = argc;
-    options.settings = memory_allocate((size_t)argc, sizeof *options.settings);
-    options.files = memory_allocate((size_t)argc, sizeof *options.files);
+    options.settings = memory_zeroed((size_t)argc, sizeof *options.settings);
+    options.files = memory_zeroed((size_t)argc, sizeof *options.files);
     int code = 0;
     for (int i = first; i < argc && !code; i++) {
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {

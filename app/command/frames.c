@@ -61,7 +61,7 @@ static bool write_raised(Studio *studio, double time) {
     const Options *options = studio->options;
     char path[OUTPUT_PATH];
     snprintf(path, sizeof path, "%s/raised.png", options->out);
-    unsigned char *pixels = memory_allocate((size_t)options->width * (size_t)options->height, 4);
+    unsigned char *pixels = memory_zeroed((size_t)options->width * (size_t)options->height, 4);
     studio_draw(studio, time, pixels);
     int error = png_write(path, pixels, options->width, options->height);
     if (error)
@@ -118,7 +118,7 @@ bool frames_draw_raised(const House *house, const Observation *observation, cons
     Studio studio;
     bool good = studio_open(&studio, &filmed, &own);
     if (good) {
-        *picture = (RaisedPicture){memory_allocate((size_t)own.width * (size_t)own.height, 4), own.width, own.height};
+        *picture = (RaisedPicture){memory_zeroed((size_t)own.width * (size_t)own.height, 4), own.width, own.height};
         studio_draw(&studio, observation->time, picture->pixels);
         studio_close(&studio);
     }

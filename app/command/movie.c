@@ -70,7 +70,7 @@ static int start(Movie *movie, int reading, int width, int height, double fps) {
 }
 
 Movie *movie_begin(const char *path, int width, int height, double fps) {
-    Movie *movie = memory_allocate(1, sizeof *movie);
+    Movie *movie = memory_zeroed(1, sizeof *movie);
     int ends[2];
     *movie = (Movie){.path = path, .picture = (size_t)width * (size_t)height * 4};
     name_beside(movie->beside, path);

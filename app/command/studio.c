@@ -118,7 +118,7 @@ static void remove_later_frames(const char *out, size_t count) {
 static bool write_frames(Studio *studio, const StudioTimes *times, PngWriter *writer, Movie *movie) {
     const Options *options = studio->options;
     bool shown = command_shows_progress(options);
-    unsigned char *own = writer ? NULL : memory_allocate((size_t)options->width * (size_t)options->height, 4);
+    unsigned char *own = writer ? NULL : memory_zeroed((size_t)options->width * (size_t)options->height, 4);
     int error = 0;
     size_t done = 0;
     for (; done < times->count && !error && !command_interrupted; done++) {

@@ -105,7 +105,7 @@ static void print_table_head(const Study *study, const StudyLaboratory *laborato
 }
 
 void study_table_print(const Study *study, const StudyLaboratory *laboratory) {
-    bool *chosen = memory_allocate(study_steps(study, 0), sizeof *chosen);
+    bool *chosen = memory_zeroed(study_steps(study, 0), sizeof *chosen);
     choose_rows(study, chosen);
     print_table_head(study, laboratory);
     for (size_t i = 0; i < study_steps(study, 0); i++)

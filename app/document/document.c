@@ -154,7 +154,7 @@ static void release_scene(void *context) {
 }
 
 void document_add_scene(Document *document, Scene *scene, Vec2 size, const char *caption, const char *alternative) {
-    Scene *kept = memory_allocate(1, sizeof *kept);
+    Scene *kept = memory_zeroed(1, sizeof *kept);
     *kept = *scene;
     *scene = (Scene){0};
     document_add_picture(document, paint_scene, kept, size, caption, alternative)->release = release_scene;

@@ -314,7 +314,7 @@ static cairo_status_t keep_bytes(void *context, const unsigned char *data, unsig
 
 /* The first time pages are counted and headings found, the second time they are painted. */
 static int paint_pages(Bytes *bytes, const Document *document, time_t created) {
-    Press press = {.document = document, .page_of = memory_allocate(document->count, sizeof *press.page_of)};
+    Press press = {.document = document, .page_of = memory_zeroed(document->count, sizeof *press.page_of)};
     set_all(&press);
     press.surface = cairo_pdf_surface_create_for_stream(keep_bytes, bytes, SHEET_PAPER_WIDTH, SHEET_PAPER_HEIGHT);
     describe(press.surface, document, created);

@@ -60,7 +60,7 @@ static void keep_short(double *least, const double *most, size_t count, double r
 static void set_columns(Setting *setting) {
     const Table *table = setting->table;
     size_t count = table->column_count;
-    double *least = memory_allocate(count, sizeof *least), *most = memory_allocate(count, sizeof *most);
+    double *least = memory_zeroed(count, sizeof *least), *most = memory_zeroed(count, sizeof *most);
     double room = SHEET_WIDTH - CELL_GAP * (double)(count - 1), sum_least = 0, sum_most = 0;
     for (size_t c = 0; c < count; c++) {
         measure_column(table, c, &least[c], &most[c]);
@@ -132,8 +132,8 @@ static void set_caption(Sheet *sheet, const Table *table) {
 
 static Setting make_setting(const Table *table) {
     Setting setting = {.table = table,
-                       .widths = memory_allocate(table->column_count, sizeof *setting.widths),
-                       .lefts = memory_allocate(table->column_count, sizeof *setting.lefts)};
+                       .widths = memory_zeroed(table->column_count, sizeof *setting.widths),
+                       .lefts = memory_zeroed(table->column_count, sizeof *setting.lefts)};
     set_columns(&setting);
     return setting;
 }

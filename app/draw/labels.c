@@ -33,7 +33,7 @@ void labels_shape(Caption *caption, LabelShape shape, Role fill) {
 
 /* The points of a primitive at its highest. */
 static Vec2 *to_page(const Layout *layout, const Primitive *primitive) {
-    Vec2 *page = memory_allocate(primitive->count, sizeof *page);
+    Vec2 *page = memory_zeroed(primitive->count, sizeof *page);
     for (size_t i = 0; i < primitive->count; i++)
         page[i] = layout_raised(layout, primitive->points[i], primitive->base + primitive->height);
     return page;

@@ -12,7 +12,7 @@ void mask_init(Mask *mask, Box box) {
     mask->box = box;
     mask->nx = (int)fmax(1, ceil(box_width(box) / CELL));
     mask->ny = (int)fmax(1, ceil(box_height(box) / CELL));
-    mask->weights = memory_allocate((size_t)mask->nx * (size_t)mask->ny, sizeof *mask->weights);
+    mask->weights = memory_zeroed((size_t)mask->nx * (size_t)mask->ny, sizeof *mask->weights);
 }
 
 void mask_clear(Mask *mask) {
@@ -67,7 +67,7 @@ static size_t crossings_at(double y, const Vec2 *points, const size_t *starts, s
 }
 
 void mask_mark_rings(Mask *mask, const Vec2 *points, const size_t *starts, size_t ring_count, double weight) {
-    double *crossings = memory_allocate(starts[ring_count], sizeof *crossings);
+    double *crossings = memory_zeroed(starts[ring_count], sizeof *crossings);
     for (int y = 0; y < mask->ny; y++) {
         double middle = mask->box.low.y + (y + 0.5) * CELL;
         size_t count = crossings_at(middle, points, starts, ring_count, crossings);

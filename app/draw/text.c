@@ -13,7 +13,7 @@ static bool is_plain(gunichar code) {
 
 char *text_plain(const char *words) {
     char *valid = g_utf8_make_valid(words, -1);
-    char *copy = memory_allocate(3 * strlen(valid) + 1, 1), *to = copy; /* a replacement has three bytes */
+    char *copy = memory_zeroed(3 * strlen(valid) + 1, 1), *to = copy; /* a replacement has three bytes */
     for (const char *at = valid; *at; at = g_utf8_next_char(at)) {
         gunichar code = g_utf8_get_char(at);
         to += g_unichar_to_utf8(is_plain(code) ? code : code == '\t' ? ' ' : 0xfffd, to);

@@ -37,7 +37,7 @@ bool live_save_house(const char *text, const char *path, Fault *fault) {
 }
 
 bool live_save_beam(const char *const *words, size_t count, const char *path, Fault *fault) {
-    const char **settings = memory_allocate(count, sizeof *settings);
+    const char **settings = memory_zeroed(count, sizeof *settings);
     size_t setting_count = list_settings(words, count, settings);
     Beam beam = {0};
     bool good = !is_there(path, fault) && beam_read(&beam, words[FILE_WORD], settings, setting_count, fault) &&

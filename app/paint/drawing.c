@@ -208,8 +208,8 @@ size_t drawing_circle_corners(double radius) {
 static void add_discs_by_corners(const Sheet *sheet) {
     const Primitive *discs = sheet->primitive;
     size_t corners = drawing_circle_corners(discs->radius * sheet->layout->metre * sheet->drawing->unit);
-    Vec2 *points = memory_allocate(discs->count * corners, sizeof *points);
-    size_t *starts = memory_allocate(discs->count + 1, sizeof *starts);
+    Vec2 *points = memory_zeroed(discs->count * corners, sizeof *points);
+    size_t *starts = memory_zeroed(discs->count + 1, sizeof *starts);
     for (size_t i = 0; i < discs->count * corners; i++) {
         double turn = -2 * M_PI * (double)(i % corners) / (double)corners;
         points[i] = vec2_along(discs->points[i / corners], discs->radius, vec2_heading(turn));

@@ -167,7 +167,7 @@ static void add_upright_edges(const Solid *solid, const Vec2 *ring, size_t count
 }
 
 static void add_ring_edges(const Solid *solid, const Vec2 *ring, size_t count) {
-    InkPoint *points = memory_allocate(count, sizeof *points);
+    InkPoint *points = memory_zeroed(count, sizeof *points);
     for (size_t i = 0; i < count; i++)
         points[i] = solid_point(solid, ring[i], solid_top(solid));
     add_edge(solid, points, count, true, edge_pen(solid));
@@ -213,7 +213,7 @@ static void add_sheet(const Solid *solid) {
     filled.fill = line->edge;
     filled.fill_opacity = line->edge_opacity;
     faces.primitive = &filled;
-    InkPoint *points = memory_allocate(line->count, sizeof *points);
+    InkPoint *points = memory_zeroed(line->count, sizeof *points);
     for (size_t i = 0; i < line->count; i++) {
         points[i] = solid_point(solid, line->points[i], solid_top(solid));
         if (i + 1 == line->count)

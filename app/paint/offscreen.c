@@ -167,7 +167,7 @@ Offscreen *offscreen_create(OffscreenKind kind, char message[OFFSCREEN_MESSAGE])
         snprintf(message, OFFSCREEN_MESSAGE, "cannot draw: %s is \"%.40s\": osmesa or egl", OFFSCREEN_VARIABLE, name);
         return NULL;
     }
-    Offscreen *offscreen = memory_allocate(1, sizeof *offscreen);
+    Offscreen *offscreen = memory_zeroed(1, sizeof *offscreen);
     if (kind != OFFSCREEN_EGL && osmesa_begin(offscreen)) {
         offscreen->kind = OFFSCREEN_OSMESA;
         return offscreen;

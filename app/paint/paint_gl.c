@@ -80,7 +80,7 @@ static void make_programs(PaintGl *paint) {
 }
 
 PaintGl *paint_gl_create(const Gl *gl, int width, int height, double unit, Theme theme) {
-    PaintGl *paint = memory_allocate(1, sizeof *paint);
+    PaintGl *paint = memory_zeroed(1, sizeof *paint);
     *paint = (PaintGl){.gl = gl, .width = width, .height = height};
     paint->drawing.theme = theme;
     paint->drawing.unit = unit;

@@ -36,7 +36,7 @@ static void make_buffers(PaintGlScreen *screen) {
 
 PaintGlScreen *paint_gl_screen_create(const Gl *gl) {
     static const char *const attributes[] = {"at", "rgba", NULL};
-    PaintGlScreen *screen = memory_allocate(1, sizeof *screen);
+    PaintGlScreen *screen = memory_zeroed(1, sizeof *screen);
     *screen = (PaintGlScreen){.gl = gl};
     screen->program = gl_program(gl, shaders_screen_vertex, shaders_screen_fragment, attributes);
     screen->canvas = gl->GetUniformLocation(screen->program, "canvas");
@@ -109,7 +109,7 @@ void paint_gl_screen_read(PaintGlScreen *screen, unsigned char *pixels) {
     size_t stride = 4 * (size_t)screen->width, height = (size_t)screen->height;
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, screen->framebuffer);
     gl->ReadPixels(0, 0, screen->width, screen->height, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels);
-    unsigned char *row = memory_allocate(1, stride);
+    unsigned char *row = memory_zeroed(1, stride);
     for (size_t i = 0; i < height / 2; i++) {
         unsigned char *upper = pixels + i * stride, *lower = pixels + (height - 1 - i) * stride;
         memcpy(row, upper, stride);

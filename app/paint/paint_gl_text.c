@@ -62,7 +62,7 @@ static void make_texture(PaintGlText *text) {
 
 PaintGlText *paint_gl_text_create(const Gl *gl, int width, int height, double unit) {
     static const char *const attributes[] = {"at", "rgba", NULL};
-    PaintGlText *text = memory_allocate(1, sizeof *text);
+    PaintGlText *text = memory_zeroed(1, sizeof *text);
     *text = (PaintGlText){.gl = gl,
                           .unit = unit,
                           .width = width > SMALLEST ? width : SMALLEST,

@@ -102,14 +102,14 @@ static void *write_slots(void *context) {
 }
 
 PngWriter *png_writer_create(int width, int height, int threads) {
-    PngWriter *writer = memory_allocate(1, sizeof *writer);
+    PngWriter *writer = memory_zeroed(1, sizeof *writer);
     *writer = (PngWriter){.width = width, .height = height, .slot_count = (size_t)(SLOTS_PER_THREAD * threads + 1)};
     pthread_mutex_init(&writer->lock, NULL);
     pthread_cond_init(&writer->changed, NULL);
-    writer->slots = memory_allocate(writer->slot_count, sizeof *writer->slots);
+    writer->slots = memory_zeroed(writer->slot_count, sizeof *writer->slots);
     for (size_t i = 0; i < writer->slot_count; i++)
-        writer->slots[i].pixels = memory_allocate((size_t)width * (size_t)height, 4);
-    writer->threads = memory_allocate((size_t)threads, sizeof *writer->threads);
+        writer->slots[i].pixels = memory_zeroed((size_t)width * (size_t)height, 4);
+    writer->threads = memory_zeroed((size_t)threads, sizeof *writer->threads);
     for (int i = 0; i < threads; i++)
         if (pthread_create(&writer->threads[writer->thread_count], NULL, write_slots, writer) == 0)
             writer->thread_count++;

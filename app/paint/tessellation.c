@@ -139,7 +139,7 @@ static void add_rings(Tessellation *tessellation, const Vec2 *points, const size
     if (!tessellation->geos)
         tessellation->geos = GEOS_init_r();
     GEOSContextHandle_t geos = tessellation->geos;
-    GEOSGeometry **areas = memory_allocate(ring_count, sizeof *areas);
+    GEOSGeometry **areas = memory_zeroed(ring_count, sizeof *areas);
     size_t count = 0;
     for (size_t r = 0; r < ring_count; r++) {
         size_t size = starts[r + 1] - starts[r];

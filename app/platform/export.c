@@ -133,7 +133,7 @@ struct Export {
 
 /* The words, and the environment with what makes it tell progress; memory_free both. */
 static char **make_words(const ExportOrder *order) {
-    char **words = memory_allocate(order->word_count + order->option_count + 6, sizeof *words), **end = words;
+    char **words = memory_zeroed(order->word_count + order->option_count + 6, sizeof *words), **end = words;
     *end++ = (char *)"clearance";
     for (size_t i = 0; i < order->word_count; i++)
         *end++ = (char *)order->words[i];
@@ -156,7 +156,7 @@ static char **make_environment(void) {
     size_t count = 0;
     while (environ[count])
         count++;
-    char **copy = memory_allocate(count + 2, sizeof *copy);
+    char **copy = memory_zeroed(count + 2, sizeof *copy);
     memcpy(copy, environ, count * sizeof *copy);
     copy[count] = (char *)"CLEARANCE_PROGRESS=1";
     return copy;
@@ -189,7 +189,7 @@ static int spawn(Export *export, const ExportOrder *order, int writing) {
 
 Export *export_begin(const ExportOrder *order, Fault *fault) {
     int ends[2], error = pipe2(ends, O_CLOEXEC) ? errno : 0;
-    Export *export = memory_allocate(1, sizeof *export);
+    Export *export = memory_zeroed(1, sizeof *export);
     if (!error) {
         error = spawn(export, order, ends[1]);
         close(ends[1]);

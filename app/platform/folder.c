@@ -94,7 +94,7 @@ static int by_kind_and_name(const void *a, const void *b) {
 }
 
 static void read_entries(Folder *folder, DIR *stream) {
-    folder->entries = memory_allocate(FOLDER_MOST + 1, sizeof *folder->entries);
+    folder->entries = memory_zeroed(FOLDER_MOST + 1, sizeof *folder->entries);
     add_above(folder);
     for (struct dirent *entry; (entry = readdir(stream));) {
         FolderKind kind;

@@ -60,7 +60,7 @@ static bool open_window(Glass *glass, int width, int height, Fault *fault) {
 }
 
 Glass *glass_create(int width, int height, Fault *fault) {
-    Glass *glass = memory_allocate(1, sizeof *glass);
+    Glass *glass = memory_zeroed(1, sizeof *glass);
     if (open_window(glass, width, height, fault))
         return glass;
     glass_destroy(glass);

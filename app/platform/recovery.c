@@ -61,7 +61,7 @@ Recovery *recovery_create(void) {
         memory_free(folder);
         return NULL;
     }
-    Recovery *recovery = memory_allocate(1, sizeof *recovery);
+    Recovery *recovery = memory_zeroed(1, sizeof *recovery);
     snprintf(name, sizeof name, "%ld-%llu", (long)getpid(), began((long)getpid()));
     *recovery = (Recovery){folder, join(folder, name, ".json"), join(folder, name, ".about")};
     return recovery;
@@ -135,7 +135,7 @@ static bool ends_with(const char *name, const char *ending, size_t *stem) {
 }
 
 static RecoveryFound found_of(const Recovery *recovery, const char *name, size_t stem) {
-    char *begin = memory_allocate(stem + 1, 1);
+    char *begin = memory_zeroed(stem + 1, 1);
     memcpy(begin, name, stem);
     RecoveryFound found = {.path = join(recovery->folder, begin, ".json"),
                            .about_path = join(recovery->folder, begin, ".about")};
@@ -151,7 +151,7 @@ static int by_time(const void *a, const void *b) {
 }
 
 RecoveryFound *recovery_find(const Recovery *recovery, size_t *count) {
-    RecoveryFound *found = memory_allocate(FOUND_MOST, sizeof *found);
+    RecoveryFound *found = memory_zeroed(FOUND_MOST, sizeof *found);
     DIR *folder = opendir(recovery->folder);
     const struct dirent *entry;
     size_t stem;

@@ -183,7 +183,7 @@ void settings_open(Settings *settings, Fault *notes) {
 static int write_object(const char *path, json_t *object) {
     if (!path)
         return ENOENT;
-    char *slash = strrchr(path, '/'), *folder = memory_allocate(strlen(path) + 1, 1);
+    char *slash = strrchr(path, '/'), *folder = memory_zeroed(strlen(path) + 1, 1);
     memcpy(folder, path, (size_t)(slash - path));
     int error = text_make_folder(folder);
     memory_free(folder);

@@ -48,7 +48,7 @@ static void play(void *context, Uint8 *stream, int bytes) {
 }
 
 Sound *sound_open(char message[SOUND_MESSAGE]) {
-    Sound *sound = memory_allocate(1, sizeof *sound);
+    Sound *sound = memory_zeroed(1, sizeof *sound);
     SDL_AudioSpec wanted = {.freq = SOUND_RATE,
                             .format = AUDIO_F32SYS,
                             .channels = 1,

@@ -53,14 +53,14 @@ static void paint_ground(PlotCanvas *canvas) {
 
 PlotCanvas *plot_canvas_create(const Plot *plot, int width, int height, double unit, Theme theme) {
     assert(width > 0 && height > 0 && unit > 0);
-    PlotCanvas *canvas = memory_allocate(1, sizeof *canvas);
+    PlotCanvas *canvas = memory_zeroed(1, sizeof *canvas);
     *canvas = (PlotCanvas){.plot = plot, .unit = unit, .theme = theme, .width = width, .height = height};
     canvas->pen_count = plot->series_count;
-    canvas->pens = memory_allocate(canvas->pen_count, sizeof *canvas->pens);
-    canvas->ink = memory_allocate(canvas->pen_count * pixel_count(canvas), 1);
-    canvas->ground = memory_allocate(pixel_count(canvas), sizeof *canvas->ground);
-    canvas->words = memory_allocate(pixel_count(canvas), sizeof *canvas->words);
-    canvas->pixels = memory_allocate(pixel_count(canvas), sizeof *canvas->pixels);
+    canvas->pens = memory_zeroed(canvas->pen_count, sizeof *canvas->pens);
+    canvas->ink = memory_zeroed(canvas->pen_count * pixel_count(canvas), 1);
+    canvas->ground = memory_zeroed(pixel_count(canvas), sizeof *canvas->ground);
+    canvas->words = memory_zeroed(pixel_count(canvas), sizeof *canvas->words);
+    canvas->pixels = memory_zeroed(pixel_count(canvas), sizeof *canvas->pixels);
     canvas->sheet = cairo_image_surface_create(CAIRO_FORMAT_A8, width, height);
     canvas->cairo = cairo_create(canvas->sheet);
     cairo_scale(canvas->cairo, unit, unit);

@@ -19,7 +19,7 @@ enum { GUIDE_PLACES = 13 /* that are tried along a guide, on either side */ };
 
 /* The points of a series on the page, about STRIDE apart; where it is broken there is a NAN. `*count` of them. */
 static Vec2 *series_points(const PlotLayout *layout, const PlotSeries *series, size_t *count) {
-    Vec2 *points = memory_allocate(series->count + 1, sizeof *points);
+    Vec2 *points = memory_zeroed(series->count + 1, sizeof *points);
     *count = 0;
     for (size_t i = 0; i < series->count; i++) {
         Vec2 value = plot_value(series, i);
@@ -237,7 +237,7 @@ void plot_names_classes(PlotLayout *layout, const Plot *plot) {
     const PlotRaster *raster = plot->raster;
     if (!raster || !raster->classes)
         return;
-    size_t *sides = memory_allocate(raster->columns, sizeof *sides);
+    size_t *sides = memory_zeroed(raster->columns, sizeof *sides);
     for (size_t c = 0; c < raster->class_count; c++) {
         Square square = largest_square(raster, (double)c, sides);
         if (square.side && raster->classes[c].mark)

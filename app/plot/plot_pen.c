@@ -197,7 +197,7 @@ static bool take_place(PlotPen *pen, const Layout *sheet, Vec2 at, double size) 
         return false;
     size_t columns = (size_t)(extent.x / pen->grain) + 1, rows = (size_t)(extent.y / pen->grain) + 1;
     if (!pen->taken)
-        pen->taken = memory_allocate(columns * rows / 8 + 1, 1);
+        pen->taken = memory_zeroed(columns * rows / 8 + 1, 1);
     size_t column = (size_t)((at.x - frame.low.x) / pen->grain), row = (size_t)((at.y - frame.low.y) / pen->grain);
     size_t place = row * columns + column;
     unsigned char bit = (unsigned char)(1 << place % 8);

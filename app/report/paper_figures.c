@@ -50,7 +50,7 @@ static const Plot *find_study_plot(const StudyPlots *plots, const char *name) {
 }
 
 PaperFigures *paper_figures_make(const Paper *paper) {
-    PaperFigures *figures = memory_allocate(1, sizeof *figures);
+    PaperFigures *figures = memory_zeroed(1, sizeof *figures);
     char fault[PLOT_CHOICE_FAULT];
     PlotChoice choice;
     bool known = beam_plots_choose(&choice, BEAM_PLOTS_WORDS, fault);

@@ -63,7 +63,7 @@ void report_motion_add_curves(Document *document, const Reported *run, const Rep
         char fault[PLOT_CHOICE_FAULT];
         PlotChoice choice;
         house_plots_choose(&choice, curves[c].name, fault);
-        HousePlots *plots = memory_allocate(1, sizeof *plots);
+        HousePlots *plots = memory_zeroed(1, sizeof *plots);
         *plots = house_plots_make(run->house, run->observation, before->house, before->observation, &choice);
         if (c % 2 == 0)
             document_add_figures(document);

@@ -99,7 +99,7 @@ static void add_people(Document *document, const ShakeFindings *findings) {
 }
 
 static void add_times(Document *document, const ShakeFindings *findings) {
-    Curve *curve = memory_allocate(1, sizeof *curve);
+    Curve *curve = memory_zeroed(1, sizeof *curve);
     if (!shake_plots_times(&curve->plot, findings, &curve->arena)) {
         release_curve(curve);
         return;

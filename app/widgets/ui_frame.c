@@ -7,7 +7,7 @@
 #define TWICE_REACH 5.0 /* design points */
 
 Ui *ui_create(PaintGlScreen *screen, Theme theme, UiClipboard clipboard) {
-    Ui *ui = memory_allocate(1, sizeof *ui);
+    Ui *ui = memory_zeroed(1, sizeof *ui);
     ui->pencil = ui_pencil_create(screen);
     ui->theme = theme;
     ui->clipboard = clipboard;

@@ -23,7 +23,7 @@ UiPlace *ui_pane_find(const Ui *ui, UiId id) {
 }
 
 static UiPlace *make_place(Ui *ui, UiId id, const char *name) {
-    UiPlace *place = memory_allocate(1, sizeof *place);
+    UiPlace *place = memory_zeroed(1, sizeof *place);
     place->id = id;
     place->name = text_copy(name);
     ui->places = memory_reserve(ui->places, &ui->place_capacity, ui->place_count + 1, sizeof *ui->places);

@@ -103,7 +103,7 @@ static SnapshotNote note_of(const Room *room) {
 
 static char *write_view(Room *room, const char *folder, const char *name, Fault *fault) {
     const Scenery *scenery = &room->scenery;
-    unsigned char *pixels = memory_allocate((size_t)scenery->width * (size_t)scenery->height, 4);
+    unsigned char *pixels = memory_zeroed((size_t)scenery->width * (size_t)scenery->height, 4);
     paint_gl_read(scenery->paint, pixels);
     LiveSpan span = room->kind->span(room->live);
     room->kind->show(room->live, span.begin);

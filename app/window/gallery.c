@@ -89,7 +89,7 @@ static bool read_cached(const char *path, unsigned char *pixels) {
 
 /* NULL: *fault says why. */
 static unsigned char *picture_of(const Gallery *gallery, const char *path, Theme theme, Fault *fault) {
-    unsigned char *pixels = memory_allocate(GALLERY_HEIGHT, STRIDE);
+    unsigned char *pixels = memory_zeroed(GALLERY_HEIGHT, STRIDE);
     char *cached = cached_path(gallery, path, theme);
     Thumbnail thumbnail;
     bool good = cached && read_cached(cached, pixels);
@@ -226,13 +226,13 @@ static void add_folder(Gallery *gallery, const char *path, FolderKind kind) {
 }
 
 Gallery *gallery_create(Theme theme) {
-    Gallery *gallery = memory_allocate(1, sizeof *gallery);
+    Gallery *gallery = memory_zeroed(1, sizeof *gallery);
     gallery->theme = theme;
     gallery->cache = settings_cache_folder();
     add_folder(gallery, shipped_places()->houses, FOLDER_HOUSE);
     add_folder(gallery, shipped_places()->beams, FOLDER_BEAM);
-    gallery->shown = memory_allocate(gallery->count + 1, sizeof *gallery->shown);
-    gallery->found = memory_allocate(gallery->count + 1, sizeof *gallery->found);
+    gallery->shown = memory_zeroed(gallery->count + 1, sizeof *gallery->shown);
+    gallery->found = memory_zeroed(gallery->count + 1, sizeof *gallery->found);
     pthread_mutex_init(&gallery->lock, NULL);
     pthread_cond_init(&gallery->changed, NULL);
     gallery->runs = pthread_create(&gallery->thread, NULL, work, gallery) == 0;

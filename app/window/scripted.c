@@ -11,7 +11,7 @@
 #include "window/scripted_state.h"
 
 bool scripted_open(Scripted *scripted, const char *path, Fault *fault) {
-    *scripted = (Scripted){.events = memory_allocate(SCRIPTED_EVENTS, sizeof *scripted->events)};
+    *scripted = (Scripted){.events = memory_zeroed(SCRIPTED_EVENTS, sizeof *scripted->events)};
     if (script_read(&scripted->script, path, fault))
         return true;
     scripted_close(scripted);
@@ -92,7 +92,7 @@ static void say_error(Window *window, const char *path, int error) {
 }
 
 static void write_picture(Window *window, const char *path) {
-    unsigned char *pixels = memory_allocate((size_t)window->width * (size_t)window->height, 4);
+    unsigned char *pixels = memory_zeroed((size_t)window->width * (size_t)window->height, 4);
     paint_gl_screen_read(window->screen, pixels);
     say_error(window, path, snapshot_pixels(path, pixels, window->width, window->height));
     memory_free(pixels);
@@ -102,7 +102,7 @@ static void write_view(Window *window, const char *path) {
     const Scenery *scenery = &window_room(window)->scenery;
     if (!scenery->paint)
         return;
-    unsigned char *pixels = memory_allocate((size_t)scenery->width * (size_t)scenery->height, 4);
+    unsigned char *pixels = memory_zeroed((size_t)scenery->width * (size_t)scenery->height, 4);
     paint_gl_read(scenery->paint, pixels);
     say_error(window, path, snapshot_pixels(path, pixels, scenery->width, scenery->height));
     memory_free(pixels);

@@ -476,7 +476,7 @@ static int fail(Fault *fault) {
 }
 
 int window_run(const WindowOptions *options) {
-    Window *window = memory_allocate(1, sizeof *window);
+    Window *window = memory_zeroed(1, sizeof *window);
     Scripted scripted = {0};
     Fault fault = {0};
     window->options = options;

@@ -214,7 +214,7 @@ static size_t children_of(const JsonNode *node) {
 
 JsonPlace *json_places(const JsonNode *node) {
     size_t count = children_of(node);
-    JsonPlace *places = memory_allocate(count, sizeof *places), here = {1, 1};
+    JsonPlace *places = memory_zeroed(count, sizeof *places), here = {1, 1};
     const char *from = node->file->text, *at = from ? find_value(node) + 1 : NULL;
     for (size_t i = 0; i < count && at; i++) {
         at = skip_space(at);

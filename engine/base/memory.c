@@ -19,7 +19,7 @@ static void memory_end(void) {
     _exit(3);
 }
 
-void *memory_allocate(size_t count, size_t size) {
+void *memory_zeroed(size_t count, size_t size) {
     void *block = calloc(count ? count : 1, size ? size : 1);
     if (!block)
         memory_end();
@@ -51,7 +51,7 @@ void *arena_allocate(Arena *arena, size_t size) {
     ArenaBlock *block = arena->blocks;
     if (!block || block->size - block->used < rounded) {
         size_t room = rounded > ARENA_BLOCK ? rounded : ARENA_BLOCK;
-        block = memory_allocate(1, sizeof *block + room);
+        block = memory_zeroed(1, sizeof *block + room);
         block->size = room;
         block->next = arena->blocks;
         arena->blocks = block;

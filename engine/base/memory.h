@@ -5,7 +5,7 @@
 #include <stddef.h>
 
 /* `count` zeroed elements of `size` bytes; memory_free releases them. */
-void *memory_allocate(size_t count, size_t size);
+void *memory_zeroed(size_t count, size_t size);
 
 /* Makes room in `block` for at least `count` elements of `size` bytes and returns it, perhaps elsewhere; what
  * `*capacity` counts is kept, the new part is zeroed. */

@@ -25,7 +25,7 @@ static void *crew_work(void *argument) {
 void parallel_for(int jobs, size_t count, void (*work)(void *context, size_t i), void *context) {
     Crew crew = {.work = work, .context = context, .count = count};
     size_t helpers = jobs > 1 && count > 1 ? ((size_t)jobs < count ? (size_t)jobs : count) - 1 : 0;
-    pthread_t *threads = memory_allocate(helpers, sizeof *threads);
+    pthread_t *threads = memory_zeroed(helpers, sizeof *threads);
     size_t started = 0;
     while (started < helpers && pthread_create(&threads[started], NULL, crew_work, &crew) == 0)
         started++;
@@ -115,10 +115,10 @@ static void *help(void *argument) {
 ParallelTeam *parallel_team_create(int jobs) {
     if (jobs < 2)
         return NULL;
-    ParallelTeam *team = memory_allocate(1, sizeof *team);
+    ParallelTeam *team = memory_zeroed(1, sizeof *team);
     pthread_mutex_init(&team->mutex, NULL);
     pthread_cond_init(&team->called, NULL);
-    team->threads = memory_allocate((size_t)jobs - 1, sizeof *team->threads);
+    team->threads = memory_zeroed((size_t)jobs - 1, sizeof *team->threads);
     while (team->helpers < jobs - 1 && pthread_create(&team->threads[team->helpers], NULL, help, team) == 0)
         team->helpers++;
     return team;

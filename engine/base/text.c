@@ -106,7 +106,7 @@ char *text_read_file(const char *path, size_t largest, size_t *size) {
 }
 
 char *text_copy(const char *text) {
-    return strcpy(memory_allocate(strlen(text) + 1, 1), text);
+    return strcpy(memory_zeroed(strlen(text) + 1, 1), text);
 }
 
 bool text_is_among(const char *text, const char *const *words, size_t count) {
@@ -177,7 +177,7 @@ const char *text_in_arena(Arena *arena, const char *format, ...) {
 
 char *text_beside(const char *path) {
     size_t room = strlen(path) + 32;
-    char *beside = memory_allocate(room, 1);
+    char *beside = memory_zeroed(room, 1);
     snprintf(beside, room, "%s.%ld.part", path, (long)getpid());
     return beside;
 }

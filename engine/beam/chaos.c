@@ -18,7 +18,7 @@ static double dot(const double *a, const double *b, size_t count) {
 
 void chaos_renew_tangents(Motion *motion, double *growth) {
     size_t states = motion->rig->free.states;
-    double *all = memory_allocate(motion->tangents * states, sizeof *all);
+    double *all = memory_zeroed(motion->tangents * states, sizeof *all);
     for (size_t t = 0; t < motion->tangents; t++) {
         double *own = all + t * states;
         motion_tangent(motion, t, own);
@@ -107,7 +107,7 @@ static double growth_of(const double *series, size_t count, double mean, double 
 }
 
 double chaos_zero_one(const double *series, size_t count) {
-    double grown[FREQUENCIES], mean = 0, *room = memory_allocate(3 * count, sizeof *room);
+    double grown[FREQUENCIES], mean = 0, *room = memory_zeroed(3 * count, sizeof *room);
     Random random = random_seed(1, 0); /* c at random keeps off the resonances of a regular series */
     for (size_t i = 0; i < count; i++)
         mean += series[i] / (double)count;

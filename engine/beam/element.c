@@ -50,9 +50,9 @@ static void assemble(ElementMesh *mesh, double bending_stiffness, double mass_pe
 void element_build(ElementMesh *mesh, double length, double bending_stiffness, double mass_per_length, size_t elements,
                    const double *stations, size_t station_count) {
     assert(elements > 0);
-    double *ends = memory_allocate(station_count + 2, sizeof *ends);
+    double *ends = memory_zeroed(station_count + 2, sizeof *ends);
     size_t parts = sort_stations(ends, length, stations, station_count) - 1;
-    mesh->place = memory_allocate(elements + parts + 1, sizeof *mesh->place);
+    mesh->place = memory_zeroed(elements + parts + 1, sizeof *mesh->place);
     mesh->nodes = 0;
     for (size_t p = 0; p < parts; p++) {
         double size = ends[p + 1] - ends[p];
@@ -63,9 +63,9 @@ void element_build(ElementMesh *mesh, double length, double bending_stiffness, d
     mesh->place[mesh->nodes++] = length;
     memory_free(ends);
     size_t freedoms = mesh->freedoms = 2 * mesh->nodes;
-    mesh->mass = memory_allocate(freedoms * freedoms, sizeof(double));
-    mesh->stiffness = memory_allocate(freedoms * freedoms, sizeof(double));
-    mesh->damping = memory_allocate(freedoms * freedoms, sizeof(double));
+    mesh->mass = memory_zeroed(freedoms * freedoms, sizeof(double));
+    mesh->stiffness = memory_zeroed(freedoms * freedoms, sizeof(double));
+    mesh->damping = memory_zeroed(freedoms * freedoms, sizeof(double));
     assemble(mesh, bending_stiffness, mass_per_length);
 }
 

@@ -344,7 +344,7 @@ static LaneVector take(double **at, size_t blocks) {
 
 void lanes_run(const Rig *rig, LanesRun *runs, size_t count, const volatile sig_atomic_t *stop) {
     size_t blocks = rig->free.blocks > rig->contact.blocks ? rig->free.blocks : rig->contact.blocks;
-    Lanes lanes = {.rig = rig, .blocks = blocks, .memory = memory_allocate(10 * blocks * LANES, sizeof(double))};
+    Lanes lanes = {.rig = rig, .blocks = blocks, .memory = memory_zeroed(10 * blocks * LANES, sizeof(double))};
     double *at = lanes.memory;
     lanes.now = &lanes.moments[0];
     lanes.next = &lanes.moments[1];

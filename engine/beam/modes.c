@@ -18,7 +18,7 @@ static bool solve_modes(double *stiffness, double *mass, double *values, size_t 
 
 /* The boundary freedoms, then the others. */
 static size_t *order_freedoms(const ElementMesh *mesh, const size_t *boundary, size_t boundary_count) {
-    size_t *order = memory_allocate(mesh->freedoms, sizeof *order), at = boundary_count;
+    size_t *order = memory_zeroed(mesh->freedoms, sizeof *order), at = boundary_count;
     for (size_t b = 0; b < boundary_count; b++)
         order[b] = boundary[b];
     for (size_t f = 0; f < mesh->freedoms; f++) {
@@ -35,7 +35,7 @@ static size_t *order_freedoms(const ElementMesh *mesh, const size_t *boundary, s
 /* The block of a matrix (of size `all`) of the ordered freedoms from `row` and from `column` on. */
 static double *take_block(const double *matrix, size_t all, const size_t *order, size_t row, size_t rows, size_t column,
                           size_t columns) {
-    double *block = memory_allocate(rows * columns + 1, sizeof *block);
+    double *block = memory_zeroed(rows * columns + 1, sizeof *block);
     for (size_t c = 0; c < columns; c++)
         for (size_t r = 0; r < rows; r++)
             block[c * rows + r] = matrix[order[column + c] * all + order[row + r]];
@@ -46,12 +46,12 @@ static double *take_block(const double *matrix, size_t all, const size_t *order,
  * modes. */
 static double *make_basis(const ElementMesh *mesh, const size_t *order, size_t outer, size_t fixed, bool *good) {
     size_t all = mesh->freedoms, inner = all - outer, reduced = outer + fixed;
-    double *basis = memory_allocate(all * reduced, sizeof *basis);
+    double *basis = memory_zeroed(all * reduced, sizeof *basis);
     double *stiffness = take_block(mesh->stiffness, all, order, outer, inner, outer, inner);
     double *mass = take_block(mesh->mass, all, order, outer, inner, outer, inner);
     double *static_shapes = take_block(mesh->stiffness, all, order, outer, inner, 0, outer);
     double *factor = take_block(mesh->stiffness, all, order, outer, inner, outer, inner);
-    double *values = memory_allocate(inner + 1, sizeof *values);
+    double *values = memory_zeroed(inner + 1, sizeof *values);
     lapack_int n = (lapack_int)inner;
     *good = (n == 0 || outer == 0 ||
              LAPACKE_dposv(LAPACK_COL_MAJOR, 'U', n, (lapack_int)outer, factor, n, static_shapes, n) == 0) &&
@@ -74,8 +74,8 @@ static double *make_basis(const ElementMesh *mesh, const size_t *order, size_t o
 
 /* basis^T matrix basis, (columns x columns). */
 static double *project(const double *matrix, size_t all, const double *basis, size_t columns) {
-    double *product = memory_allocate(all * columns, sizeof *product);
-    double *projected = memory_allocate(columns * columns, sizeof *projected);
+    double *product = memory_zeroed(all * columns, sizeof *product);
+    double *projected = memory_zeroed(columns * columns, sizeof *projected);
     for (size_t c = 0; c < columns; c++)
         for (size_t k = 0; k < all; k++)
             for (size_t r = 0; r < all; r++)
@@ -104,18 +104,18 @@ bool modes_reduce(Modes *modes, const ElementMesh *mesh, const size_t *boundary,
     fixed = fixed < inner ? fixed : inner;
     size_t reduced = boundary_count + fixed;
     *modes = (Modes){.count = count < reduced ? count : reduced, .freedoms = all};
-    modes->place = memory_allocate(mesh->nodes, sizeof(double));
+    modes->place = memory_zeroed(mesh->nodes, sizeof(double));
     memcpy(modes->place, mesh->place, mesh->nodes * sizeof(double));
-    modes->frequency = memory_allocate(modes->count, sizeof(double));
-    modes->shape = memory_allocate(modes->count * all, sizeof(double));
-    modes->tip = memory_allocate(modes->count, sizeof(double));
-    modes->shaker = memory_allocate(modes->count, sizeof(double));
+    modes->frequency = memory_zeroed(modes->count, sizeof(double));
+    modes->shape = memory_zeroed(modes->count * all, sizeof(double));
+    modes->tip = memory_zeroed(modes->count, sizeof(double));
+    modes->shaker = memory_zeroed(modes->count, sizeof(double));
     bool good;
     size_t *order = order_freedoms(mesh, boundary, boundary_count);
     double *basis = make_basis(mesh, order, boundary_count, fixed, &good);
     double *stiffness = project(mesh->stiffness, all, basis, reduced);
     double *mass = project(mesh->mass, all, basis, reduced);
-    double *values = memory_allocate(reduced, sizeof *values);
+    double *values = memory_zeroed(reduced, sizeof *values);
     good = good && solve_modes(stiffness, mass, values, reduced);
     if (good)
         keep_modes(modes, basis, stiffness, values, reduced);
@@ -133,8 +133,8 @@ bool modes_reduce(Modes *modes, const ElementMesh *mesh, const size_t *boundary,
 /* How far a unit force on a freedom pushes it, m/N; 0: nothing holds the mesh. */
 static double static_compliance(const ElementMesh *mesh, size_t freedom) {
     lapack_int n = (lapack_int)mesh->freedoms;
-    double *factor = memory_allocate(mesh->freedoms * mesh->freedoms, sizeof *factor);
-    double *moved = memory_allocate(mesh->freedoms, sizeof *moved);
+    double *factor = memory_zeroed(mesh->freedoms * mesh->freedoms, sizeof *factor);
+    double *moved = memory_zeroed(mesh->freedoms, sizeof *moved);
     memcpy(factor, mesh->stiffness, mesh->freedoms * mesh->freedoms * sizeof *factor);
     moved[freedom] = 1;
     bool good = LAPACKE_dposv(LAPACK_COL_MAJOR, 'U', n, 1, factor, n, moved, n) == 0;

@@ -80,9 +80,9 @@ Motion motion_create(const Rig *rig, size_t tangents) {
     Motion motion = {.rig = rig, .tangents = tangents};
     size_t states = rig->free.states;
     motion.memory_size = room_of(rig) * (8 + 2 * tangents);
-    motion.memory = memory_allocate(motion.memory_size, sizeof *motion.memory);
+    motion.memory = memory_zeroed(motion.memory_size, sizeof *motion.memory);
     lay_out(&motion);
-    double *rest = memory_allocate(states, sizeof *rest);
+    double *rest = memory_zeroed(states, sizeof *rest);
     motion_set_state(&motion, rest);
     memory_free(rest);
     return motion;
@@ -228,7 +228,7 @@ void motion_set_tangent(Motion *motion, size_t index, const double *tangent) {
 }
 
 void motion_unit_tangents(Motion *motion) {
-    double *unit = memory_allocate(motion->rig->free.states, sizeof *unit);
+    double *unit = memory_zeroed(motion->rig->free.states, sizeof *unit);
     for (size_t t = 0; t < motion->tangents; t++) {
         unit[t] = 1;
         motion_set_tangent(motion, t, unit);

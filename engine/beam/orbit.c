@@ -43,7 +43,7 @@ bool orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative,
 /* x -= (derivative - 1)^-1 gap; destroys the derivative and the gap. */
 static bool newton_step(double *state, double *derivative, double *gap, size_t states) {
     lapack_int n = (lapack_int)states;
-    lapack_int *pivots = memory_allocate(states, sizeof *pivots);
+    lapack_int *pivots = memory_zeroed(states, sizeof *pivots);
     for (size_t i = 0; i < states; i++)
         derivative[i * states + i] -= 1;
     bool good = LAPACKE_dgesv(LAPACK_COL_MAJOR, n, 1, derivative, n, pivots, gap, n) == 0;
@@ -76,12 +76,12 @@ static bool find_multipliers(Orbit *orbit, double *derivative) {
 
 bool orbit_find(Orbit *orbit, const Rig *rig, const double *start, size_t period, const volatile sig_atomic_t *stop) {
     size_t states = rig->free.states;
-    *orbit = (Orbit){.period = period, .states = states, .point = memory_allocate(3 * states, sizeof(double))};
+    *orbit = (Orbit){.period = period, .states = states, .point = memory_zeroed(3 * states, sizeof(double))};
     orbit->multiplier_re = orbit->point + states;
     orbit->multiplier_im = orbit->multiplier_re + states;
     memcpy(orbit->point, start, states * sizeof *start);
-    double *derivative = memory_allocate(states * states, sizeof *derivative);
-    double *gap = memory_allocate(states, sizeof *gap);
+    double *derivative = memory_zeroed(states * states, sizeof *derivative);
+    double *gap = memory_zeroed(states, sizeof *gap);
     double rest = rig_rest_state(rig);
     bool good = true, found = false;
     for (int i = 0; i < ITERATIONS_MOST && good && !found; i++) {
@@ -107,7 +107,7 @@ bool orbit_is_stable(const Orbit *orbit) {
 }
 
 double orbit_distance(const Orbit *orbit, const Rig *rig, const double *state) {
-    double rest = rig_rest_state(rig), nearest = HUGE_VAL, *point = memory_allocate(2 * orbit->states, sizeof *point),
+    double rest = rig_rest_state(rig), nearest = HUGE_VAL, *point = memory_zeroed(2 * orbit->states, sizeof *point),
            *apart = point + orbit->states;
     memcpy(point, orbit->point, orbit->states * sizeof *point);
     for (size_t i = 0; i < orbit->period; i++) {

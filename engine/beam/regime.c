@@ -10,7 +10,7 @@
 static double *make_matrix(const Modes *modes, double stiffness, double damping, double scale) {
     size_t n = modes->count, size = 2 * n;
     const double *omega = modes->frequency, *tip = modes->tip;
-    double *matrix = memory_allocate(size * size, sizeof *matrix);
+    double *matrix = memory_zeroed(size * size, sizeof *matrix);
     for (size_t c = 0; c < n; c++) {
         matrix[(n + c) * size + c] = omega[c];
         for (size_t r = 0; r < n; r++) {
@@ -29,8 +29,8 @@ typedef struct Eigen {
 
 static bool find_eigen(Eigen *eigen, double *matrix, size_t size) {
     lapack_int n = (lapack_int)size;
-    lapack_int *pivots = memory_allocate(size, sizeof *pivots);
-    eigen->re = memory_allocate(2 * size * size + 2 * size, sizeof(double));
+    lapack_int *pivots = memory_zeroed(size, sizeof *pivots);
+    eigen->re = memory_zeroed(2 * size * size + 2 * size, sizeof(double));
     eigen->im = eigen->re + size;
     eigen->vectors = eigen->im + size;
     eigen->inverse = eigen->vectors + size * size;
@@ -86,7 +86,7 @@ static void keep_row(Regime *regime, RegimeRow which, const double *over_states)
 
 static void keep_rows(Regime *regime, const Modes *modes, const ContactLaw *law) {
     size_t n = modes->count;
-    double *tip = memory_allocate(4 * n, sizeof *tip), *force = tip + 2 * n;
+    double *tip = memory_zeroed(4 * n, sizeof *tip), *force = tip + 2 * n;
     for (size_t i = 0; i < n; i++) {
         tip[i] = modes->tip[i] / modes->frequency[i];
         force[i] = law->normal_stiffness * tip[i];
@@ -154,7 +154,7 @@ bool regime_build(Regime *regime, const Modes *modes, const ContactLaw *law, boo
         size_t blocks = count_blocks(&eigen, size);
         *regime = (Regime){.states = size, .blocks = blocks};
         double *at = regime->memory =
-            memory_allocate((4 * size + 6 + REGIME_ROWS * (4 + 2 * REGIME_TERMS)) * blocks, sizeof *at);
+            memory_zeroed((4 * size + 6 + REGIME_ROWS * (4 + 2 * REGIME_TERMS)) * blocks, sizeof *at);
         regime->lambda = take(&at, blocks);
         regime->shape = take(&at, size * blocks);
         regime->part = take(&at, size * blocks);
@@ -179,7 +179,7 @@ void regime_clear(Regime *regime) {
 }
 
 RegimeVector regime_vector(size_t count) {
-    double *room = memory_allocate(2 * count + 1, sizeof *room);
+    double *room = memory_zeroed(2 * count + 1, sizeof *room);
     return take(&room, count);
 }
 

@@ -84,7 +84,7 @@ static void record(Response *response, Watch *watch, int cycles) {
     size_t switches = motion->switches, grazes = motion->grazes;
     double contact_time = motion->contact_time;
     response->digest = DIGEST_START;
-    response->start = memory_allocate(motion->rig->free.states, sizeof *response->start);
+    response->start = memory_zeroed(motion->rig->free.states, sizeof *response->start);
     motion_state(motion, response->start);
     for (int i = 0; i < cycles && goes_on(watch); i++) {
         if (i < RESPONSE_TRACE_CYCLES)

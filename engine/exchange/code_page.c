@@ -31,7 +31,7 @@ static iconv_t open_page(const char *page) {
 
 char *code_page_convert(const char *text, size_t *size, const char *page) {
     iconv_t converter = open_page(page);
-    char *copy = memory_allocate(*size * LONGEST + 1, 1), *out = copy, *in = (char *)text;
+    char *copy = memory_zeroed(*size * LONGEST + 1, 1), *out = copy, *in = (char *)text;
     size_t left = *size, room = *size * LONGEST;
     while (left > 0) {
         if (converter != (iconv_t)-1 && iconv(converter, &in, &left, &out, &room) != (size_t)-1)

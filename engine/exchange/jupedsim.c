@@ -108,7 +108,7 @@ static bool write_trajectories(sqlite3 *database, const House *house, const Obse
     sqlite3_stmt *insert = NULL;
     if (sqlite3_prepare_v2(database, "INSERT INTO trajectory_data VALUES (?, ?, ?, ?, ?, ?)", -1, &insert, NULL))
         return false;
-    int64_t *written = memory_allocate(house->person_count, sizeof *written);
+    int64_t *written = memory_zeroed(house->person_count, sizeof *written);
     bool good = true;
     for (size_t i = 0; i < house->person_count; i++)
         written[i] = -1;

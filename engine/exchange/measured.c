@@ -113,7 +113,7 @@ static void end_head(Reader *reader, TablePlace begin, int fields) {
     reader->fields = fields;
     if (measured->column_count < 2 && reader->table.fault->total == reader->before)
         fault_columns(reader, begin);
-    measured->columns = memory_allocate(measured->column_count + 1, sizeof *measured->columns);
+    measured->columns = memory_zeroed(measured->column_count + 1, sizeof *measured->columns);
     size_t column = 0;
     for (size_t k = 0; k < reader->kind_count && column < measured->column_count; k++)
         if (reader->column_of[k] >= 0 && reader->scale[k] != 0)

@@ -161,8 +161,8 @@ static void fill_loci(Reader *reader) {
         if (count < 2)
             fault_add(reader->table.fault, "%s:%d:1: there is one place only of %s, must be two or more",
                       reader->table.path, observed->line, *observed->person ? observed->person : "this person");
-        observed->locus.points = memory_allocate(count, sizeof *observed->locus.points);
-        observed->locus.times = memory_allocate(count, sizeof *observed->locus.times);
+        observed->locus.points = memory_zeroed(count, sizeof *observed->locus.points);
+        observed->locus.times = memory_zeroed(count, sizeof *observed->locus.times);
         for (; observed->locus.count < count; row++) {
             observed->locus.points[observed->locus.count] = row->at;
             observed->locus.times[observed->locus.count++] = row->time;

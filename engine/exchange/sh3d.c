@@ -273,7 +273,7 @@ static size_t add_rooms(const Converter *converter) {
             elsewhere++;
             continue;
         }
-        Vec2 *points = memory_allocate(room->point_count, sizeof *points);
+        Vec2 *points = memory_zeroed(room->point_count, sizeof *points);
         for (size_t i = 0; i < room->point_count; i++)
             points[i] = plan_point(converter, home->points[room->point + i]);
         house_builder_room(converter->builder, room->name, points, room->point_count);

@@ -226,7 +226,7 @@ static bool parse(Reader *reader, const char *bytes, int count, bool last) {
 /* The zip file ---------------------------------------------------------------------------------------------------- */
 
 static bool unpack(Reader *reader, zip_file_t *entry) {
-    char *bytes = memory_allocate(CHUNK, 1);
+    char *bytes = memory_zeroed(CHUNK, 1);
     zip_int64_t got = 0, total = 0;
     bool good = true;
     while (good && (got = zip_fread(entry, bytes, CHUNK)) > 0) {

@@ -69,14 +69,14 @@ static size_t list_size(const JsonNode *node) {
 /* Shapes ---------------------------------------------------------------------------------------------------------- */
 
 static void set_rectangle(Shape *shape, Vec2 low, Vec2 high) {
-    shape->points = memory_allocate(4, sizeof *shape->points);
+    shape->points = memory_zeroed(4, sizeof *shape->points);
     Vec2 corners[4] = {low, {high.x, low.y}, high, {low.x, high.y}};
     memcpy(shape->points, corners, sizeof corners);
     shape->count = 4;
 }
 
 static void set_circle(Shape *shape, Vec2 centre, double radius) {
-    shape->points = memory_allocate(CIRCLE_SIDES, sizeof *shape->points);
+    shape->points = memory_zeroed(CIRCLE_SIDES, sizeof *shape->points);
     for (size_t i = 0; i < CIRCLE_SIDES; i++)
         shape->points[i] = vec2_along(centre, radius, vec2_heading(2 * M_PI * (double)i / CIRCLE_SIDES));
     shape->count = CIRCLE_SIDES;
@@ -89,7 +89,7 @@ static bool set_polygon(Reader *reader, Shape *shape, const JsonNode *node) {
         return fail_at(reader, node,
                        count < 3 ? "a polygon must have three points or more"
                                  : "a polygon has more than 10000 points, must have fewer");
-    shape->points = memory_allocate(count, sizeof *shape->points);
+    shape->points = memory_zeroed(count, sizeof *shape->points);
     for (size_t i = 0; i < count; i++)
         shape->points[i] = point(reader, json_array_get(points.value, i));
     shape->count = count;
@@ -179,7 +179,7 @@ static void add_rectangle(HouseBuilder *builder, const Rectangle *box) {
 }
 
 static void add_outline(HouseBuilder *builder, const Shape *shape) {
-    Vec2 *ring = memory_allocate(shape->count + 1, sizeof *ring);
+    Vec2 *ring = memory_zeroed(shape->count + 1, sizeof *ring);
     memcpy(ring, shape->points, shape->count * sizeof *ring);
     ring[shape->count] = ring[0];
     house_builder_wall(builder, ring, shape->count + 1, 0, OBSTACLE_HEIGHT);

@@ -45,7 +45,7 @@ static Box box_of_plan(const Plan *plan, GEOSContextHandle_t geos, const GEOSGeo
 
 /* Of walls without a thickness; NULL: there are none. */
 static GEOSGeometry *find_lines(Area *area) {
-    GEOSGeometry **list = memory_allocate(area->plan->wall_count, sizeof *list);
+    GEOSGeometry **list = memory_zeroed(area->plan->wall_count, sizeof *list);
     unsigned count = 0;
     for (size_t w = 0; w < area->plan->wall_count; w++) {
         GEOSGeometry *line =
@@ -68,7 +68,7 @@ static GEOSGeometry *less_loose_ends(Area *area, GEOSGeometry *cells, GEOSGeomet
                : NULL;
     GEOSGeom_destroy_r(area->geos, joined);
     int count = GEOSGetNumGeometries_r(area->geos, cells);
-    GEOSGeometry **list = memory_allocate((size_t)count, sizeof *list);
+    GEOSGeometry **list = memory_zeroed((size_t)count, sizeof *list);
     unsigned made = 0;
     for (int i = 0; i < count && thin; i++) {
         GEOSGeometry *rest = GEOSDifference_r(area->geos, GEOSGetGeometryN_r(area->geos, cells, i), thin);
@@ -202,7 +202,7 @@ static GEOSGeometry *choose_cells(const Area *area, Cells *cells) {
         inner |= !cells->list[i].outside;
         outside_too |= cells->list[i].outside && cells->list[i].inhabited;
     }
-    GEOSGeometry **kept = memory_allocate(cells->count, sizeof *kept);
+    GEOSGeometry **kept = memory_zeroed(cells->count, sizeof *kept);
     unsigned count = 0;
     for (size_t i = 0; i < cells->count; i++) {
         Cell *cell = &cells->list[i];
@@ -223,7 +223,7 @@ static char *text_of(const Area *area, const GEOSGeometry *geometry) {
     GEOSWKTWriter_setTrim_r(area->geos, writer, 1);
     char *text = GEOSWKTWriter_write_r(area->geos, writer, geometry), *copy = NULL;
     if (text)
-        copy = strcpy(memory_allocate(strlen(text) + 2, 1), text);
+        copy = strcpy(memory_zeroed(strlen(text) + 2, 1), text);
     if (copy)
         strcat(copy, "\n");
     GEOSFree_r(area->geos, text);
@@ -240,7 +240,7 @@ static char *write_area(const Area *area, GEOSGeometry *all) {
         return text_of(area, GEOSGetGeometryN_r(geos, all, 0));
     if (GEOSisValid_r(geos, all) == 1)
         return text_of(area, all);
-    GEOSGeometry **parts = memory_allocate((size_t)count, sizeof *parts);
+    GEOSGeometry **parts = memory_zeroed((size_t)count, sizeof *parts);
     for (int i = 0; i < count; i++)
         parts[i] = GEOSGeom_clone_r(geos, GEOSGetGeometryN_r(geos, all, i));
     GEOSGeometry *collection = GEOSGeom_createCollection_r(geos, GEOS_GEOMETRYCOLLECTION, parts, (unsigned)count);

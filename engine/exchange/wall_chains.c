@@ -68,13 +68,13 @@ static Ends ends_find(const WallLine *lines, size_t count) {
     Ends ends = {.lines = lines, .count = count, .bucket_count = 16};
     while (ends.bucket_count < 4 * count)
         ends.bucket_count *= 2;
-    ends.places = memory_allocate(2 * count, sizeof *ends.places);
-    ends.next = memory_allocate(2 * count, sizeof *ends.next);
-    ends.first = memory_allocate(2 * count, sizeof *ends.first);
-    ends.place_of = memory_allocate(2 * count, sizeof *ends.place_of);
-    ends.after = memory_allocate(2 * count, sizeof *ends.after);
-    ends.used = memory_allocate(count, sizeof *ends.used);
-    ends.bucket = memory_allocate(ends.bucket_count, sizeof *ends.bucket);
+    ends.places = memory_zeroed(2 * count, sizeof *ends.places);
+    ends.next = memory_zeroed(2 * count, sizeof *ends.next);
+    ends.first = memory_zeroed(2 * count, sizeof *ends.first);
+    ends.place_of = memory_zeroed(2 * count, sizeof *ends.place_of);
+    ends.after = memory_zeroed(2 * count, sizeof *ends.after);
+    ends.used = memory_zeroed(count, sizeof *ends.used);
+    ends.bucket = memory_zeroed(ends.bucket_count, sizeof *ends.bucket);
     for (size_t b = 0; b < ends.bucket_count; b++)
         ends.bucket[b] = SIZE_MAX;
     for (size_t l = 0; l < count; l++) {

@@ -45,7 +45,7 @@ static bool add_line(Reader *reader, const GEOSGeometry *line) {
     const GEOSCoordSequence *sequence = GEOSGeom_getCoordSeq_r(reader->geos, line);
     unsigned count = 0;
     GEOSCoordSeq_getSize_r(reader->geos, sequence, &count);
-    Vec2 *points = memory_allocate(count, sizeof *points);
+    Vec2 *points = memory_zeroed(count, sizeof *points);
     for (unsigned i = 0; i < count; i++) {
         GEOSCoordSeq_getXY_r(reader->geos, sequence, i, &points[i].x, &points[i].y);
         points[i] = vec2_scale(points[i], reader->unit);

@@ -7,7 +7,7 @@
 
 void beam_carry_take(BeamCarry *carry, const Modes *modes, const double *state) {
     beam_carry_clear(carry);
-    carry->share = memory_allocate(2 * modes->count, sizeof *carry->share);
+    carry->share = memory_zeroed(2 * modes->count, sizeof *carry->share);
     carry->modes = modes->count;
     for (size_t i = 0; i < modes->count; i++) {
         carry->share[2 * i] = modes->tip[i] * state[i] / modes->frequency[i];

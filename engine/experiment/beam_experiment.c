@@ -175,7 +175,7 @@ static void make_start(const Case *one, const Rig *rig, double *state) {
 
 /* Lists the peaks (2 x cycles) of those that touched. */
 static void list_peaks(Trial *trial, const double *peak, size_t cycles) {
-    trial->series = memory_allocate(2 * cycles, sizeof *trial->series);
+    trial->series = memory_zeroed(2 * cycles, sizeof *trial->series);
     double sum = 0, smallest = HUGE_VAL, largest = 0;
     for (size_t i = 0; i < 2 * cycles; i++)
         if (peak[i] > 0) {
@@ -241,8 +241,8 @@ static void tell_lane(const Case *one, const LanesRun *lane) {
 /* Makes quick trials (count) of one rig from `states` (count x states), where their last states are put. */
 static void run_quickly(Case **cases, size_t count, const Rig *rig, double *states, const volatile sig_atomic_t *stop) {
     size_t size = 2 * rig->modes.count, each = lane_room(cases[0], size);
-    LanesRun *lanes = memory_allocate(count, sizeof *lanes);
-    double *room = memory_allocate(count * each, sizeof *room);
+    LanesRun *lanes = memory_zeroed(count, sizeof *lanes);
+    double *room = memory_zeroed(count * each, sizeof *room);
     for (size_t i = 0; i < count; i++) {
         memcpy(room + i * each, states + i * size, size * sizeof *room);
         lanes[i] = make_lane(cases[i], size, room + i * each);
@@ -305,7 +305,7 @@ static const Rig *find_rig(const Given *given, Case *one, Rig *own) {
 
 /* Trials that share a rig are made together. */
 static void run_apart(const Given *given, Case *cases, size_t count, const volatile sig_atomic_t *stop) {
-    Case **group = memory_allocate(count, sizeof *group);
+    Case **group = memory_zeroed(count, sizeof *group);
     for (size_t i = 0; i < count && !parallel_stopped(stop); i++) {
         Rig own = {0};
         const Rig *rig = cases[i].made ? NULL : find_rig(given, &cases[i], &own);
@@ -316,7 +316,7 @@ static void run_apart(const Given *given, Case *cases, size_t count, const volat
             if (!cases[j].made && beam_numbers_same_rig(&cases[i].beam, &cases[j].beam) &&
                 beam_numbers_followed(&cases[j].beam, rig))
                 group[members++] = &cases[j];
-        double *states = memory_allocate(members * size, sizeof *states);
+        double *states = memory_zeroed(members * size, sizeof *states);
         for (size_t j = 0; j < members; j++)
             make_start(group[j], rig, states + j * size);
         run_cases(given, group, members, rig, states, stop);
@@ -336,7 +336,7 @@ static void run_carried(const Given *given, Case *cases, size_t count, BeamCarry
         const Rig *rig = cases[i].made ? NULL : find_rig(given, &cases[i], &own);
         if (!rig)
             continue;
-        double *state = memory_allocate(2 * rig->modes.count, sizeof *state);
+        double *state = memory_zeroed(2 * rig->modes.count, sizeof *state);
         if (!beam_carry_give(carry, &rig->modes, state))
             make_start(&cases[i], rig, state);
         run_cases(given, &(Case *){&cases[i]}, 1, rig, state, stop);
@@ -350,7 +350,7 @@ static void run_carried(const Given *given, Case *cases, size_t count, BeamCarry
 /* `carry`: one after the other, from what it holds; NULL: each from its own start. */
 static void run_trials(const Given *given, const char *const *names, size_t name_count, Trial *trials, size_t count,
                        BeamCarry *carry, const volatile sig_atomic_t *stop) {
-    Case *cases = memory_allocate(count, sizeof *cases);
+    Case *cases = memory_zeroed(count, sizeof *cases);
     for (size_t i = 0; i < count; i++) {
         for (size_t k = 0; k < BEAM_OBSERVABLES; k++)
             trials[i].observed[k] = NAN;
@@ -404,7 +404,7 @@ static bool begin(Experiment *experiment, Given *given, const char *place, Fault
 
 bool beam_experiment_open(Experiment *experiment, const char *path, const char *const *settings, size_t setting_count,
                           Fault *fault) {
-    Given *given = memory_allocate(1, sizeof *given);
+    Given *given = memory_zeroed(1, sizeof *given);
     given->owned = true;
     if (!beam_read(&given->beam, path, settings, setting_count, fault)) {
         memory_free(given);
@@ -414,7 +414,7 @@ bool beam_experiment_open(Experiment *experiment, const char *path, const char *
 }
 
 bool beam_experiment_of(Experiment *experiment, const Beam *beam, const char *place, Fault *fault) {
-    Given *given = memory_allocate(1, sizeof *given);
+    Given *given = memory_zeroed(1, sizeof *given);
     given->beam = *beam;
     return begin(experiment, given, place, fault);
 }

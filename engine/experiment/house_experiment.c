@@ -115,7 +115,7 @@ static char *join_settings(const HouseOptions *options, const char **settings, c
     size_t room = 1;
     for (size_t n = 0; n < name_count; n++)
         room += strlen(names[n]) + NUMBER;
-    char *texts = memory_allocate(room, 1), *end = texts;
+    char *texts = memory_zeroed(room, 1), *end = texts;
     for (size_t i = 0; i < options->setting_count; i++)
         settings[i] = options->settings[i];
     for (size_t n = 0; n < name_count; n++) {
@@ -127,7 +127,7 @@ static char *join_settings(const HouseOptions *options, const char **settings, c
 
 static void run_one(const HouseGiven *given, const char *const *names, size_t name_count, Trial *trial,
                     const volatile sig_atomic_t *stop) {
-    const char **settings = memory_allocate(given->options.setting_count + name_count, sizeof *settings);
+    const char **settings = memory_zeroed(given->options.setting_count + name_count, sizeof *settings);
     char *texts = join_settings(&given->options, settings, names, name_count, trial->at);
     HouseOptions options = given->options;
     options.settings = settings;
@@ -204,7 +204,7 @@ static void observe_shakes(Experiment *experiment, HouseGiven *given) {
 
 bool house_experiment_open(Experiment *experiment, const char *path, const HouseOptions *options, const char *route,
                            Fault *fault) {
-    HouseGiven *given = memory_allocate(1, sizeof *given);
+    HouseGiven *given = memory_zeroed(1, sizeof *given);
     given->path = path;
     given->options = *options;
     given->route = route;

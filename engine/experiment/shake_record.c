@@ -113,7 +113,7 @@ static void conclude(const ShakeRecord *record, const size_t *people, double *ob
 void shake_record_observe(const ShakeRecord *record, const Plan *before, const House *house,
                           const Observation *observation, double *observed) {
     const Plan *plan = &house->plan;
-    size_t *people = memory_allocate(record->party_count, sizeof *people);
+    size_t *people = memory_zeroed(record->party_count, sizeof *people);
     for (size_t o = record->out; o < record->count; o++)
         observed[o] = 0;
     for (size_t f = 0; f < record->piece_count; f++)

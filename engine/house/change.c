@@ -13,10 +13,10 @@
 void change_init(Change *change, const House *from, const House *to) {
     *change = (Change){.from = from,
                        .to = to,
-                       .person_before = memory_allocate(to->person_count, sizeof(size_t)),
-                       .person_after = memory_allocate(from->person_count, sizeof(size_t)),
-                       .door_before = memory_allocate(to->plan.door_count, sizeof(size_t)),
-                       .exit_after = memory_allocate(from->plan.exit_count, sizeof(size_t))};
+                       .person_before = memory_zeroed(to->person_count, sizeof(size_t)),
+                       .person_after = memory_zeroed(from->person_count, sizeof(size_t)),
+                       .door_before = memory_zeroed(to->plan.door_count, sizeof(size_t)),
+                       .exit_after = memory_zeroed(from->plan.exit_count, sizeof(size_t))};
     for (size_t i = 0; i < to->person_count; i++)
         change->person_before[i] = house_find_person(from, to->people[i].id);
     for (size_t i = 0; i < from->person_count; i++)
@@ -148,7 +148,7 @@ static void tell_held(const World *world, size_t i, Journey *journey) {
 void change_world(World *world, Journeys *journeys, const Change *change, const bool *part, int jobs,
                   const volatile sig_atomic_t *stop) {
     World next = go_over(world, change, part);
-    Whereabouts *places = memory_allocate(next.present_count, sizeof *places);
+    Whereabouts *places = memory_zeroed(next.present_count, sizeof *places);
     size_t count = 0;
     for (size_t p = 0; p < next.present_count; p++) {
         size_t i = next.present[p];

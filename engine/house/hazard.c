@@ -101,8 +101,8 @@ static size_t find_worst(const Ranking *ranking) {
 size_t hazard_rank(Hazard hazards[HAZARDS_MOST], const Stretch *stretches, size_t count, const House *house) {
     Ranking ranking = {.run = &house->plan.run,
                        .stretches = stretches,
-                       .candidates = memory_allocate(count, sizeof *ranking.candidates),
-                       .taken = memory_allocate(count, sizeof *ranking.taken),
+                       .candidates = memory_zeroed(count, sizeof *ranking.candidates),
+                       .taken = memory_zeroed(count, sizeof *ranking.taken),
                        .count = count,
                        .places = broadphase_create()};
     for (size_t i = 0; i < count; i++)

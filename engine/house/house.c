@@ -44,7 +44,7 @@ static void read_profile(House *house, const char *house_path, const HouseOption
 
 static void read_profiles(House *house, const char *path, const HouseOptions *options, Fault *fault) {
     const Plan *plan = &house->plan;
-    house->profiles = memory_allocate(plan->person_count + plan->crowd_count, sizeof *house->profiles);
+    house->profiles = memory_zeroed(plan->person_count + plan->crowd_count, sizeof *house->profiles);
     for (size_t i = 0; i < plan->person_count; i++) {
         const Person *person = &plan->people[i];
         read_profile(house, path, options, person->place, person->id, person->profile, fault);
@@ -153,7 +153,7 @@ static void free_space(House *house) {
 /* Who is under what lies already. */
 static void catch_people(House *house) {
     const Plan *plan = &house->plan;
-    bool *lies = memory_allocate(plan->furniture_count, sizeof *lies);
+    bool *lies = memory_zeroed(plan->furniture_count, sizeof *lies);
     for (size_t f = 0; f < plan->furniture_count; f++)
         lies[f] = plan->furniture[f].toppled;
     for (size_t i = 0; i < house->person_count; i++)
@@ -164,7 +164,7 @@ static void catch_people(House *house) {
 /* People stand as without it; then furniture falls, on some of them. */
 static bool shake_house(House *house, const char *path, Fault *fault) {
     Plan *plan = &house->plan;
-    bool *topples = memory_allocate(plan->furniture_count, sizeof *topples), any = false;
+    bool *topples = memory_zeroed(plan->furniture_count, sizeof *topples), any = false;
     shake_draw(plan, house->seed, topples);
     for (size_t f = 0; f < plan->furniture_count; f++)
         any |= topples[f];

@@ -49,12 +49,12 @@ static bool anything_usable(const House *house, const Goal *goal) {
 /* One still without fields, from the route's point `via` on. */
 static void add_itinerary(Journeys *journeys, const House *house, const Profile *profile, const PlanRoute *route,
                           double since, size_t via, bool again) {
-    Itinerary *itinerary = memory_allocate(1, sizeof *itinerary);
+    Itinerary *itinerary = memory_zeroed(1, sizeof *itinerary);
     size_t points = route ? route->via.count : 0;
     *itinerary =
         (Itinerary){.profile = profile, .route = route, .since = since, .again = again, .leg_count = points - via + 1};
-    itinerary->fields = memory_allocate(itinerary->leg_count, sizeof *itinerary->fields);
-    itinerary->legs = memory_allocate(itinerary->leg_count, sizeof *itinerary->legs);
+    itinerary->fields = memory_zeroed(itinerary->leg_count, sizeof *itinerary->fields);
+    itinerary->legs = memory_zeroed(itinerary->leg_count, sizeof *itinerary->legs);
     for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
         Goal *goal = &itinerary->fields[leg].goal;
         *goal = field_exit_goal(&house->plan, exit_of(house, route, since), since, again);
@@ -181,7 +181,7 @@ static void plan_journey(void *context, size_t k) {
  * that each place is looked for once. */
 static void explain_walkers(const Planning *planning, size_t count) {
     const House *house = planning->house;
-    bool *explained = memory_allocate(count, sizeof *explained);
+    bool *explained = memory_zeroed(count, sizeof *explained);
     for (size_t k = 0; k < count; k++) {
         const Whereabouts *place = &planning->places[k];
         Journey *journey = &planning->journeys->of[place->person];
@@ -232,7 +232,7 @@ static void plan_all(Planning *planning, size_t count, int jobs) {
 }
 
 static Journeys plan_nothing(const House *house, bool brief) {
-    return (Journeys){.of = memory_allocate(house->person_count, sizeof(Journey)),
+    return (Journeys){.of = memory_zeroed(house->person_count, sizeof(Journey)),
                       .count = house->person_count,
                       .brief = brief,
                       .fields = fields_create()};
@@ -242,7 +242,7 @@ static Journeys plan_nothing(const House *house, bool brief) {
 static Journeys plan_from_start(Planning *planning, const bool *part, bool brief, int jobs) {
     const House *house = planning->house;
     Journeys journeys = plan_nothing(house, brief);
-    Whereabouts *places = memory_allocate(house->person_count, sizeof *places);
+    Whereabouts *places = memory_zeroed(house->person_count, sizeof *places);
     size_t count = 0;
     for (size_t i = 0; i < house->person_count; i++)
         if (!part || part[i])

@@ -6,8 +6,8 @@ Locus locus_of(const House *house, const Observation *observation, size_t person
     const Profile *profile = house->people[person].profile;
     const Trace *trace = &observation->trace;
     double ahead = profile->driving == DRIVING_DRIVER ? profile->length / 2 - profile->axle : 0;
-    Locus locus = {.points = memory_allocate(trace->rows, sizeof *locus.points),
-                   .times = memory_allocate(trace->rows, sizeof *locus.times)};
+    Locus locus = {.points = memory_zeroed(trace->rows, sizeof *locus.points),
+                   .times = memory_zeroed(trace->rows, sizeof *locus.times)};
     for (size_t r = 0; r < trace->rows; r++) {
         const double *row = trace_row(trace, r);
         if ((size_t)row[TRACE_PERSON] != person)

@@ -83,7 +83,7 @@ static void lay_floor(Observer *observer) {
     floor->side = fmax(2 * HAZARD_STRETCH, sqrt(width * height / MOST_SQUARES));
     floor->nx = (int)fmin(width / floor->side, MOST_SQUARES) + 1;
     floor->ny = (int)fmin(height / floor->side, MOST_SQUARES) + 1;
-    floor->stretch = memory_allocate((size_t)floor->nx * (size_t)floor->ny, sizeof *floor->stretch);
+    floor->stretch = memory_zeroed((size_t)floor->nx * (size_t)floor->ny, sizeof *floor->stretch);
 }
 
 /* Ready for whoever is in the world: a floor for walkers, a list of chairs. */
@@ -124,9 +124,9 @@ static void begin_person(Observer *observer, size_t i) {
 void observer_init(Observer *observer, const World *world, PersonObservation *people) {
     *observer = (Observer){.world = world,
                            .people = people,
-                           .watched = memory_allocate(world->count, sizeof *observer->watched),
-                           .riders = memory_allocate(world->count, sizeof *observer->riders),
-                           .door_opened = memory_allocate(world->house->plan.door_count, sizeof(double)),
+                           .watched = memory_zeroed(world->count, sizeof *observer->watched),
+                           .riders = memory_zeroed(world->count, sizeof *observer->riders),
+                           .door_opened = memory_zeroed(world->house->plan.door_count, sizeof(double)),
                            .door_changes = world->door_changes,
                            .sample_steps = observer_sample_steps(world->house)};
     trace_init(&observer->trace, observation_columns, TRACE_COLUMNS);
@@ -320,8 +320,8 @@ static PersonObservation renamed_person(const Change *change, PersonObservation 
 
 void observer_rename(Observer *observer, const Change *change, PersonObservation *people) {
     size_t count = change->to->person_count, doors = change->to->plan.door_count;
-    Watched *watched = memory_allocate(count, sizeof *watched);
-    double *door_opened = memory_allocate(doors, sizeof *door_opened);
+    Watched *watched = memory_zeroed(count, sizeof *watched);
+    double *door_opened = memory_zeroed(doors, sizeof *door_opened);
     for (size_t i = 0; i < count; i++) {
         size_t before = change->person_before[i];
         if (before == SIZE_MAX || !observer->people[before].took_part)
@@ -341,7 +341,7 @@ void observer_rename(Observer *observer, const Change *change, PersonObservation
     observer->watched = watched;
     observer->people = people;
     observer->door_opened = door_opened;
-    observer->riders = memory_allocate(count, sizeof *observer->riders);
+    observer->riders = memory_zeroed(count, sizeof *observer->riders);
     observer->rider_count = 0;
     observer->floor = (Floor){0}; /* squares of the new house are put together with those of the old by their places */
 }

@@ -41,8 +41,8 @@ static Squares squares_make(const House *house, size_t people) {
     squares.nx = (int)fmin(width / squares.side, MOST_CELLS) + 1;
     squares.ny = (int)fmin(height / squares.side, MOST_CELLS) + 1;
     size_t count = (size_t)squares.nx * (size_t)squares.ny;
-    squares.first = memory_allocate(count, sizeof *squares.first);
-    squares.next = memory_allocate(people, sizeof *squares.next);
+    squares.first = memory_zeroed(count, sizeof *squares.first);
+    squares.next = memory_zeroed(people, sizeof *squares.next);
     for (size_t i = 0; i < count; i++)
         squares.first[i] = -1;
     return squares;
@@ -185,7 +185,7 @@ bool populate_house(House *house, Fault *fault) {
     size_t count = plan->person_count, before = fault->total;
     for (size_t c = 0; c < plan->crowd_count; c++)
         count += (size_t)plan->crowds[c].count;
-    house->people = memory_allocate(count, sizeof *house->people);
+    house->people = memory_zeroed(count, sizeof *house->people);
     Squares squares = squares_make(house, count);
     for (size_t i = 0; i < plan->person_count; i++)
         place_person(house, &squares, &plan->people[i], fault);

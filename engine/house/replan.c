@@ -78,7 +78,7 @@ static bool has_strayed(const World *world, size_t i) {
 }
 
 static void plan_again(World *world, Journeys *journeys, bool strays, int jobs, const volatile sig_atomic_t *stop) {
-    Whereabouts *places = memory_allocate(world->present_count, sizeof *places);
+    Whereabouts *places = memory_zeroed(world->present_count, sizeof *places);
     size_t count = 0;
     for (size_t p = 0; p < world->present_count; p++) {
         size_t i = world->present[p];

@@ -16,7 +16,7 @@ void ride_init(Rides *rides, const World *world) {
 
 void ride_copy(Rides *to, const Rides *from) {
     *to = *from;
-    to->pairs = memory_allocate(from->capacity, sizeof *to->pairs);
+    to->pairs = memory_zeroed(from->capacity, sizeof *to->pairs);
     if (from->count)
         memcpy(to->pairs, from->pairs, from->count * sizeof *to->pairs);
     to->old = NULL; /* only used while lists are made */

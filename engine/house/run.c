@@ -78,7 +78,7 @@ static size_t group_of_newcomer(Roster *roster, const Inhabitant *person) {
 static void add_house(Roster *roster, const House *house) {
     size_t h = roster->house_count++;
     roster->houses[h] = house;
-    roster->groups[h] = memory_allocate(house->person_count, sizeof *roster->groups[h]);
+    roster->groups[h] = memory_zeroed(house->person_count, sizeof *roster->groups[h]);
     for (size_t i = 0; i < house->person_count; i++) {
         size_t before = h ? house_find_person(roster->houses[h - 1], house->people[i].id) : SIZE_MAX;
         roster->groups[h][i] =
@@ -93,9 +93,9 @@ static void roster_init(Roster *roster, const House *house, const RunOptions *op
         roster->asked = house->plan.routes[options->route].id;
     for (size_t c = 0; c < options->change_count; c++)
         routes += options->changes[c].house->plan.route_count;
-    roster->routes = memory_allocate(routes, sizeof *roster->routes);
-    roster->houses = memory_allocate(houses, sizeof *roster->houses);
-    roster->groups = memory_allocate(houses, sizeof *roster->groups);
+    roster->routes = memory_zeroed(routes, sizeof *roster->routes);
+    roster->houses = memory_zeroed(houses, sizeof *roster->houses);
+    roster->groups = memory_zeroed(houses, sizeof *roster->groups);
     for (size_t r = 0; r < house->plan.route_count; r++)
         roster->routes[roster->route_count++] = house->plan.routes[r].id;
     add_house(roster, house);
@@ -114,7 +114,7 @@ static void roster_clear(Roster *roster) {
 /* Those of the group in a house (person_count). New. */
 static bool *part_of(const Roster *roster, size_t house, size_t key) {
     size_t count = roster->houses[house]->person_count;
-    bool *part = memory_allocate(count, sizeof *part);
+    bool *part = memory_zeroed(count, sizeof *part);
     for (size_t i = 0; i < count; i++)
         part[i] = roster->groups[house][i] == key;
     return part;
@@ -144,8 +144,8 @@ static size_t make_groups(Group *groups, const Roster *roster, const RunOptions 
                          .index = g,
                          .count = count,
                          .part = part_of(roster, 0, group->key),
-                         .people = memory_allocate(roster->houses[0]->person_count, sizeof *group->people),
-                         .changed = memory_allocate(options->change_count, sizeof *group->changed)};
+                         .people = memory_zeroed(roster->houses[0]->person_count, sizeof *group->people),
+                         .changed = memory_zeroed(options->change_count, sizeof *group->changed)};
     }
     return count;
 }
@@ -191,7 +191,7 @@ static bool is_changing(const Group *group) {
 
 /* From the present house to the next, of what was seen. */
 static void rename_group(Group *group, const Change *change) {
-    PersonObservation *people = memory_allocate(change->to->person_count, sizeof *people);
+    PersonObservation *people = memory_zeroed(change->to->person_count, sizeof *people);
     observer_rename(&group->observer, change, people);
     memory_free(group->people);
     memory_free(group->part);
@@ -330,10 +330,10 @@ static void clear_group(Group *group) {
 /* Nothing yet, in terms of a house. */
 static Observation blank(const House *house) {
     Observation observation = {
-        .people = memory_allocate(house->person_count, sizeof *observation.people),
+        .people = memory_zeroed(house->person_count, sizeof *observation.people),
         .person_count = house->person_count,
-        .hazards = memory_allocate(HAZARDS_MOST, sizeof *observation.hazards),
-        .door_opened = memory_allocate(house->plan.door_count, sizeof *observation.door_opened),
+        .hazards = memory_zeroed(HAZARDS_MOST, sizeof *observation.hazards),
+        .door_opened = memory_zeroed(house->plan.door_count, sizeof *observation.door_opened),
     };
     for (size_t d = 0; d < house->plan.door_count; d++)
         observation.door_opened[d] = HUGE_VAL;
@@ -357,7 +357,7 @@ static void note_lying(Observation *observation, const House *house, const Roste
 void run_house(Observation *observation, const House *house, const RunOptions *options) {
     Roster roster;
     roster_init(&roster, house, options);
-    Group *groups = memory_allocate(roster.route_count + 1, sizeof *groups);
+    Group *groups = memory_zeroed(roster.route_count + 1, sizeof *groups);
     size_t group_count = make_groups(groups, &roster, options);
     parallel_for(options->jobs, group_count, run_group, groups);
     size_t changes = change_the_rest(groups, group_count, options);
@@ -366,7 +366,7 @@ void run_house(Observation *observation, const House *house, const RunOptions *o
     observation->dt = house->plan.run.dt;
     observation->sample = (double)observer_sample_steps(house) * house->plan.run.dt;
     note_lying(observation, last, &roster);
-    observation->mixed = memory_allocate(changes, sizeof *observation->mixed);
+    observation->mixed = memory_zeroed(changes, sizeof *observation->mixed);
     observation->mixed_count = changes;
     Stretch *stretches = NULL;
     size_t stretch_count = 0, capacity = 0;

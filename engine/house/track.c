@@ -34,7 +34,7 @@ static double passage_speed(const Inhabitant *person, double width) {
 
 /* Each width becomes the least within FORESIGHT. */
 static void look_ahead(Track *track) {
-    double *width = memory_allocate(track->count, sizeof *width);
+    double *width = memory_zeroed(track->count, sizeof *width);
     for (size_t i = 0, first = 0; i < track->count; i++) {
         while (track->points[first].s < track->points[i].s - FORESIGHT)
             first++;
@@ -414,7 +414,7 @@ static double arc_freedom(const House *house, const Turning *turning, Vec2 befor
 
 static void lay_out(const House *house, const Inhabitant *person, Turning *turnings, size_t count) {
     enum { NARROWINGS = 12 };
-    double *share = memory_allocate(count, sizeof *share), radius = person->profile->width / 2;
+    double *share = memory_zeroed(count, sizeof *share), radius = person->profile->width / 2;
     for (size_t i = 0; i < count; i++)
         share[i] = 1;
     for (int round = 0; round < NARROWINGS; round++) {
@@ -486,10 +486,10 @@ static void add_corner(Track *track, size_t *capacity, const Turning *turning, V
 
 void track_build_miura(Track *track, const House *house, const Inhabitant *person, const Route *route) {
     size_t capacity = 0;
-    Turning *turnings = memory_allocate(route->count + 1, sizeof *turnings);
+    Turning *turnings = memory_zeroed(route->count + 1, sizeof *turnings);
     size_t count = find_turnings(house, person, route, turnings);
     lay_out(house, person, turnings, count);
-    track->corners = memory_allocate(count, sizeof *track->corners);
+    track->corners = memory_zeroed(count, sizeof *track->corners);
     for (size_t i = 0; i + 1 < count; i++) {
         add_straight(track, &capacity, leg_begin(&turnings[i], turnings[i].leg),
                      leg_end(&turnings[i + 1], turnings[i].leg));

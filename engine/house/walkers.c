@@ -44,8 +44,8 @@ void walkers_init(Walkers *walkers, const World *world) {
     const House *house = world->house;
     size_t kinds = house->profile_count;
     *walkers = (Walkers){.kind_count = kinds, .doors = -1, .people = house->person_count};
-    walkers->kinds = memory_allocate(kinds, sizeof *walkers->kinds);
-    walkers->laws = memory_allocate(kinds * kinds, sizeof *walkers->laws);
+    walkers->kinds = memory_zeroed(kinds, sizeof *walkers->kinds);
+    walkers->laws = memory_zeroed(kinds * kinds, sizeof *walkers->laws);
     for (size_t a = 0; a < kinds; a++) {
         const Profile *profile = &house->profiles[a];
         walkers->kinds[a] = kind_of(profile);
@@ -58,11 +58,11 @@ void walkers_init(Walkers *walkers, const World *world) {
                 walkers->range = real_max(walkers->range, sqrt(walkers->laws[a * kinds + b].range2));
         }
     }
-    walkers->slot_of = memory_allocate(walkers->people, sizeof *walkers->slot_of);
-    walkers->old_slot_of = memory_allocate(walkers->people, sizeof *walkers->old_slot_of);
+    walkers->slot_of = memory_zeroed(walkers->people, sizeof *walkers->slot_of);
+    walkers->old_slot_of = memory_zeroed(walkers->people, sizeof *walkers->old_slot_of);
     memset(walkers->slot_of, 0xff, walkers->people * sizeof *walkers->slot_of);
     if (walkers->any)
-        walkers->walls = memory_allocate(walkers->people, sizeof *walkers->walls);
+        walkers->walls = memory_zeroed(walkers->people, sizeof *walkers->walls);
     double side = real_max(walkers->range + WALKERS_SKIN, 0.5); /* m */
     cells_shape(&walkers->cells, house->outline.box, side, walkers->people);
 }
@@ -76,7 +76,7 @@ void walkers_init(Walkers *walkers, const World *world) {
 static void *copy_of(const void *from, size_t count, size_t size) {
     if (!from)
         return NULL;
-    void *to = memory_allocate(count, size);
+    void *to = memory_zeroed(count, size);
     memcpy(to, from, count * size);
     return to;
 }
@@ -94,8 +94,8 @@ void walkers_copy(Walkers *to, const Walkers *from) {
     to->other = copy_of(from->other, pairs, sizeof *to->other);
     to->slip = copy_of(from->slip, pairs, sizeof *to->slip);
     to->list_capacity = to->slip_capacity = pairs;
-    to->old_first = memory_allocate(from->capacity + 1, sizeof *to->old_first); /* only used while lists are made */
-    to->old_who = memory_allocate(from->capacity, sizeof *to->old_who);
+    to->old_first = memory_zeroed(from->capacity + 1, sizeof *to->old_first); /* only used while lists are made */
+    to->old_who = memory_zeroed(from->capacity, sizeof *to->old_who);
     to->old_other = NULL;
     to->old_slip = NULL;
     to->old_list_capacity = to->old_slip_capacity = 0;
@@ -134,14 +134,14 @@ static void reserve_slots(Walkers *walkers, size_t count) {
     walkers->capacity = count;
 #define RESERVE(array)                                                                                                 \
     memory_free(walkers->array);                                                                                       \
-    walkers->array = memory_allocate(count, sizeof *walkers->array);
+    walkers->array = memory_zeroed(count, sizeof *walkers->array);
     SLOT_ARRAYS(RESERVE)
     RESERVE(old_who)
 #undef RESERVE
     memory_free(walkers->first);
     memory_free(walkers->old_first);
-    walkers->first = memory_allocate(count + 1, sizeof *walkers->first);
-    walkers->old_first = memory_allocate(count + 1, sizeof *walkers->old_first);
+    walkers->first = memory_zeroed(count + 1, sizeof *walkers->first);
+    walkers->old_first = memory_zeroed(count + 1, sizeof *walkers->old_first);
 }
 
 /* Lists -------------------------------------------------------------------------------------------------------------*/

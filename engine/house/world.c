@@ -303,7 +303,7 @@ World world_place(const House *house, const bool *part) {
                    .bounds = box_expand(house->outline.box, FARTHEST_OUT),
                    .digest = DIGEST_START};
     world.block_size = lay_out(&world, NULL);
-    world.block = memory_allocate(world.block_size, 1);
+    world.block = memory_zeroed(world.block_size, 1);
     lay_out(&world, world.block);
     for (size_t d = 0; d < plan->door_count; d++) {
         world.door_open[d] = !outline_door_moves(&plan->doors[d]);
@@ -346,7 +346,7 @@ void world_destroy(World *world) {
 World world_copy(const World *world) {
     World copy = *world;
     copy.team = NULL;
-    copy.block = memory_allocate(world->block_size, 1);
+    copy.block = memory_zeroed(world->block_size, 1);
     memcpy(copy.block, world->block, world->block_size);
     lay_out(&copy, copy.block);
     walkers_copy(&copy.walkers, &world->walkers);

@@ -192,7 +192,7 @@ typedef struct Walk {
 } Walk;
 
 static Walk walk_begin(const Observation *observation) {
-    Walk walk = {&observation->trace, 0, memory_allocate(observation->person_count, sizeof *walk.last)};
+    Walk walk = {&observation->trace, 0, memory_zeroed(observation->person_count, sizeof *walk.last)};
     for (size_t i = 0; i < observation->person_count; i++)
         walk.last[i] = SIZE_MAX;
     return walk;
@@ -234,7 +234,7 @@ static double area_of(const Points *outline) {
 
 static void take_start(MeasureAnswer *answer, const House *house, const Observation *observation,
                        const MeasureQuestion *question) {
-    double *started = memory_allocate(observation->person_count, sizeof *started); /* s; 0: not yet */
+    double *started = memory_zeroed(observation->person_count, sizeof *started); /* s; 0: not yet */
     Move move;
     for (Walk walk = walk_begin(observation); walk_next(&walk, &move);)
         if (started[move.person] <= 0 && vec2_distance(move.b, house->people[move.person].at) > HAIR)
@@ -263,7 +263,7 @@ typedef struct Crossing {
  * Returns how many; the caller frees `*speeds`. */
 static size_t crossing_speeds(double **speeds, const House *house, const Observation *observation,
                               const MeasureQuestion *question) {
-    Crossing *crossings = memory_allocate(observation->person_count, sizeof *crossings);
+    Crossing *crossings = memory_zeroed(observation->person_count, sizeof *crossings);
     Move move;
     for (Walk walk = walk_begin(observation); walk_next(&walk, &move);) {
         Crossing *crossing = &crossings[move.person];
@@ -278,7 +278,7 @@ static size_t crossing_speeds(double **speeds, const House *house, const Observa
         crossing->way += vec2_distance(move.a, move.b);
     }
     size_t count = 0;
-    *speeds = memory_allocate(observation->person_count, sizeof **speeds);
+    *speeds = memory_zeroed(observation->person_count, sizeof **speeds);
     for (size_t i = 0; i < observation->person_count; i++)
         if (asked(house, observation, question, i) && crossings[i].seen)
             (*speeds)[count++] = crossings[i].way / (crossings[i].until - crossings[i].from);
@@ -349,7 +349,7 @@ static double passes(const Points *line, Vec2 a, Vec2 b) {
 /* The sorted times (s) at which those asked about pass the exit or, for the first time, the line. */
 static size_t passing_times(double **times, const House *house, const Observation *observation,
                             const MeasureQuestion *question) {
-    double *passed = memory_allocate(observation->person_count, sizeof *passed);
+    double *passed = memory_zeroed(observation->person_count, sizeof *passed);
     size_t exit = find_exit(house, question->exit), count = 0;
     for (size_t i = 0; i < observation->person_count; i++) {
         const PersonObservation *person = &observation->people[i];

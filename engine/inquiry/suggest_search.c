@@ -36,7 +36,7 @@ bool suggest_search_read(const Search *search, const Attempt *attempt, House *ho
     HouseOptions options = *search->task->options;
     Arena arena = {0};
     const char **settings =
-        memory_allocate(options.setting_count + attempt->count * CHANGE_SETTINGS_MOST, sizeof *settings);
+        memory_zeroed(options.setting_count + attempt->count * CHANGE_SETTINGS_MOST, sizeof *settings);
     for (size_t i = 0; i < options.setting_count; i++)
         settings[i] = options.settings[i];
     for (size_t i = 0; i < attempt->count; i++)

@@ -110,7 +110,7 @@ static void add_trials(Trials *trials, size_t *capacity, Verification *verificat
                 .setting_count = setting_count,
                 .variant = v,
                 .seed = seed,
-                .answers = memory_allocate(2 * verification->check_count, sizeof(MeasureAnswer)),
+                .answers = memory_zeroed(2 * verification->check_count, sizeof(MeasureAnswer)),
             };
         }
     }

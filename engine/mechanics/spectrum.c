@@ -28,8 +28,8 @@ Spectrum spectrum_make(const double *samples, size_t count, size_t stride, doubl
     if (count < 2)
         return spectrum;
     size_t half = count / 2 + 1;
-    double *weighted = memory_allocate(count, sizeof *weighted), sum = 0;
-    fftw_complex *out = memory_allocate(half, sizeof *out);
+    double *weighted = memory_zeroed(count, sizeof *weighted), sum = 0;
+    fftw_complex *out = memory_zeroed(half, sizeof *out);
     for (size_t i = 0; i < count; i++) {
         double weight = (1 - cos(2 * M_PI * (double)i / (double)count)) / 2;
         weighted[i] = weight * samples[i * stride];
@@ -37,8 +37,8 @@ Spectrum spectrum_make(const double *samples, size_t count, size_t stride, doubl
     }
     transform(weighted, out, count);
     spectrum.count = half;
-    spectrum.frequency = memory_allocate(half, sizeof *spectrum.frequency);
-    spectrum.amplitude = memory_allocate(half, sizeof *spectrum.amplitude);
+    spectrum.frequency = memory_zeroed(half, sizeof *spectrum.frequency);
+    spectrum.amplitude = memory_zeroed(half, sizeof *spectrum.amplitude);
     for (size_t k = 0; k < half; k++) {
         bool single = k == 0 || 2 * k == count; /* no negative frequency beside it */
         spectrum.frequency[k] = (double)k / ((double)count * interval);

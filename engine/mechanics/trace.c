@@ -30,7 +30,7 @@ int trace_write_csv(const Trace *trace, const char *path) {
     for (size_t c = 0; c < trace->width; c++)
         room += strlen(trace->columns[c].name) + strlen(trace->columns[c].unit) + CELL_LONGEST;
     room += trace->rows * trace->width * CELL_LONGEST;
-    char *text = memory_allocate(room, 1), *at = text;
+    char *text = memory_zeroed(room, 1), *at = text;
     for (size_t c = 0; c < trace->width; c++)
         at += sprintf(at, "%s%s [%s]", c ? "," : "", trace->columns[c].name, trace->columns[c].unit);
     at += sprintf(at, "\r\n");

@@ -62,7 +62,7 @@ static void take_values(Draft *draft, json_t *house) {
 }
 
 Draft *draft_of_plan(Plan *plan) {
-    Draft *draft = memory_allocate(1, sizeof *draft);
+    Draft *draft = memory_zeroed(1, sizeof *draft);
     draft->plan = *plan;
     json_t *house = json_loads(draft_text(draft), 0, NULL);
     take_values(draft, house);

@@ -258,7 +258,7 @@ bool plan_read_text(Plan *plan, const char *path, const char *text, const char *
 }
 
 bool plan_read_values(Plan *plan, const char *path, json_t *values, Fault *fault) {
-    JsonFile file = {.path = memory_allocate(1, 1), .root = json_incref(values)};
+    JsonFile file = {.path = memory_zeroed(1, 1), .root = json_incref(values)};
     bool good = read_plan(plan, &file, NULL, 0, fault);
     if (good)
         plan->path = arena_text(&plan->arena, path);

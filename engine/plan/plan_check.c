@@ -63,7 +63,7 @@ static void check_unique_ids(const PlanCheck *check) {
     size_t count = 0, used = 0;
     for (int l = 0; l < PLAN_LISTS; l++)
         count += plan_tables_count(check->plan, &plan_tables_lists[l]);
-    IdPlace *places = memory_allocate(count, sizeof *places);
+    IdPlace *places = memory_zeroed(count, sizeof *places);
     for (int l = 0; l < PLAN_LISTS; l++)
         for (size_t i = 0; i < plan_tables_count(check->plan, &plan_tables_lists[l]); i++)
             places[used++] = (IdPlace){plan_tables_id(check->plan, &plan_tables_lists[l], i), l, i};
@@ -161,7 +161,7 @@ static bool check_door(const PlanCheck *check, size_t d) {
 
 /* Returns the doors that lie in their walls, in order (count); memory_free them. */
 static Doorway *check_doors(const PlanCheck *check, size_t *count) {
-    Doorway *doorways = memory_allocate(check->plan->door_count, sizeof *doorways);
+    Doorway *doorways = memory_zeroed(check->plan->door_count, sizeof *doorways);
     *count = 0;
     for (size_t d = 0; d < check->plan->door_count; d++) {
         const Door *door = &check->plan->doors[d];
@@ -227,8 +227,8 @@ static Solids solids_create(const Plan *plan, const Doorway *doorways, size_t do
     size_t count = 0, used = 0;
     for (size_t w = 0; w < plan->wall_count; w++)
         count += plan->walls[w].points.count - 1;
-    solids.walls = memory_allocate(count, sizeof *solids.walls);
-    solids.segments = memory_allocate(count, sizeof *solids.segments);
+    solids.walls = memory_zeroed(count, sizeof *solids.walls);
+    solids.segments = memory_zeroed(count, sizeof *solids.segments);
     for (size_t f = 0; f < plan->furniture_count; f++) {
         Vec2 corners[4];
         plan_furniture_corners(&plan->furniture[f], corners);

@@ -63,7 +63,7 @@ static bool is_near(const Vec2 corners[4], Vec2 from, Vec2 to, double thickness)
 double sunk_depth(const Plan *plan, const Furniture *piece, size_t *wall) {
     Vec2 corners[4];
     plan_furniture_corners(piece, corners);
-    const Door **doors = memory_allocate(plan->door_count + 1, sizeof *doors);
+    const Door **doors = memory_zeroed(plan->door_count + 1, sizeof *doors);
     double deepest = 0;
     for (size_t w = 0; w < plan->wall_count; w++)
         for (size_t s = 0; s + 1 < plan->walls[w].points.count; s++) {

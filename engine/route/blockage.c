@@ -173,9 +173,9 @@ static bool find_breach(const RouteQuery *query, Vec2 *at) {
     const FreeSpace *space = query->space;
     size_t points = (size_t)space->nx * (size_t)space->ny;
     Breach breach = {.query = query, .space = space};
-    breach.locked = memory_allocate(points, 1);
-    breach.cost = memory_allocate(points, sizeof *breach.cost);
-    breach.parent = memory_allocate(points, sizeof *breach.parent);
+    breach.locked = memory_zeroed(points, 1);
+    breach.cost = memory_zeroed(points, sizeof *breach.cost);
+    breach.parent = memory_zeroed(points, sizeof *breach.parent);
     for (size_t i = 0; i < points; i++)
         breach.cost[i] = HUGE_VALF;
     mark_locked(&breach);

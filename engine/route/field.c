@@ -38,8 +38,8 @@ static void mark_doors(Ground *ground) {
         count += outline_door_moves(&ground->plan->doors[d]);
     if (!count)
         return;
-    ground->lines = memory_allocate(count, sizeof *ground->lines);
-    ground->doors = memory_allocate((size_t)space->nx * (size_t)space->ny, 1);
+    ground->lines = memory_zeroed(count, sizeof *ground->lines);
+    ground->doors = memory_zeroed((size_t)space->nx * (size_t)space->ny, 1);
     for (size_t d = 0; d < ground->plan->door_count; d++) {
         const Door *door = &ground->plan->doors[d];
         if (!outline_door_moves(door))
@@ -62,7 +62,7 @@ void field_ground_init_exact(Ground *ground, const Plan *plan, const FreeSpace *
                              double radius) {
     size_t points = (size_t)space->nx * (size_t)space->ny;
     *ground = (Ground){.plan = plan, .space = space, .profile = profile};
-    ground->slowness = memory_allocate(points, sizeof *ground->slowness);
+    ground->slowness = memory_zeroed(points, sizeof *ground->slowness);
     for (size_t i = 0; i < points; i++) {
         double distance = (double)space->distance[i];
         if (distance > radius)
@@ -246,14 +246,14 @@ void field_init(Field *field, const Ground *ground, const Goal *goal) {
     const FreeSpace *space = ground->space;
     const Plan *plan = ground->plan;
     size_t points = (size_t)space->nx * (size_t)space->ny;
-    *field = (Field){.ground = ground, .time = memory_allocate(points, sizeof *field->time)};
+    *field = (Field){.ground = ground, .time = memory_zeroed(points, sizeof *field->time)};
     for (size_t i = 0; i < points; i++)
         field->time[i] = HUGE_VALF;
     /* No step takes less than one bucket's width, so that what a bucket holds is final but for its own order. */
     Queue queue = {.unused = -1, .width = space->cell / ground->profile->free_speed};
     double longest = 2.3 * space->cell * field_discomfort(0) / field_speed(ground->profile, 0) + longest_delay(ground);
     queue.bucket_count = (size_t)(longest / queue.width) + 3;
-    queue.heads = memory_allocate(queue.bucket_count, sizeof *queue.heads);
+    queue.heads = memory_zeroed(queue.bucket_count, sizeof *queue.heads);
     for (size_t b = 0; b < queue.bucket_count; b++)
         queue.heads[b] = -1;
     if (goal->radius > 0)

@@ -23,7 +23,7 @@ struct Fields {
 };
 
 Fields *fields_create(void) {
-    Fields *fields = memory_allocate(1, sizeof *fields);
+    Fields *fields = memory_zeroed(1, sizeof *fields);
     pthread_mutex_init(&fields->lock, NULL);
     pthread_cond_init(&fields->built, NULL);
     return fields;
@@ -105,7 +105,7 @@ const Field *fields_take(Fields *fields, const FieldWish *wish) {
     bool new = !shared;
     if (new) {
         make_room(fields, wish_bytes(wish));
-        shared = memory_allocate(1, sizeof *shared);
+        shared = memory_zeroed(1, sizeof *shared);
         shared->wish = *wish;
         fields->all = memory_reserve(fields->all, &fields->capacity, fields->count + 1, sizeof(Shared *));
         fields->all[fields->count++] = shared;

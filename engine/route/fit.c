@@ -86,7 +86,7 @@ static Slot *slot_in(Slot *slots, size_t capacity, uint64_t key) {
 static Slot *table_take(Table *table, uint64_t key, bool *fresh) {
     if (2 * table->count >= table->capacity) {
         size_t capacity = table->capacity ? 2 * table->capacity : 1 << 14;
-        Slot *grown = memory_allocate(capacity, sizeof *grown);
+        Slot *grown = memory_zeroed(capacity, sizeof *grown);
         for (size_t i = 0; i < table->capacity; i++)
             if (table->slots[i].key)
                 *slot_in(grown, capacity, table->slots[i].key) = table->slots[i];
@@ -246,7 +246,7 @@ static Way way_take(const Lattice *lattice, int last) {
     Way way = {.widest = lattice->states[last].widest};
     for (int s = last; s >= 0; s = lattice->states[s].parent)
         way.count++;
-    way.states = memory_allocate(way.count, sizeof *way.states);
+    way.states = memory_zeroed(way.count, sizeof *way.states);
     size_t place = way.count;
     for (int s = last; s >= 0; s = lattice->states[s].parent)
         way.states[--place] = lattice->states[s];

@@ -42,8 +42,8 @@ static bool inside_grid(const Front *front, int i, int j) {
 void front_init(Front *front, int nx, int ny, double cell, float *time) {
     size_t points = (size_t)nx * (size_t)ny;
     *front = (Front){.nx = nx, .ny = ny, .cell = cell, .time = time};
-    front->slowness = memory_allocate(points, sizeof *front->slowness);
-    front->states = memory_allocate(points, sizeof *front->states);
+    front->slowness = memory_zeroed(points, sizeof *front->slowness);
+    front->states = memory_zeroed(points, sizeof *front->states);
     for (size_t p = 0; p < points; p++)
         time[p] = HUGE_VALF;
 }

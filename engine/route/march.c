@@ -189,7 +189,7 @@ static MarchExit exit_make(const Exit *line) {
  * elsewhere. Breadth first. */
 static float *steps_outside(const March *march, const Front *front, const Plan *plan) {
     size_t points = (size_t)march->nx * (size_t)march->ny, count = 0, capacity = 0;
-    float *steps = memory_allocate(points, sizeof *steps), most = (float)(OUTSIDE / march->cell);
+    float *steps = memory_zeroed(points, sizeof *steps), most = (float)(OUTSIDE / march->cell);
     int *queue = NULL;
     for (size_t p = 0; p < points; p++)
         steps[p] = HUGE_VALF;
@@ -243,7 +243,7 @@ static int outward_side(const March *march, const MarchExit *exit, const float *
 }
 
 static void find_exits(March *march, const Front *front, const Plan *plan) {
-    march->exits = memory_allocate(plan->exit_count, sizeof *march->exits);
+    march->exits = memory_zeroed(plan->exit_count, sizeof *march->exits);
     for (size_t e = 0; e < plan->exit_count; e++)
         if (field_exit_usable(&march->goal, plan, e))
             march->exits[march->exit_count++] = exit_make(&plan->exits[e]);
@@ -315,8 +315,8 @@ static void grid_make(March *march, int *stride) {
     march->ny = (space->ny - 1) / *stride + 1;
     march->origin = space->origin;
     size_t points = (size_t)march->nx * (size_t)march->ny;
-    march->time = memory_allocate(points, sizeof *march->time);
-    march->directions = memory_allocate(points, sizeof *march->directions);
+    march->time = memory_zeroed(points, sizeof *march->time);
+    march->directions = memory_zeroed(points, sizeof *march->directions);
 }
 
 bool march_init(March *march, const Plan *plan, const FreeSpace *space, double radius, double speed, const Goal *goal) {

@@ -58,7 +58,7 @@ typedef struct Legs {
 } Legs;
 
 static Legs legs_make(const RouteQuery *query) {
-    Legs legs = {memory_allocate(query->via_count + 1, sizeof(Goal)), query->via_count + 1};
+    Legs legs = {memory_zeroed(query->via_count + 1, sizeof(Goal)), query->via_count + 1};
     for (size_t i = 0; i < query->via_count; i++)
         legs.goals[i] = (Goal){.at = query->via[i], .radius = query->profile->length / 2, .exit = SIZE_MAX};
     legs.goals[query->via_count] = field_exit_goal(query->plan, query->exit, query->time, query->open_first);
@@ -249,7 +249,7 @@ static Rectangle shrunk(const Rectangle *body, double by) {
 /* It fits, but cannot be driven: where a somewhat smaller body gets through, the true one sticks. */
 static void explain_not_drivable(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
                                  double margin, const FitPlace *tightest) {
-    size_t *pins = memory_allocate(legs->count, sizeof *pins);
+    size_t *pins = memory_zeroed(legs->count, sizeof *pins);
     SearchTrack track = {0};
     bool found = false;
     for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings && !found && !parallel_stopped(query->stop); i++) {
@@ -270,7 +270,7 @@ static void explain_not_drivable(Route *route, const RouteQuery *query, const Le
 static void try_roomier(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
     if (route->narrowest >= fmin(SCRAPE, route->poses[0].clearance))
         return;
-    size_t *pins = memory_allocate(legs->count, sizeof *pins);
+    size_t *pins = memory_zeroed(legs->count, sizeof *pins);
     SearchGrain grain = grains[1];
     grain.most_nodes = ROOMIER_NODES;
     SearchTrack track = {0};
@@ -302,7 +302,7 @@ static void ask_for_driving(Route *route, const RouteQuery *query, const Legs *l
 }
 
 static void search_drive(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
-    size_t *pins = memory_allocate(legs->count, sizeof *pins);
+    size_t *pins = memory_zeroed(legs->count, sizeof *pins);
     SearchTrack track = {0};
     FitPlace tightest;
     double margin = 0; /* m */

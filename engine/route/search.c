@@ -216,7 +216,7 @@ static Cell *cell_slot(Cell *cells, size_t capacity, uint64_t key) {
 static Cell *cell_of(Search *search, uint64_t key) {
     if (2 * search->cell_count >= search->cell_capacity) {
         size_t capacity = search->cell_capacity ? 2 * search->cell_capacity : 1 << 14;
-        Cell *grown = memory_allocate(capacity, sizeof *grown);
+        Cell *grown = memory_zeroed(capacity, sizeof *grown);
         for (size_t i = 0; i < search->cell_capacity; i++)
             if (search->cells[i].key)
                 *cell_slot(grown, capacity, search->cells[i].key) = search->cells[i];
@@ -311,7 +311,7 @@ static void write_track(const Search *search, SearchTrack *track, int last) {
     size_t count = 0;
     for (int n = last; search->nodes[n].parent >= 0; n = search->nodes[n].parent)
         count++;
-    int *chain = memory_allocate(count, sizeof *chain);
+    int *chain = memory_zeroed(count, sizeof *chain);
     for (int n = last, i = (int)count - 1; i >= 0; n = search->nodes[n].parent, i--)
         chain[i] = n;
     for (size_t i = 0; i < count; i++) {

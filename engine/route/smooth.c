@@ -184,11 +184,11 @@ static void relax_band(Band *band, int sweeps, int widest) {
 static void band_reserve(Band *band, int count) {
     band->count = count;
     size_t points = (size_t)count + 1;
-    band->points = memory_allocate(points, sizeof *band->points);
-    band->normals = memory_allocate(points, sizeof *band->normals);
-    band->tried = memory_allocate(points, sizeof *band->tried);
-    band->clearance = memory_allocate(points, sizeof *band->clearance);
-    band->tried_clearance = memory_allocate(points, sizeof *band->tried_clearance);
+    band->points = memory_zeroed(points, sizeof *band->points);
+    band->normals = memory_zeroed(points, sizeof *band->normals);
+    band->tried = memory_zeroed(points, sizeof *band->tried);
+    band->clearance = memory_zeroed(points, sizeof *band->clearance);
+    band->tried_clearance = memory_zeroed(points, sizeof *band->tried_clearance);
 }
 
 static void band_release(Band *band) {
@@ -277,7 +277,7 @@ static Pose *relaxed(const Pose *poses, size_t count, const FreeSpace *space, co
     band.body = body;
     band.free_end = free_end;
     relax_band(&band, sweeps, sweep ? WIDEST_BUMP / 2 : WIDEST_BUMP);
-    Pose *result = memory_allocate((size_t)band.count + 1, sizeof *result);
+    Pose *result = memory_zeroed((size_t)band.count + 1, sizeof *result);
     *result_count = band_write(&band, &poses[0], result);
     if (sweep && !sweep_poses(&band, result, *result_count)) {
         memory_free(result);

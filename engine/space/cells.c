@@ -41,8 +41,8 @@ void cells_sort(Cells *cells, const size_t *people, size_t count, const Vec2 *ce
 void cells_copy(Cells *to, const Cells *from) {
     *to = *from;
     size_t cell_count = (size_t)from->nx * (size_t)from->ny + 1;
-    to->begin = memory_allocate(from->cell_capacity, sizeof *to->begin);
-    to->who = memory_allocate(from->who_capacity, sizeof *to->who);
+    to->begin = memory_zeroed(from->cell_capacity, sizeof *to->begin);
+    to->who = memory_zeroed(from->who_capacity, sizeof *to->who);
     if (from->begin)
         memcpy(to->begin, from->begin, cell_count * sizeof *to->begin);
     if (from->count)

@@ -121,7 +121,7 @@ static void mark_edge(const FreeSpace *space, unsigned char *marks, Vec2 a, Vec2
 
 static void negate_inside(FreeSpace *space) {
     const Outline *outline = space->outline;
-    unsigned char *marks = memory_allocate((size_t)space->nx * (size_t)space->ny, 1);
+    unsigned char *marks = memory_zeroed((size_t)space->nx * (size_t)space->ny, 1);
     for (size_t r = 0; r < outline->rings.count; r++) {
         size_t first = outline->rings.starts[r], end = outline->rings.starts[r + 1];
         for (size_t i = first; i < end; i++)
@@ -141,7 +141,7 @@ static void negate_inside(FreeSpace *space) {
 
 static void build_distances(FreeSpace *space) {
     size_t points = (size_t)space->nx * (size_t)space->ny;
-    space->distance = memory_allocate(points, sizeof *space->distance);
+    space->distance = memory_zeroed(points, sizeof *space->distance);
     for (size_t i = 0; i < points; i++)
         space->distance[i] = (float)(FREESPACE_FARTHEST * FREESPACE_FARTHEST);
     for (size_t f = 0; f < space->outline->face_count; f++)
@@ -235,8 +235,8 @@ static void build_buckets(FreeSpace *space) {
     space->bucket_nx = (int)(across / space->bucket) + 1;
     space->bucket_ny = (int)(up / space->bucket) + 1;
     size_t buckets = (size_t)space->bucket_nx * (size_t)space->bucket_ny;
-    space->bucket_starts = memory_allocate(buckets + 1, sizeof *space->bucket_starts);
-    int *cursors = memory_allocate(buckets, sizeof *cursors);
+    space->bucket_starts = memory_zeroed(buckets + 1, sizeof *space->bucket_starts);
+    int *cursors = memory_zeroed(buckets, sizeof *cursors);
     for (size_t f = 0; f < outline->face_count; f++)
         if (outline_planned(outline->faces[f].presence))
             bucket_face(space, (int)f, cursors, false);
@@ -247,12 +247,12 @@ static void build_buckets(FreeSpace *space) {
         cursors[b] = space->bucket_starts[b];
     }
     size_t entries = (size_t)space->bucket_starts[buckets];
-    space->bucket_faces = memory_allocate(entries, sizeof *space->bucket_faces);
-    space->bucket_near = memory_allocate(entries, sizeof *space->bucket_near);
+    space->bucket_faces = memory_zeroed(entries, sizeof *space->bucket_faces);
+    space->bucket_near = memory_zeroed(entries, sizeof *space->bucket_near);
     for (size_t f = 0; f < outline->face_count; f++)
         if (outline_planned(outline->faces[f].presence))
             bucket_face(space, (int)f, cursors, true);
-    BucketEntry *room = memory_allocate((size_t)most, sizeof *room);
+    BucketEntry *room = memory_zeroed((size_t)most, sizeof *room);
     for (size_t b = 0; b < buckets; b++)
         sort_bucket(space, space->bucket_starts[b], space->bucket_starts[b + 1], room);
     memory_free(room);
@@ -333,7 +333,7 @@ static Nearby nearby_find(const FreeSpace *space, Vec2 at, double radius) {
     }
     const Outline *outline = space->outline;
     size_t found = broadphase_query(outline->broadphase, box_around(at, radius), NULL, 0);
-    int *items = memory_allocate(found, sizeof *items), count = 0;
+    int *items = memory_zeroed(found, sizeof *items), count = 0;
     broadphase_query(outline->broadphase, box_around(at, radius), items, found);
     for (size_t i = 0; i < found; i++)
         if ((size_t)items[i] < outline->face_count && outline_planned(outline->faces[items[i]].presence))

@@ -73,7 +73,7 @@ static void add_thin_lines(Builder *builder, const GEOSGeometry *geometry) {
         if (size < 2)
             return;
         size_t count = 2 * (size_t)size - 2;
-        Vec2 *ring = memory_allocate(count, sizeof *ring);
+        Vec2 *ring = memory_zeroed(count, sizeof *ring);
         for (unsigned i = 0; i < size; i++) {
             GEOSCoordSeq_getXY_r(geos, sequence, i, &ring[i].x, &ring[i].y);
             if (i > 0 && i + 1 < size)

@@ -146,8 +146,8 @@ static bool meets_an_end(Solids *solids, size_t wall, Vec2 end, Vec2 along) {
 
 static void sort_doors(Solids *solids) {
     const Plan *plan = solids->plan;
-    size_t *starts = memory_allocate(plan->wall_count + 2, sizeof *starts);
-    size_t *sorted = memory_allocate(plan->door_count, sizeof *sorted);
+    size_t *starts = memory_zeroed(plan->wall_count + 2, sizeof *starts);
+    size_t *sorted = memory_zeroed(plan->door_count, sizeof *sorted);
     for (size_t d = 0; d < plan->door_count; d++)
         starts[plan->doors[d].wall_index + 2]++;
     for (size_t w = 2; w < plan->wall_count + 2; w++)
@@ -200,7 +200,7 @@ static Vec2 *centre_line(Solids *solids, size_t w, Solid *own) {
     const Wall *wall = &solids->plan->walls[w];
     size_t count = wall->points.count;
     double half = wall->thickness / 2;
-    Vec2 *points = memory_allocate(count, sizeof *points);
+    Vec2 *points = memory_zeroed(count, sizeof *points);
     memcpy(points, wall->points.at, count * sizeof *points);
     if (is_closed(wall)) {
         points[count - 1] = points[0]; /* to the last bit, or GEOS makes no ring of it */
@@ -376,7 +376,7 @@ static void add_geos_ring(const Solids *solids, const GEOSGeometry *line, bool h
     if (size < 4)
         return;
     size_t count = size - 1;
-    Vec2 *ring = memory_allocate(count, sizeof *ring);
+    Vec2 *ring = memory_zeroed(count, sizeof *ring);
     double area = 0;
     for (unsigned i = 0; i < count; i++)
         GEOSCoordSeq_getXY_r(solids->geos, sequence, i, &ring[i].x, &ring[i].y);

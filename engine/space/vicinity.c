@@ -42,7 +42,7 @@ static int compare_items(const void *a, const void *b) {
 static bool list_squares(Vicinity *vicinity, const Outline *outline) {
     size_t squares = (size_t)vicinity->nx * (size_t)vicinity->ny;
     Listing listing = {.outline = outline, .reach = vicinity->reach + vicinity->side * M_SQRT1_2};
-    vicinity->begin = memory_allocate(squares + 1, sizeof *vicinity->begin);
+    vicinity->begin = memory_zeroed(squares + 1, sizeof *vicinity->begin);
     for (size_t s = 0; s < squares && listing.count <= MOST_ITEMS; s++) {
         size_t before = listing.count;
         double x = (double)(s % (size_t)vicinity->nx) + 0.5, y = (double)(s / (size_t)vicinity->nx) + 0.5;
@@ -63,10 +63,10 @@ static bool list_squares(Vicinity *vicinity, const Outline *outline) {
 void vicinity_init(Vicinity *vicinity, const Outline *outline, const Plan *plan, double reach) {
     *vicinity = (Vicinity){.face_count = outline->face_count, .corner_count = outline->corner_count, .reach = reach};
     size_t features = outline->face_count + outline->corner_count;
-    vicinity->faces = memory_allocate(outline->face_count, sizeof *vicinity->faces);
-    vicinity->corners = memory_allocate(outline->corner_count, sizeof *vicinity->corners);
-    vicinity->presence = memory_allocate(features, sizeof *vicinity->presence);
-    vicinity->door = memory_allocate(features, sizeof *vicinity->door);
+    vicinity->faces = memory_zeroed(outline->face_count, sizeof *vicinity->faces);
+    vicinity->corners = memory_zeroed(outline->corner_count, sizeof *vicinity->corners);
+    vicinity->presence = memory_zeroed(features, sizeof *vicinity->presence);
+    vicinity->door = memory_zeroed(features, sizeof *vicinity->door);
     for (size_t i = 0; i < outline->face_count; i++) {
         vicinity->faces[i] = near_face(outline, plan, i);
         vicinity->presence[i] = (signed char)outline->faces[i].presence;

@@ -4,11 +4,11 @@
 
 Bunch bunch_create(const Experiment *experiment, const char *const *names, size_t name_count, size_t count) {
     size_t observables = experiment->observable_count;
-    Bunch bunch = {.trials = memory_allocate(count, sizeof(Trial)),
+    Bunch bunch = {.trials = memory_zeroed(count, sizeof(Trial)),
                    .count = count,
                    .name_count = name_count,
-                   .at = memory_allocate(count * name_count, sizeof(double)),
-                   .observed = memory_allocate(count * observables, sizeof(double))};
+                   .at = memory_zeroed(count * name_count, sizeof(double)),
+                   .observed = memory_zeroed(count * observables, sizeof(double))};
     for (size_t i = 0; i < count; i++) {
         bunch.trials[i] = (Trial){.at = bunch.at + i * name_count, .observed = bunch.observed + i * observables};
         for (size_t n = 0; n < name_count; n++)

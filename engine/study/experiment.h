@@ -23,9 +23,9 @@ typedef struct Trial {
     const double *at; /* (names) value of each varied parameter, in its unit */
     uint64_t seed;    /* of all chance: starts, deviations; 0: the nominal start */
     double *observed; /* (observables) NAN: there is none */
-    double *series;   /* (series_count) the numbers that a run lists, by memory_allocate; trial_clear releases it */
+    double *series;   /* (series_count) the numbers that a run lists, by memory_zeroed; trial_clear releases it */
     size_t series_count;
-    char *fault; /* NULL, or why it could not be run with these values; by memory_allocate */
+    char *fault; /* NULL, or why it could not be run with these values; by memory_zeroed */
     bool done;   /* false: it was stopped before */
 } Trial;
 

@@ -26,7 +26,7 @@ Distribution montecarlo_distribution(const double *numbers, size_t count) {
     const double none = (double)NAN;
     Distribution d = {.mean = none, .deviation = none, .error = none, .low = none, .median = none, .high = none};
     d.least = d.greatest = d.quarters[0] = d.quarters[1] = none;
-    double *finite = memory_allocate(count, sizeof *finite), sum = 0;
+    double *finite = memory_zeroed(count, sizeof *finite), sum = 0;
     for (size_t i = 0; i < count; i++)
         if (isfinite(numbers[i]))
             sum += finite[d.count++] = numbers[i];
@@ -62,7 +62,7 @@ MontecarloPoint montecarlo_point(const Study *study, size_t pass, size_t i1, siz
     const Experiment *experiment = study->experiment;
     MontecarloPoint point = {0};
     point.observables = experiment->observable_count;
-    point.of = memory_allocate(point.observables, sizeof *point.of);
+    point.of = memory_zeroed(point.observables, sizeof *point.of);
     for (size_t run = 0; run < study->runs; run++) {
         const Trial *trial = study_trial(study, pass, run, i1, i0);
         double regular = trial->observed[experiment->regular];
@@ -75,7 +75,7 @@ MontecarloPoint montecarlo_point(const Study *study, size_t pass, size_t i1, siz
     point.share = share.value;
     point.share_low = share.low;
     point.share_high = share.high;
-    double *numbers = memory_allocate(study->runs, sizeof *numbers);
+    double *numbers = memory_zeroed(study->runs, sizeof *numbers);
     for (size_t o = 0; o < point.observables; o++) {
         for (size_t run = 0; run < study->runs; run++)
             numbers[run] = study_trial(study, pass, run, i1, i0)->observed[o];

@@ -112,7 +112,7 @@ static bool take_row(sqlite3_stmt *row, Study *study) {
         memcpy(trial->observed, sqlite3_column_blob(row, 1), observables * sizeof(double));
     trial->series_count = (size_t)sqlite3_column_bytes(row, 2) / sizeof(double);
     if (trial->series_count) {
-        trial->series = memory_allocate(trial->series_count, sizeof(double));
+        trial->series = memory_zeroed(trial->series_count, sizeof(double));
         memcpy(trial->series, sqlite3_column_blob(row, 2), trial->series_count * sizeof(double));
     }
     const char *text = (const char *)sqlite3_column_text(row, 3);
@@ -206,7 +206,7 @@ static void free_store(Store *store) {
 }
 
 Store *store_open(const char *path, Study *study, uint64_t digest, StoreFound *found, Fault *fault) {
-    Store *store = memory_allocate(1, sizeof *store);
+    Store *store = memory_zeroed(1, sizeof *store);
     store->path = text_copy(path);
     *found = (StoreFound){0};
     if (!open_database(store, study, digest, found, fault)) {

@@ -188,8 +188,8 @@ void study_begin(Study *study) {
     for (size_t s = 0; s < study->spread_count; s++)
         places[s] = take_name(study, study->spreads[s].name);
     study->trial_count = study->pass_count * study->runs * study_steps(study, 1) * study_steps(study, 0);
-    study->trials = memory_allocate(study->trial_count, sizeof *study->trials);
-    study->values = memory_allocate(study->trial_count * (study->name_count + observables), sizeof *study->values);
+    study->trials = memory_zeroed(study->trial_count, sizeof *study->trials);
+    study->values = memory_zeroed(study->trial_count * (study->name_count + observables), sizeof *study->values);
     double *observed = study->values + study->trial_count * study->name_count;
     for (size_t run = 0; run < study->runs; run++) {
         double fixed[STUDY_NAMES_MOST], factors[STUDY_NAMES_MOST];
@@ -325,9 +325,9 @@ static void run_piece(void *context, size_t index) {
     if (stopped(options))
         return;
     size_t observables = experiment->observable_count;
-    Trial *own = memory_allocate(piece->count, sizeof *own);
-    double *observed = memory_allocate(piece->count * observables, sizeof *observed);
-    size_t *fresh = memory_allocate(piece->count, sizeof *fresh);
+    Trial *own = memory_zeroed(piece->count, sizeof *own);
+    double *observed = memory_zeroed(piece->count * observables, sizeof *observed);
+    size_t *fresh = memory_zeroed(piece->count, sizeof *fresh);
     for (size_t i = 0; i < piece->count * observables; i++)
         observed[i] = (double)NAN;
     for (size_t i = 0; i < piece->count; i++) {
@@ -351,7 +351,7 @@ static void run_piece(void *context, size_t index) {
 void study_run(Study *study, const StudyOptions *options) {
     Work work = {.study = study,
                  .options = options,
-                 .order = memory_allocate(study->trial_count, sizeof *work.order),
+                 .order = memory_zeroed(study->trial_count, sizeof *work.order),
                  .done = study_done(study),
                  .lock = PTHREAD_MUTEX_INITIALIZER};
     make_pieces(&work);

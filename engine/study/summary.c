@@ -53,7 +53,7 @@ SummaryState summary_point(const Study *study, size_t pass, size_t i1, size_t i0
 
 SummaryRange *summary_ranges(const Study *study, size_t pass, size_t axis, size_t *count) {
     size_t steps = study_steps(study, axis), across = study_steps(study, 1 - axis);
-    SummaryRange *ranges = memory_allocate(steps, sizeof *ranges);
+    SummaryRange *ranges = memory_zeroed(steps, sizeof *ranges);
     *count = 0;
     for (size_t i = 0; i < steps; i++) {
         SummaryCount counted = {0};

@@ -37,9 +37,9 @@ static void fixed_run(const void *given, const char *const *names, size_t name_c
                       bool carry, const volatile sig_atomic_t *stop) {
     const Fixed *fixed = given;
     size_t width = fixed->count + name_count, used = 0;
-    const char **all = memory_allocate(width, sizeof *all);
-    double *at = memory_allocate(count * width, sizeof *at);
-    const double **before = memory_allocate(count, sizeof *before);
+    const char **all = memory_zeroed(width, sizeof *all);
+    double *at = memory_zeroed(count * width, sizeof *at);
+    const double **before = memory_zeroed(count, sizeof *before);
     for (size_t n = 0; n < width; n++) {
         bool own = n >= fixed->count;
         const char *name = own ? names[n - fixed->count] : fixed->names[n];
@@ -128,7 +128,7 @@ bool typed_open(Typed *typed, Experiment *experiment, Fault *fault) {
     const Experiment *of = typed->of;
     if (!types_check(of, typed->names, typed->name_count, fault))
         return false;
-    typed->observables = memory_allocate(of->observable_count + 1, sizeof *typed->observables);
+    typed->observables = memory_zeroed(of->observable_count + 1, sizeof *typed->observables);
     memcpy(typed->observables, of->observables, of->observable_count * sizeof *typed->observables);
     typed->observables[of->observable_count] = (Observable){"type", "1", "type I, II or III of the place"};
     *experiment = *of;

@@ -63,7 +63,7 @@ static void run_batch(void *context, size_t index) {
  * a point: s on one core, and by the clock with all. */
 static void measure_map(const char *source, const char *modes, double low, size_t columns, size_t rows, bool alone) {
     Rig rig = make_rig(source, modes);
-    Batches batches = {&rig, memory_allocate(columns * rows, sizeof(LanesRun)), columns * rows};
+    Batches batches = {&rig, memory_zeroed(columns * rows, sizeof(LanesRun)), columns * rows};
     for (size_t i = 0; i < batches.count; i++)
         batches.runs[i] = (LanesRun){
             .frequency = low + (320 - low) * (double)(i % columns) / (double)(columns - 1),

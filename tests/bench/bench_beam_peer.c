@@ -16,7 +16,7 @@ static double frequency_of(size_t i) {
 
 /* Cycles per second. */
 static double measure_lanes(const Rig *rig) {
-    LanesRun *runs = memory_allocate(SWEEP, sizeof *runs);
+    LanesRun *runs = memory_zeroed(SWEEP, sizeof *runs);
     double seconds[TURNS];
     for (int turn = 0; turn < TURNS; turn++) {
         for (size_t i = 0; i < SWEEP; i++)

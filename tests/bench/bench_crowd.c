@@ -63,7 +63,7 @@ static void measure(const Scene *scene, const char *source) {
         clock = bench_clock();
         walk_on(&two, scene->steps, NULL);
         together[turn] = single[turn] / (bench_clock() - clock);
-        PersonObservation *people = memory_allocate(house.person_count, sizeof *people);
+        PersonObservation *people = memory_zeroed(house.person_count, sizeof *people);
         Observer observer;
         observer_init(&observer, &seen, people);
         begin = bench_now();

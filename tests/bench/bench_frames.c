@@ -82,7 +82,7 @@ static void measure(const Show *show, const Gl *gl, ViewKind view, int width, in
     char directory[] = "/tmp/clearance-frames-XXXXXX";
     Screen screen = {.film = film_create(&show->house, &show->observation, &options),
                      .paint = paint_gl_create(gl, width, height, layout_unit(width, height), THEME_PAPER),
-                     .pixels = memory_allocate((size_t)width * (size_t)height, 4)};
+                     .pixels = memory_zeroed((size_t)width * (size_t)height, 4)};
     layout_make(&screen.still, film_still(screen.film), vec2(width / unit, height / unit));
     double begin = bench_clock();
     paint_gl_still(screen.paint, (Layer){film_still(screen.film), &screen.still});
@@ -127,7 +127,7 @@ static void film_beam(const StudioFilm *filmed, double last, const Options *opti
     Studio studio;
     if (!mkdtemp(directory) || !studio_open(&studio, filmed, options))
         return;
-    unsigned char *pixels = memory_allocate((size_t)options->width * (size_t)options->height, 4);
+    unsigned char *pixels = memory_zeroed((size_t)options->width * (size_t)options->height, 4);
     studio_draw(&studio, 0, pixels); /* shaders are compiled when they are first used */
     for (int turn = 0, frame = 0; turn < TURNS; turn++) {
         double begin = bench_clock();

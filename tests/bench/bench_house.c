@@ -44,7 +44,7 @@ static double one_turn(const char *source, const char *route, double seconds[PAR
     while (world_goes_on(&world))
         world_step(&world, NULL);
     seconds[3] = bench_now() - begin;
-    PersonObservation *people = memory_allocate(house.person_count, sizeof *people);
+    PersonObservation *people = memory_zeroed(house.person_count, sizeof *people);
     Observer observer;
     observer_init(&observer, &twin, people);
     begin = bench_now();

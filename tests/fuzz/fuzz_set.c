@@ -36,7 +36,7 @@ static void set_profile(const Plan *plan) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    char *text = memory_allocate(size + 1, 1);
+    char *text = memory_zeroed(size + 1, 1);
     const char *settings[MOST_SETTINGS];
     size_t count = 0;
     if (size)

@@ -8,7 +8,7 @@
 #include "scratch.h"
 
 static double *one_number(double number) {
-    double *room = memory_allocate(1, sizeof *room);
+    double *room = memory_zeroed(1, sizeof *room);
     *room = number;
     return room;
 }

@@ -41,12 +41,12 @@ Pane pane_begin(int width, int height, double text, Theme theme) {
         check_skip(message);
     pane.screen = paint_gl_screen_create(offscreen_gl(pane.offscreen));
     paint_gl_screen_leave_window(pane.screen);
-    pane.clipboard = memory_allocate(PANE_CLIPBOARD, 1);
+    pane.clipboard = memory_zeroed(PANE_CLIPBOARD, 1);
     pane.ui = ui_create(pane.screen, theme, (UiClipboard){clipboard_get, clipboard_set, pane.clipboard});
     double unit = text * layout_unit(width, height);
     pane.input = (UiInput){.width = width, .height = height, .unit = unit, .seconds = 1.0 / 60, .mouse = {-1, -1}};
     pane.page = vec2(width / unit, height / unit);
-    pane.pixels = memory_allocate((size_t)width * (size_t)height, 4);
+    pane.pixels = memory_zeroed((size_t)width * (size_t)height, 4);
     snprintf(pane.name, sizeof pane.name, "L corridor");
     return pane;
 }

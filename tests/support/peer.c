@@ -84,7 +84,7 @@ static int roots(realtype time, N_Vector state, realtype *out, void *data) {
 }
 
 Peer *peer_create(const Rig *rig, const double *state, double tolerance) {
-    Peer *peer = memory_allocate(1, sizeof *peer);
+    Peer *peer = memory_zeroed(1, sizeof *peer);
     peer->rig = rig;
     must(SUNContext_Create(NULL, &peer->context) == 0);
     peer->state = N_VNew_Serial((sunindextype)rig->free.states, peer->context);

@@ -22,7 +22,7 @@ void scratch_write(char path[SCRATCH_PATH], const char *text) {
 
 void scratch_plan(Plan *plan, const char *members) {
     size_t size = strlen(members) + 64;
-    char *text = memory_allocate(size, 1), path[SCRATCH_PATH];
+    char *text = memory_zeroed(size, 1), path[SCRATCH_PATH];
     snprintf(text, size, "{'format': 'clearance-house', 'version': 1, %s}", members);
     scratch_write(path, text);
     Fault fault = {0};
@@ -47,10 +47,10 @@ char **scratch_list(const char *directory, size_t *count) {
     int found = scandir(scratch_source(directory), &entries, is_data, alphasort);
     *count = found > 0 ? (size_t)found : 0;
     CHECK(*count > 0);
-    char **paths = memory_allocate(*count, sizeof *paths);
+    char **paths = memory_zeroed(*count, sizeof *paths);
     for (size_t i = 0; i < *count; i++) {
         size_t size = strlen(directory) + strlen(entries[i]->d_name) + 2;
-        paths[i] = memory_allocate(size, 1);
+        paths[i] = memory_zeroed(size, 1);
         snprintf(paths[i], size, "%s/%s", directory, entries[i]->d_name);
         free(entries[i]);
     }
@@ -73,13 +73,13 @@ const char *scratch_source(const char *path) {
 char *scratch_read(const char *path) {
     size_t size;
     char *text = text_read_file(path, 1 << 24, &size);
-    return text ? text : memory_allocate(1, 1);
+    return text ? text : memory_zeroed(1, 1);
 }
 
 void scratch_check_faults(const char *directory, void (*read)(const char *path, Fault *fault)) {
     CHECK(chdir(check_source()) == 0); /* the expected lines name files from there */
     size_t count, size = strlen(directory) + sizeof "/expected.txt";
-    char **paths = scratch_list(directory, &count), *list = memory_allocate(size, 1);
+    char **paths = scratch_list(directory, &count), *list = memory_zeroed(size, 1);
     snprintf(list, size, "%s/expected.txt", directory);
     char *expected = scratch_read(list);
     Text found = {0};

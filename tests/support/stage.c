@@ -9,7 +9,7 @@
 #include "paint/paint_cairo.h"
 
 Picture picture_make(int width, int height) {
-    return (Picture){memory_allocate((size_t)width * (size_t)height, 4), width, height};
+    return (Picture){memory_zeroed((size_t)width * (size_t)height, 4), width, height};
 }
 
 const unsigned char *picture_at(const Picture *picture, int x, int y) {

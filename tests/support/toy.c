@@ -42,7 +42,7 @@ static void observe(Trial *trial, double x, double y, double memory) {
     trial->observed[TOY_SUM] = x + 10 * y + (double)trial->seed / 1000;
     trial->observed[TOY_MEMORY] = memory;
     trial->series_count = x >= 0 ? (size_t)x + 1 : 0;
-    trial->series = memory_allocate(trial->series_count, sizeof *trial->series);
+    trial->series = memory_zeroed(trial->series_count, sizeof *trial->series);
     for (size_t i = 0; i < trial->series_count; i++)
         trial->series[i] = (double)(i * i);
     trial->done = true;
@@ -60,7 +60,7 @@ static void run(const void *given, const char *const *names, size_t name_count, 
         if (stop && *stop)
             return;
         if (x > 50) {
-            trials[i].fault = memory_allocate(40, 1);
+            trials[i].fault = memory_zeroed(40, 1);
             snprintf(trials[i].fault, 40, "x is \"%g\", at most 50", x);
             continue;
         }

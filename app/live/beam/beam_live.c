@@ -43,7 +43,7 @@ static void look_at_answer(BeamLive *live) {
 }
 
 static void *open_live(const char *path, const LiveOptions *options, Fault *fault) {
-    BeamLive *live = memory_allocate(1, sizeof *live);
+    BeamLive *live = memory_zeroed(1, sizeof *live);
     if (!read_files(live, path, options, fault)) {
         memory_free(live);
         return NULL;

@@ -78,7 +78,7 @@ bool beam_live_show_sound(const void *context, double from, double to, float *sa
     double loudest = live->traces.seen.speed;
     if (from < beam_tape_begin(tape, tape->first) || to > tape->front_time || !(to > from) || !(loudest > 0))
         return false;
-    double *velocity = memory_allocate(count, sizeof *velocity);
+    double *velocity = memory_zeroed(count, sizeof *velocity);
     beam_tape_velocities(&live->tape, from, to, velocity, count);
     for (size_t i = 0; i < count; i++)
         samples[i] = (float)fmax(-1, fmin(velocity[i] / loudest, 1));

@@ -37,7 +37,7 @@ static BeamModes *find_modes(const BeamPart *like, const Beam *beam, const char 
         modes->users++;
         return modes;
     }
-    modes = memory_allocate(1, sizeof *modes);
+    modes = memory_zeroed(1, sizeof *modes);
     *modes = (BeamModes){.beam = *beam, .users = 1};
     if (beam_check(beam, place, fault) && rig_build(&modes->rig, beam, place, fault))
         return modes;
@@ -50,7 +50,7 @@ static BeamPart *make_part(BeamTape *tape, const Beam *beam, Fault *fault) {
     BeamModes *modes = find_modes(like, beam, tape->place, fault);
     if (!modes)
         return NULL;
-    BeamPart *part = memory_allocate(1, sizeof *part);
+    BeamPart *part = memory_zeroed(1, sizeof *part);
     *part = (BeamPart){.beam = *beam, .modes = modes, .serial = ++tape->part_serial};
     part->rig = rig_share(&modes->rig, beam->frequency, beam->force, beam->clearance);
     return part;
@@ -116,7 +116,7 @@ static void note_front(BeamTape *tape) {
     size_t size = motion_saved_size(tape->motion.rig);
     if (cycle->saved_size != size) {
         memory_free(cycle->saved);
-        cycle->saved = memory_allocate(size, sizeof *cycle->saved);
+        cycle->saved = memory_zeroed(size, sizeof *cycle->saved);
         cycle->saved_size = size;
     }
     motion_save(&tape->motion, cycle->saved);
@@ -131,7 +131,7 @@ static void begin_part(BeamTape *tape) {
     part->begin = tape->front_time;
     motion_destroy(&tape->motion);
     tape->motion = motion_create(&part->rig, 0);
-    double *state = memory_allocate(part->rig.free.states, sizeof *state);
+    double *state = memory_zeroed(part->rig.free.states, sizeof *state);
     if (beam_carry_give(&tape->carry, &part->rig.modes, state))
         motion_set_state(&tape->motion, state);
     memory_free(state);
@@ -161,7 +161,7 @@ static double reach_of(const Motion *motion, double *state) {
 static void follow_cycle(BeamTape *tape, BeamCycle *cycle) {
     Motion *motion = &tape->motion;
     double period = motion->rig->period, looked = 0;
-    double *state = memory_allocate(motion->rig->free.states, sizeof *state);
+    double *state = memory_zeroed(motion->rig->free.states, sizeof *state);
     cycle->extent = (BeamExtent){0};
     motion->peak[0] = motion->peak[1] = 0;
     while (motion->status == MOTION_GOOD && motion->phase < period) {
@@ -230,7 +230,7 @@ bool beam_tape_advance(BeamTape *tape) {
 /* What the motion takes along from where a cycle begins. */
 static void take_along(BeamTape *tape, size_t cycle) {
     const BeamPart *part = beam_tape_part(tape, cycle);
-    double *state = memory_allocate(part->rig.free.states, sizeof *state);
+    double *state = memory_zeroed(part->rig.free.states, sizeof *state);
     Motion motion = motion_create(&part->rig, 0);
     motion_restore(&motion, slot(tape, cycle)->saved);
     motion_state(&motion, state);
@@ -280,7 +280,7 @@ bool beam_tape_restart(BeamTape *tape, const Beam *beam, Fault *fault) {
 
 bool beam_tape_open(BeamTape *tape, const Beam *beam, const char *place, Fault *fault) {
     *tape = (BeamTape){.place = place};
-    tape->cycles = memory_allocate(BEAM_TAPE_CYCLES + 1, sizeof *tape->cycles);
+    tape->cycles = memory_zeroed(BEAM_TAPE_CYCLES + 1, sizeof *tape->cycles);
     if (beam_tape_restart(tape, beam, fault))
         return true;
     memory_free(tape->cycles);

@@ -184,7 +184,7 @@ static void *work(void *context) {
 }
 
 BeamWorker *beam_worker_start(int jobs) {
-    BeamWorker *worker = memory_allocate(1, sizeof *worker);
+    BeamWorker *worker = memory_zeroed(1, sizeof *worker);
     worker->jobs = jobs > 2 ? jobs - 1 : 1;
     pthread_condattr_t monotonic;
     pthread_condattr_init(&monotonic);

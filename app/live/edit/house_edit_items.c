@@ -19,7 +19,7 @@ static void stock_profiles(HouseLive *live) {
     int count = scandir(live->wish.profiles, &entries, is_json, alphasort);
     if (count < 0)
         return;
-    edit->profiles = memory_allocate((size_t)count, sizeof *edit->profiles);
+    edit->profiles = memory_zeroed((size_t)count, sizeof *edit->profiles);
     for (int i = 0; i < count; i++) {
         Text name = {0};
         text_format(&name, "%.*s", (int)strlen(entries[i]->d_name) - 5, entries[i]->d_name);

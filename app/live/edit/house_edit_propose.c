@@ -105,7 +105,7 @@ void house_edit_propose_ask(HouseLive *live) {
     HouseEdit *edit = &live->edit;
     give_up(edit);
     reap(edit, false);
-    EditSearch *search = memory_allocate(1, sizeof *search);
+    EditSearch *search = memory_zeroed(1, sizeof *search);
     search->revision = draft_revision(live->draft);
     search->text = text_copy(draft_text(live->draft));
     search->path = text_copy(live->wish.path);

@@ -19,7 +19,7 @@ static const EditShake *last_shake(const HouseLive *live) {
 
 /* The furniture as before that shake (furniture_count). New; memory_free it. */
 static Furniture *furniture_before(const Plan *plan, const EditShake *shake) {
-    Furniture *before = memory_allocate(plan->furniture_count + 1, sizeof *before);
+    Furniture *before = memory_zeroed(plan->furniture_count + 1, sizeof *before);
     for (size_t i = 0; i < plan->furniture_count; i++) {
         before[i] = plan->furniture[i];
         for (size_t k = 0; shake && k < shake->count; k++)
@@ -80,7 +80,7 @@ bool house_edit_shake_do(HouseLive *live, Fault *fault) {
         fault_add(fault, "no furniture that stands here can fall: choose the face that a piece falls to");
         return false;
     }
-    bool *topples = memory_allocate(before.furniture_count + 1, sizeof *topples);
+    bool *topples = memory_zeroed(before.furniture_count + 1, sizeof *topples);
     size_t count = 0;
     shake_draw(&before, ++edit->seed, topples);
     for (size_t i = 0; i < before.furniture_count; i++)

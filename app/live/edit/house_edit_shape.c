@@ -162,7 +162,7 @@ static Vec2 shifted(const Shift *shift, Vec2 at) {
 
 static void shift_wall(HouseLive *live, const Plan *plan, size_t w, const Shift *shift) {
     const Wall *wall = &plan->walls[w];
-    Vec2 *moved = memory_allocate(wall->points.count, sizeof *moved);
+    Vec2 *moved = memory_zeroed(wall->points.count, sizeof *moved);
     bool any = false;
     for (size_t i = 0; i < wall->points.count; i++) {
         moved[i] = shifted(shift, wall->points.at[i]);
@@ -191,7 +191,7 @@ void house_edit_shape_make(HouseLive *live) {
             shift_wall(live, &edit->begun, w, &shift);
     if (edit->grip.list == DRAFT_WALLS)
         return;
-    Vec2 *moved = memory_allocate(before.count, sizeof *moved);
+    Vec2 *moved = memory_zeroed(before.count, sizeof *moved);
     for (size_t i = 0; i < before.count; i++)
         moved[i] = i >= first && i < first + count ? to[i - first] : before.at[i];
     if (edit->grip.list == DRAFT_EXITS) {
@@ -211,7 +211,7 @@ static Shift shift_of_selected(HouseLive *live, const Plan *plan, Vec2 by) {
     size_t most = 0, count = 0;
     for (size_t w = 0; w < plan->wall_count; w++)
         most += house_edit_select_has(live, plan->walls[w].id) ? plan->walls[w].points.count : 0;
-    Shift shift = {memory_allocate(most, sizeof(Vec2)), memory_allocate(most, sizeof(Vec2)), most};
+    Shift shift = {memory_zeroed(most, sizeof(Vec2)), memory_zeroed(most, sizeof(Vec2)), most};
     for (size_t w = 0; w < plan->wall_count; w++)
         for (size_t i = 0; house_edit_select_has(live, plan->walls[w].id) && i < plan->walls[w].points.count; i++) {
             Vec2 to = vec2_add(plan->walls[w].points.at[i], by);

@@ -39,7 +39,7 @@ static void split_at(HouseLive *live, const Wall *wall, size_t index, size_t seg
     const Plan *plan = draft_plan(live->draft);
     const Vec2 *at = wall->points.at;
     size_t count = wall->points.count;
-    Vec2 *points = memory_allocate(count + 1, sizeof *points);
+    Vec2 *points = memory_zeroed(count + 1, sizeof *points);
     Vec2 middle = vec2_scale(vec2_add(at[segment], at[segment + 1]), 0.5);
     double half = vec2_distance(at[segment], at[segment + 1]) / 2;
     memcpy(points, at, (segment + 1) * sizeof *points);
@@ -146,7 +146,7 @@ bool house_edit_split_join(HouseLive *live, Fault *fault) {
         fault_add(fault, "a closed wall keeps the point where it begins");
         return false;
     }
-    Vec2 *rest = memory_allocate(points.count, sizeof *rest);
+    Vec2 *rest = memory_zeroed(points.count, sizeof *rest);
     size_t count = 0;
     for (size_t i = 0; i < points.count; i++)
         if (i != handle.index)

@@ -21,7 +21,7 @@ void house_edit_wall_make(HouseLive *live) {
     const HouseEdit *edit = &live->edit;
     const EditChain *chain = &edit->chain;
     size_t count = chain->count + chain->floating, first = 0;
-    Vec2 *points = memory_allocate(count, sizeof *points);
+    Vec2 *points = memory_zeroed(count, sizeof *points);
     for (size_t i = 0; i < count; i++)
         points[i] = i < chain->count ? chain->points[i] : edit->now.at;
     for (size_t i = 1; i < count; i++) { /* each piece has the thickness of its second point */

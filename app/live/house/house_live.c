@@ -89,7 +89,7 @@ static void *open_house(const char *path, const LiveOptions *options, Fault *fau
         draft_destroy(draft);
         return NULL;
     }
-    HouseLive *live = memory_allocate(1, sizeof *live);
+    HouseLive *live = memory_zeroed(1, sizeof *live);
     live->draft = draft;
     house_edit_begin(live);
     live->nothing = (Scene){.box = {{0, 0}, {1, 1}}, .bare = true, .unscaled = true};

@@ -24,7 +24,7 @@ static bool is_file_with(const HouseLive *live, const char *const *settings, siz
 /* The settings that make the draft of its file: those it was opened with, and what was changed since; (count). */
 static const char **make_settings(HouseLive *live, size_t *count) {
     const LiveOptions *given = &live->given;
-    const char **settings = memory_allocate(given->setting_count + live->values.count + 1, sizeof *settings);
+    const char **settings = memory_zeroed(given->setting_count + live->values.count + 1, sizeof *settings);
     *count = given->setting_count;
     for (size_t i = 0; i < given->setting_count; i++)
         settings[i] = given->settings[i];
@@ -39,7 +39,7 @@ const char *const *house_live_command_words(HouseLive *live, size_t *count) {
     memory_free(live->command);
     size_t setting_count, used = 0;
     const char **settings = make_settings(live, &setting_count);
-    const char **words = memory_allocate(WORDS + 2 * setting_count, sizeof *words);
+    const char **words = memory_zeroed(WORDS + 2 * setting_count, sizeof *words);
     bool whole = is_file_with(live, NULL, 0), made = !whole && is_file_with(live, settings, setting_count);
     words[used++] = "run";
     words[used++] = whole || made ? draft_file_path(live->draft) : "";

@@ -10,13 +10,13 @@
 #include "visual/house/route_scene.h"
 
 HouseRun *house_live_run_create(const HouseWish *wish) {
-    HouseRun *run = memory_allocate(1, sizeof *run);
+    HouseRun *run = memory_zeroed(1, sizeof *run);
     run->wish = *wish;
     run->wish.path = arena_text(&run->arena, wish->path);
     run->wish.profiles = arena_text(&run->arena, wish->profiles);
     run->wish.route = wish->route ? arena_text(&run->arena, wish->route) : NULL;
     run->wish.epochs = house_live_history_copy(wish->epochs, wish->epoch_count, &run->arena);
-    run->earlier = memory_allocate(wish->epoch_count, sizeof *run->earlier);
+    run->earlier = memory_zeroed(wish->epoch_count, sizeof *run->earlier);
     pthread_mutex_init(&run->mutex, NULL);
     return run;
 }
@@ -69,7 +69,7 @@ static void take_piece(void *context, const RunPiece *piece) {
     pthread_mutex_lock(&run->mutex);
     if (!run->group_count) {
         run->group_count = piece->group_count;
-        run->reach = memory_allocate(piece->group_count, sizeof *run->reach);
+        run->reach = memory_zeroed(piece->group_count, sizeof *run->reach);
         run->stage = HOUSE_DRIVES;
     }
     take_rows(run, piece);
@@ -94,7 +94,7 @@ static void make_room(HouseRun *run) {
 
 static void drive(HouseRun *run) {
     size_t earlier = run->wish.epoch_count - 1;
-    RunChange *changes = memory_allocate(earlier + 1, sizeof *changes);
+    RunChange *changes = memory_zeroed(earlier + 1, sizeof *changes);
     for (size_t i = 0; i < earlier; i++)
         changes[i] = (RunChange){run->wish.epochs[i + 1].time, i + 1 < earlier ? &run->earlier[i + 1] : &run->house};
     const House *first = earlier ? &run->earlier[0] : &run->house;
@@ -220,9 +220,9 @@ bool house_live_run_say(HouseRun *run, const char *who, char *words, size_t size
 
 Observation house_live_run_begin(const HouseRun *run) {
     const House *house = &run->house;
-    Observation growing = {.people = memory_allocate(house->person_count, sizeof *growing.people),
+    Observation growing = {.people = memory_zeroed(house->person_count, sizeof *growing.people),
                            .person_count = house->person_count,
-                           .door_opened = memory_allocate(house->plan.door_count, sizeof *growing.door_opened),
+                           .door_opened = memory_zeroed(house->plan.door_count, sizeof *growing.door_opened),
                            .dt = house->plan.run.dt,
                            .sample = (double)observer_sample_steps(house) * house->plan.run.dt};
     trace_init(&growing.trace, observation_columns, TRACE_COLUMNS);

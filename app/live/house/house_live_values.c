@@ -207,7 +207,7 @@ void house_live_value_list(HouseValues *values, const House *house) {
                                         &run_offers[i], (ValueOwner){.key = false});
         live->group = "Run";
     }
-    values->listed = memory_allocate(values->count, sizeof *values->listed);
+    values->listed = memory_zeroed(values->count, sizeof *values->listed);
 }
 
 void house_live_value_list_again(HouseValues *values, const HouseValues *opened, const House *house) {

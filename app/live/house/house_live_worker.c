@@ -56,7 +56,7 @@ static void release(HouseWorker *worker) {
 }
 
 HouseWorker *house_live_worker_create(void) {
-    HouseWorker *worker = memory_allocate(1, sizeof *worker);
+    HouseWorker *worker = memory_zeroed(1, sizeof *worker);
     pthread_mutex_init(&worker->mutex, NULL);
     pthread_cond_init(&worker->asked, NULL);
     if (pthread_create(&worker->thread, NULL, work, worker) == 0)

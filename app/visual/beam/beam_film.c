@@ -83,7 +83,7 @@ static void make_force(BeamFilm *film) {
 
 BeamFilm *beam_film_create(const Beam *beam, const Rig *rig, const Response *response, BeamRecord *record,
                            double slow) {
-    BeamFilm *film = memory_allocate(1, sizeof *film);
+    BeamFilm *film = memory_zeroed(1, sizeof *film);
     *film = (BeamFilm){.beam = beam, .record = record, .time = -1};
     film->scale = beam_scene_scale(beam, record->reach, record->tip_reach);
     film->shape = beam_shape_create(rig);

@@ -194,13 +194,13 @@ void beam_record_sample(BeamRecord *record, BeamSpan span) {
     clear_samples(record);
     double parts = parts_of(record, span);
     size_t room = (size_t)ceil((span.last - span.first) * span.rate * parts) + 2;
-    record->times = memory_allocate(room, sizeof *record->times);
-    record->displacement = memory_allocate(room, sizeof *record->displacement);
-    record->velocity = memory_allocate(room, sizeof *record->velocity);
-    record->force = memory_allocate(room, sizeof *record->force);
-    record->section_times = memory_allocate(record->cycles, sizeof *record->section_times);
-    record->section_displacement = memory_allocate(record->cycles, sizeof *record->section_displacement);
-    record->section_velocity = memory_allocate(record->cycles, sizeof *record->section_velocity);
+    record->times = memory_zeroed(room, sizeof *record->times);
+    record->displacement = memory_zeroed(room, sizeof *record->displacement);
+    record->velocity = memory_zeroed(room, sizeof *record->velocity);
+    record->force = memory_zeroed(room, sizeof *record->force);
+    record->section_times = memory_zeroed(record->cycles, sizeof *record->section_times);
+    record->section_displacement = memory_zeroed(record->cycles, sizeof *record->section_displacement);
+    record->section_velocity = memory_zeroed(record->cycles, sizeof *record->section_velocity);
     for (size_t i = 0;; i++) {
         double time = span.first + (double)i / parts / span.rate;
         if (!(time < span.last) || record->sample_count + 1 >= room)

@@ -21,10 +21,10 @@ BeamShape beam_shape_create(const Rig *rig) {
     BeamShape shape = {.rig = rig};
     size_t nodes = node_count(&shape), pieces = piece_count(nodes);
     shape.count = (nodes - 1) * pieces + 1;
-    shape.place = memory_allocate(shape.count, sizeof *shape.place);
-    shape.deflection = memory_allocate(shape.count, sizeof *shape.deflection);
-    shape.state = memory_allocate(rig->free.states, sizeof *shape.state);
-    shape.freedoms = memory_allocate(rig->modes.freedoms, sizeof *shape.freedoms);
+    shape.place = memory_zeroed(shape.count, sizeof *shape.place);
+    shape.deflection = memory_zeroed(shape.count, sizeof *shape.deflection);
+    shape.state = memory_zeroed(rig->free.states, sizeof *shape.state);
+    shape.freedoms = memory_zeroed(rig->modes.freedoms, sizeof *shape.freedoms);
     for (size_t i = 0; i < shape.count; i++) {
         const double *node = rig->modes.place + i / pieces;
         double part = (double)(i % pieces) / (double)pieces;

@@ -143,8 +143,8 @@ static int compare_holds(const void *a, const void *b) {
 
 Census census_take(const House *house, const Observation *observation) {
     Census census = {.stuck = SIZE_MAX,
-                     .left = memory_allocate(house->plan.exit_count, sizeof *census.left),
-                     .party_of = memory_allocate(house->person_count, sizeof *census.party_of)};
+                     .left = memory_zeroed(house->plan.exit_count, sizeof *census.left),
+                     .party_of = memory_zeroed(house->person_count, sizeof *census.party_of)};
     const Crowd *crowd = NULL;
     for (size_t i = 0; i < house->person_count; i++) {
         const PersonObservation *person = &observation->people[i];

@@ -114,7 +114,7 @@ static size_t thin_trail(const Trail *trail, double step, Vec2 *points) {
 }
 
 static void add_locus(Scene *scene, const Trail *trail, LocusLook look, double step, double opacity) {
-    Vec2 *points = memory_allocate(trail->count, sizeof *points);
+    Vec2 *points = memory_zeroed(trail->count, sizeof *points);
     size_t count = thin_trail(trail, step, points);
     Primitive *locus = scene_add_line(scene, look.role, look.width, points, count);
     locus->style = look.style;

@@ -112,7 +112,7 @@ void figure_add_chair(Scene *scene, const Profile *profile, Pose pose, Role role
 }
 
 void figure_add_walkers(Scene *scene, const Profile *profile, const Pose *poses, size_t count) {
-    Vec2 *centres = memory_allocate(count, sizeof *centres);
+    Vec2 *centres = memory_zeroed(count, sizeof *centres);
     for (size_t i = 0; i < count; i++)
         centres[i] = poses[i].at;
     Primitive *trunks = scene_add_discs(scene, ROLE_WALKER, profile->width / 2, centres, count);

@@ -62,7 +62,7 @@ static void keep_ways_clear(Film *film) {
         const Profile *profile = film->house->people[i].profile;
         if (!trail->count)
             continue;
-        Vec2 *points = memory_allocate(trail->count + 1, sizeof *points);
+        Vec2 *points = memory_zeroed(trail->count + 1, sizeof *points);
         for (size_t r = 0; r < trail->count; r++)
             points[r] = row_place(trail->rows[r]);
         Pose end = trail_pose(trail, trail_end(trail));
@@ -150,16 +150,16 @@ static void make_still(Film *film) {
 }
 
 Film *film_create(const House *house, const Observation *observation, const FilmOptions *options) {
-    Film *film = memory_allocate(1, sizeof *film);
+    Film *film = memory_zeroed(1, sizeof *film);
     *film = (Film){.house = house, .observation = observation, .options = *options, .time = -1};
     film->listed = options->trails ? NULL : trail_list(observation);
     film->trails = options->trails ? options->trails : film->listed;
-    film->progress = memory_allocate(house->person_count, sizeof *film->progress);
-    film->standing = memory_allocate(house->person_count, sizeof *film->standing);
-    film->poses = memory_allocate(house->person_count, sizeof *film->poses);
-    film->door_open = memory_allocate(house->plan.door_count, sizeof *film->door_open);
-    film->door_opened = memory_allocate(house->plan.door_count, sizeof *film->door_opened);
-    film->door_observed = memory_allocate(house->plan.door_count, sizeof *film->door_observed);
+    film->progress = memory_zeroed(house->person_count, sizeof *film->progress);
+    film->standing = memory_zeroed(house->person_count, sizeof *film->standing);
+    film->poses = memory_zeroed(house->person_count, sizeof *film->poses);
+    film->door_open = memory_zeroed(house->plan.door_count, sizeof *film->door_open);
+    film->door_opened = memory_zeroed(house->plan.door_count, sizeof *film->door_opened);
+    film->door_observed = memory_zeroed(house->plan.door_count, sizeof *film->door_observed);
     for (size_t d = 0; d < house->plan.door_count; d++)
         film->door_observed[d] =
             options->observed ? plan_find_door(&options->observed->plan, house->plan.doors[d].id) : d;

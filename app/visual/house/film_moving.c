@@ -139,7 +139,7 @@ static void add_name(Film *film, const Standing *standing) {
 /* Of a crowd: how many have left by each exit so far. */
 static void add_exits(Film *film) {
     const Plan *plan = &film->house->plan;
-    size_t *left = memory_allocate(plan->exit_count, sizeof *left);
+    size_t *left = memory_zeroed(plan->exit_count, sizeof *left);
     for (size_t i = 0; i < film->house->person_count; i++) {
         const PersonObservation *person = &film->observation->people[i];
         bool out = person->took_part && person->completed && person->time <= film->time;

@@ -90,8 +90,8 @@ size_t people_scene_narrowest(const House *house, const Observation *observation
 
 /* The union of the bodies along the way, as hulls of neighbours that overlap. */
 static void add_swept(Scene *scene, const Profile *profile, const Trail *trail, Role role) {
-    Vec2 *points = memory_allocate(trail->count * 2 * SILHOUETTE_POINTS, sizeof *points);
-    size_t *starts = memory_allocate(trail->count + 1, sizeof *starts), rings = 0;
+    Vec2 *points = memory_zeroed(trail->count * 2 * SILHOUETTE_POINTS, sizeof *points);
+    size_t *starts = memory_zeroed(trail->count + 1, sizeof *starts), rings = 0;
     Pose last = trail_pose(trail, trail_begin(trail));
     Vec2 outlines[2][SILHOUETTE_POINTS];
     silhouette_outline(profile, last.at, last.heading, 0, outlines[0]);
@@ -168,7 +168,7 @@ static void add_bodies(Scene *scene, const House *house, size_t person, const Tr
 }
 
 static void add_locus(Scene *scene, const Trail *trail, LocusLook look) {
-    Vec2 *points = memory_allocate(trail->count, sizeof *points);
+    Vec2 *points = memory_zeroed(trail->count, sizeof *points);
     for (size_t i = 0; i < trail->count; i++)
         points[i] = vec2(trail->rows[i][TRACE_X], trail->rows[i][TRACE_Y]);
     Primitive *locus = scene_add_line(scene, look.role, look.width, points, trail->count);

@@ -10,7 +10,7 @@
 #define LETTERS 15.0
 
 static void add_way(Scene *scene, const Track *track) {
-    Vec2 *points = memory_allocate(track->count, sizeof *points);
+    Vec2 *points = memory_zeroed(track->count, sizeof *points);
     for (size_t i = 0; i < track->count; i++)
         points[i] = track->points[i].at;
     scene_add_line(scene, ROLE_TEXT, WAY_WIDTH, points, track->count)->style = LINE_DOTTED;
@@ -53,7 +53,7 @@ void route_scene_add(Scene *scene, const House *house, const Observation *observ
                      const volatile sig_atomic_t *stop) {
     if (!routes && !widths)
         return;
-    bool *part = memory_allocate(house->person_count, sizeof *part);
+    bool *part = memory_zeroed(house->person_count, sizeof *part);
     for (size_t i = 0; i < house->person_count; i++)
         part[i] = observation->people[i].took_part && !census_walks(house->people[i].profile);
     Journeys journeys = journey_plan_all(house, part, 1, stop);

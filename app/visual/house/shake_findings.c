@@ -135,7 +135,7 @@ ShakeFindings shake_findings_make(const Study *study) {
     ShakeFindings findings = {
         .study = study, .house = house_experiment_house(study->experiment), .calm_time = (double)NAN};
     Making making = {&findings, house_experiment_shake(study->experiment),
-                     memory_allocate(study->trial_count, sizeof(double))};
+                     memory_zeroed(study->trial_count, sizeof(double))};
     findings.shakes = take(&making, HOUSE_COMPLETED);
     findings.everybody = share_above(&making, HOUSE_COMPLETED, 0);
     findings.caught = share_above(&making, making.record->caught, 0);

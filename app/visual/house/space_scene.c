@@ -52,7 +52,7 @@ void space_scene_add_circles(Scene *scene, const Profile *profile, Pose pose) {
     while (!round && (radius = hypot(length / (double)(2 * count), half)) > CIRCLE_SLACK * half)
         count++;
     Vec2 axis = vec2_heading(pose.heading), middle = silhouette_middle(profile, pose.at, pose.heading);
-    Vec2 *centres = memory_allocate(count, sizeof *centres);
+    Vec2 *centres = memory_zeroed(count, sizeof *centres);
     for (size_t i = 0; i < count; i++)
         centres[i] = vec2_along(middle, length * (((double)i + 0.5) / (double)count - 0.5), axis);
     Primitive *circles = scene_add_discs(scene, ROLE_TEXT, radius, centres, count);

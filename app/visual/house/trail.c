@@ -9,8 +9,8 @@ static size_t row_person(const double *row) {
 /* The rows of all trails stand in one block, the first trail's. */
 Trail *trail_list(const Observation *observation) {
     const Trace *trace = &observation->trace;
-    Trail *trails = memory_allocate(observation->person_count, sizeof *trails);
-    const double **rows = memory_allocate(trace->rows, sizeof *rows);
+    Trail *trails = memory_zeroed(observation->person_count, sizeof *trails);
+    const double **rows = memory_zeroed(trace->rows, sizeof *rows);
     for (size_t i = 0; i < trace->rows; i++)
         trails[row_person(trace_row(trace, i))].count++;
     trails[0].rows = rows;
@@ -45,8 +45,8 @@ void trail_grow(TrailGrowth *growth, const Observation *observation) {
     const Trace *trace = &observation->trace;
     if (!growth->trails) {
         growth->count = observation->person_count;
-        growth->trails = memory_allocate(growth->count, sizeof *growth->trails);
-        growth->capacities = memory_allocate(growth->count, sizeof *growth->capacities);
+        growth->trails = memory_zeroed(growth->count, sizeof *growth->trails);
+        growth->capacities = memory_zeroed(growth->count, sizeof *growth->capacities);
     }
     follow_trace(growth, trace->values);
     for (; growth->rows < trace->rows; growth->rows++) {

@@ -85,7 +85,7 @@ static size_t list_attractors(const Study *study, size_t pass, int *found, Attra
     }
     if (count)
         qsort(known, count, sizeof *known, compare_attractors);
-    int *place = memory_allocate(count + 1, sizeof *place);
+    int *place = memory_zeroed(count + 1, sizeof *place);
     for (size_t a = 0; a < count; a++)
         place[known[a].first] = (int)a;
     for (size_t c = 0; c < cells; c++)

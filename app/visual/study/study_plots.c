@@ -149,7 +149,7 @@ static void add_curve(Sweep *sweep, size_t pass, size_t observable, size_t error
     const Study *study = sweep->study;
     size_t known_errors = study->experiment->observable_count;
     double *x = steps_array(sweep), *mean = steps_array(sweep), *low = steps_array(sweep), *high = steps_array(sweep);
-    double *runs = memory_allocate(study->runs, sizeof *runs);
+    double *runs = memory_zeroed(study->runs, sizeof *runs);
     for (size_t i = 0; i < steps_of(study); i++) {
         const Trial *trial = study_trial(study, pass, 0, 0, i);
         take_runs(study, pass, i, observable, runs);

@@ -208,7 +208,7 @@ TEST(what_does_not_fit_on_a_page_goes_on_on_the_next) {
 TEST(a_cell_or_a_note_longer_than_a_page_does_no_harm) {
     static const Column columns[] = {{"a", ALIGN_LEFT}, {"b", ALIGN_LEFT}};
     enum { LONG = 40000 };
-    char *text = memory_allocate(LONG + 1, 1);
+    char *text = memory_zeroed(LONG + 1, 1);
     for (int i = 0; i < LONG; i++)
         text[i] = i % 9 == 8 ? ' ' : 'm';
     Document document = document_begin("");

@@ -231,7 +231,7 @@ TEST(nothing_of_a_part_that_is_looked_at_lies_outside_the_frame) {
 
 TEST(very_long_names_are_shortened) {
     enum { LETTERS = 90000 };
-    char *name = memory_allocate(LETTERS + 1, 1);
+    char *name = memory_zeroed(LETTERS + 1, 1);
     memset(name, 'm', LETTERS);
     Scene scene = plain_scene();
     scene.name = name;

@@ -18,7 +18,7 @@ static float *heard(size_t *count) {
     char *bytes = text_read_file(desk_path("sound.raw"), LARGEST, &size);
     CHECK(bytes);
     *count = size / sizeof(float);
-    float *samples = memory_allocate(*count + 1, sizeof *samples);
+    float *samples = memory_zeroed(*count + 1, sizeof *samples);
     if (bytes)
         memcpy(samples, bytes, *count * sizeof *samples);
     memory_free(bytes);

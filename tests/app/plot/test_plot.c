@@ -401,7 +401,7 @@ TEST(points_drawn_bit_by_bit_are_the_points_drawn_at_once) {
 
 static unsigned char *copy_pixels(const PlotCanvas *canvas, int height) {
     size_t size = (size_t)height * (size_t)plot_canvas_stride(canvas);
-    return memcpy(memory_allocate(size, 1), plot_canvas_pixels(canvas), size);
+    return memcpy(memory_zeroed(size, 1), plot_canvas_pixels(canvas), size);
 }
 
 TEST(only_the_returned_pixels_change_and_a_restart_takes_all_back) {

@@ -87,7 +87,7 @@ TEST(a_picture_is_kept_and_drawn_anew_in_another_theme) {
     Gallery *gallery = gallery_create(THEME_PAPER);
     size_t count;
     const GalleryItem *items = wait_for(gallery, &count);
-    unsigned char paper[4], *kept = memory_allocate(GALLERY_HEIGHT, 4 * GALLERY_WIDTH);
+    unsigned char paper[4], *kept = memory_zeroed(GALLERY_HEIGHT, 4 * GALLERY_WIDTH);
     memcpy(kept, items[0].pixels, 4 * GALLERY_WIDTH * GALLERY_HEIGHT);
     memcpy(paper, items[0].pixels, 4);
     gallery_set_theme(gallery, THEME_BOARD);
@@ -115,7 +115,7 @@ TEST(it_can_be_closed_before_all_is_there_and_does_without_a_cache) {
 }
 
 static void check_line(const char *note, const char *expected) {
-    char *text = memory_allocate(strlen(note) + 200, 1), path[SCRATCH_PATH];
+    char *text = memory_zeroed(strlen(note) + 200, 1), path[SCRATCH_PATH];
     snprintf(text, strlen(note) + 200,
              "{'format': 'clearance-house', 'version': 1, 'note': '%s', "
              "'walls': [{'id': 'w', 'points': [[0, 0], [1, 0]]}]}",

@@ -36,15 +36,15 @@ static LanesRun make_run(const Rig *rig, size_t i, double *start) {
                       .start = i % 2 ? start : NULL,
                       .transient_cycles = TRANSIENT,
                       .cycles = CYCLES,
-                      .peak = memory_allocate(2 * CYCLES, sizeof(double)),
-                      .section = memory_allocate(CYCLES * states, sizeof(double))};
+                      .peak = memory_zeroed(2 * CYCLES, sizeof(double)),
+                      .section = memory_zeroed(CYCLES * states, sizeof(double))};
 }
 
 static void check_lanes(const char *setting, int release) {
     Rig rig = oscillator_beam_rig("ibs", setting);
     rig.release = release;
     size_t states = rig.free.states, different = 0, touched = 0;
-    double *starts = memory_allocate(RUNS * states, sizeof *starts);
+    double *starts = memory_zeroed(RUNS * states, sizeof *starts);
     LanesRun together[RUNS], alone;
     for (size_t i = 0; i < RUNS; i++)
         together[i] = make_run(&rig, i, starts + i * states);

@@ -14,7 +14,7 @@ static void check_derivative(const char *setting, int release) {
     rig.release = release;
     size_t states = rig.free.states;
     double start[STATES_MOST], along[STATES_MOST], up[STATES_MOST], down[STATES_MOST];
-    double *derivative = memory_allocate(states * states, sizeof *derivative);
+    double *derivative = memory_zeroed(states * states, sizeof *derivative);
     oscillator_start(&rig, 3, start);
     CHECK(orbit_map(&rig, start, 40, NULL, NULL));
     oscillator_start(&rig, 4, along);

@@ -223,7 +223,7 @@ TEST(a_round_wall_bulges_to_the_side_it_is_drawn_on) {
 TEST(a_zip_that_unpacks_to_too_much_is_refused_before_it_does) {
     char path[PATH_SIZE];
     size_t size = 8 * 1024 * 1024;
-    char *blank = memory_allocate(size + 1, 1);
+    char *blank = memory_zeroed(size + 1, 1);
     memset(blank, ' ', size);
     memcpy(blank, "<home>", 6);
     write_zip(new_path(path, ".sh3d"), "Home.xml", blank);

@@ -22,7 +22,7 @@ typedef struct Still {
 
 static void still_make(Still *still, json_t *plan, int driving, const char *const *settings) {
     case_made(&still->house, plan, driving, settings);
-    still->journeys = (Journeys){.of = memory_allocate(still->house.person_count, sizeof *still->journeys.of),
+    still->journeys = (Journeys){.of = memory_zeroed(still->house.person_count, sizeof *still->journeys.of),
                                  .count = still->house.person_count};
     for (size_t i = 0; i < still->house.person_count; i++)
         still->journeys.of[i].route.answer = ROUTE_NO_EXIT;

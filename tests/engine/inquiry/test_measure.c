@@ -24,7 +24,7 @@ static void corridor(House *house, Observation *observation) {
     json_object_set_new(plan, "routes",
                         json_pack("[{s:s, s:[s,s], s:s}]", "id", "A", "people", "p01", "p02", "exit", "e1"));
     case_made(house, plan, -1, NULL);
-    *observation = (Observation){.people = memory_allocate(PEOPLE, sizeof *observation->people),
+    *observation = (Observation){.people = memory_zeroed(PEOPLE, sizeof *observation->people),
                                  .person_count = PEOPLE,
                                  .completed = true,
                                  .sample = 1};

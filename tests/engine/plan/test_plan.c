@@ -17,7 +17,7 @@ static const char *const room = "'walls': [{'id': 'w1', 'points': [[0, 0], [4, 0
 /* Reads a draft with settings, ended by NULL; the first fault is kept in `*first`, to be freed. */
 static bool read_with(Plan *plan, const char *members, const char *const *settings, char **first) {
     size_t size = strlen(members) + 64, count = 0;
-    char *text = memory_allocate(size, 1), path[SCRATCH_PATH];
+    char *text = memory_zeroed(size, 1), path[SCRATCH_PATH];
     while (settings && settings[count])
         count++;
     snprintf(text, size, "{'format': 'clearance-house', 'version': 1, %s}", members);
@@ -380,7 +380,7 @@ static char *faults_of(const char *path) {
     size_t size = 1;
     for (size_t i = 0; i < fault.count; i++)
         size += strlen(fault.lines[i]) + 1;
-    char *lines = memory_allocate(size, 1);
+    char *lines = memory_zeroed(size, 1);
     for (size_t i = 0; i < fault.count; i++)
         strcat(strcat(lines, fault.lines[i]), "\n");
     fault_clear(&fault);
@@ -389,7 +389,7 @@ static char *faults_of(const char *path) {
 
 /* The lines of tests/data/bad/expected.txt that begin with the path. */
 static char *expected_of(const char *path, const char *expected) {
-    char *lines = memory_allocate(strlen(expected) + 1, 1);
+    char *lines = memory_zeroed(strlen(expected) + 1, 1);
     for (const char *line = expected; *line;) {
         size_t length = strcspn(line, "\n") + 1;
         if (strncmp(line, path, strlen(path)) == 0 && line[strlen(path)] == ':')

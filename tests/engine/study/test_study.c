@@ -352,7 +352,7 @@ TEST(a_tolerance_is_normal_and_the_same_at_every_point) {
     study.seed = 1;
     study_begin(&study);
     CHECK(study.name_count == 2);
-    double *x = memory_allocate(study.runs, sizeof *x), *y = memory_allocate(study.runs, sizeof *y), product = 0;
+    double *x = memory_zeroed(study.runs, sizeof *x), *y = memory_zeroed(study.runs, sizeof *y), product = 0;
     for (size_t run = 0; run < study.runs; run++) {
         const Trial *first = study_trial(&study, 0, run, 0, 0), *second = study_trial(&study, 0, run, 0, 1);
         CHECK(fabs(3 * first->at[0] - second->at[0]) < 1e-14 && first->at[1] == second->at[1]);

@@ -45,7 +45,7 @@ static void run(const void *given, const char *const *names, size_t name_count, 
         Told told = made->tell(values[0], values[1], trials[i].seed);
         trials[i].done = true;
         if (values[0] > made->farthest) {
-            trials[i].fault = memory_allocate(2, 1);
+            trials[i].fault = memory_zeroed(2, 1);
             continue;
         }
         memcpy(trials[i].observed, (double[]){told.regular, told.outcome, told.measure}, sizeof told);

@@ -131,7 +131,7 @@ TEST(the_record_goes_through_the_state_in_which_the_response_is_recorded) {
     CHECK(beam_tape_open(&tape, &beam, "ibs-r", &fault));
     for (int i = 0; i < beam.transient_cycles; i++)
         beam_tape_advance(&tape);
-    double *state = memory_allocate(rig.free.states, sizeof *state);
+    double *state = memory_zeroed(rig.free.states, sizeof *state);
     motion_state(&tape.motion, state);
     for (size_t i = 0; i < rig.free.states; i++)
         CHECK_NEAR(state[i], response.start[i], 0);

@@ -41,8 +41,8 @@ static Study make_study(const Experiment *experiment, size_t steps0, size_t step
                    .pass_count = passes,
                    .runs = runs};
     study.trial_count = passes * runs * steps0 * steps1;
-    study.trials = memory_allocate(study.trial_count, sizeof *study.trials);
-    study.values = memory_allocate(study.trial_count * (2 + OBSERVABLES), sizeof *study.values);
+    study.trials = memory_zeroed(study.trial_count, sizeof *study.trials);
+    study.values = memory_zeroed(study.trial_count * (2 + OBSERVABLES), sizeof *study.values);
     for (size_t t = 0; t < study.trial_count; t++) {
         double *at = study.values + t * (2 + OBSERVABLES);
         at[0] = 100 + 200.0 * (double)(t % steps0) / (double)(steps0 > 1 ? steps0 - 1 : 1);
@@ -75,7 +75,7 @@ TEST(an_orbit_diagram_has_every_listed_number_of_every_pass_and_tells_passes_apa
     for (size_t t = 0; t < study.trial_count; t++) {
         Trial *trial = &study.trials[t];
         trial->series_count = t % 4;
-        trial->series = memory_allocate(4, sizeof *trial->series);
+        trial->series = memory_zeroed(4, sizeof *trial->series);
         for (size_t s = 0; s < t % 4; s++)
             trial->series[s] = 100.0 * (double)t + (double)s;
         all += t % 4;
