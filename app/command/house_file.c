@@ -20,6 +20,8 @@ int house_file_report(Fault *fault) {
         fprintf(stderr, "%s\n", fault->lines[i]);
     if (fault->total > fault->count)
         fprintf(stderr, "and %zu more\n", fault->total - fault->count);
+    if (shipped_places()->missing)
+        fprintf(stderr, "clearance: %s\n", shipped_places()->missing);
     fault_clear(fault);
     return EXIT_WRONG_INPUT;
 }

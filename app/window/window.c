@@ -466,6 +466,8 @@ static void open_first(Window *window) {
     const char *file = window->options->file;
     if (!file || !act_open(window, file))
         act_open(window, shipped_places()->default_house);
+    if (shipped_places()->missing)
+        act_say(window, "%s", shipped_places()->missing);
 }
 
 static int fail(Fault *fault) {

@@ -14,7 +14,7 @@ import sys
 import tempfile
 import threading
 
-source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", "."))
+source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", ".")).resolve()
 program = pathlib.Path(sys.argv[1]).resolve()
 failures = 0
 

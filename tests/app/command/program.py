@@ -6,7 +6,7 @@ import resource
 import subprocess
 import sys
 
-source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", "."))
+source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", ".")).resolve()
 program = pathlib.Path(sys.argv[1]).resolve()
 failed = []
 

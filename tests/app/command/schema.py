@@ -15,7 +15,7 @@ except ImportError:
     print("python3-jsonschema is not installed")
     sys.exit(77)
 
-source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", "."))
+source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", ".")).resolve()
 
 
 def no_duplicates(pairs):

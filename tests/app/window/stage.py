@@ -10,7 +10,7 @@ import sys
 import tempfile
 import time
 
-source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", "."))
+source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", ".")).resolve()
 program = pathlib.Path(sys.argv[1]).resolve()
 folder = pathlib.Path(tempfile.mkdtemp(prefix="clearance-window-"))
 failed = []

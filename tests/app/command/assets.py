@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""Where the program looks for the files that come with it: each place in its order, from trees that were moved, and
+never the folder of its source.
+
+assets.py CLEARANCE
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+
+from program import check, end, house, program, source
+
+build = program.parent.parent
+options = json.loads((build / "meson-info" / "intro-buildoptions.json").read_text())
+configured = {option["name"]: option["value"] for option in options}
+installed = pathlib.Path(configured["prefix"], configured["datadir"], "clearance")
+
+
+def ask(copy, *arguments, **environment):
+    """Runs that copy of the program where nothing but the given variables names a place."""
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "CLEARANCE_", "DISPLAY", "WAYLAND_"))}
+    return subprocess.run([copy, *arguments], capture_output=True, text=True, timeout=120, cwd=copy.parent,
+                          env={**kept, "HOME": "/nonexistent", **{k: str(v) for k, v in environment.items()}})
+
+
+def place_program(folder, *path):
+    """A copy of the program below the folder."""
+    copy = folder.joinpath(*path, "clearance")
+    copy.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copy2(program, copy)
+    return copy
+
+
+def place_assets(folder):
+    """Assets with an empty profile: the fault that the program finds in it tells that it was opened."""
+    (folder / "profiles").mkdir(parents=True)
+    (folder / "profiles" / "manual-chair.json").write_text("{}")
+    return folder
+
+
+def opened(copy, **environment):
+    """The assets that the program takes when it reads a house whose person has a profile that is shipped."""
+    done = ask(copy, "check", house("straight-corridor"), **environment)
+    path, found, _ = done.stderr.partition("/profiles/manual-chair.json:")
+    return pathlib.Path(path) if done.returncode == 2 and found else None
+
+
+def check_order(folder):
+    """All places have assets; taken away one by one, the next is taken."""
+    copy = place_program(folder, "build", "app")
+    (folder / "build" / "build.ninja").write_text("")
+    given, own, first, second = (folder / name for name in ("given", "own", "first", "second"))
+    variables = {"CLEARANCE_ASSETS": given, "XDG_DATA_HOME": own, "XDG_DATA_DIRS": f"here:{first}::{second}"}
+    places = [("CLEARANCE_ASSETS", given), ("share beside the program", folder / "build" / "share" / "clearance"),
+              ("beside the build folder", folder / "assets"), ("XDG_DATA_HOME", own / "clearance"),
+              ("the first of XDG_DATA_DIRS", first / "clearance"), ("the second of XDG_DATA_DIRS", second / "clearance")]
+    for _, place in places:
+        place_assets(place)
+    place_assets(copy.parent / "here" / "clearance")  # a relative folder is none of the list
+    for number, (name, place) in enumerate(places):
+        found = opened(copy, **variables)
+        check(found == place, f"{name} comes {number + 1}.", found)
+        shutil.rmtree(place)
+        if name == "CLEARANCE_ASSETS":
+            del variables[name]
+    done = ask(copy, "check", house("straight-corridor"), **variables)
+    if installed.joinpath("profiles").exists():
+        print(f"the configured folder {installed} has files: what is said when nothing is found is not tested")
+        return
+    check(done.returncode == 2, "nothing is found", done)
+    last = done.stderr.splitlines()[-1]
+    looked = [folder / "build" / "share" / "clearance", f"{folder}/build/../assets", own / "clearance",
+              first / "clearance", second / "clearance", installed]
+    check(": " + ", ".join(map(str, looked)) + "; CLEARANCE_ASSETS " in last, "one line names the places, the configured one last", last)
+    wrong = ask(copy, "check", house("straight-corridor"), CLEARANCE_ASSETS=folder / "wrong").stderr.splitlines()[-1]
+    check(f": {folder}/wrong; " in wrong, "a wrong CLEARANCE_ASSETS is the only place", wrong)
+    script, states = folder / "script", folder / "states"
+    script.write_text(f"wait 5\nstate {states}\nquit\n")
+    ask(copy, "open", "--script", script, SDL_VIDEODRIVER="offscreen", SDL_AUDIODRIVER="dummy", LP_NUM_THREADS="1",
+        ASAN_OPTIONS="detect_leaks=0", **variables)
+    message = json.loads(states.read_text())["message"] if states.exists() else ""
+    check(f", {installed}; CLEARANCE_ASSETS " in message, "the window says so, too", message)
+
+
+def check_home(folder):
+    """Without XDG_DATA_HOME it is ~/.local/share."""
+    copy = place_program(folder, "bin")
+    place = place_assets(folder / ".local" / "share" / "clearance")
+    found = opened(copy, HOME=folder, XDG_DATA_DIRS="/nonexistent")
+    check(found == place, "~/.local/share is the default of XDG_DATA_HOME", found)
+
+
+def check_strange_folders(folder):
+    """Folders beside a program that is not in a build folder are none of its own."""
+    copy = place_program(folder, "build", "app")
+    place_assets(folder / "assets")
+    check(opened(copy, XDG_DATA_DIRS="/nonexistent") is None, "without build.ninja it is no build folder")
+    (folder / "build" / "build.ninja").write_text("")
+    check(opened(copy, XDG_DATA_DIRS="/nonexistent") == folder / "assets", "with build.ninja it is one")
+    if os.geteuid() == 0:
+        os.chown(folder / "build" / "build.ninja", 65534, 65534)
+        check(opened(copy, XDG_DATA_DIRS="/nonexistent") is None, "with somebody else's build.ninja it is none")
+
+
+def check_source_is_unknown():
+    """No path of the source or of the build is in the program's data; debugging information has them, but is not read."""
+    words = subprocess.run(["strings", "-d", program], capture_output=True, text=True, check=True).stdout
+    for path in (source, build):
+        check(str(path) not in words, f"{path} is not compiled in")
+
+
+def check_moved(folder):
+    """What is installed runs after its tree was moved, from the files that were installed with it."""
+    subprocess.run(["meson", "install", "-C", build, "--no-rebuild", "--quiet", "--destdir", folder / "staged"], check=True,
+                   capture_output=True)
+    prefix = configured["prefix"].lstrip("/")
+    tree = folder / "moved to" / "another place"
+    tree.parent.mkdir()
+    (folder / "staged" / prefix).rename(tree)
+    copy, share = tree / configured["bindir"] / "clearance", tree / "share" / "clearance"
+    done = ask(copy, "run", share / "houses" / "straight-corridor.json")
+    check(done.returncode == 0, "a moved tree runs a house of its own", done.stderr)
+    done = ask(copy, "run", share / "beams" / "ibs.json", "--set", "drive.frequency=290", "--quiet")
+    check(done.returncode == 0, "and a beam", done.stderr)
+    (share / "profiles" / "manual-chair.json").write_text("{}")
+    check(opened(copy, XDG_DATA_HOME=folder) == share, "its profiles are those of the moved tree")
+
+
+for part in (check_order, check_home, check_strange_folders, check_moved):
+    with tempfile.TemporaryDirectory(prefix="clearance-assets-") as directory:
+        part(pathlib.Path(directory).resolve())
+check_source_is_unknown()
+end()
