@@ -17,7 +17,7 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "inquiry/trial.h"
-#include "live/shipped.h"
+#include "laboratory/shipped.h"
 
 /* Case files --------------------------------------------------------------------------------------------------------*/
 

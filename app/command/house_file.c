@@ -4,7 +4,7 @@
 
 #include "base/clock.h"
 #include "house/run.h"
-#include "live/shipped.h"
+#include "laboratory/shipped.h"
 
 bool house_file_read(House *house, const Options *options, size_t index, Fault *fault) {
     HouseOptions house_options = {.profiles = shipped_places()->profiles,

@@ -9,7 +9,7 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "house/house.h"
-#include "live/shipped.h"
+#include "laboratory/shipped.h"
 
 typedef struct Taken {
     const char *what;

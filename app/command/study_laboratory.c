@@ -3,7 +3,7 @@
 #include "beam/beam.h"
 #include "experiment/beam_experiment.h"
 #include "experiment/house_experiment.h"
-#include "live/shipped.h"
+#include "laboratory/shipped.h"
 
 static bool open_beam(Experiment *experiment, const Options *options, Fault *fault) {
     const char *foreign = options->route          ? "--route"

@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "base/clock.h"
-#include "live/shipped.h"
+#include "laboratory/shipped.h"
 
 /* Progress, once the work has taken more than a second. */
 typedef struct Progress {

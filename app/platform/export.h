@@ -42,7 +42,7 @@ typedef struct ExportStatus {
 
 typedef struct ExportOrder {
     const char *program;      /* NULL: this one */
-    const char *const *words; /* (word_count) LiveKind.command */
+    const char *const *words; /* (word_count) Laboratory.command */
     size_t word_count;
     const char *const *options; /* (option_count) "--frames", "30", ... without --out */
     size_t option_count;

@@ -10,14 +10,14 @@
 #include "base/memory.h"
 #include "base/order.h"
 #include "base/text.h"
-#include "platform/glass.h"
+#include "platform/sdl_window.h"
 
 #define MILLI 1000.0
 
 double pace_wait(Pace *pace, bool hurried) {
     double now = clock_now(), due = pace->last + 1 / PACE_RATE;
     if (!hurried && now < due)
-        glass_sleep(due - now);
+        sdl_window_sleep(due - now);
     now = clock_now();
     double since = pace->last > 0 ? now - pace->last : 0;
     pace->last = now;

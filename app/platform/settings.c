@@ -18,7 +18,8 @@
 
 /* Tables ----------------------------------------------------------------------------------------------------------- */
 
-#define LIKES(kind_, field_) .name = #field_, .kind = kind_, .offset = offsetof(SettingsLikes, field_), .unit = "1"
+#define LIKES(kind_, field_)                                                                                           \
+    .name = #field_, .kind = kind_, .offset = offsetof(SettingsPreferences, field_), .unit = "1"
 
 static const Parameter likes_rows[] = {
     {LIKES(PARAMETER_CHOICE, theme), .choices = THEME_WORDS, .meaning = "light or dark"},
@@ -169,11 +170,11 @@ static void read_file(Settings *settings, const char *path, const ParameterTable
 
 void settings_open(Settings *settings, Fault *notes) {
     *settings = (Settings){.told = false};
-    parameters_reset(&likes_table, &settings->likes);
+    parameters_reset(&likes_table, &settings->preferences);
     parameters_reset(&state_table, &settings->state);
     settings->likes_path = file_in("XDG_CONFIG_HOME", ".config", "settings.json");
     settings->state_path = file_in("XDG_STATE_HOME", ".local/state", "state.json");
-    read_file(settings, settings->likes_path, &likes_table, &settings->likes, &settings->likes_written, notes);
+    read_file(settings, settings->likes_path, &likes_table, &settings->preferences, &settings->likes_written, notes);
     read_file(settings, settings->state_path, &state_table, &settings->state, &settings->state_written, notes);
 }
 
@@ -225,7 +226,7 @@ void settings_save(Settings *settings, Fault *notes) {
             json_array_append_new(recent, json_string(settings->recent[i]));
         json_object_set_new(state, "recent", recent);
     }
-    save_object(settings, settings->likes_path, parameters_write(&likes_table, &settings->likes),
+    save_object(settings, settings->likes_path, parameters_write(&likes_table, &settings->preferences),
                 &settings->likes_written, notes);
     save_object(settings, settings->state_path, state, &settings->state_written, notes);
 }

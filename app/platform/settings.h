@@ -22,7 +22,7 @@ enum {
 };
 
 /* settings.json. */
-typedef struct SettingsLikes {
+typedef struct SettingsPreferences {
     int theme;           /* Theme */
     int text;            /* size of text, 1 to 3 */
     bool sound;          /* off at first */
@@ -30,7 +30,7 @@ typedef struct SettingsLikes {
     bool letters;        /* single letters are keys */
     int width, height;   /* pixels of the window */
     bool full_screen;
-} SettingsLikes;
+} SettingsPreferences;
 
 /* How a laboratory was shown. */
 typedef struct SettingsLaboratory {
@@ -46,7 +46,7 @@ typedef struct SettingsState {
 } SettingsState;
 
 typedef struct Settings {
-    SettingsLikes likes;
+    SettingsPreferences preferences;
     SettingsState state; /* texts by settings_keep, or as long-lived as the settings */
     char *recent[SETTINGS_RECENT_MOST];
     size_t recent_count;
@@ -64,7 +64,7 @@ void settings_open(Settings *settings, Fault *notes);
 void settings_save(Settings *settings, Fault *notes);
 void settings_close(Settings *settings);
 
-/* Of the laboratory with this word, "house" or "beam" (LiveKind.word). */
+/* Of the laboratory with this word, "house" or "beam" (Laboratory.word). */
 SettingsLaboratory *settings_laboratory(Settings *settings, const char *word);
 
 /* A copy of a text that lives as long as the settings, for the fields above. */

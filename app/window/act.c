@@ -5,11 +5,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "live/shipped.h"
+#include "laboratory/shipped.h"
 #include "window/act_play.h"
 #include "window/act_plot.h"
 #include "window/act_view.h"
-#include "window/edit.h"
+#include "window/plan_input.h"
 #include "window/files.h"
 #include "window/files_import.h"
 
@@ -38,9 +38,9 @@ void act_complain(Window *window, Fault *fault, double time) {
 
 /* Opening ---------------------------------------------------------------------------------------------------------- */
 
-static LiveOptions options_of(const Window *window, bool first) {
+static LaboratoryOptions options_of(const Window *window, bool first) {
     const WindowOptions *given = window->options;
-    LiveOptions options = {
+    LaboratoryOptions options = {
         .profiles = shipped_places()->profiles, .driving = -1, .seed = given->seed, .jobs = given->jobs};
     if (first) {
         options.settings = given->settings;
@@ -51,21 +51,21 @@ static LiveOptions options_of(const Window *window, bool first) {
     return options;
 }
 
-static size_t room_of(const LiveKind *kind) {
-    return kind == &beam_live ? ROOM_BEAM : ROOM_HOUSE;
+static size_t tab_of(const Laboratory *kind) {
+    return kind == &beam_laboratory ? TAB_BEAM : TAB_HOUSE;
 }
 
 static bool open_in(Window *window, size_t index, const char *path, const char *origin, bool remembered) {
     Fault fault = {0};
-    Room *room = &window->rooms[index];
+    Tab *tab = &window->tabs[index];
     const char *first = window->options->file ? window->options->file : shipped_places()->default_house;
-    bool given = path && strcmp(path, first) == 0 && !room->live;
-    LiveOptions options = options_of(window, given);
+    bool given = path && strcmp(path, first) == 0 && !tab->live;
+    LaboratoryOptions options = options_of(window, given);
     options.origin = origin;
-    bool opened = room_open(room, path, &options, window->screen, &fault);
+    bool opened = tab_open(tab, path, &options, window->screen, &fault);
     act_complain(window, &fault, NAN);
     if (opened) {
-        files_begin(window, room);
+        files_begin(window, tab);
         if (path && remembered)
             settings_add_recent(&window->settings, path);
     }
@@ -73,23 +73,23 @@ static bool open_in(Window *window, size_t index, const char *path, const char *
 }
 
 static void enter(Window *window, size_t index) {
-    Room *left = window_room(window);
+    Tab *left = window_tab(window);
     if (window->current != index && left->live) {
-        edit_let_go(window);
-        LiveSpan span = left->kind->span(left->live);
+        plan_input_let_go(window);
+        RecordSpan span = left->kind->span(left->live);
         player_pause(&left->player, &span);
     }
-    Room *entered = &window->rooms[index];
+    Tab *entered = &window->tabs[index];
     window->current = index;
-    entered->charts_wait = true;
+    entered->plot_panes_wait = true;
     window->dirty = true;
 }
 
 bool act_open(Window *window, const char *path) {
     if (path && files_import_knows(path))
         return files_import_open(window, path);
-    size_t index = path ? room_of(live_kind_of(path)) : ROOM_HOUSE;
-    edit_let_go(window);
+    size_t index = path ? tab_of(laboratory_of(path)) : TAB_HOUSE;
+    plan_input_let_go(window);
     if (!open_in(window, index, path, NULL, true))
         return false;
     enter(window, index);
@@ -97,14 +97,14 @@ bool act_open(Window *window, const char *path) {
 }
 
 bool act_open_copy(Window *window, const char *path, const char *origin, const char *mark) {
-    Room *room = &window->rooms[ROOM_HOUSE];
-    edit_let_go(window);
-    if (!open_in(window, ROOM_HOUSE, path, origin, false))
+    Tab *tab = &window->tabs[TAB_HOUSE];
+    plan_input_let_go(window);
+    if (!open_in(window, TAB_HOUSE, path, origin, false))
         return false;
-    room->mark = mark;
-    memory_free(room->path);
-    room->path = NULL;
-    enter(window, ROOM_HOUSE);
+    tab->mark = mark;
+    memory_free(tab->path);
+    tab->path = NULL;
+    enter(window, TAB_HOUSE);
     return true;
 }
 
@@ -112,50 +112,50 @@ void act_enter(Window *window, size_t index) {
     char path[WINDOW_PATH];
     const Shipped *shipped = shipped_places();
     snprintf(path, sizeof path, "%s/" DEFAULT_BEAM, shipped->beams);
-    if (window->rooms[index].live ||
-        open_in(window, index, index == ROOM_BEAM ? path : shipped->default_house, NULL, true))
+    if (window->tabs[index].live ||
+        open_in(window, index, index == TAB_BEAM ? path : shipped->default_house, NULL, true))
         enter(window, index);
 }
 
 /* Numbers ---------------------------------------------------------------------------------------------------------- */
 
 bool act_set(Window *window, const char *name, double value) {
-    Room *room = window_room(window);
+    Tab *tab = window_tab(window);
     Fault fault = {0};
-    bool good = room->live && room->kind->set(room->live, name, value, &fault);
+    bool good = tab->live && tab->kind->set(tab->live, name, value, &fault);
     act_complain(window, &fault, NAN);
     return good;
 }
 
 /* Sheets ----------------------------------------------------------------------------------------------------------- */
 
-void act_show_sheet(Window *window, Sheet sheet) {
-    window->sheet = sheet;
+void act_show_dialog(Window *window, Dialog dialog) {
+    window->dialog = dialog;
     window->dirty = true;
 }
 
-void act_close_sheet(Window *window) {
-    window->sheet = SHEET_NONE;
+void act_close_dialog(Window *window) {
+    window->dialog = DIALOG_NONE;
     window->leave = LEAVE_NOTHING;
     window->dirty = true;
 }
 
 static void show_menu(Window *window) {
     window->menu = MENU_FILE;
-    act_show_sheet(window, SHEET_MENU);
+    act_show_dialog(window, DIALOG_MENU);
 }
 
 static void show_gallery(Window *window) {
     if (!window->gallery)
         window->gallery = gallery_create(window->theme);
-    act_show_sheet(window, SHEET_GALLERY);
+    act_show_dialog(window, DIALOG_GALLERY);
 }
 
 static void show_open(Window *window) {
     Fault fault = {0};
     const char *folder = *window->settings.state.folder ? window->settings.state.folder : ".";
     if (folder_read(&window->folder, folder, &fault) || folder_read(&window->folder, ".", &fault))
-        act_show_sheet(window, SHEET_OPEN);
+        act_show_dialog(window, DIALOG_OPEN);
     act_complain(window, &fault, NAN);
 }
 
@@ -170,20 +170,20 @@ static void explain(Window *window) {
     const char *help = ui_focus_help(window->ui);
     snprintf(window->hold, sizeof window->hold, "%s",
              help ? help : "Tab goes from widget to widget, F6 from pane to pane; F1 shows all keys");
-    act_show_sheet(window, SHEET_EXPLAIN);
+    act_show_dialog(window, DIALOG_EXPLAIN);
 }
 
 /* Looks ------------------------------------------------------------------------------------------------------------ */
 
 static void set_text(Window *window, double size) {
     window->text = fmin(fmax(size, 1), TEXT_MOST);
-    window->settings.likes.text = (int)lround(window->text);
+    window->settings.preferences.text = (int)lround(window->text);
     act_say(window, "letters: %.0f %%", 100 * window->text);
 }
 
 static void set_theme(Window *window) {
     window->theme = window->theme == THEME_PAPER ? THEME_BOARD : THEME_PAPER;
-    window->settings.likes.theme = (int)window->theme;
+    window->settings.preferences.theme = (int)window->theme;
     ui_set_theme(window->ui, window->theme);
     if (window->gallery)
         gallery_set_theme(window->gallery, window->theme);
@@ -199,18 +199,18 @@ static void toggle_panel(Window *window) {
 
 static void set_fullscreen(Window *window) {
     window->fullscreen = !window->fullscreen;
-    window->settings.likes.full_screen = window->fullscreen;
-    glass_set_fullscreen(window->glass, window->fullscreen);
+    window->settings.preferences.full_screen = window->fullscreen;
+    sdl_window_set_fullscreen(window->sdl_window, window->fullscreen);
 }
 
-static void next_word(Window *window, Room *room, const char *name) {
+static void next_word(Window *window, Tab *tab, const char *name) {
     size_t count;
-    const LiveChoice *choices = room->kind->choices(room->live, &count);
+    const PanelChoice *choices = tab->kind->choices(tab->live, &count);
     for (size_t i = 0; i < count; i++)
         if (strcmp(choices[i].name, name) == 0) {
             size_t word = (choices[i].chosen + 1) % choices[i].count;
             act_say(window, "%s: %s", name, choices[i].words[word]);
-            room->kind->choose(room->live, i, word);
+            tab->kind->choose(tab->live, i, word);
             return;
         }
     act_say(window, "there is no %s here", name);
@@ -224,51 +224,51 @@ static void toggle_sound(Window *window) {
     } else {
         window->sound = sound_open(message);
     }
-    window->settings.likes.sound = window->sound;
+    window->settings.preferences.sound = window->sound;
     act_say(window, "%s", window->sound ? "sound is on: the tip's motion is heard while a beam plays" : message);
 }
 
 /* Things ----------------------------------------------------------------------------------------------------------- */
 
 /* Round the things of the view; past the last one the focus goes on. */
-static void walk_things(Window *window, Room *room, int step) {
-    LiveThing now = room->kind->selected(room->live), next = room->kind->next(room->live, now, step);
-    LiveThing first = room->kind->next(room->live, (LiveThing){0}, step);
-    if (!next.kind || (now.kind && live_same(next, first))) {
-        room_select(room, (LiveThing){0});
+static void walk_things(Window *window, Tab *tab, int step) {
+    Item now = tab->kind->selected(tab->live), next = tab->kind->next(tab->live, now, step);
+    Item first = tab->kind->next(tab->live, (Item){0}, step);
+    if (!next.kind || (now.kind && item_same(next, first))) {
+        tab_select(tab, (Item){0});
         ui_key(window->ui, step > 0 ? UI_KEY_PANE : UI_KEY_PANE_BACK, false, false);
         return;
     }
-    room_select(room, next);
+    tab_select(tab, next);
 }
 
 /* One step back: what is open, then what is typed or chosen, then the selection. */
-static void escape(Window *window, Room *room) {
-    Chart *chart = act_focused_chart(window);
-    if (window->sheet != SHEET_NONE)
-        act_close_sheet(window);
-    else if (chart && chart->box.corner)
-        chart->box.corner = 0;
+static void escape(Window *window, Tab *tab) {
+    PlotPane *pane = act_focused_pane(window);
+    if (window->dialog != DIALOG_NONE)
+        act_close_dialog(window);
+    else if (pane && pane->box.corner)
+        pane->box.corner = 0;
     else if (messages_last(&window->messages) && messages_last(&window->messages)->number > window->dismissed)
         window->dismissed = messages_last(&window->messages)->number;
-    else if (room->live)
-        room_select(room, (LiveThing){0});
+    else if (tab->live)
+        tab_select(tab, (Item){0});
 }
 
-Chart *act_focused_chart(Window *window) {
+PlotPane *act_focused_pane(Window *window) {
     const char *pane = ui_focus_pane(window->ui);
-    Charts *charts = &window_room(window)->charts;
+    PlotPanes *panes = &window_tab(window)->panes;
     if (strncmp(pane, "plot:", 5) != 0)
         return NULL;
-    for (size_t i = 0; i < charts->count; i++)
-        if (strcmp(charts->charts[i].live.name, pane + 5) == 0)
-            return &charts->charts[i];
+    for (size_t i = 0; i < panes->count; i++)
+        if (strcmp(panes->panes[i].live.name, pane + 5) == 0)
+            return &panes->panes[i];
     return NULL;
 }
 
-const LiveRow *act_first_place(const Room *room) {
+const PanelRow *act_first_place(const Tab *tab) {
     size_t count;
-    const LiveRow *rows = room->kind->rows(room->live, &count);
+    const PanelRow *rows = tab->kind->rows(tab->live, &count);
     for (size_t i = 0; i < count; i++)
         if (rows[i].place.kind)
             return &rows[i];
@@ -276,20 +276,20 @@ const LiveRow *act_first_place(const Room *room) {
 }
 
 void act_show_place(Window *window) {
-    Room *room = window_room(window);
-    const LiveRow *place = act_first_place(room);
+    Tab *tab = window_tab(window);
+    const PanelRow *place = act_first_place(tab);
     if (!place)
         return;
     double time = place->time;
-    room_select(room, place->place);
-    room_show_selected(room);
+    tab_select(tab, place->place);
+    tab_show_selected(tab);
     if (!isnan(time))
-        room_seek(room, time);
+        tab_seek(tab, time);
     window->dirty = true;
 }
 
 /* What opens and closes sheets. */
-static bool do_sheet(Window *window, Action action) {
+static bool do_dialog(Window *window, Action action) {
     switch (action) {
     case ACTION_OPEN:
         show_open(window);
@@ -301,19 +301,19 @@ static bool do_sheet(Window *window, Action action) {
         show_menu(window);
         return true;
     case ACTION_MESSAGES:
-        act_show_sheet(window, SHEET_MESSAGES);
+        act_show_dialog(window, DIALOG_MESSAGES);
         return true;
     case ACTION_HELP:
-        act_show_sheet(window, SHEET_KEYS);
+        act_show_dialog(window, DIALOG_KEYS);
         return true;
     case ACTION_EXPLAIN:
         explain(window);
         return true;
     case ACTION_ABOUT:
-        act_show_sheet(window, SHEET_ABOUT);
+        act_show_dialog(window, DIALOG_ABOUT);
         return true;
     case ACTION_ESCAPE:
-        escape(window, window_room(window));
+        escape(window, window_tab(window));
         return true;
     default:
         return false;
@@ -353,7 +353,7 @@ static bool do_window(Window *window, Action action) {
         return true;
     case ACTION_HOUSE:
     case ACTION_BEAM:
-        act_enter(window, action == ACTION_HOUSE ? ROOM_HOUSE : ROOM_BEAM);
+        act_enter(window, action == ACTION_HOUSE ? TAB_HOUSE : TAB_BEAM);
         return true;
     case ACTION_SOUND:
         toggle_sound(window);
@@ -364,7 +364,7 @@ static bool do_window(Window *window, Action action) {
 }
 
 /* What concerns the laboratory: its files and its things. */
-static bool do_room(Window *window, Room *room, Action action) {
+static bool do_tab(Window *window, Tab *tab, Action action) {
     switch (action) {
     case ACTION_SAVE:
         files_save(window);
@@ -373,35 +373,34 @@ static bool do_room(Window *window, Room *room, Action action) {
         files_ask_name(window);
         return true;
     case ACTION_EXPORT:
-        act_show_sheet(window, SHEET_EXPORT);
+        act_show_dialog(window, DIALOG_EXPORT);
         return true;
     case ACTION_UNDO_ALL:
-        room->kind->reset(room->live);
+        tab->kind->reset(tab->live);
         act_say(window, "everything is as in the file");
         return true;
     case ACTION_KEEP:
         act_say(window, "%s",
-                room->kind->keep(room->live, room->player.time)
-                    ? "kept as \"before\""
-                    : "nothing is kept yet: the run is still being computed");
+                tab->kind->keep(tab->live, tab->player.time) ? "kept as \"before\""
+                                                             : "nothing is kept yet: the run is still being computed");
         return true;
     case ACTION_GHOST:
-        next_word(window, room, "Ghost");
+        next_word(window, tab, "Ghost");
         return true;
     case ACTION_SWEEP:
-        next_word(window, room, "Sweep");
+        next_word(window, tab, "Sweep");
         return true;
     case ACTION_CLEAR:
-        room->kind->clear(room->live, room->player.time);
+        tab->kind->clear(tab->live, tab->player.time);
         return true;
     case ACTION_AGAIN:
-        act_play_again(room);
+        act_play_again(tab);
         return true;
     case ACTION_NEXT_THING:
-        walk_things(window, room, 1);
+        walk_things(window, tab, 1);
         return true;
     case ACTION_PREVIOUS_THING:
-        walk_things(window, room, -1);
+        walk_things(window, tab, -1);
         return true;
     case ACTION_EDIT_NUMBERS:
         window->panel = window->drawer = true;
@@ -413,11 +412,11 @@ static bool do_room(Window *window, Room *room, Action action) {
 }
 
 void act_do(Window *window, Action action, int32_t key, int mods) {
-    Room *room = window_room(window);
+    Tab *tab = window_tab(window);
     window->dirty = true;
-    if (do_sheet(window, action) || do_window(window, action) || !room->live || act_plot_do(window, action, mods) ||
-        edit_do(window, action, mods))
+    if (do_dialog(window, action) || do_window(window, action) || !tab->live || act_plot_do(window, action, mods) ||
+        plan_input_do(window, action, mods))
         return;
-    if (!do_room(window, room, action) && !act_view_do(window, room, action, key))
-        act_play_do(room, action);
+    if (!do_tab(window, tab, action) && !act_view_do(window, tab, action, key))
+        act_play_do(tab, action);
 }

@@ -2,9 +2,9 @@
 
 enum { STEPS_MANY = 10 };
 
-void act_play_do(Room *room, Action action) {
-    Player *player = &room->player;
-    LiveSpan span = room->kind->span(room->live);
+void act_play_do(Tab *tab, Action action) {
+    Player *player = &tab->player;
+    RecordSpan span = tab->kind->span(tab->live);
     double second = span.pace;
     switch (action) {
     case ACTION_PLAY:
@@ -51,10 +51,10 @@ void act_play_do(Room *room, Action action) {
     }
 }
 
-void act_play_again(Room *room) {
-    bool playing = room->player.playing;
-    room->kind->again(room->live);
-    LiveSpan span = room->kind->span(room->live);
-    player_seek(&room->player, span.begin, &span);
-    room->player.playing = playing;
+void act_play_again(Tab *tab) {
+    bool playing = tab->player.playing;
+    tab->kind->again(tab->live);
+    RecordSpan span = tab->kind->span(tab->live);
+    player_seek(&tab->player, span.begin, &span);
+    tab->player.playing = playing;
 }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "window/keys.h"
-#include "window/room.h"
+#include "window/tab.h"
 
 /* Plays, steps and goes to another time; any other action is nothing. */
-void act_play_do(Room *room, Action action);
+void act_play_do(Tab *tab, Action action);
 
 /* From the beginning on, once more; it plays where it did. */
-void act_play_again(Room *room);
+void act_play_again(Tab *tab);

@@ -7,4 +7,4 @@
 bool act_plot_do(Window *window, Action action, int mods);
 
 /* Sets the number that a plot's cursor stands for to a value of x. */
-void act_plot_use(Window *window, const Chart *chart, double x);
+void act_plot_use(Window *window, const PlotPane *pane, double x);

@@ -8,82 +8,82 @@
 #define PAN_STEP 0.1   /* of the view */
 #define TURN_STEP 15.0 /* degrees */
 
-static Vec2 looked_at(const Room *room) {
-    Box frame = room->scenery.still.frame;
-    return scenery_floor(&room->scenery, vec2_scale(vec2_add(frame.low, frame.high), 0.5));
+static Vec2 looked_at(const Tab *tab) {
+    Box frame = tab->view_layers.still.frame;
+    return view_layers_floor(&tab->view_layers, vec2_scale(vec2_add(frame.low, frame.high), 0.5));
 }
 
 /* By parts of the view, on the page. */
-static void pan(Room *room, double right, double down) {
-    Box frame = room->scenery.still.frame;
+static void pan(Tab *tab, double right, double down) {
+    Box frame = tab->view_layers.still.frame;
     Vec2 middle = vec2_scale(vec2_add(frame.low, frame.high), 0.5);
     Vec2 aside = vec2_add(middle, vec2(right * PAN_STEP * box_width(frame), down * PAN_STEP * box_height(frame)));
-    room_pan(room, vec2_sub(scenery_floor(&room->scenery, aside), scenery_floor(&room->scenery, middle)));
+    tab_pan(tab, vec2_sub(view_layers_floor(&tab->view_layers, aside), view_layers_floor(&tab->view_layers, middle)));
 }
 
-static void turn(Room *room, double degrees) {
-    room->camera.azimuth = remainder(room->camera.azimuth + degrees, 360);
-    room_look(room);
+static void turn(Tab *tab, double degrees) {
+    tab->camera.azimuth = remainder(tab->camera.azimuth + degrees, 360);
+    tab_look(tab);
 }
 
-static void toggle_raised(Window *window, Room *room) {
-    if (!room->kind->raised) {
+static void toggle_raised(Window *window, Tab *tab) {
+    if (!tab->kind->raised) {
         act_say(window, "a beam is seen from the side only");
         return;
     }
-    room->camera.kind = room->camera.kind == VIEW_RAISED ? VIEW_PLAN : VIEW_RAISED;
-    room_look(room);
+    tab->camera.kind = tab->camera.kind == VIEW_RAISED ? VIEW_PLAN : VIEW_RAISED;
+    tab_look(tab);
 }
 
-static void follow(Window *window, Room *room) {
-    room->follows = !room->follows;
-    if (room->follows && !room->kind->selected(room->live).kind)
-        room_select(room, room->kind->next(room->live, (LiveThing){0}, 1));
-    if (room->follows && room->camera.zoom < 2)
-        room_show_selected(room);
-    act_say(window, room->follows ? "following what is selected" : "not following");
+static void follow(Window *window, Tab *tab) {
+    tab->follows = !tab->follows;
+    if (tab->follows && !tab->kind->selected(tab->live).kind)
+        tab_select(tab, tab->kind->next(tab->live, (Item){0}, 1));
+    if (tab->follows && tab->camera.zoom < 2)
+        tab_show_selected(tab);
+    act_say(window, tab->follows ? "following what is selected" : "not following");
 }
 
-static void toggle_layer(Window *window, Room *room, int32_t key) {
+static void toggle_layer(Window *window, Tab *tab, int32_t key) {
     size_t layer = (size_t)(key - '1');
-    if (key < '1' || layer >= room->kind->layer_count)
+    if (key < '1' || layer >= tab->kind->layer_count)
         return;
-    room_toggle_layer(room, layer);
-    act_say(window, "%s: %s", room->kind->layers[layer], room_layers(room) & 1u << layer ? "shown" : "hidden");
+    tab_toggle_layer(tab, layer);
+    act_say(window, "%s: %s", tab->kind->layers[layer], tab_layers(tab) & 1u << layer ? "shown" : "hidden");
 }
 
-bool act_view_do(Window *window, Room *room, Action action, int32_t key) {
+bool act_view_do(Window *window, Tab *tab, Action action, int32_t key) {
     switch (action) {
     case ACTION_FIT:
-        room_fit(room);
+        tab_fit(tab);
         return true;
     case ACTION_ZOOM_IN:
     case ACTION_ZOOM_OUT:
-        room_zoom(room, action == ACTION_ZOOM_IN ? ZOOM_STEP : 1 / ZOOM_STEP, looked_at(room));
+        tab_zoom(tab, action == ACTION_ZOOM_IN ? ZOOM_STEP : 1 / ZOOM_STEP, looked_at(tab));
         return true;
     case ACTION_ZOOM_SELECTION:
-        room_show_selected(room);
+        tab_show_selected(tab);
         return true;
     case ACTION_RAISED:
-        toggle_raised(window, room);
+        toggle_raised(window, tab);
         return true;
     case ACTION_FOLLOW:
-        follow(window, room);
+        follow(window, tab);
         return true;
     case ACTION_TURN_LEFT:
     case ACTION_TURN_RIGHT:
-        turn(room, action == ACTION_TURN_LEFT ? -TURN_STEP : TURN_STEP);
+        turn(tab, action == ACTION_TURN_LEFT ? -TURN_STEP : TURN_STEP);
         return true;
     case ACTION_PAN_LEFT:
     case ACTION_PAN_RIGHT:
-        pan(room, action == ACTION_PAN_LEFT ? -1 : 1, 0);
+        pan(tab, action == ACTION_PAN_LEFT ? -1 : 1, 0);
         return true;
     case ACTION_PAN_UP:
     case ACTION_PAN_DOWN:
-        pan(room, 0, action == ACTION_PAN_UP ? -1 : 1);
+        pan(tab, 0, action == ACTION_PAN_UP ? -1 : 1);
         return true;
     case ACTION_LAYER:
-        toggle_layer(window, room, key);
+        toggle_layer(window, tab, key);
         return true;
     default:
         return false;

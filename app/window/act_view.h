@@ -4,4 +4,4 @@
 #include "window/window_state.h"
 
 /* True: it was one of these; `key` says which layer. */
-bool act_view_do(Window *window, Room *room, Action action, int32_t key);
+bool act_view_do(Window *window, Tab *tab, Action action, int32_t key);

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "window/act.h"
-#include "window/edit.h"
+#include "window/plan_input.h"
 #include "window/files.h"
 
 /* Design points. */
@@ -42,7 +42,7 @@ static void show_words(Window *window, UiLetters letters, Role role, double left
 
 static void open_menu(Window *window, KeyMenu menu) {
     window->menu = menu;
-    act_show_sheet(window, SHEET_MENU);
+    act_show_dialog(window, DIALOG_MENU);
 }
 
 static double show_menus(Window *window, Box bar) {
@@ -56,10 +56,10 @@ static double show_menus(Window *window, Box bar) {
         return left;
     }
     for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++) {
-        if (menu == MENU_TOOLS && !edit_of(window_room(window)))
+        if (menu == MENU_TOOLS && !plan_input_of(window_tab(window)))
             continue;
         UiButton button = {
-            .label = keys_menus[menu], .plain = true, .chosen = window->sheet == SHEET_MENU && window->menu == menu};
+            .label = keys_menus[menu], .plain = true, .chosen = window->dialog == DIALOG_MENU && window->menu == menu};
         left = add_button(window, left, bar, &button, &pressed);
         if (pressed)
             open_menu(window, menu);
@@ -69,15 +69,15 @@ static double show_menus(Window *window, Box bar) {
 
 /* From the right; where they begin. */
 static double show_laboratories(Window *window, Box bar) {
-    static const Action actions[ROOMS] = {[ROOM_HOUSE] = ACTION_HOUSE, [ROOM_BEAM] = ACTION_BEAM};
-    const char *labels[ROOMS];
+    static const Action actions[TABS] = {[TAB_HOUSE] = ACTION_HOUSE, [TAB_BEAM] = ACTION_BEAM};
+    const char *labels[TABS];
     double width = 4;
-    for (size_t i = 0; i < ROOMS; i++) {
+    for (size_t i = 0; i < TABS; i++) {
         labels[i] = text_in_arena(&window->words, "%s %s", keys_row(actions[i])->name, keys_row(actions[i])->key);
         width += ui_extent(window->ui, UI_BODY, labels[i]).x + BUTTON_PAD;
     }
     double left = bar.high.x - width, begin = left;
-    for (size_t i = 0; i < ROOMS; i++) {
+    for (size_t i = 0; i < TABS; i++) {
         bool pressed;
         UiButton button = {.label = labels[i],
                            .plain = true,
@@ -96,9 +96,9 @@ void bars_show_menu(Window *window) {
         return;
     ui_pane_begin(window->ui, &(UiPane){.name = "menu", .box = bar, .ground = ROLE_SHADE});
     double left = show_menus(window, bar), right = show_laboratories(window, bar);
-    const Room *room = window_room(window);
-    if (room->live) {
-        const char *title = files_title(window, room);
+    const Tab *tab = window_tab(window);
+    if (tab->live) {
+        const char *title = files_title(window, tab);
         double width = ui_extent(window->ui, UI_BOLD, title).x;
         double begin = fmax(left + GAP, middle_of(bar).x - width / 2);
         show_words(window, UI_BOLD, ROLE_TEXT, begin, right - GAP, middle_of(bar).y, title);
@@ -108,8 +108,8 @@ void bars_show_menu(Window *window) {
 
 /* The answer ------------------------------------------------------------------------------------------------------- */
 
-static double show_place_button(Window *window, Room *room, Box bar) {
-    const LiveRow *place = act_first_place(room);
+static double show_place_button(Window *window, Tab *tab, Box bar) {
+    const PanelRow *place = act_first_place(tab);
     const char *label = "Show place";
     double width = ui_extent(window->ui, UI_BOLD, label).x + BUTTON_PAD;
     if (!place || window->frame.compact || bar.high.x < 3 * width)
@@ -124,7 +124,7 @@ static double show_place_button(Window *window, Room *room, Box bar) {
 }
 
 /* What is being worked out, as a line that fills. */
-static void show_progress(Window *window, Box bar, const LiveAnswer *answer) {
+static void show_progress(Window *window, Box bar, const Result *answer) {
     if (!answer->doing || isnan(answer->part))
         return;
     Box all = {{bar.low.x, bar.high.y - PROGRESS_HEIGHT}, bar.high};
@@ -136,7 +136,7 @@ static void show_progress(Window *window, Box bar, const LiveAnswer *answer) {
 
 /* In one line, or small in two: the numbers are what a class wants to read. What is being worked out stands behind
  * them, so that nothing moves when it is done. */
-static void show_detail(Window *window, const LiveAnswer *answer, double left, double right, double y) {
+static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
     const char *detail = answer->detail ? answer->detail : "";
     Role role = answer->stale ? ROLE_DIM_TEXT : ROLE_TEXT;
     UiLetters letters = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
@@ -155,19 +155,19 @@ static void show_detail(Window *window, const LiveAnswer *answer, double left, d
 }
 
 /* Large, unless the numbers would then have no room. */
-static UiLetters title_letters(Window *window, const LiveAnswer *answer, double right) {
-    double width = ui_extent(window->ui, UI_ANSWER, answer->title).x, room = right - MARGIN - width - 2 * GAP;
+static UiLetters title_letters(Window *window, const Result *answer, double right) {
+    double width = ui_extent(window->ui, UI_ANSWER, answer->title).x, tab = right - MARGIN - width - 2 * GAP;
     double wanted = answer->detail ? ui_extent(window->ui, UI_BODY, answer->detail).x : 0;
-    return room < 0 || wanted > TWO_LINES * room ? UI_CLOCK : UI_ANSWER;
+    return tab < 0 || wanted > TWO_LINES * tab ? UI_CLOCK : UI_ANSWER;
 }
 
 void bars_show_answer(Window *window) {
     Box bar = window->frame.answer;
-    Room *room = window_room(window);
+    Tab *tab = window_tab(window);
     ui_pane_begin(window->ui, &(UiPane){.name = "answer", .box = bar, .ground = ROLE_PAPER});
-    if (room->live) {
-        LiveAnswer answer = room->kind->answer(room->live);
-        double right = show_place_button(window, room, bar), y = middle_of(bar).y;
+    if (tab->live) {
+        Result answer = tab->kind->answer(tab->live);
+        double right = show_place_button(window, tab, bar), y = middle_of(bar).y;
         UiLetters letters = title_letters(window, &answer, right);
         double width = ui_extent(window->ui, letters, answer.title).x;
         show_words(window, letters, answer.stale ? ROLE_DIM_TEXT : answer.role, MARGIN, fmin(right, MARGIN + width + 2),
@@ -192,11 +192,11 @@ static void show_export(Window *window, Box box) {
 
 /* What the hand does, where there is no strip; and why it cannot be put down so. */
 static bool show_gesture(Window *window, Box box) {
-    const Room *room = window_room(window);
-    const LiveEditor *editor = edit_of(room);
-    if (!editor || !edit_listens(window))
+    const Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    if (!editor || !plan_input_listens(window))
         return false;
-    const LiveGesture *gesture = editor->gesture(room->live);
+    const GestureView *gesture = editor->gesture(tab->live);
     if (!gesture->refusal && box_height(window->frame.strip) > 0)
         return false;
     ui_pane_begin(window->ui, &(UiPane){.name = "gesture", .box = box, .ground = ROLE_PANEL});
@@ -253,23 +253,23 @@ static double key_width(Window *window, const KeyRow *row) {
 }
 
 /* Where the mouse points, m; and what is selected. */
-static const char *place_words(Window *window, Room *room) {
+static const char *place_words(Window *window, Tab *tab) {
     Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
-    LiveThing thing = room->kind->selected(room->live);
-    const char *name = thing.kind ? room->kind->name_thing(room->live, thing) : "";
-    if (room->kind != &house_live || !box_holds(window->frame.view, at) || !room->scenery.painted)
+    Item thing = tab->kind->selected(tab->live);
+    const char *name = thing.kind ? tab->kind->name_thing(tab->live, thing) : "";
+    if (tab->kind != &house_laboratory || !box_holds(window->frame.view, at) || !tab->view_layers.painted)
         return name;
-    Vec2 floor = scenery_floor(&room->scenery, vec2_sub(at, window->frame.view.low));
+    Vec2 floor = view_layers_floor(&tab->view_layers, vec2_sub(at, window->frame.view.low));
     return text_in_arena(&window->words, "%s   x %.2f  y %.2f m", name, floor.x, floor.y);
 }
 
 /* What the hand does, or can do next, while a tool is in it. */
 static double show_doing(Window *window, double left, double right, double y) {
-    const Room *room = window_room(window);
-    const LiveEditor *editor = edit_of(room);
-    if (!editor || !edit_listens(window))
+    const Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    if (!editor || !plan_input_listens(window))
         return left;
-    const char *words = editor->gesture(room->live)->doing;
+    const char *words = editor->gesture(tab->live)->doing;
     double end = fmin(right, left + ui_extent(window->ui, UI_BOLD, words).x + 1);
     show_words(window, UI_BOLD, ROLE_TEXT, left, end, y, words);
     return end + GAP;
@@ -277,18 +277,18 @@ static double show_doing(Window *window, double left, double right, double y) {
 
 void bars_show_strip(Window *window) {
     Box bar = window->frame.strip;
-    Room *room = window_room(window);
+    Tab *tab = window_tab(window);
     if (box_height(bar) <= 0)
         return;
     ui_pane_begin(window->ui, &(UiPane){.name = "strip", .box = bar, .ground = ROLE_PAPER});
     double y = middle_of(bar).y, left = MARGIN / 2, right = bar.high.x - MARGIN;
-    const char *place = room->live ? place_words(window, room) : "";
+    const char *place = tab->live ? place_words(window, tab) : "";
     ui_draw_words(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(right, y), 1, place);
     right -= ui_extent(window->ui, UI_SMALL, place).x + GAP;
     left = show_doing(window, left, right, y);
     for (size_t i = 0; i < keys_count; i++) {
         const KeyRow *row = &keys_table[i];
-        if (row->strip && (row->place != KEY_PLAN || edit_of(room)) && left + key_width(window, row) < right)
+        if (row->strip && (row->place != KEY_PLAN || plan_input_of(tab)) && left + key_width(window, row) < right)
             left = show_key(window, left, y, row);
     }
     ui_pane_end(window->ui);

@@ -4,10 +4,10 @@
 #include "window/window_state.h"
 
 /* "L corridor (edited)", "L corridor [Recovered]"; good for this frame. */
-const char *files_title(Window *window, const Room *room);
+const char *files_title(Window *window, const Tab *tab);
 
 /* Would anything be lost if it were closed? */
-bool files_unsaved(const Room *room);
+bool files_unsaved(const Tab *tab);
 
 /* To its file; asks for a name where there is none, or none that may be written to. */
 void files_save(Window *window);
@@ -23,13 +23,13 @@ void files_leave(Window *window, Leave leave, const char *path);
 void files_go_on(Window *window);
 
 /* A file has been opened in a room. */
-void files_begin(Window *window, Room *room);
+void files_begin(Window *window, Tab *tab);
 
 /* Opens what was left behind; puts it away for good. */
 void files_recover(Window *window, size_t found);
 void files_forget(Window *window, size_t found);
 
-/* LiveKind.command, of a file that holds what is shown: while none does, of the one for the case of a crash. */
+/* Laboratory.command, of a file that holds what is shown: while none does, of the one for the case of a crash. */
 const char *const *files_command(Window *window, size_t *count);
 
 /* Looks for what was left behind; between frames: the title, and 2 s after an edit its recovery file; a clean end. */

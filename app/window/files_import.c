@@ -4,15 +4,15 @@
 #include <string.h>
 #include <time.h>
 
-#include "live/live_import.h"
+#include "laboratory/import_file.h"
 #include "window/act.h"
 
 bool files_import_knows(const char *path) {
-    return live_import_knows(path);
+    return import_file_knows(path);
 }
 
 /* Line by line into the log; the line that is seen tells how much there is. */
-static void tell(Window *window, const char *path, const LiveImport *import) {
+static void tell(Window *window, const char *path, const ImportFile *import) {
     for (size_t i = 0; i < import->told.count; i++)
         act_say(window, "%s: %s", path, import->told.lines[i]);
     const char *left = import->left.text;
@@ -21,7 +21,7 @@ static void tell(Window *window, const char *path, const LiveImport *import) {
 }
 
 /* A house is opened from a file: until it is saved that is where it would be recovered from, too. */
-static bool open_text(Window *window, const char *path, const LiveImport *import) {
+static bool open_text(Window *window, const char *path, const ImportFile *import) {
     RecoveryAbout about = {.name = import->name, .edits = 1, .when = (int64_t)time(NULL)};
     int error = recovery_write(window->recovery, import->text, &about);
     if (error) {
@@ -35,15 +35,15 @@ static bool open_text(Window *window, const char *path, const LiveImport *import
 }
 
 bool files_import_open(Window *window, const char *path) {
-    LiveImport import = {.text = NULL};
+    ImportFile import = {.text = NULL};
     Fault fault = {0};
-    bool read = window->recovery && live_import_read(&import, path, &fault);
+    bool read = window->recovery && import_file_read(&import, path, &fault);
     if (!window->recovery)
         act_say(window, "%s cannot be imported: there is no folder to keep it in", path);
     act_complain(window, &fault, NAN);
     read = read && open_text(window, path, &import);
     if (read)
         tell(window, path, &import);
-    live_import_clear(&import);
+    import_file_clear(&import);
     return read;
 }

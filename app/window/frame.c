@@ -15,7 +15,7 @@
 #define TOOL_NARROW 40.0
 #define TOOL_HEIGHT 42.0 /* at least, of a letter above a word; at least, of a letter */
 #define TOOL_LEAST 28.0
-#define RAIL_WORDS 1000.0 /* a page at least so wide has room for them */
+#define TOOLBAR_WORDS 1000.0 /* a page at least so wide has room for them */
 
 /* Below these a page is small. */
 #define COMPACT_WIDTH 900.0
@@ -62,14 +62,14 @@ static void place_rows(Frame *frame, Box place, size_t count, size_t rows) {
         double width = box_width(place) / (double)here;
         for (size_t i = 0; i < here; i++) {
             Box box = {{place.low.x + (double)i * width, y}, {place.low.x + (double)(i + 1) * width, y + height}};
-            frame->charts[frame->chart_count++] = box_expand(box, -GAP / 2);
+            frame->panes[frame->chart_count++] = box_expand(box, -GAP / 2);
         }
         y += height;
     }
 }
 
 /* As many plots as the place holds, the first ones first. */
-static void place_charts(Frame *frame, Box place, size_t count) {
+static void place_panes(Frame *frame, Box place, size_t count) {
     for (; count > 0; count--) {
         size_t best = 0;
         double least = HUGE_VAL;
@@ -105,10 +105,10 @@ static void divide(Frame *frame, Box place, const FrameWish *wish) {
     left.high.x = beside.low.x;
     upper.high.y = below.low.y;
     bool is_below = wish->aspect > WIDE_VIEW || scale_of(upper, wish->aspect) > scale_of(left, wish->aspect);
-    place_charts(frame, is_below ? below : beside, count);
+    place_panes(frame, is_below ? below : beside, count);
     if (!frame->chart_count) {
         is_below = !is_below;
-        place_charts(frame, is_below ? below : beside, count);
+        place_panes(frame, is_below ? below : beside, count);
     }
     if (frame->chart_count)
         frame->view = is_below ? upper : left;
@@ -119,10 +119,10 @@ static Box place_rail(Frame *frame, Box place, const FrameWish *wish) {
     if (!wish->tool_count || wish->present)
         return place;
     double each = (box_height(place) - GAP) / (double)wish->tool_count;
-    frame->tool_words = frame->page.x >= RAIL_WORDS && each >= TOOL_HEIGHT;
+    frame->tool_words = frame->page.x >= TOOLBAR_WORDS && each >= TOOL_HEIGHT;
     frame->tool_columns = each < TOOL_LEAST ? 2 : 1;
     double width = (frame->tool_words ? TOOL_WIDTH : TOOL_NARROW) * frame->tool_columns + 2 * GAP;
-    frame->rail = (Box){place.low, {place.low.x + width, place.high.y}};
+    frame->toolbar = (Box){place.low, {place.low.x + width, place.high.y}};
     place.low.x += width;
     return place;
 }

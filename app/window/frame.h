@@ -31,8 +31,8 @@ typedef struct FrameWish {
 
 typedef struct Frame {
     Vec2 page;
-    Box menu, answer, rail, view, panel, timeline, strip; /* those that there is no room for have no width */
-    Box charts[FRAME_CHARTS_MOST];
+    Box menu, answer, toolbar, view, panel, timeline, strip; /* those that there is no room for have no width */
+    Box panes[FRAME_CHARTS_MOST];
     size_t chart_count; /* as many of the plots as there is room for */
     int tool_columns;   /* of the rail */
     bool tool_words;    /* its tools have their names */

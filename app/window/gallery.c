@@ -13,8 +13,8 @@
 #include "draw/layout.h"
 #include "paint/paint_cairo.h"
 #include "paint/png.h"
-#include "live/shipped.h"
-#include "live/thumbnail.h"
+#include "laboratory/shipped.h"
+#include "laboratory/thumbnail.h"
 #include "platform/folder.h"
 #include "platform/settings.h"
 

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "platform/glass.h"
+#include "platform/sdl_window.h"
 
 const char *const keys_menus[MENUS] = {[MENU_FILE] = "File", [MENU_EDIT] = "Edit", [MENU_TOOLS] = "Tools",
                                        [MENU_VIEW] = "View", [MENU_RUN] = "Run",   [MENU_HELP] = "Help"};
@@ -187,7 +187,8 @@ void keys_read(const char *words, int32_t *key, int *mods) {
     static const struct {
         const char *word;
         int mod;
-    } known[] = {{"Ctrl+", GLASS_CONTROL}, {"Shift+", GLASS_SHIFT}, {"Alt+", GLASS_ALT}};
+    } known[] = {
+        {"Ctrl+", SDL_WINDOW_EVENT_CONTROL}, {"Shift+", SDL_WINDOW_EVENT_SHIFT}, {"Alt+", SDL_WINDOW_EVENT_ALT}};
     *mods = 0;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         size_t length = strlen(known[i].word);
@@ -196,7 +197,7 @@ void keys_read(const char *words, int32_t *key, int *mods) {
             words += length;
         }
     }
-    *key = glass_key(words);
+    *key = sdl_window_key(words);
 }
 
 /* A letter, a digit or a sign alone, which somebody who types by mistake presses too. */

@@ -20,7 +20,7 @@ typedef enum Action {
     ACTION_EXPORT,
     ACTION_COPY_COMMAND,
     ACTION_QUIT,
-    ACTION_TOOL_SELECT, /* the tools in the order of LiveTool */
+    ACTION_TOOL_SELECT, /* the tools in the order of EditTool */
     ACTION_TOOL_WALL,
     ACTION_TOOL_DOOR,
     ACTION_TOOL_FURNITURE,

@@ -7,7 +7,7 @@
 
 #include "base/clock.h"
 #include "base/order.h"
-#include "window/edit.h"
+#include "window/plan_input.h"
 
 #define WARM 3.0     /* s, before the piece is taken up */
 #define PATIENCE 1.0 /* s, that an answer is waited for */
@@ -18,11 +18,11 @@
 /* Dragging --------------------------------------------------------------------------------------------------------- */
 
 /* Is it a piece of furniture, and what is it called? NULL: it is something else. Selects it. */
-static const char *piece_name(Room *room, LiveThing thing) {
+static const char *piece_name(Tab *tab, Item thing) {
     static const char begin[] = "furniture.", end[] = ".name";
     size_t count;
-    room_select(room, thing);
-    const LiveText *texts = edit_of(room)->texts(room->live, &count);
+    tab_select(tab, thing);
+    const EditText *texts = plan_input_of(tab)->texts(tab->live, &count);
     for (size_t i = 0; i < count; i++) {
         size_t length = strlen(texts[i].name);
         if (strncmp(texts[i].name, begin, sizeof begin - 1) == 0 && length >= sizeof end &&
@@ -33,46 +33,47 @@ static const char *piece_name(Room *room, LiveThing thing) {
 }
 
 /* The first wardrobe, or else the first piece of furniture. */
-static LiveThing find_piece(Room *room) {
-    LiveThing first = room->kind->next(room->live, (LiveThing){0}, 1), thing = first, found = {0};
+static Item find_piece(Tab *tab) {
+    Item first = tab->kind->next(tab->live, (Item){0}, 1), thing = first, found = {0};
     do {
-        const char *name = thing.kind ? piece_name(room, thing) : NULL;
+        const char *name = thing.kind ? piece_name(tab, thing) : NULL;
         if (name && strstr(name, "wardrobe"))
             return thing;
         if (name && !found.kind)
             found = thing;
-        thing = room->kind->next(room->live, thing, 1);
-    } while (thing.kind && !live_same(thing, first));
+        thing = tab->kind->next(tab->live, thing, 1);
+    } while (thing.kind && !item_same(thing, first));
     return found;
 }
 
 /* Its middle, m; false: there is none. */
-static bool find_middle(Room *room, Vec2 *middle) {
-    Vec2 points[LIVE_OUTLINE_MOST];
-    LiveThing thing = find_piece(room);
-    size_t count = thing.kind ? room->kind->outline(room->live, thing, room->player.time, points) : 0;
-    room_select(room, thing);
+static bool find_middle(Tab *tab, Vec2 *middle) {
+    Vec2 points[LABORATORY_OUTLINE_MOST];
+    Item thing = find_piece(tab);
+    size_t count = thing.kind ? tab->kind->outline(tab->live, thing, tab->player.time, points) : 0;
+    tab_select(tab, thing);
     *middle = vec2(0, 0);
     for (size_t i = 0; i < count; i++)
         *middle = vec2_along(*middle, 1 / (double)count, points[i]);
     return count > 0;
 }
 
-static void push(Window *window, Vec2 floor, GlassKind kind, bool down) {
-    const Room *room = window_room(window);
-    Vec2 at = vec2_add(window->frame.view.low, scenery_point(&room->scenery, floor));
-    GlassEvent event = {.kind = kind, .at = vec2_scale(at, window->unit), .button = GLASS_LEFT, .down = down};
-    glass_push(window->glass, &event);
+static void push(Window *window, Vec2 floor, SdlWindowKind kind, bool down) {
+    const Tab *tab = window_tab(window);
+    Vec2 at = vec2_add(window->frame.view.low, view_layers_point(&tab->view_layers, floor));
+    SdlWindowEvent event = {
+        .kind = kind, .at = vec2_scale(at, window->unit), .button = SDL_WINDOW_EVENT_LEFT, .down = down};
+    sdl_window_push(window->sdl_window, &event);
 }
 
 /* Takes it up; false: there is nothing to be dragged. */
 static bool begin(Window *window) {
     PaceEdit *pace = &window->pace_edit;
-    Room *room = window_room(window);
-    if (!edit_of(room) || !find_middle(room, &pace->middle))
+    Tab *tab = window_tab(window);
+    if (!plan_input_of(tab) || !find_middle(tab, &pace->middle))
         return false;
-    push(window, pace->middle, GLASS_MOUSE, false);
-    push(window, pace->middle, GLASS_BUTTON, true);
+    push(window, pace->middle, SDL_WINDOW_EVENT_MOUSE, false);
+    push(window, pace->middle, SDL_WINDOW_EVENT_BUTTON, true);
     pace->begun = clock_now();
     pace_count(&window->pace);
     return true;
@@ -82,7 +83,7 @@ static void step(Window *window) {
     PaceEdit *pace = &window->pace_edit;
     double angle = 2 * M_PI * (double)pace->steps++ / ROUND;
     Vec2 away = vec2_sub(vec2_scale(vec2_heading(angle), RADIUS), vec2(RADIUS, 0));
-    push(window, vec2_add(pace->middle, away), GLASS_MOUSE, false);
+    push(window, vec2_add(pace->middle, away), SDL_WINDOW_EVENT_MOUSE, false);
     pace->waits = true;
     pace->frames = 0;
 }
@@ -105,7 +106,7 @@ static void print(Window *window) {
     double longest = MILLI * part_of(frames->times, frames->count, 1);
     printf("%s, %d x %d, dragged for %.1f s: %zu edits, %zu unanswered; from an edit to its answer on the screen %.1f "
            "ms (median), %.1f ms (99 of 100); a frame takes %.1f ms (median), %.1f ms (99 of 100), %.1f ms (longest)\n",
-           window_room(window)->kind->title(window_room(window)->live), window->width, window->height,
+           window_tab(window)->kind->title(window_tab(window)->live), window->width, window->height,
            clock_now() - pace->begun, pace->count + pace->missed, pace->missed, median, late, frame, slow, longest);
     if (pace->count && frames->count)
         printf("{\"edits\":%zu,\"unanswered\":%zu,\"answer_ms\":{\"median\":%.3f,\"p99\":%.3f},\"frame_ms\":"
@@ -117,13 +118,13 @@ static void print(Window *window) {
  * it is the one in which the hand moved. */
 static void look(Window *window) {
     PaceEdit *pace = &window->pace_edit;
-    const Room *room = window_room(window);
+    const Tab *tab = window_tab(window);
     double now = clock_now();
     if (pace->frames++ == 0) {
         pace->edited = window->pace.last; /* when that frame was begun */
         return;
     }
-    if (!room->kind->answer(room->live).stale) {
+    if (!tab->kind->answer(tab->live).stale) {
         pace->answers = memory_reserve(pace->answers, &pace->capacity, pace->count + 1, sizeof *pace->answers);
         pace->answers[pace->count++] = now - pace->edited;
         pace->waits = false;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "window/act.h"
-#include "window/edit.h"
+#include "window/plan_input.h"
 #include "window/panel_edit.h"
 
 enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2 };
@@ -14,11 +14,11 @@ enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2 };
 /* What came of it -------------------------------------------------------------------------------------------------- */
 
 /* Can it be chosen? */
-static bool is_usable(const LiveRow *row) {
+static bool is_usable(const PanelRow *row) {
     return row->thing.kind || !isnan(row->time);
 }
 
-static void show_row(Window *window, Room *room, const LiveRow *row, size_t index) {
+static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index) {
     const SceneRow *scene = &row->row;
     if (scene->kind == ROW_HEADING) {
         ui_heading(window->ui, scene->cells[0]);
@@ -37,41 +37,41 @@ static void show_row(Window *window, Room *room, const LiveRow *row, size_t inde
                    .cells = {scene->cells[0], scene->cells[1], scene->cells[2]},
                    .help =
                        usable ? text_in_arena(&window->words, "%s: selects it and goes there", scene->cells[0]) : NULL,
-                   .selected = row->thing.kind && live_same(row->thing, room->kind->selected(room->live)),
+                   .selected = row->thing.kind && item_same(row->thing, tab->kind->selected(tab->live)),
                    .usable = usable};
-    LiveThing thing = row->thing;
+    Item thing = row->thing;
     double time = row->time;
     if (!ui_list_row(window->ui, &shown))
         return;
     if (thing.kind)
-        room_select(room, thing);
+        tab_select(tab, thing);
     if (!isnan(time))
-        room_seek(room, time);
+        tab_seek(tab, time);
     window->dirty = true;
 }
 
 /* The row where the lists begin from which something can be chosen; those before only tell: of what is selected, and of
  * before and now. */
-static size_t find_lists(const Room *room) {
+static size_t find_lists(const Tab *tab) {
     size_t count, begin = 0;
-    const LiveRow *rows = room->kind->rows(room->live, &count);
+    const PanelRow *rows = tab->kind->rows(tab->live, &count);
     for (size_t i = 0; i < count && !is_usable(&rows[i]); i++)
         begin = rows[i].row.kind == ROW_HEADING ? i : begin;
     return begin;
 }
 
-static void show_rows(Window *window, Room *room, size_t from, size_t to) {
+static void show_rows(Window *window, Tab *tab, size_t from, size_t to) {
     size_t count;
-    const LiveRow *rows = room->kind->rows(room->live, &count);
+    const PanelRow *rows = tab->kind->rows(tab->live, &count);
     for (size_t i = from; i < count && i < to; i++) {
-        show_row(window, room, &rows[i], i);
-        rows = room->kind->rows(room->live, &count); /* choosing one may have changed them */
+        show_row(window, tab, &rows[i], i);
+        rows = tab->kind->rows(tab->live, &count); /* choosing one may have changed them */
     }
 }
 
-static void show_choices(Window *window, Room *room) {
+static void show_choices(Window *window, Tab *tab) {
     size_t count;
-    const LiveChoice *choices = room->kind->choices(room->live, &count);
+    const PanelChoice *choices = tab->kind->choices(tab->live, &count);
     for (size_t i = 0; i < count; i++) {
         size_t chosen = choices[i].chosen;
         if (choices[i].count < 2)
@@ -79,16 +79,16 @@ static void show_choices(Window *window, Room *room) {
         const char *help = text_in_arena(&window->words, "%s: %s", choices[i].name, choices[i].meaning);
         if (ui_choice(window->ui, choices[i].name, choices[i].name, help, choices[i].words, choices[i].count,
                       &chosen)) {
-            room->kind->choose(room->live, i, chosen);
-            choices = room->kind->choices(room->live, &count);
+            tab->kind->choose(tab->live, i, chosen);
+            choices = tab->kind->choices(tab->live, &count);
             window->dirty = true;
         }
     }
 }
 
-static void show_presets(Window *window, Room *room) {
+static void show_presets(Window *window, Tab *tab) {
     size_t count;
-    const LivePreset *presets = room->kind->presets(room->live, &count);
+    const Preset *presets = tab->kind->presets(tab->live, &count);
     if (!count)
         return;
     ui_heading(window->ui, "Presets");
@@ -97,7 +97,7 @@ static void show_presets(Window *window, Room *room) {
             ui_row(window->ui, PRESETS_IN_ROW);
         const char *help = text_in_arena(&window->words, "%s: %s", presets[i].name, presets[i].meaning);
         if (ui_button(window->ui, &(UiButton){.label = presets[i].name, .help = help})) {
-            room->kind->prefer(room->live, i);
+            tab->kind->prefer(tab->live, i);
             return;
         }
     }
@@ -105,25 +105,25 @@ static void show_presets(Window *window, Room *room) {
 
 /* Numbers ---------------------------------------------------------------------------------------------------------- */
 
-static double factor_of(const LiveParameter *parameter) {
+static double factor_of(const PanelParameter *parameter) {
     return parameter->factor > 0 ? parameter->factor : 1;
 }
 
 /* Digits behind the point that tell apart what a slider's steps do, and that the value has. */
-static int digits_of(const LiveParameter *parameter) {
+static int digits_of(const PanelParameter *parameter) {
     double range = (parameter->high - parameter->low) * factor_of(parameter) / STEPS_SHOWN;
     int digits = range > 0 ? (int)ceil(-log10(range)) : 0;
     digits = digits < 0 || parameter->row->kind == PARAMETER_WHOLE ? 0 : digits;
     return digits > DIGITS_MOST ? DIGITS_MOST : digits;
 }
 
-static const char *help_of(Window *window, const LiveParameter *parameter) {
+static const char *help_of(Window *window, const PanelParameter *parameter) {
     return text_in_arena(&window->words, "%s: %s%s%s (--set %s=...)", parameter->label, parameter->meaning,
                          parameter->provenance ? ". From: " : "", parameter->provenance ? parameter->provenance : "",
                          parameter->name);
 }
 
-static void show_number(Window *window, const LiveParameter *parameter) {
+static void show_number(Window *window, const PanelParameter *parameter) {
     double factor = factor_of(parameter);
     UiSlider slider = {.id = parameter->name,
                        .label = parameter->label,
@@ -140,7 +140,7 @@ static void show_number(Window *window, const LiveParameter *parameter) {
                        .digits = digits_of(parameter)};
     UiChange change = ui_slider(window->ui, &slider);
     if (change == UI_MOVING)
-        edit_hold_number(window, parameter->name);
+        plan_input_hold_number(window, parameter->name);
     if (change != UI_SAME && slider.value != factor * parameter->value)
         act_set(window, parameter->name, slider.value / factor);
 }
@@ -157,7 +157,7 @@ static size_t split_words(Window *window, const char *choices, const char **word
     return count;
 }
 
-static void show_word(Window *window, const LiveParameter *parameter) {
+static void show_word(Window *window, const PanelParameter *parameter) {
     enum { WORDS_MOST = 8 };
     const char *words[WORDS_MOST];
     size_t count = split_words(window, parameter->row->choices, words, WORDS_MOST), chosen = (size_t)parameter->value;
@@ -165,7 +165,7 @@ static void show_word(Window *window, const LiveParameter *parameter) {
         act_set(window, parameter->name, (double)chosen);
 }
 
-static void show_parameter(Window *window, const LiveParameter *parameter) {
+static void show_parameter(Window *window, const PanelParameter *parameter) {
     bool value = parameter->value != 0;
     switch (parameter->row->kind) {
     case PARAMETER_FLAG:
@@ -181,9 +181,9 @@ static void show_parameter(Window *window, const LiveParameter *parameter) {
 }
 
 /* Those that are looked for most, or all. */
-static void show_parameters(Window *window, Room *room, bool first) {
+static void show_parameters(Window *window, Tab *tab, bool first) {
     size_t count;
-    const LiveParameter *parameters = room->kind->parameters(room->live, &count);
+    const PanelParameter *parameters = tab->kind->parameters(tab->live, &count);
     const char *group = "";
     for (size_t i = 0; i < count; i++) {
         if (parameters[i].first != first)
@@ -192,11 +192,11 @@ static void show_parameters(Window *window, Room *room, bool first) {
             ui_heading(window->ui, parameters[i].group);
         group = text_in_arena(&window->words, "%s", parameters[i].group);
         show_parameter(window, &parameters[i]);
-        parameters = room->kind->parameters(room->live, &count); /* a change may have made them anew */
+        parameters = tab->kind->parameters(tab->live, &count); /* a change may have made them anew */
     }
 }
 
-static void show_more(Window *window, Room *room) {
+static void show_more(Window *window, Tab *tab) {
     ui_gap(window->ui, 6);
     ui_row(window->ui, 2);
     if (ui_button(window->ui, &(UiButton){.label = "Reset all", .help = keys_help(&window->words, ACTION_UNDO_ALL)}))
@@ -206,18 +206,18 @@ static void show_more(Window *window, Room *room) {
                                           .chosen = window->more}))
         window->more = !window->more;
     if (window->more)
-        show_parameters(window, room, false);
+        show_parameters(window, tab, false);
 }
 
 /* Layers and plots ------------------------------------------------------------------------------------------------- */
 
-static void show_layers(Window *window, Room *room) {
+static void show_layers(Window *window, Tab *tab) {
     ui_heading(window->ui, "Layers");
-    for (size_t i = 0; i < room->kind->layer_count; i++) {
-        bool shown = room_layers(room) >> i & 1;
-        const char *label = text_in_arena(&window->words, "%zu  %s", i + 1, room->kind->layers[i]);
+    for (size_t i = 0; i < tab->kind->layer_count; i++) {
+        bool shown = tab_layers(tab) >> i & 1;
+        const char *label = text_in_arena(&window->words, "%zu  %s", i + 1, tab->kind->layers[i]);
         const char *help =
-            text_in_arena(&window->words, "%s (%zu): %s", room->kind->layers[i], i + 1, room->kind->meanings[i]);
+            text_in_arena(&window->words, "%s (%zu): %s", tab->kind->layers[i], i + 1, tab->kind->meanings[i]);
         if (ui_flag(window->ui, label, label, help, &shown))
             act_do(window, ACTION_LAYER, '1' + (int32_t)i, 0);
     }
@@ -238,42 +238,42 @@ static const char *toggled(Window *window, const char *names, const char *name, 
     return kept;
 }
 
-static void show_plots(Window *window, Room *room) {
+static void show_plots(Window *window, Tab *tab) {
     ui_heading(window->ui, "Plots");
-    size_t count = room->kind->plot_count(room->live);
+    size_t count = tab->kind->plot_count(tab->live);
     for (size_t i = 0; i < count; i++) {
-        LivePlot plot = room->kind->plot(room->live, i);
+        LaboratoryPlot plot = tab->kind->plot(tab->live, i);
         bool shown = false;
-        for (size_t c = 0; c < room->charts.count; c++)
-            shown |= strcmp(room->charts.charts[c].live.name, plot.name) == 0;
+        for (size_t c = 0; c < tab->panes.count; c++)
+            shown |= strcmp(tab->panes.panes[c].live.name, plot.name) == 0;
         const char *help = text_in_arena(&window->words, "%s: shows the plot, or not", plot.title);
         if (ui_flag(window->ui, text_in_arena(&window->words, "plot %s", plot.name), plot.title, help, &shown)) {
-            room->plots = toggled(window, room->plots, plot.name, shown);
-            room->charts_wait = true;
+            tab->plots = toggled(window, tab->plots, plot.name, shown);
+            tab->plot_panes_wait = true;
         }
     }
 }
 
 void panel_show(Window *window) {
-    Room *room = window_room(window);
+    Tab *tab = window_tab(window);
     if (box_width(window->frame.panel) <= 0)
         return;
     ui_pane_begin(window->ui,
                   &(UiPane){.name = "panel", .box = window->frame.panel, .ground = ROLE_PANEL, .scrolls = true});
-    if (room->live) {
-        bool selected = room->kind->selected(room->live).kind;
-        size_t lists = room->kind->numbers_first ? 0 : selected ? find_lists(room) : SIZE_MAX;
+    if (tab->live) {
+        bool selected = tab->kind->selected(tab->live).kind;
+        size_t lists = tab->kind->numbers_first ? 0 : selected ? find_lists(tab) : SIZE_MAX;
         panel_edit_show(window);
-        show_rows(window, room, 0, lists);
-        show_parameters(window, room, true); /* of what is selected: Enter goes to the first that can be changed */
+        show_rows(window, tab, 0, lists);
+        show_parameters(window, tab, true); /* of what is selected: Enter goes to the first that can be changed */
         panel_edit_show_words(window);
-        show_presets(window, room);
-        show_rows(window, room, lists, SIZE_MAX);
-        show_choices(window, room);
-        show_more(window, room);
+        show_presets(window, tab);
+        show_rows(window, tab, lists, SIZE_MAX);
+        show_choices(window, tab);
+        show_more(window, tab);
         panel_edit_show_house(window);
-        show_plots(window, room);
-        show_layers(window, room);
+        show_plots(window, tab);
+        show_layers(window, tab);
     }
     ui_pane_end(window->ui);
 }

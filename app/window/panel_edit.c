@@ -5,15 +5,15 @@
 #include <string.h>
 
 #include "window/act.h"
-#include "window/edit.h"
+#include "window/plan_input.h"
 
 enum { TEXT_MOST = 4096 + 1 /* bytes: what the editor takes, and its end */ };
 
 /* What the tool places --------------------------------------------------------------------------------------------- */
 
-static void show_items(Window *window, Room *room, const LiveEditor *editor) {
-    size_t count, chosen = editor->item(room->live);
-    const LiveItem *items = editor->items(room->live, &count);
+static void show_items(Window *window, Tab *tab, const EditorFunctions *editor) {
+    size_t count, chosen = editor->item(tab->live);
+    const CatalogueRow *items = editor->items(tab->live, &count);
     const char *group = "";
     for (size_t i = 0; i < count; i++) {
         if (strcmp(group, items[i].group) != 0)
@@ -26,7 +26,7 @@ static void show_items(Window *window, Room *room, const LiveEditor *editor) {
                      .selected = i == chosen,
                      .usable = true};
         if (ui_list_row(window->ui, &row)) {
-            editor->choose(room->live, i);
+            editor->choose(tab->live, i);
             ui_focus(window->ui, "view");
             window->dirty = true;
             return;
@@ -39,7 +39,7 @@ static void show_items(Window *window, Room *room, const LiveEditor *editor) {
 /* Words of what is selected ---------------------------------------------------------------------------------------- */
 
 /* True: it was changed, and what there is may be other texts now. */
-static bool show_text(Window *window, Room *room, const LiveEditor *editor, const LiveText *text) {
+static bool show_text(Window *window, Tab *tab, const EditorFunctions *editor, const EditText *text) {
     char typed[TEXT_MOST];
     Fault fault = {0};
     snprintf(typed, sizeof typed, "%s", text->value);
@@ -47,16 +47,16 @@ static bool show_text(Window *window, Room *room, const LiveEditor *editor, cons
     const char *name = text_in_arena(&window->words, "%s", text->name);
     if (!ui_field(window->ui, name, text->label, help, typed, sizeof typed) || strcmp(typed, text->value) == 0)
         return false;
-    editor->set_text(room->live, name, typed, &fault);
+    editor->set_text(tab->live, name, typed, &fault);
     act_complain(window, &fault, NAN);
     return true;
 }
 
 /* Those of the house itself, or all the others. */
-static void show_texts(Window *window, Room *room, const LiveEditor *editor, bool of_house) {
+static void show_texts(Window *window, Tab *tab, const EditorFunctions *editor, bool of_house) {
     static const char house[] = "house.";
     size_t count;
-    const LiveText *texts = editor->texts(room->live, &count);
+    const EditText *texts = editor->texts(tab->live, &count);
     const char *group = "";
     for (size_t i = 0; i < count; i++) {
         if ((strncmp(texts[i].name, house, sizeof house - 1) == 0) != of_house)
@@ -64,7 +64,7 @@ static void show_texts(Window *window, Room *room, const LiveEditor *editor, boo
         if (strcmp(group, texts[i].group) != 0)
             ui_heading(window->ui, texts[i].group);
         group = texts[i].group;
-        if (show_text(window, room, editor, &texts[i]))
+        if (show_text(window, tab, editor, &texts[i]))
             return;
     }
 }
@@ -72,15 +72,15 @@ static void show_texts(Window *window, Room *room, const LiveEditor *editor, boo
 /* The picture ------------------------------------------------------------------------------------------------------ */
 
 /* A path that is typed, and how strongly the picture is seen. */
-static void show_image(Window *window, Room *room, const LiveEditor *editor) {
-    LiveImage image = editor->image(room->live);
+static void show_image(Window *window, Tab *tab, const EditorFunctions *editor) {
+    TraceImage image = editor->image(tab->live);
     char path[WINDOW_PATH];
     Fault fault = {0};
     ui_heading(window->ui, "Picture to trace over");
     snprintf(path, sizeof path, "%s", image.path ? image.path : "");
     if (ui_field(window->ui, "image path", "PNG file", "PNG file: its path; Return takes it, an empty one puts it away",
                  path, sizeof path)) {
-        editor->set_image(room->live, *path ? path : NULL, &fault);
+        editor->set_image(tab->live, *path ? path : NULL, &fault);
         act_complain(window, &fault, NAN);
         return;
     }
@@ -95,15 +95,15 @@ static void show_image(Window *window, Room *room, const LiveEditor *editor) {
                        .high = 100,
                        .most = 100};
     if (ui_slider(window->ui, &slider) != UI_SAME)
-        editor->fade(room->live, slider.value / 100);
+        editor->fade(tab->live, slider.value / 100);
 }
 
 /* What would let everybody out ------------------------------------------------------------------------------------- */
 
-static void show_proposals(Window *window, Room *room, const LiveEditor *editor) {
+static void show_proposals(Window *window, Tab *tab, const EditorFunctions *editor) {
     size_t count;
     const char *doing = NULL;
-    const LiveProposal *proposals = editor->proposals(room->live, &count, &doing);
+    const Proposal *proposals = editor->proposals(tab->live, &count, &doing);
     Fault fault = {0};
     for (size_t i = 0; i < count; i++) {
         ui_text(window->ui, UI_BODY, ROLE_TEXT,
@@ -112,7 +112,7 @@ static void show_proposals(Window *window, Room *room, const LiveEditor *editor)
                            .label = "Do it",
                            .help = "Do it: changes the house so; it can be undone"};
         if (ui_button(window->ui, &button)) {
-            editor->accept(room->live, i, &fault);
+            editor->accept(tab->live, i, &fault);
             act_complain(window, &fault, NAN);
             return;
         }
@@ -121,49 +121,49 @@ static void show_proposals(Window *window, Room *room, const LiveEditor *editor)
         ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, doing);
 }
 
-static void show_way_out(Window *window, Room *room, const LiveEditor *editor) {
+static void show_way_out(Window *window, Tab *tab, const EditorFunctions *editor) {
     size_t count;
     const char *doing = NULL;
     if (!editor->proposals)
         return;
-    LiveAnswer answer = room->kind->answer(room->live);
-    bool asked = editor->proposals(room->live, &count, &doing) && count > 0;
+    Result answer = tab->kind->answer(tab->live);
+    bool asked = editor->proposals(tab->live, &count, &doing) && count > 0;
     if (answer.role != ROLE_ERROR && !asked && !doing)
         return;
     ui_heading(window->ui, answer.title);
     if (answer.detail && answer.role == ROLE_ERROR)
         ui_text(window->ui, UI_BODY, ROLE_ERROR, answer.detail);
-    if (act_first_place(room) &&
+    if (act_first_place(tab) &&
         ui_button(window->ui, &(UiButton){.id = "show", .label = "Show", .help = "Show: the place, from near"}))
         act_show_place(window);
     if (!doing && ui_button(window->ui, &(UiButton){.label = "Smallest change",
                                                     .help = "Smallest change: what lets everybody out; tries wider "
                                                             "doors and moved furniture, each by simulation"}))
-        editor->ask(room->live);
-    show_proposals(window, room, editor);
+        editor->ask(tab->live);
+    show_proposals(window, tab, editor);
 }
 
 void panel_edit_show(Window *window) {
-    Room *room = window_room(window);
-    const LiveEditor *editor = edit_of(room);
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
     if (!editor)
         return;
-    show_items(window, room, editor);
-    if (editor->tool(room->live) == TOOL_IMAGE || editor->image(room->live).path)
-        show_image(window, room, editor);
-    show_way_out(window, room, editor);
+    show_items(window, tab, editor);
+    if (editor->tool(tab->live) == TOOL_IMAGE || editor->image(tab->live).path)
+        show_image(window, tab, editor);
+    show_way_out(window, tab, editor);
 }
 
 void panel_edit_show_words(Window *window) {
-    Room *room = window_room(window);
-    const LiveEditor *editor = edit_of(room);
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
     if (editor)
-        show_texts(window, room, editor, false);
+        show_texts(window, tab, editor, false);
 }
 
 void panel_edit_show_house(Window *window) {
-    Room *room = window_room(window);
-    const LiveEditor *editor = edit_of(room);
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
     if (editor)
-        show_texts(window, room, editor, true);
+        show_texts(window, tab, editor, true);
 }

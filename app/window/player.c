@@ -14,7 +14,7 @@ double player_speed(const Player *player) {
     return ldexp(1, player->power);
 }
 
-void player_change_speed(Player *player, int steps, const LiveSpan *span) {
+void player_change_speed(Player *player, int steps, const RecordSpan *span) {
     int fastest = (int)lround(log2(span->fastest));
     int power = player->power + steps;
     player->power = power < PLAYER_SLOWEST ? PLAYER_SLOWEST : power > fastest ? fastest : power;
@@ -29,15 +29,15 @@ void player_normal_speed(Player *player) {
 }
 
 /* Of what is played again and again. */
-static double loop_begin(const Player *player, const LiveSpan *span) {
+static double loop_begin(const Player *player, const RecordSpan *span) {
     return isnan(player->in) ? span->begin : fmax(player->in, span->begin);
 }
 
-static double loop_end(const Player *player, const LiveSpan *span) {
+static double loop_end(const Player *player, const RecordSpan *span) {
     return isnan(player->out) ? span->end : fmin(player->out, span->end);
 }
 
-double player_wish(const Player *player, double seconds, const LiveSpan *span) {
+double player_wish(const Player *player, double seconds, const RecordSpan *span) {
     if (!player->playing)
         return fmax(player->time, span->begin);
     double wish = fmax(player->time, span->begin) + fmin(seconds, LONGEST) * player_speed(player) * span->pace;
@@ -56,7 +56,7 @@ static void measure(Player *player, double seconds, double moved) {
     player->watched = player->moved = 0;
 }
 
-void player_advance(Player *player, double seconds, double wish, const LiveSpan *span) {
+void player_advance(Player *player, double seconds, double wish, const RecordSpan *span) {
     double before = player->time;
     player->time = fmax(fmin(wish, span->end), span->begin);
     if (!player->playing)
@@ -72,7 +72,7 @@ void player_advance(Player *player, double seconds, double wish, const LiveSpan 
     }
 }
 
-void player_pause(Player *player, const LiveSpan *span) {
+void player_pause(Player *player, const RecordSpan *span) {
     player->playing = false;
     player->achieved = NAN;
     player->watched = player->moved = 0;
@@ -80,7 +80,7 @@ void player_pause(Player *player, const LiveSpan *span) {
         player->time = fmax(span->begin, span->step * floor(player->time / span->step + WHOLE_FRAME));
 }
 
-void player_toggle(Player *player, const LiveSpan *span) {
+void player_toggle(Player *player, const RecordSpan *span) {
     if (player->playing) {
         player_pause(player, span);
         return;
@@ -90,11 +90,11 @@ void player_toggle(Player *player, const LiveSpan *span) {
     player->playing = true;
 }
 
-void player_seek(Player *player, double time, const LiveSpan *span) {
+void player_seek(Player *player, double time, const RecordSpan *span) {
     player->time = fmax(span->begin, fmin(time, span->end));
 }
 
-void player_step(Player *player, int frames, const LiveSpan *span) {
+void player_step(Player *player, int frames, const RecordSpan *span) {
     player_pause(player, span);
     double frame = player->time / span->step;
     double whole = frames > 0 ? floor(frame + WHOLE_FRAME) : ceil(frame - WHOLE_FRAME);

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "live/live.h"
+#include "laboratory/laboratory.h"
 
 enum { PLAYER_SLOWEST = -4 /* powers of two: 1/16 */ };
 
@@ -25,20 +25,20 @@ Player player_start(void);
 double player_speed(const Player *player);
 
 /* One step faster or slower, within the ladder of what is played; or back to 1. */
-void player_change_speed(Player *player, int steps, const LiveSpan *span);
+void player_change_speed(Player *player, int steps, const RecordSpan *span);
 void player_normal_speed(Player *player);
 
 /* The moment that is wanted after so many s on the wall, which `reach` may not have. */
-double player_wish(const Player *player, double seconds, const LiveSpan *span);
+double player_wish(const Player *player, double seconds, const RecordSpan *span);
 
 /* Moves there, as far as the record goes, and measures what came of it. At the end of what is complete it goes round or
  * stops. */
-void player_advance(Player *player, double seconds, double wish, const LiveSpan *span);
+void player_advance(Player *player, double seconds, double wish, const RecordSpan *span);
 
 /* Play, or pause on a whole frame; at the end, from the beginning. */
-void player_toggle(Player *player, const LiveSpan *span);
-void player_pause(Player *player, const LiveSpan *span);
+void player_toggle(Player *player, const RecordSpan *span);
+void player_pause(Player *player, const RecordSpan *span);
 
 /* To a time within the span; and by so many frames, which pauses. */
-void player_seek(Player *player, double time, const LiveSpan *span);
-void player_step(Player *player, int frames, const LiveSpan *span);
+void player_seek(Player *player, double time, const RecordSpan *span);
+void player_step(Player *player, int frames, const RecordSpan *span);

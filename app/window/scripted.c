@@ -7,7 +7,7 @@
 
 #include "base/clock.h"
 #include "window/act.h"
-#include "window/edit.h"
+#include "window/plan_input.h"
 #include "window/scripted_state.h"
 
 bool scripted_open(Scripted *scripted, const char *path, Fault *fault) {
@@ -31,21 +31,21 @@ bool scripted_is_busy(const Scripted *scripted) {
 
 /* Events ----------------------------------------------------------------------------------------------------------- */
 
-static void add_event(Scripted *scripted, GlassEvent event) {
+static void add_event(Scripted *scripted, SdlWindowEvent event) {
     scripted->events[scripted->event_count++] = event;
 }
 
-static GlassEvent mouse_event(double x, double y) {
-    return (GlassEvent){.kind = GLASS_MOUSE, .at = {x, y}};
+static SdlWindowEvent mouse_event(double x, double y) {
+    return (SdlWindowEvent){.kind = SDL_WINDOW_EVENT_MOUSE, .at = {x, y}};
 }
 
-static GlassEvent button_event(double x, double y, int button, bool down) {
-    return (GlassEvent){.kind = GLASS_BUTTON, .at = {x, y}, .button = button, .down = down};
+static SdlWindowEvent button_event(double x, double y, int button, bool down) {
+    return (SdlWindowEvent){.kind = SDL_WINDOW_EVENT_BUTTON, .at = {x, y}, .button = button, .down = down};
 }
 
 static void add_click(Scripted *scripted, const ScriptCommand *command) {
     double x = command->numbers[0], y = command->numbers[1];
-    int button = command->choice == SCRIPT_RIGHT ? GLASS_RIGHT : GLASS_LEFT;
+    int button = command->choice == SCRIPT_RIGHT ? SDL_WINDOW_EVENT_RIGHT : SDL_WINDOW_EVENT_LEFT;
     add_event(scripted, mouse_event(x, y));
     for (int i = 0; i < (command->choice == SCRIPT_DOUBLE ? 2 : 1); i++) {
         add_event(scripted, button_event(x, y, button, true));
@@ -57,20 +57,20 @@ static void add_click(Scripted *scripted, const ScriptCommand *command) {
 static void add_drag(Scripted *scripted, const double *numbers) {
     Vec2 from = {numbers[0], numbers[1]}, to = {numbers[2], numbers[3]}, half = vec2_scale(vec2_add(from, to), 0.5);
     add_event(scripted, mouse_event(from.x, from.y));
-    add_event(scripted, button_event(from.x, from.y, GLASS_LEFT, true));
+    add_event(scripted, button_event(from.x, from.y, SDL_WINDOW_EVENT_LEFT, true));
     add_event(scripted, mouse_event(half.x, half.y));
     add_event(scripted, mouse_event(to.x, to.y));
-    add_event(scripted, button_event(to.x, to.y, GLASS_LEFT, false));
+    add_event(scripted, button_event(to.x, to.y, SDL_WINDOW_EVENT_LEFT, false));
 }
 
 static void add_key(Scripted *scripted, const char *words) {
-    GlassEvent event = {.kind = GLASS_KEY};
+    SdlWindowEvent event = {.kind = SDL_WINDOW_EVENT_KEY};
     keys_read(words, &event.key, &event.mods);
     add_event(scripted, event);
 }
 
 static void add_text(Scripted *scripted, const char *words) {
-    GlassEvent event = {.kind = GLASS_TEXT};
+    SdlWindowEvent event = {.kind = SDL_WINDOW_EVENT_TEXT};
     snprintf(event.text, sizeof event.text, "%s", words);
     add_event(scripted, event);
 }
@@ -99,12 +99,12 @@ static void write_picture(Window *window, const char *path) {
 }
 
 static void write_view(Window *window, const char *path) {
-    const Scenery *scenery = &window_room(window)->scenery;
-    if (!scenery->paint)
+    const ViewLayers *view_layers = &window_tab(window)->view_layers;
+    if (!view_layers->paint)
         return;
-    unsigned char *pixels = memory_zeroed((size_t)scenery->width * (size_t)scenery->height, 4);
-    paint_gl_read(scenery->paint, pixels);
-    say_error(window, path, snapshot_pixels(path, pixels, scenery->width, scenery->height));
+    unsigned char *pixels = memory_zeroed((size_t)view_layers->width * (size_t)view_layers->height, 4);
+    paint_gl_read(view_layers->paint, pixels);
+    say_error(window, path, snapshot_pixels(path, pixels, view_layers->width, view_layers->height));
     memory_free(pixels);
 }
 
@@ -131,25 +131,25 @@ static void expect(Scripted *scripted, Window *window, const ScriptCommand *comm
 
 static void set(Scripted *scripted, Window *window, const ScriptCommand *command) {
     Fault fault = {0};
-    Room *room = window_room(window);
+    Tab *tab = window_tab(window);
     if (isnan(command->numbers[0]))
         script_fault(&scripted->script, command, &fault, "%s is no number", command->words[1]);
     else
-        room->kind->set(room->live, command->words[0], command->numbers[0], &fault);
+        tab->kind->set(tab->live, command->words[0], command->numbers[0], &fault);
     if (fault.count)
         act_complain(window, &fault, NAN);
 }
 
-static void set_speed(Room *room, double speed) {
-    LiveSpan span = room->kind->span(room->live);
-    player_normal_speed(&room->player);
-    player_change_speed(&room->player, (int)lround(log2(speed)), &span);
+static void set_speed(Tab *tab, double speed) {
+    RecordSpan span = tab->kind->span(tab->live);
+    player_normal_speed(&tab->player);
+    player_change_speed(&tab->player, (int)lround(log2(speed)), &span);
 }
 
-static void set_playing(Room *room, bool playing) {
-    LiveSpan span = room->kind->span(room->live);
-    if (room->player.playing != playing)
-        player_toggle(&room->player, &span);
+static void set_playing(Tab *tab, bool playing) {
+    RecordSpan span = tab->kind->span(tab->live);
+    if (tab->player.playing != playing)
+        player_toggle(&tab->player, &span);
 }
 
 /* As if by a hand; false: it is another command. */
@@ -172,7 +172,7 @@ static bool run_input(Scripted *scripted, const ScriptCommand *command) {
         add_drag(scripted, numbers);
         return true;
     case SCRIPT_WHEEL:
-        add_event(scripted, (GlassEvent){.kind = GLASS_WHEEL, .wheel = numbers[0]});
+        add_event(scripted, (SdlWindowEvent){.kind = SDL_WINDOW_EVENT_WHEEL, .wheel = numbers[0]});
         return true;
     default:
         return false;
@@ -181,23 +181,25 @@ static bool run_input(Scripted *scripted, const ScriptCommand *command) {
 
 /* The mouse to a place on the floor. */
 static void go_to(Scripted *scripted, Window *window, Vec2 floor) {
-    const Room *room = window_room(window);
-    if (!room->scenery.painted)
+    const Tab *tab = window_tab(window);
+    if (!tab->view_layers.painted)
         return;
-    Vec2 at = vec2_add(window->frame.view.low, scenery_point(&room->scenery, floor));
+    Vec2 at = vec2_add(window->frame.view.low, view_layers_point(&tab->view_layers, floor));
     add_event(scripted, mouse_event(at.x * window->unit, at.y * window->unit));
 }
 
 static int hold_mods(int choice) {
-    static const int mods[] = {
-        [SCRIPT_NOTHING] = 0, [SCRIPT_SHIFT] = GLASS_SHIFT, [SCRIPT_CTRL] = GLASS_CONTROL, [SCRIPT_ALT] = GLASS_ALT};
+    static const int mods[] = {[SCRIPT_NOTHING] = 0,
+                               [SCRIPT_SHIFT] = SDL_WINDOW_EVENT_SHIFT,
+                               [SCRIPT_CTRL] = SDL_WINDOW_EVENT_CONTROL,
+                               [SCRIPT_ALT] = SDL_WINDOW_EVENT_ALT};
     return mods[choice];
 }
 
-static void run_in_room(Scripted *scripted, Window *window, const ScriptCommand *command) {
-    Room *room = window_room(window);
+static void run_in_tab(Scripted *scripted, Window *window, const ScriptCommand *command) {
+    Tab *tab = window_tab(window);
     Fault fault = {0};
-    if (!room->live) {
+    if (!tab->live) {
         script_fault(&scripted->script, command, &fault, "%s: nothing is open", script_word(command->kind));
         fail(scripted, window, &fault);
         return;
@@ -210,13 +212,13 @@ static void run_in_room(Scripted *scripted, Window *window, const ScriptCommand 
         go_to(scripted, window, vec2(command->numbers[0], command->numbers[1]));
         break;
     case SCRIPT_SEEK:
-        room_seek(room, command->numbers[0]);
+        tab_seek(tab, command->numbers[0]);
         break;
     case SCRIPT_SPEED:
-        set_speed(room, command->numbers[0]);
+        set_speed(tab, command->numbers[0]);
         break;
     default:
-        set_playing(room, command->kind == SCRIPT_PLAY);
+        set_playing(tab, command->kind == SCRIPT_PLAY);
     }
 }
 
@@ -245,18 +247,19 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
     case SCRIPT_SEEK:
     case SCRIPT_SPEED:
     case SCRIPT_AT:
-        run_in_room(scripted, window, command);
+        run_in_tab(scripted, window, command);
         break;
     case SCRIPT_PRESS:
     case SCRIPT_RELEASE:
-        add_event(scripted, button_event(window->mouse.x, window->mouse.y, GLASS_LEFT, command->kind == SCRIPT_PRESS));
+        add_event(scripted,
+                  button_event(window->mouse.x, window->mouse.y, SDL_WINDOW_EVENT_LEFT, command->kind == SCRIPT_PRESS));
         scripted->events[scripted->event_count - 1].twice = command->choice == 1;
         break;
     case SCRIPT_HOLD:
-        glass_hold(window->glass, hold_mods(command->choice));
+        sdl_window_hold(window->sdl_window, hold_mods(command->choice));
         break;
     case SCRIPT_RESIZE:
-        glass_resize(window->glass, (int)numbers[0], (int)numbers[1]);
+        sdl_window_resize(window->sdl_window, (int)numbers[0], (int)numbers[1]);
         break;
     case SCRIPT_PICTURE:
         write_picture(window, command->words[0]);
@@ -277,11 +280,11 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
 
 /* Has come what it waits for? */
 static bool has_come(const Scripted *scripted, Window *window) {
-    const Room *room = window_room(window);
-    if (!room->live)
+    const Tab *tab = window_tab(window);
+    if (!tab->live)
         return false;
-    LiveAnswer answer = room->kind->answer(room->live);
-    LiveSpan span = room->kind->span(room->live);
+    Result answer = tab->kind->answer(tab->live);
+    RecordSpan span = tab->kind->span(tab->live);
     switch (scripted->until->choice) {
     case SCRIPT_COMPLETE:
         return span.complete && !answer.stale;
@@ -289,7 +292,7 @@ static bool has_come(const Scripted *scripted, Window *window) {
         return !answer.stale && (span.complete || span.endless);
     default:
         return !answer.stale && (span.complete || span.endless) && !answer.doing && !window->export &&
-               !edit_animation(room);
+               !plan_input_animation(tab);
     }
 }
 
@@ -317,7 +320,7 @@ static bool waits(Scripted *scripted, Window *window) {
 
 void scripted_go_on(Scripted *scripted, Window *window) {
     if (scripted->event_at < scripted->event_count) {
-        glass_push(window->glass, &scripted->events[scripted->event_at++]);
+        sdl_window_push(window->sdl_window, &scripted->events[scripted->event_at++]);
         window->dirty = true;
         return;
     }

@@ -8,7 +8,7 @@ enum { SCRIPTED_EVENTS = 8 };
 
 typedef struct Scripted {
     Script script;
-    GlassEvent *events; /* (event_count) still to come, one a frame */
+    SdlWindowEvent *events; /* (event_count) still to come, one a frame */
     size_t event_count, event_at;
     double waits;               /* frames */
     const ScriptCommand *until; /* NULL: it waits for nothing */

@@ -69,7 +69,7 @@ static const char *speed_words(Window *window, const Player *player) {
 
 typedef struct Track {
     Box box;
-    LiveSpan span;
+    RecordSpan span;
 } Track;
 
 static double place_of(const Track *track, double time) {
@@ -84,19 +84,19 @@ static double time_at(const Track *track, double x) {
 }
 
 /* Marks differ by shape: a touch is a stroke below, an exit a diamond, a change a box, trouble a stroke through. */
-static void show_ticks(Ui *ui, const Track *track, const Room *room) {
+static void show_ticks(Ui *ui, const Track *track, const Tab *tab) {
     size_t count;
-    const LiveTick *ticks = room->kind->ticks(room->live, &count);
+    const TimelineMark *ticks = tab->kind->ticks(tab->live, &count);
     double y = middle_of(track->box).y;
     for (size_t i = 0; i < count; i++) {
         if (ticks[i].time < track->span.begin || ticks[i].time > track->span.end)
             continue;
         double x = place_of(track, ticks[i].time);
-        if (ticks[i].kind == LIVE_TICK_CONTACT)
+        if (ticks[i].kind == TIMELINE_CONTACT)
             ui_draw_line(ui, vec2(x, y + TRACK_HEIGHT / 2), vec2(x, y + TICK_HEIGHT), ROLE_IMPACT, 2);
-        else if (ticks[i].kind == LIVE_TICK_EXIT)
+        else if (ticks[i].kind == TIMELINE_EXIT)
             ui_draw_diamond(ui, vec2(x, y - TICK_HEIGHT + 2), 5, ROLE_EXIT_TAG);
-        else if (ticks[i].kind == LIVE_TICK_CHANGE)
+        else if (ticks[i].kind == TIMELINE_CHANGE)
             ui_draw_box(ui, (Box){{x - 3, y - TICK_HEIGHT}, {x + 3, y - TICK_HEIGHT + 6}}, ROLE_LOCUS_SECOND, 1);
         else
             ui_draw_line(ui, vec2(x, y - TICK_HEIGHT), vec2(x, y + TICK_HEIGHT), ROLE_ERROR, 3);
@@ -113,48 +113,48 @@ static void show_marks(Ui *ui, const Track *track, const Player *player) {
     ui_draw_line(ui, vec2(to, y - TICK_HEIGHT), vec2(to, y + TICK_HEIGHT), ROLE_LOCUS_SECOND, 2);
 }
 
-static void show_track(Window *window, Room *room, Box box) {
+static void show_track(Window *window, Tab *tab, Box box) {
     Ui *ui = window->ui;
-    Track track = {box, room->kind->span(room->live)};
-    double y = middle_of(box).y, head = place_of(&track, room->player.time);
+    Track track = {box, tab->kind->span(tab->live)};
+    double y = middle_of(box).y, head = place_of(&track, tab->player.time);
     Box line = {{box.low.x, y - TRACK_HEIGHT / 2}, {box.high.x, y + TRACK_HEIGHT / 2}};
     ui_draw_box(ui, line, ROLE_FURNITURE_LINE, 0.45);
     ui_draw_box(ui, (Box){line.low, {head, line.high.y}}, ROLE_CHAIR, 1);
-    show_marks(ui, &track, &room->player);
-    show_ticks(ui, &track, room);
+    show_marks(ui, &track, &tab->player);
+    show_ticks(ui, &track, tab);
     ui_draw_box(ui, (Box){{head - HEAD_WIDTH / 2, y - HEAD_HEIGHT / 2}, {head + HEAD_WIDTH / 2, y + HEAD_HEIGHT / 2}},
                 ROLE_TEXT, 1);
     UiGrab grab = ui_grab(ui, "track", box_expand(box, HEAD_WIDTH / 2));
     if (grab.pressed || grab.held) {
-        room_seek(room, time_at(&track, grab.at.x));
+        tab_seek(tab, time_at(&track, grab.at.x));
         window->dirty = true;
     }
 }
 
 void timeline_show(Window *window) {
-    Room *room = window_room(window);
+    Tab *tab = window_tab(window);
     Row row = {window, window->frame.timeline, MARGIN, window->frame.timeline.high.x - MARGIN};
     bool compact = window->frame.compact;
     ui_pane_begin(window->ui, &(UiPane){.name = "timeline", .box = row.bar, .ground = ROLE_SHADE, .stop = true});
-    if (room->live) {
+    if (tab->live) {
         if (!compact)
             add_button(&row, ACTION_START, "|<", false, false);
         if (!compact)
             add_button(&row, ACTION_STEP_BACK, "<", false, false);
-        add_button(&row, ACTION_PLAY, room->player.playing ? "Pause" : "Play", true, false);
+        add_button(&row, ACTION_PLAY, tab->player.playing ? "Pause" : "Play", true, false);
         if (!compact)
             add_button(&row, ACTION_STEP, ">", false, false);
         if (!compact)
-            add_button(&row, ACTION_LOOP, "Loop", room->player.loops, false);
-        add_words(&row, compact ? UI_BOLD : UI_CLOCK, room->kind->clock(room->live, room->player.time), CLOCK_WIDEST,
+            add_button(&row, ACTION_LOOP, "Loop", tab->player.loops, false);
+        add_words(&row, compact ? UI_BOLD : UI_CLOCK, tab->kind->clock(tab->live, tab->player.time), CLOCK_WIDEST,
                   false);
         if (!compact)
             add_button(&row, ACTION_NOW, "Now", false, true);
         add_button(&row, ACTION_FASTER, "+", false, true);
-        add_words(&row, UI_BODY, speed_words(window, &room->player), compact ? "16x" : "16x (0.98x)", true);
+        add_words(&row, UI_BODY, speed_words(window, &tab->player), compact ? "16x" : "16x (0.98x)", true);
         add_button(&row, ACTION_SLOWER, "-", false, true);
         if (row.right - row.left > LEAST_TRACK)
-            show_track(window, room, (Box){{row.left + GAP, row.bar.low.y}, {row.right - GAP, row.bar.high.y}});
+            show_track(window, tab, (Box){{row.left + GAP, row.bar.low.y}, {row.right - GAP, row.bar.high.y}});
     }
     ui_pane_end(window->ui);
 }

@@ -5,19 +5,19 @@
 #include <string.h>
 
 #include "base/clock.h"
-#include "live/shipped.h"
+#include "laboratory/shipped.h"
 #include "window/act.h"
-#include "window/backdrop.h"
+#include "window/trace_image.h"
 #include "window/bars.h"
-#include "window/edit.h"
+#include "window/plan_input.h"
 #include "window/files.h"
-#include "window/outlook.h"
+#include "window/canvas.h"
 #include "window/pace_edit.h"
 #include "window/panel.h"
-#include "window/rail.h"
+#include "window/toolbar.h"
 #include "window/scripted.h"
-#include "window/sheet_gallery.h"
-#include "window/sheets.h"
+#include "window/dialog_gallery.h"
+#include "window/dialogs.h"
 #include "window/timeline.h"
 #include "window/window_state.h"
 
@@ -35,7 +35,7 @@ enum { WIDTH = 1280, HEIGHT = 720 /* pixels, of a window that is new */ };
 /* What kind of place has the focus. */
 static KeyPlace place_of(const Window *window) {
     const char *pane = ui_focus_pane(window->ui);
-    if (window->sheet != SHEET_NONE)
+    if (window->dialog != DIALOG_NONE)
         return KEY_ANYWHERE;
     if (strncmp(pane, "plot:", 5) == 0)
         return KEY_PLOT;
@@ -43,7 +43,7 @@ static KeyPlace place_of(const Window *window) {
         return KEY_TIMELINE;
     if (*pane && strcmp(pane, "view") != 0)
         return KEY_ANYWHERE;
-    return edit_of(&window->rooms[window->current]) ? KEY_PLAN : KEY_VIEW;
+    return plan_input_of(&window->tabs[window->current]) ? KEY_PLAN : KEY_VIEW;
 }
 
 typedef struct WidgetKey {
@@ -53,7 +53,7 @@ typedef struct WidgetKey {
 } WidgetKey;
 
 /* The widgets' key, or UI_KEYS. */
-static UiKey widget_key(const GlassEvent *event) {
+static UiKey widget_key(const SdlWindowEvent *event) {
     static const WidgetKey known[] = {
         {"Return", UI_KEY_ENTER, false},
         {"Keypad Enter", UI_KEY_ENTER, false},
@@ -74,22 +74,22 @@ static UiKey widget_key(const GlassEvent *event) {
         {"V", UI_KEY_PASTE, true},
         {"X", UI_KEY_CUT, true},
     };
-    bool control = event->mods & GLASS_CONTROL, shift = event->mods & GLASS_SHIFT;
-    if (event->key == glass_key("Tab"))
+    bool control = event->mods & SDL_WINDOW_EVENT_CONTROL, shift = event->mods & SDL_WINDOW_EVENT_SHIFT;
+    if (event->key == sdl_window_key("Tab"))
         return shift ? UI_KEY_PREVIOUS : UI_KEY_NEXT;
-    if (event->key == glass_key("F6"))
+    if (event->key == sdl_window_key("F6"))
         return shift ? UI_KEY_PANE_BACK : UI_KEY_PANE;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (event->key == glass_key(known[i].name) && known[i].control == control)
+        if (event->key == sdl_window_key(known[i].name) && known[i].control == control)
             return known[i].key;
     return UI_KEYS;
 }
 
-static bool give_to_widgets(Window *window, const GlassEvent *event) {
+static bool give_to_widgets(Window *window, const SdlWindowEvent *event) {
     UiKey key = widget_key(event);
-    if (key == UI_KEYS || event->mods & GLASS_ALT)
+    if (key == UI_KEYS || event->mods & SDL_WINDOW_EVENT_ALT)
         return false;
-    return ui_key(window->ui, key, event->mods & GLASS_SHIFT, event->mods & GLASS_CONTROL);
+    return ui_key(window->ui, key, event->mods & SDL_WINDOW_EVENT_SHIFT, event->mods & SDL_WINDOW_EVENT_CONTROL);
 }
 
 /* What an open field has a meaning of its own for. */
@@ -98,15 +98,15 @@ static bool is_of_field(Action action) {
 }
 
 /* An open field has the letters; then what the focus is on; then the table; then the widgets again. */
-static void do_key(Window *window, const GlassEvent *event) {
+static void do_key(Window *window, const SdlWindowEvent *event) {
     KeyPlace place = place_of(window);
     bool view = place == KEY_VIEW || place == KEY_PLAN;
-    bool walks = view && event->key == glass_key("Tab"), types = ui_types(window->ui);
-    bool escapes = event->key == glass_key("Escape") && !types && window->sheet != SHEET_NONE;
+    bool walks = view && event->key == sdl_window_key("Tab"), types = ui_types(window->ui);
+    bool escapes = event->key == sdl_window_key("Escape") && !types && window->dialog != DIALOG_NONE;
     if (!walks && !escapes && (types || place == KEY_ANYWHERE || place == KEY_TIMELINE) &&
         give_to_widgets(window, event))
         return;
-    bool letters = !types && place != KEY_ANYWHERE && window->settings.likes.letters;
+    bool letters = !types && place != KEY_ANYWHERE && window->settings.preferences.letters;
     const KeyRow *row = keys_find(event->key, event->mods, place, letters);
     if (row && !(types && is_of_field(row->action)))
         act_do(window, row->action, event->key, event->mods);
@@ -115,8 +115,8 @@ static void do_key(Window *window, const GlassEvent *event) {
 }
 
 /* What is in the hand comes first. */
-static void take_key(Window *window, const GlassEvent *event) {
-    if (place_of(window) == KEY_PLAN && (edit_key(window, event) || edit_keep_key(window, event)))
+static void take_key(Window *window, const SdlWindowEvent *event) {
+    if (place_of(window) == KEY_PLAN && (plan_input_key(window, event) || plan_input_keep_key(window, event)))
         return;
     window->edit.done = true;
     do_key(window, event);
@@ -124,7 +124,7 @@ static void take_key(Window *window, const GlassEvent *event) {
 
 /* The letters of the key that waited, or NULL: it types none. */
 static void end_waiting(Window *window, const char *letters) {
-    if (!edit_take_letters(window, letters))
+    if (!plan_input_take_letters(window, letters))
         do_key(window, &window->edit.key);
 }
 
@@ -134,41 +134,41 @@ static void end_waiting(Window *window, const char *letters) {
 static void type(Window *window, const char *letters) {
     bool fresh = !window->edit.done && place_of(window) == KEY_PLAN && !ui_types(window->ui);
     window->edit.done = false;
-    if (!fresh || !edit_type(window, letters))
+    if (!fresh || !plan_input_type(window, letters))
         ui_type(window->ui, letters);
 }
 
-static void take(Window *window, const GlassEvent *event) {
-    window->dirty |= event->kind != GLASS_NOTHING;
-    window->edit.done &= event->kind == GLASS_TEXT || event->kind == GLASS_NOTHING;
-    if (window->edit.waits && event->kind == GLASS_TEXT) {
+static void take(Window *window, const SdlWindowEvent *event) {
+    window->dirty |= event->kind != SDL_WINDOW_EVENT_NOTHING;
+    window->edit.done &= event->kind == SDL_WINDOW_EVENT_TEXT || event->kind == SDL_WINDOW_EVENT_NOTHING;
+    if (window->edit.waits && event->kind == SDL_WINDOW_EVENT_TEXT) {
         end_waiting(window, event->text);
         return;
     }
-    if (window->edit.waits && event->kind == GLASS_KEY)
+    if (window->edit.waits && event->kind == SDL_WINDOW_EVENT_KEY)
         end_waiting(window, NULL);
     switch (event->kind) {
-    case GLASS_QUIT:
+    case SDL_WINDOW_EVENT_QUIT:
         files_leave(window, LEAVE_QUIT, NULL);
         break;
-    case GLASS_KEY:
+    case SDL_WINDOW_EVENT_KEY:
         take_key(window, event);
         break;
-    case GLASS_TEXT:
+    case SDL_WINDOW_EVENT_TEXT:
         type(window, event->text);
         break;
-    case GLASS_MOUSE:
+    case SDL_WINDOW_EVENT_MOUSE:
         window->mouse = event->at;
         break;
-    case GLASS_BUTTON:
+    case SDL_WINDOW_EVENT_BUTTON:
         window->mouse = event->at;
         window->input.down[event->button] = event->down;
-        window->input.twice |= event->twice && event->button == GLASS_LEFT;
+        window->input.twice |= event->twice && event->button == SDL_WINDOW_EVENT_LEFT;
         break;
-    case GLASS_WHEEL:
+    case SDL_WINDOW_EVENT_WHEEL:
         window->input.wheel += event->wheel;
         break;
-    case GLASS_FILE:
+    case SDL_WINDOW_EVENT_FILE:
         files_leave(window, LEAVE_OPEN, event->text);
         break;
     default:
@@ -178,11 +178,11 @@ static void take(Window *window, const GlassEvent *event) {
 
 /* A press and its release must be seen in two frames: the second waits. */
 static void take_events(Window *window, double wait) {
-    GlassEvent event;
+    SdlWindowEvent event;
     bool waited = window->edit.waits;
-    for (; glass_next(window->glass, &event, wait); wait = 0) {
+    for (; sdl_window_next(window->sdl_window, &event, wait); wait = 0) {
         take(window, &event);
-        if (event.kind == GLASS_BUTTON || event.kind == GLASS_KEY)
+        if (event.kind == SDL_WINDOW_EVENT_BUTTON || event.kind == SDL_WINDOW_EVENT_KEY)
             return;
     }
     if (waited && window->edit.waits) {
@@ -201,19 +201,19 @@ static Box snapped(const Window *window, Box box) {
 }
 
 static void make_frame(Window *window) {
-    const Room *room = window_room(window);
-    glass_size(window->glass, &window->width, &window->height);
+    const Tab *tab = window_tab(window);
+    sdl_window_size(window->sdl_window, &window->width, &window->height);
     double letters = window->text * (window->present ? PRESENT_TEXT : 1);
     window->unit =
-        fmax(layout_unit(window->width, window->height), LEAST_UNIT * glass_density(window->glass)) * letters;
+        fmax(layout_unit(window->width, window->height), LEAST_UNIT * sdl_window_density(window->sdl_window)) * letters;
     FrameWish wish = {.panel = window->panel,
                       .plots = window->plots,
                       .present = window->present,
-                      .plot_count = room->charts_wait && room->live && !room->charts.count
-                                        ? room->kind->plot_count(room->live)
-                                        : room->charts.count,
-                      .tool_count = edit_of(room) ? LIVE_TOOLS : 0,
-                      .aspect = room->aspect};
+                      .plot_count = tab->plot_panes_wait && tab->live && !tab->panes.count
+                                        ? tab->kind->plot_count(tab->live)
+                                        : tab->panes.count,
+                      .tool_count = plan_input_of(tab) ? EDIT_TOOLS : 0,
+                      .aspect = tab->aspect};
     Vec2 page = {window->width / window->unit, window->height / window->unit};
     window->frame = frame_make(page, &wish);
     if (window->frame.drawer && !window->drawer) {
@@ -222,7 +222,7 @@ static void make_frame(Window *window) {
     }
     window->frame.view = snapped(window, window->frame.view);
     for (size_t i = 0; i < window->frame.chart_count; i++)
-        window->frame.charts[i] = snapped(window, window->frame.charts[i]);
+        window->frame.panes[i] = snapped(window, window->frame.panes[i]);
 }
 
 static void fill_input(Window *window, double seconds) {
@@ -237,29 +237,30 @@ static void fill_input(Window *window, double seconds) {
 static void show_panes(Window *window) {
     bars_show_menu(window);
     bars_show_answer(window);
-    outlook_show(window);
+    canvas_show(window);
     panel_show(window);
-    rail_show(window);
+    toolbar_show(window);
     timeline_show(window);
     bars_show_strip(window);
     bars_show_message(window);
-    sheets_show(window);
+    dialogs_show(window);
 }
 
 static void draw(Window *window, double seconds) {
-    Room *room = window_room(window);
+    Tab *tab = window_tab(window);
     arena_clear(&window->words);
     make_frame(window);
-    room_cramp(room, window->frame.compact);
-    outlook_paint(window);
+    tab_cramp(tab, window->frame.compact);
+    canvas_paint(window);
     paint_gl_screen_begin(window->screen, window->width, window->height, palette_colour(window->theme, ROLE_PAPER));
-    if (room->live && room->scenery.paint)
-        paint_gl_screen_show(window->screen, room->scenery.paint, (int)lround(window->frame.view.low.x * window->unit),
+    if (tab->live && tab->view_layers.paint)
+        paint_gl_screen_show(window->screen, tab->view_layers.paint,
+                             (int)lround(window->frame.view.low.x * window->unit),
                              (int)lround(window->frame.view.low.y * window->unit));
     fill_input(window, seconds);
     ui_begin(window->ui, &window->input);
     show_panes(window);
-    edit_hold_clock(window); /* behind the sliders, which still move in the frame in which they are let go */
+    plan_input_hold_clock(window); /* behind the sliders, which still move in the frame in which they are let go */
     ui_end(window->ui);
     window->input.wheel = 0;
     window->input.twice = false;
@@ -267,36 +268,36 @@ static void draw(Window *window, double seconds) {
 
 /* Whether what is shown moves by itself. */
 static bool is_lively(Window *window, const Scripted *scripted) {
-    const Room *room = window_room(window);
-    bool draws = window->sheet == SHEET_GALLERY && !gallery_complete(window->gallery);
+    const Tab *tab = window_tab(window);
+    bool draws = window->dialog == DIALOG_GALLERY && !gallery_complete(window->gallery);
     return window->dirty || ui_is_busy(window->ui) || scripted_is_busy(scripted) || window->pace.counting ||
-           window->options->benchmark_edit > 0 || window->export || draws || (room->live && room->player.playing) ||
-           edit_animation(room);
+           window->options->benchmark_edit > 0 || window->export || draws || (tab->live && tab->player.playing) ||
+           plan_input_animation(tab);
 }
 
 /* Between frames --------------------------------------------------------------------------------------------------- */
 
-static void hear_trouble(Window *window, Room *room) {
+static void hear_trouble(Window *window, Tab *tab) {
     double time = NAN;
-    const char *trouble = room->kind->trouble(room->live, &time);
+    const char *trouble = tab->kind->trouble(tab->live, &time);
     if (!trouble)
         return;
     messages_say(&window->messages, MESSAGE_FAULT, time, "%s", trouble);
     if (isnan(time))
         return;
-    LiveSpan span = room->kind->span(room->live);
-    player_pause(&room->player, &span);
-    player_seek(&room->player, time, &span);
+    RecordSpan span = tab->kind->span(tab->live);
+    player_pause(&tab->player, &span);
+    player_seek(&tab->player, time, &span);
 }
 
-static void make_sound(Window *window, const Room *room, double before) {
+static void make_sound(Window *window, const Tab *tab, double before) {
     float samples[SOUND_MOST];
     size_t wanted = window->sound ? sound_room(window->sound) : 0;
     wanted = wanted < SOUND_MOST ? wanted : SOUND_MOST;
     if (!wanted)
         return;
-    if (room->player.playing && room->player.time > before &&
-        room->kind->sound(room->live, before, room->player.time, samples, wanted))
+    if (tab->player.playing && tab->player.time > before &&
+        tab->kind->sound(tab->live, before, tab->player.time, samples, wanted))
         sound_feed(window->sound, samples, wanted);
     else
         sound_hush(window->sound);
@@ -332,16 +333,16 @@ static void forget_notes(Window *window) {
 }
 
 static void move_on(Window *window, double seconds) {
-    Room *room = window_room(window);
-    double before = room->player.time;
-    for (size_t i = 0; i < ROOMS; i++) {
-        unsigned changes = room_update(&window->rooms[i], i == window->current ? seconds : 0);
-        if (changes & LIVE_TROUBLE)
-            hear_trouble(window, &window->rooms[i]);
+    Tab *tab = window_tab(window);
+    double before = tab->player.time;
+    for (size_t i = 0; i < TABS; i++) {
+        unsigned changes = tab_update(&window->tabs[i], i == window->current ? seconds : 0);
+        if (changes & LABORATORY_TROUBLE)
+            hear_trouble(window, &window->tabs[i]);
         window->dirty |= changes && i == window->current;
     }
-    if (room->live)
-        make_sound(window, room, before);
+    if (tab->live)
+        make_sound(window, tab, before);
     end_export(window);
     files_watch(window);
     forget_notes(window);
@@ -351,55 +352,55 @@ static void move_on(Window *window, double seconds) {
 static void turn(Window *window, Scripted *scripted) {
     bool lively = is_lively(window, scripted);
     bool hurried = (window->pace.counting && window->options->benchmark > 0) ||
-                   (scripted_is_busy(scripted) && !scripted->until && !glass_is_seen(window->glass));
+                   (scripted_is_busy(scripted) && !scripted->until && !sdl_window_is_seen(window->sdl_window));
     double seconds = pace_wait(&window->pace, hurried), begun = clock_now();
-    edit_animate(window, seconds);
+    plan_input_animate(window, seconds);
     take_events(window, lively ? 0 : IDLE_WAIT);
-    double worked = window_room(window)->worked;
+    double worked = window_tab(window)->worked;
     move_on(window, seconds);
     if (!is_lively(window, scripted))
         return;
     window->dirty = false;
     draw(window, seconds);
     scripted_go_on(scripted, window);
-    glass_swap(window->glass);
+    sdl_window_swap(window->sdl_window);
     pace_note_first(&window->pace);
-    pace_note(&window->pace, clock_now() - begun, window_room(window)->worked - worked);
+    pace_note(&window->pace, clock_now() - begun, window_tab(window)->worked - worked);
 }
 
 /* Beginning and end ------------------------------------------------------------------------------------------------ */
 
 static void take_likes(Window *window) {
     const WindowOptions *options = window->options;
-    const SettingsLikes *likes = &window->settings.likes;
-    window->theme = (Theme)(options->theme >= 0 ? options->theme : likes->theme);
-    window->text = options->text > 0 ? options->text : likes->text;
-    window->reduced = options->reduced_motion || likes->reduced_motion;
+    const SettingsPreferences *preferences = &window->settings.preferences;
+    window->theme = (Theme)(options->theme >= 0 ? options->theme : preferences->theme);
+    window->text = options->text > 0 ? options->text : preferences->text;
+    window->reduced = options->reduced_motion || preferences->reduced_motion;
     window->panel = window->plots = true;
-    window->rooms[ROOM_HOUSE] = room_make(&house_live);
-    window->rooms[ROOM_BEAM] = room_make(&beam_live);
-    for (size_t i = 0; i < ROOMS; i++) {
-        const SettingsLaboratory *kept = settings_laboratory(&window->settings, window->rooms[i].kind->word);
+    window->tabs[TAB_HOUSE] = tab_make(&house_laboratory);
+    window->tabs[TAB_BEAM] = tab_make(&beam_laboratory);
+    for (size_t i = 0; i < TABS; i++) {
+        const SettingsLaboratory *kept = settings_laboratory(&window->settings, window->tabs[i].kind->word);
         if (kept->layers >= 0)
-            window->rooms[i].layers = (unsigned)kept->layers;
+            window->tabs[i].layers = (unsigned)kept->layers;
         if (*kept->plots)
-            window->rooms[i].plots = kept->plots;
-        window->rooms[i].player.power = kept->speed > 0 ? (int)lround(log2(kept->speed)) : 0;
+            window->tabs[i].plots = kept->plots;
+        window->tabs[i].player.power = kept->speed > 0 ? (int)lround(log2(kept->speed)) : 0;
     }
 }
 
 static void keep_likes(Window *window) {
     Fault notes = {0};
-    for (size_t i = 0; i < ROOMS; i++) {
-        const Room *room = &window->rooms[i];
-        SettingsLaboratory *kept = settings_laboratory(&window->settings, room->kind->word);
-        kept->layers = room->layers == room->kind->layers_at_first ? -1 : (int)room->layers;
-        kept->plots = strcmp(room->plots, room->kind->plots_at_first) == 0 ? "" : room->plots;
-        kept->speed = player_speed(&room->player);
+    for (size_t i = 0; i < TABS; i++) {
+        const Tab *tab = &window->tabs[i];
+        SettingsLaboratory *kept = settings_laboratory(&window->settings, tab->kind->word);
+        kept->layers = tab->layers == tab->kind->layers_at_first ? -1 : (int)tab->layers;
+        kept->plots = strcmp(tab->plots, tab->kind->plots_at_first) == 0 ? "" : tab->plots;
+        kept->speed = player_speed(&tab->player);
     }
     if (!window->fullscreen) {
-        window->settings.likes.width = window->width;
-        window->settings.likes.height = window->height;
+        window->settings.preferences.width = window->width;
+        window->settings.preferences.height = window->height;
     }
     settings_save(&window->settings, &notes);
     fault_clear(&notes);
@@ -407,18 +408,18 @@ static void keep_likes(Window *window) {
 
 static bool open_glass(Window *window, Fault *fault) {
     const WindowOptions *options = window->options;
-    const SettingsLikes *likes = &window->settings.likes;
-    int width = options->width > 0 ? options->width : likes->width > 0 ? likes->width : WIDTH;
-    int height = options->height > 0 ? options->height : likes->height > 0 ? likes->height : HEIGHT;
-    window->glass = glass_create(width, height, fault);
-    if (!window->glass)
+    const SettingsPreferences *preferences = &window->settings.preferences;
+    int width = options->width > 0 ? options->width : preferences->width > 0 ? preferences->width : WIDTH;
+    int height = options->height > 0 ? options->height : preferences->height > 0 ? preferences->height : HEIGHT;
+    window->sdl_window = sdl_window_create(width, height, fault);
+    if (!window->sdl_window)
         return false;
-    window->screen = paint_gl_screen_create(glass_gl(window->glass));
-    if (!glass_is_seen(window->glass))
+    window->screen = paint_gl_screen_create(sdl_window_gl(window->sdl_window));
+    if (!sdl_window_is_seen(window->sdl_window))
         paint_gl_screen_leave_window(
             window->screen); /* without a display a window's own picture keeps its first size */
-    window->ui =
-        ui_create(window->screen, window->theme, (UiClipboard){glass_clipboard, glass_set_clipboard, window->glass});
+    window->ui = ui_create(window->screen, window->theme,
+                           (UiClipboard){sdl_window_clipboard, sdl_window_set_clipboard, window->sdl_window});
     window->mouse = vec2(-1, -1);
     return true;
 }
@@ -430,14 +431,14 @@ static void close_all(Window *window) {
         sound_close(window->sound);
     if (window->gallery)
         gallery_destroy(window->gallery);
-    sheet_gallery_clear(window);
+    dialog_gallery_clear(window);
     files_end(window);
-    backdrop_clear(window);
-    for (size_t i = 0; i < ROOMS; i++)
-        room_close(&window->rooms[i], window->screen);
+    trace_image_clear(window);
+    for (size_t i = 0; i < TABS; i++)
+        tab_close(&window->tabs[i], window->screen);
     ui_destroy(window->ui);
     paint_gl_screen_destroy(window->screen);
-    glass_destroy(window->glass);
+    sdl_window_destroy(window->sdl_window);
     folder_clear(&window->folder);
     arena_clear(&window->words);
     pace_clear(&window->pace);
@@ -457,7 +458,7 @@ static void loop(Window *window, Scripted *scripted) {
             window->quit = true;
     }
     if (window->options->benchmark > 0 && window->pace.counting)
-        pace_print(&window->pace, window_room(window)->kind->name, window->width, window->height);
+        pace_print(&window->pace, window_tab(window)->kind->name, window->width, window->height);
 }
 
 /* The first file: what was asked for, or what is opened when nothing is. */
@@ -489,7 +490,7 @@ int window_run(const WindowOptions *options) {
     good = good && open_glass(window, &fault);
     int code = good ? 0 : fail(&fault);
     if (good) {
-        if (window->settings.likes.full_screen)
+        if (window->settings.preferences.full_screen)
             act_do(window, ACTION_FULLSCREEN, 0, 0);
         open_first(window);
         loop(window, &scripted);

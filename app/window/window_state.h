@@ -1,17 +1,17 @@
 /* All that the window is made of; its parts, each in a file of its own, are functions of it. */
 #pragma once
 
-#include "live/live_edit.h"
+#include "laboratory/editing.h"
 #include "platform/export.h"
 #include "window/frame.h"
 #include "platform/folder.h"
 #include "window/gallery.h"
-#include "platform/glass.h"
+#include "platform/sdl_window.h"
 #include "window/keys.h"
 #include "window/messages.h"
 #include "platform/pace.h"
 #include "platform/recovery.h"
-#include "window/room.h"
+#include "window/tab.h"
 #include "platform/settings.h"
 #include "platform/snapshot.h"
 #include "platform/sound.h"
@@ -19,25 +19,25 @@
 #include "window/window.h"
 
 /* What lies over the window, one at a time. */
-typedef enum Sheet {
-    SHEET_NONE,
-    SHEET_MENU,
-    SHEET_KEYS,
-    SHEET_GALLERY,
-    SHEET_OPEN,
-    SHEET_SAVE,
-    SHEET_EXPORT,
-    SHEET_MESSAGES,
-    SHEET_EXPLAIN,
-    SHEET_ABOUT,
-    SHEET_LEAVE,     /* something is not saved */
-    SHEET_RECOVERED, /* something was left behind by a program that ended otherwise than it should */
-    SHEETS,
-} Sheet;
+typedef enum Dialog {
+    DIALOG_NONE,
+    DIALOG_MENU,
+    DIALOG_KEYS,
+    DIALOG_GALLERY,
+    DIALOG_OPEN,
+    DIALOG_SAVE,
+    DIALOG_EXPORT,
+    DIALOG_MESSAGES,
+    DIALOG_EXPLAIN,
+    DIALOG_ABOUT,
+    DIALOG_LEAVE,     /* something is not saved */
+    DIALOG_RECOVERED, /* something was left behind by a program that ended otherwise than it should */
+    DIALOGS,
+} Dialog;
 
 /* What the hand does to what is edited. */
-typedef struct Edit {
-    LiveHand hand; /* as last told, */
+typedef struct PlanInput {
+    Pointer hand;  /* as last told, */
     bool told;     /* if ever */
     bool free;     /* there is no snapping until it is wished for again */
     bool number;   /* one is being changed by its slider */
@@ -45,8 +45,8 @@ typedef struct Edit {
     bool plays_on; /* and it goes on afterwards */
     bool waits;    /* the key, for the letters that it types */
     bool done;     /* a key was, of itself: the letters that it types are nobody's */
-    GlassEvent key;
-} Edit;
+    SdlWindowEvent key;
+} PlanInput;
 
 /* When what is edited is to be written for the case of a crash. */
 typedef struct Watch {
@@ -72,11 +72,11 @@ typedef struct PaceEdit {
     size_t count, capacity, missed;
 } PaceEdit;
 
-enum { ROOM_HOUSE, ROOM_BEAM, ROOMS, WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64 };
+enum { TAB_HOUSE, TAB_BEAM, TABS, WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64 };
 
 typedef struct Window {
     const WindowOptions *options;
-    Glass *glass;
+    SdlWindow *sdl_window;
     PaintGlScreen *screen;
     Ui *ui;
     Settings settings;
@@ -88,7 +88,7 @@ typedef struct Window {
     ScreenTexture pictures[GALLERY_MOST]; /* of its items */
     Sound *sound;                         /* NULL: off */
     Export *export;                       /* NULL: nothing is being written */
-    Room rooms[ROOMS];
+    Tab tabs[TABS];
     size_t current;
 
     Theme theme;
@@ -103,15 +103,15 @@ typedef struct Window {
     UiInput input;
     Vec2 mouse; /* pixels */
 
-    Sheet sheet;
+    Dialog dialog;
     KeyMenu menu; /* which one is open */
     Folder folder;
     char field[WINDOW_PATH]; /* typed into a sheet */
     char hold[WINDOW_PATH];  /* explained by a sheet */
 
-    Edit edit;
-    ScreenTexture backdrop; /* of the picture to trace over, */
-    char *backdrop_path;    /* from this file; NULL: none */
+    PlanInput edit;
+    ScreenTexture trace_image; /* of the picture to trace over, */
+    char *trace_image_path;    /* from this file; NULL: none */
     Leave leave;
     char leave_path[WINDOW_PATH]; /* of LEAVE_OPEN */
     Recovery *recovery;           /* what there is for the next time; NULL: there is no place for it */
@@ -128,6 +128,6 @@ typedef struct Window {
     Arena words; /* of this frame */
 } Window;
 
-static inline Room *window_room(Window *window) {
-    return &window->rooms[window->current];
+static inline Tab *window_tab(Window *window) {
+    return &window->tabs[window->current];
 }

@@ -39,15 +39,15 @@ app/document        draw paint
 app/visual/study    exchange plot study
 app/visual/house    draw experiment house plan plot route space study visual/study
 app/visual/beam     beam draw exchange mechanics plot visual/house visual/study
-app/live            beam draw exchange house plot visual/beam visual/house
-app/live/house      draw house live live/edit plan visual/house
-app/live/edit       house inquiry live live/house plan
-app/live/beam       beam experiment live mechanics plot study visual/beam visual/study
+app/laboratory            beam draw exchange house plot visual/beam visual/house
+app/laboratory/house      draw house laboratory laboratory/edit plan visual/house
+app/laboratory/edit       house inquiry laboratory laboratory/house plan
+app/laboratory/beam       beam experiment laboratory mechanics plot study visual/beam visual/study
 app/widgets         draw paint
 app/platform        draw paint plot
-app/window          draw live live/house paint platform plot widgets
+app/window          draw laboratory laboratory/house paint platform plot widgets
 app/report          document exchange experiment house plan plot visual/
-app/command         beam document draw exchange experiment house inquiry live paint plan platform plot report study visual/ window
+app/command         beam document draw exchange experiment house inquiry laboratory paint plan platform plot report study visual/ window
 END
 }
 
@@ -74,7 +74,7 @@ check_floors() {
     forbid 'engine draws or has a window' '#include *<(SDL|cairo|pango|GL|EGL|glib)' $(sources engine)
     forbid 'engine prints or exits' '(^|[^a-z_])(printf|puts|putchar|exit|abort) *\(' $(sources engine)
     forbid 'OpenGL outside its painter and the window that has the context' '#include "paint/(gl|shaders)\.h"' \
-        $(sources engine app | grep -vE 'app/(paint/(gl|offscreen|paint_gl[a-z_]*|shaders)|platform/glass)\.[ch]')
+        $(sources engine app | grep -vE 'app/(paint/(gl|offscreen|paint_gl[a-z_]*|shaders)|platform/sdl_window)\.[ch]')
     forbid 'SDL outside the window' '#include *[<"]SDL' $(sources app | grep -vE 'app/(window|platform)/')
     forbid 'Dear ImGui outside the pencil of the widgets' '#include *[<"](imgui|imstb)' $(sources engine app | grep -v app/widgets/ui.cpp)
     forbid 'widgets from inside' '#include "widgets/ui_inside\.h"' $(sources app | grep -vE 'app/widgets/')
@@ -89,17 +89,18 @@ check_floors() {
     forbid 'memory outside memory.c' '(^|[^a-z_])(malloc|calloc|realloc) *\(' $(sources engine app | grep -v base/memory.c)
 }
 
-# An exported function's name begins with its module's, the file's name; in a folder that is one module of several files
+# An exported function's name begins with the file's name, or with the folder's and the file's; in a folder that is one module of several files
 # (widgets) with the module's.
 for source in $(find engine app -name '*.c' -o -name '*.cpp'); do
     module=$(basename "$source")
     module=${module%.c*}
     case $source in app/widgets/*) module=ui ;; app/main.c) continue ;; esac
+    folder=$(basename "$(dirname "$source")")
     library=${source%%/*}
     object="${1:-build-test}/$library/libclearance_$library.a.p/$(echo "${source#*/}" | tr / _).o"
     nm --defined-only -g "$object" | awk '$2 == "T" { print $3 }' | while read -r name; do
         case $name in
-        "$module"_* | "${module%s}"_*) ;;
+        "$module"_* | "${module%s}"_* | "$folder"_"$module"_* | "$folder"_"${module%s}"_*) ;;
         *)
             # memory.c has the arena, and a verb's file command_VERB
             case $source/$name in

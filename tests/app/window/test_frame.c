@@ -17,11 +17,11 @@ static bool overlap(Box a, Box b) {
 static void check_apart(const Frame *frame) {
     Box boxes[16];
     size_t count = 0;
-    const Box bars[] = {frame->menu, frame->answer, frame->rail, frame->view, frame->timeline, frame->strip};
+    const Box bars[] = {frame->menu, frame->answer, frame->toolbar, frame->view, frame->timeline, frame->strip};
     for (size_t i = 0; i < sizeof bars / sizeof *bars; i++)
         boxes[count++] = bars[i];
     for (size_t i = 0; i < frame->chart_count; i++)
-        boxes[count++] = frame->charts[i];
+        boxes[count++] = frame->panes[i];
     if (!frame->drawer)
         boxes[count++] = frame->panel;
     for (size_t i = 0; i < count; i++) {
@@ -74,8 +74,8 @@ TEST(presenting_leaves_answer_view_and_timeline) {
 TEST(the_rail_has_words_where_there_is_room_and_goes_before_a_class) {
     FrameWish wish = {.panel = true, .plots = true, .plot_count = 2, .tool_count = 10, .aspect = 1.2};
     Frame wide = frame_make(vec2(1280, 720), &wish), low = frame_make(vec2(640, 360), &wish);
-    CHECK(wide.tool_words && wide.tool_columns == 1 && is_there(wide.rail));
+    CHECK(wide.tool_words && wide.tool_columns == 1 && is_there(wide.toolbar));
     CHECK(!low.tool_words && low.tool_columns == 2 && box_width(low.view) >= 250);
     wish.present = true;
-    CHECK(!is_there(frame_make(vec2(1280, 720), &wish).rail));
+    CHECK(!is_there(frame_make(vec2(1280, 720), &wish).toolbar));
 }

@@ -10,7 +10,7 @@
 #include "check.h"
 #include "desk.h"
 #include "scratch.h"
-#include "live/thumbnail.h"
+#include "laboratory/thumbnail.h"
 
 /* Waits until all is there. */
 static const GalleryItem *wait_for(Gallery *gallery, size_t *count) {

@@ -3,7 +3,7 @@
 #include "window/keys.h"
 
 #include "check.h"
-#include "platform/glass.h"
+#include "platform/sdl_window.h"
 
 TEST(every_key_of_the_table_is_a_key) {
     for (size_t i = 0; i < keys_count; i++) {
@@ -44,7 +44,7 @@ TEST(every_action_has_a_name_and_a_sentence) {
 TEST(single_letters_can_be_switched_off) {
     CHECK(keys_find('r', 0, KEY_VIEW, true)->action == ACTION_AGAIN);
     CHECK(!keys_find('r', 0, KEY_VIEW, false));
-    CHECK(keys_find(glass_key("Space"), 0, KEY_VIEW, false)->action == ACTION_PLAY);
+    CHECK(keys_find(sdl_window_key("Space"), 0, KEY_VIEW, false)->action == ACTION_PLAY);
     CHECK(!keys_find('r', 0, KEY_ANYWHERE, true));
 }
 
@@ -53,7 +53,8 @@ TEST(three_keys_at_once_only_where_everybody_knows_them) {
         int32_t key;
         int mods;
         keys_read(keys_table[i].key, &key, &mods);
-        int held = !!(mods & GLASS_SHIFT) + !!(mods & GLASS_CONTROL) + !!(mods & GLASS_ALT);
+        int held =
+            !!(mods & SDL_WINDOW_EVENT_SHIFT) + !!(mods & SDL_WINDOW_EVENT_CONTROL) + !!(mods & SDL_WINDOW_EVENT_ALT);
         Action action = keys_table[i].action;
         CHECK(held < 2 || action == ACTION_LARGER || action == ACTION_REDO || action == ACTION_SAVE_COPY);
     }

@@ -4,9 +4,9 @@
 
 #include "check.h"
 
-static const LiveSpan RUN = {.begin = 0, .end = 10, .complete = true, .pace = 1, .step = 1.0 / 30, .fastest = 16};
+static const RecordSpan RUN = {.begin = 0, .end = 10, .complete = true, .pace = 1, .step = 1.0 / 30, .fastest = 16};
 
-static void play(Player *player, double seconds, const LiveSpan *span) {
+static void play(Player *player, double seconds, const RecordSpan *span) {
     player_advance(player, seconds, player_wish(player, seconds, span), span);
 }
 
@@ -18,7 +18,7 @@ TEST(at_speed_one_a_second_is_a_second) {
 }
 
 TEST(the_pace_and_the_speed_multiply) {
-    LiveSpan slow = RUN;
+    RecordSpan slow = RUN;
     slow.pace = 0.002;
     Player player = player_start();
     player_change_speed(&player, 2, &slow);
@@ -43,7 +43,7 @@ TEST(a_hitch_does_not_leap) {
 }
 
 TEST(the_picture_waits_for_the_record_and_the_achieved_speed_says_so) {
-    LiveSpan growing = RUN;
+    RecordSpan growing = RUN;
     growing.complete = false;
     growing.end = 0;
     Player player = player_start();
@@ -102,7 +102,7 @@ TEST(steps_end_where_the_record_does) {
 }
 
 TEST(a_record_that_loses_its_beginning_takes_the_time_along) {
-    LiveSpan moved = RUN;
+    RecordSpan moved = RUN;
     moved.begin = 4;
     Player player = player_start();
     player.playing = false;

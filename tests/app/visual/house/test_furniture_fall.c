@@ -13,11 +13,11 @@
 #include "base/text.h"
 #include "check.h"
 #include "house/shake.h"
-#include "live/edit/house_edit.h"
-#include "live/house/house_live.h"
+#include "laboratory/edit/editor.h"
+#include "laboratory/house/session.h"
 
-static const LiveKind *const kind = &house_live;
-static const LiveEditor *const editor = &house_edit;
+static const Laboratory *const kind = &house_laboratory;
+static const EditorFunctions *const editor = &house_editor;
 
 static Furniture piece_to(int face) {
     return (Furniture){
@@ -185,7 +185,8 @@ static void *open_house(void) {
     fclose(stream);
     snprintf(profiles, sizeof profiles, "%s/assets/profiles", check_source());
     Fault fault = {0};
-    void *live = kind->open(path, &(LiveOptions){.profiles = profiles, .driving = -1, .seed = 1, .jobs = 1}, &fault);
+    void *live =
+        kind->open(path, &(LaboratoryOptions){.profiles = profiles, .driving = -1, .seed = 1, .jobs = 1}, &fault);
     for (size_t i = 0; i < fault.count; i++)
         printf("%s\n", fault.lines[i]);
     fault_clear(&fault);
@@ -228,7 +229,7 @@ static char *picture_of(void *live) {
 
 static void topple(void *live, Vec2 at) {
     Fault fault = {0};
-    LiveThing none = {0};
+    Item none = {0};
     kind->select(live, kind->pick(live, at, 0, none));
     CHECK(editor->topple(live, &fault));
     for (size_t i = 0; i < fault.count; i++)
@@ -263,7 +264,7 @@ TEST(what_has_fallen_is_the_picture_that_it_is_where_nothing_moves) {
     check_same_picture(moved, after, false);
     editor->animate(moved, 0.31);
     CHECK(!editor->animation(moved));
-    CHECK(kind->update(moved, 0) & LIVE_VIEW);
+    CHECK(kind->update(moved, 0) & LABORATORY_VIEW);
     check_same_picture(moved, after, true);
     CHECK(kind->rests(moved, 0));
     CHECK(editor->undo(moved));
@@ -314,7 +315,7 @@ static unsigned any_below(unsigned limit) {
 static void act_at_random(void *live, unsigned action, double y) {
     static const double places[] = {1, 2.5, 4};
     Fault fault = {0};
-    kind->select(live, kind->pick(live, vec2(places[action % 3], y), 0, (LiveThing){0}));
+    kind->select(live, kind->pick(live, vec2(places[action % 3], y), 0, (Item){0}));
     switch (action / 3) {
     case 0:
         editor->topple(live, &fault);

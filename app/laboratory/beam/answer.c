@@ -1,0 +1,216 @@
+#include "laboratory/beam/answer.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { SETTLED = 100 /* cycles after a change, before it is said that the motion is another one than from rest */ };
+
+static const double ALIKE = 0.02; /* 1, of the largest force: so near, it is the same motion */
+
+BeamLately beam_answer_look(const BeamTape *tape) {
+    double deflection[BEAM_ANSWER_LATELY], velocity[BEAM_ANSWER_LATELY], peak[2 * BEAM_ANSWER_LATELY];
+    const BeamPart *part = tape->parts[tape->part_count - 1];
+    size_t first = part->first > tape->first ? part->first : tape->first;
+    BeamLately lately = {.cycles = tape->front - part->first};
+    size_t count = tape->front - first < BEAM_ANSWER_LATELY ? tape->front - first : BEAM_ANSWER_LATELY;
+    for (size_t i = 0; i < count; i++) {
+        const BeamCycle *cycle = beam_tape_cycle(tape, tape->front - count + i);
+        const BeamCycle *next = beam_tape_cycle(tape, tape->front - count + i + 1);
+        deflection[i] = next->deflection;
+        velocity[i] = next->velocity;
+        memcpy(peak + 2 * i, cycle->peak, sizeof cycle->peak);
+    }
+    size_t last = count / 2; /* the settled part of those that settle */
+    lately.peaks = section_peaks(&(Section){.count = count - last, .peak = peak + 2 * last});
+    lately.period = section_period(deflection, velocity, count, part->rig.omega, rig_rest_deflection(&part->rig));
+    return lately;
+}
+
+/* Title and detail --------------------------------------------------------------------------------------------------*/
+
+static void title_periodic(char *title, size_t size, size_t period, size_t contacts) {
+    if (!contacts)
+        snprintf(title, size, "No contact");
+    else
+        snprintf(title, size, "Periodic, period %zu", period);
+}
+
+static void title_lately(BeamAnswer *answer, const BeamTape *tape, const BeamLately *lately) {
+    size_t size = sizeof answer->title;
+    if (tape->status != MOTION_GOOD)
+        snprintf(answer->title, size, tape->status == MOTION_CHATTERS ? "Chatter" : "Diverged");
+    else if (lately->period > 0)
+        title_periodic(answer->title, size, (size_t)lately->period, lately->peaks.count);
+    else if (lately->period == SECTION_NONE && lately->cycles >= BEAM_ANSWER_LATELY)
+        snprintf(answer->title, size, "Not periodic so far");
+    else
+        snprintf(answer->title, size, "Settling ...");
+}
+
+static void title_verdict(BeamAnswer *answer, const BeamVerdict *verdict) {
+    static const char *const titles[] = {[RESPONSE_PERIODIC] = "",
+                                         [RESPONSE_CHAOTIC] = "Chaotic",
+                                         [RESPONSE_UNRESOLVED] = "Unresolved",
+                                         [RESPONSE_CHATTERS] = "Chatter",
+                                         [RESPONSE_DIVERGED] = "Diverged"};
+    if (verdict->verdict == RESPONSE_PERIODIC)
+        title_periodic(answer->title, sizeof answer->title, verdict->period, verdict->peaks.count);
+    else
+        snprintf(answer->title, sizeof answer->title, "%s", titles[verdict->verdict]);
+}
+
+static void peaks_words(const SectionPeaks *peaks, char *text, size_t size) {
+    if (!peaks->count)
+        snprintf(text, size, "no contact");
+    else if (peaks->max - peaks->min < 0.5)
+        snprintf(text, size, "peaks %.0f N", peaks->max);
+    else
+        snprintf(text, size, "peaks %.0f-%.0f N", peaks->min, peaks->max);
+}
+
+/* Does the running motion do something else than the one from rest? */
+static bool is_another(const BeamLately *lately, const BeamVerdict *verdict) {
+    if (lately->cycles < SETTLED || lately->period == SECTION_UNTOLD)
+        return false;
+    if (verdict->verdict == RESPONSE_CHAOTIC)
+        return lately->period > 0;
+    if (verdict->verdict != RESPONSE_PERIODIC || (size_t)lately->period != verdict->period)
+        return verdict->verdict == RESPONSE_PERIODIC;
+    return fabs(lately->peaks.max - verdict->peaks.max) > ALIKE * fmax(lately->peaks.max, verdict->peaks.max);
+}
+
+static void another_words(const BeamLately *lately, char *text, size_t size) {
+    char peaks[60];
+    peaks_words(&lately->peaks, peaks, sizeof peaks);
+    if (lately->period > 0)
+        snprintf(text, size, "running now: period %d, %s", lately->period, peaks);
+    else
+        snprintf(text, size, "running now: not periodic, %s", peaks);
+}
+
+static void write_detail(BeamAnswer *answer, const Beam *beam, const BeamLately *lately, const BeamVerdict *verdict) {
+    char type[40] = "", peaks[60], exponent[60] = "", another[100] = "";
+    peaks_words(verdict ? &verdict->peaks : &lately->peaks, peaks, sizeof peaks);
+    if (verdict && verdict->typed)
+        snprintf(type, sizeof type, verdict->type == TYPES_UNRESOLVED ? "type cannot be told   " : "type %s   ",
+                 types_kind_name(verdict->type));
+    if (verdict && verdict->verdict == RESPONSE_CHAOTIC)
+        snprintf(exponent, sizeof exponent, "   lyapunov %+.2f per cycle", verdict->exponent.value);
+    if (verdict && is_another(lately, verdict)) {
+        strcpy(another, "   ");
+        another_words(lately, another + 3, sizeof another - 3);
+    }
+    snprintf(answer->detail, sizeof answer->detail, "%s%s%s   %.1f Hz, gap %.3g mm%s", type, peaks, exponent,
+             beam->frequency, 1000 * beam->clearance, another);
+}
+
+/* Rows --------------------------------------------------------------------------------------------------------------*/
+
+static void add_row(BeamAnswer *answer, RowKind kind, const char *first, const char *second) {
+    answer->rows = memory_reserve(answer->rows, &answer->row_capacity, answer->row_count + 1, sizeof *answer->rows);
+    PanelRow *row = &answer->rows[answer->row_count++];
+    *row = (PanelRow){.row = {.kind = kind, .role = ROLE_TEXT, .cells = {first, second}}, .time = NAN};
+}
+
+/* Each line of the advice is a row. */
+static void add_advice(BeamAnswer *answer, const char *advice) {
+    for (const char *line = advice; line && *line; line += strcspn(line, "\n"), line += *line == '\n')
+        add_row(answer, ROW_PLAIN, text_in_arena(&answer->arena, "%.*s", (int)strcspn(line, "\n"), line), NULL);
+}
+
+static void add_type(BeamAnswer *answer, const BeamVerdict *verdict) {
+    if (!verdict->typed)
+        return;
+    const char *heading = verdict->type == TYPES_UNRESOLVED
+                              ? "No type can be told"
+                              : text_in_arena(&answer->arena, "Type %s", types_kind_name(verdict->type));
+    add_row(answer, ROW_HEADING, heading, NULL);
+    add_advice(answer, verdict->advice);
+}
+
+static void add_peaks(BeamAnswer *answer, const SectionPeaks *peaks) {
+    Arena *arena = &answer->arena;
+    add_row(answer, ROW_PLAIN, "smallest peak", text_in_arena(arena, "%.0f N", peaks->min));
+    add_row(answer, ROW_PLAIN, "mean peak", text_in_arena(arena, "%.0f N", peaks->mean));
+    add_row(answer, ROW_PLAIN, "largest peak", text_in_arena(arena, "%.0f N", peaks->max));
+}
+
+static void add_basis(BeamAnswer *answer, const BeamVerdict *verdict) {
+    Arena *arena = &answer->arena;
+    if (verdict->verdict == RESPONSE_PERIODIC)
+        add_row(answer, ROW_PLAIN, "largest multiplier", text_in_arena(arena, "%.3f", verdict->multiplier));
+    else if (isfinite(verdict->exponent.value))
+        add_row(answer, ROW_PLAIN, "exponent",
+                text_in_arena(arena, "%+.3f \u00B1 %.3f per cycle", verdict->exponent.value, verdict->exponent.error));
+    if (isfinite(verdict->zero_one))
+        add_row(answer, ROW_PLAIN, "K of the 0-1 test", text_in_arena(arena, "%.3f", verdict->zero_one));
+    add_row(answer, ROW_PLAIN, "cycles seen", text_in_arena(arena, "%zu", verdict->cycles));
+    add_row(answer, ROW_PLAIN, "tip without the joint",
+            text_in_arena(arena, "\u00B1%.3g mm", 1000 * verdict->free_amplitude));
+}
+
+static void add_natural(BeamAnswer *answer, const BeamVerdict *verdict) {
+    add_row(answer, ROW_HEADING, "Natural frequencies", NULL);
+    for (size_t i = 0; i < verdict->natural_count; i++)
+        add_row(answer, ROW_PLAIN, text_in_arena(&answer->arena, "mode %zu", i + 1),
+                text_in_arena(&answer->arena, "%.1f Hz", verdict->natural[i]));
+}
+
+static void write_rows(BeamAnswer *answer, const BeamLately *lately, const BeamVerdict *verdict) {
+    answer->row_count = 0;
+    arena_clear(&answer->arena);
+    if (!verdict) {
+        add_row(answer, ROW_HEADING, "Running now", NULL);
+        add_peaks(answer, &lately->peaks);
+        return;
+    }
+    add_type(answer, verdict);
+    add_row(answer, ROW_HEADING, "From rest", NULL);
+    add_peaks(answer, &verdict->peaks);
+    add_basis(answer, verdict);
+    if (is_another(lately, verdict)) {
+        char words[100];
+        another_words(lately, words, sizeof words);
+        add_row(answer, ROW_HEADING, "Another motion is running", NULL);
+        add_row(answer, ROW_PLAIN, arena_text(&answer->arena, words), NULL);
+        add_row(answer, ROW_PLAIN, "What a beam does can depend on how it began; \"Run again\" begins from rest.",
+                NULL);
+    }
+    add_natural(answer, verdict);
+}
+
+/* -------------------------------------------------------------------------------------------------------------------*/
+
+void beam_answer_write(BeamAnswer *answer, const BeamTape *tape, const Beam *beam, const BeamLately *lately,
+                       const BeamVerdict *verdict) {
+    bool failed = tape->status != MOTION_GOOD && !tape->next;
+    if (failed || !verdict)
+        title_lately(answer, tape, lately);
+    else
+        title_verdict(answer, verdict);
+    write_detail(answer, beam, lately, verdict);
+    write_rows(answer, lately, verdict);
+    bool resolved = !verdict || verdict->verdict == RESPONSE_PERIODIC || verdict->verdict == RESPONSE_CHAOTIC;
+    answer->live.title = answer->title;
+    answer->live.detail = answer->detail;
+    answer->live.role = failed || !resolved ? ROLE_ERROR : ROLE_TEXT;
+    answer->live.stale = !verdict && !failed;
+}
+
+void beam_answer_clear(BeamAnswer *answer) {
+    memory_free(answer->rows);
+    arena_clear(&answer->arena);
+}
+
+const char *beam_answer_trouble(const BeamTape *tape, Arena *arena) {
+    if (tape->status == MOTION_CHATTERS)
+        return text_in_arena(arena,
+                             "In cycle %zu the tip switches more than %d times and cannot be followed further: more "
+                             "contact damping, a softer contact or a larger gap would help",
+                             tape->front + 1, MOTION_SWITCHES_MOST);
+    return text_in_arena(arena,
+                         "In cycle %zu the numbers were lost, the beam swings without end: more damping of the modes, "
+                         "less force or another excitation would help",
+                         tape->front + 1);
+}

@@ -1,0 +1,127 @@
+#include "laboratory/beam/diagram.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/parameters_number.h"
+#include "experiment/beam_numbers.h"
+
+/* Design points. */
+#define DOT 2.2
+#define SIGN 4.0
+
+const char *const beam_diagram_over[BEAM_DIAGRAM_OVER] = {"drive.frequency", "drive.force",     "joint.clearance",
+                                                          "beam.length",     "joint.stiffness", "joint.damping"};
+const char *const beam_diagram_words[BEAM_DIAGRAM_OVER] = {"excitation frequency", "force",          "gap", "length",
+                                                           "contact stiffness",    "contact damping"};
+
+void beam_diagram_open(BeamDiagram *diagram) {
+    static const PlotSeries looks[BEAM_SWEEP_PASSES + 1] = {
+        {.role = ROLE_GHOST, .symbol = SYMBOL_TRIANGLE, .size = SIGN},
+        {.role = ROLE_WALL, .symbol = SYMBOL_DISC, .size = DOT},
+        {.role = ROLE_LOCUS, .symbol = SYMBOL_BOX, .size = SIGN, .open = true},
+        {.role = ROLE_LOCUS_SECOND, .symbol = SYMBOL_DISC, .size = DOT}}; /* within the boxes, where both are */
+    *diagram = (BeamDiagram){.revision = 1};
+    memcpy(diagram->series, looks, sizeof looks);
+    diagram->plot = (Plot){.title = "Orbit diagram: peak force",
+                           .y = {.title = "peak force", .unit = "N"},
+                           .series = diagram->series,
+                           .series_count = BEAM_SWEEP_PASSES + 1};
+}
+
+void beam_diagram_close(BeamDiagram *diagram) {
+    for (size_t s = 0; s <= BEAM_SWEEP_PASSES; s++)
+        beam_sweep_points_clear(&diagram->points[s]);
+}
+
+/* Series show the points, which may have moved. */
+static void take_points(BeamDiagram *diagram) {
+    for (size_t s = 0; s <= BEAM_SWEEP_PASSES; s++) {
+        diagram->series[s].x = diagram->points[s].value;
+        diagram->series[s].y = diagram->points[s].peak;
+        diagram->series[s].count = diagram->points[s].count;
+    }
+    bool kept = diagram->points[0].count > 0;
+    diagram->series[0].name = kept ? "before" : NULL;
+    diagram->series[1 + BEAM_SWEEP_REST].name = kept && !diagram->carried ? "now" : NULL;
+    diagram->series[1 + BEAM_SWEEP_UP].name = diagram->carried ? "upwards" : NULL;
+    diagram->series[1 + BEAM_SWEEP_DOWN].name = diagram->carried ? "downwards" : NULL;
+}
+
+static bool same_task(const BeamSweepTask *a, const BeamSweepTask *b) {
+    if (!a->name || strcmp(a->name, b->name) != 0 || a->carried != b->carried || a->from != b->from || a->to != b->to)
+        return false;
+    const Parameter *row = parameters_find(beam_table(), b->name);
+    Beam like = b->beam;
+    Fault none = {0};
+    beam_numbers_set(row, &like, parameters_number_get(row, &a->beam), &none);
+    fault_clear(&none);
+    return beam_numbers_same(&a->beam, &like);
+}
+
+static void begin_anew(BeamDiagram *diagram) {
+    const BeamSweepTask *task = &diagram->task;
+    for (size_t s = 1; s <= BEAM_SWEEP_PASSES; s++)
+        diagram->points[s].count = 0;
+    diagram->plot.x.title = beam_diagram_words[diagram->over];
+    diagram->plot.x.low = diagram->factor * task->from;
+    diagram->plot.x.high = diagram->factor * task->to;
+    diagram->revision++;
+}
+
+void beam_diagram_ask(BeamDiagram *diagram, const BeamControls *controls, const Beam *beam, BeamWorker *worker) {
+    const PanelParameter *parameter = beam_controls_find(controls, beam_diagram_over[diagram->over]);
+    BeamSweepTask task = {.beam = *beam, .name = parameter->name, .carried = diagram->carried};
+    beam_controls_sweep(parameter, &task.from, &task.to);
+    diagram->factor = parameter->factor;
+    beam_controls_words(parameter, parameter->value, diagram->cursor, sizeof diagram->cursor);
+    if (same_task(&diagram->task, &task))
+        return;
+    bool other = !diagram->task.name || strcmp(diagram->task.name, task.name) != 0;
+    diagram->task = task;
+    diagram->plot.x.unit = parameter->unit ? parameter->unit : parameter->row->unit;
+    if (other) { /* what is shown has nothing to do with it */
+        diagram->points[0].count = 0;
+        begin_anew(diagram);
+        take_points(diagram);
+    }
+    beam_worker_ask_sweep(worker, &task);
+}
+
+/* 1, 1.5, 2, 3, 4, 5, 6, 8 times a power of ten */
+static double round_up(double value) {
+    static const double steps[] = {1, 1.5, 2, 3, 4, 5, 6, 8, 10};
+    double power = pow(10, floor(log10(value)));
+    size_t i = 0;
+    while (i + 1 < sizeof steps / sizeof *steps && steps[i] * power < value)
+        i++;
+    return steps[i] * power;
+}
+
+void beam_diagram_take(BeamDiagram *diagram, BeamNews *news) {
+    double most = 0;
+    if (news->sweep_begins)
+        begin_anew(diagram);
+    for (size_t pass = 0; pass < BEAM_SWEEP_PASSES; pass++) {
+        const BeamSweepPoints *fresh = &news->points[pass];
+        for (size_t i = 0; i < fresh->count; i++) {
+            beam_sweep_points_add(&diagram->points[1 + pass], diagram->factor * fresh->value[i], fresh->peak[i]);
+            most = fmax(most, fresh->peak[i]);
+        }
+        beam_sweep_points_clear(&news->points[pass]);
+    }
+    if (most > diagram->plot.y.high) {
+        diagram->plot.y.high = round_up(most);
+        diagram->revision++;
+    }
+    take_points(diagram);
+}
+
+void beam_diagram_keep(BeamDiagram *diagram, bool keep) {
+    diagram->points[0].count = 0;
+    for (size_t s = 1; s <= BEAM_SWEEP_PASSES && keep; s++)
+        for (size_t i = 0; i < diagram->points[s].count; i++)
+            beam_sweep_points_add(&diagram->points[0], diagram->points[s].value[i], diagram->points[s].peak[i]);
+    diagram->revision++;
+    take_points(diagram);
+}

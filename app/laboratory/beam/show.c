@@ -1,0 +1,87 @@
+#include "laboratory/beam/show.h"
+
+#include <math.h>
+
+void beam_show_look(void *context, Camera camera) {
+    BeamSession *live = context;
+    live->view.camera = camera;
+    beam_view_renew(&live->view);
+    beam_view_show(&live->view, &live->tape, live->shown);
+    live->news |= LABORATORY_VIEW;
+}
+
+void beam_show_reveal(void *context, unsigned layers) {
+    BeamSession *live = context;
+    live->view.parts = layers & BEAM_SCENE_ALL;
+    beam_view_show(&live->view, &live->tape, live->shown);
+    live->news |= LABORATORY_VIEW;
+}
+
+const Scene *beam_show_still(const void *context) {
+    return &((const BeamSession *)context)->view.still;
+}
+
+const Scene *beam_show_added(const void *context) {
+    return &((const BeamSession *)context)->added;
+}
+
+const Scene *beam_show_moving(const void *context) {
+    return &((const BeamSession *)context)->view.moving;
+}
+
+/* Plots: those of the time, and the orbit diagram. */
+
+static const char *const plot_names[] = {"phase", "poincare", "force", "spectrum", "orbit"};
+static const char *const plot_titles[] = {"Phase plane", "Poincar\u00E9 map", "Force", "Spectrum", "Orbit diagram"};
+
+size_t beam_show_plot_count(const void *context) {
+    (void)context;
+    return BEAM_TRACES + 1;
+}
+
+static LaboratoryPlot diagram_plot(const BeamSession *live) {
+    const BeamDiagram *diagram = &live->diagram;
+    const char *over = beam_diagram_over[diagram->over];
+    return (LaboratoryPlot){.plot = &diagram->plot,
+                            .revision = diagram->revision,
+                            .still = true,
+                            .cursor = diagram->factor * beam_controls_find(&live->controls, over)->value,
+                            .cursor_words = diagram->cursor,
+                            .cursor_parameter = over,
+                            .cursor_factor = diagram->factor,
+                            .now = ROLE_PAPER};
+}
+
+LaboratoryPlot beam_show_plot(const void *context, size_t index) {
+    const BeamSession *live = context;
+    LaboratoryPlot shown = {.cursor = NAN, .now = ROLE_DANGER_MIDDLE};
+    if (index == BEAM_TRACES) {
+        shown = diagram_plot(live);
+    } else {
+        shown.plot = &live->traces.plots[index];
+        shown.revision = live->traces.revisions[index];
+    }
+    shown.name = plot_names[index];
+    shown.title = plot_titles[index];
+    return shown;
+}
+
+size_t beam_show_until(const void *context, size_t index, size_t series, double time) {
+    const BeamSession *live = context;
+    return index == BEAM_TRACES ? live->diagram.series[series].count
+                                : beam_traces_until(&live->traces, index, series, time);
+}
+
+bool beam_show_sound(const void *context, double from, double to, float *samples, size_t count) {
+    BeamSession *live = (BeamSession *)context;
+    const BeamTape *tape = &live->tape;
+    double loudest = live->traces.seen.speed;
+    if (from < beam_tape_begin(tape, tape->first) || to > tape->front_time || !(to > from) || !(loudest > 0))
+        return false;
+    double *velocity = memory_zeroed(count, sizeof *velocity);
+    beam_tape_velocities(&live->tape, from, to, velocity, count);
+    for (size_t i = 0; i < count; i++)
+        samples[i] = (float)fmax(-1, fmin(velocity[i] / loudest, 1));
+    memory_free(velocity);
+    return true;
+}

@@ -1,0 +1,82 @@
+#include "laboratory/beam/verdict.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "base/parallel.h"
+#include "visual/study/advice.h"
+#include "experiment/beam_experiment.h"
+
+static void take_rig(BeamVerdict *verdict, const Rig *rig) {
+    verdict->free_amplitude = rig_free_amplitude(rig);
+    for (size_t i = 0; i < rig->modes.count && i < BEAM_VERDICT_FREQUENCIES; i++)
+        verdict->natural[verdict->natural_count++] = rig->modes.frequency[i] / (2 * M_PI);
+}
+
+bool beam_verdict_tell(BeamVerdict *verdict, const Beam *beam, const volatile sig_atomic_t *stop) {
+    *verdict = (BeamVerdict){.beam = *beam};
+    Rig rig;
+    Fault fault = {0};
+    if (!rig_build(&rig, beam, beam->name, &fault)) {
+        fault_clear(&fault);
+        return false;
+    }
+    Response response;
+    response_run(&response, &rig, beam, NULL, stop);
+    verdict->verdict = response.verdict;
+    verdict->period = response.orbit.period;
+    verdict->peaks = response.peaks;
+    verdict->exponent = response.exponent;
+    verdict->zero_one = response.zero_one;
+    verdict->multiplier = response.orbit.largest;
+    verdict->cycles = response.cycles;
+    verdict->settled = response.settled;
+    take_rig(verdict, &rig);
+    response_clear(&response);
+    rig_clear(&rig);
+    return !parallel_stopped(stop);
+}
+
+static void write_advice(BeamVerdict *verdict, const Types *types, const Experiment *experiment) {
+    char each[32];
+    Text text = {0};
+    snprintf(each, sizeof each, "%d cycles", verdict->beam.transient_cycles + verdict->beam.cycles);
+    advice_words(&text, types, experiment, each);
+    memory_free(verdict->advice);
+    verdict->advice = text.text;
+    verdict->type = types->kind;
+    verdict->typed = true;
+}
+
+bool beam_verdict_tell_type(BeamVerdict *verdict, int jobs, const volatile sig_atomic_t *stop,
+                            void (*progress)(void *context, size_t done, size_t all), void *context) {
+    Experiment quick, thorough;
+    Types types;
+    Fault fault = {0};
+    bool told = false;
+    if (beam_experiment_of(&quick, &verdict->beam, verdict->beam.name, &fault)) {
+        if (beam_experiment_of(&thorough, &verdict->beam, verdict->beam.name, &fault)) {
+            beam_experiment_be_thorough(&thorough);
+            TypesTask task = {.experiment = &quick,
+                              .thorough = &thorough,
+                              .names = beam_experiment_window,
+                              .name_count = BEAM_EXPERIMENT_WINDOW,
+                              .jobs = jobs,
+                              .stop = stop,
+                              .progress = progress,
+                              .context = context};
+            told = types_tell(&types, &task, &fault) && !parallel_stopped(stop);
+            if (told)
+                write_advice(verdict, &types, &quick);
+            beam_experiment_close(&thorough);
+        }
+        beam_experiment_close(&quick);
+    }
+    fault_clear(&fault);
+    return told;
+}
+
+void beam_verdict_clear(BeamVerdict *verdict) {
+    memory_free(verdict->advice);
+    *verdict = (BeamVerdict){.advice = NULL};
+}

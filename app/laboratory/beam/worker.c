@@ -1,0 +1,254 @@
+#include "laboratory/beam/worker.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <time.h>
+
+#include "base/clock.h"
+#include "base/parallel.h"
+#include "base/text.h"
+
+enum {
+    GIVES_WAY = 10, /* how nice the thread is */
+    COARSE = 121,   /* values of the orbit diagram that come before the type; the others come after it */
+};
+
+typedef struct Question {
+    bool asked;
+    double since;               /* s, on the clock */
+    volatile sig_atomic_t stop; /* what is being done for the one before */
+} Question;
+
+struct BeamWorker {
+    pthread_t thread;
+    pthread_mutex_t lock; /* of all that follows, but for what only the thread uses */
+    pthread_cond_t wake;
+    bool quit;
+    int jobs;
+    Question verdict, sweep;
+    volatile sig_atomic_t stop_type; /* set by either question */
+    Beam beam;
+    BeamSweepTask task;
+    bool told, typed; /* the verdict is there, and the type of it */
+    bool telling;
+    BeamNews news;
+
+    /* Only the thread's. */
+    BeamVerdict own;
+    BeamSweep sweeping;
+    bool sweeps, swept;
+};
+
+static bool is_due(const Question *question, double now) {
+    return question->asked && now >= question->since + BEAM_WORKER_PAUSE;
+}
+
+/* Takes the question up. */
+static void take_up(Question *question) {
+    question->asked = false;
+    __atomic_store_n(&question->stop, 0, __ATOMIC_RELAXED);
+}
+
+/* Verdict and type --------------------------------------------------------------------------------------------------*/
+
+/* Hands a copy of the verdict over; the lock is held. */
+static void publish_verdict(BeamWorker *worker) {
+    beam_verdict_clear(&worker->news.told);
+    worker->news.told = worker->own;
+    if (worker->own.advice)
+        worker->news.told.advice = text_copy(worker->own.advice);
+    worker->news.verdict = true;
+}
+
+/* The lock is held, but not while it is being worked out. */
+static void tell_verdict(BeamWorker *worker) {
+    Beam beam = worker->beam;
+    take_up(&worker->verdict);
+    worker->told = worker->typed = false;
+    worker->telling = true;
+    pthread_mutex_unlock(&worker->lock);
+    beam_verdict_clear(&worker->own);
+    bool told = beam_verdict_tell(&worker->own, &beam, &worker->verdict.stop);
+    pthread_mutex_lock(&worker->lock);
+    worker->telling = false;
+    worker->told = told && !worker->verdict.asked;
+    if (worker->told)
+        publish_verdict(worker);
+}
+
+static void note_types(void *context, size_t done, size_t all) {
+    BeamWorker *worker = context;
+    pthread_mutex_lock(&worker->lock);
+    worker->news.types_done = done;
+    worker->news.types_all = all;
+    pthread_mutex_unlock(&worker->lock);
+}
+
+static void tell_type(BeamWorker *worker) {
+    __atomic_store_n(&worker->stop_type, 0, __ATOMIC_RELAXED);
+    pthread_mutex_unlock(&worker->lock);
+    bool typed = beam_verdict_tell_type(&worker->own, worker->jobs, &worker->stop_type, note_types, worker);
+    pthread_mutex_lock(&worker->lock);
+    worker->news.types_done = worker->news.types_all = 0;
+    bool stopped = worker->verdict.asked || worker->sweep.asked || worker->quit;
+    worker->typed = typed || !stopped; /* what cannot be told is not tried again */
+    if (typed && !worker->verdict.asked)
+        publish_verdict(worker);
+}
+
+/* Orbit diagram -----------------------------------------------------------------------------------------------------*/
+
+/* The lock is held. */
+static void forget_points(BeamWorker *worker) {
+    for (int pass = 0; pass < BEAM_SWEEP_PASSES; pass++)
+        beam_sweep_points_clear(&worker->news.points[pass]);
+}
+
+static void begin_sweep(BeamWorker *worker) {
+    BeamSweepTask task = worker->task;
+    take_up(&worker->sweep);
+    pthread_mutex_unlock(&worker->lock);
+    Fault fault = {0};
+    if (worker->sweeps)
+        beam_sweep_close(&worker->sweeping);
+    worker->sweeps = beam_sweep_open(&worker->sweeping, &task, &fault);
+    worker->swept = !worker->sweeps;
+    fault_clear(&fault);
+    pthread_mutex_lock(&worker->lock);
+    forget_points(worker);
+    worker->news.swept = worker->news.sweep_begins = true;
+    worker->news.sweep_done = 0;
+    worker->news.sweep_all = beam_sweep_values(&task);
+}
+
+static void go_on_sweeping(BeamWorker *worker) {
+    BeamSweepPoints points[BEAM_SWEEP_PASSES] = {{0}};
+    pthread_mutex_unlock(&worker->lock);
+    worker->swept = !beam_sweep_go_on(&worker->sweeping, worker->jobs, &worker->sweep.stop, points);
+    pthread_mutex_lock(&worker->lock);
+    for (int pass = 0; pass < BEAM_SWEEP_PASSES; pass++) {
+        for (size_t i = 0; i < points[pass].count && !worker->sweep.asked; i++)
+            beam_sweep_points_add(&worker->news.points[pass], points[pass].value[i], points[pass].peak[i]);
+        beam_sweep_points_clear(&points[pass]);
+    }
+    worker->news.swept = true;
+    worker->news.sweep_done = worker->sweeping.done;
+}
+
+/* The thread --------------------------------------------------------------------------------------------------------*/
+
+static void wait_for_questions(BeamWorker *worker) {
+    double until = HUGE_VAL;
+    const Question *const questions[] = {&worker->verdict, &worker->sweep};
+    for (size_t q = 0; q < 2; q++)
+        if (questions[q]->asked)
+            until = fmin(until, questions[q]->since + BEAM_WORKER_PAUSE);
+    if (isinf(until)) {
+        pthread_cond_wait(&worker->wake, &worker->lock);
+        return;
+    }
+    struct timespec at = {(time_t)floor(until), (long)(1e9 * (until - floor(until)))};
+    pthread_cond_timedwait(&worker->wake, &worker->lock, &at);
+}
+
+static bool sweeps(const BeamWorker *worker) {
+    return worker->sweeps && !worker->swept && !worker->sweep.asked;
+}
+
+static bool wants_type(const BeamWorker *worker) {
+    return worker->told && !worker->typed && !worker->verdict.asked && !worker->sweep.asked;
+}
+
+/* Threads that this one starts are as nice. */
+static void *work(void *context) {
+    BeamWorker *worker = context;
+    setpriority(PRIO_PROCESS, 0, GIVES_WAY);
+    pthread_mutex_lock(&worker->lock);
+    while (!worker->quit) {
+        double now = clock_now();
+        if (is_due(&worker->verdict, now))
+            tell_verdict(worker);
+        else if (is_due(&worker->sweep, now))
+            begin_sweep(worker);
+        else if (sweeps(worker) && (worker->sweeping.done < COARSE || !wants_type(worker)))
+            go_on_sweeping(worker);
+        else if (wants_type(worker))
+            tell_type(worker);
+        else
+            wait_for_questions(worker);
+    }
+    pthread_mutex_unlock(&worker->lock);
+    return NULL;
+}
+
+BeamWorker *beam_worker_start(int jobs) {
+    BeamWorker *worker = memory_zeroed(1, sizeof *worker);
+    worker->jobs = jobs > 2 ? jobs - 1 : 1;
+    pthread_condattr_t monotonic;
+    pthread_condattr_init(&monotonic);
+    pthread_condattr_setclock(&monotonic, CLOCK_MONOTONIC);
+    pthread_cond_init(&worker->wake, &monotonic);
+    pthread_condattr_destroy(&monotonic);
+    pthread_mutex_init(&worker->lock, NULL);
+    if (pthread_create(&worker->thread, NULL, work, worker) == 0)
+        return worker;
+    worker->quit = true; /* there is no thread to be had: nothing will be worked out */
+    return worker;
+}
+
+void beam_worker_stop(BeamWorker *worker) {
+    pthread_mutex_lock(&worker->lock);
+    bool runs = !worker->quit;
+    worker->quit = true;
+    parallel_stop(&worker->verdict.stop);
+    parallel_stop(&worker->sweep.stop);
+    parallel_stop(&worker->stop_type);
+    pthread_cond_signal(&worker->wake);
+    pthread_mutex_unlock(&worker->lock);
+    if (runs)
+        pthread_join(worker->thread, NULL);
+    beam_verdict_clear(&worker->own);
+    if (worker->sweeps)
+        beam_sweep_close(&worker->sweeping);
+    beam_verdict_clear(&worker->news.told);
+    forget_points(worker);
+    pthread_cond_destroy(&worker->wake);
+    pthread_mutex_destroy(&worker->lock);
+    memory_free(worker);
+}
+
+/* The lock is held. */
+static void ask(BeamWorker *worker, Question *question) {
+    question->asked = true;
+    question->since = clock_now();
+    parallel_stop(&question->stop);
+    parallel_stop(&worker->stop_type);
+    pthread_cond_signal(&worker->wake);
+}
+
+void beam_worker_ask_verdict(BeamWorker *worker, const Beam *beam) {
+    pthread_mutex_lock(&worker->lock);
+    worker->beam = *beam;
+    ask(worker, &worker->verdict);
+    pthread_mutex_unlock(&worker->lock);
+}
+
+void beam_worker_ask_sweep(BeamWorker *worker, const BeamSweepTask *task) {
+    pthread_mutex_lock(&worker->lock);
+    worker->task = *task;
+    forget_points(worker);
+    ask(worker, &worker->sweep);
+    pthread_mutex_unlock(&worker->lock);
+}
+
+void beam_worker_take(BeamWorker *worker, BeamNews *news) {
+    pthread_mutex_lock(&worker->lock);
+    *news = worker->news;
+    news->telling = worker->telling || worker->verdict.asked;
+    worker->news.verdict = worker->news.swept = worker->news.sweep_begins = false;
+    worker->news.told = (BeamVerdict){.advice = NULL};
+    memset(worker->news.points, 0, sizeof worker->news.points);
+    pthread_mutex_unlock(&worker->lock);
+}

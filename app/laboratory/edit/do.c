@@ -1,0 +1,255 @@
+/* What is done to all that is selected: moved by keys, turned, toppled, removed, copied. Each is a step. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/digest.h"
+#include "plan/draft_clip.h"
+#include "laboratory/house/session_parts.h"
+
+static const double APART = 0.30; /* m, to the right and below: where a copy goes that no pointer leads */
+
+static bool is_anything(const HouseSession *live, Fault *fault) {
+    if (live->edit.id_count)
+        return true;
+    fault_add(fault, "nothing is selected: click on something, or Tab goes to the next");
+    return false;
+}
+
+/* Opens a step called "VERB THINGS". */
+static void open_step(HouseSession *live, const char *verb) {
+    char name[EDIT_NAME], things[EDIT_NAME];
+    edit_select_names(live, things);
+    snprintf(name, sizeof name, "%.20s %.100s", verb, things);
+    edit_gesture_open(live, name);
+}
+
+/* Moving and turning ------------------------------------------------------------------------------------------------
+ */
+
+/* Of a handle: the numbers that say where it is are typed for the hand. */
+static void nudge_fields(HouseSession *live, Vec2 by) {
+    Editor *edit = &live->edit;
+    EditField *fields = edit->fields;
+    const EditHandle *grip = &edit->grip;
+    size_t x = grip->grip == GRIP_POINT && edit->field_count == 4 ? 2 : 0;
+    if (grip->list == DRAFT_DOORS) {
+        const Plan *plan = &edit->begun;
+        const Vec2 *ends = plan->walls[edit->now.wall].points.at + edit->now.segment;
+        double along = vec2_dot(by, vec2_unit(vec2_sub(ends[1], ends[0])));
+        bool wider = grip->grip == GRIP_EDGE;
+        fields[wider].value += wider && grip->index == 0 ? -along : along;
+        fields[wider].typed = true;
+        return;
+    }
+    if (grip->grip == GRIP_TURN) {
+        fields[0].value += fabs(by.x) > fabs(by.y) ? -by.x * 100 : by.y * 100; /* a degree for each centimetre */
+        fields[0].typed = true;
+        return;
+    }
+    double widen[2] = {by.x, by.y};
+    if (grip->grip == GRIP_CORNER) {
+        Vec2 own = vec2_unturn(by, snap_heading(edit->now.angle));
+        widen[0] = grip->index == 1 || grip->index == 2 ? own.x : -own.x;
+        widen[1] = grip->index >= 2 ? own.y : -own.y;
+    }
+    for (size_t k = 0; k < 2; k++) {
+        fields[x + k].value = snap_tidy(fields[x + k].value + widen[k]);
+        fields[x + k].typed = true;
+    }
+}
+
+static bool nudge_handle(HouseSession *live, Vec2 by, Fault *fault) {
+    Editor *edit = &live->edit;
+    EditHandle handles[EDIT_HANDLES];
+    size_t count = edit_handle_list(live, draft_plan(live->draft), handles);
+    int kept = edit->handle;
+    if ((size_t)kept >= count)
+        return false;
+    edit_drag_begin(live, &handles[kept], HOLD_KEYS);
+    nudge_fields(live, by);
+    edit_gesture_follow(live);
+    snprintf(edit->name, sizeof edit->name, "Nudge");
+    bool good = !edit->refusal && edit_gesture_settle(live);
+    if (!good) {
+        fault_add(fault, "%s", edit->refusal ? edit->refusal : "it cannot go there");
+        edit_gesture_drop(live);
+    }
+    edit->handle = kept;
+    return good;
+}
+
+bool edit_do_nudge(HouseSession *live, Vec2 by, Fault *fault) {
+    if (!is_anything(live, fault))
+        return false;
+    if (live->edit.handle >= 0)
+        return nudge_handle(live, by, fault);
+    uint64_t before = draft_revision(live->draft);
+    edit_gesture_open(live, "Nudge");
+    edit_shape_move(live, draft_plan(live->draft), by);
+    if (!edit_gesture_close(live, fault))
+        return false;
+    if (draft_revision(live->draft) != before)
+        return true;
+    fault_add(fault, "a door moves along its wall only");
+    return false;
+}
+
+bool edit_do_turn(HouseSession *live, double by, Fault *fault) {
+    const Editor *edit = &live->edit;
+    size_t index, turned = 0;
+    if (!is_anything(live, fault))
+        return false;
+    open_step(live, "Turn");
+    for (size_t i = 0; i < edit->id_count; i++) {
+        DraftList list = draft_find(live->draft, edit->ids[i], &index);
+        const char *member = list == DRAFT_FURNITURE ? "angle" : list == DRAFT_PEOPLE ? "heading" : NULL;
+        if (!member)
+            continue;
+        double is = json_number_value(json_object_get(draft_element(live->draft, edit->ids[i]), member));
+        double angle = snap_tidy(remainder(is + by, 360));
+        draft_set_number(live->draft, edit->ids[i], member, angle <= -180 ? 180 : angle);
+        turned++;
+    }
+    if (!turned)
+        fault_add(fault, "only furniture and people can be turned");
+    return edit_gesture_close(live, fault) && turned;
+}
+
+/* Toppling --------------------------------------------------------------------------------------------------------- */
+
+static bool may_topple(HouseSession *live, Fault *fault) {
+    const Editor *edit = &live->edit;
+    const Plan *plan = draft_plan(live->draft);
+    size_t index, count = 0;
+    char name[EDIT_NAME];
+    for (size_t i = 0; i < edit->id_count; i++) {
+        if (draft_find(live->draft, edit->ids[i], &index) != DRAFT_FURNITURE)
+            continue;
+        count += plan->furniture[index].topples != TOPPLE_NO;
+        if (plan->furniture[index].topples != TOPPLE_NO)
+            continue;
+        edit_select_name(live, edit->ids[i], name);
+        fault_add(fault, "%s does not topple: choose the face that it falls to", name);
+    }
+    if (!count && !fault->count)
+        fault_add(fault, "only furniture topples");
+    return count;
+}
+
+bool edit_do_topple(HouseSession *live, Fault *fault) {
+    const Editor *edit = &live->edit;
+    const Plan *plan = draft_plan(live->draft);
+    size_t index;
+    if (!is_anything(live, fault) || !may_topple(live, fault))
+        return false;
+    bool lies = true;
+    for (size_t i = 0; i < edit->id_count; i++)
+        if (draft_find(live->draft, edit->ids[i], &index) == DRAFT_FURNITURE &&
+            plan->furniture[index].topples != TOPPLE_NO)
+            lies &= plan->furniture[index].toppled;
+    open_step(live, lies ? "Stand up" : "Topple");
+    for (size_t i = 0; i < edit->id_count; i++)
+        if (draft_find(live->draft, edit->ids[i], &index) == DRAFT_FURNITURE &&
+            plan->furniture[index].topples != TOPPLE_NO)
+            draft_set(live->draft, edit->ids[i], "toppled", json_boolean(!lies));
+    return edit_gesture_close(live, fault);
+}
+
+/* Removing --------------------------------------------------------------------------------------------------------- */
+
+bool edit_do_remove(HouseSession *live, Fault *fault) {
+    Editor *edit = &live->edit;
+    if (!edit->id_count && edit->measure_count) {
+        edit->measure_count = 0;
+        return true;
+    }
+    if (!is_anything(live, fault))
+        return false;
+    if (edit->handle >= 0 && edit_split_can_join(live))
+        return edit_split_join(live, fault);
+    open_step(live, "Remove");
+    for (size_t i = 0; i < edit->id_count; i++)
+        draft_remove(live->draft, edit->ids[i]);
+    return edit_gesture_close(live, fault);
+}
+
+/* Copies ----------------------------------------------------------------------------------------------------------- */
+
+char *edit_do_copy(const HouseSession *live) {
+    const Editor *edit = &live->edit;
+    return edit->id_count ? draft_clip_copy(live->draft, (const char *const *)edit->ids, edit->id_count) : NULL;
+}
+
+static bool paste(HouseSession *live, const char *name, const char *text, Vec2 by, Fault *fault) {
+    const char **ids = NULL;
+    size_t count = 0;
+    edit_gesture_open(live, name);
+    if (!draft_clip_paste(live->draft, text, by, &ids, &count, fault)) {
+        draft_cancel(live->draft);
+        return false;
+    }
+    Fault own = {0};
+    bool good = edit_gesture_close(live, &own);
+    for (size_t i = 0; i < own.count; i++)
+        fault_add(fault, "what is pasted cannot be put here: %s", own.lines[i]);
+    fault_clear(&own);
+    for (size_t i = 0; good && i < count; i++) {
+        if (i == 0)
+            edit_select_only(live, ids[i]);
+        else
+            edit_select_toggle(live, ids[i]);
+    }
+    memory_free(ids);
+    return good;
+}
+
+bool edit_do_duplicate(HouseSession *live, Fault *fault) {
+    char name[EDIT_NAME], things[EDIT_NAME];
+    if (!is_anything(live, fault))
+        return false;
+    edit_select_names(live, things);
+    snprintf(name, sizeof name, "Duplicate %.100s", things);
+    char *text = edit_do_copy(live);
+    bool good = text && paste(live, name, text, vec2(APART, -APART), fault);
+    memory_free(text);
+    return good;
+}
+
+/* All places within a value: pairs of numbers, however deep. */
+static Box include_places(Box box, const json_t *value) {
+    size_t i;
+    json_t *inner;
+    const char *key;
+    if (json_array_size(value) == 2 && json_is_number(json_array_get(value, 0)) &&
+        json_is_number(json_array_get(value, 1)))
+        return box_include(
+            box, vec2(json_number_value(json_array_get(value, 0)), json_number_value(json_array_get(value, 1))));
+    json_array_foreach(value, i, inner) box = include_places(box, inner);
+    json_object_foreach((json_t *)value, key, inner) {
+        if (strcmp(key, "size") != 0)
+            box = include_places(box, inner);
+    }
+    return box;
+}
+
+/* How far what is pasted goes: to the hand; where there is none, or it would lie on what it was copied from, beside
+ * that, the second time beside the first. */
+static Vec2 paste_by(Editor *edit, const char *text, Box box) {
+    Vec2 to = vec2_sub(edit->hand.at, vec2_scale(vec2_add(box.low, box.high), 0.5));
+    Vec2 by = vec2(round(to.x / SNAP_GRID) * SNAP_GRID, round(to.y / SNAP_GRID) * SNAP_GRID);
+    if (edit->seen && !edit->hand.nowhere && vec2_length(by) >= APART)
+        return by;
+    uint64_t digest = digest_bytes(DIGEST_START, text, strlen(text));
+    edit->copies = digest == edit->pasted ? edit->copies + 1 : 1;
+    edit->pasted = digest;
+    return vec2(edit->copies * APART, -edit->copies * APART);
+}
+
+bool edit_do_paste(HouseSession *live, const char *text, Fault *fault) {
+    json_t *pieces = json_loads(text, 0, NULL);
+    Box box = include_places(box_empty(), pieces);
+    Vec2 by = box.low.x <= box.high.x ? paste_by(&live->edit, text, box) : vec2(0, 0);
+    json_decref(pieces);
+    return paste(live, "Paste", text, by, fault);
+}

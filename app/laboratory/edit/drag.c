@@ -1,0 +1,246 @@
+/* Taking up what is there: a handle, or all that is selected; and the rectangle that selects. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "plan/sunk.h"
+#include "laboratory/house/session_parts.h"
+
+static const EditGesture shape, body, slide, whole, box;
+
+/* Handles --------------------------------------------------------------------------------------------------------- */
+
+static void hold(HouseSession *live, const EditHandle *handle) {
+    Editor *edit = &live->edit;
+    Text copy = {0};
+    text_add(&copy, handle->id);
+    memory_free(edit->held);
+    edit->held = copy.text;
+    edit->grip = *handle;
+    edit->grip.id = edit->held;
+}
+
+static void name_step(const HouseSession *live, const EditHandle *handle, char name[EDIT_NAME]) {
+    static const char *const verbs[] = {[GRIP_POINT] = "Move point of",
+                                        [GRIP_SEGMENT] = "Move piece of",
+                                        [GRIP_EDGE] = "Change width of",
+                                        [GRIP_CORNER] = "Resize",
+                                        [GRIP_TURN] = "Turn",
+                                        [GRIP_MIDDLE] = "Move",
+                                        [GRIP_WHOLE] = "Move"};
+    char thing[EDIT_NAME];
+    edit_select_name(live, handle->id, thing);
+    bool end = handle->grip == GRIP_POINT && handle->list == DRAFT_EXITS;
+    snprintf(name, EDIT_NAME, "%s %.100s", end ? "Move end of" : verbs[handle->grip], thing);
+}
+
+static void list_fields(HouseSession *live, const EditHandle *handle) {
+    static const char *const place[] = {"x", "y"}, *const metres[] = {"m", "m", "m", "m"};
+    static const char *const point[] = {"length", "angle", "x", "y"}, *const point_units[] = {"m", "degree", "m", "m"};
+    static const char *const door[] = {"at", "width"}, *const size[] = {"width", "depth"};
+    static const char *const angle[] = {"angle"}, *const degree[] = {"degree"};
+    if (handle->grip == GRIP_TURN)
+        edit_field_list(live, angle, degree, 1);
+    else if (handle->grip == GRIP_CORNER)
+        edit_field_list(live, size, metres, 2);
+    else if (handle->list == DRAFT_DOORS)
+        edit_field_list(live, door, metres, 2);
+    else if (handle->grip == GRIP_POINT && handle->list != DRAFT_ROUTES)
+        edit_field_list(live, point, point_units, 4);
+    else
+        edit_field_list(live, place, metres, 2);
+    if (handle->grip == GRIP_EDGE)
+        live->edit.field = 1;
+}
+
+static const EditGesture *gesture_of(const EditHandle *handle) {
+    if (handle->list == DRAFT_DOORS)
+        return &slide;
+    if (handle->list == DRAFT_FURNITURE || handle->list == DRAFT_PEOPLE)
+        return &body;
+    return &shape;
+}
+
+void edit_drag_begin(HouseSession *live, const EditHandle *handle, EditHold how) {
+    Editor *edit = &live->edit;
+    char name[EDIT_NAME], *id = text_copy(handle->id);
+    EditHandle copy = *handle;
+    copy.id = id;
+    edit_gesture_drop(live);
+    name_step(live, &copy, name);
+    hold(live, &copy);
+    edit_gesture_begin(live, gesture_of(&edit->grip), name, how != HOLD_DRAG);
+    edit->offset = vec2_sub(copy.at, how == HOLD_KEYS ? edit->hand.at : edit->pressed);
+    edit->taken = how != HOLD_DRAG;
+    edit->clicked = how == HOLD_CLICK;
+    list_fields(live, &edit->grip);
+    edit_gesture_follow(live);
+    memory_free(id);
+}
+
+static bool put(HouseSession *live, bool keys) {
+    Editor *edit = &live->edit;
+    if (edit->refusal && keys && !edit->limited)
+        return false;
+    if (!edit_gesture_settle(live)) {
+        edit_gesture_drop(live);
+        return false;
+    }
+    return true;
+}
+
+/* A click takes it up, and the next one puts it down. */
+static void release(HouseSession *live, bool moved) {
+    if (moved || live->edit.taken)
+        put(live, false);
+    else
+        live->edit.taken = true;
+}
+
+/* Remarks a piece that is held in a wall. */
+static void say_sunk(const HouseSession *live, Text *words) {
+    const Plan *plan = draft_plan(live->draft);
+    size_t index, wall = 0;
+    if (draft_find(live->draft, live->edit.held, &index) != DRAFT_FURNITURE || index >= plan->furniture_count)
+        return;
+    double depth = sunk_depth(plan, &plan->furniture[index], &wall);
+    if (depth >= SUNK_LEAST)
+        text_format(words, "; stands %.0f cm in wall %s", 100 * depth, plan->walls[wall].id);
+}
+
+static void say(HouseSession *live, Text *words) {
+    const Editor *edit = &live->edit;
+    char thing[EDIT_NAME];
+    edit_select_name(live, edit->held, thing);
+    text_format(words, "%s:", thing);
+    for (size_t i = 0; i < edit->field_count; i++)
+        text_format(words, "%s %s %.*f%s", i ? "," : "", edit->fields[i].name,
+                    strcmp(edit->fields[i].unit, "degree") == 0 ? 1 : 2, edit->fields[i].value,
+                    strcmp(edit->fields[i].unit, "degree") == 0 ? " degrees" : " m");
+    say_sunk(live, words);
+}
+
+static void show(HouseSession *live) {
+    edit_marks_held(live);
+}
+
+#define DRAG(follow_, make_, limit_)                                                                                   \
+    { .follow = follow_, .make = make_, .limit = limit_, .put = put, .release = release, .say = say, .show = show }
+static const EditGesture shape = DRAG(edit_shape_follow, edit_shape_make, NULL),
+                         body = DRAG(edit_body_follow, edit_body_make, NULL),
+                         slide = DRAG(edit_door_slide_follow, edit_door_slide_make, edit_door_slide_limit);
+
+/* All that is selected --------------------------------------------------------------------------------------------- */
+
+static void follow_whole(HouseSession *live) {
+    Editor *edit = &live->edit;
+    Vec2 by = vec2_sub(edit->hand.at, edit->pressed);
+    if (edit->hand.straight && fabs(by.x) >= fabs(by.y))
+        by.y = 0;
+    else if (edit->hand.straight)
+        by.x = 0;
+    double grid = edit->hand.free ? SNAP_FREE_GRID : SNAP_GRID;
+    edit->now.at = vec2(snap_tidy(round(by.x / grid) * grid), snap_tidy(round(by.y / grid) * grid));
+    edit->snap = (Snap){.at = edit->hand.at};
+    edit_field_typed(live, 0, &edit->now.at.x);
+    edit_field_typed(live, 1, &edit->now.at.y);
+    edit_field_show(live, 0, edit->now.at.x);
+    edit_field_show(live, 1, edit->now.at.y);
+}
+
+static void make_whole(HouseSession *live) {
+    const Editor *edit = &live->edit;
+    edit_shape_move(live, &edit->begun, edit->now.at);
+}
+
+static void say_whole(HouseSession *live, Text *words) {
+    char things[EDIT_NAME];
+    edit_select_names(live, things);
+    text_format(words, "%s moved by %.2f, %.2f m", things, live->edit.now.at.x, live->edit.now.at.y);
+}
+
+static void show_whole(HouseSession *live) {
+    const Editor *edit = &live->edit;
+    if (vec2_length(edit->now.at) > 0)
+        edit_marks_length(live, edit->pressed, vec2_add(edit->pressed, edit->now.at));
+}
+
+static const EditGesture whole = {
+    .follow = follow_whole, .make = make_whole, .put = put, .release = release, .say = say_whole, .show = show_whole};
+
+/* From where the button went down to a piece of a wall, m. */
+static double distance_to_piece(const HouseSession *live, const EditHandle *handle) {
+    const Plan *plan = draft_plan(live->draft);
+    size_t w = 0;
+    while (w < plan->wall_count && strcmp(plan->walls[w].id, handle->id) != 0)
+        w++;
+    if (w == plan->wall_count)
+        return HUGE_VAL;
+    const Vec2 *ends = plan->walls[w].points.at + handle->index;
+    return vec2_distance(live->edit.pressed, vec2_nearest_on_segment(live->edit.pressed, ends[0], ends[1]));
+}
+
+void edit_drag_whole(HouseSession *live) {
+    static const char *const names[] = {"along x", "along y"}, *const units[] = {"m", "m"};
+    char name[EDIT_NAME], things[EDIT_NAME];
+    EditHandle handles[EDIT_HANDLES];
+    size_t count = edit_handle_list(live, draft_plan(live->draft), handles);
+    const EditHandle *meant = NULL; /* the middle, or the nearest piece of a wall: they snap, as their handles do */
+    double nearest = HUGE_VAL;
+    for (size_t i = 0; i < count; i++) {
+        double distance = handles[i].grip == GRIP_MIDDLE    ? 0
+                          : handles[i].grip == GRIP_SEGMENT ? distance_to_piece(live, &handles[i])
+                                                            : HUGE_VAL;
+        meant = distance < nearest ? &handles[i] : meant;
+        nearest = fmin(nearest, distance);
+    }
+    if (meant) {
+        edit_drag_begin(live, meant, HOLD_DRAG);
+        return;
+    }
+    edit_select_names(live, things);
+    snprintf(name, sizeof name, "Move %.100s", things);
+    edit_gesture_begin(live, &whole, name, false);
+    edit_field_list(live, names, units, 2);
+    edit_gesture_follow(live);
+}
+
+/* The rectangle that selects ----------------------------------------------------------------------------------------
+ */
+
+static void follow_box(HouseSession *live) {
+    live->edit.now.at = live->edit.hand.at;
+}
+
+static bool put_box(HouseSession *live, bool keys) {
+    Editor *edit = &live->edit;
+    Box within = box_include(box_include(box_empty(), edit->pressed), edit->now.at);
+    bool more = edit->hand.more;
+    (void)keys;
+    edit_gesture_drop(live);
+    edit_select_within(live, within, more);
+    return true;
+}
+
+static void release_box(HouseSession *live, bool moved) {
+    (void)moved;
+    put_box(live, false);
+}
+
+static void say_box(HouseSession *live, Text *words) {
+    (void)live;
+    text_add(words, "what lies within is selected");
+}
+
+static void show_box(HouseSession *live) {
+    Vec2 a = live->edit.pressed, b = live->edit.now.at;
+    edit_marks_outline(live, (Vec2[]){a, vec2(b.x, a.y), b, vec2(a.x, b.y)}, 4);
+}
+
+static const EditGesture box = {
+    .follow = follow_box, .put = put_box, .release = release_box, .say = say_box, .show = show_box};
+
+void edit_drag_box(HouseSession *live) {
+    edit_gesture_begin(live, &box, "", false);
+    edit_gesture_follow(live);
+}

@@ -1,0 +1,333 @@
+/* What editing a house consists of: for the files editor*.c.
+ *
+ * A gesture is a row of functions. `follow` turns the hand and what is typed into a target; `make` turns the target
+ * into changes of the draft. Both are done anew whenever the hand moves: the step is rewound, made, and tried.
+ *
+ *     hand, fields -> follow -> now -> make -> draft_try -> good, or a refusal */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/memory.h"
+#include "base/text.h"
+#include "plan/catalogue.h"
+#include "plan/draft.h"
+#include "plan/snap_piece.h"
+#include "laboratory/editing.h"
+
+typedef struct HouseSession HouseSession;
+typedef struct EditSearch EditSearch;
+
+enum {
+    EDIT_FIELDS = 6,
+    EDIT_TYPED = 48,    /* letters of a number that is being typed */
+    EDIT_NAME = 128,    /* of a step or a thing */
+    EDIT_HANDLES = 128, /* of what is selected */
+    EDIT_MEASURES = 32, /* that are shown at once */
+};
+
+/* What a gesture has come to. */
+typedef struct EditTarget {
+    Vec2 at;       /* m: where the thing, the handle or the next point goes */
+    Vec2 corner;   /* m: of a rectangle that is drawn, where it began */
+    Vec2 size;     /* m, of a piece of furniture */
+    double angle;  /* degree */
+    double amount; /* m: a wall's thickness, a door's width */
+    double along;  /* m: a door's middle on its segment */
+    size_t wall, segment;
+} EditTarget;
+
+typedef struct EditGesture {
+    void (*follow)(HouseSession *live);
+    void (*make)(HouseSession *live);  /* NULL: the draft is not changed by it */
+    bool (*limit)(HouseSession *live); /* brings a refused target to where it may stand; NULL or false: nowhere */
+    bool (*put)(HouseSession *live, bool keys);      /* a press, or Enter */
+    bool (*back)(HouseSession *live);                /* Backspace; NULL: lets go */
+    bool (*escape)(HouseSession *live);              /* NULL: lets go */
+    void (*release)(HouseSession *live, bool moved); /* of the press that began it, or came later */
+    void (*say)(HouseSession *live, Text *words);
+    void (*show)(HouseSession *live); /* adds marks */
+} EditGesture;
+
+/* What can be taken up of a thing. */
+typedef enum EditGrip {
+    GRIP_POINT,   /* of a wall, an outline, a route; an end of an exit */
+    GRIP_SEGMENT, /* the middle of a wall's piece */
+    GRIP_EDGE,    /* of a door: its width */
+    GRIP_CORNER,  /* of a piece of furniture: its size */
+    GRIP_TURN,
+    GRIP_MIDDLE,
+    GRIP_WHOLE, /* all that is selected */
+} EditGrip;
+
+typedef struct EditHandle {
+    EditGrip grip;
+    const char *id; /* of the element, good as long as the selection and the plan */
+    DraftList list;
+    size_t index; /* of a point, segment, edge or corner */
+    Vec2 at;      /* m */
+} EditHandle;
+
+/* Points one after another: a wall, an outline, a way, a distance. */
+typedef struct EditChain {
+    Vec2 *points;   /* (count) put down */
+    double *amount; /* (count) m, the thickness of what ends there */
+    size_t count, capacity, amount_capacity;
+    bool floating;        /* the next point is a part of what is made */
+    bool proposed;        /* length and angle of the next one stand in the fields */
+    Vec2 proposed_at;     /* m, where the hand was then */
+    char exit[EDIT_NAME]; /* of a route: the exit that was pointed at */
+} EditChain;
+
+/* Something measured, which stays until it is deleted. */
+typedef struct EditMeasure {
+    Vec2 from, to; /* m */
+} EditMeasure;
+
+/* What a press may turn into. */
+typedef enum EditPending { PENDING_NOTHING, PENDING_HANDLE, PENDING_WHOLE, PENDING_BOX } EditPending;
+
+/* An earthquake that was made here. */
+typedef struct EditShake {
+    uint64_t revision;      /* of the draft after it */
+    const char *const *ids; /* (count) of what fell */
+    size_t count;
+} EditShake;
+
+typedef struct Editor {
+    EditTool tool;
+    Pointer hand; /* the last one */
+    bool down;    /* its button */
+    bool moved;   /* since it is */
+    Vec2 pressed; /* m, where it went down */
+    EditPending pending;
+    bool seen; /* the hand has been anywhere */
+
+    char **ids; /* (id_count) of what is selected, the last one last */
+    size_t id_count, id_capacity;
+    Item *things; /* (id_count) the same for whoever asks */
+    size_t thing_capacity;
+    Item told;  /* that was selected by itself for them */
+    int handle; /* that has the focus of the keys, -1: none */
+
+    const EditGesture *gesture; /* NULL: there is none */
+    bool keys;                  /* the hand has no part in it: until its button is pressed, or */
+    bool clicked;               /* until it moves */
+    Vec2 keys_at;               /* m, where the hand was then */
+    char name[EDIT_NAME];       /* of its step */
+    Plan begun;                 /* the house before it */
+    EditTarget now, good;
+    bool has_good, limited;
+    char *refusal;
+    EditField fields[EDIT_FIELDS];
+    size_t field_count, field;
+    char typed[EDIT_TYPED];
+    char wrong[128];
+    Snap snap; /* of the target */
+
+    EditChain chain;
+    EditHandle grip; /* that is held; its id is `held` */
+    char *held;
+    Vec2 offset;          /* m, from the hand to the handle */
+    bool taken;           /* by a click, not by dragging */
+    bool sizing;          /* a rectangle is drawn out */
+    char made[EDIT_NAME]; /* the id of what was added last */
+
+    size_t items[EDIT_TOOLS]; /* chosen */
+    CatalogueRow *item_rows;
+    size_t item_capacity;
+    Arena item_words;
+    Catalogue catalogue;
+    char **profiles; /* (profile_count) names of the shipped ones */
+    size_t profile_count;
+    bool stocked;                      /* the two are read */
+    double door_width, wall_thickness; /* m, of the next one */
+
+    char *image;        /* path of the picture to trace over that was looked for last, or NULL */
+    double image_shape; /* 1, its height by its width; 0: there is none */
+    bool image_other;   /* its bytes are not those that were traced over */
+
+    EditMeasure measures[EDIT_MEASURES];
+    size_t measure_count;
+
+    EditSearch *search;   /* for changes that let everybody out, or NULL */
+    EditSearch *given_up; /* a list of those that have not ended yet */
+    char proposing[64];
+
+    EditShake *shakes; /* (shake_count) */
+    size_t shake_count, shake_capacity;
+    uint64_t seed;          /* of the last one */
+    char shaken[EDIT_NAME]; /* what came of it */
+    Arena shake_arena;
+
+    EditText *texts;
+    size_t text_capacity;
+    Arena text_arena;
+
+    EditMark *marks; /* of the gesture that is shown */
+    size_t mark_count, mark_capacity;
+    Arena words;
+    uint64_t pasted;    /* digest of what was pasted last without a pointer, */
+    int copies;         /* so often */
+    size_t saved_steps; /* that could be undone when it was saved */
+    Text doing;
+    GestureView shown;
+} Editor;
+
+void editor_begin(HouseSession *live);
+void editor_clear(HouseSession *live); /* releases all; what is in the hand is let go */
+
+/* Gestures -------------------------------------------------------------------------------------------------------- */
+
+/* Begins one; `name` is of its step. `keys`: the hand has no part in it yet. */
+void edit_gesture_begin(HouseSession *live, const EditGesture *gesture, const char *name, bool keys);
+
+/* Does it anew, as the hand and the fields are. */
+void edit_gesture_follow(HouseSession *live);
+
+/* Ends it as a step that stands, or lets it go; false: it does not stand, and is still in the hand. */
+bool edit_gesture_end(HouseSession *live);
+void edit_gesture_drop(HouseSession *live);
+
+/* Puts the last good target down, where there is one. False: refused, and nothing has happened. */
+bool edit_gesture_settle(HouseSession *live);
+
+/* A step of its own: begins it; ends it, and has it followed. False: a fault says why it cannot be. */
+void edit_gesture_open(HouseSession *live, const char *name);
+bool edit_gesture_close(HouseSession *live, Fault *fault);
+
+/* Fields: sets how they are called, and what the hand gives; is it typed? then `*value` is what is typed. */
+void edit_field_list(HouseSession *live, const char *const *names, const char *const *units, size_t count);
+bool edit_field_typed(const HouseSession *live, size_t field, double *value);
+void edit_field_show(HouseSession *live, size_t field, double value);
+bool edit_field_any(const HouseSession *live);
+bool edit_field_type(HouseSession *live, const char *letters);
+bool edit_field_back(HouseSession *live);
+bool edit_field_tab(HouseSession *live, int step);
+bool edit_field_begins(const char *letters);
+
+/* Where the hand points, with snapping; `ask` as far as it is special. Keeps the snap. */
+Vec2 edit_gesture_snap(HouseSession *live, SnapAsk ask);
+
+/* Tools ----------------------------------------------------------------------------------------------------------- */
+
+void edit_chain_begin(HouseSession *live, bool keys);
+void edit_chain_clear(HouseSession *live);
+void edit_wall_make(HouseSession *live);
+void edit_way_make_exit(HouseSession *live);
+void edit_way_make_room(HouseSession *live);
+void edit_way_make_route(HouseSession *live);
+void edit_way_find_exit(HouseSession *live);
+const char *edit_way_person(const HouseSession *live); /* whose route is drawn; NULL: there is nobody */
+bool edit_way_across(HouseSession *live);              /* an exit across the door at the hand */
+void edit_place_begin(HouseSession *live, bool keys);
+void edit_door_follow(HouseSession *live);
+void edit_door_make(HouseSession *live);
+bool edit_door_limit(HouseSession *live);
+void edit_piece_follow(HouseSession *live);
+void edit_piece_make(HouseSession *live);
+void edit_person_follow(HouseSession *live);
+void edit_person_make(HouseSession *live);
+
+/* The hand and the keys, as editing.h has them. */
+void edit_pointer_take(HouseSession *live, EditTool tool);
+void edit_pointer_point(HouseSession *live, const Pointer *hand);
+void edit_pointer_press(HouseSession *live, const Pointer *hand, bool twice);
+void edit_pointer_release(HouseSession *live, const Pointer *hand);
+bool edit_pointer_type(HouseSession *live, const char *letters);
+bool edit_pointer_enter(HouseSession *live);
+bool edit_pointer_back(HouseSession *live);
+bool edit_pointer_escape(HouseSession *live);
+
+/* What can be placed: reads the catalogue and the names of the profiles once. */
+void edit_items_stock(HouseSession *live);
+void edit_items_clear(HouseSession *live);
+const CatalogueRow *edit_items_list(HouseSession *live, size_t *count);
+
+/* Selection ------------------------------------------------------------------------------------------------------- */
+
+/* What is selected by itself, live->selected, and what the editor has are brought together. */
+void edit_select_meet(HouseSession *live);
+void edit_select_only(HouseSession *live, const char *id); /* NULL: nothing */
+void edit_select_toggle(HouseSession *live, const char *id);
+void edit_select_known(HouseSession *live); /* forgets what is no longer there */
+bool edit_select_has(const HouseSession *live, const char *id);
+void edit_select_within(HouseSession *live, Box box, bool more);
+void edit_select_all(HouseSession *live);
+const char *edit_select_id(const HouseSession *live, Item thing); /* "": it has none */
+Item edit_select_thing(const HouseSession *live, const char *id);
+const char *edit_select_at(HouseSession *live, Vec2 at); /* what lies there, NULL: nothing */
+
+/* "door d2", "wardrobe (f3)" */
+void edit_select_name(const HouseSession *live, const char *id, char name[EDIT_NAME]);
+/* The same, or "5 things". */
+void edit_select_names(const HouseSession *live, char name[EDIT_NAME]);
+
+/* The handles of what is selected in a plan (EDIT_HANDLES); how many. */
+size_t edit_handle_list(const HouseSession *live, const Plan *plan, EditHandle *handles);
+/* The nearest one within reach; false: none. */
+bool edit_handle_at(const HouseSession *live, const Pointer *hand, EditHandle *handle);
+
+/* Marks of the gesture, for what it shows. */
+void edit_marks_line(HouseSession *live, Vec2 from, Vec2 to);
+void edit_marks_outline(HouseSession *live, const Vec2 *points, size_t count);
+void edit_marks_length(HouseSession *live, Vec2 from, Vec2 to);
+void edit_marks_piece(HouseSession *live, const Furniture *piece); /* and the room that it leaves */
+void edit_marks_door(HouseSession *live, const Plan *plan, const Door *door);
+void edit_marks_held(HouseSession *live);
+const GestureView *edit_marks_make(HouseSession *live);
+
+/* Takes a handle up. */
+typedef enum EditHold { HOLD_DRAG, HOLD_CLICK, HOLD_KEYS } EditHold;
+void edit_drag_begin(HouseSession *live, const EditHandle *handle, EditHold how);
+void edit_drag_whole(HouseSession *live);
+void edit_drag_box(HouseSession *live);
+void edit_shape_follow(HouseSession *live); /* points, segments, rectangles: of walls, rooms, exits, routes */
+void edit_shape_make(HouseSession *live);
+/* Moves all that is selected in the open step: walls with the corners of others that lie on theirs, doors along their
+ * walls. The plan is what it was before. */
+void edit_shape_move(HouseSession *live, const Plan *plan, Vec2 by);
+void edit_body_follow(HouseSession *live); /* furniture and people */
+void edit_body_make(HouseSession *live);
+void edit_door_slide_follow(HouseSession *live); /* doors */
+void edit_door_slide_make(HouseSession *live);
+bool edit_door_slide_limit(HouseSession *live);
+
+/* What is done to the selection ------------------------------------------------------------------------------------ */
+
+bool edit_do_nudge(HouseSession *live, Vec2 by, Fault *fault);
+bool edit_do_turn(HouseSession *live, double by, Fault *fault);
+bool edit_do_topple(HouseSession *live, Fault *fault);
+bool edit_do_remove(HouseSession *live, Fault *fault);
+char *edit_do_copy(const HouseSession *live);
+bool edit_do_duplicate(HouseSession *live, Fault *fault);
+bool edit_do_paste(HouseSession *live, const char *text, Fault *fault);
+bool edit_split_wall(HouseSession *live, Fault *fault);
+bool edit_split_can_join(const HouseSession *live); /* the point that has the focus of the keys can be taken out */
+bool edit_split_join(HouseSession *live, Fault *fault);
+
+extern const EditGesture edit_image_gesture;
+void edit_image_begin(HouseSession *live, bool keys);
+bool edit_image_set(HouseSession *live, const char *path, Fault *fault);
+void edit_image_fade(HouseSession *live, double opacity);
+TraceImage edit_image_get(HouseSession *live);
+/* Why the picture is not as it was, in a line; NULL: it is, or there is none. */
+const char *edit_image_trouble(HouseSession *live);
+
+void edit_propose_ask(HouseSession *live);
+const Proposal *edit_propose_list(HouseSession *live, size_t *count, const char **doing);
+bool edit_propose_accept(HouseSession *live, size_t proposal, Fault *fault);
+void edit_propose_end(HouseSession *live);
+
+bool edit_shake_do(HouseSession *live, Fault *fault);
+void edit_shake_clear(HouseSession *live);
+
+const EditText *edit_text_list(HouseSession *live, size_t *count);
+bool edit_text_set(HouseSession *live, const char *name, const char *value, Fault *fault);
+
+/* m, of the narrowest chair in the house; infinite: there is none. */
+double edit_measure_chair(const HouseSession *live);
+void edit_measure_say(double length, double chair, char *words, size_t size);
+void edit_measure_keep(HouseSession *live, Vec2 from, Vec2 to);
+bool edit_measure_side(HouseSession *live); /* the side at the hand; false: there is none */

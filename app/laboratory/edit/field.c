@@ -1,0 +1,106 @@
+/* The numbers of a gesture, that can be typed while it lasts. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/quantity.h"
+#include "laboratory/house/session_parts.h"
+
+void edit_field_list(HouseSession *live, const char *const *names, const char *const *units, size_t count) {
+    Editor *edit = &live->edit;
+    for (size_t i = 0; i < count; i++)
+        edit->fields[i] = (EditField){.name = names[i], .unit = units[i]};
+    edit->field_count = count;
+    edit->field = 0;
+    *edit->typed = *edit->wrong = 0;
+}
+
+bool edit_field_typed(const HouseSession *live, size_t field, double *value) {
+    const EditField *is = &live->edit.fields[field];
+    if (field >= live->edit.field_count || !is->typed)
+        return false;
+    *value = is->value;
+    return true;
+}
+
+void edit_field_show(HouseSession *live, size_t field, double value) {
+    if (field < live->edit.field_count && !live->edit.fields[field].typed)
+        live->edit.fields[field].value = value;
+}
+
+bool edit_field_any(const HouseSession *live) {
+    for (size_t i = 0; i < live->edit.field_count; i++)
+        if (live->edit.fields[i].typed)
+            return true;
+    return false;
+}
+
+bool edit_field_begins(const char *letters) {
+    return (*letters >= '0' && *letters <= '9') || (*letters && strchr("-.,+", *letters));
+}
+
+/* May it stand within a number? Letters of units, signs, and what is beyond ASCII: degrees and minus. */
+static bool goes_on(const char *letters) {
+    for (; *letters; letters++)
+        if (!strchr("0123456789-+., '\"cmkftinrdeg", *letters) && (unsigned char)*letters < 0x80)
+            return false;
+    return true;
+}
+
+/* What is typed is read; while it is no number, the last one stays. */
+static void read_typed(HouseSession *live) {
+    Editor *edit = &live->edit;
+    EditField *field = &edit->fields[edit->field];
+    char reason[QUANTITY_REASON];
+    double value;
+    *edit->wrong = 0;
+    field->typed = *edit->typed != 0;
+    if (!field->typed)
+        return;
+    if (!quantity_read(edit->typed, strcmp(field->unit, "degree") == 0 ? "deg" : field->unit, &value, reason)) {
+        snprintf(edit->wrong, sizeof edit->wrong, "%s", reason);
+        return;
+    }
+    if (fabs(value) > PARAMETER_FARTHEST)
+        snprintf(edit->wrong, sizeof edit->wrong, "%g %s is beyond the plan, at most %g %s", value, field->unit,
+                 PARAMETER_FARTHEST, field->unit);
+    else
+        field->value = value;
+}
+
+bool edit_field_type(HouseSession *live, const char *letters) {
+    Editor *edit = &live->edit;
+    size_t used = strlen(edit->typed);
+    bool fits = *edit->typed ? goes_on(letters) : edit_field_begins(letters) && goes_on(letters);
+    if (!edit->gesture || !edit->field_count || !fits)
+        return false;
+    snprintf(edit->typed + used, sizeof edit->typed - used, "%s", letters);
+    read_typed(live);
+    edit_gesture_follow(live);
+    return true;
+}
+
+bool edit_field_back(HouseSession *live) {
+    Editor *edit = &live->edit;
+    size_t used = strlen(edit->typed);
+    if (!used)
+        return false;
+    while (used > 1 && ((unsigned char)edit->typed[used - 1] & 0xC0) == 0x80)
+        used--; /* the bytes that go on with a letter */
+    edit->typed[used - 1] = 0;
+    read_typed(live);
+    edit_gesture_follow(live);
+    return true;
+}
+
+bool edit_field_tab(HouseSession *live, int step) {
+    Editor *edit = &live->edit;
+    if (!edit->gesture || !edit->field_count)
+        return false;
+    if (*edit->wrong)
+        return true; /* not before it is a number, or taken back */
+    size_t count = edit->field_count;
+    edit->field = (edit->field + count + (size_t)(step < 0 ? count - 1 : 1)) % count;
+    *edit->typed = 0;
+    return true;
+}

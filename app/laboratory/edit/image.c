@@ -1,0 +1,294 @@
+/* The picture to trace over: its scale by two points that are a known length apart, level by two points that are. */
+#include <errno.h>
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/digest.h"
+#include "base/text.h"
+#include "plan/draft_file.h"
+#include "laboratory/house/session_parts.h"
+
+static const double FIRST_WIDTH = 10; /* m, before its scale is known */
+static const double FIRST_OPACITY = 0.5;
+static const double LEAST_APART = 0.01; /* m, of two points that say something */
+
+enum { IMAGE_LARGEST = 256 * 1024 * 1024 /* bytes */, HEADER = 24 /* of a PNG, with its size */ };
+
+enum { ITEM_SCALE, ITEM_LEVEL }; /* of the tool */
+
+#define FADE "Fade picture"
+
+/* Files ----------------------------------------------------------------------------------------------------------- */
+
+/* Height by width of a PNG file's bytes; 0: it is none. */
+static double shape_of(const char *bytes, size_t count) {
+    static const unsigned char signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    const unsigned char *at = (const unsigned char *)bytes;
+    if (count < HEADER || memcmp(at, signature, sizeof signature) != 0)
+        return 0;
+    double width = at[16] * 16777216.0 + at[17] * 65536.0 + at[18] * 256.0 + at[19];
+    double height = at[20] * 16777216.0 + at[21] * 65536.0 + at[22] * 256.0 + at[23];
+    return width > 0 ? height / width : 0;
+}
+
+/* Shape and digest of a file; false: errno, or 0 where it is no such picture. */
+static bool look_at(const char *path, double *shape, char digest[17]) {
+    size_t count = 0;
+    char *bytes = text_read_file(path, IMAGE_LARGEST, &count);
+    *shape = 0;
+    if (!bytes)
+        return false;
+    *shape = shape_of(bytes, count);
+    snprintf(digest, 17, "%016llx", (unsigned long long)digest_bytes(DIGEST_START, bytes, count));
+    memory_free(bytes);
+    errno = 0;
+    return *shape > 0;
+}
+
+/* The folder of the house's file with its "/"; memory_free it. "": it has no file. */
+static char *folder_of(const HouseSession *live) {
+    const char *path = live->wish.path;
+    char whole[PATH_MAX];
+    Text folder = {0};
+    text_add(&folder, "");
+    if (*path && realpath(path, whole)) {
+        *(strrchr(whole, '/') + 1) = 0;
+        text_add(&folder, whole);
+    }
+    return folder.text;
+}
+
+/* As it stands in the house file: from its folder on where it is within it. memory_free it. */
+static char *as_written(const HouseSession *live, const char *path) {
+    char whole[PATH_MAX], *folder = folder_of(live);
+    size_t length = strlen(folder);
+    Text text = {0};
+    const char *found = realpath(path, whole) ? whole : path;
+    text_add(&text, length && strncmp(found, folder, length) == 0 ? found + length : found);
+    memory_free(folder);
+    return text.text;
+}
+
+/* The other way round. */
+static char *as_found(const HouseSession *live, const char *image) {
+    char *folder = *image == '/' ? NULL : folder_of(live);
+    Text text = {0};
+    text_format(&text, "%s%s", folder ? folder : "", image);
+    memory_free(folder);
+    return text.text;
+}
+
+/* Looks for the picture again when it is another one. */
+static void find(HouseSession *live) {
+    Editor *edit = &live->edit;
+    const Background *background = &draft_plan(live->draft)->background;
+    char *path = background->image ? as_found(live, background->image) : NULL;
+    if (edit->image && path && strcmp(edit->image, path) == 0) {
+        memory_free(path);
+        return;
+    }
+    memory_free(edit->image);
+    edit->image = path;
+    edit->image_shape = 0;
+    edit->image_other = false;
+    char digest[17] = "";
+    if (path && look_at(path, &edit->image_shape, digest))
+        edit->image_other = *background->digest && strcmp(digest, background->digest) != 0;
+}
+
+const char *edit_image_trouble(HouseSession *live) {
+    find(live);
+    const Editor *edit = &live->edit;
+    if (!edit->image)
+        return NULL;
+    return !edit->image_shape  ? "the picture to trace over is not there"
+           : edit->image_other ? "the picture to trace over is another one than it was"
+                               : NULL;
+}
+
+/* Setting --------------------------------------------------------------------------------------------------------- */
+
+static json_t *element_of(const Background *background) {
+    return json_pack("{s:s, s:[o, o], s:o, s:o, s:o, s:s}", "image", background->image, "at",
+                     json_number(background->at.x), json_number(background->at.y), "width",
+                     json_number(background->width), "angle", json_number(background->angle), "opacity",
+                     json_number(background->opacity), "digest", background->digest);
+}
+
+static bool remove_image(HouseSession *live, Fault *fault) {
+    edit_gesture_open(live, "Remove picture");
+    draft_set_house(live->draft, "background", NULL);
+    return edit_gesture_close(live, fault);
+}
+
+bool edit_image_set(HouseSession *live, const char *path, Fault *fault) {
+    char digest[17] = "";
+    double shape;
+    if (!path || !*path)
+        return remove_image(live, fault);
+    if (!look_at(path, &shape, digest)) {
+        fault_add(fault, "%s: %s", path,
+                  errno ? strerror(errno) : "is no PNG picture, which is what can be traced over");
+        return false;
+    }
+    char *image = as_written(live, path);
+    Background background = {.image = image, .width = FIRST_WIDTH, .opacity = FIRST_OPACITY, .digest = digest};
+    edit_gesture_open(live, "Trace over a picture");
+    draft_set_house(live->draft, "background", element_of(&background));
+    memory_free(image);
+    live->edit.items[TOOL_IMAGE] = ITEM_SCALE;
+    memory_free(live->edit.image); /* it is looked at again */
+    live->edit.image = NULL;
+    return edit_gesture_close(live, fault);
+}
+
+void edit_image_fade(HouseSession *live, double opacity) {
+    Fault none = {0};
+    if (!draft_plan(live->draft)->background.image)
+        return;
+    Background background = draft_plan(live->draft)->background;
+    char *image = text_copy(background.image), *digest = text_copy(background.digest);
+    background.image = image;
+    background.digest = digest;
+    background.opacity = real_clamp(opacity, 0, 1);
+    const char *last = draft_undo_name(live->draft);
+    edit_gesture_drop(live);
+    if (last && strcmp(last, FADE) == 0)
+        draft_undo(live->draft); /* one step, however often a slider says where it is */
+    edit_gesture_open(live, FADE);
+    draft_set_house(live->draft, "background", element_of(&background));
+    edit_gesture_close(live, &none);
+    fault_clear(&none);
+    memory_free(image);
+    memory_free(digest);
+}
+
+TraceImage edit_image_get(HouseSession *live) {
+    const Background *background = &draft_plan(live->draft)->background;
+    find(live);
+    if (!background->image || !live->edit.image_shape)
+        return (TraceImage){.path = NULL};
+    Vec2 axis = snap_heading(background->angle), along = vec2_scale(axis, background->width);
+    Vec2 up = vec2_scale(vec2_left(axis), background->width * live->edit.image_shape);
+    Vec2 at = background->at;
+    return (TraceImage){.path = live->edit.image,
+                        .corners = {at, vec2_add(at, along), vec2_add(vec2_add(at, along), up), vec2_add(at, up)},
+                        .opacity = background->opacity};
+}
+
+/* The tool --------------------------------------------------------------------------------------------------------- */
+
+static bool levels(const HouseSession *live) {
+    return live->edit.items[TOOL_IMAGE] == ITEM_LEVEL;
+}
+
+static void list_fields(HouseSession *live) {
+    static const char *const place[] = {"x", "y"}, *const length[] = {"real length"}, *const metres[] = {"m", "m"};
+    bool both = live->edit.chain.count == 2;
+    edit_field_list(live, both ? length : place, metres, both ? 1 : 2);
+}
+
+void edit_image_begin(HouseSession *live, bool keys) {
+    edit_gesture_begin(live, &edit_image_gesture, levels(live) ? "Level picture" : "Scale picture", keys);
+    list_fields(live);
+    edit_gesture_follow(live);
+}
+
+static void follow(HouseSession *live) {
+    Editor *edit = &live->edit;
+    EditTarget *now = &edit->now;
+    if (edit->chain.count == 2) {
+        now->amount = vec2_distance(edit->chain.points[0], edit->chain.points[1]);
+        edit_field_typed(live, 0, &now->amount);
+        edit_field_show(live, 0, now->amount);
+        return;
+    }
+    if (!edit->keys)
+        now->at = edit->hand.at;
+    edit_field_typed(live, 0, &now->at.x);
+    edit_field_typed(live, 1, &now->at.y);
+    edit_field_show(live, 0, now->at.x);
+    edit_field_show(live, 1, now->at.y);
+}
+
+/* What lies at a point stays there, while the picture is turned and made larger about it. */
+static void turn_about(Background *background, Vec2 point, double angle, double factor) {
+    Vec2 from = vec2_scale(vec2_sub(background->at, point), factor);
+    Vec2 at = vec2_add(point, vec2_turn(from, snap_heading(angle)));
+    background->at = vec2(snap_tidy(at.x), snap_tidy(at.y));
+    background->angle = snap_tidy(remainder(background->angle + angle, 360));
+    background->width = snap_tidy(background->width * factor);
+}
+
+static void make(HouseSession *live) {
+    const Editor *edit = &live->edit;
+    Background background = edit->begun.background;
+    if (edit->chain.count < 2 || !background.image)
+        return;
+    Vec2 a = edit->chain.points[0], along = vec2_sub(edit->chain.points[1], a);
+    double angle = snap_angle(along);
+    if (levels(live))
+        turn_about(&background, a, snap_tidy(round(angle / 90) * 90 - angle), 1);
+    else
+        turn_about(&background, a, 0, edit->now.amount / vec2_length(along));
+    draft_set_house(live->draft, "background", element_of(&background));
+}
+
+static bool finish(HouseSession *live) {
+    bool levelled = levels(live);
+    if (live->edit.refusal || !edit_gesture_end(live))
+        return false;
+    live->edit.items[TOOL_IMAGE] = levelled ? ITEM_SCALE : ITEM_LEVEL;
+    return true;
+}
+
+static bool put(HouseSession *live, bool keys) {
+    Editor *edit = &live->edit;
+    EditChain *chain = &edit->chain;
+    (void)keys;
+    if (chain->count == 2)
+        return finish(live);
+    if (chain->count == 1 && vec2_distance(chain->points[0], edit->now.at) < LEAST_APART)
+        return false;
+    chain->points = memory_reserve(chain->points, &chain->capacity, chain->count + 1, sizeof *chain->points);
+    chain->points[chain->count++] = edit->now.at;
+    list_fields(live);
+    edit_gesture_follow(live);
+    return chain->count == 2 && levels(live) ? finish(live) : true;
+}
+
+static bool back(HouseSession *live) {
+    if (live->edit.chain.count <= 1) {
+        edit_gesture_drop(live);
+        return true;
+    }
+    live->edit.chain.count--;
+    list_fields(live);
+    edit_gesture_follow(live);
+    return true;
+}
+
+static void release(HouseSession *live, bool moved) {
+    if (moved && live->edit.chain.count < 2)
+        put(live, false);
+}
+
+static void say(HouseSession *live, Text *words) {
+    if (live->edit.chain.count == 2)
+        text_add(words, "type how long this really is, and Enter");
+    else
+        text_add(words, levels(live) ? "click another point that is level with the first, or straight above it"
+                                     : "click another point whose distance to the first is known");
+}
+
+static void show(HouseSession *live) {
+    const Editor *edit = &live->edit;
+    if (edit->chain.count)
+        edit_marks_line(live, edit->chain.points[0], edit->chain.count == 2 ? edit->chain.points[1] : edit->now.at);
+}
+
+const EditGesture edit_image_gesture = {
+    .follow = follow, .make = make, .put = put, .back = back, .release = release, .say = say, .show = show};

@@ -1,0 +1,90 @@
+/* What can be placed: furniture of the catalogue, people of the profiles, kinds of doors. */
+#include <dirent.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "laboratory/house/session_parts.h"
+#include "laboratory/shipped.h"
+
+#define USUAL_PROFILE "manual-chair" /* that is placed unless another one is chosen */
+
+static int is_json(const struct dirent *entry) {
+    size_t length = strlen(entry->d_name);
+    return length > 5 && strcmp(entry->d_name + length - 5, ".json") == 0;
+}
+
+static void stock_profiles(HouseSession *live) {
+    Editor *edit = &live->edit;
+    struct dirent **entries;
+    int count = scandir(live->wish.profiles, &entries, is_json, alphasort);
+    if (count < 0)
+        return;
+    edit->profiles = memory_zeroed((size_t)count, sizeof *edit->profiles);
+    for (int i = 0; i < count; i++) {
+        Text name = {0};
+        text_format(&name, "%.*s", (int)strlen(entries[i]->d_name) - 5, entries[i]->d_name);
+        if (strcmp(name.text, USUAL_PROFILE) == 0)
+            edit->items[TOOL_PERSON] = edit->profile_count;
+        edit->profiles[edit->profile_count++] = name.text;
+        free(entries[i]);
+    }
+    free(entries);
+}
+
+void edit_items_stock(HouseSession *live) {
+    if (live->edit.stocked)
+        return;
+    live->edit.stocked = true;
+    Fault none = {0}; /* what is wrong with a shipped file is seen by its test */
+    catalogue_read_folder(&live->edit.catalogue, shipped_places()->furniture, &none);
+    fault_clear(&none);
+    stock_profiles(live);
+}
+
+void edit_items_clear(HouseSession *live) {
+    Editor *edit = &live->edit;
+    for (size_t i = 0; i < edit->profile_count; i++)
+        memory_free(edit->profiles[i]);
+    memory_free(edit->profiles);
+    memory_free(edit->item_rows);
+    arena_clear(&edit->item_words);
+    catalogue_free(&edit->catalogue);
+}
+
+static void add(Editor *edit, size_t *count, CatalogueRow item) {
+    edit->item_rows = memory_reserve(edit->item_rows, &edit->item_capacity, *count + 1, sizeof *edit->item_rows);
+    edit->item_rows[(*count)++] = item;
+}
+
+static void list_furniture(Editor *edit, size_t *count) {
+    add(edit, count, (CatalogueRow){"free rectangle", "", "as large as it is drawn out"});
+    for (size_t i = 0; i < edit->catalogue.count; i++) {
+        const CatalogueItem *item = &edit->catalogue.items[i];
+        add(edit, count,
+            (CatalogueRow){item->name, item->group,
+                           text_in_arena(&edit->item_words, "%.2f x %.2f m, %.2f m high (%s)", item->size.x,
+                                         item->size.y, item->height, item->provenance)});
+    }
+}
+
+const CatalogueRow *edit_items_list(HouseSession *live, size_t *count) {
+    Editor *edit = &live->edit;
+    *count = 0;
+    edit_items_stock(live);
+    arena_clear(&edit->item_words);
+    if (edit->tool == TOOL_FURNITURE) {
+        list_furniture(edit, count);
+    } else if (edit->tool == TOOL_PERSON) {
+        for (size_t i = 0; i < edit->profile_count; i++)
+            add(edit, count, (CatalogueRow){edit->profiles[i], "", ""});
+    } else if (edit->tool == TOOL_DOOR) {
+        add(edit, count, (CatalogueRow){"hinged", "", "a leaf that swings"});
+        add(edit, count, (CatalogueRow){"opening", "", "nothing closes it"});
+        add(edit, count, (CatalogueRow){"sliding", "", "a leaf that slides beside it"});
+    }
+    if (edit->tool == TOOL_IMAGE) {
+        add(edit, count, (CatalogueRow){"scale", "", "two points and how far they really are apart"});
+        add(edit, count, (CatalogueRow){"level", "", "two points that are level, or one above the other"});
+    }
+    return edit->item_rows;
+}

@@ -1,0 +1,69 @@
+/* Distances that are measured, and whether a chair goes through. */
+#include <math.h>
+#include <stdio.h>
+
+#include "laboratory/house/session_parts.h"
+
+double edit_measure_chair(const HouseSession *live) {
+    double width = HUGE_VAL;
+    for (size_t i = 0; live->shown && i < live->shown->house.profile_count; i++) {
+        const Profile *profile = &live->shown->house.profiles[i];
+        if (profile->driving != DRIVING_WALKER)
+            width = fmin(width, profile->width);
+    }
+    return width;
+}
+
+void edit_measure_say(double length, double chair, char *words, size_t size) {
+    if (!isfinite(chair))
+        snprintf(words, size, "%.2f m", length);
+    else if (length >= chair)
+        snprintf(words, size, "%.2f m: %.2f m to spare", length, length - chair);
+    else
+        snprintf(words, size, "%.2f m: %.2f m too narrow", length, chair - length);
+}
+
+/* The side of something that is nearest to a place, within reach. */
+typedef struct Side {
+    Vec2 from, to;
+    double distance; /* m */
+} Side;
+
+static void offer(Side *side, Vec2 at, Vec2 from, Vec2 to) {
+    double distance = vec2_distance(at, vec2_nearest_on_segment(at, from, to));
+    if (distance < side->distance)
+        *side = (Side){from, to, distance};
+}
+
+bool edit_measure_side(HouseSession *live) {
+    Editor *edit = &live->edit;
+    const Plan *plan = draft_plan(live->draft);
+    Side side = {.distance = edit->hand.reach};
+    for (size_t w = 0; w < plan->wall_count; w++)
+        for (size_t s = 0; s + 1 < plan->walls[w].points.count; s++) {
+            const Vec2 *ends = plan->walls[w].points.at + s;
+            Vec2 out = vec2_scale(vec2_left(vec2_unit(vec2_sub(ends[1], ends[0]))), plan->walls[w].thickness / 2);
+            offer(&side, edit->hand.at, vec2_add(ends[0], out), vec2_add(ends[1], out));
+            offer(&side, edit->hand.at, vec2_sub(ends[0], out), vec2_sub(ends[1], out));
+        }
+    for (size_t f = 0; f < plan->furniture_count; f++) {
+        Vec2 corners[4];
+        plan_furniture_corners(&plan->furniture[f], corners);
+        for (int i = 0; i < 4; i++)
+            offer(&side, edit->hand.at, corners[i], corners[(i + 1) % 4]);
+    }
+    if (!(side.distance < edit->hand.reach))
+        return false;
+    edit_measure_keep(live, side.from, side.to);
+    return true;
+}
+
+void edit_measure_keep(HouseSession *live, Vec2 from, Vec2 to) {
+    Editor *edit = &live->edit;
+    if (edit->measure_count == EDIT_MEASURES) {
+        for (size_t i = 1; i < EDIT_MEASURES; i++)
+            edit->measures[i - 1] = edit->measures[i];
+        edit->measure_count--;
+    }
+    edit->measures[edit->measure_count++] = (EditMeasure){from, to};
+}

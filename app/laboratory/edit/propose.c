@@ -1,0 +1,189 @@
+/* Changes that let everybody out, looked for on a thread of their own. */
+#include <pthread.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/parallel.h"
+#include "base/text.h"
+#include "plan/draft_parameter.h"
+#include "inquiry/suggest.h"
+#include "laboratory/house/session_parts.h"
+
+/* Somebody has asked. */
+struct EditSearch {
+    pthread_t thread;
+    volatile sig_atomic_t stop;
+    uint64_t revision; /* of the draft that it is about */
+    char *text, *path, *profiles;
+    HouseOptions options;
+    int jobs;
+    pthread_mutex_t mutex; /* of all that follows */
+    size_t tries;
+    bool over;
+    /* When it is over. */
+    SuggestList list;
+    Proposal rows[SUGGEST_MOST];
+    char answers[SUGGEST_MOST][64];
+    EditSearch *next; /* of those that are given up and have not ended yet */
+};
+
+static void count_tries(void *context, size_t tries) {
+    EditSearch *search = context;
+    pthread_mutex_lock(&search->mutex);
+    search->tries = tries;
+    pthread_mutex_unlock(&search->mutex);
+}
+
+static void *look(void *context) {
+    EditSearch *search = context;
+    Fault none = {0}; /* a house that cannot be read has no changes; that it cannot is said of its run */
+    SuggestTask task = {.path = search->path,
+                        .text = search->text,
+                        .options = &search->options,
+                        .jobs = search->jobs,
+                        .stop = &search->stop,
+                        .progress = count_tries,
+                        .context = search};
+    SuggestList list = {0};
+    suggest_find(&list, &task, &none);
+    fault_clear(&none);
+    pthread_mutex_lock(&search->mutex);
+    search->list = list;
+    search->over = true;
+    pthread_mutex_unlock(&search->mutex);
+    return NULL;
+}
+
+static bool is_over(EditSearch *search) {
+    pthread_mutex_lock(&search->mutex);
+    bool over = search->over;
+    pthread_mutex_unlock(&search->mutex);
+    return over;
+}
+
+static void destroy(EditSearch *search) {
+    pthread_join(search->thread, NULL);
+    pthread_mutex_destroy(&search->mutex);
+    suggest_clear(&search->list);
+    memory_free(search->text);
+    memory_free(search->path);
+    memory_free(search->profiles);
+    memory_free(search);
+}
+
+/* Those that are given up and have ended. */
+static void reap(Editor *edit, bool wait) {
+    EditSearch **at = &edit->given_up;
+    while (*at) {
+        EditSearch *search = *at;
+        if (!wait && !is_over(search)) {
+            at = &search->next;
+            continue;
+        }
+        *at = search->next;
+        destroy(search);
+    }
+}
+
+static void give_up(Editor *edit) {
+    EditSearch *search = edit->search;
+    if (!search)
+        return;
+    parallel_stop(&search->stop);
+    search->next = edit->given_up;
+    edit->given_up = search;
+    edit->search = NULL;
+}
+
+void edit_propose_end(HouseSession *live) {
+    give_up(&live->edit);
+    reap(&live->edit, true);
+}
+
+void edit_propose_ask(HouseSession *live) {
+    Editor *edit = &live->edit;
+    give_up(edit);
+    reap(edit, false);
+    EditSearch *search = memory_zeroed(1, sizeof *search);
+    search->revision = draft_revision(live->draft);
+    search->text = text_copy(draft_text(live->draft));
+    search->path = text_copy(live->wish.path);
+    search->profiles = text_copy(live->wish.profiles);
+    search->options =
+        (HouseOptions){.profiles = search->profiles, .seed = live->wish.seed, .driving = live->wish.driving};
+    search->jobs = live->wish.jobs;
+    pthread_mutex_init(&search->mutex, NULL);
+    if (pthread_create(&search->thread, NULL, look, search) == 0) {
+        edit->search = search;
+        return;
+    }
+    pthread_mutex_destroy(&search->mutex);
+    memory_free(search->text);
+    memory_free(search->path);
+    memory_free(search->profiles);
+    memory_free(search);
+}
+
+/* What is said when nothing is proposed. */
+static const char *say_nothing(const SuggestList *list) {
+    return list->out_already  ? "everybody gets out as it is"
+           : list->note_count ? list->notes[0]
+                              : "no change of doors or furniture lets everybody out";
+}
+
+const Proposal *edit_propose_list(HouseSession *live, size_t *count, const char **doing) {
+    Editor *edit = &live->edit;
+    EditSearch *search = edit->search;
+    *count = 0;
+    *doing = NULL;
+    if (search && search->revision != draft_revision(live->draft))
+        give_up(edit); /* it is about another house */
+    reap(edit, false);
+    search = edit->search;
+    if (!search)
+        return NULL;
+    if (!is_over(search)) {
+        pthread_mutex_lock(&search->mutex);
+        snprintf(edit->proposing, sizeof edit->proposing, "changes tried: %zu", search->tries);
+        pthread_mutex_unlock(&search->mutex);
+        *doing = edit->proposing;
+        return NULL;
+    }
+    *count = search->list.count;
+    for (size_t i = 0; i < *count; i++) {
+        snprintf(search->answers[i], sizeof search->answers[i], "everybody out in %.1f s", search->list.list[i].time);
+        search->rows[i] = (Proposal){search->list.list[i].words, search->answers[i]};
+    }
+    if (!*count)
+        *doing = say_nothing(&search->list);
+    return search->rows;
+}
+
+/* One NAME=VALUE of a proposal. */
+static bool set(HouseSession *live, const char *setting, Fault *fault) {
+    const char *equals = strchr(setting, '=');
+    char name[2 * EDIT_NAME];
+    snprintf(name, sizeof name, "%.*s", (int)(equals - setting), setting);
+    json_t *value = json_loads(equals + 1, JSON_DECODE_ANY, NULL);
+    return draft_parameter_set(live->draft, name, value ? value : json_string(equals + 1), fault);
+}
+
+bool edit_propose_accept(HouseSession *live, size_t proposal, Fault *fault) {
+    size_t count;
+    const char *doing;
+    edit_propose_list(live, &count, &doing);
+    if (proposal >= count) {
+        fault_add(fault, "there is no such proposal any more, ask again");
+        return false;
+    }
+    const Suggestion *chosen = &live->edit.search->list.list[proposal];
+    bool good = true;
+    edit_gesture_open(live, chosen->words);
+    for (size_t i = 0; i < chosen->setting_count && good; i++)
+        good = set(live, chosen->settings[i], fault);
+    if (good)
+        return edit_gesture_close(live, fault);
+    draft_cancel(live->draft);
+    return false;
+}

@@ -1,0 +1,263 @@
+/* What is selected, by its ids: they stay what they are while the plan changes. */
+#include <stdio.h>
+#include <string.h>
+
+#include "laboratory/house/session_parts.h"
+
+/* Things and ids --------------------------------------------------------------------------------------------------- */
+
+const char *edit_select_id(const HouseSession *live, Item thing) {
+    size_t index;
+    if (!live->shown || thing.kind == HOUSE_HAZARD ||
+        thing.index >= house_item_count(&live->shown->house, NULL, thing.kind))
+        return "";
+    const char *id = house_item_id(&live->shown->house, thing);
+    return draft_find(live->draft, id, &index) < DRAFT_LISTS ? id : ""; /* not somebody of a crowd, nor what is gone */
+}
+
+Item edit_select_thing(const HouseSession *live, const char *id) {
+    static const int kinds[DRAFT_LISTS] = {[DRAFT_WALLS] = HOUSE_WALL,
+                                           [DRAFT_DOORS] = HOUSE_DOOR,
+                                           [DRAFT_FURNITURE] = HOUSE_FURNITURE,
+                                           [DRAFT_EXITS] = HOUSE_EXIT,
+                                           [DRAFT_PEOPLE] = HOUSE_PERSON};
+    size_t index;
+    DraftList list = draft_find(live->draft, id, &index);
+    if (!live->shown || list == DRAFT_LISTS || !kinds[list])
+        return (Item){0, 0};
+    return house_item_find(&live->shown->house, kinds[list], id);
+}
+
+/* The list --------------------------------------------------------------------------------------------------------- */
+
+static size_t find(const Editor *edit, const char *id) {
+    size_t i = 0;
+    while (i < edit->id_count && strcmp(edit->ids[i], id) != 0)
+        i++;
+    return i;
+}
+
+static void forget(Editor *edit, size_t i) {
+    memory_free(edit->ids[i]);
+    memmove(edit->ids + i, edit->ids + i + 1, (edit->id_count - i - 1) * sizeof *edit->ids);
+    edit->id_count--;
+}
+
+static void clear(Editor *edit) {
+    while (edit->id_count)
+        forget(edit, edit->id_count - 1);
+    edit->handle = -1;
+}
+
+static void append(Editor *edit, const char *id) {
+    Text copy = {0};
+    text_add(&copy, id);
+    edit->ids = memory_reserve(edit->ids, &edit->id_capacity, edit->id_count + 1, sizeof *edit->ids);
+    edit->ids[edit->id_count++] = copy.text;
+}
+
+/* What is selected by itself is the last of them, where the run that is shown has it. */
+static void tell(HouseSession *live) {
+    Editor *edit = &live->edit;
+    edit->told = edit->id_count ? edit_select_thing(live, edit->ids[edit->id_count - 1]) : (Item){0, 0};
+    house_laboratory.select(live, edit->told);
+}
+
+/* Forgets what is no longer there; has anything been? */
+static bool forget_gone(HouseSession *live) {
+    Editor *edit = &live->edit;
+    size_t index, before = edit->id_count;
+    for (size_t i = edit->id_count; i > 0; i--)
+        if (draft_find(live->draft, edit->ids[i - 1], &index) == DRAFT_LISTS)
+            forget(edit, i - 1);
+    if (edit->id_count != before)
+        edit->handle = -1;
+    return edit->id_count != before;
+}
+
+void edit_select_meet(HouseSession *live) {
+    Editor *edit = &live->edit;
+    if (forget_gone(live))
+        tell(live);
+    const char *id = edit_select_id(live, live->selected);
+    const char *last = edit->id_count ? edit->ids[edit->id_count - 1] : "";
+    if (strcmp(id, last) == 0)
+        return;
+    bool shown = edit_select_thing(live, last).kind != HOUSE_NOTHING;
+    if (!live->selected.kind && !shown && *last) {
+        edit->told = (Item){0, 0}; /* of what is not shown yet, or cannot be selected by itself */
+        return;
+    }
+    if (!live->selected.kind && shown && !edit->told.kind) {
+        tell(live); /* it is shown now */
+        return;
+    }
+    char *kept = text_copy(id); /* which may be one that is cleared */
+    clear(edit);
+    if (*kept)
+        append(edit, kept);
+    memory_free(kept);
+    edit->told = live->selected;
+}
+
+void edit_select_only(HouseSession *live, const char *id) {
+    Editor *edit = &live->edit;
+    char *kept = text_copy(id ? id : "");
+    if (edit->id_count != 1 || strcmp(edit->ids[0], kept) != 0)
+        clear(edit);
+    if (*kept && !edit->id_count)
+        append(edit, kept);
+    memory_free(kept);
+    tell(live);
+}
+
+void edit_select_toggle(HouseSession *live, const char *id) {
+    Editor *edit = &live->edit;
+    size_t i = find(edit, id);
+    edit->handle = -1;
+    if (i < edit->id_count)
+        forget(edit, i);
+    else
+        append(edit, id);
+    tell(live);
+}
+
+void edit_select_known(HouseSession *live) {
+    forget_gone(live);
+    tell(live);
+}
+
+bool edit_select_has(const HouseSession *live, const char *id) {
+    return find(&live->edit, id) < live->edit.id_count;
+}
+
+/* Many ------------------------------------------------------------------------------------------------------------ */
+
+static Box box_of(const Vec2 *points, size_t count) {
+    Box box = box_empty();
+    for (size_t i = 0; i < count; i++)
+        box = box_include(box, points[i]);
+    return box;
+}
+
+/* Where an element of a list lies; false: it is nowhere. */
+static bool find_box(const Plan *plan, DraftList list, size_t i, Box *box) {
+    Vec2 corners[4];
+    switch (list) {
+    case DRAFT_WALLS:
+        *box = box_of(plan->walls[i].points.at, plan->walls[i].points.count);
+        return true;
+    case DRAFT_DOORS:
+        plan_door_ends(plan, &plan->doors[i], &corners[0], &corners[1]);
+        *box = box_of(corners, 2);
+        return true;
+    case DRAFT_FURNITURE:
+        plan_furniture_corners(&plan->furniture[i], corners);
+        *box = box_of(corners, 4);
+        return true;
+    case DRAFT_ROOMS:
+        *box = box_of(plan->rooms[i].outline.at, plan->rooms[i].outline.count);
+        return true;
+    case DRAFT_EXITS:
+        *box = box_of((Vec2[]){plan->exits[i].from, plan->exits[i].to}, 2);
+        return true;
+    case DRAFT_PEOPLE:
+        *box = box_around(plan->people[i].at, 0);
+        return true;
+    case DRAFT_CROWDS:
+        *box = box_of(plan->crowds[i].area.at, plan->crowds[i].area.count);
+        return true;
+    default:
+        return false;
+    }
+}
+
+void edit_select_within(HouseSession *live, Box within, bool more) {
+    Editor *edit = &live->edit;
+    const Plan *plan = draft_plan(live->draft);
+    Box box;
+    if (!more)
+        clear(edit);
+    for (int l = 0; l < DRAFT_LISTS; l++)
+        for (size_t i = 0; i < draft_count(live->draft, (DraftList)l); i++) {
+            const char *id = json_string_value(json_object_get(draft_at(live->draft, (DraftList)l, i), "id"));
+            if (find_box(plan, (DraftList)l, i, &box) && box_holds(within, box.low) && box_holds(within, box.high) &&
+                find(edit, id) == edit->id_count)
+                append(edit, id);
+        }
+    tell(live);
+}
+
+void edit_select_all(HouseSession *live) {
+    edit_select_within(live, (Box){{-HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL}}, false);
+}
+
+/* Pointing -------------------------------------------------------------------------------------------------------- */
+
+static bool holds(const Points *points, Vec2 p) {
+    bool inside = false;
+    for (size_t i = 0, j = points->count - 1; i < points->count; j = i++) {
+        Vec2 a = points->at[i], b = points->at[j];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
+    }
+    return inside;
+}
+
+/* The smallest thing of the draft that lies at a place, walls last; NULL: none. For what no run shows yet. */
+static const char *find_at(const HouseSession *live, Vec2 at) {
+    static const DraftList order[] = {DRAFT_PEOPLE, DRAFT_DOORS, DRAFT_FURNITURE, DRAFT_EXITS};
+    const Plan *plan = draft_plan(live->draft);
+    for (size_t k = 0; k < sizeof order / sizeof *order; k++)
+        for (size_t i = draft_count(live->draft, order[k]); i > 0; i--) {
+            Vec2 corners[4];
+            Box box;
+            if (!find_box(plan, order[k], i - 1, &box) || !box_holds(box_expand(box, live->edit.hand.reach), at))
+                continue;
+            if (order[k] == DRAFT_FURNITURE)
+                plan_furniture_corners(&plan->furniture[i - 1], corners);
+            if (order[k] == DRAFT_FURNITURE && !holds(&(Points){corners, 4}, at))
+                continue;
+            return json_string_value(json_object_get(draft_at(live->draft, order[k], i - 1), "id"));
+        }
+    SnapWall wall;
+    if (snap_wall(plan, at, &wall) &&
+        wall.distance <= real_max(live->edit.hand.reach, plan->walls[wall.wall].thickness / 2))
+        return plan->walls[wall.wall].id;
+    return NULL;
+}
+
+const char *edit_select_at(HouseSession *live, Vec2 at) {
+    const Plan *plan = draft_plan(live->draft);
+    bool shown = live->shown && house_run_revision(live->shown) == draft_revision(live->draft);
+    const char *id =
+        shown ? edit_select_id(live, house_laboratory.pick(live, at, live->time, (Item){0, 0})) : find_at(live, at);
+    if (id && *id)
+        return id;
+    for (size_t r = plan->room_count; r > 0; r--)
+        if (holds(&plan->rooms[r - 1].outline, at))
+            return plan->rooms[r - 1].id;
+    return NULL;
+}
+
+/* Names ----------------------------------------------------------------------------------------------------------- */
+
+void edit_select_name(const HouseSession *live, const char *id, char name[EDIT_NAME]) {
+    static const char *const words[DRAFT_LISTS] = {"wall", "door",   "furniture", "room",
+                                                   "exit", "person", "crowd",     "route"};
+    size_t index;
+    DraftList list = draft_find(live->draft, id, &index);
+    const char *called =
+        list < DRAFT_LISTS ? json_string_value(json_object_get(draft_at(live->draft, list, index), "name")) : NULL;
+    if (called && *called && strcmp(called, id) != 0)
+        snprintf(name, EDIT_NAME, "%.60s (%.40s)", called, id);
+    else
+        snprintf(name, EDIT_NAME, "%s %.60s", list < DRAFT_LISTS ? words[list] : "", id);
+}
+
+void edit_select_names(const HouseSession *live, char name[EDIT_NAME]) {
+    if (live->edit.id_count == 1)
+        edit_select_name(live, live->edit.ids[0], name);
+    else
+        snprintf(name, EDIT_NAME, "%zu things", live->edit.id_count);
+}

@@ -1,0 +1,103 @@
+/* The earthquake: each shake is one of the house as it stood before the last one, so that they do not add up. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "house/shake.h"
+#include "laboratory/house/session_parts.h"
+
+/* The shake whose outcome the draft still is, or has become again by undoing; NULL: it is of none. */
+static const EditShake *last_shake(const HouseSession *live) {
+    const Editor *edit = &live->edit;
+    uint64_t revision = draft_revision(live->draft);
+    for (size_t i = edit->shake_count; i-- > 0;)
+        if (edit->shakes[i].revision == revision)
+            return &edit->shakes[i];
+    return NULL;
+}
+
+/* The furniture as before that shake (furniture_count). New; memory_free it. */
+static Furniture *furniture_before(const Plan *plan, const EditShake *shake) {
+    Furniture *before = memory_zeroed(plan->furniture_count + 1, sizeof *before);
+    for (size_t i = 0; i < plan->furniture_count; i++) {
+        before[i] = plan->furniture[i];
+        for (size_t k = 0; shake && k < shake->count; k++)
+            if (strcmp(shake->ids[k], before[i].id) == 0)
+                before[i].toppled = false;
+    }
+    return before;
+}
+
+/* Remembers which pieces have fallen. */
+static EditShake *keep(Editor *edit, const Plan *plan, const bool *topples, size_t count) {
+    edit->shakes = memory_reserve(edit->shakes, &edit->shake_capacity, edit->shake_count + 1, sizeof *edit->shakes);
+    EditShake *shake = &edit->shakes[edit->shake_count++];
+    const char **ids = arena_allocate(&edit->shake_arena, (count + 1) * sizeof *ids);
+    *shake = (EditShake){.ids = ids};
+    for (size_t i = 0; i < plan->furniture_count; i++)
+        if (topples[i])
+            ids[shake->count++] = arena_text(&edit->shake_arena, plan->furniture[i].id);
+    return shake;
+}
+
+static void say(Editor *edit, size_t fallen, size_t all) {
+    char count[24] = "none";
+    if (fallen)
+        snprintf(count, sizeof count, "%zu", fallen);
+    snprintf(edit->shaken, sizeof edit->shaken, "shake %" PRIu64 ": %s of %zu piece%s fell", edit->seed, count, all,
+             all == 1 ? "" : "s");
+}
+
+/* One step from the house as it is to what the seed makes of the house before. */
+static bool make(HouseSession *live, const Furniture *before, const bool *topples, Fault *fault) {
+    const Plan *plan = draft_plan(live->draft);
+    char name[EDIT_NAME];
+    snprintf(name, sizeof name, "S%s", live->edit.shaken + 1);
+    edit_gesture_open(live, name);
+    for (size_t i = 0; i < plan->furniture_count; i++) {
+        bool lies = before[i].toppled || topples[i];
+        if (lies != plan->furniture[i].toppled)
+            draft_set(live->draft, plan->furniture[i].id, "toppled", json_boolean(lies));
+    }
+    return edit_gesture_close(live, fault);
+}
+
+static bool can_anything_fall(const Plan *plan) {
+    for (size_t i = 0; i < plan->furniture_count; i++)
+        if (shake_can_topple(&plan->furniture[i]))
+            return true;
+    return false;
+}
+
+bool edit_shake_do(HouseSession *live, Fault *fault) {
+    Editor *edit = &live->edit;
+    Plan before = *draft_plan(live->draft);
+    Furniture *furniture = furniture_before(&before, last_shake(live));
+    before.furniture = furniture;
+    if (!can_anything_fall(&before)) {
+        memory_free(furniture);
+        fault_add(fault, "no furniture that stands here can fall: choose the face that a piece falls to");
+        return false;
+    }
+    bool *topples = memory_zeroed(before.furniture_count + 1, sizeof *topples);
+    size_t count = 0;
+    shake_draw(&before, ++edit->seed, topples);
+    for (size_t i = 0; i < before.furniture_count; i++)
+        count += topples[i];
+    EditShake *shake = keep(edit, &before, topples, count);
+    say(edit, count, before.furniture_count);
+    bool good = make(live, furniture, topples, fault);
+    shake->revision = draft_revision(live->draft);
+    edit->shake_count -= !good;
+    if (good)
+        house_fall_shake(live, edit->seed, shake->ids, shake->count);
+    memory_free(topples);
+    memory_free(furniture);
+    return good;
+}
+
+void edit_shake_clear(HouseSession *live) {
+    memory_free(live->edit.shakes);
+    arena_clear(&live->edit.shake_arena);
+}

@@ -1,0 +1,272 @@
+/* What has points: walls, outlines of rooms, exits, routes. A wall's point takes with it the points of other walls that
+ * lie there, so that corners stay closed. */
+#include <math.h>
+#include <string.h>
+
+#include "laboratory/house/session_parts.h"
+
+static const double JOINED = 1e-6; /* m: points of walls that lie so near are one corner */
+
+enum { FIELD_LENGTH, FIELD_ANGLE, FIELD_X, FIELD_Y };
+
+/* Places that move, and where to. */
+typedef struct Shift {
+    Vec2 *from, *to; /* (count) m */
+    size_t count;
+} Shift;
+
+/* The points that the held element had at the beginning; an exit's two ends are `ends`. */
+static Points points_before(const HouseSession *live, Vec2 ends[2]) {
+    const Plan *plan = &live->edit.begun;
+    const char *id = live->edit.held;
+    for (size_t i = 0; i < plan->wall_count; i++)
+        if (strcmp(plan->walls[i].id, id) == 0)
+            return plan->walls[i].points;
+    for (size_t i = 0; i < plan->room_count; i++)
+        if (strcmp(plan->rooms[i].id, id) == 0)
+            return plan->rooms[i].outline;
+    for (size_t i = 0; i < plan->route_count; i++)
+        if (strcmp(plan->routes[i].id, id) == 0)
+            return plan->routes[i].via;
+    for (size_t i = 0; i < plan->exit_count; i++)
+        if (strcmp(plan->exits[i].id, id) == 0) {
+            ends[0] = plan->exits[i].from;
+            ends[1] = plan->exits[i].to;
+            return (Points){ends, 2};
+        }
+    return (Points){.count = 0};
+}
+
+/* The point that the held one is drawn from: its neighbour. NULL: it has none. */
+static const Vec2 *neighbour(const HouseSession *live, const Points *points) {
+    size_t i = live->edit.grip.index;
+    if (points->count < 2)
+        return NULL;
+    if (i > 0)
+        return &points->at[i - 1];
+    bool round = live->edit.grip.list == DRAFT_ROOMS;
+    return round ? &points->at[points->count - 1] : &points->at[1];
+}
+
+static void follow_typed_line(HouseSession *live, const Vec2 *from) {
+    Editor *edit = &live->edit;
+    double length = from ? vec2_distance(*from, edit->now.at) : 0;
+    double angle = from ? snap_angle(vec2_sub(edit->now.at, *from)) : 0;
+    bool typed = edit_field_typed(live, FIELD_LENGTH, &length);
+    typed |= edit_field_typed(live, FIELD_ANGLE, &angle);
+    if (typed && from) {
+        Vec2 at = vec2_along(*from, length, snap_heading(angle));
+        edit->now.at = vec2(snap_tidy(at.x), snap_tidy(at.y));
+    }
+    edit_field_typed(live, FIELD_X, &edit->now.at.x);
+    edit_field_typed(live, FIELD_Y, &edit->now.at.y);
+    if (from) {
+        edit_field_show(live, FIELD_LENGTH, vec2_distance(*from, edit->now.at));
+        edit_field_show(live, FIELD_ANGLE, snap_angle(vec2_sub(edit->now.at, *from)));
+    }
+    edit_field_show(live, FIELD_X, edit->now.at.x);
+    edit_field_show(live, FIELD_Y, edit->now.at.y);
+}
+
+static void follow_point(HouseSession *live) {
+    Editor *edit = &live->edit;
+    Vec2 ends[2];
+    Points points = points_before(live, ends);
+    const Vec2 *from = neighbour(live, &points);
+    const char *without[] = {edit->held};
+    edit->now.at = edit->keys ? edit->grip.at
+                              : edit_gesture_snap(live, (SnapAsk){.from = from,
+                                                                  .along = NAN,
+                                                                  .faces = edit->grip.list == DRAFT_ROOMS,
+                                                                  .doors = edit->grip.list == DRAFT_EXITS,
+                                                                  .without = without,
+                                                                  .without_count = 1});
+    if (edit->field_count > FIELD_Y) {
+        follow_typed_line(live, from);
+        return;
+    }
+    edit_field_typed(live, 0, &edit->now.at.x);
+    edit_field_typed(live, 1, &edit->now.at.y);
+    edit_field_show(live, 0, edit->now.at.x);
+    edit_field_show(live, 1, edit->now.at.y);
+}
+
+/* Is a place a point of any wall but this one's own segment? */
+static bool is_joined(const Plan *plan, const char *id, size_t segment, Vec2 at) {
+    for (size_t w = 0; w < plan->wall_count; w++)
+        for (size_t i = 0; i < plan->walls[w].points.count; i++) {
+            bool own = strcmp(plan->walls[w].id, id) == 0 && (i == segment || i == segment + 1);
+            if (own && i > 0 && i + 1 < plan->walls[w].points.count)
+                return true; /* a neighbour in the same wall */
+            if (!own && vec2_distance(plan->walls[w].points.at[i], at) < JOINED)
+                return true;
+        }
+    return false;
+}
+
+/* A piece of a wall, or an exit, goes with the hand; what is joined to others only to its sides. */
+static void follow_piece(HouseSession *live) {
+    Editor *edit = &live->edit;
+    Vec2 ends[2];
+    Points points = points_before(live, ends);
+    const Vec2 *piece = points.at + edit->grip.index;
+    const char *without[] = {edit->held};
+    Vec2 at = edit->keys
+                  ? edit->grip.at
+                  : edit_gesture_snap(
+                        live, (SnapAsk){.along = NAN, .from = &edit->grip.at, .without = without, .without_count = 1});
+    edit_field_typed(live, 0, &at.x);
+    edit_field_typed(live, 1, &at.y);
+    bool joined = edit->grip.grip == GRIP_SEGMENT && (is_joined(&edit->begun, edit->held, edit->grip.index, piece[0]) ||
+                                                      is_joined(&edit->begun, edit->held, edit->grip.index, piece[1]));
+    if (joined) {
+        Vec2 side = vec2_left(snap_heading(snap_angle(vec2_sub(piece[1], piece[0]))));
+        at = vec2_along(edit->grip.at, vec2_dot(vec2_sub(at, edit->grip.at), side), side);
+        edit->snap.guide_count = 0;
+    }
+    edit->now.at = edit->snap.at = vec2(snap_tidy(at.x), snap_tidy(at.y));
+    edit_field_show(live, 0, edit->now.at.x);
+    edit_field_show(live, 1, edit->now.at.y);
+}
+
+void edit_shape_follow(HouseSession *live) {
+    if (live->edit.grip.grip == GRIP_POINT)
+        follow_point(live);
+    else
+        follow_piece(live);
+}
+
+/* Making ---------------------------------------------------------------------------------------------------------- */
+
+/* Doors stay where they are on a segment whose beginning moves: as far from its other end. */
+static void keep_doors(HouseSession *live, const Plan *plan, size_t w, const Vec2 *moved) {
+    const Vec2 *before = plan->walls[w].points.at;
+    for (size_t d = 0; d < plan->door_count; d++) {
+        const Door *door = &plan->doors[d];
+        size_t s = (size_t)door->segment;
+        if (door->wall_index != w)
+            continue;
+        bool begins = vec2_distance(before[s], moved[s]) > 0, ends = vec2_distance(before[s + 1], moved[s + 1]) > 0;
+        double grown = vec2_distance(moved[s], moved[s + 1]) - vec2_distance(before[s], before[s + 1]);
+        if (begins && !ends)
+            draft_set_number(live->draft, door->id, "at", snap_tidy(door->at + grown));
+    }
+}
+
+static Vec2 shifted(const Shift *shift, Vec2 at) {
+    for (size_t i = 0; i < shift->count; i++)
+        if (vec2_distance(at, shift->from[i]) < JOINED)
+            return shift->to[i];
+    return at;
+}
+
+static void shift_wall(HouseSession *live, const Plan *plan, size_t w, const Shift *shift) {
+    const Wall *wall = &plan->walls[w];
+    Vec2 *moved = memory_zeroed(wall->points.count, sizeof *moved);
+    bool any = false;
+    for (size_t i = 0; i < wall->points.count; i++) {
+        moved[i] = shifted(shift, wall->points.at[i]);
+        any |= vec2_distance(moved[i], wall->points.at[i]) > 0;
+    }
+    if (any) {
+        draft_set_points(live->draft, wall->id, "points", moved, wall->points.count);
+        keep_doors(live, plan, w, moved);
+    }
+    memory_free(moved);
+}
+
+void edit_shape_make(HouseSession *live) {
+    const Editor *edit = &live->edit;
+    Vec2 ends[2], by = vec2_sub(edit->now.at, edit->grip.at), from[2], to[2];
+    Points before = points_before(live, ends);
+    size_t first = edit->grip.index, count = edit->grip.grip == GRIP_POINT ? 1 : 2;
+    for (size_t i = 0; i < count; i++) {
+        Vec2 goal = count == 1 ? edit->now.at : vec2_add(before.at[first + i], by);
+        from[i] = before.at[first + i];
+        to[i] = vec2(snap_tidy(goal.x), snap_tidy(goal.y));
+    }
+    Shift shift = {from, to, count};
+    for (size_t w = 0; edit->grip.list == DRAFT_WALLS && w < edit->begun.wall_count; w++)
+        if (!edit->hand.free || strcmp(edit->begun.walls[w].id, edit->held) == 0)
+            shift_wall(live, &edit->begun, w, &shift);
+    if (edit->grip.list == DRAFT_WALLS)
+        return;
+    Vec2 *moved = memory_zeroed(before.count, sizeof *moved);
+    for (size_t i = 0; i < before.count; i++)
+        moved[i] = i >= first && i < first + count ? to[i - first] : before.at[i];
+    if (edit->grip.list == DRAFT_EXITS) {
+        draft_set_point(live->draft, edit->held, "from", moved[0]);
+        draft_set_point(live->draft, edit->held, "to", moved[1]);
+    } else {
+        const char *member = edit->grip.list == DRAFT_ROOMS ? "outline" : "via";
+        draft_set_points(live->draft, edit->held, member, moved, before.count);
+    }
+    memory_free(moved);
+}
+
+/* All that is selected --------------------------------------------------------------------------------------------- */
+
+/* The corners of all walls that are selected, and where they go; memory_free both. */
+static Shift shift_of_selected(HouseSession *live, const Plan *plan, Vec2 by) {
+    size_t most = 0, count = 0;
+    for (size_t w = 0; w < plan->wall_count; w++)
+        most += edit_select_has(live, plan->walls[w].id) ? plan->walls[w].points.count : 0;
+    Shift shift = {memory_zeroed(most, sizeof(Vec2)), memory_zeroed(most, sizeof(Vec2)), most};
+    for (size_t w = 0; w < plan->wall_count; w++)
+        for (size_t i = 0; edit_select_has(live, plan->walls[w].id) && i < plan->walls[w].points.count; i++) {
+            Vec2 to = vec2_add(plan->walls[w].points.at[i], by);
+            shift.from[count] = plan->walls[w].points.at[i];
+            shift.to[count++] = vec2(snap_tidy(to.x), snap_tidy(to.y));
+        }
+    return shift;
+}
+
+/* Along their walls, unless those go too. */
+static void slide_doors(HouseSession *live, const Plan *plan, Vec2 by) {
+    for (size_t d = 0; d < plan->door_count; d++) {
+        const Door *door = &plan->doors[d];
+        const Wall *wall = &plan->walls[door->wall_index];
+        if (!edit_select_has(live, door->id) || edit_select_has(live, wall->id))
+            continue;
+        const Vec2 *ends = wall->points.at + door->segment;
+        double along = vec2_dot(by, vec2_unit(vec2_sub(ends[1], ends[0])));
+        draft_set_number(live->draft, door->id, "at", snap_tidy(door->at + along));
+    }
+}
+
+/* A place that turning and adding have left digits on. */
+static json_t *tidy_place(const json_t *place, Vec2 by) {
+    return json_pack("[o, o]", json_number(snap_tidy(json_number_value(json_array_get(place, 0)) + by.x)),
+                     json_number(snap_tidy(json_number_value(json_array_get(place, 1)) + by.y)));
+}
+
+/* Any element but a wall or a door: each of its places. */
+static void move_element(HouseSession *live, const char *id, Vec2 by) {
+    static const char *const members[] = {"centre", "from", "to", "at", "outline", "area", "via"};
+    for (size_t m = 0; m < sizeof members / sizeof *members; m++) {
+        const json_t *value = json_object_get(draft_element(live->draft, id), members[m]);
+        if (!json_is_array(value) || !json_array_size(value))
+            continue;
+        json_t *moved = json_is_number(json_array_get(value, 0)) ? tidy_place(value, by) : json_array();
+        for (size_t i = 0; i < json_array_size(value) && json_is_array(json_array_get(value, i)); i++)
+            json_array_append_new(moved, tidy_place(json_array_get(value, i), by));
+        draft_set(live->draft, id, members[m], moved);
+    }
+}
+
+void edit_shape_move(HouseSession *live, const Plan *plan, Vec2 by) {
+    const Editor *edit = &live->edit;
+    size_t index;
+    Shift shift = shift_of_selected(live, plan, by);
+    for (size_t w = 0; shift.count && w < plan->wall_count; w++)
+        if (!edit->hand.free || edit_select_has(live, plan->walls[w].id))
+            shift_wall(live, plan, w, &shift);
+    memory_free(shift.from);
+    memory_free(shift.to);
+    slide_doors(live, plan, by);
+    for (size_t i = 0; i < edit->id_count; i++) {
+        DraftList list = draft_find(live->draft, edit->ids[i], &index);
+        if (list != DRAFT_WALLS && list != DRAFT_DOORS)
+            move_element(live, edit->ids[i], by);
+    }
+}

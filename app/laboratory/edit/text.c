@@ -1,0 +1,109 @@
+/* Names, ids and notes: of what is selected and of the house. */
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "laboratory/house/session_parts.h"
+
+static const char *const words[DRAFT_LISTS] = {"wall", "door", "furniture", "room", "exit", "person", "crowd", "route"};
+
+static void add(Editor *edit, size_t *count, EditText text) {
+    edit->texts = memory_reserve(edit->texts, &edit->text_capacity, *count + 1, sizeof *edit->texts);
+    edit->texts[(*count)++] = text;
+}
+
+static bool is_named(DraftList list) {
+    return list == DRAFT_FURNITURE || list == DRAFT_ROOMS;
+}
+
+static const char *group_of(HouseSession *live, const char *id) {
+    char name[EDIT_NAME];
+    edit_select_name(live, id, name);
+    *name = (char)toupper((unsigned char)*name);
+    return arena_text(&live->edit.text_arena, name);
+}
+
+static void add_selected(HouseSession *live, size_t *count) {
+    Editor *edit = &live->edit;
+    const char *id = edit->ids[edit->id_count - 1];
+    size_t index;
+    DraftList list = draft_find(live->draft, id, &index);
+    if (list == DRAFT_LISTS)
+        return;
+    const char *group = group_of(live, id);
+    const char *name = json_string_value(json_object_get(draft_at(live->draft, list, index), "name"));
+    if (is_named(list))
+        add(edit, count,
+            (EditText){text_in_arena(&edit->text_arena, "%s.%s.name", words[list], id), group, "name",
+                       arena_text(&edit->text_arena, name ? name : ""), "What it is called on the plan."});
+    add(edit, count,
+        (EditText){text_in_arena(&edit->text_arena, "%s.%s.id", words[list], id), group, "id",
+                   arena_text(&edit->text_arena, id), "Its short name in the file, for references and settings."});
+}
+
+const EditText *edit_text_list(HouseSession *live, size_t *count) {
+    Editor *edit = &live->edit;
+    const Plan *plan = draft_plan(live->draft);
+    *count = 0;
+    arena_clear(&edit->text_arena);
+    if (edit->id_count)
+        add_selected(live, count);
+    add(edit, count,
+        (EditText){"house.name", "House", "name", arena_text(&edit->text_arena, plan->name),
+                   "What the house is called."});
+    add(edit, count,
+        (EditText){"house.note", "House", "note", arena_text(&edit->text_arena, plan->note),
+                   "Where the plan comes from, and what of it is assumed."});
+    return edit->texts;
+}
+
+/* "KIND.ID.MEMBER" in its parts; false: it is none of an element that is there. */
+static bool split(const HouseSession *live, const char *name, char id[EDIT_NAME], const char **member) {
+    size_t index, kind = strcspn(name, ".");
+    const char *last = strrchr(name, '.');
+    if (!name[kind] || last == name + kind || (size_t)(last - name) - kind > EDIT_NAME)
+        return false;
+    snprintf(id, EDIT_NAME, "%.*s", (int)((size_t)(last - name) - kind - 1), name + kind + 1);
+    *member = last + 1;
+    DraftList list = draft_find(live->draft, id, &index);
+    return list < DRAFT_LISTS && strlen(words[list]) == kind && strncmp(words[list], name, kind) == 0 &&
+           (strcmp(*member, "id") == 0 || (strcmp(*member, "name") == 0 && is_named(list)));
+}
+
+static bool rename_thing(HouseSession *live, const char *id, const char *to, Fault *fault) {
+    char name[EDIT_NAME], thing[EDIT_NAME];
+    bool selected = edit_select_has(live, id);
+    edit_select_name(live, id, thing);
+    snprintf(name, sizeof name, "Rename %.60s to %.40s", thing, to);
+    edit_gesture_open(live, name);
+    if (!draft_rename(live->draft, id, to, fault)) {
+        draft_cancel(live->draft);
+        return false;
+    }
+    bool good = edit_gesture_close(live, fault);
+    if (good && selected)
+        edit_select_only(live, to);
+    return good;
+}
+
+bool edit_text_set(HouseSession *live, const char *name, const char *value, Fault *fault) {
+    char id[EDIT_NAME], step[EDIT_NAME], thing[EDIT_NAME];
+    const char *member;
+    if (strcmp(name, "house.name") == 0 || strcmp(name, "house.note") == 0) {
+        snprintf(step, sizeof step, "Change the house's %s", name + 6);
+        edit_gesture_open(live, step);
+        draft_set_house(live->draft, name + 6, json_string(value));
+        return edit_gesture_close(live, fault);
+    }
+    if (!split(live, name, id, &member)) {
+        fault_add(fault, "there is no text called \"%.100s\"", name);
+        return false;
+    }
+    if (strcmp(member, "id") == 0)
+        return rename_thing(live, id, value, fault);
+    edit_select_name(live, id, thing);
+    snprintf(step, sizeof step, "Name %.100s", thing);
+    edit_gesture_open(live, step);
+    draft_set_text(live->draft, id, "name", value);
+    return edit_gesture_close(live, fault);
+}

@@ -1,0 +1,197 @@
+#include "laboratory/house/fall.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "laboratory/house/session_parts.h"
+
+/* Pieces ---------------------------------------------------------------------------------------------------------- */
+
+static FurnitureFall *find(HouseFall *falls, const char *id) {
+    for (size_t i = 0; i < falls->count; i++)
+        if (strcmp(falls->pieces[i].piece.id, id) == 0)
+            return &falls->pieces[i];
+    return NULL;
+}
+
+/* It is as the piece will be from now on, under its own copy of the id. */
+static void take(FurnitureFall *fall, const Furniture *piece) {
+    const char *id = fall->piece.id;
+    fall->piece = *piece;
+    fall->piece.id = id;
+    fall->piece.name = "";
+}
+
+/* That of a piece, from now on: standing or lying as it did before, unless it is on its way. */
+static FurnitureFall *begin(HouseFall *falls, const Furniture *piece, bool lay) {
+    FurnitureFall *fall = find(falls, piece->id);
+    if (!fall) {
+        falls->pieces = memory_reserve(falls->pieces, &falls->capacity, falls->count + 1, sizeof *falls->pieces);
+        fall = &falls->pieces[falls->count++];
+        *fall = (FurnitureFall){.piece = {.id = arena_text(&falls->arena, piece->id)}, .way = lay};
+    }
+    take(fall, piece);
+    fall->delay = 0;
+    return fall;
+}
+
+static bool all_rest(const HouseFall *falls) {
+    for (size_t i = 0; i < falls->count; i++)
+        if (!furniture_fall_rests(&falls->pieces[i]))
+            return false;
+    return true;
+}
+
+static void forget(HouseFall *falls) {
+    falls->count = 0;
+    *falls->words = 0;
+    arena_clear(&falls->arena);
+}
+
+/* Steps of editing ------------------------------------------------------------------------------------------------ */
+
+static const Furniture *find_piece(const Furniture *pieces, size_t count, const char *id) {
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(pieces[i].id, id) == 0)
+            return &pieces[i];
+    return NULL;
+}
+
+/* The plan's i-th piece as it was seen last: most often in the same place of the list. NULL: it is new. */
+static const Furniture *find_seen(const HouseFall *falls, const Plan *plan, size_t i) {
+    const char *id = plan->furniture[i].id;
+    bool same = i < falls->seen_count && strcmp(falls->seen[i].id, id) == 0;
+    return same ? &falls->seen[i] : find_piece(falls->seen, falls->seen_count, id);
+}
+
+static void note(HouseFall *falls, const Draft *draft) {
+    const Plan *plan = draft_plan(draft);
+    arena_clear(&falls->seen_arena);
+    falls->seen = memory_reserve(falls->seen, &falls->seen_capacity, plan->furniture_count + 1, sizeof *falls->seen);
+    falls->seen_count = plan->furniture_count;
+    for (size_t i = 0; i < plan->furniture_count; i++) {
+        falls->seen[i] = plan->furniture[i];
+        falls->seen[i].id = arena_text(&falls->seen_arena, plan->furniture[i].id);
+    }
+    falls->revision = draft_revision(draft);
+    falls->noted = true;
+}
+
+static bool same_place(const Furniture *a, const Furniture *b) {
+    return a->centre.x == b->centre.x && a->centre.y == b->centre.y && a->size.x == b->size.x &&
+           a->size.y == b->size.y && a->angle == b->angle && a->height == b->height && a->topples == b->topples;
+}
+
+/* Pieces that lie where they stood, or the other way round. */
+static bool begin_changed(HouseFall *falls, const Plan *plan) {
+    bool any = false;
+    for (size_t i = 0; i < plan->furniture_count; i++) {
+        const Furniture *piece = &plan->furniture[i];
+        const Furniture *seen = find_seen(falls, plan, i);
+        if (!seen || seen->toppled == piece->toppled || !same_place(seen, piece))
+            continue;
+        begin(falls, piece, seen->toppled);
+        *falls->words = 0;
+        any = true;
+    }
+    return any;
+}
+
+/* Those on their way are where the hand has moved them meanwhile; what is removed is gone. */
+static bool follow_moved(HouseFall *falls, const Plan *plan) {
+    size_t kept = 0, count = falls->count;
+    for (size_t i = 0; i < count; i++) {
+        const Furniture *piece = find_piece(plan->furniture, plan->furniture_count, falls->pieces[i].piece.id);
+        if (!piece)
+            continue;
+        take(&falls->pieces[i], piece);
+        falls->pieces[kept++] = falls->pieces[i];
+    }
+    falls->count = kept;
+    return kept < count;
+}
+
+/* Is the house that is drawn the draft? */
+static bool is_drawn(const HouseSession *live) {
+    const HouseRun *run = live->early ? live->early : live->shown;
+    return run && house_run_revision(run) == draft_revision(live->draft);
+}
+
+void house_fall_follow(HouseSession *live) {
+    HouseFall *falls = &live->fall;
+    bool other = false;
+    if (!falls->noted || falls->revision != draft_revision(live->draft)) {
+        other = follow_moved(falls, draft_plan(live->draft));
+        other |= falls->wanted && falls->noted && begin_changed(falls, draft_plan(live->draft));
+        note(falls, live->draft);
+    }
+    if (falls->count && all_rest(falls) && is_drawn(live)) {
+        forget(falls);
+        other = true;
+    }
+    if (other)
+        house_show_anew(live);
+}
+
+/* The first one begins at once. */
+static void hurry(HouseFall *falls) {
+    double least = FURNITURE_FALL_SPREAD;
+    for (size_t i = 0; i < falls->count; i++)
+        if (!furniture_fall_rests(&falls->pieces[i]))
+            least = fmin(least, falls->pieces[i].delay);
+    for (size_t i = 0; i < falls->count; i++)
+        falls->pieces[i].delay = fmax(0, falls->pieces[i].delay - least);
+}
+
+void house_fall_shake(HouseSession *live, uint64_t seed, const char *const *ids, size_t count) {
+    HouseFall *falls = &live->fall;
+    const Plan *plan = draft_plan(live->draft);
+    if (!falls->wanted)
+        return;
+    follow_moved(falls, plan);
+    for (size_t i = 0; i < plan->furniture_count; i++) {
+        const Furniture *piece = &plan->furniture[i];
+        const Furniture *seen = find_seen(falls, plan, i);
+        bool drops = text_is_among(piece->id, ids, count), stands_up = seen && seen->toppled && !piece->toppled;
+        if (!drops && !stands_up && !find(falls, piece->id))
+            continue;
+        FurnitureFall *fall = begin(falls, piece, false);
+        fall->way = drops ? 0 : piece->toppled;
+        fall->delay = drops ? furniture_fall_delay(seed, piece->id) : 0;
+    }
+    hurry(falls);
+    snprintf(falls->words, sizeof falls->words, "shaking (seed %" PRIu64 ")", seed);
+    note(falls, live->draft);
+    house_show_anew(live);
+}
+
+/* What is seen ---------------------------------------------------------------------------------------------------- */
+
+void house_fall_move(HouseSession *live, double seconds) {
+    HouseFall *falls = &live->fall;
+    falls->wanted = true;
+    for (size_t i = 0; i < falls->count; i++)
+        furniture_fall_move(&falls->pieces[i], seconds);
+}
+
+const char *house_fall_words(const HouseSession *live) {
+    return all_rest(&live->fall) ? NULL : live->fall.words;
+}
+
+size_t house_fall_count(const HouseSession *live, double time) {
+    return time >= live->history.at[live->history.count - 1].time ? live->fall.count : 0;
+}
+
+const FurnitureFall *house_fall_find(const HouseSession *live, const char *id) {
+    return live->fall.drawn ? find((HouseFall *)&live->fall, id) : NULL;
+}
+
+void house_fall_clear(HouseSession *live) {
+    HouseFall *falls = &live->fall;
+    memory_free(falls->pieces);
+    memory_free(falls->seen);
+    arena_clear(&falls->arena);
+    arena_clear(&falls->seen_arena);
+    *falls = (HouseFall){0};
+}

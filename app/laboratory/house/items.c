@@ -1,0 +1,276 @@
+#include "laboratory/house/items.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "visual/house/blockage_scene.h"
+#include "visual/house/silhouette.h"
+
+#define LEAST_DEPTH 0.10  /* m, of what is thinner, so that it can be pointed at */
+#define EXIT_DEPTH 0.20   /* m */
+#define HAZARD_SHOWN 0.25 /* m, radius */
+#define STOP_SHOWN 0.50   /* m, radius */
+#define STAY 1.0          /* s, that whoever is out is still there */
+
+enum { CIRCLE = 24 /* points */ };
+
+static const HouseItem order[] = {HOUSE_PERSON, HOUSE_HAZARD, HOUSE_DOOR, HOUSE_FURNITURE, HOUSE_WALL, HOUSE_EXIT};
+enum { KINDS = sizeof order / sizeof *order };
+
+size_t house_item_count(const House *house, const Observation *observation, int kind) {
+    switch ((HouseItem)kind) {
+    case HOUSE_PERSON:
+        return house->person_count;
+    case HOUSE_HAZARD:
+        return observation ? observation->hazard_count : 0;
+    case HOUSE_DOOR:
+        return house->plan.door_count;
+    case HOUSE_FURNITURE:
+        return house->plan.furniture_count;
+    case HOUSE_WALL:
+        return house->plan.wall_count;
+    case HOUSE_EXIT:
+        return house->plan.exit_count;
+    case HOUSE_STOP:
+        return observation ? observation->person_count : 0;
+    case HOUSE_NOTHING:
+    case HOUSE_THINGS:
+        break;
+    }
+    return 0;
+}
+
+const char *house_item_id(const House *house, Item thing) {
+    const Plan *plan = &house->plan;
+    size_t i = thing.index;
+    return thing.kind == HOUSE_PERSON      ? house->people[i].id
+           : thing.kind == HOUSE_DOOR      ? plan->doors[i].id
+           : thing.kind == HOUSE_FURNITURE ? plan->furniture[i].id
+           : thing.kind == HOUSE_WALL      ? plan->walls[i].id
+           : thing.kind == HOUSE_EXIT      ? plan->exits[i].id
+                                           : "";
+}
+
+Item house_item_find(const House *house, int kind, const char *id) {
+    for (size_t i = 0; i < house_item_count(house, NULL, kind); i++)
+        if (strcmp(house_item_id(house, (Item){kind, i}), id) == 0)
+            return (Item){kind, i};
+    return (Item){0, 0};
+}
+
+void house_item_name(const House *house, const Observation *observation, Item thing, char *name, size_t size) {
+    *name = 0;
+    if (thing.index >= house_item_count(house, observation, thing.kind))
+        return;
+    const char *id = house_item_id(house, thing);
+    if (thing.kind == HOUSE_HAZARD)
+        snprintf(name, size, "dangerous point %zu: %s", thing.index + 1, observation->hazards[thing.index].what);
+    else if (thing.kind == HOUSE_STOP)
+        snprintf(name, size, "%s stops at %s", house->people[thing.index].id,
+                 observation->people[thing.index].blockage.what);
+    else if (thing.kind == HOUSE_FURNITURE)
+        outline_name(&house->plan, OWNER_FURNITURE, (int)thing.index, name, size);
+    else
+        snprintf(name, size, "%s %s",
+                 thing.kind == HOUSE_PERSON ? "person"
+                 : thing.kind == HOUSE_DOOR ? "door"
+                 : thing.kind == HOUSE_WALL ? "wall"
+                                            : "exit",
+                 id);
+}
+
+/* Outlines -------------------------------------------------------------------------------------------------------- */
+
+/* A strip along a segment, counter-clockwise. */
+static size_t outline_strip(Vec2 from, Vec2 to, double depth, Vec2 *points) {
+    Vec2 side = vec2_scale(vec2_left(vec2_unit(vec2_sub(to, from))), fmax(depth, LEAST_DEPTH) / 2);
+    points[0] = vec2_sub(from, side);
+    points[1] = vec2_sub(to, side);
+    points[2] = vec2_add(to, side);
+    points[3] = vec2_add(from, side);
+    return 4;
+}
+
+static size_t outline_person(const HouseScenery *scenery, size_t i, double time, Vec2 *points) {
+    const PersonObservation *observed = &scenery->observation->people[i];
+    const Trail *trail = &scenery->trails[i];
+    bool last = observed->time >= scenery->observation->time;
+    bool gone = observed->completed && !last && time > observed->time + STAY;
+    if (!observed->took_part || gone || !trail->count)
+        return 0;
+    Pose pose = trail_pose(trail, time);
+    silhouette_outline(scenery->house->people[i].profile, pose.at, pose.heading, 0, points);
+    return SILHOUETTE_POINTS;
+}
+
+static size_t outline_circle(Vec2 middle, double radius, Vec2 *points) {
+    for (int i = 0; i < CIRCLE; i++)
+        points[i] = vec2_along(middle, radius, vec2_heading(2 * M_PI * i / CIRCLE));
+    return CIRCLE;
+}
+
+/* How far, and where to, a corner of a wall's face lies from the corner of its centre line. */
+static Vec2 mitre(Vec2 before, Vec2 at, Vec2 after, double half) {
+    Vec2 in = vec2_left(vec2_unit(vec2_sub(at, before))), out = vec2_left(vec2_unit(vec2_sub(after, at)));
+    Vec2 sum = vec2_add(in, out);
+    double square = vec2_dot(sum, sum);
+    return square < 0.1 ? vec2_scale(out, half) : vec2_scale(sum, 2 * half / square);
+}
+
+/* Along one face and back along the other. */
+static size_t outline_wall(const Wall *wall, Vec2 *points) {
+    size_t count = wall->points.count < LABORATORY_OUTLINE_MOST / 2 ? wall->points.count : LABORATORY_OUTLINE_MOST / 2;
+    const Vec2 *at = wall->points.at;
+    bool closed = count == wall->points.count && vec2_distance(at[0], at[count - 1]) == 0;
+    double half = fmax(wall->thickness, LEAST_DEPTH) / 2;
+    for (size_t i = 0; i < count; i++) {
+        Vec2 before = i ? at[i - 1] : closed ? at[count - 2] : vec2_sub(vec2_scale(at[0], 2), at[1]);
+        Vec2 after = i + 1 < count ? at[i + 1] : closed ? at[1] : vec2_sub(vec2_scale(at[i], 2), at[i - 1]);
+        Vec2 aside = mitre(before, at[i], after, half);
+        points[i] = vec2_sub(at[i], aside);
+        points[2 * count - 1 - i] = vec2_add(at[i], aside);
+    }
+    return 2 * count;
+}
+
+size_t house_item_outline(const HouseScenery *scenery, Item thing, double time, Vec2 *points) {
+    const Plan *plan = &scenery->house->plan;
+    Vec2 from, to;
+    if (thing.index >= house_item_count(scenery->house, scenery->observation, thing.kind))
+        return 0;
+    switch ((HouseItem)thing.kind) {
+    case HOUSE_PERSON:
+        return outline_person(scenery, thing.index, time, points);
+    case HOUSE_HAZARD:
+        return outline_circle(scenery->observation->hazards[thing.index].at, HAZARD_SHOWN, points);
+    case HOUSE_STOP:
+        if (!blockage_scene_has(&scenery->observation->people[thing.index]))
+            return 0;
+        return outline_circle(scenery->observation->people[thing.index].blockage.at, STOP_SHOWN, points);
+    case HOUSE_DOOR:
+        plan_door_ends(plan, &plan->doors[thing.index], &from, &to);
+        return outline_strip(from, to, plan->walls[plan->doors[thing.index].wall_index].thickness, points);
+    case HOUSE_FURNITURE:
+        plan_furniture_corners(&plan->furniture[thing.index], points);
+        return 4;
+    case HOUSE_WALL:
+        return outline_wall(&plan->walls[thing.index], points);
+    case HOUSE_EXIT:
+        return outline_strip(plan->exits[thing.index].from, plan->exits[thing.index].to, EXIT_DEPTH, points);
+    case HOUSE_NOTHING:
+    case HOUSE_THINGS:
+        break;
+    }
+    return 0;
+}
+
+/* Picking --------------------------------------------------------------------------------------------------------- */
+
+typedef struct Hit {
+    Item thing;
+    double area; /* m2 */
+} Hit;
+
+static bool holds(const Vec2 *points, size_t count, Vec2 p) {
+    bool inside = false;
+    for (size_t i = 0, j = count - 1; i < count; j = i++)
+        if ((points[i].y > p.y) != (points[j].y > p.y) &&
+            p.x < points[i].x + (p.y - points[i].y) / (points[j].y - points[i].y) * (points[j].x - points[i].x))
+            inside = !inside;
+    return inside;
+}
+
+static double area_of(const Vec2 *points, size_t count) {
+    double twice = 0;
+    for (size_t i = 0, j = count - 1; i < count; j = i++)
+        twice += vec2_cross(points[j], points[i]);
+    return fabs(twice) / 2;
+}
+
+/* A wall is long and thin, and may go round: within half its thickness of its centre line. */
+static bool on_wall(const Wall *wall, Vec2 p) {
+    for (size_t i = 1; i < wall->points.count; i++)
+        if (vec2_distance(p, vec2_nearest_on_segment(p, wall->points.at[i - 1], wall->points.at[i])) <=
+            fmax(wall->thickness, LEAST_DEPTH) / 2)
+            return true;
+    return false;
+}
+
+/* Somebody whose outline need not be made. */
+static bool is_far(const HouseScenery *scenery, size_t person, Vec2 at, double time) {
+    const Profile *profile = scenery->house->people[person].profile;
+    const Trail *trail = &scenery->trails[person];
+    return !trail->count || vec2_distance(trail_pose(trail, time).at, at) > profile->length + profile->width;
+}
+
+static bool hits(const HouseScenery *scenery, Hit *hit, Vec2 at, double time) {
+    Vec2 points[LABORATORY_OUTLINE_MOST];
+    if (hit->thing.kind == HOUSE_PERSON && is_far(scenery, hit->thing.index, at, time))
+        return false;
+    size_t count = house_item_outline(scenery, hit->thing, time, points);
+    hit->area = area_of(points, count);
+    if (hit->thing.kind == HOUSE_WALL)
+        return on_wall(&scenery->house->plan.walls[hit->thing.index], at);
+    return count && holds(points, count, at);
+}
+
+static int rank_of(int kind) {
+    int rank = 0;
+    while (rank < KINDS && (int)order[rank] != kind)
+        rank++;
+    return rank;
+}
+
+/* The smaller one first; walls, which are behind all else, last. */
+static int compare_hits(const void *a, const void *b) {
+    const Hit *p = a, *q = b;
+    if ((p->thing.kind == HOUSE_WALL) != (q->thing.kind == HOUSE_WALL))
+        return p->thing.kind == HOUSE_WALL ? 1 : -1;
+    if (p->area != q->area)
+        return (p->area > q->area) - (p->area < q->area);
+    int ranks = rank_of(p->thing.kind) - rank_of(q->thing.kind);
+    return ranks ? ranks : (p->thing.index > q->thing.index) - (p->thing.index < q->thing.index);
+}
+
+Item house_item_at(const HouseScenery *scenery, Vec2 at, double time, Item below) {
+    Hit *list = NULL;
+    size_t count = 0, capacity = 0, chosen = 0;
+    for (size_t k = 0; k < KINDS; k++)
+        for (size_t i = 0; i < house_item_count(scenery->house, scenery->observation, (int)order[k]); i++) {
+            Hit hit = {.thing = {(int)order[k], i}};
+            if (!hits(scenery, &hit, at, time))
+                continue;
+            list = memory_reserve(list, &capacity, count + 1, sizeof *list);
+            list[count++] = hit;
+        }
+    if (count > 1)
+        qsort(list, count, sizeof *list, compare_hits);
+    for (size_t i = 0; i < count; i++)
+        if (below.kind && item_same(list[i].thing, below))
+            chosen = (i + 1) % count;
+    Item thing = count ? list[chosen].thing : (Item){0, 0};
+    memory_free(list);
+    return thing;
+}
+
+Item house_item_next(const HouseScenery *scenery, Item thing, int step) {
+    size_t total = 0, place = 0;
+    for (size_t k = 0; k < KINDS; k++) {
+        if ((int)order[k] == thing.kind)
+            place = total + thing.index;
+        total += house_item_count(scenery->house, scenery->observation, (int)order[k]);
+    }
+    if (!total)
+        return (Item){0, 0};
+    if (thing.kind == HOUSE_NOTHING)
+        place = step > 0 ? total - 1 : 0;
+    place = (place + total + (size_t)(step > 0 ? 1 : total - 1)) % total;
+    for (size_t k = 0; k < KINDS; k++) {
+        size_t count = house_item_count(scenery->house, scenery->observation, (int)order[k]);
+        if (place < count)
+            return (Item){(int)order[k], place};
+        place -= count;
+    }
+    return (Item){0, 0};
+}

@@ -1,0 +1,33 @@
+/* What of a house can be pointed at: people, dangerous points, doors, furniture, walls and exits. An observation that
+ * is NULL has no dangerous points. */
+#pragma once
+
+#include "house/house.h"
+#include "house/observation.h"
+#include "laboratory/house/session.h"
+#include "visual/house/trail.h"
+
+enum { HOUSE_THING_NAME = 128 /* room for a name */ };
+
+size_t house_item_count(const House *house, const Observation *observation, int kind);
+
+/* As in the house file; "" for a dangerous point. */
+const char *house_item_id(const House *house, Item thing);
+
+/* What is called so, kind 0: nothing. */
+Item house_item_find(const House *house, int kind, const char *id);
+
+/* "door d2", "wardrobe (f3)", "dangerous point 1: door d2" */
+void house_item_name(const House *house, const Observation *observation, Item thing, char *name, size_t size);
+
+/* People who stand somewhere at a time: trails (person_count) are the observation's. */
+typedef struct HouseScenery {
+    const House *house;
+    const Observation *observation;
+    const Trail *trails;
+} HouseScenery;
+
+/* As live->outline, live->pick and live->next. */
+size_t house_item_outline(const HouseScenery *scenery, Item thing, double time, Vec2 *points);
+Item house_item_at(const HouseScenery *scenery, Vec2 at, double time, Item below);
+Item house_item_next(const HouseScenery *scenery, Item thing, int step);

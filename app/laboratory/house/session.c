@@ -1,0 +1,407 @@
+#include "laboratory/house/session.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "plan/draft_file.h"
+#include "laboratory/house/session_parts.h"
+#include "laboratory/save_file.h"
+
+#define STEP (1.0 / 30) /* s, of one shown frame */
+#define FASTEST 16.0
+
+static size_t rows_recorded(const HouseSession *live) {
+    return live->shown ? live->observation->trace.rows : 0;
+}
+
+static unsigned update(void *context, double time) {
+    HouseSession *live = context;
+    size_t rows = rows_recorded(live);
+    live->time = time;
+    house_follow_all(live, time);
+    house_fall_follow(live);
+    if (house_words_moved(live, time))
+        live->changed |= LABORATORY_WORDS;
+    unsigned changed = live->changed;
+    live->changed = 0;
+    if (live->shown) {
+        house_show_make(live, time);
+        changed |= live->changed; /* the plan was another one then */
+        live->changed = 0;
+        if (changed & LABORATORY_VIEW)
+            film_look(live->film, live->camera);
+        live->fresh = live->fresh || changed & LABORATORY_VIEW;
+        if (changed & LABORATORY_PLOTS)
+            house_session_plots_make(live, true);
+        if (changed & LABORATORY_WORDS)
+            house_words_make(live, time);
+        if (changed & LABORATORY_PARAMETERS)
+            house_value_sort(&live->values, &live->shown->house, live->selected);
+    }
+    bool other = house_words_does_other(live) || rows_recorded(live) != rows;
+    return changed | (other ? LABORATORY_WORDS : 0);
+}
+
+/* Opening and closing --------------------------------------------------------------------------------------------- */
+
+static void keep_wish(HouseSession *live, const char *path, const LaboratoryOptions *options) {
+    const char **settings = arena_allocate(&live->arena, (options->setting_count + 1) * sizeof *settings);
+    for (size_t i = 0; i < options->setting_count; i++)
+        settings[i] = arena_text(&live->arena, options->settings[i]);
+    live->given = *options;
+    live->given.settings = settings;
+    live->given.origin = NULL;
+    live->wish = (HouseWish){.path = arena_text(&live->arena, path),
+                             .profiles = arena_text(&live->arena, options->profiles),
+                             .route = options->route ? arena_text(&live->arena, options->route) : NULL,
+                             .driving = options->driving,
+                             .seed = options->seed,
+                             .jobs = options->jobs};
+}
+
+static bool know_route(const Plan *plan, const char *path, const char *route, Fault *fault) {
+    if (!route || plan_find_route(plan, route) != SIZE_MAX)
+        return true;
+    Text known = {0};
+    for (size_t r = 0; r < plan->route_count; r++)
+        text_format(&known, "%s%s", r ? ", " : ", its routes are ", plan->routes[r].id);
+    fault_add(fault, "%s has no route \"%s\"%s", path, route, known.text ? known.text : "");
+    memory_free(known.text);
+    return false;
+}
+
+static Draft *open_draft(const char *path, const LaboratoryOptions *options, Fault *fault) {
+    if (!path)
+        return draft_create("new house");
+    Draft *draft = draft_file_read(path, options->settings, options->setting_count, fault);
+    if (draft && know_route(draft_plan(draft), path, options->route, fault))
+        return draft;
+    draft_destroy(draft);
+    return NULL;
+}
+
+static void *open_house(const char *path, const LaboratoryOptions *options, Fault *fault) {
+    Draft *draft = open_draft(path, options, fault);
+    HouseWorker *worker = draft ? house_worker_create() : NULL;
+    if (draft && !worker)
+        fault_add(fault, "no house can be run: the system gives no more threads, close some other programs");
+    if (!worker) {
+        draft_destroy(draft);
+        return NULL;
+    }
+    HouseSession *live = memory_zeroed(1, sizeof *live);
+    live->draft = draft;
+    editor_begin(live);
+    live->nothing = (Scene){.box = {{0, 0}, {1, 1}}, .bare = true, .unscaled = true};
+    live->layers = house_laboratory.layers_at_first;
+    keep_wish(live, options->origin ? options->origin : path ? path : "", options);
+    live->worker = worker;
+    house_history_begin(&live->history, draft_text(draft), draft_revision(draft));
+    house_follow_ask(live);
+    return live;
+}
+
+static void close_house(void *context) {
+    HouseSession *live = context;
+    editor_clear(live);
+    if (live->film)
+        film_destroy(live->film);
+    house_follow_end(live);
+    house_fall_clear(live);
+    house_session_plots_clear(live);
+    house_words_clear(live);
+    house_value_clear(&live->values);
+    house_value_clear(&live->opened);
+    draft_destroy(live->draft);
+    house_history_clear(&live->history);
+    memory_free(live->trouble.text);
+    memory_free(live->command);
+    arena_clear(&live->command_arena);
+    arena_clear(&live->arena);
+    memory_free(live);
+}
+
+/* Showing --------------------------------------------------------------------------------------------------------- */
+
+static RecordSpan span(const void *context) {
+    const HouseSession *live = context;
+    return (RecordSpan){.end = house_follow_reach(live),
+                        .complete = live->whole || (!live->shown && !live->latest),
+                        .pace = 1,
+                        .step = STEP,
+                        .fastest = FASTEST};
+}
+
+static double reach(void *context, double time) {
+    (void)time;
+    return house_follow_reach(context);
+}
+
+static bool show(void *context, double time) {
+    HouseSession *live = context;
+    live->time = time;
+    house_show_make(live, time);
+    if (!live->film)
+        return false;
+    if (live->fresh)
+        film_forget(live->film);
+    bool onwards = film_show(live->film, time) && !live->fresh;
+    live->fresh = false;
+    return onwards;
+}
+
+static bool rests(const void *context, double time) {
+    const HouseSession *live = context;
+    return live->film && !live->fresh && !live->fall.count && house_run_epoch(live->shown, time) == live->epoch &&
+           film_rests(live->film, time);
+}
+
+static const Scene *still(const void *context) {
+    const HouseSession *live = context;
+    house_show_make((HouseSession *)context, live->time); /* if a call since the last update has made it void */
+    return live->film ? film_still(live->film) : &live->nothing;
+}
+
+static const Scene *added(const void *context) {
+    const HouseSession *live = context;
+    return live->film ? film_added(live->film) : &live->nothing;
+}
+
+static const Scene *moving(const void *context) {
+    const HouseSession *live = context;
+    return live->film ? film_moving(live->film) : &live->nothing;
+}
+
+static void look(void *context, Camera camera) {
+    HouseSession *live = context;
+    if (camera.kind != live->camera.kind)
+        house_show_anew(live);
+    live->camera = camera;
+    live->changed |= LABORATORY_VIEW;
+}
+
+static void reveal(void *context, unsigned layers) {
+    HouseSession *live = context;
+    if (layers != live->layers)
+        house_show_anew(live);
+    live->layers = layers;
+}
+
+static size_t plot_count(const void *context) {
+    const HouseSession *live = context;
+    return live->plots.made ? HOUSE_PLOTS_KNOWN : 0;
+}
+
+static LaboratoryPlot plot(const void *context, size_t index) {
+    return house_session_plots_at(context, index);
+}
+
+static size_t until(const void *context, size_t plot, size_t series, double time) {
+    const HouseSession *live = context;
+    return house_plots_until(&live->plots.plots, plot, series, time);
+}
+
+/* Words ----------------------------------------------------------------------------------------------------------- */
+
+static Result answer(const void *context) {
+    return house_words_answer((HouseSession *)context);
+}
+
+static const char *say_clock(const void *context, double time) {
+    HouseWords *words = &((HouseSession *)context)->words;
+    snprintf(words->clock, sizeof words->clock, "%.1f s", time);
+    return words->clock;
+}
+
+static void add_note(HouseSession *live, const char *more) {
+    char *words = live->words.note;
+    size_t used = strlen(words);
+    snprintf(words + used, sizeof live->words.note - used, "%s%s", used ? "; " : "", more);
+}
+
+static const char *note(const void *context) {
+    HouseSession *live = (HouseSession *)context;
+    const HouseWish *wish = live->shown ? &live->shown->wish : NULL;
+    const char *picture = edit_image_trouble(live);
+    *live->words.note = 0;
+    if (wish && wish->epoch_count > 1) {
+        char mixed[64];
+        snprintf(mixed, sizeof mixed, "mixed: plan changed at %.1f s, R runs it clean",
+                 wish->epochs[wish->epoch_count - 1].time);
+        add_note(live, mixed);
+    }
+    if (house_scene_is_assumed(draft_plan(live->draft)))
+        add_note(live, "assumed plan: not measured");
+    if (picture)
+        add_note(live, picture);
+    return live->words.note;
+}
+
+static const char *title(const void *context) {
+    const HouseSession *live = context;
+    const char *name = draft_plan(live->draft)->name;
+    return *name ? name : "house";
+}
+
+static const PanelRow *rows(const void *context, size_t *count) {
+    const HouseSession *live = context;
+    *count = live->words.row_count;
+    return live->words.rows;
+}
+
+static const TimelineMark *ticks(const void *context, size_t *count) {
+    const HouseSession *live = context;
+    *count = live->words.tick_count;
+    return live->words.ticks;
+}
+
+static const char *trouble(const void *context, double *time) {
+    const HouseSession *live = context;
+    *time = live->trouble_time;
+    return live->trouble.text;
+}
+
+/* Pointing -------------------------------------------------------------------------------------------------------- */
+
+static Item pick(const void *context, Vec2 at, double time, Item below) {
+    const HouseSession *live = context;
+    HouseScenery scenery = live->shown ? house_scenery(live) : (HouseScenery){NULL, NULL, NULL};
+    return live->shown ? house_item_at(&scenery, at, time, below) : (Item){0, 0};
+}
+
+static Item next(const void *context, Item thing, int step) {
+    const HouseSession *live = context;
+    HouseScenery scenery = live->shown ? house_scenery(live) : (HouseScenery){NULL, NULL, NULL};
+    return live->shown ? house_item_next(&scenery, thing, step) : (Item){0, 0};
+}
+
+static void select_thing(void *context, Item thing) {
+    HouseSession *live = context;
+    bool known = live->shown && thing.index < house_item_count(&live->shown->house, live->observation, thing.kind);
+    Item chosen = known ? thing : (Item){0, 0};
+    if (item_same(chosen, live->selected))
+        return;
+    bool people = chosen.kind == HOUSE_PERSON || live->selected.kind == HOUSE_PERSON;
+    live->selected = chosen;
+    live->changed |= LABORATORY_WORDS | LABORATORY_PARAMETERS | (people ? LABORATORY_PLOTS : 0);
+}
+
+static Item selected(const void *context) {
+    return ((const HouseSession *)context)->selected;
+}
+
+static const char *name_thing(const void *context, Item thing) {
+    HouseSession *live = (HouseSession *)context;
+    HouseWords *words = &live->words;
+    *words->name = 0;
+    if (live->shown)
+        house_item_name(&live->shown->house, live->observation, thing, words->name, sizeof words->name);
+    return words->name;
+}
+
+static size_t outline(const void *context, Item thing, double time, Vec2 *points) {
+    const HouseSession *live = context;
+    if (!live->shown)
+        return 0;
+    HouseScenery scenery = house_scenery(live);
+    size_t count = house_item_outline(&scenery, thing, time, points);
+    const FurnitureFall *fall = NULL;
+    if (count && thing.kind == HOUSE_FURNITURE)
+        fall = house_fall_find(live, house_item_id(&live->shown->house, thing));
+    if (fall)
+        furniture_fall_corners(&fall->piece, furniture_fall_share(fall), points);
+    return count;
+}
+
+static const char *const *command(const void *context, size_t *count) {
+    return house_command_words((HouseSession *)context, count);
+}
+
+static bool save(const void *context, const char *path, Fault *fault) {
+    return save_file_house(draft_text(((const HouseSession *)context)->draft), path, fault);
+}
+
+static bool sound(const void *context, double from, double to, float *samples, size_t count) {
+    (void)context;
+    (void)from;
+    (void)to;
+    (void)samples;
+    (void)count;
+    return false;
+}
+
+uint64_t house_session_digest(const void *context) {
+    const HouseSession *live = context;
+    return live->whole && !live->latest && !live->mixed ? live->observation->digest : 0;
+}
+
+static const char *const layer_names[LAYERS] = {
+    [LAYER_RINGS] = "rings",   [LAYER_LOCI] = "ways",     [LAYER_GHOST] = "ghost",
+    [LAYER_DANGER] = "danger", [LAYER_WIDTHS] = "widths", [LAYER_GRID] = "grid",
+    [LAYER_NAMES] = "names",   [LAYER_FORCES] = "forces", [LAYER_CIRCLES] = "circles",
+};
+
+static const char *const layer_meanings[LAYERS] = {
+    [LAYER_RINGS] = "Personal spaces, pressed in where something is near.",
+    [LAYER_LOCI] = "The ways so far, with a tick each second and bodies left behind.",
+    [LAYER_GHOST] = "What was before, or the other way of driving.",
+    [LAYER_DANGER] = "Discs of the dangerous points, by rank.",
+    [LAYER_WIDTHS] = "The planned ways, and the widths W1 and W2 before and behind each corner.",
+    [LAYER_GRID] = "Lines a metre apart.",
+    [LAYER_NAMES] = "Names of people, rooms, doors and furniture.",
+    [LAYER_FORCES] = "Stars of contacts, with their forces.",
+    [LAYER_CIRCLES] = "Discs that cover the chairs, as simpler methods have them.",
+};
+
+const Laboratory house_laboratory = {
+    .name = "House",
+    .word = "house",
+    .plots_at_first = "speed,clearance",
+    .layers = layer_names,
+    .meanings = layer_meanings,
+    .layer_count = LAYERS,
+    .layers_at_first = (1u << LAYERS) - 1 - (1u << LAYER_WIDTHS) - (1u << LAYER_CIRCLES),
+    .raised = true,
+    .open = open_house,
+    .close = close_house,
+    .update = update,
+    .span = span,
+    .reach = reach,
+    .show = show,
+    .rests = rests,
+    .still = still,
+    .added = added,
+    .moving = moving,
+    .look = look,
+    .reveal = reveal,
+    .plot_count = plot_count,
+    .plot = plot,
+    .until = until,
+    .answer = answer,
+    .clock = say_clock,
+    .note = note,
+    .title = title,
+    .rows = rows,
+    .ticks = ticks,
+    .trouble = trouble,
+    .parameters = house_change_parameters,
+    .set = house_change_set,
+    .reset = house_change_reset,
+    .presets = house_change_presets,
+    .prefer = house_change_prefer,
+    .choices = house_change_choices,
+    .choose = house_change_choose,
+    .again = house_change_again,
+    .keep = house_change_keep,
+    .clear = house_change_clear,
+    .pick = pick,
+    .next = next,
+    .select = select_thing,
+    .selected = selected,
+    .name_thing = name_thing,
+    .outline = outline,
+    .command = command,
+    .save = save,
+    .sound = sound,
+    .editor = &house_editor,
+};

@@ -1,0 +1,195 @@
+/* What a house at work consists of: for the files house_laboratory*.c. */
+#pragma once
+
+#include "plan/draft.h"
+#include "visual/house/film.h"
+#include "laboratory/edit/editor.h"
+#include "laboratory/edit/editor_parts.h"
+#include "laboratory/house/session.h"
+#include "laboratory/house/fall.h"
+#include "laboratory/house/items.h"
+#include "laboratory/house/values.h"
+#include "laboratory/house/worker.h"
+#include "visual/house/house_plots.h"
+
+typedef enum HouseGhost { GHOST_NONE, GHOST_BEFORE, GHOST_RIVAL } HouseGhost;
+
+/* In the order of the keys 1 to 9. */
+typedef enum HouseLayer {
+    LAYER_RINGS,
+    LAYER_LOCI,
+    LAYER_GHOST,
+    LAYER_DANGER,
+    LAYER_WIDTHS,
+    LAYER_GRID,
+    LAYER_NAMES,
+    LAYER_FORCES,
+    LAYER_CIRCLES,
+    LAYERS,
+} HouseLayer;
+_Static_assert((int)LAYERS <= (int)LABORATORY_LAYERS_MOST, "a key for each layer");
+
+enum { HOUSE_CHOICES = 3, HOUSE_CHOICE_WORDS = 32 /* of one choice, at most */ };
+
+/* Plots of what is shown, and how far their axes have grown. */
+typedef struct ShownPlots {
+    HousePlots plots;
+    bool made;
+    unsigned revision[HOUSE_PLOTS_KNOWN];
+    Box grown[HOUSE_PLOTS_KNOWN]; /* while the run goes on */
+} ShownPlots;
+
+/* What is said of what is shown. */
+typedef struct HouseWords {
+    Scene clean;                 /* holds the answer of the draft when the run is mixed */
+    Scene run;                   /* holds what is said of the run: its answer, its list */
+    Scene moment;                /* holds what is said of what is selected, and of before and now */
+    double before[HAZARDS_MOST]; /* s, shortly before somebody comes to each dangerous point */
+    PanelRow *rows;              /* (row_count) */
+    TimelineMark *ticks;         /* (tick_count) */
+    size_t row_count, row_capacity, tick_count, tick_capacity;
+    const char *title, *detail;
+    Role role;
+    double said; /* s, of a steady clock, when they were last made */
+    double time; /* s, the moment that they tell of */
+    char doing[96], done[96], clock[32], note[192], name[HOUSE_THING_NAME];
+} HouseWords;
+
+typedef struct HouseSession {
+    Draft *draft;            /* the house as it stands under the hand */
+    Editor edit;             /* of that */
+    HouseWish wish;          /* without the house; route and driving as they are now */
+    LaboratoryOptions given; /* with which it was opened */
+    Arena arena;             /* of both */
+    HouseHistory history;    /* that is to be shown */
+    double time;             /* s, that is shown */
+    bool held;               /* a number is in the hand: what is set is one step until it is settled */
+
+    HouseWorker *worker;
+    HouseRun *shown;  /* NULL: nothing is read yet */
+    HouseRun *latest; /* asked for after the one shown; NULL: none */
+    HouseRun *mixed;  /* asked for, to be shown: the plan changes while it goes on; NULL: none */
+    HouseRun *early;  /* of those in work, the one whose plan is drawn already; NULL: none */
+    HouseRun *clean;  /* of the draft from the beginning on, when the one shown is mixed; NULL: that is it */
+    HouseRun *older;  /* begun before the latest was asked for; NULL: none */
+    HouseRun *before; /* kept, perhaps the one shown; NULL: none */
+    HouseRun *rival;  /* the same house with the other way of driving; NULL: none */
+    HouseRun *ways;   /* planned in the house that is shown; NULL: none */
+    bool rival_over, ways_over;
+    bool kept_itself; /* the one before, by a change */
+
+    Observation growing;            /* of the one shown while it goes on */
+    const Observation *observation; /* of the one shown */
+    TrailGrowth trails;             /* of that */
+    bool whole;                     /* the one shown is over */
+    Film *film;                     /* NULL: to be made */
+    size_t epoch;                   /* of the run, that the film is of */
+    bool fresh;                     /* nothing of the film has been shown yet */
+    Scene nothing;                  /* shown before anything is read */
+    HouseFall fall;                 /* in the picture alone */
+
+    HouseGhost ghost;
+    Camera camera;
+    unsigned layers;
+    Item selected;
+    unsigned changed;           /* LIVE_... since the last update */
+    bool retell;                /* words of the run are to be made anew, not only those of the moment */
+    HouseValues values, opened; /* as they are; and as they were at the opening */
+    ShownPlots plots;
+    HouseWords words;
+    Text trouble;
+    double trouble_time; /* s; NAN: of no moment */
+
+    PanelChoice choices[HOUSE_CHOICES]; /* (choice_count) */
+    const char *choice_words[HOUSE_CHOICES][HOUSE_CHOICE_WORDS];
+    size_t choice_count;
+    const char **command; /* of house_command_words */
+    Arena command_arena;
+} HouseSession;
+
+/* What can be pointed at. Something is shown. */
+static inline HouseScenery house_scenery(const HouseSession *live) {
+    return (HouseScenery){&live->shown->house, live->observation, live->trails.trails};
+}
+
+/* The draft has another plan than before: asks for its run, unless that is the one shown. */
+void house_follow_edited(HouseSession *live);
+
+/* Runs: asks for one of the present wish and draft; keeps the one shown as before (false: it is not over, or
+ * `by_itself` there is one already), or forgets the one before; takes over what has come, `time` is shown. */
+void house_follow_ask(HouseSession *live);
+bool house_follow_keep(HouseSession *live, bool by_itself);
+void house_follow_forget(HouseSession *live);
+void house_follow_all(HouseSession *live, double time);
+void house_follow_end(HouseSession *live);
+
+/* What is shown as a ghost; none: without an observation. */
+Before house_follow_ghost(const HouseSession *live);
+
+/* The way of driving that the house has not. */
+int house_follow_other(const HouseSession *live);
+
+/* The run whose answer is the draft's: the one shown, unless that is mixed. */
+const HouseRun *house_follow_answering(const HouseSession *live);
+
+/* Is what is in work only why somebody does not get out? The answer is there. */
+bool house_follow_seeks_reasons(const HouseSession *live);
+
+/* From the beginning on with the plan as it is. */
+void house_follow_clean(HouseSession *live);
+
+/* Up to when the record will not change any more, s. */
+double house_follow_reach(const HouseSession *live);
+
+/* The film is to be made anew before it is shown again. */
+void house_show_anew(HouseSession *live);
+
+/* Makes it, where that is to be, for a time. */
+void house_show_make(HouseSession *live, double time);
+
+/* The plots of what is shown now; `anew`: of another run, person or ghost, not only of more of the same. */
+void house_session_plots_make(HouseSession *live, bool anew);
+void house_session_plots_clear(HouseSession *live);
+LaboratoryPlot house_session_plots_at(const HouseSession *live, size_t index);
+
+/* A row more; good until the next one. */
+PanelRow *house_words_add(HouseSession *live, RowKind kind, const char *first);
+
+/* Rows about what is selected, if anything is. */
+void house_about_say(HouseSession *live, double time);
+
+/* Makes the words that are not as they should be; `time` is shown. */
+void house_words_make(HouseSession *live, double time);
+void house_words_clear(HouseSession *live);
+
+/* Has what is said of the moment changed since? */
+bool house_words_moved(const HouseSession *live, double time);
+
+Result house_words_answer(HouseSession *live);
+
+/* Is something else in work, or farther, than when this was asked last? */
+bool house_words_does_other(HouseSession *live);
+
+/* Ghost, route, driving, as far as there is something to choose; good until the draft is tried again, whose names they
+ * have. */
+const PanelChoice *house_choices_list(HouseSession *live, size_t *count);
+void house_choices_take(HouseSession *live, size_t choice, size_t word);
+
+/* As in Laboratory. */
+const PanelParameter *house_change_parameters(const void *context, size_t *count);
+bool house_change_set(void *context, const char *name, double value, Fault *fault);
+void house_change_reset(void *context);
+const Preset *house_change_presets(const void *context, size_t *count);
+void house_change_prefer(void *context, size_t preset);
+const PanelChoice *house_change_choices(const void *context, size_t *count);
+void house_change_choose(void *context, size_t choice, size_t word);
+void house_change_again(void *context);
+bool house_change_keep(void *context, double time);
+void house_change_clear(void *context, double time);
+
+/* Numbers are taken into the hand, under the name that their step will have, and put down. */
+void house_change_hold(HouseSession *live, const char *name);
+void house_change_settle(HouseSession *live);
+
+/* The words behind "clearance" that make what is shown; the file is "" where none has it. */
+const char *const *house_command_words(HouseSession *live, size_t *count);

@@ -1,0 +1,83 @@
+/* The plots beside a house: of who is selected, or of all. While a run goes on their axes reach to round numbers and
+ * only grow; of a whole run they fit. */
+#include <string.h>
+
+#include "laboratory/house/session_parts.h"
+
+#define FIRST_SECONDS 10.0 /* of the axes' time, at least, while a run goes on */
+#define THICK_TAIL 2.0     /* s, of a plot whose x is no time */
+
+static const char *const titles[HOUSE_PLOTS_KNOWN] = {"Speed", "Clearance", "Contact force", "Personal space pressed",
+                                                      "Sideways phase plane"};
+
+/* The next 1, 2 or 5 times a power of ten away from nought. */
+static double round_out(double value) {
+    if (!(fabs(value) > 0))
+        return 0;
+    double power = pow(10, floor(log10(fabs(value)))), part = fabs(value) / power;
+    double out = part <= 1 ? 1 : part <= 2 ? 2 : part <= 5 ? 5 : 10;
+    return copysign(out * power, value);
+}
+
+static Box extent_of(const Plot *plot) {
+    Box box = {{0, 0}, {0, 0}};
+    for (size_t s = 0; s < plot->series_count; s++)
+        for (size_t i = 0; i < plot->series[s].count; i++) {
+            Vec2 value = plot_value(&plot->series[s], i);
+            if (isfinite(value.x) && isfinite(value.y))
+                box = box_include(box, value);
+        }
+    for (size_t g = 0; g < plot->guide_count; g++)
+        box = box_include(box, plot->guides[g].upright ? vec2(plot->guides[g].at, 0) : vec2(0, plot->guides[g].at));
+    return box;
+}
+
+/* Gives a plot axes that hold it; true: others than before. */
+static bool grow_axes(Plot *plot, Box *grown, bool timed) {
+    Box box = extent_of(plot), before = *grown;
+    if (timed)
+        box.high.x = fmax(box.high.x, FIRST_SECONDS);
+    grown->low = vec2(fmin(before.low.x, round_out(box.low.x)), fmin(before.low.y, round_out(box.low.y)));
+    grown->high = vec2(fmax(before.high.x, round_out(box.high.x)), fmax(before.high.y, round_out(box.high.y)));
+    plot->x.low = grown->low.x;
+    plot->x.high = grown->high.x;
+    plot->y.low = grown->low.y;
+    plot->y.high = grown->high.y;
+    return memcmp(&before, grown, sizeof before) != 0;
+}
+
+void house_session_plots_make(HouseSession *live, bool anew) {
+    static const PlotChoice all = {.indices = {0, 1, 2, 3, 4}, .count = HOUSE_PLOTS_KNOWN};
+    ShownPlots *plots = &live->plots;
+    size_t person = live->selected.kind == HOUSE_PERSON ? live->selected.index : SIZE_MAX;
+    if (plots->made)
+        house_plots_free(&plots->plots);
+    plots->made = true;
+    plots->plots = house_plots_make_of(&live->shown->house, live->observation, live->trails.trails,
+                                       house_follow_ghost(live), person, &all);
+    for (size_t i = 0; i < HOUSE_PLOTS_KNOWN; i++) {
+        Plot *plot = &plots->plots.plots[i];
+        if (anew)
+            plots->grown[i] = (Box){{0, 0}, {0, 0}};
+        bool timed = strcmp(house_plots_name(i), "phase") != 0;
+        bool other = !live->whole && grow_axes(plot, &plots->grown[i], timed);
+        plots->revision[i] += anew || other;
+    }
+}
+
+void house_session_plots_clear(HouseSession *live) {
+    if (live->plots.made)
+        house_plots_free(&live->plots.plots);
+    live->plots.made = false;
+}
+
+LaboratoryPlot house_session_plots_at(const HouseSession *live, size_t index) {
+    const char *name = house_plots_name(index);
+    return (LaboratoryPlot){.name = name,
+                            .title = titles[index],
+                            .plot = &live->plots.plots.plots[index],
+                            .revision = live->plots.revision[index],
+                            .cursor = NAN,
+                            .now = ROLE_PAPER,
+                            .tail = strcmp(name, "phase") == 0 ? THICK_TAIL : 0};
+}

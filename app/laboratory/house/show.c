@@ -1,0 +1,66 @@
+/* The layers of a house that is shown. */
+#include "laboratory/house/session_parts.h"
+
+enum { GHOSTS_MOST = 60 /* people: of more nobody could be told apart */ };
+
+#define OUTSIDE 1.0 /* m, round exits: there people are seen to leave */
+
+/* The plan, and room before its exits: the same while people go out and wherever they drive. */
+static Box box_of(const House *house) {
+    Box box = house->outline.box;
+    for (size_t e = 0; e < house->plan.exit_count; e++) {
+        const Exit *exit = &house->plan.exits[e];
+        Vec2 across = vec2_scale(vec2_left(vec2_unit(vec2_sub(exit->to, exit->from))), OUTSIDE);
+        box = box_include(box_include(box, vec2_add(exit->from, across)), vec2_sub(exit->from, across));
+        box = box_include(box_include(box, vec2_add(exit->to, across)), vec2_sub(exit->to, across));
+    }
+    return box_expand(box, HOUSE_SCENE_MARGIN);
+}
+
+static int hidden_of(unsigned layers) {
+    static const int bits[][2] = {{LAYER_RINGS, FILM_RINGS},   {LAYER_LOCI, FILM_LOCI}, {LAYER_GHOST, FILM_GHOST},
+                                  {LAYER_DANGER, FILM_DANGER}, {LAYER_GRID, FILM_GRID}, {LAYER_NAMES, FILM_NAMES},
+                                  {LAYER_FORCES, FILM_FORCES}};
+    int hidden = 0;
+    for (size_t i = 0; i < sizeof bits / sizeof *bits; i++)
+        hidden |= layers & 1u << bits[i][0] ? 0 : bits[i][1];
+    return hidden;
+}
+
+void house_show_anew(HouseSession *live) {
+    if (live->film)
+        film_destroy(live->film);
+    live->film = NULL;
+    live->changed |= LABORATORY_VIEW;
+}
+
+void house_show_make(HouseSession *live, double time) {
+    size_t epoch = live->shown ? house_run_epoch(live->shown, time) : 0;
+    size_t falling = house_fall_count(live, time);
+    if (epoch != live->epoch || falling != live->fall.drawn)
+        house_show_anew(live);
+    if (live->film || !live->shown)
+        return;
+    bool last = epoch + 1 == live->shown->wish.epoch_count;
+    const House *house = last && live->early ? &live->early->house : house_run_house(live->shown, epoch);
+    Before ghost = house_follow_ghost(live);
+    bool is_crowd = ghost.house && ghost.house->person_count > GHOSTS_MOST;
+    bool ways = live->ways_over && live->layers & 1u << LAYER_WIDTHS;
+    FilmOptions options = {.camera = live->camera,
+                           .bare = true,
+                           .shown = live->layers & 1u << LAYER_CIRCLES ? FILM_CIRCLES : 0,
+                           .hidden = hidden_of(live->layers),
+                           .before = is_crowd ? (Before){.house = NULL} : ghost,
+                           .live = true,
+                           .ahead = live->whole && live->ghost == GHOST_BEFORE && ghost.house, /* both to compare */
+                           .observed = house == &live->shown->house ? NULL : &live->shown->house,
+                           .trails = live->trails.trails,
+                           .ways = ways ? &live->ways->ways : NULL,
+                           .falling = live->fall.pieces,
+                           .falling_count = falling,
+                           .box = box_of(&live->shown->house)};
+    live->epoch = epoch;
+    live->fall.drawn = falling;
+    live->film = film_create(house, live->observation, &options);
+    live->fresh = true;
+}

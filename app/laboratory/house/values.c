@@ -1,0 +1,304 @@
+#include "laboratory/house/values.h"
+
+#include <ctype.h>
+#include <string.h>
+
+#include "base/choice.h"
+#include "base/parameters_number.h"
+#include "laboratory/house/items.h"
+
+/* Which parameters of the plan are offered, and the useful part of their ranges. */
+typedef struct Offer {
+    const char *name;  /* as in its table */
+    const char *label; /* NULL: the name */
+    double low, high;  /* in the row's unit; low == high: round the value in the file */
+} Offer;
+
+static const Offer door_offers[] = {{"width", "width", 0.5, 1.5},
+                                    {"at", "place along its wall", 0, 0},
+                                    {"state", "state", 0, 0},
+                                    {"opening_time", "time to open it", 0, 10}};
+static const Offer furniture_offers[] = {{"centre.x", "place, x", 0, 0},    {"centre.y", "place, y", 0, 0},
+                                         {"angle", "turned by", -180, 180}, {"size.x", "size along", 0, 0},
+                                         {"size.y", "size across", 0, 0},   {"topples", "topples to its", 0, 0},
+                                         {"toppled", "lies there", 0, 0}};
+static const Offer wall_offers[] = {{"thickness", "thickness", 0, 0.5}};
+static const Offer exit_offers[] = {{"opens", "opens at", 0, 60}};
+static const Offer person_offers[] = {{"delay", "waits for", 0, 30},
+                                      {"speed", "free speed (0: the profile's)", 0, 2},
+                                      {"at.x", "start, x", 0, 0},
+                                      {"at.y", "start, y", 0, 0},
+                                      {"heading", "heading at the start", -180, 180}};
+static const Offer crowd_offers[] = {{"count", "people", 0, 0}, {"delay", "waits for", 0, 60}};
+static const Offer run_offers[] = {{"routes", "routes", 0, 0},
+                                   {"until", "gives up at", 0, 0},
+                                   {"patience", "patience", 0, 0},
+                                   {"clearance_warning", "danger: clearance below", 0, 0.2},
+                                   {"force_warning", "danger: force above", 0, 0},
+                                   {"loss_warning", "danger: lost time above", 0, 0},
+                                   {"reversals", "most changes of direction", 0, 10},
+                                   {"cell", "cell of the route search", 0, 0},
+                                   {"sample", "time between records", 0, 0},
+                                   {"dt", "time step", 0, 0}};
+
+/* Numbers of a profile that most people want to change. */
+static const char *const key_rows[] = {"body.length", "body.width", "drive.free_speed", "space.reach"};
+
+enum { KEY_DOORS = 6 /* whose widths are shown without being asked for */ };
+
+#define AROUND 1.0      /* m, a slider of a place reaches so far to both sides */
+#define DECADE 10.0     /* a logarithmic one so many times up and down */
+#define STIFF_FROM 10.0 /* what is larger and has a range of many decades has a logarithmic slider */
+
+#define COUNT(array_) (sizeof(array_) / sizeof *(array_))
+
+/* The list -------------------------------------------------------------------------------------------------------- */
+
+static const char *sentence(Arena *arena, const char *words) {
+    return text_in_arena(arena, "%c%s.", toupper((unsigned char)*words), words + 1);
+}
+
+/* Stiffnesses, dampings and the like. */
+static bool spans_decades(const Parameter *row, double value) {
+    return row->kind == PARAMETER_NUMBER && value >= STIFF_FROM && row->high >= 1e5 && strcmp(row->unit, "m") != 0 &&
+           strcmp(row->unit, "s") != 0;
+}
+
+/* Somewhere on the floor, or along a wall. */
+static bool is_place(const Offer *offer) {
+    size_t length = offer ? strlen(offer->name) : 0;
+    return length && strncmp(offer->name, "size", 4) != 0 &&
+           (strcmp(offer->name, "at") == 0 || strcmp(offer->name + length - 2, ".x") == 0 ||
+            strcmp(offer->name + length - 2, ".y") == 0);
+}
+
+static void set_range(PanelParameter *live, const Offer *offer) {
+    const Parameter *row = live->row;
+    double value = live->initial;
+    live->low = value / 2;
+    live->high = value > 0 ? 2 * value : 1;
+    if (offer && offer->low < offer->high) {
+        live->low = fmin(offer->low, value);
+        live->high = fmax(offer->high, 1.5 * value);
+    } else if (is_place(offer)) {
+        live->low = value - AROUND;
+        live->high = value + AROUND;
+    } else if (spans_decades(row, value)) {
+        live->logarithmic = true;
+        live->low = value / DECADE;
+        live->high = value * DECADE;
+    } else if (row->kind == PARAMETER_WHOLE) {
+        live->low = floor(live->low);
+        live->high = ceil(fmax(live->high, value + 1));
+    }
+    live->low = fmax(live->low, row->low);
+    live->high = fmin(live->high, row->high);
+}
+
+/* Adds the parameter called `name`, when the house has it. */
+static PanelParameter *add_value(HouseValues *values, const House *house, const char *name, const Offer *offer,
+                                 ValueOwner owner) {
+    Fault fault = {0};
+    const void *object;
+    const Parameter *row = house_parameter(house, name, &object, "", &fault);
+    fault_clear(&fault);
+    double value = row ? parameters_number_get(row, object) : NAN;
+    if (!isfinite(value))
+        return NULL;
+    values->owners = memory_reserve(values->owners, &values->owner_capacity, values->count + 1, sizeof owner);
+    values->rows = memory_reserve(values->rows, &values->capacity, values->count + 1, sizeof *values->rows);
+    values->owners[values->count] = owner;
+    PanelParameter *live = &values->rows[values->count++];
+    *live = (PanelParameter){.name = name,
+                             .row = row,
+                             .label = offer && offer->label ? offer->label : row->meaning,
+                             .meaning = sentence(&values->arena, row->meaning),
+                             .value = value,
+                             .initial = value};
+    if (row->provenance && !row->needed && value == row->fallback && *row->provenance)
+        live->provenance = row->provenance;
+    if (row->kind == PARAMETER_NUMBER || row->kind == PARAMETER_WHOLE)
+        set_range(live, offer);
+    return live;
+}
+
+/* Those of one thing of the plan: KIND.ID.NAME. */
+static void add_offers(HouseValues *values, const House *house, const char *kind, const char *id, const char *group,
+                       ValueOwner owner, const Offer *offers, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        const char *name = text_in_arena(&values->arena, "%s.%s.%s", kind, id, offers[i].name);
+        PanelParameter *live = add_value(values, house, name, &offers[i], owner);
+        if (live)
+            live->group = group;
+    }
+}
+
+static void add_things(HouseValues *values, const House *house, int kind, const char *word, const Offer *offers,
+                       size_t offer_count) {
+    for (size_t i = 0; i < house_item_count(house, NULL, kind); i++) {
+        Item thing = {kind, i};
+        char name[HOUSE_THING_NAME];
+        if (kind == HOUSE_PERSON && plan_find_person(&house->plan, house->people[i].id) == SIZE_MAX)
+            continue; /* of a crowd: without numbers of its own */
+        house_item_name(house, NULL, thing, name, sizeof name);
+        *name = (char)toupper((unsigned char)*name);
+        add_offers(values, house, word, house_item_id(house, thing), arena_text(&values->arena, name),
+                   (ValueOwner){.thing = thing, .key = kind == HOUSE_DOOR && i < KEY_DOORS}, offers, offer_count);
+    }
+}
+
+static void add_people(HouseValues *values, const House *house) {
+    add_things(values, house, HOUSE_PERSON, "person", person_offers, COUNT(person_offers));
+    for (size_t c = 0; c < house->plan.crowd_count; c++) {
+        const char *id = house->plan.crowds[c].id;
+        add_offers(values, house, "crowd", id, text_in_arena(&values->arena, "Crowd %s", id), (ValueOwner){.key = true},
+                   crowd_offers, COUNT(crowd_offers));
+    }
+}
+
+static const char *part_of_profile(const char *name) {
+    static const char *const parts[][2] = {
+        {"body.", "body"}, {"drive.", "driving"}, {"space.", "personal space"}, {"contact.", "contact"}};
+    for (size_t i = 0; i < COUNT(parts); i++)
+        if (strncmp(name, parts[i][0], strlen(parts[i][0])) == 0)
+            return parts[i][1];
+    return "";
+}
+
+/* "free speed" of "drive.free_speed" */
+static const char *leaf_words(Arena *arena, const char *name) {
+    char *words = arena_allocate(arena, strlen(name) + 1);
+    strcpy(words, strchr(name, '.') + 1);
+    for (char *at = words; *at; at++)
+        *at = *at == '_' ? ' ' : *at;
+    return words;
+}
+
+static void add_profile(HouseValues *values, const House *house, const Profile *profile) {
+    const ParameterTable *table = profile_table();
+    const char *what = profile->driving == DRIVING_WALKER ? "On foot" : "Wheelchair";
+    for (size_t r = 0; r < table->count; r++) {
+        if (!profile_row_matters(r, profile->driving))
+            continue;
+        const char *row = table->rows[r].name;
+        ValueOwner owner = {.profile = arena_text(&values->arena, profile->name)};
+        for (size_t k = 0; k < COUNT(key_rows); k++)
+            owner.key = owner.key || strcmp(row, key_rows[k]) == 0;
+        const char *name = text_in_arena(&values->arena, "profile.%s.%s", profile->name, row);
+        PanelParameter *live = add_value(values, house, name, NULL, owner);
+        if (!live)
+            continue;
+        live->label = leaf_words(&values->arena, row);
+        live->group = text_in_arena(&values->arena, "%s %s: %s", what, profile->name, part_of_profile(row));
+        live->provenance = arena_text(&values->arena, profile->provenance[r]);
+    }
+}
+
+void house_value_list(HouseValues *values, const House *house) {
+    for (size_t k = 0; k < house->profile_count; k++)
+        add_profile(values, house, &house->profiles[k]);
+    add_things(values, house, HOUSE_DOOR, "door", door_offers, COUNT(door_offers));
+    add_people(values, house);
+    add_things(values, house, HOUSE_FURNITURE, "furniture", furniture_offers, COUNT(furniture_offers));
+    add_things(values, house, HOUSE_WALL, "wall", wall_offers, COUNT(wall_offers));
+    add_things(values, house, HOUSE_EXIT, "exit", exit_offers, COUNT(exit_offers));
+    for (size_t i = 0; i < COUNT(run_offers); i++) {
+        PanelParameter *live = add_value(values, house, text_in_arena(&values->arena, "run.%s", run_offers[i].name),
+                                         &run_offers[i], (ValueOwner){.key = false});
+        live->group = "Run";
+    }
+    values->listed = memory_zeroed(values->count, sizeof *values->listed);
+}
+
+void house_value_list_again(HouseValues *values, const HouseValues *opened, const House *house) {
+    house_value_clear(values);
+    house_value_list(values, house);
+    for (size_t i = 0, next = 0; i < values->count; i++) {
+        PanelParameter *live = &values->rows[i];
+        /* mostly in the same order */
+        size_t at = next < opened->count && strcmp(opened->rows[next].name, live->name) == 0
+                        ? next
+                        : house_value_find(opened, live->name);
+        if (at == SIZE_MAX)
+            continue;
+        next = at + 1;
+        live->initial = opened->rows[at].value;
+        live->low = fmin(opened->rows[at].low, live->value);
+        live->high = fmax(opened->rows[at].high, live->value);
+    }
+}
+
+void house_value_clear(HouseValues *values) {
+    memory_free(values->rows);
+    memory_free(values->owners);
+    memory_free(values->listed);
+    arena_clear(&values->arena);
+    *values = (HouseValues){0};
+}
+
+/* Of what is selected, and of a person's profile what tells most. */
+static bool comes_first(const ValueOwner *owner, const PanelParameter *live, const House *house, Item selected) {
+    if (selected.kind == HOUSE_NOTHING || selected.kind == HOUSE_HAZARD || selected.kind == HOUSE_STOP)
+        return owner->key && (owner->thing.kind != HOUSE_DOOR || strcmp(live->label, "width") == 0);
+    if (item_same(owner->thing, selected))
+        return true;
+    return selected.kind == HOUSE_PERSON && owner->key && owner->profile &&
+           strcmp(owner->profile, house->people[selected.index].profile->name) == 0;
+}
+
+/* What is selected itself, before the profile that it has. */
+static int rank_of(const ValueOwner *owner, const PanelParameter *live, Item selected) {
+    if (!live->first)
+        return 2;
+    return selected.kind && item_same(owner->thing, selected) ? 0 : 1;
+}
+
+void house_value_sort(HouseValues *values, const House *house, Item selected) {
+    size_t listed = 0;
+    for (size_t i = 0; i < values->count; i++)
+        values->rows[i].first = comes_first(&values->owners[i], &values->rows[i], house, selected);
+    for (int rank = 0; rank <= 2; rank++)
+        for (size_t i = 0; i < values->count; i++)
+            if (rank_of(&values->owners[i], &values->rows[i], selected) == rank)
+                values->listed[listed++] = values->rows[i];
+}
+
+/* Setting them ---------------------------------------------------------------------------------------------------- */
+
+size_t house_value_find(const HouseValues *values, const char *name) {
+    for (size_t i = 0; i < values->count; i++)
+        if (strcmp(values->rows[i].name, name) == 0)
+            return i;
+    return SIZE_MAX;
+}
+
+bool house_value_set(HouseValues *values, size_t row, double value, Fault *fault) {
+    PanelParameter *live = &values->rows[row];
+    const Parameter *is = live->row;
+    bool number = is->kind == PARAMETER_NUMBER || is->kind == PARAMETER_WHOLE;
+    double low = number ? is->low : 0, high = number ? is->high : 1;
+    if (is->kind == PARAMETER_CHOICE)
+        high = (double)choice_count(is->choices) - 1;
+    const char *unit = parameters_unit(is), *space = *unit ? " " : "";
+    if (!(value >= low && value <= high)) {
+        fault_add(fault, "%s: %g%s%s is out of range, %g%s%s to %g%s%s", live->label, value, space, unit, low, space,
+                  unit, high, space, unit);
+        return false;
+    }
+    if (is->kind != PARAMETER_NUMBER && value != floor(value)) {
+        fault_add(fault, "%s: %g must be a whole number", live->label, value);
+        return false;
+    }
+    live->value = value;
+    return true;
+}
+
+size_t house_value_settings(const HouseValues *values, const char **settings, Arena *arena) {
+    size_t count = 0;
+    for (size_t i = 0; i < values->count; i++)
+        if (values->rows[i].value != values->rows[i].initial)
+            settings[count++] =
+                text_in_arena(arena, "%s=%s", values->rows[i].name,
+                              parameters_number_text(values->rows[i].row, values->rows[i].value, arena));
+    return count;
+}

@@ -1,0 +1,312 @@
+/* What is said of a house at work: the answer, and the rows of the panel. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/clock.h"
+#include "visual/house/blockage_scene.h"
+#include "laboratory/house/session_parts.h"
+#include "visual/house/people_scene.h"
+
+#define MOMENT 0.1 /* s, of a steady clock, from one time that the present numbers are told to the next */
+#define ALIKE 0.05 /* s: times that are told alike */
+#define AHEAD 2.0  /* s, before somebody comes to a dangerous point: from there it is seen how */
+
+enum { TICKS_MOST = 2000 };
+
+#define NEW_CONTACT 0.1 /* s: a body that has been free for less is still touching */
+
+PanelRow *house_words_add(HouseSession *live, RowKind kind, const char *first) {
+    HouseWords *words = &live->words;
+    words->rows = memory_reserve(words->rows, &words->row_capacity, words->row_count + 1, sizeof *words->rows);
+    PanelRow *row = &words->rows[words->row_count++];
+    *row = (PanelRow){.row = {.kind = kind, .role = ROLE_TEXT, .cells = {first}}, .time = NAN};
+    return row;
+}
+
+/* Before and now -------------------------------------------------------------------------------------------------- */
+
+typedef struct Totals {
+    double time, narrowest, force, ring;
+    int contacts;
+    bool completed;
+} Totals;
+
+static Totals totals_of(const Observation *observation) {
+    Totals totals = {.time = observation->time, .narrowest = HUGE_VAL, .completed = observation->completed};
+    for (size_t i = 0; i < observation->person_count; i++) {
+        const PersonObservation *person = &observation->people[i];
+        if (!person->took_part)
+            continue;
+        totals.narrowest = fmin(totals.narrowest, person->narrowest);
+        totals.contacts += person->contacts;
+        totals.force = fmax(totals.force, person->peak_force);
+        totals.ring += person->ring_time;
+    }
+    return totals;
+}
+
+static void add_comparison(HouseSession *live, const char *what, const char *before, const char *now) {
+    PanelRow *row = house_words_add(live, ROW_PLAIN, what);
+    row->row.cells[1] = before;
+    row->row.cells[2] = now;
+}
+
+static void compare(HouseSession *live) {
+    Before ghost = house_follow_ghost(live);
+    Scene *scene = &live->words.moment;
+    if (!ghost.observation || !live->whole)
+        return;
+    Totals before = totals_of(ghost.observation), now = totals_of(live->observation);
+    house_words_add(live, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_word(ghost)));
+    add_comparison(live, "time", before.completed ? scene_text(scene, "%.1f s", before.time) : "not out",
+                   now.completed ? scene_text(scene, "%.1f s", now.time) : "not out");
+    if (before.completed && now.completed)
+        add_comparison(live, "difference", "", scene_text(scene, "%+.1f s", now.time - before.time));
+    const char *narrowest = people_scene_clearance(scene, before.narrowest);
+    add_comparison(live, "narrowest", narrowest, people_scene_clearance(scene, now.narrowest));
+    const char *contacts = scene_text(scene, "%d", before.contacts);
+    add_comparison(live, "contacts", contacts, scene_text(scene, "%d", now.contacts));
+    const char *force = scene_text(scene, "%.0f N", before.force);
+    add_comparison(live, "hardest contact", force, scene_text(scene, "%.0f N", now.force));
+    const char *ring = scene_text(scene, "%.1f s", before.ring);
+    add_comparison(live, "space pressed", ring, scene_text(scene, "%.1f s", now.ring));
+}
+
+/* What the scene lists: dangerous points and people --------------------------------------------------------------- */
+
+/* When somebody is nearest to each dangerous point, less so much that one sees them come; s. */
+static void find_times(HouseSession *live) {
+    const Observation *observation = live->observation;
+    double least[HAZARDS_MOST], *before = live->words.before;
+    for (size_t h = 0; h < observation->hazard_count; h++)
+        least[h] = HUGE_VAL;
+    for (size_t r = 0; r < observation->trace.rows && observation->hazard_count; r++) {
+        const double *row = trace_row(&observation->trace, r);
+        for (size_t h = 0; h < observation->hazard_count; h++) {
+            double distance = vec2_distance(vec2(row[TRACE_X], row[TRACE_Y]), observation->hazards[h].at);
+            if (distance >= least[h])
+                continue;
+            least[h] = distance;
+            before[h] = fmax(0, row[TRACE_TIME] - AHEAD);
+        }
+    }
+}
+
+/* The first who is stopped somewhere; person_count: nobody. */
+static size_t first_stopped(const Observation *observation) {
+    size_t i = 0;
+    while (i < observation->person_count && !blockage_scene_has(&observation->people[i]))
+        i++;
+    return i;
+}
+
+/* Rows of the scene's list with what they mean: the n-th below a heading is the n-th of its kind. */
+static void add_listed(HouseSession *live) {
+    const Scene *scene = &live->words.run;
+    const House *house = &live->shown->house;
+    size_t hazard = 0, person = 0, stopped = first_stopped(live->observation);
+    bool stops = live->whole && stopped < live->observation->person_count;
+    for (size_t i = 0; i < scene->row_count; i++) {
+        PanelRow *row = house_words_add(live, ROW_PLAIN, NULL);
+        row->row = scene->rows[i];
+        if (stops)
+            row->place = (Item){HOUSE_STOP, stopped};
+        if (row->row.kind == ROW_DISC) {
+            row->thing = (Item){HOUSE_HAZARD, hazard};
+            row->place = stops ? row->place : row->thing;
+            row->time = live->words.before[hazard++];
+        } else if (row->row.kind == ROW_LINE && house->person_count <= PEOPLE_SCENE_INDIVIDUALS) {
+            while (person < house->person_count && !live->observation->people[person].took_part)
+                person++;
+            if (person < house->person_count)
+                row->thing = (Item){HOUSE_PERSON, person++};
+        }
+    }
+}
+
+/* Ticks ----------------------------------------------------------------------------------------------------------- */
+
+static void add_tick(HouseSession *live, double time, TimelineMarkKind kind) {
+    HouseWords *words = &live->words;
+    if (words->tick_count == TICKS_MOST)
+        return;
+    words->ticks = memory_reserve(words->ticks, &words->tick_capacity, words->tick_count + 1, sizeof *words->ticks);
+    words->ticks[words->tick_count++] = (TimelineMark){time, kind};
+}
+
+static int compare_ticks(const void *a, const void *b) {
+    const TimelineMark *p = a, *q = b;
+    return p->time != q->time ? (p->time > q->time) - (p->time < q->time) : (int)p->kind - (int)q->kind;
+}
+
+static void make_ticks(HouseSession *live) {
+    const Observation *observation = live->observation;
+    live->words.tick_count = 0;
+    for (size_t i = 0; i < observation->person_count; i++) {
+        const PersonObservation *person = &observation->people[i];
+        const Trail *trail = &live->trails.trails[i];
+        double touched = -HUGE_VAL;
+        for (size_t r = 0; r < trail->count; r++) {
+            const double *row = trail->rows[r];
+            if (!(row[TRACE_BODY_FORCE] > 0))
+                continue;
+            if (row[TRACE_TIME] - touched > NEW_CONTACT)
+                add_tick(live, row[TRACE_TIME], TIMELINE_CONTACT);
+            touched = row[TRACE_TIME];
+        }
+        if (person->completed)
+            add_tick(live, person->time, TIMELINE_EXIT);
+        if (person->reason == REASON_DIVERGED)
+            add_tick(live, person->time, TIMELINE_TROUBLE);
+    }
+    for (size_t i = 1; i < live->shown->wish.epoch_count; i++)
+        add_tick(live, live->shown->wish.epochs[i].time, TIMELINE_CHANGE);
+    if (live->words.tick_count > 1)
+        qsort(live->words.ticks, live->words.tick_count, sizeof *live->words.ticks, compare_ticks);
+}
+
+/* The answer ------------------------------------------------------------------------------------------------------ */
+
+/* "before 24.1 s, -5.7 s (-24 %)" */
+static const char *against(HouseSession *live, const Observation *now) {
+    Before ghost = house_follow_ghost(live);
+    if (!ghost.observation && live->clean && live->before) /* which is shown still: the answer is newer */
+        ghost = (Before){.house = &live->before->house, .observation = &live->before->observation};
+    Scene *scene = &live->words.moment;
+    if (!ghost.observation)
+        return "";
+    const char *word = house_scene_before_word(ghost);
+    double before = ghost.observation->time, more = now->time - before;
+    if (!ghost.observation->completed)
+        return scene_text(scene, "%s not out", word);
+    if (!now->completed || before <= 0)
+        return scene_text(scene, "%s %.1f s", word, before);
+    if (fabs(more) < ALIKE)
+        return scene_text(scene, "%s %.1f s, the same", word, before);
+    return scene_text(scene, "%s %.1f s, %+.1f s (%+.0f %%)", word, before, more, 100 * more / before);
+}
+
+static void say_answer(HouseSession *live) {
+    HouseWords *words = &live->words;
+    const Scene *run = live->clean ? &words->clean : &words->run;
+    if (!live->whole && !live->clean) {
+        words->title = live->observation->trace.rows ? "Driving ..." : "Planning ...";
+        words->role = ROLE_TEXT;
+        words->detail = "";
+        return;
+    }
+    const HouseRun *answering = house_follow_answering(live);
+    if (!answering->house.person_count) {
+        words->title = run->title;
+        words->role = run->title_role;
+        words->detail = "W draws walls, D a door, X an exit; P places a person, who then tries to get out";
+        return;
+    }
+    const char *than = against(live, live->clean ? &answering->observation : live->observation);
+    words->title = run->title;
+    words->role = run->title_role;
+    words->detail =
+        *than ? scene_text(&words->moment, "%s%s%s", than, *run->detail ? "; " : "", run->detail) : run->detail;
+}
+
+/* What is said of the draft from the beginning on, when the run shown is mixed. */
+static void tell_clean(HouseSession *live) {
+    scene_clear(&live->words.clean);
+    if (!live->clean)
+        return;
+    Census census = census_take(&live->clean->house, &live->clean->observation);
+    house_scene_say(&live->words.clean, &live->clean->house, &live->clean->observation, &census);
+    census_clear(&census);
+}
+
+/* What is said of the run as a whole. */
+static void tell_run(HouseSession *live) {
+    tell_clean(live);
+    Census census = census_take(&live->shown->house, live->observation);
+    scene_clear(&live->words.run);
+    house_scene_say(&live->words.run, &live->shown->house, live->observation, &census);
+    census_clear(&census);
+    find_times(live);
+    make_ticks(live);
+    live->retell = false;
+}
+
+void house_words_make(HouseSession *live, double time) {
+    HouseWords *words = &live->words;
+    words->row_count = 0;
+    words->said = clock_now();
+    words->time = time;
+    if (live->retell)
+        tell_run(live);
+    scene_clear(&words->moment);
+    say_answer(live);
+    house_about_say(live, time);
+    compare(live);
+    add_listed(live);
+}
+
+void house_words_clear(HouseSession *live) {
+    scene_clear(&live->words.clean);
+    scene_clear(&live->words.run);
+    scene_clear(&live->words.moment);
+    memory_free(live->words.rows);
+    memory_free(live->words.ticks);
+    live->words = (HouseWords){.title = NULL};
+}
+
+bool house_words_moved(const HouseSession *live, double time) {
+    if (!live->shown || live->selected.kind != HOUSE_PERSON || time == live->words.time)
+        return false;
+    const Trail *trail = &live->trails.trails[live->selected.index];
+    return clock_now() - live->words.said >= MOMENT &&
+           trail_row_at(trail, time) != trail_row_at(trail, live->words.time);
+}
+
+/* What is in work, in words; NULL: nothing. */
+static const char *say_doing(HouseSession *live) {
+    HouseWords *words = &live->words;
+    char who[32] = "";
+    if (house_follow_seeks_reasons(live))
+        return "looking for the reason";
+    HouseRun *run = live->latest ? live->latest : live->mixed;
+    if (!run && live->shown && !live->whole)
+        run = live->shown;
+    if (!run && live->rival && !live->rival_over) {
+        run = live->rival;
+        snprintf(who, sizeof who, "%s: ", profile_driving_name(run->wish.driving));
+    }
+    if (!run && live->ways && !live->ways_over)
+        run = live->ways;
+    return run && house_run_say(run, who, words->doing, sizeof words->doing) ? words->doing : NULL;
+}
+
+/* Before anything is shown. */
+static Result answer_nothing(HouseSession *live) {
+    if (live->latest)
+        return (Result){.title = "Reading ...", .role = ROLE_TEXT, .detail = "", .doing = say_doing(live), .part = NAN};
+    return (Result){.title = "This house cannot be run",
+                    .role = ROLE_ERROR,
+                    .detail = live->trouble.text ? live->trouble.text : "",
+                    .part = NAN};
+}
+
+Result house_words_answer(HouseSession *live) {
+    const HouseWords *words = &live->words;
+    if (!live->shown)
+        return answer_nothing(live);
+    return (Result){.title = words->title ? words->title : "Planning ...",
+                    .role = words->role,
+                    .detail = words->detail ? words->detail : "",
+                    .stale = live->latest && !house_follow_seeks_reasons(live),
+                    .doing = say_doing(live),
+                    .part = NAN};
+}
+
+bool house_words_does_other(HouseSession *live) {
+    HouseWords *words = &live->words;
+    const char *doing = say_doing(live);
+    bool other = strcmp(doing ? doing : "", words->done) != 0;
+    snprintf(words->done, sizeof words->done, "%s", doing ? doing : "");
+    return other;
+}

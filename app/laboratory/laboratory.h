@@ -1,0 +1,236 @@
+/* A laboratory at work: what a window opens, plays, shows and lets people change. One struct of functions a laboratory;
+ * the window knows no more of houses and beams than what stands here, and they know no window, key or pixel.
+ *
+ * All calls come from one thread. What takes longer than a few milliseconds is done on threads of the laboratory's own;
+ * live->update takes over what they have made. What is recorded can be shown at any time, in any order, and looks the
+ * same each time.
+ *
+ *     open -> { set, choose ... }   update -> reach -> show -> scenes, plots   answer, rows, ticks                   */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/fault.h"
+#include "base/parameters.h"
+#include "base/text.h"
+#include "plot/plot.h"
+#include "draw/scene.h"
+
+typedef struct LaboratoryOptions {
+    const char *profiles;        /* directory of the shipped profiles */
+    const char *const *settings; /* (setting_count) NAME=VALUE */
+    size_t setting_count;
+    const char *route;  /* id, or NULL: everybody */
+    const char *origin; /* file that the one opened is a copy of, beside which the rest of it lies; NULL: it is none */
+    int driving;        /* Driving, or -1 */
+    uint64_t seed;
+    int jobs; /* threads */
+} LaboratoryOptions;
+
+/* What has changed since the update before. */
+enum {
+    LABORATORY_VIEW = 1,       /* the layers: what stays must be painted anew */
+    LABORATORY_PLOTS = 2,      /* how many plots there are, or which */
+    LABORATORY_WORDS = 4,      /* answer, rows, ticks */
+    LABORATORY_PARAMETERS = 8, /* which there are, or their values */
+    LABORATORY_TROUBLE = 16,   /* something new went wrong: see live->trouble */
+    LABORATORY_ALL = 31,
+};
+
+/* What of time there is to be seen. */
+typedef struct RecordSpan {
+    double begin, end; /* s, recorded */
+    bool complete;     /* it is over: no more will come by itself */
+    bool endless;      /* more comes whenever it is reached for */
+    double pace;       /* s shown in a second at speed 1 */
+    double step;       /* s, of one shown frame: from picture to picture when stepping */
+    double fastest;    /* the highest speed that makes sense, a power of two */
+} RecordSpan;
+
+typedef enum TimelineMarkKind { TIMELINE_CONTACT, TIMELINE_EXIT, TIMELINE_CHANGE, TIMELINE_TROUBLE } TimelineMarkKind;
+
+/* A mark on the timeline. */
+typedef struct TimelineMark {
+    double time; /* s */
+    TimelineMarkKind kind;
+} TimelineMark;
+
+typedef struct Result {
+    const char *title; /* "Out in 18.4 s", "Chaotic"; before it is known "Driving ...", never NULL */
+    Role role;         /* ROLE_TEXT, or ROLE_ERROR when the answer is no */
+    const char *detail;
+    bool stale;        /* of before the last change: shown grey */
+    const char *doing; /* what is being worked out in the background, "types: 40 of 768 runs", or NULL */
+    double part;       /* 0 to 1 of that; NAN: not known */
+} Result;
+
+/* Something that can be selected; kind 0: nothing. */
+typedef struct Item {
+    int kind;
+    size_t index;
+} Item;
+
+static inline bool item_same(Item a, Item b) {
+    return a.kind == b.kind && (!a.kind || a.index == b.index);
+}
+
+/* A row of the panel: as in a scene's list; choosing it shows its place, or goes to its time. */
+typedef struct PanelRow {
+    SceneRow row;
+    Item thing;  /* selected by choosing it */
+    Item place;  /* what matters most is there: of the first row that has one it is shown by "Show place" */
+    double time; /* s, shown then; NAN: none */
+} PanelRow;
+
+/* A number that can be changed while it runs. */
+typedef struct PanelParameter {
+    const char *name;       /* as --set takes it: "door.d1.width" */
+    const char *group;      /* a heading: "Wheelchair manual-chair", "Door d1" */
+    const char *label;      /* "free speed" */
+    const Parameter *row;   /* a number, a whole one, a flag or a choice */
+    const char *meaning;    /* a sentence */
+    const char *provenance; /* or NULL */
+    const char *unit;       /* in which it is shown, "mm"; NULL: the row's */
+    double factor;          /* value shown = value x factor; 0 counts as 1 */
+    double value;           /* of a choice: the place of the word; of a flag 0 or 1 */
+    double initial;         /* in the file */
+    double low, high;       /* of a slider: the useful part of the row's range; typed values may go beyond it */
+    bool logarithmic;       /* slider */
+    bool first;             /* of those most looked for: shown without being asked for */
+} PanelParameter;
+
+typedef struct Preset {
+    const char *name;    /* "III 300 Hz" */
+    const char *meaning; /* a sentence */
+} Preset;
+
+/* A plot beside the view. Its series may grow from update to update; what of them is drawn, live->until tells. */
+typedef struct LaboratoryPlot {
+    const char *name;  /* "phase": in names of files, of --plots where that knows it; lives as long as the program */
+    const char *title; /* for menus */
+    const Plot *plot;  /* good until the next update */
+    unsigned revision; /* another number: other axes or series, what was drawn is void */
+    bool still;        /* it does not depend on the time shown */
+    double cursor;     /* where an upright line stands, a value of x; NAN: none */
+    const char *cursor_words;
+    const char *cursor_parameter; /* which live->set sets by a click at a value of x; NULL: none */
+    double cursor_factor;         /* value of x = this times the parameter's */
+    Role now;                     /* of the disc where the series have come to; ROLE_PAPER: each series' own */
+    double tail;                  /* s: the end of the lines that is drawn thick */
+} LaboratoryPlot;
+
+/* Something among a few: which ghost, which route, which pass of a sweep. */
+typedef struct PanelChoice {
+    const char *name;         /* "Ghost" */
+    const char *meaning;      /* a sentence */
+    const char *const *words; /* (count) "none", "before", "miura" */
+    size_t count, chosen;
+} PanelChoice;
+
+enum { LABORATORY_LAYERS_MOST = 9, LABORATORY_OUTLINE_MOST = 128 };
+
+typedef struct Laboratory {
+    const char *name;            /* "House" */
+    const char *word;            /* "house": begins "clearance-house", the format of its files */
+    const char *plots_at_first;  /* "speed,clearance" */
+    const char *const *layers;   /* (layer_count) names of what can be shown or hidden */
+    const char *const *meanings; /* (layer_count) a sentence each */
+    size_t layer_count;          /* at most LABORATORY_LAYERS_MOST */
+    unsigned layers_at_first;    /* bits */
+    bool raised;                 /* it can be looked at from the side */
+    bool numbers_first;          /* the panel begins with the parameters */
+
+    /* Begins with a file (`path` NULL: with an empty one, where there is an editor); the first pictures come with an
+     * update. NULL: faults say why. Reading that takes longer than some 50 ms is done in the background, and its faults
+     * come as trouble. `close` ends all threads. */
+    void *(*open)(const char *path, const LaboratoryOptions *options, Fault *fault);
+    void (*close)(void *live);
+
+    /* Takes over what has come since; returns LIVE_... `time` is what is shown now. */
+    unsigned (*update)(void *live, double time);
+
+    RecordSpan (*span)(const void *live);
+
+    /* Makes the record go up to a time, as far as that can be done at once; returns how far it goes. */
+    double (*reach)(void *live, double time);
+
+    /* Moves the layers to a time within the span, s; false: back in time, or all is new: what had been added to the
+     * static layer must be forgotten, `added` holds all. */
+    bool (*show)(void *live, double time);
+
+    /* Is what show would bring now to the pixel what it brought last? NULL: that cannot be told. */
+    bool (*rests)(const void *live, double time);
+    const Scene *(*still)(const void *live);
+    const Scene *(*added)(const void *live);
+    const Scene *(*moving)(const void *live);
+
+    /* From where it is looked at; which layers are shown (bits). */
+    void (*look)(void *live, Camera camera);
+    void (*reveal)(void *live, unsigned layers);
+
+    /* Plots. `until`: how many points of a series are drawn at a time. */
+    size_t (*plot_count)(const void *live);
+    LaboratoryPlot (*plot)(const void *live, size_t index);
+    size_t (*until)(const void *live, size_t plot, size_t series, double time);
+
+    Result (*answer)(const void *live);
+
+    /* "7.3 s", "cycle 481, 1.604 s": good until the next call. */
+    const char *(*clock)(const void *live, double time);
+
+    /* What must be said wherever it is shown: "assumed plan: not measured"; "". */
+    const char *(*note)(const void *live);
+    const char *(*title)(const void *live); /* of what is shown: its name */
+    const PanelRow *(*rows)(const void *live, size_t *count);
+    const TimelineMark *(*ticks)(const void *live, size_t *count);
+
+    /* What last went wrong, with cause and cure, and since when (s; NAN: at no moment of what is shown); NULL: nothing.
+     * The last good state stays. */
+    const char *(*trouble)(const void *live, double *time);
+
+    /* Parameters, good until the next update that changes them. False: a fault says what would be right, and the value
+     * is as it was. */
+    const PanelParameter *(*parameters)(const void *live, size_t *count);
+    bool (*set)(void *live, const char *name, double value, Fault *fault);
+    void (*reset)(void *live); /* all of them as in the file */
+
+    const Preset *(*presets)(const void *live, size_t *count);
+    void (*prefer)(void *live, size_t preset);
+
+    const PanelChoice *(*choices)(const void *live, size_t *count);
+    void (*choose)(void *live, size_t choice, size_t word);
+
+    /* Begins anew with the same parameters; keeps what is shown as "before" (false: there is nothing to keep yet);
+     * forgets that, and the trace and the points so far. */
+    void (*again)(void *live);
+    bool (*keep)(void *live, double time);
+    void (*clear)(void *live, double time);
+
+    /* What lies at a place, m on the floor; `below`: what lies below this one there. */
+    Item (*pick)(const void *live, Vec2 at, double time, Item below);
+    Item (*next)(const void *live, Item thing, int step); /* round, in a fixed order */
+    void (*select)(void *live, Item thing);
+    Item (*selected)(const void *live);
+    const char *(*name_thing)(const void *live, Item thing); /* "door d2" */
+
+    /* Its outline at a time (m): how many points, at most LABORATORY_OUTLINE_MOST; 0: it is nowhere then. */
+    size_t (*outline)(const void *live, Item thing, double time, Vec2 *points);
+
+    /* The words behind "clearance" that make what is shown: "run", FILE, "--set", ... (count) */
+    const char *const *(*command)(const void *live, size_t *count);
+
+    /* Writes what is shown, with its changed numbers, as a file that can be opened again; false: a fault says why not.
+     */
+    bool (*save)(const void *live, const char *path, Fault *fault);
+
+    /* Fills mono samples, -1 to 1, of the stretch from one time to another; false: it is silent. */
+    bool (*sound)(const void *live, double from, double to, float *samples, size_t count);
+
+    const struct EditorFunctions *editor; /* see editing.h; NULL: nothing can be edited */
+} Laboratory;
+
+/* The laboratories; laboratory_of tells whose a file is, by what is in it (a house's when nothing can be told). */
+extern const Laboratory house_laboratory, beam_laboratory;
+const Laboratory *laboratory_of(const char *path);

@@ -1,0 +1,48 @@
+#include "laboratory/save_file.h"
+
+#include <string.h>
+#include <unistd.h>
+
+#include "base/memory.h"
+#include "base/text.h"
+#include "beam/beam.h"
+
+enum { FILE_WORD = 1 /* of a command: "run", FILE, ... */ };
+
+/* The values of all --set, in their order: how many. */
+static size_t list_settings(const char *const *words, size_t count, const char **settings) {
+    size_t found = 0;
+    for (size_t i = 0; i + 1 < count; i++)
+        if (strcmp(words[i], "--set") == 0)
+            settings[found++] = words[++i];
+    return found;
+}
+
+/* Nothing is ever written over. */
+static bool is_there(const char *path, Fault *fault) {
+    bool there = access(path, F_OK) == 0;
+    if (there)
+        fault_add(fault, "%s: there is such a file already, a copy must have another name", path);
+    return there;
+}
+
+static bool say(int error, const char *path, Fault *fault) {
+    if (error)
+        fault_add(fault, "%s: %s", path, strerror(error));
+    return !error;
+}
+
+bool save_file_house(const char *text, const char *path, Fault *fault) {
+    return !is_there(path, fault) && say(text_write_file(path, text, strlen(text)), path, fault);
+}
+
+bool save_file_beam(const char *const *words, size_t count, const char *path, Fault *fault) {
+    const char **settings = memory_zeroed(count, sizeof *settings);
+    size_t setting_count = list_settings(words, count, settings);
+    Beam beam = {0};
+    bool good = !is_there(path, fault) && beam_read(&beam, words[FILE_WORD], settings, setting_count, fault) &&
+                say(beam_write(&beam, path), path, fault);
+    beam_free(&beam);
+    memory_free(settings);
+    return good;
+}

@@ -1,0 +1,134 @@
+#include "laboratory/shipped.h"
+
+#include <pthread.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { PATH_MOST = 4096 };
+
+static char assets[PATH_MOST], looked[4 * PATH_MOST], missing[5 * PATH_MOST];
+static char profiles[PATH_MOST + 32], furniture[PATH_MOST + 32], beams[PATH_MOST + 32], houses[PATH_MOST + 32],
+    default_house[PATH_MOST + 64];
+static Shipped shipped = {profiles, furniture, beams, houses, default_house, NULL};
+
+/* Adds the folder to those that were looked at, each once. */
+static void add_looked(const char *folder) {
+    size_t length = strlen(looked);
+    const char *at = strstr(looked, folder), *end = at ? at + strlen(folder) : NULL;
+    if (!at || (at != looked && at[-1] != ' ') || (*end && *end != ','))
+        snprintf(looked + length, sizeof looked - length, "%s%s", length ? ", " : "", folder);
+}
+
+/* Takes the folder as the assets, and says whether it holds any. */
+static bool consider(const char *folder) {
+    add_looked(folder);
+    char *whole = realpath(folder, NULL);
+    snprintf(assets, sizeof assets, "%s", whole ? whole : folder);
+    free(whole);
+    snprintf(profiles, sizeof profiles, "%s/profiles", assets);
+    return access(profiles, R_OK | X_OK) == 0;
+}
+
+/* The folder above the one in which the program lies; false if the system does not say where that is. */
+static bool find_root(char root[PATH_MOST]) {
+    ssize_t length = readlink("/proc/self/exe", root, PATH_MOST - 1);
+    if (length <= 0)
+        return false;
+    root[length] = '\0';
+    for (int level = 0; level < 2; level++) {
+        char *slash = strrchr(root, '/');
+        if (!slash)
+            return false;
+        *slash = '\0';
+    }
+    return true;
+}
+
+static bool consider_installed(const char *root) {
+    char folder[PATH_MOST + 32];
+    snprintf(folder, sizeof folder, "%s/share/clearance", root);
+    return consider(folder);
+}
+
+/* A build folder has the build's own file, and that belongs to whom the program belongs to: nobody else can make a
+ * folder above the program look like one. */
+static bool consider_source(const char *root) {
+    char path[PATH_MOST + 32];
+    struct stat build, program;
+    snprintf(path, sizeof path, "%s/build.ninja", root);
+    if (stat(path, &build) != 0 || stat("/proc/self/exe", &program) != 0 || build.st_uid != program.st_uid)
+        return false;
+    snprintf(path, sizeof path, "%s/../assets", root);
+    return consider(path);
+}
+
+/* The folders of a list that is separated by colons, as the XDG base directory specification has it: those that are not
+ * absolute are passed over. */
+static bool consider_data_folders(const char *list) {
+    while (*list) {
+        size_t length = strcspn(list, ":");
+        char folder[PATH_MOST + 32];
+        if (*list == '/' && length < PATH_MOST) {
+            snprintf(folder, sizeof folder, "%.*s/clearance", (int)length, list);
+            if (consider(folder))
+                return true;
+        }
+        list += length + (list[length] == ':');
+    }
+    return false;
+}
+
+static const char *variable(const char *name) {
+    const char *value = getenv(name);
+    return value && *value ? value : NULL;
+}
+
+static bool consider_data(void) {
+    char own[PATH_MOST] = "";
+    const char *data = variable("XDG_DATA_HOME"), *home = variable("HOME"), *site = variable("XDG_DATA_DIRS");
+    if (data)
+        snprintf(own, sizeof own, "%s", data);
+    else if (home)
+        snprintf(own, sizeof own, "%s/.local/share", home);
+    return consider_data_folders(own) || consider_data_folders(site ? site : "/usr/local/share:/usr/share");
+}
+
+static bool find_assets(void) {
+    char root[PATH_MOST];
+    const char *given = variable("CLEARANCE_ASSETS");
+    if (given)
+        return consider(given);
+    bool rooted = find_root(root);
+    return (rooted && consider_installed(root)) || (rooted && consider_source(root)) || consider_data() ||
+           consider(CLEARANCE_INSTALLED_ASSETS);
+}
+
+static void find(void) {
+    if (!find_assets()) {
+        snprintf(missing, sizeof missing,
+                 "no folder \"profiles\" was found in any place where the files that come with clearance may be: %s; "
+                 "CLEARANCE_ASSETS can name another",
+                 looked);
+        shipped.missing = missing;
+    }
+    snprintf(furniture, sizeof furniture, "%s/furniture", assets);
+    snprintf(beams, sizeof beams, "%s/beams", assets);
+    snprintf(houses, sizeof houses, "%s/houses", assets);
+    if (access(houses, R_OK) != 0)
+        snprintf(houses, sizeof houses, "%s/../houses", assets);
+    char *whole = realpath(houses, NULL);
+    if (whole)
+        snprintf(houses, sizeof houses, "%s", whole);
+    free(whole);
+    snprintf(default_house, sizeof default_house, "%s/ube-techno-house.json", houses);
+}
+
+const Shipped *shipped_places(void) {
+    static pthread_once_t once = PTHREAD_ONCE_INIT;
+    pthread_once(&once, find);
+    return &shipped;
+}

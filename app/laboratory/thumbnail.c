@@ -1,0 +1,142 @@
+#include "laboratory/thumbnail.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "house/house.h"
+#include "visual/beam/beam_scene.h"
+#include "visual/beam/beam_shape.h"
+#include "visual/house/plan_picture.h"
+
+/* Words ------------------------------------------------------------------------------------------------------------ */
+
+const char *thumbnail_name_of(const char *path, Arena *arena) {
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    return text_in_arena(arena, "%.*s", dot && dot > name ? (int)(dot - name) : (int)strlen(name), name);
+}
+
+/* How many bytes of a note are its first sentence. A point within a number, or behind a single letter, ends none. */
+static size_t sentence_of(const char *note) {
+    for (const char *c = note; (c = strchr(c, '.')); c++)
+        if ((c[1] == ' ' || !c[1]) && c > note + 1 && c[-2] != ' ')
+            return (size_t)(c - note);
+    return strlen(note);
+}
+
+/* How many bytes of it can be shown: at most THUMBNAIL_LINE characters, up to the end of a word. */
+static size_t shortened(const char *words, size_t length) {
+    size_t characters = 0, word = 0;
+    for (size_t i = 0; i < length; i++) {
+        characters += ((unsigned char)words[i] & 0xc0) != 0x80;
+        if (words[i] == ' ')
+            word = i;
+        if (characters > THUMBNAIL_LINE)
+            return word ? word : i;
+    }
+    return length;
+}
+
+/* What every note of an unmeasured plan begins with, put behind, where it is not cut off. */
+static const char *line_of(Thumbnail *thumbnail, const char *note) {
+    static const char assumed[] = "assumed plan: ";
+    bool is_assumed = strncmp(note, assumed, strlen(assumed)) == 0;
+    const char *words = is_assumed ? note + strlen(assumed) : note;
+    size_t length = sentence_of(words), shown = shortened(words, length);
+    if (!shown)
+        return "";
+    while (shown < length && shown > 1 && strchr(",;:", words[shown - 1]))
+        shown--;
+    return text_in_arena(&thumbnail->arena, "%c%.*s%s%s", toupper((unsigned char)words[0]), (int)shown - 1, words + 1,
+                         shown < length ? " \u2026" : "", is_assumed ? " (assumed plan)" : "");
+}
+
+static void tell(Thumbnail *thumbnail, const char *path, const char *name, const char *note) {
+    thumbnail->name = name && *name ? arena_text(&thumbnail->arena, name) : thumbnail_name_of(path, &thumbnail->arena);
+    thumbnail->line = line_of(thumbnail, note ? note : "");
+}
+
+/* Scenes ----------------------------------------------------------------------------------------------------------- */
+
+#define REACH 1e-6      /* of its length, at least: so far it can bend */
+#define BEND 0.9        /* of the clearance: so far the tip is drawn from the middle */
+#define BEAM_BEFORE 0.1 /* of the beam's length: what is seen before it, behind it, above and below */
+#define BEAM_BEHIND 0.12
+#define BEAM_HALF 0.21
+
+static bool read_house(Thumbnail *thumbnail, const char *path, Fault *fault) {
+    House house = {.seed = 0};
+    bool good = plan_read(&house.plan, path, NULL, 0, fault) && outline_build(&house.outline, &house.plan, fault);
+    if (good) {
+        tell(thumbnail, path, house.plan.name, house.plan.note);
+        plan_picture_bare(&thumbnail->scene, &house);
+    }
+    house_free(&house);
+    return good;
+}
+
+/* As the first mode of a clamped beam, near enough: the tip at the lower stop. */
+static void bend(BeamShape *shape, const Beam *beam) {
+    for (size_t i = 0; i < shape->count; i++) {
+        double part = (shape->place[i] - beam->pivot_position) / (beam->length - beam->pivot_position);
+        shape->deflection[i] = -BEND * beam->clearance * (part > 0 ? part * part : 0);
+    }
+}
+
+/* Does it lie before where the loupe would be? */
+static bool is_seen(const Primitive *primitive, double right) {
+    for (size_t i = 0; i < primitive->count; i++)
+        if (primitive->points[i].x > right)
+            return false;
+    return primitive->kind != PRIMITIVE_LABEL && primitive->kind != PRIMITIVE_DIMENSION;
+}
+
+/* Leaves out words, and what of the loupe would be cut off. */
+static void keep_seen(Scene *scene, double right) {
+    size_t kept = 0;
+    for (size_t i = 0; i < scene->count; i++)
+        if (is_seen(&scene->primitives[i], right))
+            scene->primitives[kept++] = scene->primitives[i];
+    scene->count = kept;
+    scene->clock = NULL;
+}
+
+static void draw_beam(Scene *scene, const Beam *beam, const Rig *rig) {
+    double length = beam->length, right = (1 + BEAM_BEHIND) * length, reach = fmax(beam->clearance, REACH * length);
+    BeamScale scale = beam_scene_scale(beam, reach, reach);
+    BeamShape shape = beam_shape_create(rig);
+    bend(&shape, beam);
+    beam_scene_still(scene, beam, &scale);
+    beam_scene_moving(scene, beam, &scale, &shape, &(BeamMoment){.largest = 1});
+    keep_seen(scene, right);
+    scene->box = (Box){{-BEAM_BEFORE * length, -BEAM_HALF * length}, {right, BEAM_HALF * length}};
+    beam_shape_destroy(&shape);
+}
+
+static bool read_beam(Thumbnail *thumbnail, const char *path, Fault *fault) {
+    Beam beam = {.name = NULL};
+    Rig rig;
+    bool good = beam_read(&beam, path, NULL, 0, fault);
+    if (good && (good = rig_build(&rig, &beam, path, fault))) {
+        tell(thumbnail, path, beam.name, beam.note);
+        draw_beam(&thumbnail->scene, &beam, &rig);
+        rig_clear(&rig);
+    }
+    beam_free(&beam);
+    return good;
+}
+
+bool thumbnail_read(Thumbnail *thumbnail, const char *path, Fault *fault) {
+    *thumbnail = (Thumbnail){.beam = beam_is_file(path), .scene = {.bare = true, .unscaled = true}};
+    if (thumbnail->beam ? read_beam(thumbnail, path, fault) : read_house(thumbnail, path, fault))
+        return true;
+    thumbnail_clear(thumbnail);
+    return false;
+}
+
+void thumbnail_clear(Thumbnail *thumbnail) {
+    scene_clear(&thumbnail->scene);
+    arena_clear(&thumbnail->arena);
+    *thumbnail = (Thumbnail){.name = NULL};
+}

@@ -1,8 +1,0 @@
-/* The picture to trace over, on the floor of what is edited. */
-#pragma once
-
-#include "window/window_state.h"
-
-/* Draws it over the view, within the view's pane; a file that cannot be read is said once. */
-void backdrop_show(Window *window);
-void backdrop_clear(Window *window);

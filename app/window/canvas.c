@@ -1,0 +1,209 @@
+#include "window/canvas.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "window/act.h"
+#include "window/act_plot.h"
+#include "window/trace_image.h"
+#include "window/plan_input.h"
+#include "window/plan_overlay.h"
+
+/* Design points. */
+#define MARGIN 12.0
+#define LEAST_SIDE 24.0
+#define SCALE_WIDTH 150.0 /* of the view's scale, to the right */
+
+enum { NOTE_LINES = 4 };
+
+#define WHEEL_ZOOM 1.15
+
+static Vec2 middle_of(Box box) {
+    return vec2_scale(vec2_add(box.low, box.high), 0.5);
+}
+
+/* Pictures --------------------------------------------------------------------------------------------------------- */
+
+/* Whole pixels of a place in the window. */
+static void pixels_of(const Window *window, Box box, int *x, int *y, int *width, int *height) {
+    *x = (int)lround(box.low.x * window->unit);
+    *y = (int)lround(box.low.y * window->unit);
+    *width = (int)lround(box.high.x * window->unit) - *x;
+    *height = (int)lround(box.high.y * window->unit) - *y;
+}
+
+void canvas_paint(Window *window) {
+    Tab *tab = window_tab(window);
+    int x, y, width, height;
+    pixels_of(window, window->frame.view, &x, &y, &width, &height);
+    if (!tab->live || width < LEAST_SIDE || height < LEAST_SIDE)
+        return;
+    view_layers_fit(&tab->view_layers, sdl_window_gl(window->sdl_window), width, height, window->unit, window->theme);
+    if (tab->view_layers.paint)
+        view_layers_show(&tab->view_layers, tab->kind, tab->live, tab->player.time);
+    window->dirty |= tab->plot_panes_wait; /* they have their places with the next picture */
+    if (tab->plot_panes_wait)
+        plot_panes_choose(&tab->panes, tab->kind, tab->live, tab->plots, window->screen);
+    tab->plot_panes_wait = false;
+}
+
+/* The index of a chart's plot among the laboratory's. */
+static size_t plot_of(const Tab *tab, const PlotPane *pane) {
+    size_t count = tab->kind->plot_count(tab->live), i = 0;
+    while (i < count && strcmp(tab->kind->plot(tab->live, i).name, pane->live.name) != 0)
+        i++;
+    return i;
+}
+
+/* The view --------------------------------------------------------------------------------------------------------- */
+
+/* One line after the other, from the foot of the view up, beside the scale; where letters are large from its top down.
+ */
+static void show_note(Window *window, const char *note) {
+    Box view = window->frame.view;
+    double height = ui_extent(window->ui, UI_BODY, "x").y, most = fmax(box_width(view) - SCALE_WIDTH, SCALE_WIDTH);
+    const char *lines[NOTE_LINES];
+    int count = 0;
+    for (const char *at = note; *at && count < NOTE_LINES; count++) {
+        const char *end = strstr(at, "; ");
+        bool fits = ui_extent(window->ui, UI_BODY, at).x <= most || !end;
+        lines[count] = fits ? at : text_in_arena(&window->words, "%.*s", (int)(end - at), at);
+        at = fits ? "" : end + 2;
+    }
+    for (int i = 0; i < count; i++) {
+        double y = window->frame.compact ? view.low.y + height * (i + 1)
+                                         : view.high.y - MARGIN - height * (count - i) + height / 2;
+        double right = view.low.x + MARGIN + ui_extent(window->ui, UI_BODY, lines[i]).x;
+        ui_draw_box(window->ui, (Box){{view.low.x + MARGIN - 4, y - height / 2}, {right + 4, y + height / 2}},
+                    ROLE_PAPER, 0.8);
+        ui_draw_words(window->ui, UI_BODY, ROLE_DIM_TEXT, vec2(view.low.x + MARGIN, y), 0, lines[i]);
+    }
+}
+
+/* In the middle of the upper edge. */
+static void show_animation(Window *window, const char *words) {
+    if (!words || !*words)
+        return;
+    Box view = window->frame.view;
+    Vec2 size = ui_extent(window->ui, UI_HEADING, words), middle = middle_of(view);
+    Box strip = {{middle.x - size.x / 2 - MARGIN, view.low.y + MARGIN},
+                 {middle.x + size.x / 2 + MARGIN, view.low.y + MARGIN + size.y + 6}};
+    ui_draw_box(window->ui, strip, ROLE_TEXT, 1);
+    ui_draw_words(window->ui, UI_HEADING, ROLE_PAPER, middle_of(strip), 0.5, words);
+}
+
+static void show_view_words(Window *window, const Tab *tab) {
+    Box view = window->frame.view;
+    show_note(window, tab->kind->note(tab->live));
+    show_animation(window, plan_input_animation(tab));
+    if (tab->player.playing || (window->edit.holds && window->edit.plays_on))
+        return;
+    Vec2 size = ui_extent(window->ui, UI_HEADING, "PAUSED");
+    Box tag = {{view.high.x - size.x - 3 * MARGIN, view.low.y + MARGIN},
+               {view.high.x - MARGIN, view.low.y + MARGIN + size.y + 6}};
+    ui_draw_box(window->ui, tag, ROLE_TEXT, 1);
+    ui_draw_words(window->ui, UI_HEADING, ROLE_PAPER, vec2(tag.low.x + MARGIN, middle_of(tag).y), 0, "PAUSED");
+}
+
+static Vec2 floor_at(const Window *window, const Tab *tab, Vec2 at) {
+    return view_layers_floor(&tab->view_layers, vec2_sub(at, window->frame.view.low));
+}
+
+/* A click selects, a second one on the same place what lies below. */
+static void pick(Window *window, Tab *tab, Vec2 place) {
+    Item now = tab->kind->selected(tab->live);
+    Vec2 at = floor_at(window, tab, place);
+    Item top = tab->kind->pick(tab->live, at, tab->player.time, (Item){0});
+    tab_select(tab, item_same(top, now) ? tab->kind->pick(tab->live, at, tab->player.time, now) : top);
+    ui_focus(window->ui, "view");
+    window->dirty = true;
+}
+
+/* The right or middle button moves the view, the wheel enlarges it; what can be edited has the left one. */
+static void use_mouse(Window *window, Tab *tab) {
+    UiGrab grab = ui_grab(window->ui, "view", window->frame.view);
+    if (!tab->view_layers.painted)
+        return;
+    if (grab.hovered && grab.wheel != 0)
+        tab_zoom(tab, pow(WHEEL_ZOOM, grab.wheel), floor_at(window, tab, grab.at));
+    bool pans = window->input.down[SDL_WINDOW_EVENT_RIGHT] || window->input.down[SDL_WINDOW_EVENT_MIDDLE];
+    if (grab.hovered && pans && (grab.delta.x != 0 || grab.delta.y != 0)) {
+        tab_pan(tab, vec2_sub(floor_at(window, tab, vec2_sub(grab.at, grab.delta)), floor_at(window, tab, grab.at)));
+    }
+    if (plan_input_of(tab))
+        plan_input_mouse(window, &grab);
+    else if (grab.pressed)
+        pick(window, tab, grab.at);
+}
+
+static void show_view(Window *window, Tab *tab) {
+    Box view = window->frame.view;
+    ui_pane_begin(window->ui, &(UiPane){.name = "view", .box = view, .ground = ROLE_COUNT, .stop = true});
+    if (tab->live) {
+        trace_image_show(window);
+        use_mouse(window, tab);
+        show_view_words(window, tab);
+        plan_overlay_show(window);
+    }
+    ui_pane_end(window->ui);
+}
+
+/* The plots -------------------------------------------------------------------------------------------------------- */
+
+static void show_read_out(Window *window, Tab *tab, PlotPane *pane, size_t plot, Vec2 at) {
+    char words[CHART_WORDS];
+    Vec2 nearest;
+    if (!plot_panes_read(pane, tab->kind, tab->live, plot, tab->player.time, at, &nearest, words))
+        return;
+    Vec2 extent = ui_extent(window->ui, UI_BODY, words);
+    double left = fmin(fmax(nearest.x + 10, pane->place.low.x), pane->place.high.x - extent.x - 8);
+    double top = fmax(nearest.y - extent.y - 10, pane->place.low.y);
+    ui_draw_disc(window->ui, nearest, 4, ROLE_TEXT);
+    ui_draw_box(window->ui, (Box){{left - 4, top}, {left + extent.x + 4, top + extent.y + 4}}, ROLE_PANEL, 1);
+    ui_draw_words(window->ui, UI_BODY, ROLE_TEXT, vec2(left, top + extent.y / 2 + 2), 0, words);
+}
+
+/* A click sets what the cursor stands for; the wheel zooms about the pointer. */
+static void use_chart_mouse(Window *window, Tab *tab, PlotPane *pane, size_t plot) {
+    Vec2 value;
+    UiGrab grab = ui_grab(window->ui, pane->live.name, pane->place);
+    if (!pane->canvas || !plot_panes_value(pane, grab.at, &value))
+        return;
+    if (grab.hovered && grab.wheel != 0) {
+        PlotPaneAxes axes = plot_panes_axes(pane);
+        double part = pow(WHEEL_ZOOM, -grab.wheel);
+        plot_panes_zoom(pane, vec2_add(value, vec2(part * (axes.x[0] - value.x), part * (axes.y[0] - value.y))),
+                        vec2_add(value, vec2(part * (axes.x[1] - value.x), part * (axes.y[1] - value.y))));
+        return;
+    }
+    if (grab.pressed) {
+        ui_focus(window->ui, text_in_arena(&window->words, "plot:%s", pane->live.name));
+        act_plot_use(window, pane, value.x);
+    }
+    if (grab.hovered)
+        show_read_out(window, tab, pane, plot, grab.at);
+}
+
+static void show_pane(Window *window, Tab *tab, size_t index) {
+    PlotPane *pane = &tab->panes.panes[index];
+    Box box = window->frame.panes[index];
+    ui_pane_begin(window->ui, &(UiPane){.name = text_in_arena(&window->words, "plot:%s", pane->live.name),
+                                        .box = box,
+                                        .ground = ROLE_PAPER,
+                                        .stop = true});
+    size_t plot = plot_of(tab, pane);
+    if (plot < tab->kind->plot_count(tab->live)) {
+        plot_panes_show(pane, tab->kind, tab->live, plot, tab->player.time, box, window->unit, window->theme,
+                        window->screen, window->ui);
+        use_chart_mouse(window, tab, pane, plot);
+    }
+    ui_pane_end(window->ui);
+}
+
+void canvas_show(Window *window) {
+    Tab *tab = window_tab(window);
+    show_view(window, tab);
+    for (size_t i = 0; tab->live && i < window->frame.chart_count && i < tab->panes.count; i++)
+        show_pane(window, tab, i);
+}

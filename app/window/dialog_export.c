@@ -1,0 +1,158 @@
+#include "window/dialog_export.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "window/act.h"
+#include "window/plan_input.h"
+#include "window/files.h"
+#include "window/dialog_pane.h"
+
+#define WIDTH 760.0 /* design points */
+#define HEIGHT 560.0
+#define EDGE 16.0
+
+/* What can be made by the program's own command line. */
+typedef struct Making {
+    const char *label, *meaning;
+    const char *options[12]; /* NULL-ended; behind the command of what is shown */
+    const char *name;        /* of the folder or file */
+    bool movie;
+    const char *ending; /* of a file that is all that is made of a house's plan, or NULL */
+} Making;
+
+static const Making makings[] = {
+    {"Data", "summary.json, trace.csv, the end as PNG, SVG and PDF", {NULL}, "data", false, NULL},
+    {"Plots", "every plot as PNG, SVG, PDF and CSV, with units", {"--plots", NULL}, "plots", false, NULL},
+    {"Report", "a page to be handed on, as HTML and PDF (houses)", {"--report", NULL}, "report", false, NULL},
+    {"Frames",
+     "a picture for every 1/30 of a simulated second, 1280 x 720",
+     {"--frames", "30", NULL},
+     "frames",
+     false,
+     NULL},
+    {"Frames, raised",
+     "the same, seen from the side (houses)",
+     {"--frames", "30", "--view", "raised", NULL},
+     "frames",
+     false,
+     NULL},
+    {"Film", "the same as film.mp4, when ffmpeg is installed", {NULL}, "film", true, NULL},
+    {"Film, 1920 x 1080", "larger", {"--size", "1920x1080", NULL}, "film", true, NULL},
+    {"Walkable area",
+     "what is left between walls and furniture, as WKT (houses)",
+     {"--to", "wkt", NULL},
+     "area",
+     false,
+     "wkt"},
+    {"Plan", "the plan alone, as SVG (houses)", {"--to", "svg", NULL}, "plan", false, "svg"},
+};
+enum { MAKINGS = sizeof makings / sizeof *makings, OPTIONS_MOST = 16 };
+
+static const char *all_plots(Window *window, const Tab *tab) {
+    return tab->kind == &house_laboratory
+               ? "speed,clearance,force,ring,phase"
+               : text_in_arena(&window->words, "phase,poincare,force,displacement,velocity,spectrum");
+}
+
+static void make(Window *window, const Making *making) {
+    static const char *const folders[] = {"", NULL}, *const films[] = {".mp4", NULL};
+    Tab *tab = window_tab(window);
+    Fault fault = {0};
+    const char *options[OPTIONS_MOST];
+    size_t count = 0;
+    for (size_t i = 0; making->options[i]; i++) {
+        options[count++] = making->options[i];
+        if (strcmp(making->options[i], "--plots") == 0)
+            options[count++] = all_plots(window, tab);
+    }
+    if (!making->ending || strcmp(making->ending, "wkt") != 0) {
+        options[count++] = "--theme";
+        options[count++] = window->theme == THEME_BOARD ? "board" : "paper";
+    }
+    if (window->export) {
+        act_say(window, "something is being written already: cancel it, or wait until it is over");
+        return;
+    }
+    char *folder = act_folder(window);
+    if (!folder)
+        return;
+    const char *name = text_in_arena(&window->words, "%s %s", tab->kind->title(tab->live), making->name);
+    const char *const alone[] = {making->ending, NULL};
+    char *free_name = export_free_name(folder, name, making->ending ? alone : making->movie ? films : folders);
+    const char *out = making->ending ? text_in_arena(&window->words, "%s.%s", free_name, making->ending) : free_name;
+    const char *movie = making->movie ? text_in_arena(&window->words, "%s.mp4", out) : NULL;
+    ExportOrder order = {.options = options, .option_count = count, .out = making->movie ? NULL : out, .movie = movie};
+    order.words = files_command(window, &order.word_count);
+    const char *const plan[] = {"export", order.words[1]};
+    if (making->ending) {
+        order.words = plan;
+        order.word_count = sizeof plan / sizeof *plan;
+    }
+    window->export = export_begin(&order, &fault);
+    if (window->export)
+        act_say(window, "writing %s", movie ? movie : out);
+    act_complain(window, &fault, NAN);
+    memory_free(free_name);
+    memory_free(folder);
+}
+
+static void show_now(Window *window) {
+    UiRow now = {.id = "now",
+                 .shape = ROW_PLAIN,
+                 .cells = {"What is seen now: PNG and SVG, and the command that makes it", "F9"},
+                 .usable = true};
+    if (ui_list_row(window->ui, &now)) {
+        act_close_dialog(window);
+        act_do(window, ACTION_PICTURE, 0, 0);
+    }
+}
+
+void dialog_export_show(Window *window) {
+    Tab *tab = window_tab(window);
+    dialog_pane_begin(window, dialog_pane_centred(window, WIDTH, HEIGHT, EDGE));
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Export");
+    size_t count;
+    const char *const *words = tab->live ? tab->kind->command(tab->live, &count) : NULL;
+    char *command = words ? export_command(words, count) : NULL;
+    ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, command ? command : "");
+    memory_free(command);
+    if (ui_button(window->ui,
+                  &(UiButton){.label = "Copy command", .help = keys_help(&window->words, ACTION_COPY_COMMAND)}))
+        act_do(window, ACTION_COPY_COMMAND, 0, 0);
+    ui_heading(window->ui, "Now");
+    show_now(window);
+    ui_heading(window->ui, "From the run, in the background");
+    for (size_t i = 0; i < MAKINGS && window->dialog == DIALOG_EXPORT; i++) {
+        if (makings[i].ending && !plan_input_of(tab))
+            continue;
+        const char *label = text_in_arena(&window->words, "%s: %s", makings[i].label, makings[i].meaning);
+        if (ui_list_row(window->ui,
+                        &(UiRow){.id = makings[i].label, .shape = ROW_PLAIN, .cells = {label}, .usable = true})) {
+            act_close_dialog(window);
+            make(window, &makings[i]);
+        }
+    }
+    ui_pane_end(window->ui);
+}
+
+/* Saving ----------------------------------------------------------------------------------------------------------- */
+
+void dialog_export_show_save(Window *window) {
+    Box box = dialog_pane_centred(window, WIDTH, HEIGHT, EDGE);
+    box.high.y = box.low.y + 250;
+    dialog_pane_begin(window, box);
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save as");
+    ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT,
+            "The file that was opened stays as it is. The new one holds what is shown now.");
+    bool typed =
+        ui_field(window->ui, "path", "path of the new file", "Path: Return saves", window->field, sizeof window->field);
+    ui_row(window->ui, 2);
+    bool pressed =
+        ui_button(window->ui, &(UiButton){.label = "Save", .help = "Save: writes the file beside and renames it"});
+    if (ui_button(window->ui, &(UiButton){.label = "Cancel", .help = "Cancel (Escape)"}))
+        act_close_dialog(window);
+    else if (typed || pressed)
+        files_save_as(window, text_in_arena(&window->words, "%s", window->field));
+    ui_pane_end(window->ui);
+}

@@ -1,0 +1,114 @@
+#include "window/dialog_gallery.h"
+
+#include <math.h>
+
+#include "window/act.h"
+#include "window/files.h"
+#include "window/dialog_pane.h"
+
+/* Design points. */
+#define EDGE 24.0
+#define ITEM_WIDTH 268.0
+#define PICTURE_HEIGHT 150.0
+#define WORDS_HEIGHT 78.0
+#define GAP 12.0
+#define HEAD 44.0
+
+/* The gallery ------------------------------------------------------------------------------------------------------ */
+
+/* `anew`: some have come, perhaps in another theme. */
+static void fill_pictures(Window *window, const GalleryItem *items, size_t count, bool anew) {
+    for (size_t i = 0; i < count && i < GALLERY_MOST; i++)
+        if (items[i].pixels && (anew || !window->pictures[i].name))
+            paint_gl_screen_fill(window->screen, &window->pictures[i], items[i].pixels, GALLERY_WIDTH, GALLERY_HEIGHT,
+                                 4 * GALLERY_WIDTH, 0, 0, GALLERY_WIDTH, GALLERY_HEIGHT);
+}
+
+void dialog_gallery_clear(Window *window) {
+    for (size_t i = 0; i < GALLERY_MOST; i++)
+        if (window->pictures[i].name)
+            paint_gl_screen_forget(window->screen, &window->pictures[i]);
+}
+
+/* A picture, a name and a line; true: it was chosen. */
+static bool show_item(Window *window, const GalleryItem *item, size_t index) {
+    UiCard card = {.id = item->path,
+                   .name = item->name,
+                   .words = item->fault ? item->fault : item->line,
+                   .picture = index < GALLERY_MOST && window->pictures[index].name ? &window->pictures[index] : NULL,
+                   .picture_height = PICTURE_HEIGHT,
+                   .words_height = WORDS_HEIGHT};
+    return ui_card(window->ui, &card);
+}
+
+void dialog_gallery_show(Window *window) {
+    size_t count;
+    bool news = gallery_update(window->gallery);
+    window->dirty |= news;
+    const GalleryItem *items = gallery_items(window->gallery, &count);
+    fill_pictures(window, items, count, news);
+    Box box = box_expand((Box){{0, 0}, window->frame.page}, -EDGE);
+    dialog_pane_begin(window, box);
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Gallery: choose one to open it; Escape goes back");
+    int columns = (int)fmax(1, floor(box_width(box) / (ITEM_WIDTH + GAP)));
+    for (size_t i = 0; i < count; i++) {
+        if (i % (size_t)columns == 0)
+            ui_row(window->ui, columns);
+        if (show_item(window, &items[i], i)) {
+            act_close_dialog(window);
+            files_leave(window, LEAVE_OPEN, items[i].path);
+            break;
+        }
+    }
+    ui_pane_end(window->ui);
+}
+
+/* Folders ---------------------------------------------------------------------------------------------------------- */
+
+static const char *kind_words(FolderKind kind) {
+    static const char *const words[] = {[FOLDER_ABOVE] = "folder above",
+                                        [FOLDER_FOLDER] = "folder",
+                                        [FOLDER_HOUSE] = "house",
+                                        [FOLDER_BEAM] = "beam",
+                                        [FOLDER_OTHER] = "other"};
+    return words[kind];
+}
+
+/* Goes into a folder, or opens a file. */
+static void choose(Window *window, const FolderEntry *entry) {
+    Fault fault = {0};
+    const char *path = text_in_arena(&window->words, "%s", entry->path);
+    if (entry->kind == FOLDER_ABOVE || entry->kind == FOLDER_FOLDER) {
+        folder_read(&window->folder, path, &fault);
+        act_complain(window, &fault, NAN);
+        return;
+    }
+    window->settings.state.folder = settings_keep(&window->settings, window->folder.path);
+    act_close_dialog(window);
+    files_leave(window, LEAVE_OPEN, path);
+}
+
+void dialog_gallery_show_open(Window *window) {
+    Box box = box_expand((Box){{0, 0}, window->frame.page}, -3 * EDGE);
+    dialog_pane_begin(window, box);
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Open a house or a beam");
+    ui_line(window->ui, UI_BODY, ROLE_DIM_TEXT, window->folder.path);
+    if (ui_field(window->ui, "path", "or type its path", "Path: Return opens it", window->field,
+                 sizeof window->field)) {
+        const char *path = text_in_arena(&window->words, "%s", window->field);
+        act_close_dialog(window);
+        files_leave(window, LEAVE_OPEN, path);
+    }
+    for (size_t i = 0; i < window->folder.count; i++) {
+        const FolderEntry *entry = &window->folder.entries[i];
+        UiRow row = {.id = text_in_arena(&window->words, "entry %zu", i),
+                     .shape = ROW_PLAIN,
+                     .cells = {entry->name, kind_words(entry->kind)},
+                     .usable = true};
+        if (ui_list_row(window->ui, &row)) {
+            choose(window, entry);
+            break;
+        }
+    }
+    ui_pane_end(window->ui);
+}

@@ -1,0 +1,91 @@
+#include "window/dialog_leave.h"
+
+#include <time.h>
+
+#include "window/act.h"
+#include "window/plan_input.h"
+#include "window/files.h"
+#include "window/dialog_pane.h"
+
+/* Design points. */
+#define WIDTH 660.0
+#define HEIGHT 240.0
+#define WIDE 860.0
+#define HIGH 460.0
+#define EDGE 24.0
+
+void dialog_leave_show(Window *window) {
+    const Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    size_t edits = editor ? editor->edits(tab->live) : 0;
+    dialog_pane_begin(window, dialog_pane_centred(window, WIDTH, HEIGHT, EDGE));
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save before closing?");
+    ui_text(window->ui, UI_BODY, ROLE_TEXT,
+            text_in_arena(&window->words, "%s has %zu edit%s that no file holds yet.", tab->kind->title(tab->live),
+                          edits, edits == 1 ? "" : "s"));
+    ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, tab->path ? tab->path : "It has no file of its own yet.");
+    ui_row(window->ui, 3);
+    bool saves = ui_button(window->ui, &(UiButton){.label = "Save", .help = "Save: writes it to its file, or asks"});
+    bool drops =
+        ui_button(window->ui, &(UiButton){.label = "Don't save", .help = "Don't save: what was edited is lost"});
+    if (ui_button(window->ui, &(UiButton){.label = "Cancel", .help = "Cancel (Escape): goes on with what is open"}))
+        act_close_dialog(window);
+    else if (saves)
+        files_save(window);
+    else if (drops)
+        files_go_on(window);
+    ui_pane_end(window->ui);
+}
+
+/* "14:02", or with its day when that is another one. */
+static const char *when_words(Window *window, int64_t when) {
+    time_t moment = (time_t)when, now = time(NULL);
+    struct tm then, today;
+    char words[64];
+    localtime_r(&moment, &then);
+    localtime_r(&now, &today);
+    bool same = then.tm_year == today.tm_year && then.tm_yday == today.tm_yday;
+    strftime(words, sizeof words, same ? "%H:%M" : "%Y-%m-%d %H:%M", &then);
+    return text_in_arena(&window->words, "%s", words);
+}
+
+/* True: it was chosen or put away, and there are others now. */
+static bool show_found(Window *window, size_t index) {
+    const RecoveryFound *found = &window->found[index];
+    ui_heading(window->ui, text_in_arena(&window->words, "%s, %s, %zu edit%s", found->name,
+                                         when_words(window, found->when), found->edits, found->edits == 1 ? "" : "s"));
+    ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, text_in_arena(&window->words, "kept in %s", found->path));
+    const char *origin = !found->origin ? "it had no file of its own"
+                         : found->origin_when
+                             ? text_in_arena(&window->words, "its file: %s, saved %s", found->origin,
+                                             when_words(window, found->origin_when))
+                             : text_in_arena(&window->words, "its file: %s, which is not there now", found->origin);
+    ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, origin);
+    ui_row(window->ui, 2);
+    bool opens = ui_button(window->ui, &(UiButton){.id = text_in_arena(&window->words, "open %zu", index),
+                                                   .label = "Open",
+                                                   .help = "Open: shows it; no file is changed until it is saved"});
+    bool forgets = ui_button(window->ui, &(UiButton){.id = text_in_arena(&window->words, "forget %zu", index),
+                                                     .label = "Forget",
+                                                     .help = "Forget: puts it away for good"});
+    if (opens)
+        files_recover(window, index);
+    else if (forgets)
+        files_forget(window, index);
+    return opens || forgets;
+}
+
+void dialog_leave_show_recovered(Window *window) {
+    dialog_pane_begin(window, dialog_pane_centred(window, WIDE, HIGH, EDGE));
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Edited, not saved, and kept");
+    ui_text(window->ui, UI_BODY, ROLE_TEXT,
+            "The program ended before this was saved. The files themselves are as they were.");
+    bool changed = false;
+    for (size_t i = 0; i < window->found_count && !changed; i++)
+        changed = show_found(window, i);
+    ui_gap(window->ui, 8);
+    if (!changed &&
+        ui_button(window->ui, &(UiButton){.label = "Later", .help = "Later (Escape): asks again next time"}))
+        act_close_dialog(window);
+    ui_pane_end(window->ui);
+}

@@ -1,0 +1,14 @@
+#include "window/dialog_pane.h"
+
+#include <math.h>
+
+void dialog_pane_begin(Window *window, Box box) {
+    UiPane pane = {.name = "sheet", .box = box, .ground = ROLE_PANEL, .scrolls = true, .modal = true};
+    ui_pane_begin(window->ui, &pane);
+}
+
+Box dialog_pane_centred(const Window *window, double width, double height, double edge) {
+    Vec2 page = window->frame.page, half = {fmin(width, page.x - edge) / 2, fmin(height, page.y - edge) / 2};
+    Vec2 middle = vec2_scale(page, 0.5);
+    return (Box){vec2_sub(middle, half), vec2_add(middle, half)};
+}

@@ -1,0 +1,242 @@
+#include "window/dialogs.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "window/act.h"
+#include "window/plan_input.h"
+#include "window/files.h"
+#include "window/dialog_export.h"
+#include "window/dialog_gallery.h"
+#include "window/dialog_leave.h"
+#include "window/dialog_pane.h"
+
+/* Design points. */
+#define MENU_WIDTH 376.0
+#define MENU_ROW 30.0
+#define EDGE 24.0
+#define SMALL_WIDTH 620.0
+#define SMALL_HEIGHT 230.0
+
+/* The menus -------------------------------------------------------------------------------------------------------- */
+
+static double menu_left(Window *window) {
+    double left = 2;
+    for (KeyMenu menu = MENU_FILE; menu < window->menu && !window->frame.compact; menu++)
+        if (menu != MENU_TOOLS || plan_input_of(window_tab(window)))
+            left += ui_extent(window->ui, UI_BODY, keys_menus[menu]).x + 20;
+    return left;
+}
+
+/* Rows of the plan are there only where one can be edited. */
+static bool is_there(Window *window, const KeyRow *row, KeyMenu menu) {
+    return row->menu == menu && row->name && (row->place != KEY_PLAN || plan_input_of(window_tab(window)));
+}
+
+/* Does its key mean it while the view has the focus? */
+static bool is_meant(Window *window, const KeyRow *row) {
+    int32_t key;
+    int mods;
+    keys_read(row->key, &key, &mods);
+    if (row->place != KEY_CANVAS)
+        return true;
+    return keys_find(key, mods, plan_input_of(window_tab(window)) ? KEY_PLAN : KEY_VIEW, true)->action == row->action;
+}
+
+/* True: the sheet is another one now. */
+static bool show_menu_row(Window *window, const KeyRow *row) {
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    bool undoes = row->action == ACTION_UNDO, steps = undoes || row->action == ACTION_REDO;
+    bool can = !steps || (editor && (undoes ? editor->undo_name(tab->live) : editor->redo_name(tab->live)));
+    UiRow shown = {.id = row->name,
+                   .shape = ROW_PLAIN,
+                   .cells = {steps ? plan_input_step_words(window, row->action) : row->name,
+                             is_meant(window, row) ? row->key : NULL},
+                   .usable = can};
+    if (!ui_list_row(window->ui, &shown))
+        return false;
+    act_close_dialog(window);
+    act_do(window, row->action, 0, 0);
+    return true;
+}
+
+static bool show_recent(Window *window) {
+    const char *paths[SETTINGS_RECENT_MOST];
+    size_t count = settings_recent(&window->settings, paths);
+    if (window->menu != MENU_FILE || !count)
+        return false;
+    ui_heading(window->ui, "Recent");
+    for (size_t i = 0; i < count; i++) {
+        const char *name = strrchr(paths[i], '/');
+        UiRow shown = {.id = paths[i],
+                       .shape = ROW_PLAIN,
+                       .cells = {name ? name + 1 : paths[i]},
+                       .help = paths[i],
+                       .usable = true};
+        if (ui_list_row(window->ui, &shown)) {
+            act_close_dialog(window);
+            files_leave(window, LEAVE_OPEN, paths[i]);
+            return true;
+        }
+    }
+    return false;
+}
+
+static void show_menu(Window *window) {
+    size_t rows = 0;
+    const char *paths[SETTINGS_RECENT_MOST];
+    for (size_t i = 0; i < keys_count; i++)
+        rows += is_there(window, &keys_table[i], window->menu);
+    rows += window->menu == MENU_FILE ? settings_recent(&window->settings, paths) + 2 : 0;
+    double left = menu_left(window), top = window->frame.menu.high.y;
+    double height = fmin((double)(rows + 1) * MENU_ROW + 34, window->frame.page.y - top);
+    Box box = {{left, top}, {fmin(left + MENU_WIDTH, window->frame.page.x), top + height}};
+    dialog_pane_begin(window, box);
+    bool edits = plan_input_of(window_tab(window));
+    ui_row(window->ui, MENUS - MENU_FILE - !edits);
+    for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++)
+        if ((menu != MENU_TOOLS || edits) &&
+            ui_button(window->ui,
+                      &(UiButton){.label = keys_menus[menu], .plain = true, .chosen = menu == window->menu}))
+            window->menu = menu;
+    bool done = false;
+    for (size_t i = 0; i < keys_count && !done; i++)
+        if (is_there(window, &keys_table[i], window->menu))
+            done = show_menu_row(window, &keys_table[i]);
+    if (!done)
+        show_recent(window);
+    ui_pane_end(window->ui);
+}
+
+/* The card of keys ------------------------------------------------------------------------------------------------- */
+
+static const char *place_name(KeyPlace place) {
+    static const char *const names[] = {[KEY_ANYWHERE] = "Anywhere", [KEY_CANVAS] = "View and plots",
+                                        [KEY_VIEW] = "View",         [KEY_PLAN] = "Plan of a house",
+                                        [KEY_PLOT] = "Plots",        [KEY_TIMELINE] = "Timeline"};
+    return names[place];
+}
+
+/* All keys of an action in a place: "Space, Alt+K". */
+static const char *all_keys(Window *window, size_t row) {
+    const char *words = keys_table[row].key;
+    for (size_t i = row + 1; i < keys_count && !keys_table[i].name; i++)
+        if (keys_table[i].place == keys_table[row].place && keys_table[row].action != ACTION_LAYER)
+            words = text_in_arena(&window->words, "%s, %s", words, keys_table[i].key);
+    return keys_table[row].action == ACTION_LAYER ? "1 ... 9" : words;
+}
+
+static void show_keys(Window *window) {
+    dialog_pane_begin(window, dialog_pane_centred(window, 1180, 680, EDGE));
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Keys");
+    ui_text(
+        window->ui, UI_BODY, ROLE_DIM_TEXT,
+        "Tab and Shift+Tab go from widget to widget, F6 and Shift+F6 from pane to pane; Return or Space presses a "
+        "button. On a number: arrows a twentieth of its range, with Shift a hundredth, PageUp and PageDown a tenth, "
+        "Home and End its ends, Return types, Delete takes the file's value. With a tool in the hand: Return begins or "
+        "puts "
+        "down, digits are typed into its numbers, Tab goes to the next number, Backspace takes back, Escape lets go; "
+        "Ctrl "
+        "held is free of snapping, Shift keeps to one axis or adds to what is selected.");
+    for (KeyPlace place = KEY_ANYWHERE; place <= KEY_TIMELINE; place++) {
+        ui_heading(window->ui, place_name(place));
+        for (size_t i = 0; i < keys_count; i++) {
+            const KeyRow *named = keys_table[i].name ? &keys_table[i] : keys_row(keys_table[i].action);
+            bool first = keys_table[i].name || keys_table[i].place != keys_table[i - 1].place;
+            if (keys_table[i].place != place || !first)
+                continue;
+            const char *words = text_in_arena(&window->words, "%s: %s", named->name, named->help);
+            ui_list_row(window->ui,
+                        &(UiRow){.id = text_in_arena(&window->words, "key %zu", i),
+                                 .shape = ROW_PLAIN,
+                                 .cells = {words, keys_table[i].name ? all_keys(window, i) : keys_table[i].key}});
+        }
+    }
+    ui_pane_end(window->ui);
+}
+
+/* The log ---------------------------------------------------------------------------------------------------------- */
+
+static void show_messages(Window *window) {
+    dialog_pane_begin(window, dialog_pane_centred(window, 1000, 560, EDGE));
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Messages");
+    if (!messages_count(&window->messages))
+        ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, "Nothing has been said yet.");
+    for (size_t i = messages_count(&window->messages); i-- > 0;) {
+        const Message *message = messages_at(&window->messages, i);
+        bool timed = !isnan(message->time);
+        const char *when = timed ? text_in_arena(&window->words, "%.3f s", message->time) : NULL;
+        const char *words =
+            text_in_arena(&window->words, "%s%s", message->kind == MESSAGE_FAULT ? "\u26a0 " : "", message->text);
+        if (!timed) {
+            ui_text(window->ui, UI_BODY, message->kind == MESSAGE_FAULT ? ROLE_ERROR : ROLE_TEXT, words);
+            continue;
+        }
+        UiRow row = {.id = text_in_arena(&window->words, "message %zu", message->number),
+                     .shape = ROW_PLAIN,
+                     .cells = {words, when},
+                     .usable = true};
+        if (ui_list_row(window->ui, &row) && window_tab(window)->live) {
+            tab_seek(window_tab(window), message->time);
+            act_close_dialog(window);
+        }
+    }
+    ui_pane_end(window->ui);
+}
+
+/* Words ------------------------------------------------------------------------------------------------------------ */
+
+static bool show_close(Window *window) {
+    ui_gap(window->ui, 8);
+    if (!ui_button(window->ui, &(UiButton){.label = "Close", .help = "Close (Escape)"}))
+        return false;
+    act_close_dialog(window);
+    return true;
+}
+
+static void show_explanation(Window *window) {
+    dialog_pane_begin(window, dialog_pane_centred(window, SMALL_WIDTH, SMALL_HEIGHT, EDGE));
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "What has the focus");
+    ui_text(window->ui, UI_BODY, ROLE_TEXT, window->hold);
+    show_close(window);
+    ui_pane_end(window->ui);
+}
+
+static void show_about(Window *window) {
+    dialog_pane_begin(window, dialog_pane_centred(window, 760, 420, EDGE));
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "clearance " CLEARANCE_VERSION);
+    ui_text(
+        window->ui, UI_BODY, ROLE_TEXT,
+        "Does a wheelchair user get out, how long does it take, where is the danger? And a beam that rattles in its "
+        "clearance: is it periodic or chaotic, and what does that mean?");
+    ui_text(
+        window->ui, UI_BODY, ROLE_TEXT,
+        "House: Miura, Takimoto and Kubodera's simulation of evacuation by wheelchair with distinct elements. Beam: Gu "
+        "and Dubowsky's impact beam system. What is reconstructed, identified or assumed is said at each number.");
+    ui_text(
+        window->ui, UI_BODY, ROLE_DIM_TEXT,
+        "A screen reader cannot read this window. The same is there as text: clearance run FILE --json, and --report "
+        "for a page with tables.");
+    show_close(window);
+    ui_pane_end(window->ui);
+}
+
+void dialogs_show(Window *window) {
+    static void (*const shows[DIALOGS])(Window *) = {
+        [DIALOG_MENU] = show_menu,
+        [DIALOG_KEYS] = show_keys,
+        [DIALOG_GALLERY] = dialog_gallery_show,
+        [DIALOG_OPEN] = dialog_gallery_show_open,
+        [DIALOG_SAVE] = dialog_export_show_save,
+        [DIALOG_EXPORT] = dialog_export_show,
+        [DIALOG_MESSAGES] = show_messages,
+        [DIALOG_EXPLAIN] = show_explanation,
+        [DIALOG_ABOUT] = show_about,
+        [DIALOG_LEAVE] = dialog_leave_show,
+        [DIALOG_RECOVERED] = dialog_leave_show_recovered,
+    };
+    if (window->dialog != DIALOG_NONE)
+        shows[window->dialog](window);
+}

@@ -1,0 +1,400 @@
+#include "window/plan_input.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "window/act.h"
+
+#define REACH 10.0 /* design points: what is nearer than this is meant */
+
+/* m; degrees. */
+#define NUDGE 0.01
+#define NUDGE_FAR 0.1
+#define NUDGE_LITTLE 0.001
+#define TURN 15.0
+#define TURN_LITTLE 1.0
+
+const EditorFunctions *plan_input_of(const Tab *tab) {
+    return tab->live ? tab->kind->editor : NULL;
+}
+
+/* Has a handle the focus of the keys? Then Enter, or a number, takes it up. */
+static bool has_handle(const GestureView *gesture) {
+    bool held = false;
+    for (size_t i = 0; i < gesture->mark_count; i++)
+        held |= gesture->marks[i].kind == MARK_HANDLE && gesture->marks[i].held;
+    return held;
+}
+
+bool plan_input_listens(const Window *window) {
+    const Tab *tab = &window->tabs[window->current];
+    const EditorFunctions *editor = plan_input_of(tab);
+    if (!editor || editor->tool(tab->live) != TOOL_SELECT)
+        return editor;
+    const GestureView *gesture = editor->gesture(tab->live);
+    return gesture->active || has_handle(gesture);
+}
+
+/* The hand --------------------------------------------------------------------------------------------------------- */
+
+static Vec2 floor_at(const Window *window, const Tab *tab, Vec2 at) {
+    return view_layers_floor(&tab->view_layers, vec2_sub(at, window->frame.view.low));
+}
+
+/* The hand at a point of the window. */
+static Pointer hand_at(const Window *window, const Tab *tab, Vec2 at) {
+    int mods = sdl_window_mods(window->sdl_window);
+    Vec2 floor = floor_at(window, tab, at);
+    return (Pointer){.at = floor,
+                     .reach = vec2_distance(floor, floor_at(window, tab, vec2_add(at, vec2(REACH, 0)))),
+                     .free = window->edit.free || mods & SDL_WINDOW_EVENT_CONTROL,
+                     .straight = mods & SDL_WINDOW_EVENT_SHIFT,
+                     .more = mods & SDL_WINDOW_EVENT_SHIFT};
+}
+
+static bool same_hand(const Pointer *a, const Pointer *b) {
+    return a->at.x == b->at.x && a->at.y == b->at.y && a->reach == b->reach && a->free == b->free &&
+           a->straight == b->straight && a->nowhere == b->nowhere;
+}
+
+/* Says where it is, unless it is there already. */
+static void tell(Window *window, Tab *tab, const Pointer *hand) {
+    if (window->edit.told && same_hand(&window->edit.hand, hand))
+        return;
+    window->edit.hand = *hand;
+    window->edit.told = true;
+    plan_input_of(tab)->point(tab->live, hand);
+    window->dirty = true;
+}
+
+/* Without a pointer the middle of the view is meant. */
+static void tell_where(Window *window, Tab *tab) {
+    Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
+    Box view = window->frame.view;
+    if (!tab->view_layers.painted)
+        return;
+    bool nowhere = !box_holds(view, at);
+    if (nowhere)
+        at = vec2_scale(vec2_add(view.low, view.high), 0.5);
+    Pointer hand = hand_at(window, tab, at);
+    hand.nowhere = nowhere;
+    tell(window, tab, &hand);
+}
+
+void plan_input_mouse(Window *window, const UiGrab *grab) {
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    if (!grab->hovered && !grab->held && !grab->released)
+        return;
+    Pointer hand = hand_at(window, tab, grab->at);
+    tell(window, tab, &hand);
+    if (grab->pressed) {
+        ui_focus(window->ui, "view");
+        editor->press(tab->live, &hand, grab->twice);
+    }
+    if (grab->released)
+        editor->release(tab->live, &hand);
+    window->dirty |= grab->pressed || grab->released;
+}
+
+/* Keys ------------------------------------------------------------------------------------------------------------- */
+
+/* Lets go what is in the hand, then the tool. */
+static bool escape(const EditorFunctions *editor, void *live) {
+    if (editor->escape(live))
+        return true;
+    bool tool = editor->tool(live) != TOOL_SELECT;
+    if (tool)
+        editor->take(live, TOOL_SELECT);
+    return tool;
+}
+
+bool plan_input_key(Window *window, const SdlWindowEvent *event) {
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    int32_t key = event->key;
+    if (!plan_input_listens(window) || event->mods & (SDL_WINDOW_EVENT_CONTROL | SDL_WINDOW_EVENT_ALT))
+        return false;
+    tell_where(window, tab);
+    if (key == sdl_window_key("Return") || key == sdl_window_key("Keypad Enter"))
+        return editor->enter(tab->live);
+    if (key == sdl_window_key("Backspace"))
+        return editor->back(tab->live);
+    if (key == sdl_window_key("Tab"))
+        return editor->tab(tab->live, event->mods & SDL_WINDOW_EVENT_SHIFT ? -1 : 1);
+    return key == sdl_window_key("Escape") && escape(editor, tab->live);
+}
+
+static bool types_something(const SdlWindowEvent *event) {
+    static const char *const pad[] = {"Keypad 0", "Keypad 1", "Keypad 2", "Keypad 3", "Keypad 4", "Keypad 5",
+                                      "Keypad 6", "Keypad 7", "Keypad 8", "Keypad 9", "Keypad .", "Keypad -"};
+    for (size_t i = 0; i < sizeof pad / sizeof *pad; i++)
+        if (event->key == sdl_window_key(pad[i]))
+            return true;
+    return event->key >= ' ' && event->key < 0x7f;
+}
+
+bool plan_input_keep_key(Window *window, const SdlWindowEvent *event) {
+    if (!plan_input_listens(window) || event->mods & (SDL_WINDOW_EVENT_CONTROL | SDL_WINDOW_EVENT_ALT) ||
+        !types_something(event))
+        return false;
+    window->edit.key = *event;
+    window->edit.waits = true;
+    return true;
+}
+
+bool plan_input_take_letters(Window *window, const char *letters) {
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    const char own[] = {(char)window->edit.key.key, 0};
+    window->edit.waits = false;
+    if (!letters && window->edit.key.key < 0x7f && !window->edit.key.mods)
+        letters = own;
+    return letters && editor && *letters != ' ' && editor->type(tab->live, letters);
+}
+
+bool plan_input_type(Window *window, const char *letters) {
+    Tab *tab = window_tab(window);
+    bool used = plan_input_listens(window);
+    for (const char *at = letters; used && *at; at++)
+        used = plan_input_of(tab)->type(tab->live, (const char[]){*at, 0});
+    return used;
+}
+
+/* Doing ------------------------------------------------------------------------------------------------------------ */
+
+static bool is_selected(const Tab *tab) {
+    size_t count;
+    return tab->kind->editor->selection(tab->live, &count) && count > 0;
+}
+
+/* What cannot be done says why, or that there is nothing to do it to. */
+static void tell_result(Window *window, bool done, const char *what, Fault *fault) {
+    if (!done && !fault->count)
+        act_say(window, "%s: nothing is selected that it could be done to", what);
+    act_complain(window, fault, NAN);
+}
+
+static void copy(Window *window, Tab *tab) {
+    char *text = tab->kind->editor->copy(tab->live);
+    if (!text)
+        return;
+    sdl_window_set_clipboard(window->sdl_window, text);
+    act_say(window, "copied");
+    memory_free(text);
+}
+
+static bool do_clipboard(Window *window, Tab *tab, Action action) {
+    const EditorFunctions *editor = tab->kind->editor;
+    Fault fault = {0};
+    switch (action) {
+    case ACTION_COPY:
+        if (is_selected(tab))
+            copy(window, tab);
+        else
+            act_do(window, ACTION_COPY_COMMAND, 0, 0);
+        return true;
+    case ACTION_CUT:
+        copy(window, tab);
+        tell_result(window, editor->remove(tab->live, &fault), "Cut", &fault);
+        return true;
+    case ACTION_PASTE:
+        tell_where(window, tab);
+        if (!editor->paste(tab->live, sdl_window_clipboard(window->sdl_window), &fault) && !fault.count)
+            act_say(window, "there is nothing in the clipboard that could be put here");
+        act_complain(window, &fault, NAN);
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* What is done to all that is selected. */
+static bool do_pieces(Window *window, Tab *tab, Action action) {
+    static const struct {
+        Action action;
+        size_t member;
+    } known[] = {{ACTION_DELETE, offsetof(EditorFunctions, remove)},
+                 {ACTION_DUPLICATE, offsetof(EditorFunctions, duplicate)},
+                 {ACTION_SPLIT, offsetof(EditorFunctions, split)},
+                 {ACTION_TOPPLE, offsetof(EditorFunctions, topple)},
+                 {ACTION_SHAKE, offsetof(EditorFunctions, shake)}};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        if (known[i].action != action)
+            continue;
+        bool (*done)(void *, Fault *);
+        memcpy(&done, (const char *)tab->kind->editor + known[i].member, sizeof done);
+        Fault fault = {0};
+        tell_where(window, tab);
+        if (!done)
+            return true;
+        bool good = done(tab->live, &fault);
+        tell_result(window, good, keys_row(action)->name, &fault);
+        if (good && action == ACTION_SHAKE)
+            act_say(window, "%s", tab->kind->editor->shaken(tab->live));
+        return true;
+    }
+    return false;
+}
+
+/* Arrows look about where nothing is selected. */
+static bool nudge(Window *window, Tab *tab, Action action, int mods) {
+    static const Vec2 ways[] = {{-1, 0}, {1, 0}, {0, 1}, {0, -1}};
+    size_t way = (size_t)(action - ACTION_NUDGE_LEFT);
+    double far = mods & SDL_WINDOW_EVENT_CONTROL ? NUDGE_LITTLE : mods & SDL_WINDOW_EVENT_SHIFT ? NUDGE_FAR : NUDGE;
+    Fault fault = {0};
+    if (!is_selected(tab)) {
+        act_do(window, ACTION_PAN_LEFT + (Action)way, 0, 0);
+        return true;
+    }
+    tell_result(window, tab->kind->editor->nudge(tab->live, vec2_scale(ways[way], far), &fault), "Nudge", &fault);
+    return true;
+}
+
+/* False: nothing is selected, and the view is meant. */
+static bool turn(Window *window, Tab *tab, double degrees) {
+    Fault fault = {0};
+    if (!is_selected(tab))
+        return fabs(degrees) < TURN;
+    tell_result(window, tab->kind->editor->turn(tab->live, degrees, &fault), "Turn", &fault);
+    return true;
+}
+
+static void step(Window *window, Tab *tab, Action action) {
+    const EditorFunctions *editor = tab->kind->editor;
+    bool undoes = action == ACTION_UNDO;
+    const char *name = undoes ? editor->undo_name(tab->live) : editor->redo_name(tab->live);
+    name = text_in_arena(&window->words, "%s", name ? name : "");
+    bool done = undoes ? editor->undo(tab->live) : editor->redo(tab->live);
+    const char *word = undoes ? "undone" : "done again";
+    if (done)
+        act_say(window, "%s: %s", word, name);
+    else
+        act_say(window, "there is nothing to be %s", word);
+}
+
+static void toggle_snapping(Window *window) {
+    window->edit.free = !window->edit.free;
+    act_say(window, "snapping is %s", window->edit.free ? "off: the hand is free" : "on");
+}
+
+static bool do_hand(Window *window, Tab *tab, Action action, int mods) {
+    const EditorFunctions *editor = tab->kind->editor;
+    switch (action) {
+    case ACTION_UNDO:
+    case ACTION_REDO:
+        step(window, tab, action);
+        return true;
+    case ACTION_SELECT_ALL:
+        editor->select_all(tab->live);
+        return true;
+    case ACTION_SNAP:
+        toggle_snapping(window);
+        return true;
+    case ACTION_HANDLE:
+    case ACTION_HANDLE_BACK:
+        editor->handle(tab->live, action == ACTION_HANDLE ? 1 : -1);
+        return true;
+    case ACTION_NUDGE_LEFT:
+    case ACTION_NUDGE_RIGHT:
+    case ACTION_NUDGE_UP:
+    case ACTION_NUDGE_DOWN:
+        return nudge(window, tab, action, mods);
+    case ACTION_TURN_LEFT:
+    case ACTION_TURN_RIGHT:
+        return turn(window, tab, action == ACTION_TURN_LEFT ? TURN : -TURN);
+    case ACTION_TURN_LITTLE_LEFT:
+    case ACTION_TURN_LITTLE_RIGHT:
+        return turn(window, tab, action == ACTION_TURN_LITTLE_LEFT ? TURN_LITTLE : -TURN_LITTLE);
+    default:
+        return false;
+    }
+}
+
+bool plan_input_do(Window *window, Action action, int mods) {
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    if (!editor)
+        return false;
+    if (action >= ACTION_TOOL_SELECT && action <= ACTION_TOOL_IMAGE) {
+        editor->take(tab->live, (EditTool)(action - ACTION_TOOL_SELECT));
+        bool asks = action == ACTION_TOOL_IMAGE && !editor->image(tab->live).path;
+        window->panel |= asks;
+        window->drawer |= asks;
+        ui_focus(window->ui, asks ? "panel" : "view");
+        return true;
+    }
+    return do_clipboard(window, tab, action) || do_pieces(window, tab, action) || do_hand(window, tab, action, mods);
+}
+
+const char *plan_input_step_words(Window *window, Action action) {
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    bool undoes = action == ACTION_UNDO;
+    const char *name = !editor ? NULL : undoes ? editor->undo_name(tab->live) : editor->redo_name(tab->live);
+    if (!name)
+        return undoes ? "Can't undo" : "Can't redo";
+    return text_in_arena(&window->words, "%s: %s", undoes ? "Undo" : "Redo", name);
+}
+
+/* The clock -------------------------------------------------------------------------------------------------------- */
+
+void plan_input_hold_number(Window *window, const char *name) {
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    if (!editor || window->edit.number)
+        return;
+    window->edit.number = true;
+    editor->hold(tab->live, name);
+}
+
+void plan_input_hold_clock(Window *window) {
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    PlanInput *edit = &window->edit;
+    if (!editor)
+        return;
+    if (edit->number && !window->input.down[SDL_WINDOW_EVENT_LEFT]) {
+        edit->number = false;
+        editor->settle(tab->live);
+    }
+    bool hold = edit->number || editor->gesture(tab->live)->active;
+    if (hold && !edit->holds)
+        edit->plays_on = tab->player.playing;
+    if (hold)
+        tab->player.playing = false;
+    else if (edit->holds)
+        tab->player.playing = edit->plays_on;
+    edit->holds = hold;
+}
+
+/* What moves in the picture alone --------------------------------------------------------------------------------- */
+
+void plan_input_animate(Window *window, double seconds) {
+    const Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    bool unseen = window->options->script && !sdl_window_is_seen(window->sdl_window);
+    if (!editor || window->reduced)
+        return;
+    window->dirty |= editor->animation(tab->live) != NULL; /* it may come to its end now */
+    editor->animate(tab->live, unseen ? 1 / PACE_RATE : seconds);
+}
+
+const char *plan_input_animation(const Tab *tab) {
+    const EditorFunctions *editor = plan_input_of(tab);
+    return editor ? editor->animation(tab->live) : NULL;
+}
+
+void plan_input_let_go(Window *window) {
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    if (!editor)
+        return;
+    if (window->edit.number)
+        editor->settle(tab->live);
+    editor->take(tab->live, TOOL_SELECT);
+    if (window->edit.holds)
+        tab->player.playing = window->edit.plays_on;
+    window->edit = (PlanInput){.free = window->edit.free};
+}

@@ -1,0 +1,314 @@
+#include "window/plan_overlay.h"
+
+#include <math.h>
+
+#include "window/plan_input.h"
+
+/* Design points. */
+#define OUTER 6.0 /* of a frame of what is selected, and of what lies within it */
+#define INNER 3.0
+#define LINE 3.0
+#define GUIDE 1.5
+#define GAP_LINE 4.0
+#define DASH 7.0
+#define DASH_GAP 5.0
+#define TICK 6.0
+#define DIAMOND 7.0
+#define HANDLE 6.0 /* half of it */
+#define PAD 5.0
+#define EDGE 5.0   /* of the view, for the frame of what has the focus */
+#define ASIDE 14.0 /* from the pointer */
+
+enum { LABELS_MOST = 24, PLACES = 5 /* that a label tries */ };
+
+/* What has been written so far: nothing is written over it. */
+typedef struct Labels {
+    Box boxes[LABELS_MOST];
+    size_t count;
+} Labels;
+
+static Vec2 on_page(const Window *window, const Tab *tab, Vec2 metres) {
+    return vec2_add(window->frame.view.low, view_layers_point(&tab->view_layers, metres));
+}
+
+static size_t points_of(const Window *window, const Tab *tab, const EditMark *mark,
+                        Vec2 points[LABORATORY_MARK_POINTS]) {
+    for (size_t i = 0; i < mark->count; i++)
+        points[i] = on_page(window, tab, mark->points[i]);
+    return mark->count;
+}
+
+/* Words ------------------------------------------------------------------------------------------------------------ */
+
+static bool overlap(Box a, Box b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+static bool is_free(const Labels *labels, Box box) {
+    for (size_t i = 0; i < labels->count; i++)
+        if (overlap(labels->boxes[i], box))
+            return false;
+    return true;
+}
+
+/* Moved so that it lies within. */
+static Box kept_within(Box box, Box bounds) {
+    Vec2 by = {fmax(0, bounds.low.x - box.low.x) - fmax(0, box.high.x - bounds.high.x),
+               fmax(0, bounds.low.y - box.low.y) - fmax(0, box.high.y - bounds.high.y)};
+    return (Box){vec2_add(box.low, by), vec2_add(box.high, by)};
+}
+
+/* The middle is wished for; it gives way up and down to what is written there. */
+static Box place_label(const Window *window, Labels *labels, Vec2 middle, Vec2 size) {
+    static const double steps[PLACES] = {0, 1, -1, 2, -2};
+    Vec2 half = vec2_scale(size, 0.5);
+    Box box = {{0, 0}, {0, 0}};
+    for (int i = 0; i < PLACES; i++) {
+        Vec2 at = vec2_add(middle, vec2(0, steps[i] * (size.y + 2)));
+        box = kept_within((Box){vec2_sub(at, half), vec2_add(at, half)}, box_expand(window->frame.view, -EDGE));
+        if (is_free(labels, box))
+            break;
+    }
+    if (labels->count < LABELS_MOST)
+        labels->boxes[labels->count++] = box;
+    return box;
+}
+
+static void write_label(Window *window, Labels *labels, Vec2 middle, Role ground, const char *words) {
+    Vec2 size = vec2_add(ui_extent(window->ui, UI_BOLD, words), vec2(2 * PAD, 2));
+    Box box = place_label(window, labels, middle, size);
+    ui_draw_box(window->ui, box, ground, 1);
+    ui_draw_words(window->ui, UI_BOLD, ROLE_PAPER, vec2(box.low.x + PAD, (box.low.y + box.high.y) / 2), 0, words);
+}
+
+/* Lines ------------------------------------------------------------------------------------------------------------ */
+
+/* The part of a line that lies in a box; false: none of it. */
+static bool clip(Box box, Vec2 *a, Vec2 *b) {
+    Vec2 way = vec2_sub(*b, *a);
+    const double p[] = {-way.x, way.x, -way.y, way.y};
+    const double q[] = {a->x - box.low.x, box.high.x - a->x, a->y - box.low.y, box.high.y - a->y};
+    double from = 0, to = 1;
+    for (int i = 0; i < 4; i++) {
+        if (p[i] == 0 && q[i] < 0)
+            return false;
+        if (p[i] < 0)
+            from = fmax(from, q[i] / p[i]);
+        if (p[i] > 0)
+            to = fmin(to, q[i] / p[i]);
+    }
+    Vec2 begin = *a;
+    *a = vec2_along(begin, from, way);
+    *b = vec2_along(begin, to, way);
+    return from < to;
+}
+
+static void draw_dashes(Window *window, Vec2 a, Vec2 b) {
+    if (!clip(box_expand(window->frame.view, DASH), &a, &b))
+        return;
+    double length = vec2_distance(a, b);
+    Vec2 way = vec2_scale(vec2_sub(b, a), 1 / fmax(length, 1e-9));
+    for (double at = 0; at < length; at += DASH + DASH_GAP)
+        ui_draw_line(window->ui, vec2_along(a, at, way), vec2_along(a, fmin(at + DASH, length), way), ROLE_TEXT, GUIDE);
+}
+
+static void draw_guide(Window *window, const Vec2 *points, size_t count) {
+    for (size_t i = 0; i + 1 < count; i++)
+        draw_dashes(window, points[i], points[i + 1]);
+}
+
+/* Black within white, or the other way round: seen on everything. */
+static void draw_twice(Window *window, const Vec2 *points, size_t count, bool closed, Role role, double width) {
+    ui_draw_polyline(window->ui, points, count, closed, ROLE_PAPER, 2 * width);
+    ui_draw_polyline(window->ui, points, count, closed, role, width);
+}
+
+/* A line with an end across at each of its points. */
+static void draw_dimension(Window *window, const Vec2 *points, size_t count) {
+    for (size_t i = 0; i + 1 < count; i++) {
+        Vec2 way = vec2_sub(points[i + 1], points[i]);
+        double length = vec2_length(way);
+        if (length < 1)
+            continue;
+        Vec2 across = vec2_scale(vec2(-way.y, way.x), TICK / length);
+        const Vec2 ends[] = {points[i], points[i + 1]};
+        draw_twice(window, ends, 2, false, ROLE_TEXT, GUIDE);
+        for (int end = 0; end < 2; end++)
+            ui_draw_line(window->ui, vec2_sub(ends[end], across), vec2_add(ends[end], across), ROLE_TEXT, GUIDE);
+    }
+}
+
+static void draw_handle(Window *window, const EditMark *mark, Vec2 at) {
+    Role role = mark->held ? ROLE_CHAIR : ROLE_PAPER;
+    if (mark->round) {
+        ui_draw_disc(window->ui, at, HANDLE + 3, ROLE_PAPER);
+        ui_draw_disc(window->ui, at, HANDLE + 1.5, ROLE_TEXT);
+        ui_draw_disc(window->ui, at, HANDLE - 1, role);
+        return;
+    }
+    const Vec2 half = {HANDLE, HANDLE};
+    Box box = {vec2_sub(at, half), vec2_add(at, half)};
+    ui_draw_box(window->ui, box_expand(box, 1.5), ROLE_PAPER, 1);
+    ui_draw_box(window->ui, box, ROLE_TEXT, 1);
+    ui_draw_box(window->ui, box_expand(box, -2), role, 1);
+}
+
+/* Marks ------------------------------------------------------------------------------------------------------------ */
+
+static void draw_mark(Window *window, const EditMark *mark, const Vec2 *points, size_t count) {
+    switch (mark->kind) {
+    case MARK_OUTLINE:
+    case MARK_LINE:
+        draw_twice(window, points, count, mark->kind == MARK_OUTLINE, ROLE_CHAIR, LINE);
+        break;
+    case MARK_GUIDE:
+        draw_guide(window, points, count);
+        break;
+    case MARK_DIMENSION:
+        draw_dimension(window, points, count);
+        break;
+    case MARK_SNAP:
+        ui_draw_diamond(window->ui, points[0], DIAMOND + 2, ROLE_PAPER);
+        ui_draw_diamond(window->ui, points[0], DIAMOND, ROLE_TEXT);
+        break;
+    case MARK_HANDLE:
+        draw_handle(window, mark, points[0]);
+        break;
+    case MARK_GAP:
+        draw_twice(window, points, count, count > 2, ROLE_ERROR, GAP_LINE);
+        break;
+    }
+}
+
+/* From the middle of a line to that of words as wide as that half on both sides: beside the line, not on it. */
+static Vec2 beside(Vec2 a, Vec2 b, double half) {
+    Vec2 across = vec2_left(vec2_unit(vec2_sub(b, a)));
+    if (across.y > 0 || (across.y == 0 && across.x < 0))
+        across = vec2_scale(across, -1);
+    return vec2(across.x * half, across.y * ASIDE * 1.3);
+}
+
+static void write_mark(Window *window, Labels *labels, const EditMark *mark, const Vec2 *points, size_t count) {
+    double width = ui_extent(window->ui, UI_BOLD, mark->words).x;
+    Vec2 middle = vec2_scale(vec2_add(points[(count - 1) / 2], points[count / 2]), 0.5);
+    if (mark->kind == MARK_DIMENSION && count > 1)
+        middle = vec2_add(middle, beside(points[0], points[count - 1], width / 2 + PAD + 2));
+    if (mark->kind == MARK_SNAP || mark->kind == MARK_HANDLE)
+        middle = vec2_add(points[0], vec2(width / 2 + PAD + ASIDE, -ASIDE));
+    write_label(window, labels, middle, mark->kind == MARK_GAP ? ROLE_ERROR : ROLE_TEXT, mark->words);
+}
+
+/* Lines first, then what can be taken up, then words. */
+static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Labels *labels) {
+    Vec2 points[LABORATORY_MARK_POINTS];
+    for (int pass = 0; pass < 3; pass++)
+        for (size_t i = 0; i < gesture->mark_count; i++) {
+            const EditMark *mark = &gesture->marks[i];
+            bool solid = mark->kind == MARK_HANDLE || mark->kind == MARK_SNAP;
+            if (!mark->count || (pass < 2 && solid != (pass == 1)) || (pass == 2 && !(mark->words && *mark->words)))
+                continue;
+            size_t count = points_of(window, tab, mark, points);
+            if (pass < 2)
+                draw_mark(window, mark, points, count);
+            else
+                write_mark(window, labels, mark, points, count);
+        }
+}
+
+/* What is selected ------------------------------------------------------------------------------------------------- */
+
+static void frame_thing(Window *window, Tab *tab, Item thing) {
+    Vec2 points[LABORATORY_OUTLINE_MOST];
+    size_t count = thing.kind ? tab->kind->outline(tab->live, thing, tab->player.time, points) : 0;
+    for (size_t i = 0; i < count; i++)
+        points[i] = on_page(window, tab, points[i]);
+    if (!count)
+        return;
+    ui_draw_polyline(window->ui, points, count, true, ROLE_PAPER, OUTER);
+    ui_draw_polyline(window->ui, points, count, true, ROLE_TEXT, INNER);
+}
+
+static void show_selection(Window *window, Tab *tab) {
+    const EditorFunctions *editor = plan_input_of(tab);
+    Item last = tab->kind->selected(tab->live);
+    size_t count = 0;
+    const Item *things = editor ? editor->selection(tab->live, &count) : NULL;
+    bool framed = false;
+    for (size_t i = 0; i < count; i++) {
+        framed |= item_same(things[i], last);
+        frame_thing(window, tab, things[i]);
+    }
+    if (!framed)
+        frame_thing(window, tab, last);
+}
+
+/* What is typed ---------------------------------------------------------------------------------------------------- */
+
+static const char *field_words(Window *window, const GestureView *gesture, size_t index) {
+    const EditField *field = &gesture->fields[index];
+    if (index == gesture->field && *gesture->typed)
+        return text_in_arena(&window->words, "%s %s|", field->name, gesture->typed);
+    const char *cursor = index == gesture->field ? "|" : "";
+    if (isnan(field->value))
+        return text_in_arena(&window->words, "%s %s", field->name, cursor);
+    return text_in_arena(&window->words, "%s %.*f %s%s%s", field->name, *field->unit == 'm' ? 3 : 1, field->value,
+                         field->unit, field->typed ? " (typed)" : "", cursor);
+}
+
+/* Beside the pointer; without one, in the middle of the view. */
+static Vec2 read_out_at(const Window *window) {
+    Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
+    Box view = window->frame.view;
+    if (box_holds(view, at))
+        return vec2_add(at, vec2(ASIDE, ASIDE));
+    return vec2((view.low.x + view.high.x) / 2, (view.low.y + view.high.y) / 2);
+}
+
+static bool has_pointer(const Window *window) {
+    return box_holds(window->frame.view, vec2_scale(window->mouse, 1 / window->unit));
+}
+
+static bool is_typed(const GestureView *gesture) {
+    for (size_t i = 0; i < gesture->field_count; i++)
+        if (gesture->fields[i].typed)
+            return true;
+    return *gesture->typed || gesture->wrong;
+}
+
+static void show_read_out(Window *window, const GestureView *gesture, Labels *labels) {
+    if (!gesture->field_count || (!is_typed(gesture) && (has_pointer(window) || !gesture->active)))
+        return;
+    double width = 0, height = ui_extent(window->ui, UI_BOLD, "0").y + 2;
+    for (size_t i = 0; i < gesture->field_count; i++)
+        width = fmax(width, ui_extent(window->ui, UI_BOLD, field_words(window, gesture, i)).x);
+    if (gesture->wrong)
+        width = fmax(width, ui_extent(window->ui, UI_BODY, gesture->wrong).x);
+    size_t lines = gesture->field_count + (gesture->wrong ? 1 : 0);
+    Vec2 at = read_out_at(window), size = {width + 2 * PAD, height * (double)lines + 2 * PAD};
+    Box box = kept_within((Box){at, vec2_add(at, size)}, box_expand(window->frame.view, -EDGE));
+    if (labels->count < LABELS_MOST)
+        labels->boxes[labels->count++] = box;
+    ui_draw_box(window->ui, box, ROLE_PANEL, 1);
+    ui_draw_frame(window->ui, box, gesture->wrong ? ROLE_ERROR : ROLE_TEXT, 2);
+    double y = box.low.y + PAD + height / 2;
+    for (size_t i = 0; i < gesture->field_count; i++, y += height) {
+        bool now = i == gesture->field;
+        ui_draw_words(window->ui, now ? UI_BOLD : UI_BODY, now ? ROLE_TEXT : ROLE_DIM_TEXT, vec2(box.low.x + PAD, y), 0,
+                      field_words(window, gesture, i));
+    }
+    if (gesture->wrong)
+        ui_draw_words(window->ui, UI_BODY, ROLE_ERROR, vec2(box.low.x + PAD, y), 0, gesture->wrong);
+}
+
+void plan_overlay_show(Window *window) {
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    Labels labels = {.count = 0};
+    show_selection(window, tab);
+    if (!editor)
+        return;
+    const GestureView *gesture = editor->gesture(tab->live);
+    show_read_out(window, gesture, &labels); /* keeps its place free of words */
+    show_marks(window, tab, gesture, &labels);
+    show_read_out(window, gesture, &labels); /* and lies over what crosses it */
+}

@@ -1,0 +1,279 @@
+#include "window/plot_panes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define NOW_RADIUS 5.0   /* design points, of the disc where a line has come to */
+#define TAIL_WIDTH 3.0   /* of the last piece of a line */
+#define NEAR 24.0        /* design points: farther points are not read out */
+#define CURSOR_WIDTH 3.0 /* of the upright line */
+
+/* Which plots ------------------------------------------------------------------------------------------------------ */
+
+static void drop_canvas(PlotPane *pane) {
+    if (pane->canvas)
+        plot_canvas_destroy(pane->canvas);
+    pane->canvas = NULL;
+}
+
+static void clear_pane(PlotPane *pane, PaintGlScreen *screen) {
+    drop_canvas(pane);
+    paint_gl_screen_forget(screen, &pane->texture);
+    *pane = (PlotPane){.cursor = NAN};
+}
+
+void plot_panes_clear(PlotPanes *panes, PaintGlScreen *screen) {
+    for (size_t i = 0; i < panes->count; i++)
+        clear_pane(&panes->panes[i], screen);
+    panes->count = 0;
+}
+
+/* The index of the plot with a name of so many bytes; the number of plots: there is none. */
+static size_t find_plot(const Laboratory *kind, const void *live, const char *name, size_t length) {
+    size_t count = kind->plot_count(live), i = 0;
+    while (i < count &&
+           (strlen(kind->plot(live, i).name) != length || memcmp(kind->plot(live, i).name, name, length) != 0))
+        i++;
+    return i;
+}
+
+/* Takes a plot's chart out of those that there were, with the axes somebody has chosen; a new one: there was none. */
+static PlotPane take_pane(PlotPanes *before, const LaboratoryPlot *plot) {
+    for (size_t i = 0; i < before->count; i++)
+        if (strcmp(before->panes[i].live.name, plot->name) == 0) {
+            PlotPane pane = before->panes[i];
+            before->panes[i] = before->panes[--before->count];
+            return pane;
+        }
+    return (PlotPane){.live = *plot, .cursor = NAN};
+}
+
+void plot_panes_choose(PlotPanes *panes, const Laboratory *kind, void *live, const char *names, PaintGlScreen *screen) {
+    PlotPanes before = *panes;
+    panes->count = 0;
+    for (const char *at = names; *at && panes->count < CHARTS_MOST; at += strcspn(at, ","), at += *at == ',') {
+        size_t plot = find_plot(kind, live, at, strcspn(at, ","));
+        if (plot == kind->plot_count(live))
+            continue;
+        LaboratoryPlot shown = kind->plot(live, plot);
+        panes->panes[panes->count++] = take_pane(&before, &shown);
+    }
+    plot_panes_clear(&before, screen);
+}
+
+/* Drawing ---------------------------------------------------------------------------------------------------------- */
+
+static void set_axes(PlotPane *pane) {
+    pane->shown = *pane->live.plot;
+    if (!pane->view_count)
+        return;
+    const PlotPaneAxes *axes = &pane->views[pane->view_count - 1];
+    pane->shown.x.low = axes->x[0];
+    pane->shown.x.high = axes->x[1];
+    pane->shown.y.low = axes->y[0];
+    pane->shown.y.high = axes->y[1];
+}
+
+/* Takes over what the laboratory says now; a canvas for other axes, another size or another theme is made anew. */
+static void refresh(PlotPane *pane, const LaboratoryPlot *now, int width, int height, double unit, Theme theme) {
+    bool same = pane->canvas && pane->live.revision == now->revision &&
+                pane->shown.series_count == now->plot->series_count && pane->width == width && pane->height == height &&
+                pane->unit == unit && pane->theme == theme;
+    pane->live = *now;
+    set_axes(pane);
+    if (same)
+        return;
+    drop_canvas(pane);
+    pane->width = width;
+    pane->height = height;
+    pane->unit = unit;
+    pane->theme = theme;
+    pane->time = NAN;
+    pane->canvas = plot_canvas_create(&pane->shown, width, height, unit, theme);
+}
+
+static PlotPixels together(PlotPixels a, PlotPixels b) {
+    if (a.width <= 0 || b.width <= 0)
+        return a.width > 0 ? a : b;
+    int left = a.x < b.x ? a.x : b.x, top = a.y < b.y ? a.y : b.y;
+    int right = a.x + a.width > b.x + b.width ? a.x + a.width : b.x + b.width;
+    int bottom = a.y + a.height > b.y + b.height ? a.y + a.height : b.y + b.height;
+    return (PlotPixels){left, top, right - left, bottom - top};
+}
+
+static void draw(PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time,
+                 PaintGlScreen *screen) {
+    PlotPixels changed = {0};
+    if (isnan(pane->time) || (time < pane->time && !pane->live.still)) {
+        plot_canvas_restart(pane->canvas);
+        changed = plot_canvas_all(pane->canvas);
+    }
+    pane->time = time;
+    for (size_t s = 0; s < pane->shown.series_count; s++)
+        changed = together(changed, plot_canvas_advance(pane->canvas, s, kind->until(live, index, s, time)));
+    if (changed.width > 0)
+        paint_gl_screen_fill(screen, &pane->texture, plot_canvas_pixels(pane->canvas), pane->width, pane->height,
+                             plot_canvas_stride(pane->canvas), changed.x, changed.y, changed.width, changed.height);
+}
+
+/* Over the picture ------------------------------------------------------------------------------------------------- */
+
+/* Where a value is, design points of the window. */
+static Vec2 place_of(const PlotPane *pane, Vec2 value) {
+    return vec2_along(pane->place.low, 1 / pane->unit, plot_canvas_place(pane->canvas, value));
+}
+
+/* What the axes enclose, design points of the window. */
+static Box frame_of(const PlotPane *pane) {
+    Box frame = plot_canvas_frame(pane->canvas);
+    return (Box){vec2_along(pane->place.low, 1 / pane->unit, frame.low),
+                 vec2_along(pane->place.low, 1 / pane->unit, frame.high)};
+}
+
+static void mark_tail(const PlotPane *pane, const PlotSeries *series, size_t first, size_t count, Box frame, Ui *ui) {
+    enum { PIECES_MOST = 512 };
+    Vec2 points[PIECES_MOST];
+    size_t pieces = 0, stride = (count - first) / PIECES_MOST + 1;
+    for (size_t i = first; i < count; i += stride) {
+        Vec2 at = place_of(pane, plot_value(series, i));
+        if (isfinite(at.x) && isfinite(at.y) && box_holds(frame, at))
+            points[pieces++] = at;
+    }
+    if (pieces > 1)
+        ui_draw_polyline(ui, points, pieces, false, series->role, TAIL_WIDTH);
+}
+
+/* Where each series has come to. */
+static void mark_present(const PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time,
+                         Ui *ui) {
+    Box frame = frame_of(pane);
+    for (size_t s = 0; s < pane->shown.series_count && !pane->live.still; s++) {
+        const PlotSeries *series = &pane->shown.series[s];
+        size_t count = kind->until(live, index, s, time);
+        count = count < series->count ? count : series->count;
+        if (!count || series->role == ROLE_GHOST || series->width <= 0)
+            continue;
+        size_t first = pane->live.tail > 0 ? kind->until(live, index, s, time - pane->live.tail) : count;
+        if (first < count)
+            mark_tail(pane, series, first, count, frame, ui);
+        Vec2 at = place_of(pane, plot_value(series, count - 1));
+        if (isfinite(at.x) && isfinite(at.y) && box_holds(frame, at))
+            ui_draw_disc(ui, at, NOW_RADIUS, pane->live.now == ROLE_PAPER ? series->role : pane->live.now);
+    }
+}
+
+/* An upright line with words on it. */
+static void draw_cursor(const PlotPane *pane, double x, const char *words, Ui *ui) {
+    Box frame = frame_of(pane);
+    double at = place_of(pane, vec2(x, plot_canvas_value(pane->canvas, vec2(0, 0)).y)).x;
+    if (!(at >= frame.low.x && at <= frame.high.x))
+        return;
+    ui_draw_line(ui, vec2(at, frame.low.y), vec2(at, frame.high.y), ROLE_IMPACT, CURSOR_WIDTH);
+    if (!words)
+        return;
+    Vec2 extent = ui_extent(ui, UI_BOLD, words);
+    double left = fmin(fmax(at - extent.x - 12, frame.low.x), frame.high.x - extent.x - 12);
+    Box tag = {{left, frame.low.y + 2}, {left + extent.x + 12, frame.low.y + extent.y + 4}};
+    ui_draw_box(ui, tag, ROLE_IMPACT, 1);
+    ui_draw_words(ui, UI_BOLD, ROLE_PAPER, vec2(tag.low.x + 6, (tag.low.y + tag.high.y) / 2), 0, words);
+}
+
+Vec2 plot_panes_place(Box frame, Vec2 part) {
+    return vec2(frame.low.x + part.x * box_width(frame), frame.high.y - part.y * box_height(frame));
+}
+
+static void draw_box(const PlotPane *pane, Ui *ui) {
+    if (!pane->box.corner)
+        return;
+    Box frame = frame_of(pane);
+    Vec2 from = plot_panes_place(frame, pane->box.from), to = plot_panes_place(frame, pane->box.to);
+    ui_draw_disc(ui, pane->box.corner == 1 ? from : to, NOW_RADIUS, ROLE_IMPACT);
+    if (pane->box.corner == 2)
+        ui_draw_frame(ui, box_include(box_include(box_empty(), from), to), ROLE_IMPACT, CURSOR_WIDTH);
+}
+
+void plot_panes_show(PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time, Box place,
+                     double unit, Theme theme, PaintGlScreen *screen, Ui *ui) {
+    LaboratoryPlot now = kind->plot(live, index);
+    int width = (int)lround(box_width(place) * unit), height = (int)lround(box_height(place) * unit);
+    pane->place = place;
+    refresh(pane, &now, width, height, unit, theme);
+    draw(pane, kind, live, index, time, screen);
+    ui_image(ui, &pane->texture, place);
+    mark_present(pane, kind, live, index, time, ui);
+    if (!isnan(now.cursor))
+        draw_cursor(pane, now.cursor, now.cursor_words, ui);
+    if (!isnan(pane->cursor))
+        draw_cursor(pane, pane->cursor, NULL, ui);
+    draw_box(pane, ui);
+}
+
+/* Reading and zooming ---------------------------------------------------------------------------------------------- */
+
+bool plot_panes_value(const PlotPane *pane, Vec2 at, Vec2 *value) {
+    if (!pane->canvas || !box_holds(frame_of(pane), at))
+        return false;
+    *value = plot_canvas_value(pane->canvas, vec2_scale(vec2_sub(at, pane->place.low), pane->unit));
+    return true;
+}
+
+static void say_axis(char *words, size_t size, const PlotAxis *axis, double value) {
+    bool pure = !axis->unit || strcmp(axis->unit, "1") == 0;
+    snprintf(words, size, "%s %.6g%s%s", axis->title, value, pure ? "" : " ", pure ? "" : axis->unit);
+}
+
+bool plot_panes_read(const PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time, Vec2 at,
+                     Vec2 *nearest, char words[CHART_WORDS]) {
+    double least = NEAR;
+    Vec2 value = {0};
+    if (!pane->canvas)
+        return false;
+    for (size_t s = 0; s < pane->shown.series_count; s++) {
+        const PlotSeries *series = &pane->shown.series[s];
+        size_t count = kind->until(live, index, s, time);
+        for (size_t i = 0; i < count && i < series->count; i++) {
+            Vec2 place = place_of(pane, plot_value(series, i));
+            double apart = vec2_distance(place, at);
+            if (apart >= least)
+                continue;
+            least = apart;
+            value = plot_value(series, i);
+            *nearest = place;
+        }
+    }
+    char x[CHART_WORDS / 2], y[CHART_WORDS / 2];
+    say_axis(x, sizeof x, &pane->shown.x, value.x);
+    say_axis(y, sizeof y, &pane->shown.y, value.y);
+    snprintf(words, CHART_WORDS, "%.*s, %.*s", CHART_WORDS / 2 - 4, x, CHART_WORDS / 2 - 4, y);
+    return least < NEAR;
+}
+
+PlotPaneAxes plot_panes_axes(const PlotPane *pane) {
+    Box frame = plot_canvas_frame(pane->canvas);
+    Vec2 low = plot_canvas_value(pane->canvas, vec2(frame.low.x, frame.high.y));
+    Vec2 high = plot_canvas_value(pane->canvas, vec2(frame.high.x, frame.low.y));
+    return (PlotPaneAxes){{low.x, high.x}, {low.y, high.y}};
+}
+
+void plot_panes_zoom(PlotPane *pane, Vec2 from, Vec2 to) {
+    Box box = box_include(box_include(box_empty(), from), to);
+    if (!(box.low.x < box.high.x && box.low.y < box.high.y))
+        return;
+    if (pane->view_count == CHART_VIEWS_MOST)
+        memmove(pane->views, pane->views + 1, (CHART_VIEWS_MOST - 1) * sizeof *pane->views);
+    else
+        pane->view_count++;
+    pane->views[pane->view_count - 1] = (PlotPaneAxes){{box.low.x, box.high.x}, {box.low.y, box.high.y}};
+    drop_canvas(pane);
+}
+
+void plot_panes_zoom_back(PlotPane *pane) {
+    pane->view_count -= pane->view_count > 0;
+    drop_canvas(pane);
+}
+
+void plot_panes_fit(PlotPane *pane) {
+    pane->view_count = 0;
+    drop_canvas(pane);
+}

@@ -1,6 +1,0 @@
-/* The tools, left of the view. */
-#pragma once
-
-#include "window/window_state.h"
-
-void rail_show(Window *window);

@@ -1,0 +1,245 @@
+#include "window/tab.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/clock.h"
+#include "base/text.h"
+#include "laboratory/editing.h"
+
+#define LEAST_SEEN 8.0 /* m, of what can be edited: a house begins with nothing */
+#define ASPECT 1.5     /* of what has no size */
+#define ZOOM_LEAST 0.2
+#define ZOOM_MOST 64.0
+#define ZOOM_NEAR 3.0   /* times its size is seen around what is selected */
+#define FOLLOW_FREE 0.2 /* of the view: who is followed moves freely within it */
+
+Tab tab_make(const Laboratory *kind) {
+    return (Tab){.kind = kind,
+                 .player = player_start(),
+                 .layers = kind->layers_at_first,
+                 .plots = kind->plots_at_first,
+                 .plot_panes_wait = true};
+}
+
+static void drop_live(Tab *tab) {
+    if (tab->live)
+        tab->kind->close(tab->live);
+    memory_free(tab->path);
+    memory_free(tab->origin);
+    tab->live = NULL;
+    tab->path = tab->origin = NULL;
+}
+
+void tab_close(Tab *tab, PaintGlScreen *screen) {
+    plot_panes_clear(&tab->panes, screen);
+    view_layers_clear(&tab->view_layers);
+    drop_live(tab);
+}
+
+static void keep_shape(Tab *tab) {
+    Box box = tab->kind->still(tab->live)->box;
+    double width = box_width(box), height = box_height(box);
+    tab->shape = box;
+    tab->aspect = width > 0 && height > 0 ? width / height : ASPECT;
+}
+
+/* All of it, but never from so near that there is no room to draw. */
+static void fit(Tab *tab) {
+    keep_shape(tab);
+    tab->handled = false;
+    tab->fits = true;
+    double size = fmax(box_width(tab->shape), box_height(tab->shape));
+    tab->camera.zoom = tab->kind->editor ? fmin(1, fmax(size / LEAST_SEEN, ZOOM_LEAST)) : 1;
+}
+
+bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, PaintGlScreen *screen, Fault *fault) {
+    void *live = tab->kind->open(path, options, fault);
+    if (!live)
+        return false;
+    char *kept = path ? text_copy(path) : NULL; /* it may be the path of what is closed */
+    plot_panes_clear(&tab->panes, screen);
+    drop_live(tab);
+    tab->live = live;
+    tab->path = kept;
+    int power = tab->player.power;
+    tab->player = player_start();
+    tab->player.power = power;
+    tab->camera = (Camera){.kind = tab->camera.kind, .azimuth = VIEW_AZIMUTH, .elevation = VIEW_ELEVATION, .zoom = 1};
+    tab->follows = false;
+    tab->plot_panes_wait = true;
+    fit(tab);
+    view_layers_forget(&tab->view_layers);
+    tab->kind->reveal(live, tab_layers(tab));
+    tab_look(tab);
+    return true;
+}
+
+/* What a thing takes up now, m; false: it is nowhere. */
+static bool box_of(const Tab *tab, Item thing, Box *box) {
+    Vec2 points[LABORATORY_OUTLINE_MOST];
+    if (!tab->live || !thing.kind)
+        return false;
+    size_t count = tab->kind->outline(tab->live, thing, tab->player.time, points);
+    *box = box_empty();
+    for (size_t i = 0; i < count; i++)
+        *box = box_include(*box, points[i]);
+    return count > 0;
+}
+
+/* Keeps what is followed in the middle of the view. */
+static void follow(Tab *tab) {
+    Box box;
+    Item thing = tab->kind->selected(tab->live);
+    if (!tab->follows || !tab->view_layers.painted || !box_of(tab, thing, &box))
+        return;
+    Vec2 at = view_layers_point(&tab->view_layers, vec2_scale(vec2_add(box.low, box.high), 0.5));
+    Box plan = tab->view_layers.still.frame;
+    Vec2 middle = vec2_scale(vec2_add(plan.low, plan.high), 0.5), away = vec2_sub(at, middle);
+    if (fabs(away.x) < FOLLOW_FREE * box_width(plan) && fabs(away.y) < FOLLOW_FREE * box_height(plan))
+        return;
+    tab_pan(tab, vec2_sub(view_layers_floor(&tab->view_layers, at), view_layers_floor(&tab->view_layers, middle)));
+}
+
+/* How many times as large a box is that fits the same place as another one. */
+static double fitting(const Tab *tab, Box box, Box other) {
+    Box place = tab->view_layers.still.plan;
+    double aspect = box_height(place) > 0 ? box_width(place) / box_height(place) : tab->aspect;
+    return fmax(box_width(other) / aspect, box_height(other)) / fmax(box_width(box) / aspect, box_height(box));
+}
+
+static Vec2 middle_of(Box box) {
+    return vec2_scale(vec2_add(box.low, box.high), 0.5);
+}
+
+/* A plan that becomes larger or smaller under the hand does not move before the eye. */
+static void keep_eye(Tab *tab) {
+    Box box = tab->kind->still(tab->live)->box, shape = tab->shape;
+    const EditorFunctions *editor = tab->kind->editor;
+    tab->handled |= editor && (editor->edits(tab->live) > 0 || editor->gesture(tab->live)->active);
+    if (!tab->handled) {
+        if (tab->fits)
+            fit(tab);
+        else
+            keep_shape(tab);
+        tab_look(tab);
+        return;
+    }
+    bool same = box.low.x == shape.low.x && box.low.y == shape.low.y && box.high.x == shape.high.x &&
+                box.high.y == shape.high.y;
+    if (same || box_width(box) <= 0)
+        return;
+    tab->camera.pan = vec2_add(tab->camera.pan, vec2_sub(middle_of(shape), middle_of(box)));
+    tab->camera.zoom /= fitting(tab, box, shape);
+    tab->shape = box;
+    tab_look(tab);
+}
+
+unsigned tab_update(Tab *tab, double seconds) {
+    if (!tab->live)
+        return 0;
+    const Laboratory *kind = tab->kind;
+    double begun = clock_now();
+    RecordSpan span = kind->span(tab->live);
+    double wish = player_wish(&tab->player, seconds, &span);
+    kind->reach(tab->live, wish);
+    unsigned changes = kind->update(tab->live, tab->player.time);
+    span = kind->span(tab->live);
+    player_advance(&tab->player, seconds, wish, &span);
+    tab->worked += clock_now() - begun;
+    follow(tab);
+    if (changes & LABORATORY_VIEW) {
+        keep_eye(tab);
+        changes |= kind->update(tab->live, tab->player.time); /* it is looked at so from this moment on */
+        view_layers_forget(&tab->view_layers);
+    }
+    if (changes & LABORATORY_PLOTS)
+        tab->plot_panes_wait = true;
+    return changes;
+}
+
+/* Layers ----------------------------------------------------------------------------------------------------------- */
+
+static bool is_names(const Tab *tab, size_t layer) {
+    return strcmp(tab->kind->layers[layer], "names") == 0;
+}
+
+unsigned tab_layers(const Tab *tab) {
+    unsigned layers = tab->layers;
+    for (size_t i = 0; i < tab->kind->layer_count && tab->cramped; i++)
+        if (is_names(tab, i))
+            layers = tab->named ? layers | 1u << i : layers & ~(1u << i);
+    return layers;
+}
+
+void tab_toggle_layer(Tab *tab, size_t layer) {
+    if (tab->cramped && is_names(tab, layer))
+        tab->named = !tab->named;
+    else
+        tab->layers ^= 1u << layer;
+    tab->kind->reveal(tab->live, tab_layers(tab));
+}
+
+void tab_cramp(Tab *tab, bool cramped) {
+    if (tab->cramped == cramped)
+        return;
+    tab->cramped = cramped;
+    tab->named = false;
+    if (tab->live)
+        tab->kind->reveal(tab->live, tab_layers(tab));
+}
+
+/* Looking ---------------------------------------------------------------------------------------------------------- */
+
+void tab_look(Tab *tab) {
+    if (tab->live)
+        tab->kind->look(tab->live, tab->camera);
+}
+
+void tab_zoom(Tab *tab, double times, Vec2 about) {
+    double zoom = fmin(fmax(tab->camera.zoom * times, ZOOM_LEAST), ZOOM_MOST);
+    const Scene *still = tab->kind->still(tab->live);
+    Vec2 middle = vec2_add(vec2_scale(vec2_add(still->box.low, still->box.high), 0.5), tab->camera.pan);
+    Vec2 moved = vec2_scale(vec2_sub(about, middle), 1 - tab->camera.zoom / zoom);
+    tab->fits = false;
+    tab->camera.pan = vec2_add(tab->camera.pan, moved);
+    tab->camera.zoom = zoom;
+    tab_look(tab);
+}
+
+void tab_pan(Tab *tab, Vec2 metres) {
+    tab->fits = false;
+    tab->camera.pan = vec2_add(tab->camera.pan, metres);
+    tab_look(tab);
+}
+
+void tab_fit(Tab *tab) {
+    tab->camera.pan = vec2(0, 0);
+    tab->camera.azimuth = VIEW_AZIMUTH;
+    tab->camera.elevation = VIEW_ELEVATION;
+    tab->follows = false;
+    fit(tab);
+    tab_look(tab);
+}
+
+void tab_select(Tab *tab, Item thing) {
+    tab->kind->select(tab->live, thing);
+}
+
+void tab_show_selected(Tab *tab) {
+    Box box;
+    if (!box_of(tab, tab->kind->selected(tab->live), &box))
+        return;
+    tab->fits = false;
+    const Scene *still = tab->kind->still(tab->live);
+    Vec2 all = vec2_scale(vec2_add(still->box.low, still->box.high), 0.5);
+    double size = ZOOM_NEAR * fmax(fmax(box_width(box), box_height(box)), 0.25);
+    tab->camera.pan = vec2_sub(vec2_scale(vec2_add(box.low, box.high), 0.5), all);
+    tab->camera.zoom = fmin(fmax(fmin(box_width(still->box), box_height(still->box)) / size, 1), ZOOM_MOST);
+    tab_look(tab);
+}
+
+void tab_seek(Tab *tab, double time) {
+    RecordSpan span = tab->kind->span(tab->live);
+    player_seek(&tab->player, time, &span);
+}

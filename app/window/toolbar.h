@@ -1,0 +1,6 @@
+/* The tools, left of the view. */
+#pragma once
+
+#include "window/window_state.h"
+
+void toolbar_show(Window *window);

@@ -1,0 +1,65 @@
+#include "window/view_layers.h"
+
+void view_layers_fit(ViewLayers *view_layers, const Gl *gl, int width, int height, double unit, Theme theme) {
+    if (view_layers->paint && view_layers->width == width && view_layers->height == height &&
+        view_layers->unit == unit && view_layers->theme == theme)
+        return;
+    view_layers_clear(view_layers);
+    view_layers->width = width;
+    view_layers->height = height;
+    view_layers->unit = unit;
+    view_layers->theme = theme;
+    view_layers->paint = paint_gl_create(gl, width, height, unit, theme);
+}
+
+void view_layers_clear(ViewLayers *view_layers) {
+    if (view_layers->paint)
+        paint_gl_destroy(view_layers->paint);
+    layout_clear(&view_layers->still);
+    layout_clear(&view_layers->added);
+    layout_clear(&view_layers->moving);
+    *view_layers = (ViewLayers){0};
+}
+
+void view_layers_forget(ViewLayers *view_layers) {
+    view_layers->painted = false;
+}
+
+static void paint_still(ViewLayers *view_layers, const Scene *scene) {
+    layout_clear(&view_layers->still);
+    layout_make(&view_layers->still, scene,
+                vec2(view_layers->width / view_layers->unit, view_layers->height / view_layers->unit));
+    paint_gl_still(view_layers->paint, (Layer){scene, &view_layers->still});
+    view_layers->painted = true;
+}
+
+/* Lays the layer over what stays. */
+static void add_more(ViewLayers *view_layers, const Scene *scene) {
+    if (!scene->count)
+        return;
+    layout_make_over(&view_layers->added, &view_layers->still, scene);
+    paint_gl_add(view_layers->paint, (Layer){scene, &view_layers->added});
+}
+
+void view_layers_show(ViewLayers *view_layers, const Laboratory *kind, void *live, double time) {
+    if (view_layers->painted && kind->rests && kind->rests(live, time))
+        return;
+    if (!view_layers->painted) {
+        paint_still(view_layers, kind->still(live));
+        kind->show(live, kind->span(live).begin); /* back, so that what is added next is all of it */
+        add_more(view_layers, kind->added(live));
+    }
+    if (!kind->show(live, time))
+        paint_gl_rewind(view_layers->paint);
+    add_more(view_layers, kind->added(live));
+    layout_make_over(&view_layers->moving, &view_layers->still, kind->moving(live));
+    paint_gl_frame(view_layers->paint, (Layer){kind->moving(live), &view_layers->moving});
+}
+
+Vec2 view_layers_floor(const ViewLayers *view_layers, Vec2 at) {
+    return view_floor(&view_layers->still.view, at);
+}
+
+Vec2 view_layers_point(const ViewLayers *view_layers, Vec2 metres) {
+    return layout_point(&view_layers->still, metres);
+}

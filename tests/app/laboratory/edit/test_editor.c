@@ -1,0 +1,914 @@
+/* Editing a house at work: what is drawn by hand and what is typed are the same, every step is undone to the same
+ * bytes, and what a house file may not say cannot be made. */
+
+#include "base/text.h"
+#include "laboratory/edit/editor.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "check.h"
+#include "plan/draft.h"
+#include "laboratory/house/session.h"
+
+static const Laboratory *const kind = &house_laboratory;
+static const EditorFunctions *const editor = &house_editor;
+
+enum { LONGEST = 65536 };
+
+#define REACH 0.05 /* m */
+
+static void *open_live(const char *name) {
+    char path[4096], profiles[4096];
+    snprintf(path, sizeof path, "%s/houses/%s.json", check_source(), name ? name : "");
+    snprintf(profiles, sizeof profiles, "%s/assets/profiles", check_source());
+    Fault fault = {0};
+    LaboratoryOptions options = {.profiles = profiles, .driving = -1, .seed = 1, .jobs = 1};
+    void *live = kind->open(name ? path : NULL, &options, &fault);
+    check_say(&fault);
+    return live;
+}
+
+static Pointer hand(double x, double y) {
+    return (Pointer){.at = {x, y}, .reach = REACH};
+}
+
+static void move_to(void *live, double x, double y) {
+    Pointer at = hand(x, y);
+    editor->point(live, &at);
+}
+
+static void press(void *live, double x, double y) {
+    Pointer at = hand(x, y);
+    editor->point(live, &at);
+    editor->press(live, &at, false);
+}
+
+static void release(void *live, double x, double y) {
+    Pointer at = hand(x, y);
+    editor->point(live, &at);
+    editor->release(live, &at);
+}
+
+static void click(void *live, double x, double y) {
+    press(live, x, y);
+    release(live, x, y);
+}
+
+static void drag(void *live, double x, double y, double to_x, double to_y) {
+    press(live, x, y);
+    move_to(live, (x + to_x) / 2, (y + to_y) / 2);
+    release(live, to_x, to_y);
+}
+
+/* Letters one by one; | is Enter, > is Tab, < is Backspace, ~ is Escape. */
+static void keys(void *live, const char *text) {
+    for (; *text; text++) {
+        char letter[2] = {*text, 0};
+        if (*text == '|')
+            CHECK(editor->enter(live));
+        else if (*text == '>')
+            CHECK(editor->tab(live, 1));
+        else if (*text == '<')
+            CHECK(editor->back(live));
+        else if (*text == '~')
+            CHECK(editor->escape(live));
+        else if (!editor->type(live, letter))
+            CHECK_TEXT(letter, "a letter that is taken");
+    }
+}
+
+/* Enough to tell one text from another. */
+static char *keep_text(void *live) {
+    return text_copy(editor->text(live));
+}
+
+/* Back to the text that was kept, and the end of it. */
+static void undo_all(void *live, char *before) {
+    while (editor->undo(live))
+        ;
+    CHECK_TEXT(editor->text(live), before);
+    memory_free(before);
+    kind->close(live);
+}
+
+static void choose(void *live, const char *group, const char *name) {
+    size_t count;
+    const CatalogueRow *items = editor->items(live, &count);
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(items[i].name, name) == 0 && strcmp(items[i].group, group) == 0) {
+            editor->choose(live, i);
+            return;
+        }
+    CHECK_TEXT(name, "an item");
+}
+
+/* A four-room flat: 8 m by 6 m, walls that cross in the middle, doors between, somebody and a wardrobe. */
+static void draw_by_hand(void *live) {
+    editor->take(live, TOOL_WALL);
+    click(live, 0.003, 0.004);
+    click(live, 8.004, 0.02);
+    click(live, 8.02, 6.004);
+    click(live, 0.01, 5.99);
+    click(live, 0.01, 0.01);
+    click(live, 4.004, 0.01);
+    click(live, 4.01, 6.01);
+    click(live, 4.01, 6.01);
+    drag(live, 0.01, 3.004, 8.01, 3.01);
+    editor->escape(live);
+    editor->take(live, TOOL_DOOR);
+    click(live, 4.02, 1.5);
+    click(live, 4.02, 4.503);
+    click(live, 2.0, 3.02);
+    click(live, 8.02, 1.5);
+    editor->take(live, TOOL_EXIT);
+    click(live, 8.02, 1.5);
+    editor->take(live, TOOL_PERSON);
+    choose(live, "", "manual-chair");
+    click(live, 2.0, 4.5);
+    editor->take(live, TOOL_FURNITURE);
+    choose(live, "European", "wardrobe");
+    click(live, 1.0, 5.5);
+}
+
+static void type_all(void *live) {
+    editor->take(live, TOOL_WALL);
+    keys(live, "|0>0|8>0|6>90|800cm>180|2400mm+3.6m>-90|");
+    keys(live, "|4>0|6>90|~");
+    keys(live, "|0>3|8|~");
+    editor->take(live, TOOL_DOOR);
+    keys(live, "|4>1.5|");
+    keys(live, "|4>4.5|");
+    keys(live, "|2>3|");
+    keys(live, "|8>1.5|");
+    editor->take(live, TOOL_EXIT);
+    keys(live, "|8>1.1|0.8>90|");
+    editor->take(live, TOOL_PERSON);
+    choose(live, "", "manual-chair");
+    keys(live, "|2>4.5|");
+    editor->take(live, TOOL_FURNITURE);
+    choose(live, "European", "wardrobe");
+    keys(live, "|1>5,64|");
+}
+
+TEST(a_flat_drawn_by_hand_and_one_that_is_typed_are_the_same) {
+    void *by_hand = open_live(NULL), *typed = open_live(NULL);
+    draw_by_hand(by_hand);
+    type_all(typed);
+    CHECK_TEXT(editor->text(typed), editor->text(by_hand));
+    kind->close(by_hand);
+    kind->close(typed);
+}
+
+TEST(a_flat_is_undone_to_the_empty_plan_and_redone_to_the_same_bytes) {
+    void *live = open_live(NULL);
+    char *empty = keep_text(live);
+    draw_by_hand(live);
+    char *drawn = keep_text(live);
+    size_t steps = editor->edits(live), undone = 0, redone = 0;
+    while (editor->undo(live))
+        undone++;
+    CHECK_NEAR((double)undone, (double)steps, 0);
+    CHECK_TEXT(editor->text(live), empty);
+    CHECK(!editor->undo_name(live));
+    while (editor->redo(live))
+        redone++;
+    CHECK_NEAR((double)redone, (double)steps, 0);
+    CHECK_TEXT(editor->text(live), drawn);
+    memory_free(empty);
+    memory_free(drawn);
+    kind->close(live);
+}
+
+/* Handles --------------------------------------------------------------------------------------------------------- */
+
+/* A room of 4 m by 3 m with a door, an exit across it, a person on a route, a wardrobe and the room's outline. */
+static const char small_house[] =
+    "{\"format\": \"clearance-house\", \"version\": 1, \"walls\": [{\"id\": \"w1\", \"points\": [[0, 0], [4, 0], [4, "
+    "3], [0, 3], [0, 0]]}, {\"id\": \"w2\", \"points\": [[4, 3], [7, 3]]}], \"doors\": [{\"id\": \"d1\", \"wall\": "
+    "\"w1\", \"at\": 2, \"width\": 0.9, \"kind\": \"hinged\"}], \"furniture\": [{\"id\": \"f1\", \"name\": "
+    "\"wardrobe\", \"centre\": [1, 2.6], \"size\": [1, 0.6], \"height\": 1.8, \"topples\": \"front\"}], \"rooms\": "
+    "[{\"id\": \"r1\", \"name\": \"hall\", \"outline\": [[0.06, 0.06], [3.94, 0.06], [3.94, 2.94], [0.06, 2.94]]}], "
+    "\"exits\": [{\"id\": \"e1\", \"from\": [1.5, -1], \"to\": [2.5, -1]}], \"people\": [{\"id\": \"p1\", "
+    "\"profile\": \"adult\", \"at\": [3, 1.5]}], \"routes\": [{\"id\": \"A\", \"people\": [\"p1\"], \"via\": [[2, "
+    "1]], \"exit\": \"e1\"}]}";
+
+static void *open_text(const char *text) {
+    char path[] = "/tmp/clearance-edit-XXXXXX";
+    char profiles[4096];
+    int file = mkstemp(path);
+    FILE *stream = fdopen(file, "w");
+    fputs(text, stream);
+    fclose(stream);
+    snprintf(profiles, sizeof profiles, "%s/assets/profiles", check_source());
+    Fault fault = {0};
+    LaboratoryOptions options = {.profiles = profiles, .driving = -1, .seed = 1, .jobs = 1};
+    void *live = kind->open(path, &options, &fault);
+    check_say(&fault);
+    unlink(path);
+    for (int i = 0; i < 2000 && !kind->span(live).complete; i++) {
+        kind->update(live, 0);
+        nanosleep(&(struct timespec){.tv_nsec = 2000000}, NULL);
+    }
+    return live;
+}
+
+typedef struct Held {
+    const char *what;   /* is clicked on to select it */
+    Vec2 at, from, to;  /* m: where it is selected, its handle, and where that goes */
+    const char *member; /* of the text, that is there then */
+} Held;
+
+static const Held handles[] = {
+    {"a wall's end", {5.5, 3}, {7, 3}, {7, 4}, "[[4, 3], [7, 4]]"},
+    {"a corner of two walls", {5.5, 3}, {4, 3}, {4.5, 3}, "[[0, 0], [4, 0], [4.5, 3], [0, 3], [0, 0]]"},
+    {"a piece of a wall", {5.5, 3}, {5.5, 3}, {5.5, 3.5}, "[[4, 3.5], [7, 3.5]]"},
+    {"a closed wall's first point",
+     {3.5, 0},
+     {0, 0},
+     {-0.5, -0.5},
+     "[[-0.5, -0.5], [4, 0], [4, 3], [0, 3], [-0.5, -0.5]]"},
+    {"a door's middle", {2, 0}, {2, 0}, {2.5, 0}, "\"at\": 2.5, \"width\": 0.9"},
+    {"a door to another wall", {2, 0}, {2, 0}, {5.5, 3.02}, "\"wall\": \"w2\", \"at\": 1.5"},
+    {"a door's edge", {2, 0}, {2.45, 0}, {2.6, 0}, "\"at\": 2.075, \"width\": 1.05"},
+    {"a door's other edge", {2, 0}, {1.55, 0}, {1.6, 0}, "\"at\": 2.025, \"width\": 0.85"},
+    {"a piece's middle", {1, 2.6}, {1, 2.6}, {2, 1.5}, "\"centre\": [2, 1.5]"},
+    {"a piece's corner", {1, 2.6}, {1.5, 2.3}, {1.7, 2.2}, "\"centre\": [1.1, 2.55], \"size\": [1.2, 0.7]"},
+    {"a piece's turn", {1, 2.6}, {1, 1.85}, {2, 2.6}, "\"angle\": 90"},
+    {"an exit's end", {2, -1}, {2.5, -1}, {3, -1}, "\"to\": [3, -1]"},
+    {"an exit's middle", {2, -1}, {2, -1}, {2, -1.5}, "\"from\": [1.5, -1.5], \"to\": [2.5, -1.5]"},
+    {"a person", {3, 1.5}, {3, 1.5}, {3, 1}, "\"at\": [3, 1]"},
+    {"a person's heading", {3, 1.5}, {3.9, 1.5}, {3, 2.4}, "\"heading\": 90"},
+    {"a route's point", {3, 1.5}, {2, 1}, {1, 1}, "\"via\": [[1, 1]]"},
+    {"a room's corner", {2.5, 2}, {3.94, 2.94}, {3.5, 2.5}, "[3.5, 2.5]"},
+};
+
+TEST(a_handle_that_is_clicked_twice_does_what_dragging_does) {
+    for (size_t i = 0; i < sizeof handles / sizeof *handles; i++) {
+        const Held *held = &handles[i];
+        void *dragged = open_text(small_house), *clicked = open_text(small_house);
+        char *before = keep_text(dragged);
+        click(dragged, held->at.x, held->at.y);
+        drag(dragged, held->from.x, held->from.y, held->to.x, held->to.y);
+        click(clicked, held->at.x, held->at.y);
+        click(clicked, held->from.x, held->from.y);
+        CHECK(editor->gesture(clicked)->active);
+        move_to(clicked, held->to.x, held->to.y);
+        click(clicked, held->to.x, held->to.y);
+        CHECK(!editor->gesture(clicked)->active);
+        CHECK_TEXT(editor->text(clicked), editor->text(dragged));
+        if (!strstr(editor->text(dragged), held->member)) {
+            CHECK_TEXT(held->what, "as expected");
+            printf("%s\n%s", editor->undo_name(dragged) ? editor->undo_name(dragged) : "nothing done",
+                   editor->text(dragged));
+        }
+        CHECK(editor->undo(dragged) && !editor->undo(dragged));
+        CHECK_TEXT(editor->text(dragged), before);
+        memory_free(before);
+        kind->close(dragged);
+        kind->close(clicked);
+    }
+}
+
+TEST(escape_leaves_exactly_what_was_before) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    for (size_t i = 0; i < sizeof handles / sizeof *handles; i++) {
+        const Held *held = &handles[i];
+        kind->select(live, (Item){0, 0});
+        click(live, held->at.x, held->at.y);
+        press(live, held->from.x, held->from.y);
+        move_to(live, held->to.x, held->to.y);
+        CHECK(editor->gesture(live)->active);
+        CHECK(strcmp(editor->text(live), before) != 0);
+        CHECK(editor->escape(live));
+        release(live, held->to.x, held->to.y);
+        CHECK_TEXT(editor->text(live), before);
+        CHECK(!editor->undo_name(live));
+    }
+    memory_free(before);
+    kind->close(live);
+}
+
+/* Snapping, typing and refusals ------------------------------------------------------------------------------------ */
+
+/* What the hand is snapped to, "": nothing. */
+static const char *snapped(void *live) {
+    const GestureView *gesture = editor->gesture(live);
+    for (size_t i = 0; i < gesture->mark_count; i++)
+        if (gesture->marks[i].kind == MARK_SNAP)
+            return gesture->marks[i].words;
+    return "";
+}
+
+TEST(what_is_snapped_to_has_a_name) {
+    void *live = open_text(small_house);
+    editor->take(live, TOOL_WALL);
+    move_to(live, 6.97, 3.02);
+    CHECK_TEXT(snapped(live), "end of w2");
+    move_to(live, 2.0, 0.03);
+    CHECK_TEXT(snapped(live), "on w1");
+    move_to(live, 4.02, 5.0);
+    CHECK_TEXT(snapped(live), "in line with w1");
+    move_to(live, 5.5, 5.5);
+    CHECK_TEXT(snapped(live), "");
+    Pointer free = hand(6.97, 3.02);
+    free.free = true;
+    editor->point(live, &free);
+    CHECK_TEXT(snapped(live), "");
+    click(live, 5.0, 5.0);
+    move_to(live, 5.02, 6.5);
+    CHECK_TEXT(snapped(live), "90 degrees");
+    Pointer straight = hand(6.8, 5.6);
+    straight.straight = true;
+    editor->point(live, &straight);
+    CHECK_TEXT(snapped(live), "straight across");
+    editor->press(live, &straight, false);
+    editor->release(live, &straight);
+    editor->escape(live);
+    CHECK(strstr(editor->text(live), "\"points\": [[5, 5], [6.8, 5]]"));
+    kind->close(live);
+}
+
+TEST(a_length_is_typed_in_any_way_that_people_write_it) {
+    static const char *const lengths[] = {"2.5", "2,5", "250cm", "2500 mm", "1.2+1.3", "8ft 2.4251968504in"};
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
+        void *live = open_live(NULL);
+        editor->take(live, TOOL_WALL);
+        click(live, 1, 1);
+        move_to(live, 3.1, 1.02);
+        keys(live, lengths[i]);
+        keys(live, "|~");
+        CHECK(strstr(editor->text(live), "\"points\": [[1, 1], [3.5, 1]]"));
+        kind->close(live);
+    }
+}
+
+TEST(backspace_takes_back_letters_and_then_points) {
+    void *live = open_live(NULL);
+    editor->take(live, TOOL_WALL);
+    click(live, 0, 0);
+    click(live, 3, 0);
+    click(live, 3, 2);
+    keys(live, "4°<<<|");
+    CHECK(!strstr(editor->text(live), "[[0, 0], [3, 0], [3, 2]]") || !editor->gesture(live)->active);
+    editor->undo(live);
+    click(live, 0, 0);
+    click(live, 3, 0);
+    click(live, 3, 2);
+    keys(live, "<");
+    click(live, 5, 0);
+    keys(live, "~");
+    CHECK(strstr(editor->text(live), "[[0, 0], [3, 0], [5, 0]]"));
+    kind->close(live);
+}
+
+TEST(a_door_stops_at_the_end_of_its_wall_and_says_why) {
+    void *live = open_text(small_house);
+    click(live, 2, 0);
+    press(live, 2, 0);
+    move_to(live, 3, 0);
+    move_to(live, 3.9, 0);
+    CHECK(editor->gesture(live)->refusal && strstr(editor->gesture(live)->refusal, "past the end of wall w1"));
+    release(live, 3.9, 0);
+    CHECK(strstr(editor->text(live), "\"at\": 3.55, \"width\": 0.9"));
+    Fault fault = {0};
+    CHECK(!kind->set(live, "door.d1.width", 9, &fault));
+    CHECK(fault.count && strstr(fault.lines[0], "must be at most 4 m in wall w1"));
+    CHECK(strstr(editor->text(live), "\"at\": 3.55, \"width\": 0.9"));
+    fault_clear(&fault);
+    click(live, 3.55, 0); /* its handle is taken up */
+    keys(live, ">9|");
+    CHECK(editor->gesture(live)->active && editor->gesture(live)->refusal);
+    keys(live, "<1.2|");
+    CHECK(editor->gesture(live)->active); /* it would go past the end */
+    keys(live, ">2|");
+    CHECK(!editor->gesture(live)->active);
+    CHECK(strstr(editor->text(live), "\"at\": 2, \"width\": 1.2"));
+    kind->close(live);
+}
+
+static bool set(void *live, const char *name, double value) {
+    Fault fault = {0};
+    bool good = kind->set(live, name, value, &fault);
+    CHECK(good == !fault.count);
+    fault_clear(&fault);
+    return good;
+}
+
+TEST(a_slider_that_is_refused_is_put_down_where_it_stood_last) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    editor->hold(live, "door.d1.width");
+    CHECK(set(live, "door.d1.width", 1.1) && set(live, "door.d1.width", 1.2) && !set(live, "door.d1.width", 9));
+    editor->settle(live);
+    CHECK(strstr(editor->text(live), "\"at\": 2, \"width\": 1.2"));
+    CHECK(set(live, "door.d1.width", 1.1) && editor->undo(live) && editor->undo(live) && !editor->undo(live));
+    CHECK_TEXT(editor->text(live), before);
+    editor->hold(live, "door.d1.width");
+    CHECK(!set(live, "door.d1.width", 9));
+    editor->settle(live);
+    undo_all(live, before);
+}
+
+TEST(keys_while_a_slider_is_held_put_it_down_first) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    Fault fault = {0};
+    click(live, 2, 0);
+    editor->hold(live, "door.d1.width");
+    CHECK(set(live, "door.d1.width", 1.2) && editor->undo(live));
+    CHECK_TEXT(editor->text(live), before);
+    CHECK(set(live, "door.d1.width", 1.1)); /* a step of its own */
+    editor->settle(live);
+    CHECK(editor->undo(live));
+    CHECK_TEXT(editor->text(live), before);
+    click(live, 5.5, 3);
+    editor->hold(live, "door.d1.width");
+    CHECK(set(live, "door.d1.width", 1.2) && editor->split(live, &fault));
+    editor->settle(live);
+    CHECK(editor->undo(live) && editor->undo(live) && !editor->undo(live));
+    undo_all(live, before);
+}
+
+TEST(a_number_that_is_typed_while_a_handle_is_held_stays) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    click(live, 2, 0);
+    click(live, 2, 0); /* its middle is taken up */
+    CHECK(editor->gesture(live)->active && set(live, "door.d1.width", 1.2));
+    move_to(live, 2.5, 0);
+    click(live, 2.5, 0);
+    CHECK(strstr(editor->text(live), "\"at\": 2.5, \"width\": 1.2"));
+    undo_all(live, before);
+}
+
+TEST(what_is_removed_under_the_button_is_not_moved) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    Fault fault = {0};
+    click(live, 2, 0);
+    press(live, 2.45, 0);
+    CHECK(editor->remove(live, &fault));
+    move_to(live, 2.6, 0);
+    release(live, 2.7, 0);
+    CHECK(!strstr(editor->text(live), "d1"));
+    undo_all(live, before);
+}
+
+TEST(an_id_may_be_as_long_as_it_likes) {
+    Text text = {0};
+    char id[151];
+    memset(id, 'd', sizeof id - 1);
+    id[sizeof id - 1] = 0;
+    const char *at = strstr(small_house, "\"d1\"");
+    text_format(&text, "%.*s\"%s\"%s", (int)(at - small_house), small_house, id, at + 4);
+    void *live = open_text(text.text);
+    char *before = keep_text(live);
+    click(live, 2, 0);
+    drag(live, 2, 0, 2.5, 0);
+    CHECK(strstr(editor->text(live), "\"at\": 2.5"));
+    memory_free(text.text);
+    text = (Text){0};
+    text_format(&text, "door.%s.width", id);
+    CHECK(set(live, text.text, 1.2) && strstr(editor->text(live), "\"at\": 2.5, \"width\": 1.2"));
+    memory_free(text.text);
+    undo_all(live, before);
+}
+
+TEST(what_overlaps_is_refused) {
+    void *live = open_text(small_house);
+    editor->take(live, TOOL_DOOR);
+    keys(live, "|2.2>0|");
+    const GestureView *gesture = editor->gesture(live);
+    CHECK(gesture->active && gesture->refusal && strstr(gesture->refusal, "overlaps door d1"));
+    keys(live, "~");
+    editor->take(live, TOOL_PERSON);
+    keys(live, "|1>2.6|");
+    gesture = editor->gesture(live);
+    CHECK(gesture->active && gesture->refusal && strstr(gesture->refusal, "stands inside wardrobe (f1)"));
+    keys(live, "~");
+    CHECK(!editor->undo_name(live));
+    editor->take(live, TOOL_WALL);
+    keys(live, "|1>1|");
+    keys(live, "|");
+    CHECK(!editor->undo_name(live));
+    kind->close(live);
+}
+
+/* What is done to the selection ------------------------------------------------------------------------------------ */
+
+static bool succeeds(bool good, Fault *fault) {
+    check_say(fault);
+    return good;
+}
+
+TEST(what_is_selected_is_nudged_turned_toppled_copied_and_removed_by_steps_with_names) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    Fault fault = {0};
+    click(live, 1, 2.6);
+    CHECK(succeeds(editor->nudge(live, vec2(0.01, -0.1), &fault), &fault));
+    CHECK_TEXT(editor->undo_name(live), "Nudge");
+    CHECK(strstr(editor->text(live), "\"centre\": [1.01, 2.5]"));
+    CHECK(succeeds(editor->turn(live, 15, &fault), &fault));
+    CHECK_TEXT(editor->undo_name(live), "Turn wardrobe (f1)");
+    for (int i = 0; i < 5; i++)
+        CHECK(succeeds(editor->turn(live, 15, &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"angle\": 90"));
+    CHECK(succeeds(editor->topple(live, &fault), &fault));
+    CHECK_TEXT(editor->undo_name(live), "Topple wardrobe (f1)");
+    CHECK(strstr(editor->text(live), "\"toppled\": true"));
+    CHECK(succeeds(editor->topple(live, &fault), &fault));
+    CHECK_TEXT(editor->undo_name(live), "Stand up wardrobe (f1)");
+    CHECK(succeeds(editor->duplicate(live, &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"id\": \"f2\""));
+    char *pieces = editor->copy(live);
+    CHECK(pieces && strstr(pieces, "clearance-pieces"));
+    move_to(live, 3, 2);
+    CHECK(succeeds(editor->paste(live, pieces, &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"id\": \"f3\", \"name\": \"wardrobe\", \"centre\": [3, 2]"));
+    memory_free(pieces);
+    CHECK(succeeds(editor->remove(live, &fault), &fault));
+    CHECK_TEXT(editor->undo_name(live), "Remove wardrobe (f3)");
+    CHECK(!editor->remove(live, &fault) && fault.count);
+    fault_clear(&fault);
+    undo_all(live, before);
+}
+
+TEST(what_is_pasted_without_a_pointer_lies_beside_what_it_was_copied_from) {
+    void *live = open_text(small_house);
+    Fault fault = {0};
+    Pointer nowhere = {.at = {4, 3}, .reach = REACH, .nowhere = true};
+    click(live, 1, 2.5);
+    char *pieces = editor->copy(live);
+    editor->point(live, &nowhere);
+    CHECK(succeeds(editor->paste(live, pieces, &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"id\": \"f2\", \"name\": \"wardrobe\", \"centre\": [1.3, 2.3]"));
+    CHECK(succeeds(editor->paste(live, pieces, &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"id\": \"f3\", \"name\": \"wardrobe\", \"centre\": [1.6, 2]"));
+    CHECK(!editor->paste(live, "{\"format\": \"clearance-pieces\",\n \"walls\": [", &fault));
+    CHECK(fault.count == 1 && strstr(fault.lines[0], "the pasted text is broken at its line 2"));
+    fault_clear(&fault);
+    CHECK(!editor->paste(live, "{\"format\": \"clearance-pieces\", \"walls\": [{\"id\": \"w9\"}]}", &fault));
+    CHECK(fault.count && strstr(fault.lines[0], "what is pasted cannot be put here: "));
+    fault_clear(&fault);
+    memory_free(pieces);
+    kind->close(live);
+}
+
+TEST(a_handle_with_the_focus_of_the_keys_is_nudged_and_typed) {
+    void *live = open_text(small_house);
+    Fault fault = {0};
+    click(live, 5.5, 3);
+    editor->handle(live, 1);
+    editor->handle(live, 1);
+    CHECK(succeeds(editor->nudge(live, vec2(0.1, 0.5), &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"points\": [[4, 3], [7.1, 3.5]]"));
+    CHECK(editor->enter(live));
+    keys(live, "2.5>0|");
+    CHECK(strstr(editor->text(live), "\"points\": [[4, 3], [6.5, 3]]"));
+    editor->handle(live, 0);
+    CHECK(!editor->enter(live));
+    kind->close(live);
+}
+
+TEST(a_wall_is_split_and_a_point_taken_out_and_doors_stay_where_they_are) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    Fault fault = {0};
+    click(live, 3.5, 0);
+    CHECK(!editor->split(live, &fault) && strstr(fault.lines[0], "door d1 lies in the middle"));
+    fault_clear(&fault);
+    CHECK(kind->set(live, "door.d1.at", 3, &fault));
+    CHECK(succeeds(editor->split(live, &fault), &fault));
+    CHECK(strstr(editor->text(live), "[[0, 0], [2, 0], [4, 0], [4, 3], [0, 3], [0, 0]]"));
+    CHECK(strstr(editor->text(live), "\"segment\": 1, \"at\": 1, \"width\": 0.9"));
+    editor->handle(live, 1);
+    editor->handle(live, 1);
+    CHECK(succeeds(editor->remove(live, &fault), &fault));
+    CHECK(strstr(editor->text(live), "[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]"));
+    CHECK(strstr(editor->text(live), "\"at\": 3, \"width\": 0.9"));
+    undo_all(live, before);
+}
+
+TEST(a_rectangle_on_empty_floor_selects_what_lies_within) {
+    void *live = open_text(small_house);
+    size_t count;
+    drag(live, 0.7, 2.0, 3.5, 2.93);
+    editor->selection(live, &count);
+    CHECK_NEAR((double)count, 0, 0); /* not wholly */
+    drag(live, 0.2, 1.0, 3.5, 2.93);
+    editor->selection(live, &count);
+    CHECK_NEAR((double)count, 2, 0);
+    drag(live, 1.0, 2.5, 1.2, 2.3); /* on the wardrobe: both move */
+    CHECK_TEXT(editor->undo_name(live), "Move 2 things");
+    CHECK(strstr(editor->text(live), "\"centre\": [1.2, 2.4]") && strstr(editor->text(live), "\"at\": [3.2, 1.3]"));
+    editor->select_all(live);
+    editor->selection(live, &count);
+    CHECK_NEAR((double)count, 6, 0);
+    kind->close(live);
+}
+
+TEST(texts_are_changed_and_things_renamed_everywhere) {
+    void *live = open_text(small_house);
+    Fault fault = {0};
+    size_t count;
+    click(live, 3, 1.5);
+    const EditText *texts = editor->texts(live, &count);
+    CHECK(count == 3 && strcmp(texts[0].name, "person.p1.id") == 0);
+    CHECK(succeeds(editor->set_text(live, "person.p1.id", "anna", &fault), &fault));
+    CHECK(strstr(editor->text(live), "\"people\": [\"anna\"]"));
+    CHECK(!editor->set_text(live, "person.anna.id", "w1", &fault));
+    CHECK(!editor->set_text(live, "person.anna.id", "no spaces", &fault));
+    CHECK(!editor->set_text(live, "person.nobody.id", "x", &fault));
+    CHECK_NEAR((double)fault.count, 3, 0);
+    fault_clear(&fault);
+    CHECK(succeeds(editor->set_text(live, "house.name", "Ube \"1\"", &fault), &fault));
+    CHECK_TEXT(kind->title(live), "Ube \"1\"");
+    CHECK(succeeds(editor->set_text(live, "furniture.f1.name", "tall one", &fault), &fault));
+    CHECK_TEXT(editor->undo_name(live), "Name wardrobe (f1)");
+    kind->close(live);
+}
+
+TEST(a_route_goes_by_the_points_that_are_clicked_to_the_exit) {
+    void *live = open_text(small_house);
+    click(live, 3, 1.5);
+    editor->take(live, TOOL_ROUTE);
+    click(live, 3, 0.5);
+    click(live, 2, 0.5);
+    click(live, 2.01, -1);
+    CHECK(!editor->gesture(live)->active);
+    CHECK(strstr(editor->text(live), "\"people\": [\"p1\"], \"via\": [[3, 0.5], [2, 0.5]], \"exit\": \"e1\""));
+    kind->close(live);
+}
+
+TEST(what_is_measured_stays_until_it_is_deleted) {
+    void *live = open_text(small_house);
+    Fault fault = {0};
+    editor->take(live, TOOL_MEASURE);
+    click(live, 1, 1);
+    click(live, 1, 1.78);
+    const GestureView *gesture = editor->gesture(live);
+    CHECK(!gesture->active && gesture->mark_count && strcmp(gesture->marks[0].words, "0.78 m") == 0);
+    CHECK(!editor->undo_name(live));
+    CHECK(succeeds(editor->remove(live, &fault), &fault));
+    kind->close(live);
+}
+
+/* Shakes, proposals, pictures ---------------------------------------------------------------------------------------
+ */
+
+TEST(a_shake_topples_what_its_seed_draws_and_is_one_step) {
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    Fault fault = {0};
+    int toppled = 0;
+    for (int i = 0; i < 20; i++) {
+        char words[64];
+        CHECK(succeeds(editor->shake(live, &fault), &fault));
+        bool falls = strstr(editor->text(live), "\"toppled\": true");
+        snprintf(words, sizeof words, "hake %d: %s of 1 piece fell", i + 1, falls ? "1" : "none");
+        CHECK_TEXT(editor->shaken(live) + 1, words);
+        toppled += falls;
+        if (!falls) {
+            CHECK(!editor->undo_name(live)); /* nothing has changed */
+            continue;
+        }
+        CHECK_TEXT(editor->undo_name(live) + 1, words);
+        CHECK(editor->undo(live));
+        CHECK_TEXT(editor->text(live), before);
+    }
+    CHECK(toppled > 2 && toppled < 18);
+    memory_free(before);
+    kind->close(live);
+}
+
+static const char narrow_house[] =
+    "{\"format\": \"clearance-house\", \"version\": 1, \"walls\": [{\"id\": \"w1\", \"points\": [[0, 0], [4, 0], [4, "
+    "3], [0, 3], [0, 0]]}], \"doors\": [{\"id\": \"d1\", \"wall\": \"w1\", \"at\": 2, \"width\": 0.5}], \"exits\": "
+    "[{\"id\": \"e1\", \"from\": [1.5, -1], \"to\": [2.5, -1]}], \"people\": [{\"id\": \"p1\", \"profile\": "
+    "\"manual-chair\", \"at\": [2, 2], \"heading\": -90}]}";
+
+TEST(a_change_that_lets_everybody_out_is_proposed_and_taken) {
+    void *live = open_text(narrow_house);
+    Fault fault = {0};
+    size_t count = 0;
+    const char *doing = "";
+    editor->ask(live);
+    const Proposal *proposals = editor->proposals(live, &count, &doing);
+    for (int i = 0; i < 20000 && doing && !count; i++) {
+        nanosleep(&(struct timespec){.tv_nsec = 2000000}, NULL);
+        proposals = editor->proposals(live, &count, &doing);
+    }
+    CHECK(count > 0 && !doing);
+    CHECK(count && strstr(proposals[0].words, "Widen door d1") && strstr(proposals[0].answer, "everybody out in"));
+    CHECK(succeeds(editor->accept(live, 0, &fault), &fault));
+    CHECK(!strstr(editor->text(live), "\"width\": 0.5"));
+    CHECK(strstr(editor->undo_name(live), "Widen door d1"));
+    editor->proposals(live, &count, &doing);
+    CHECK(count == 0 && !doing); /* they were about another house */
+    CHECK(!editor->accept(live, 0, &fault) && fault.count == 1);
+    fault_clear(&fault);
+    editor->ask(live);
+    editor->ask(live);
+    kind->close(live); /* with two under way */
+}
+
+/* The first bytes of a picture of 200 by 100 pixels. */
+static void write_picture(char path[64]) {
+    static const unsigned char bytes[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0,   0, 0, 13, 'I', 'H', 'D',
+                                          'R',  0,   0,   0,   200,  0,    0,    0,    100, 8, 2, 0,  0,   0};
+    strcpy(path, "/tmp/clearance-picture-XXXXXX");
+    FILE *stream = fdopen(mkstemp(path), "w");
+    fwrite(bytes, sizeof bytes, 1, stream);
+    fclose(stream);
+}
+
+TEST(a_picture_to_trace_over_gets_its_scale_and_is_made_level) {
+    void *live = open_live(NULL);
+    Fault fault = {0};
+    char path[64];
+    write_picture(path);
+    CHECK(!editor->set_image(live, "/nowhere/at-all.png", &fault) && fault.count == 1);
+    CHECK(!editor->set_image(live, check_source(), &fault) && fault.count == 2);
+    fault_clear(&fault);
+    CHECK(succeeds(editor->set_image(live, path, &fault), &fault));
+    TraceImage image = editor->image(live);
+    CHECK_TEXT(image.path, path);
+    CHECK_NEAR(image.corners[2].x, 10, 1e-12);
+    CHECK_NEAR(image.corners[2].y, 5, 1e-12);
+    editor->take(live, TOOL_IMAGE);
+    click(live, 1, 1);
+    click(live, 3, 1);
+    keys(live, "4|");
+    image = editor->image(live);
+    CHECK_NEAR(image.corners[0].x, -1, 1e-12);
+    CHECK_NEAR(image.corners[1].x, 19, 1e-12);
+    click(live, 0, 0);
+    click(live, 1, 0.1);
+    image = editor->image(live);
+    CHECK_NEAR(degrees(atan2(image.corners[1].y - image.corners[0].y, image.corners[1].x - image.corners[0].x)),
+               -degrees(atan(0.1)), 1e-9);
+    CHECK_TEXT(editor->undo_name(live), "Level picture");
+    editor->fade(live, 0.25);
+    CHECK_NEAR(editor->image(live).opacity, 0.25, 0);
+    char *text = keep_text(live);
+    void *again = open_text(text);
+    CHECK_TEXT(editor->text(again), text);
+    CHECK_TEXT(kind->note(again), "");
+    kind->close(again);
+    unlink(path);
+    again = open_text(text);
+    CHECK_TEXT(kind->note(again), "the picture to trace over is not there");
+    CHECK(!editor->image(again).path);
+    kind->close(again);
+    CHECK(succeeds(editor->set_image(live, NULL, &fault), &fault));
+    CHECK(!editor->image(live).path);
+    memory_free(text);
+    kind->close(live);
+}
+
+/* Any sequence at all ---------------------------------------------------------------------------------------------- */
+
+static uint64_t state;
+
+static double any(double low, double high) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return low + (high - low) * (double)(state >> 11) / 9007199254740992.0;
+}
+
+static Pointer any_hand(void) {
+    return (Pointer){.at = {any(-1, 8), any(-2, 4)},
+                     .reach = any(0.01, 0.3),
+                     .free = any(0, 1) < 0.1,
+                     .straight = any(0, 1) < 0.1,
+                     .more = any(0, 1) < 0.1};
+}
+
+static void act_at_random(void *live) {
+    static const char *const letters[] = {"1", "2", ".", "-", "5", "c", "m", "0", "x", " "};
+    Fault fault = {0};
+    Pointer at = any_hand();
+    size_t count;
+    switch ((int)any(0, 29)) {
+    case 0:
+        editor->take(live, (EditTool)any(0, EDIT_TOOLS));
+        break;
+    case 1 ... 5:
+        editor->point(live, &at);
+        break;
+    case 6 ... 8:
+        editor->press(live, &at, any(0, 1) < 0.2);
+        break;
+    case 9 ... 11:
+        editor->release(live, &at);
+        break;
+    case 12 ... 13:
+        editor->type(live, letters[(int)any(0, 10)]);
+        break;
+    case 14:
+        editor->enter(live);
+        break;
+    case 15:
+        editor->tab(live, any(0, 1) < 0.5 ? 1 : -1);
+        break;
+    case 16:
+        editor->back(live);
+        break;
+    case 17:
+        if (any(0, 1) < 0.3)
+            editor->escape(live);
+        editor->handle(live, (int)any(-2, 3));
+        break;
+    case 18:
+        editor->nudge(live, vec2(any(-0.2, 0.2), any(-0.2, 0.2)), &fault);
+        break;
+    case 19:
+        editor->turn(live, any(-90, 90), &fault);
+        editor->topple(live, &fault);
+        break;
+    case 20:
+        if (any(0, 1) < 0.3)
+            editor->remove(live, &fault);
+        else
+            editor->split(live, &fault);
+        break;
+    case 21:
+        if (any(0, 1) < 0.2)
+            editor->duplicate(live, &fault);
+        break;
+    case 22:
+        editor->undo(live);
+        break;
+    case 23:
+        editor->redo(live);
+        break;
+    case 24:
+        editor->items(live, &count);
+        if (count)
+            editor->choose(live, (size_t)any(0, (double)count));
+        if (any(0, 1) < 0.02)
+            editor->select_all(live);
+        break;
+    case 25:
+        editor->gesture(live);
+        editor->selection(live, &count);
+        editor->texts(live, &count);
+        break;
+    case 26:
+        editor->hold(live, "door.d1.width");
+        break;
+    case 27:
+        kind->set(live, any(0, 1) < 0.5 ? "door.d1.width" : "furniture.f1.height", any(0.3, 3), &fault);
+        break;
+    case 28:
+        editor->settle(live);
+        if (any(0, 1) < 0.1)
+            kind->reset(live);
+        break;
+    }
+    fault_clear(&fault);
+}
+
+static void check_reads(void *live) {
+    Plan plan = {0};
+    Fault fault = {0};
+    CHECK(plan_read_text(&plan, "edited", editor->text(live), NULL, 0, &fault));
+    for (size_t i = 0; i < fault.count; i++)
+        printf("%s\n", fault.lines[i]);
+    plan_free(&plan);
+    fault_clear(&fault);
+}
+
+TEST(any_calls_keep_the_plan_good_and_are_undone_to_the_first_bytes) {
+    const char *seed = getenv("CLEARANCE_EDIT_SEED"), *calls = getenv("CLEARANCE_EDIT_CALLS");
+    state = seed ? strtoull(seed, NULL, 10) : 7;
+    void *live = open_text(small_house);
+    char *before = keep_text(live);
+    for (int i = 0, most = calls ? atoi(calls) : 10000; i < most; i++) {
+        act_at_random(live);
+        if (i % 100 == 0)
+            check_reads(live);
+    }
+    editor->take(live, TOOL_SELECT);
+    while (editor->escape(live))
+        ;
+    check_reads(live);
+    while (editor->redo(live))
+        ;
+    char *after = keep_text(live);
+    while (editor->undo(live))
+        ;
+    CHECK_TEXT(editor->text(live), before);
+    while (editor->redo(live))
+        ;
+    CHECK_TEXT(editor->text(live), after);
+    memory_free(before);
+    memory_free(after);
+    kind->close(live);
+}
