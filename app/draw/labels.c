@@ -1,10 +1,9 @@
 #include "draw/labels.h"
 
+#include "draw/caption.h"
 #include "draw/mask.h"
 #include "draw/text.h"
 
-#define TAG_PADDING 5.0   /* design points, left and right of the words */
-#define DISC_LEAST 14.0   /* design points, radius */
 #define GAP 9.0           /* design points, between a point and a label beside it: half a line's width and air */
 #define WIDEST 480.0      /* design points: longer words are shortened */
 #define AIR 3.0           /* design points, kept around a label, also within what it names */
@@ -21,15 +20,6 @@ enum {
     DIRECTIONS = 16, /* on each */
     RASTER = 12,     /* candidate places each way inside an outline */
 };
-
-void labels_shape(Caption *caption, LabelShape shape, Role fill) {
-    caption->shape = shape;
-    caption->fill = fill;
-    if (shape == LABEL_TAG)
-        caption->extent.x += 2 * TAG_PADDING;
-    if (shape == LABEL_DISC)
-        caption->extent.x = caption->extent.y = 2 * fmax(DISC_LEAST, caption->extent.x / 2 + TAG_PADDING);
-}
 
 /* The points of a primitive at its highest. */
 static Vec2 *to_page(const Layout *layout, const Primitive *primitive) {
@@ -93,7 +83,7 @@ typedef struct Choice {
 static void consider(Choice *best, const Mask *mask, Caption caption, double extra) {
     if (extra >= best->cost)
         return;
-    double cost = mask_cost(mask, box_expand(layout_caption_box(&caption), AIR)) + extra;
+    double cost = mask_cost(mask, box_expand(caption_box(&caption), AIR)) + extra;
     if (cost < best->cost)
         *best = (Choice){caption, cost};
 }
@@ -111,7 +101,7 @@ static void consider_inside(Choice *best, const Mask *mask, Caption caption, con
             caption.centre =
                 i < 0 ? at : vec2(box.low.x + part.x * box_width(box), box.low.y + part.y * box_height(box));
             double away = extra + turned * TURNED_COST + DISTANCE_COST * vec2_distance(caption.centre, at);
-            if (away < best->cost && outline_holds_box(outline, count, box_expand(layout_caption_box(&caption), AIR)))
+            if (away < best->cost && outline_holds_box(outline, count, box_expand(caption_box(&caption), AIR)))
                 consider(best, mask, caption, away);
         }
 }
@@ -136,7 +126,7 @@ static void consider_around(Choice *best, const Mask *mask, Caption caption, Vec
 
 static Caption label_caption(Layout *layout, const Primitive *label, Vec2 at, double size) {
     double widest = fmin(WIDEST, layout->frame.high.x - layout->frame.low.x - 2 * AIR);
-    const char *text = layout_shortened(layout, label->text, size, label->bold, widest);
+    const char *text = caption_shortened(layout, label->text, size, label->bold, widest);
     Caption caption = {.text = text,
                        .centre = at,
                        .extent = text_extent(text, size, label->bold),
@@ -146,7 +136,7 @@ static Caption label_caption(Layout *layout, const Primitive *label, Vec2 at, do
                        .role = label->edge,
                        .fill = label->fill,
                        .pointed = at};
-    labels_shape(&caption, label->shape, label->fill);
+    caption_shape(&caption, label->shape, label->fill);
     return caption;
 }
 
@@ -176,7 +166,7 @@ static bool is_away(const Layout *layout, const Primitive *label) {
 
 /* Moves words into a box. */
 static void keep_within(Caption *caption, Box room) {
-    Box box = layout_caption_box(caption);
+    Box box = caption_box(caption);
     Vec2 half = vec2_scale(vec2_sub(box.high, box.low), 0.5);
     caption->centre.x = real_clamp(caption->centre.x, room.low.x + half.x + AIR, room.high.x - half.x - AIR);
     caption->centre.y = real_clamp(caption->centre.y, room.low.y + half.y + AIR, room.high.y - half.y - AIR);
@@ -187,7 +177,7 @@ static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
         return;
     Choice best = choose_place(mask, layout, label);
     keep_within(&best.caption, layout->frame);
-    Box box = layout_caption_box(&best.caption);
+    Box box = caption_box(&best.caption);
     double most = OPTIONAL_MOST * box_width(box) * box_height(box);
     if (best.cost == HUGE_VAL || (label->optional && mask_cost(mask, box) > most))
         return;
@@ -195,7 +185,7 @@ static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
     if (best.caption.leader)
         mask_mark_line(mask, best.caption.centre, best.caption.pointed, 2, 1);
     mask_mark_box(mask, box, LABEL_WEIGHT);
-    Caption *caption = layout_add_caption(layout, best.caption.text, best.caption.size, best.caption.bold, (Vec2){0});
+    Caption *caption = caption_add(layout, best.caption.text, best.caption.size, best.caption.bold, (Vec2){0});
     *caption = best.caption;
 }
 
@@ -204,7 +194,7 @@ static void place_fixed(Layout *layout, const Primitive *label) {
     if (is_away(layout, label))
         return;
     Vec2 at = layout_raised(layout, label->points[0], label->base);
-    Caption *caption = layout_add_caption(layout, label->text, label->size, label->bold, at);
+    Caption *caption = caption_add(layout, label->text, label->size, label->bold, at);
     *caption = label_caption(layout, label, at, label->size);
     Vec2 half = vec2_scale(caption->extent, 0.5);
     if (label->count > 1) {
@@ -232,7 +222,7 @@ void labels_place(Layout *layout, const Scene *scene) {
     Mask mask;
     mask_init(&mask, layout->plan);
     for (size_t i = fixed; i < layout->caption_count; i++)
-        mask_mark_box(&mask, layout_caption_box(&layout->captions[i]), LABEL_WEIGHT);
+        mask_mark_box(&mask, caption_box(&layout->captions[i]), LABEL_WEIGHT);
     for (size_t i = 0; i < scene->count; i++)
         if (scene->primitives[i].keep_clear > 0)
             mark_primitive(&mask, layout, &scene->primitives[i]);

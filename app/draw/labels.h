@@ -7,6 +7,3 @@
 
 /* Adds a caption for every label of the scene that finds a place; the plan's place on the page must be set. */
 void labels_place(Layout *layout, const Scene *scene);
-
-/* Makes a caption a tag or a disc of `fill`, and as large as that needs. */
-void labels_shape(Caption *caption, LabelShape shape, Role fill);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "draw/caption.h"
 #include "draw/labels.h"
 #include "draw/text.h"
 
@@ -56,65 +57,17 @@ static double round_step(double unit, double least) {
     return steps[i];
 }
 
-Caption *layout_add_caption(Layout *layout, const char *text, double size, bool bold, Vec2 centre) {
-    layout->captions = memory_reserve(layout->captions, &layout->caption_capacity, layout->caption_count + 1,
-                                      sizeof *layout->captions);
-    Caption *caption = &layout->captions[layout->caption_count++];
-    *caption = (Caption){.text = text,
-                         .centre = centre,
-                         .extent = text_extent(text, size, bold),
-                         .size = size,
-                         .bold = bold,
-                         .role = ROLE_TEXT};
-    return caption;
-}
-
-Box layout_caption_box(const Caption *caption) {
-    Vec2 half = vec2_scale(caption->turned ? vec2(caption->extent.y, caption->extent.x) : caption->extent, 0.5);
-    return (Box){vec2_sub(caption->centre, half), vec2_add(caption->centre, half)};
-}
-
 void layout_add_sample(Layout *layout, Sample sample) {
     layout->samples =
         memory_reserve(layout->samples, &layout->sample_capacity, layout->sample_count + 1, sizeof *layout->samples);
     layout->samples[layout->sample_count++] = sample;
 }
 
-/* Of UTF-8: does no character begin with this byte? */
-static bool is_within_character(char byte) {
-    return ((unsigned char)byte & 0xC0) == 0x80;
-}
-
-const char *layout_shortened(Layout *layout, const char *text, double size, bool bold, double width) {
-    static const char ellipsis[] = "\u2026";
-    if (text_extent(text, size, bold).x <= width)
-        return text;
-    size_t fits = 0, too_long = strlen(text); /* bytes of the text */
-    char *shorter = arena_allocate(&layout->arena, too_long + sizeof ellipsis);
-    for (;;) {
-        size_t middle = fits + (too_long - fits) / 2;
-        while (middle > fits && is_within_character(text[middle]))
-            middle--;
-        middle += middle == fits;
-        while (is_within_character(text[middle]))
-            middle++;
-        if (middle >= too_long)
-            break;
-        snprintf(shorter, middle + sizeof ellipsis, "%.*s%s", (int)middle, text, ellipsis);
-        if (text_extent(shorter, size, bold).x <= width)
-            fits = middle;
-        else
-            too_long = middle;
-    }
-    snprintf(shorter, fits + sizeof ellipsis, "%.*s%s", (int)fits, text, ellipsis);
-    return shorter;
-}
-
 /* Words from `left` on, as far as `right`; where they end. */
 static double add_words(Layout *layout, Role role, const char *text, double size, bool bold, double left, double right,
                         double y) {
-    const char *words = layout_shortened(layout, text, size, bold, right - left);
-    Caption *caption = layout_add_caption(layout, words, size, bold, vec2(left, y));
+    const char *words = caption_shortened(layout, text, size, bold, right - left);
+    Caption *caption = caption_add(layout, words, size, bold, vec2(left, y));
     caption->centre.x += caption->extent.x / 2;
     caption->role = role;
     return left + caption->extent.x;
@@ -176,8 +129,8 @@ static double place_mark(Layout *layout, const SceneRow *row, double left, doubl
     if (row->kind == ROW_LINE)
         layout_add_sample(layout, (Sample){{left, y}, {right, y}, row->role, row->style, row->width, row->symbol});
     if (row->mark) {
-        Caption *mark = layout_add_caption(layout, row->mark, DISC_LETTERS, true, vec2((left + right) / 2, y));
-        labels_shape(mark, row->kind == ROW_DISC ? LABEL_DISC : LABEL_TAG, row->role);
+        Caption *mark = caption_add(layout, row->mark, DISC_LETTERS, true, vec2((left + right) / 2, y));
+        caption_shape(mark, row->kind == ROW_DISC ? LABEL_DISC : LABEL_TAG, row->role);
     }
     return end;
 }
@@ -402,8 +355,8 @@ static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
     layout_add_sample(layout, rim);
     layout_add_sample(layout, (Sample){.from = {left, y}, .to = {right, y}, .role = ROLE_TEXT, .width = BAR_WIDTH});
     snprintf(text, sizeof text, "%g m", length);
-    Caption *caption = layout_add_caption(layout, arena_text(&layout->arena, text), NAME_LETTERS, true,
-                                          vec2((left + right) / 2, foot - 6));
+    Caption *caption =
+        caption_add(layout, arena_text(&layout->arena, text), NAME_LETTERS, true, vec2((left + right) / 2, foot - 6));
     caption->halo = true;
     caption->fill = ROLE_PAPER;
 }

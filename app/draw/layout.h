@@ -76,18 +76,9 @@ void layout_clear(Layout *layout);
  * has been used is used again. */
 void layout_make_over(Layout *layout, const Layout *under, const Scene *scene);
 
-/* Adds words in the middle of a box of their own size; good until the next addition. */
-Caption *layout_add_caption(Layout *layout, const char *text, double size, bool bold, Vec2 centre);
-
-/* The box that holds the words, turned as they are. */
-Box layout_caption_box(const Caption *caption);
-
 /* A piece of line among the words, and one of the faint lines; all on the page. */
 void layout_add_sample(Layout *layout, Sample sample);
 void layout_add_grid_line(Layout *layout, Vec2 from, Vec2 to);
-
-/* The words, or as much of their beginning as `width` holds, and an ellipsis. */
-const char *layout_shortened(Layout *layout, const char *text, double size, bool bold, double width);
 
 /* A place on the floor, or so many m above it, on the page. */
 static inline Vec2 layout_point(const Layout *layout, Vec2 metres) {

@@ -1,11 +1,8 @@
 #include "paint/drawing.h"
 
+#include "paint/drawing_pen.h"
 #include "paint/drawing_solid.h"
 #include "paint/paint_sizes.h"
-
-#define CIRCLE_ERROR 0.2 /* pixels that a polygon may miss of its circle */
-
-enum { CIRCLE_FEWEST = 8 /* corners */ };
 
 void drawing_clear(Drawing *drawing) {
     ink_clear(&drawing->floor);
@@ -24,36 +21,6 @@ void drawing_reset(Drawing *drawing) {
         inks[i]->count = inks[i]->index_count = 0;
 }
 
-/* Pieces ------------------------------------------------------------------------------------------------------------*/
-
-InkColour drawing_colour(const Drawing *drawing, Role role, double opacity) {
-    return (InkColour){palette_colour(drawing->theme, role), opacity};
-}
-
-InkPen drawing_pen(const Drawing *drawing, InkColour colour, LineStyle style, double width) {
-    return (InkPen){.colour = colour,
-                    .width = width * drawing->unit,
-                    .style = style,
-                    .dash = paint_dash_scale(width) * drawing->unit};
-}
-
-InkPoint drawing_page(const Drawing *drawing, Vec2 at) {
-    return (InkPoint){vec2_scale(at, drawing->unit), 0};
-}
-
-Box drawing_box(const Drawing *drawing, Box box) {
-    return (Box){vec2_scale(box.low, drawing->unit), vec2_scale(box.high, drawing->unit)};
-}
-
-void drawing_add_segment(Drawing *drawing, Ink *ink, Vec2 from, Vec2 to, InkPen pen) {
-    ink_add_line(ink, (InkPoint[]){drawing_page(drawing, from), drawing_page(drawing, to)}, 2, false, pen);
-}
-
-InkPoint drawing_point(const Drawing *drawing, const Layout *layout, Vec2 at, double height) {
-    return (InkPoint){vec2_scale(layout_raised(layout, at, height), drawing->unit),
-                      view_depth(&layout->view, at, height)};
-}
-
 /* Flat things -------------------------------------------------------------------------------------------------------*/
 
 /* One primitive on its way. */
@@ -65,16 +32,16 @@ typedef struct Sheet {
 } Sheet;
 
 static InkPoint sheet_point(const Sheet *sheet, Vec2 at) {
-    return drawing_point(sheet->drawing, sheet->layout, at, sheet->primitive->base);
+    return drawing_pen_point(sheet->drawing, sheet->layout, at, sheet->primitive->base);
 }
 
 static InkColour sheet_fill(const Sheet *sheet) {
-    return drawing_colour(sheet->drawing, sheet->primitive->fill, sheet->primitive->fill_opacity);
+    return drawing_pen_colour(sheet->drawing, sheet->primitive->fill, sheet->primitive->fill_opacity);
 }
 
 static InkPen sheet_pen(const Sheet *sheet) {
     const Primitive *primitive = sheet->primitive;
-    InkColour colour = drawing_colour(sheet->drawing, primitive->edge, primitive->edge_opacity);
+    InkColour colour = drawing_pen_colour(sheet->drawing, primitive->edge, primitive->edge_opacity);
     InkPen pen = drawing_pen(sheet->drawing, colour, primitive->style, primitive->width);
     pen.begun = primitive->begun * sheet->layout->metre * sheet->drawing->unit;
     return pen;
@@ -136,7 +103,7 @@ static void fill_rings(const Sheet *sheet, const Vec2 *points, const size_t *sta
         cover(sheet, sheet_fill(sheet), NULL, smooth);
     if (primitive->hatched) {
         InkHatch hatch = hatch_of(sheet);
-        cover(sheet, drawing_colour(sheet->drawing, primitive->edge, 1), &hatch, smooth);
+        cover(sheet, drawing_pen_colour(sheet->drawing, primitive->edge, 1), &hatch, smooth);
     }
 }
 
@@ -165,7 +132,7 @@ static void add_tick(const Sheet *sheet) {
     paint_tick_ends(sheet->layout, sheet->primitive, ends);
     InkPoint line[2];
     for (int i = 0; i < 2; i++) {
-        line[i] = drawing_page(sheet->drawing, ends[i]);
+        line[i] = drawing_pen_page(sheet->drawing, ends[i]);
         line[i].depth = sheet_point(sheet, sheet->primitive->points[0]).depth;
     }
     ink_add_line(sheet->ink, line, 2, false, sheet_pen(sheet));
@@ -177,10 +144,10 @@ static void add_head(const Sheet *sheet, Vec2 tip, Vec2 way, double depth) {
     InkPoint points[3];
     paint_head_corners(tip, way, corners);
     for (int i = 0; i < 3; i++) {
-        points[i] = drawing_page(sheet->drawing, corners[i]);
+        points[i] = drawing_pen_page(sheet->drawing, corners[i]);
         points[i].depth = depth;
     }
-    ink_add_triangle(sheet->ink, points, smooth, drawing_colour(sheet->drawing, sheet->primitive->edge, 1), NULL);
+    ink_add_triangle(sheet->ink, points, smooth, drawing_pen_colour(sheet->drawing, sheet->primitive->edge, 1), NULL);
 }
 
 static void add_dimension(const Sheet *sheet) {
@@ -189,8 +156,8 @@ static void add_dimension(const Sheet *sheet) {
     Vec2 way = vec2_unit(vec2_sub(b, a));
     bool outside = vec2_distance(a, b) < 3 * PAINT_HEAD_LENGTH;
     double shaft = outside ? PAINT_HEAD_SHAFT : 0, depth = sheet_point(sheet, dimension->points[0]).depth;
-    InkPoint line[] = {drawing_page(sheet->drawing, vec2_along(a, -shaft, way)),
-                       drawing_page(sheet->drawing, vec2_along(b, shaft, way))};
+    InkPoint line[] = {drawing_pen_page(sheet->drawing, vec2_along(a, -shaft, way)),
+                       drawing_pen_page(sheet->drawing, vec2_along(b, shaft, way))};
     line[0].depth = line[1].depth = depth;
     ink_add_line(sheet->ink, line, 2, false, sheet_pen(sheet));
     add_head(sheet, a, vec2_scale(way, outside ? 1 : -1), depth);
@@ -199,15 +166,10 @@ static void add_dimension(const Sheet *sheet) {
 
 /* Discs -------------------------------------------------------------------------------------------------------------*/
 
-size_t drawing_circle_corners(double radius) {
-    double turn = 2 * acos(1 - CIRCLE_ERROR / fmax(radius, 1));
-    return (size_t)real_clamp(ceil(2 * M_PI / turn), CIRCLE_FEWEST, DRAWING_CIRCLE_MOST);
-}
-
 /* Circles as rings of corners: where they are ellipses, unite, or have dashes. */
 static void add_discs_by_corners(const Sheet *sheet) {
     const Primitive *discs = sheet->primitive;
-    size_t corners = drawing_circle_corners(discs->radius * sheet->layout->metre * sheet->drawing->unit);
+    size_t corners = drawing_pen_circle(discs->radius * sheet->layout->metre * sheet->drawing->unit);
     Vec2 *points = memory_zeroed(discs->count * corners, sizeof *points);
     size_t *starts = memory_zeroed(discs->count + 1, sizeof *starts);
     for (size_t i = 0; i < discs->count * corners; i++) {

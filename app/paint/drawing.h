@@ -27,15 +27,3 @@ void drawing_reset(Drawing *drawing);
 
 /* Adds a layer's primitives, without its labels. */
 void drawing_add(Drawing *drawing, Layer layer);
-
-/* Pieces, for the words around a picture: design points; nothing of them is in perspective. */
-InkColour drawing_colour(const Drawing *drawing, Role role, double opacity);
-InkPen drawing_pen(const Drawing *drawing, InkColour colour, LineStyle style, double width);
-InkPoint drawing_page(const Drawing *drawing, Vec2 at);
-Box drawing_box(const Drawing *drawing, Box box);
-void drawing_add_segment(Drawing *drawing, Ink *ink, Vec2 from, Vec2 to, InkPen pen);
-
-/* Pieces, for solids: m; as many corners as make a circle of so many pixels round. */
-enum { DRAWING_CIRCLE_MOST = 96 };
-InkPoint drawing_point(const Drawing *drawing, const Layout *layout, Vec2 at, double height);
-size_t drawing_circle_corners(double radius);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "paint/drawing_pen.h"
 #include "paint/paint_sizes.h"
 
 /* Towards the light, along the floor to the left and to the viewer; the rest of the unit vector, 0.79, is up. */
@@ -31,7 +32,7 @@ typedef struct Solid {
 } Solid;
 
 static InkPoint solid_point(const Solid *solid, Vec2 at, double height) {
-    return drawing_point(solid->drawing, solid->layout, at, height);
+    return drawing_pen_point(solid->drawing, solid->layout, at, height);
 }
 
 static double solid_top(const Solid *solid) {
@@ -70,7 +71,7 @@ static InkColour side_colour(const Solid *solid, Colour colour, Vec2 normal) {
 static InkPen edge_pen(const Solid *solid) {
     const Primitive *primitive = solid->primitive;
     if (primitive->width > 0)
-        return drawing_pen(solid->drawing, drawing_colour(solid->drawing, primitive->edge, primitive->edge_opacity),
+        return drawing_pen(solid->drawing, drawing_pen_colour(solid->drawing, primitive->edge, primitive->edge_opacity),
                            primitive->style, primitive->width);
     InkColour thin = {mixed((Colour){0, 0, 0}, fill_colour(solid), EDGE_SHADE), primitive->fill_opacity};
     return drawing_pen(solid->drawing, thin, LINE_SOLID, EDGE_WIDTH);
@@ -149,8 +150,8 @@ static void add_hatch(const Solid *solid, const Triangle *triangle, double heigh
         corners[i] = solid_point(solid, triangle->corners[i], height);
         corners[i].depth -= EDGE_NEARER;
     }
-    ink_add_triangle(&solid->drawing->over, corners, (bool[3]){0}, drawing_colour(solid->drawing, primitive->edge, 1),
-                     &hatch);
+    ink_add_triangle(&solid->drawing->over, corners, (bool[3]){0},
+                     drawing_pen_colour(solid->drawing, primitive->edge, 1), &hatch);
 }
 
 /* The upright edges of a ring's sharp corners. */
@@ -240,13 +241,13 @@ static void add_round_shadow(const Solid *solid, Vec2 at) {
 }
 
 static size_t round_corners(const Solid *solid, Vec2 at) {
-    return drawing_circle_corners(page_length(solid, at, 0, solid->primitive->radius));
+    return drawing_pen_circle(page_length(solid, at, 0, solid->primitive->radius));
 }
 
 static void add_cylinder(const Solid *solid, Vec2 at) {
     const Primitive *primitive = solid->primitive;
     size_t count = round_corners(solid, at);
-    InkPoint rim[DRAWING_CIRCLE_MOST];
+    InkPoint rim[DRAWING_PEN_CORNERS];
     Vec2 last = vec2_along(at, primitive->radius, vec2(1, 0));
     for (size_t i = 0; i < count; i++) {
         Vec2 next = vec2_along(at, primitive->radius, vec2_heading(2 * M_PI * (double)(i + 1) / (double)count));
@@ -298,7 +299,7 @@ static void add_wheel(const Solid *solid) {
     const Primitive *wheel = solid->primitive;
     Vec2 axle = vec2_unit(vec2_sub(wheel->points[1], wheel->points[0])), along = vec2_left(axle);
     size_t count = round_corners(solid, wheel->points[0]);
-    InkPoint rims[2][DRAWING_CIRCLE_MOST];
+    InkPoint rims[2][DRAWING_PEN_CORNERS];
     for (int side = 0; side < 2; side++)
         wheel_side(solid, wheel->points[side], along, rims[side], count);
     add_tread(solid, rims[0], rims[1], count);

@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "paint/drawing_caption.h"
+#include "paint/drawing_pen.h"
 #include "paint/drawing_solid.h"
 #include "paint/paint_gl_target.h"
 #include "paint/paint_gl_text.h"
@@ -209,18 +210,18 @@ static void draw_captions(PaintGl *paint, const Caption *captions, size_t captio
 static void draw_ground(PaintGl *paint, const Layout *layout) {
     Drawing *drawing = &paint->drawing;
     Ink *ink = &paint->shapes;
-    InkPen rule = drawing_pen(drawing, drawing_colour(drawing, ROLE_GRID, 1), LINE_SOLID, PAINT_RULE_WIDTH);
+    InkPen rule = drawing_pen(drawing, drawing_pen_colour(drawing, ROLE_GRID, 1), LINE_SOLID, PAINT_RULE_WIDTH);
     Vec2 low = layout->list.low, high = layout->list.high;
-    InkPoint corners[] = {drawing_page(drawing, low), drawing_page(drawing, vec2(high.x, low.y)),
-                          drawing_page(drawing, high), drawing_page(drawing, vec2(low.x, high.y))};
+    InkPoint corners[] = {drawing_pen_page(drawing, low), drawing_pen_page(drawing, vec2(high.x, low.y)),
+                          drawing_pen_page(drawing, high), drawing_pen_page(drawing, vec2(low.x, high.y))};
     Colour paper = palette_colour(drawing->theme, ROLE_PAPER);
     paint->gl->ClearColor((GLfloat)paper.red, (GLfloat)paper.green, (GLfloat)paper.blue, 1);
     paint->gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    ink_add_box(ink, drawing_box(drawing, layout->list), drawing_colour(drawing, ROLE_PANEL, 1));
+    ink_add_box(ink, drawing_pen_box(drawing, layout->list), drawing_pen_colour(drawing, ROLE_PANEL, 1));
     ink_add_line(ink, corners, 4, true, rule);
-    drawing_add_segment(drawing, ink, vec2(0, layout->band.high.y), vec2(layout->page.x, layout->band.high.y), rule);
+    drawing_pen_segment(drawing, ink, vec2(0, layout->band.high.y), vec2(layout->page.x, layout->band.high.y), rule);
     for (size_t i = 0; i < layout->grid_count; i++)
-        drawing_add_segment(drawing, ink, layout->grid[2 * i], layout->grid[2 * i + 1], rule);
+        drawing_pen_segment(drawing, ink, layout->grid[2 * i], layout->grid[2 * i + 1], rule);
     flush_shapes(paint);
 }
 

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "plot/plot_frame.h"
 #include "plot/plot_ground.h"
 #include "plot/plot_pen.h"
 
@@ -190,7 +191,7 @@ int plot_canvas_stride(const PlotCanvas *canvas) {
 }
 
 Vec2 plot_canvas_place(const PlotCanvas *canvas, Vec2 value) {
-    return vec2_scale(plot_layout_point(&canvas->layout, value), canvas->unit);
+    return vec2_scale(plot_frame_point(&canvas->layout, value), canvas->unit);
 }
 
 Box plot_canvas_frame(const PlotCanvas *canvas) {

@@ -3,6 +3,7 @@
 #include <cairo.h>
 
 #include "paint/paint_cairo.h"
+#include "plot/plot_frame.h"
 #include "plot/plot_pen.h"
 #include "plot/plot_raster.h"
 
@@ -27,11 +28,11 @@ static void paint_axes(cairo_t *cairo, const PlotLayout *layout, Theme theme) {
     cairo_line_to(cairo, frame.low.x, frame.high.y);
     cairo_line_to(cairo, frame.high.x, frame.high.y);
     for (int i = 0; i < layout->x.count; i++) {
-        double x = plot_layout_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
+        double x = plot_frame_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
         path_segment(cairo, vec2(x, frame.high.y), vec2(x, frame.high.y + TICK_LENGTH));
     }
     for (int i = 0; i < layout->y.count; i++) {
-        double y = plot_layout_point(layout, vec2(0, plot_ticks_at(&layout->y, i))).y;
+        double y = plot_frame_point(layout, vec2(0, plot_ticks_at(&layout->y, i))).y;
         path_segment(cairo, vec2(frame.low.x, y), vec2(frame.low.x - TICK_LENGTH, y));
     }
     if (layout->right.count) {
@@ -50,7 +51,7 @@ static void paint_axes(cairo_t *cairo, const PlotLayout *layout, Theme theme) {
 
 static void paint_band(cairo_t *cairo, const PlotLayout *layout, const PlotGuide *guide, Theme theme) {
     Box band;
-    if (!guide->band || !plot_layout_band(layout, guide, &band))
+    if (!guide->band || !plot_frame_band(layout, guide, &band))
         return;
     cairo_rectangle(cairo, band.low.x, band.low.y, box_width(band), box_height(band));
     use_role(cairo, theme, guide->role);
@@ -65,14 +66,14 @@ static void paint_area(cairo_t *cairo, const PlotLayout *layout, const PlotArea 
     cairo_clip(cairo);
     for (size_t from = 0, to; from < area->count; from = to + 1) {
         cairo_new_sub_path(cairo);
-        for (to = from; to < area->count && plot_layout_shows(layout, vec2(area->x[to], area->low[to])) &&
-                        plot_layout_shows(layout, vec2(area->x[to], area->high[to]));
+        for (to = from; to < area->count && plot_frame_shows(layout, vec2(area->x[to], area->low[to])) &&
+                        plot_frame_shows(layout, vec2(area->x[to], area->high[to]));
              to++) {
-            Vec2 at = plot_layout_point(layout, vec2(area->x[to], area->high[to]));
+            Vec2 at = plot_frame_point(layout, vec2(area->x[to], area->high[to]));
             cairo_line_to(cairo, at.x, at.y);
         }
         for (size_t i = to; i-- > from;) {
-            Vec2 at = plot_layout_point(layout, vec2(area->x[i], area->low[i]));
+            Vec2 at = plot_frame_point(layout, vec2(area->x[i], area->low[i]));
             cairo_line_to(cairo, at.x, at.y);
         }
         cairo_close_path(cairo);
@@ -84,7 +85,7 @@ static void paint_area(cairo_t *cairo, const PlotLayout *layout, const PlotArea 
 
 static void paint_guide(cairo_t *cairo, const PlotLayout *layout, const PlotGuide *guide, Theme theme) {
     Vec2 ends[2];
-    if (!plot_layout_guide(layout, guide, ends))
+    if (!plot_frame_guide(layout, guide, ends))
         return;
     path_segment(cairo, ends[0], ends[1]);
     paint_cairo_line(cairo, guide->style, GUIDE_WIDTH);

@@ -1,5 +1,6 @@
 #include "plot/plot_key.h"
 
+#include "draw/caption.h"
 #include "draw/text.h"
 
 /* Design points. */
@@ -69,7 +70,7 @@ Box plot_key_class(const PlotLayout *layout, const Plot *plot, size_t index) {
 static void add_words(PlotLayout *layout, const char *text, double y) {
     Layout *sheet = &layout->sheet;
     double left = layout->key.high.x + WORD_GAP;
-    Caption *caption = layout_add_caption(sheet, arena_text(&sheet->arena, text), LETTERS, false, vec2(left, y));
+    Caption *caption = caption_add(sheet, arena_text(&sheet->arena, text), LETTERS, false, vec2(left, y));
     caption->centre.x += caption->extent.x / 2;
 }
 
@@ -80,8 +81,8 @@ static void add_title(PlotLayout *layout, const PlotAxis *axis) {
     plot_ticks_title(&layout->shades, axis->title, axis->unit, title);
     if (text_extent(title, LETTERS, false).x > right - layout->key.low.x)
         plot_ticks_title(&layout->shades, NULL, axis->unit, title);
-    Caption *caption = layout_add_caption(sheet, arena_text(&sheet->arena, title), LETTERS, false,
-                                          vec2(right, layout->key.low.y - TITLE_ROW));
+    Caption *caption = caption_add(sheet, arena_text(&sheet->arena, title), LETTERS, false,
+                                   vec2(right, layout->key.low.y - TITLE_ROW));
     caption->centre.x -= caption->extent.x / 2;
 }
 

@@ -1,5 +1,7 @@
 #include "plot/plot_layout.h"
 
+#include "draw/caption.h"
+#include "plot/plot_frame.h"
 #include "plot/plot_key.h"
 #include "plot/plot_names.h"
 #include "draw/text.h"
@@ -22,40 +24,6 @@
 #define ACROSS_LEAST 34.0  /* and of the x axis */
 #define LOW 200.0          /* a lower plot has its titles in shared rows */
 #define LEAST_FRAME 0.4    /* of the height: where the names leave less to the lines, they are left out */
-#define FAR 1e5            /* of a point beyond the page: cairo's coordinates end at some 8e6 pixels */
-
-Vec2 plot_layout_point(const PlotLayout *layout, Vec2 value) {
-    Box frame = layout->sheet.frame;
-    double right = plot_ticks_part(&layout->x, value.x), up = plot_ticks_part(&layout->y, value.y);
-    return vec2(real_clamp(frame.low.x + right * box_width(frame), -FAR, FAR),
-                real_clamp(frame.high.y - up * box_height(frame), -FAR, FAR));
-}
-
-bool plot_layout_shows(const PlotLayout *layout, Vec2 value) {
-    return isfinite(value.x) && isfinite(value.y) && (!layout->x.logarithmic || value.x > 0) &&
-           (!layout->y.logarithmic || value.y > 0);
-}
-
-bool plot_layout_band(const PlotLayout *layout, const PlotGuide *guide, Box *band) {
-    const PlotTicks *axis = guide->upright ? &layout->x : &layout->y;
-    double from = fmax(fmin(guide->at, guide->to), axis->low), to = fmin(fmax(guide->at, guide->to), axis->high);
-    Vec2 first = plot_layout_point(layout, vec2(from, from)), last = plot_layout_point(layout, vec2(to, to));
-    *band = layout->sheet.frame;
-    if (guide->upright)
-        *band = (Box){{first.x, band->low.y}, {last.x, band->high.y}};
-    else
-        *band = (Box){{band->low.x, last.y}, {band->high.x, first.y}};
-    return from < to;
-}
-
-bool plot_layout_guide(const PlotLayout *layout, const PlotGuide *guide, Vec2 ends[2]) {
-    Box frame = layout->sheet.frame;
-    const PlotTicks *axis = guide->upright ? &layout->x : &layout->y;
-    Vec2 at = plot_layout_point(layout, vec2(guide->at, guide->at));
-    ends[0] = guide->upright ? vec2(at.x, frame.high.y) : vec2(frame.low.x, at.y);
-    ends[1] = guide->upright ? vec2(at.x, frame.low.y) : vec2(frame.high.x, at.y);
-    return !guide->band && guide->at >= axis->low && guide->at <= axis->high;
-}
 
 static Box include_shown(Box reach, const Plot *plot, Vec2 value) {
     bool shown = isfinite(value.x) && isfinite(value.y) && (!plot->x.logarithmic || value.x > 0) &&
@@ -131,7 +99,7 @@ static PlotTicks ticks_across(const PlotAxis *axis, Box reach, double width) {
 
 static Caption *add_text(PlotLayout *layout, const char *text, double size, bool bold, Vec2 centre) {
     Layout *sheet = &layout->sheet;
-    return layout_add_caption(sheet, arena_text(&sheet->arena, text), size, bold, centre);
+    return caption_add(sheet, arena_text(&sheet->arena, text), size, bold, centre);
 }
 
 /* Rows of words above the frame, filled from left to right. */
@@ -149,7 +117,7 @@ static void begin_row(Rows *rows) {
 static Caption *add_item(Rows *rows, const char *text, double size, bool bold, double before) {
     Layout *sheet = &rows->layout->sheet;
     double right = sheet->page.x - MARGIN, rounding = 0.5;
-    const char *words = layout_shortened(sheet, text, size, bold, right - MARGIN - before);
+    const char *words = caption_shortened(sheet, text, size, bold, right - MARGIN - before);
     double width = before + text_extent(words, size, bold).x;
     if (rows->left > MARGIN && rows->left + width > right + rounding)
         begin_row(rows);
@@ -244,11 +212,11 @@ static double add_rows(PlotLayout *layout, const Plot *plot, bool names) {
 static void add_grid(PlotLayout *layout) {
     Box frame = layout->sheet.frame;
     for (int i = 0; i < layout->x.count; i++) {
-        double x = plot_layout_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
+        double x = plot_frame_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
         layout_add_grid_line(&layout->sheet, vec2(x, frame.low.y), vec2(x, frame.high.y));
     }
     for (int i = 0; i < layout->y.count; i++) {
-        double y = plot_layout_point(layout, vec2(0, plot_ticks_at(&layout->y, i))).y;
+        double y = plot_frame_point(layout, vec2(0, plot_ticks_at(&layout->y, i))).y;
         layout_add_grid_line(&layout->sheet, vec2(frame.low.x, y), vec2(frame.high.x, y));
     }
 }
@@ -258,7 +226,7 @@ static void add_upright_labels(PlotLayout *layout) {
     for (int i = 0; i < layout->y.count; i++) {
         char label[PLOT_TICKS_LABEL];
         plot_ticks_label(&layout->y, i, label);
-        double y = plot_layout_point(layout, vec2(0, plot_ticks_at(&layout->y, i))).y;
+        double y = plot_frame_point(layout, vec2(0, plot_ticks_at(&layout->y, i))).y;
         Caption *caption = add_text(layout, label, AXIS_LETTERS, false, vec2(right, y));
         caption->centre.x -= caption->extent.x / 2;
     }
@@ -282,7 +250,7 @@ static void add_across_labels(PlotLayout *layout, const Plot *plot) {
     for (int i = 0; i < layout->x.count; i++) {
         char label[PLOT_TICKS_LABEL];
         plot_ticks_label(&layout->x, i, label);
-        double x = plot_layout_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
+        double x = plot_frame_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
         if (x + text_extent(label, AXIS_LETTERS, false).x / 2 <= end)
             add_text(layout, label, AXIS_LETTERS, false, vec2(x, row));
     }
@@ -297,7 +265,7 @@ static void add_right_labels(PlotLayout *layout, const Plot *plot) {
     for (int i = 0; i < layout->right.count; i++) {
         char label[PLOT_TICKS_LABEL];
         plot_ticks_label(&layout->right, i, label);
-        double y = plot_layout_point(layout, vec2(0, plot_ticks_at(&layout->right, i) / plot->right_factor)).y;
+        double y = plot_frame_point(layout, vec2(0, plot_ticks_at(&layout->right, i) / plot->right_factor)).y;
         Caption *caption = add_text(layout, label, AXIS_LETTERS, false, vec2(frame.high.x + LABEL_GAP, y));
         caption->centre.x += caption->extent.x / 2;
     }

@@ -31,15 +31,3 @@ typedef enum PlotNames {
 /* Lays out a plot, which must outlive the layout, on a page of that size. plot_layout_clear releases it. */
 void plot_layout_make(PlotLayout *layout, const Plot *plot, Vec2 page, PlotNames names);
 void plot_layout_clear(PlotLayout *layout);
-
-/* Where a value is. Values far outside of the axes are moved nearer, so that every painter can count with them. */
-Vec2 plot_layout_point(const PlotLayout *layout, Vec2 value);
-
-/* Is it a number, and on the axes' scales? */
-bool plot_layout_shows(const PlotLayout *layout, Vec2 value);
-
-/* What of a band is within the axes; false: nothing. */
-bool plot_layout_band(const PlotLayout *layout, const PlotGuide *guide, Box *band);
-
-/* The ends of a guide that is a line; false: it is outside of the axes. */
-bool plot_layout_guide(const PlotLayout *layout, const PlotGuide *guide, Vec2 ends[2]);

@@ -1,7 +1,9 @@
 #include "plot/plot_names.h"
 
+#include "draw/caption.h"
 #include "draw/mask.h"
 #include "draw/text.h"
+#include "plot/plot_frame.h"
 
 /* Design points. */
 #define LETTERS 15.0
@@ -23,8 +25,8 @@ static Vec2 *series_points(const PlotLayout *layout, const PlotSeries *series, s
     *count = 0;
     for (size_t i = 0; i < series->count; i++) {
         Vec2 value = plot_value(series, i);
-        bool whole = plot_layout_shows(layout, value);
-        Vec2 at = whole ? plot_layout_point(layout, value) : vec2(NAN, NAN);
+        bool whole = plot_frame_shows(layout, value);
+        Vec2 at = whole ? plot_frame_point(layout, value) : vec2(NAN, NAN);
         if (*count && vec2_distance(points[*count - 1], at) < STRIDE && i + 1 < series->count)
             continue;
         points[(*count)++] = at;
@@ -49,7 +51,7 @@ static void mark_series(Mask *mask, const PlotLayout *layout, const PlotSeries *
 static void mark_guides(Mask *mask, const PlotLayout *layout, const Plot *plot) {
     Vec2 ends[2];
     for (size_t g = 0; g < plot->guide_count; g++)
-        if (plot_layout_guide(layout, &plot->guides[g], ends))
+        if (plot_frame_guide(layout, &plot->guides[g], ends))
             mask_mark_line(mask, ends[0], ends[1], 1, SERIES_WEIGHT);
 }
 
@@ -60,7 +62,7 @@ static void mark_plot(Mask *mask, const PlotLayout *layout, const Plot *plot) {
         mark_series(mask, layout, &plot->series[s]);
     mark_guides(mask, layout, plot);
     for (size_t i = 0; i < layout->sheet.caption_count; i++)
-        mask_mark_box(mask, layout_caption_box(&layout->sheet.captions[i]), WORDS_WEIGHT);
+        mask_mark_box(mask, caption_box(&layout->sheet.captions[i]), WORDS_WEIGHT);
 }
 
 static Role text_role(Role role) {
@@ -105,10 +107,10 @@ static bool add_name(PlotLayout *layout, Mask *mask, const Plot *plot, const Plo
     for (size_t s = 0; s < plot->series_count; s++)
         if (&plot->series[s] != series)
             mark_series(&others, layout, &plot->series[s]);
-    Caption *caption = layout_add_caption(&layout->sheet, series->name, LETTERS, true, vec2(0, 0));
+    Caption *caption = caption_add(&layout->sheet, series->name, LETTERS, true, vec2(0, 0));
     caption->role = text_role(series->role);
     bool found = find_place(mask, &others, layout, series, caption->extent, &caption->centre);
-    mask_mark_box(mask, layout_caption_box(caption), WORDS_WEIGHT);
+    mask_mark_box(mask, caption_box(caption), WORDS_WEIGHT);
     mask_clear(&others);
     return found;
 }
@@ -130,7 +132,7 @@ bool plot_names_series(PlotLayout *layout, const Plot *plot) {
  * upper one of an upright guide. */
 static Vec2 beside_guide(const PlotLayout *layout, const PlotGuide *guide, Vec2 extent, int side, double part) {
     Box frame = box_expand(layout->sheet.frame, -AIR);
-    Vec2 at = plot_layout_point(layout, vec2(guide->at, guide->at)), half = vec2_scale(extent, 0.5);
+    Vec2 at = plot_frame_point(layout, vec2(guide->at, guide->at)), half = vec2_scale(extent, 0.5);
     Vec2 room = vec2(box_width(frame) - extent.x, box_height(frame) - extent.y);
     if (guide->upright)
         return vec2(at.x + side * (half.x + AIR), frame.low.y + half.y + part * fmax(0, room.y));
@@ -180,16 +182,16 @@ void plot_names_guides(PlotLayout *layout, const Plot *plot) {
         const PlotGuide *guide = &plot->guides[g];
         Vec2 ends[2];
         Box band;
-        bool shown = guide->band ? plot_layout_band(layout, guide, &band) : plot_layout_guide(layout, guide, ends);
+        bool shown = guide->band ? plot_frame_band(layout, guide, &band) : plot_frame_guide(layout, guide, ends);
         if (!guide->name || !shown)
             continue;
-        Caption *caption = layout_add_caption(&layout->sheet, guide->name, LETTERS, false, vec2(0, 0));
+        Caption *caption = caption_add(&layout->sheet, guide->name, LETTERS, false, vec2(0, 0));
         caption->centre = guide->band ? best_within_band(&mask, band, guide->upright, caption->extent)
                                       : best_beside_guide(&mask, layout, guide, caption->extent);
         caption->role = guide->band ? ROLE_TEXT : text_role(guide->role);
         caption->halo = true;
         caption->fill = ROLE_PAPER;
-        mask_mark_box(&mask, layout_caption_box(caption), WORDS_WEIGHT);
+        mask_mark_box(&mask, caption_box(caption), WORDS_WEIGHT);
     }
     mask_clear(&mask);
 }
@@ -222,12 +224,11 @@ static void add_mark(PlotLayout *layout, const PlotRaster *raster, const PlotCla
     Vec2 high = vec2(raster->box.low.x + cell.x * (double)(square.column + 1),
                      raster->box.low.y + cell.y * (double)(square.row + 1));
     Vec2 low = vec2_along(high, -(double)square.side, cell);
-    Vec2 from = plot_layout_point(layout, low), to = plot_layout_point(layout, high);
+    Vec2 from = plot_frame_point(layout, low), to = plot_frame_point(layout, high);
     Vec2 extent = text_extent(marked->mark, LETTERS, true);
     if (extent.x > to.x - from.x || MARK_HEIGHT > from.y - to.y)
         return;
-    Caption *caption =
-        layout_add_caption(&layout->sheet, marked->mark, LETTERS, true, vec2_scale(vec2_add(from, to), 0.5));
+    Caption *caption = caption_add(&layout->sheet, marked->mark, LETTERS, true, vec2_scale(vec2_add(from, to), 0.5));
     caption->extent.y = MARK_HEIGHT;
     caption->shape = LABEL_TAG;
     caption->fill = marked->role;

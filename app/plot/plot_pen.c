@@ -5,6 +5,7 @@
 
 #include "paint/paint_cairo.h"
 #include "paint/paint_sizes.h"
+#include "plot/plot_frame.h"
 
 #define GRAIN 0.5 /* pixels */
 #define EDGE 1.0  /* design points, of blur around a line */
@@ -137,11 +138,11 @@ static void draw_line(Piece *piece, const PlotLayout *layout, size_t count) {
     use_line(piece->cairo, piece->series);
     for (size_t i = pen->next; i < count; i++) {
         Vec2 value = plot_value(piece->series, i);
-        if (!plot_layout_shows(layout, value)) {
+        if (!plot_frame_shows(layout, value)) {
             lift(piece);
             continue;
         }
-        Vec2 at = plot_layout_point(layout, value);
+        Vec2 at = plot_frame_point(layout, value);
         double strip = floor(at.x / pen->grain);
         if (pen->tail_count && strip == pen->strip) {
             hold(pen, (PlotHeld){i, at});
@@ -220,9 +221,9 @@ static void draw_symbols(Piece *piece, const PlotLayout *layout, size_t count) {
     cairo_set_fill_rule(piece->cairo, CAIRO_FILL_RULE_WINDING);
     for (size_t i = piece->pen->next; i < count; i++) {
         Vec2 value = plot_value(piece->series, i);
-        if (!plot_layout_shows(layout, value))
+        if (!plot_frame_shows(layout, value))
             continue;
-        Vec2 at = plot_layout_point(layout, value);
+        Vec2 at = plot_frame_point(layout, value);
         if (!take_place(piece->pen, &layout->sheet, at, piece->series->size))
             continue;
         path_symbol(piece->cairo, piece->series->symbol, at, piece->series->size / 2);
@@ -236,9 +237,9 @@ static void draw_stems(Piece *piece, const PlotLayout *layout, size_t count) {
     double foot = layout->sheet.frame.high.y;
     for (size_t i = piece->pen->next; i < count; i++) {
         Vec2 value = plot_value(piece->series, i);
-        if (!plot_layout_shows(layout, value))
+        if (!plot_frame_shows(layout, value))
             continue;
-        Vec2 at = plot_layout_point(layout, value);
+        Vec2 at = plot_frame_point(layout, value);
         cairo_move_to(piece->cairo, at.x, foot);
         cairo_line_to(piece->cairo, at.x, at.y);
         piece->box = box_include(box_include(piece->box, at), vec2(at.x, foot));

@@ -3,6 +3,7 @@
 #include <cairo.h>
 
 #include "paint/paint_cairo.h"
+#include "plot/plot_frame.h"
 #include "plot/plot_key.h"
 
 /* Design points. */
@@ -40,8 +41,8 @@ static Box cells_box(const PlotLayout *layout, const PlotRaster *raster, size_t 
     Vec2 low = raster->box.low;
     double width = box_width(raster->box) / (double)raster->columns;
     double height = box_height(raster->box) / (double)raster->rows;
-    Vec2 first = plot_layout_point(layout, vec2(low.x + width * (double)from, low.y + height * (double)row));
-    Vec2 last = plot_layout_point(layout, vec2(low.x + width * (double)to, low.y + height * (double)(row + 1)));
+    Vec2 first = plot_frame_point(layout, vec2(low.x + width * (double)from, low.y + height * (double)row));
+    Vec2 last = plot_frame_point(layout, vec2(low.x + width * (double)to, low.y + height * (double)(row + 1)));
     return (Box){{first.x, last.y}, {last.x, first.y}};
 }
 

@@ -1,9 +1,11 @@
-#include "visual/house/film_layers.h"
+#include "visual/house/film.h"
 
 #include <string.h>
 
 #include "visual/house/blockage_scene.h"
 #include "visual/house/crowd_scene.h"
+#include "visual/house/film_layers.h"
+#include "visual/house/film_moving.h"
 #include "visual/house/plan_scene.h"
 #include "visual/house/route_scene.h"
 
@@ -30,11 +32,6 @@ int film_shown(const char *words, const char **unknown) {
         words += length + (words[length] == ',');
     }
     return shown;
-}
-
-LocusLook film_layers_look(const Film *film, size_t i) {
-    return film->crowd ? crowd_scene_look(film->house, film->house->people[i].profile)
-                       : people_scene_look(film->house, i);
 }
 
 static Vec2 row_place(const double *row) {

@@ -38,11 +38,8 @@ struct Film {
     Scene still, added, moving;
 };
 
-static inline bool film_layers_walks(const Film *film, size_t i) {
-    return census_walks(film->house->people[i].profile);
-}
+/* True if the person goes on foot. */
+bool film_layers_walks(const Film *film, size_t i);
 
+/* Returns the look of the person's locus: by person in a house, by profile in a crowd. */
 LocusLook film_layers_look(const Film *film, size_t i);
-
-/* Fills film->moving, which is empty. */
-void film_moving_make(Film *film);

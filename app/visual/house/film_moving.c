@@ -1,9 +1,9 @@
-/* The layer of a film that moves: who is where at the time that is shown. */
-#include "visual/house/film_layers.h"
+#include "visual/house/film_moving.h"
 
 #include "visual/house/burst.h"
 #include "visual/house/crowd_scene.h"
 #include "visual/house/figure.h"
+#include "visual/house/film_layers.h"
 #include "visual/house/plan_scene.h"
 #include "visual/house/silhouette.h"
 

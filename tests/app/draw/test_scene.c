@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "draw/caption.h"
 #include "paint/cairo_file.h"
 #include "draw/layout.h"
 #include "draw/mask.h"
@@ -35,11 +36,6 @@ static Scene plain_scene(void) {
     row->cells[1] = "0.06 m";
     row->cells[2] = "410 N";
     return scene;
-}
-
-static Box caption_box(const Caption *caption) {
-    Vec2 half = vec2_scale(caption->turned ? vec2(caption->extent.y, caption->extent.x) : caption->extent, 0.5);
-    return (Box){vec2_sub(caption->centre, half), vec2_add(caption->centre, half)};
 }
 
 static bool boxes_overlap(Box a, Box b) {

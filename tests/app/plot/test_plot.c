@@ -11,6 +11,7 @@
 #include "paint/cairo_file.h"
 #include "plot/plot.h"
 #include "plot/plot_canvas.h"
+#include "plot/plot_frame.h"
 #include "plot/plot_layout.h"
 #include "plot/plot_write.h"
 
@@ -309,8 +310,8 @@ TEST(a_given_axis_is_kept_to_the_digit) {
     plot.x.high = 2.7;
     PlotLayout layout;
     plot_layout_make(&layout, &plot, PAGES[1], PLOT_NAMES_BESIDE);
-    CHECK_NEAR(plot_layout_point(&layout, vec2(1.3, 0)).x, layout.sheet.frame.low.x, 1e-9);
-    CHECK_NEAR(plot_layout_point(&layout, vec2(2.7, 0)).x, layout.sheet.frame.high.x, 1e-9);
+    CHECK_NEAR(plot_frame_point(&layout, vec2(1.3, 0)).x, layout.sheet.frame.low.x, 1e-9);
+    CHECK_NEAR(plot_frame_point(&layout, vec2(2.7, 0)).x, layout.sheet.frame.high.x, 1e-9);
     plot_layout_clear(&layout);
 }
 
@@ -596,7 +597,7 @@ TEST(a_hundred_thousand_points_are_drawn_with_few_operations) {
 
 /* The colour at a value, 0xRRGGBB. */
 static unsigned colour_at(cairo_surface_t *surface, const PlotLayout *layout, Vec2 value) {
-    Vec2 at = plot_layout_point(layout, value);
+    Vec2 at = plot_frame_point(layout, value);
     const unsigned char *row =
         cairo_image_surface_get_data(surface) + (int)at.y * cairo_image_surface_get_stride(surface);
     const unsigned char *pixel = row + 4 * (int)at.x;

@@ -1,5 +1,6 @@
 /* Films of a beam: what is drawn at a time is where the motion is, magnified as it says, whatever was shown before. */
 
+#include "draw/caption.h"
 #include "visual/beam/beam_film.h"
 
 #include <math.h>
@@ -314,10 +315,10 @@ TEST(words_keep_apart) {
                         a < still.caption_count ? &still.captions[a] : &moving.captions[a - still.caption_count];
                     const Caption *two =
                         b < still.caption_count ? &still.captions[b] : &moving.captions[b - still.caption_count];
-                    Box box = layout_caption_box(one);
+                    Box box = caption_box(one);
                     CHECK(box_holds(page, box.low) && box_holds(page, box.high));
-                    CHECK(a == b || !overlap(box, layout_caption_box(two)));
-                    if (a != b && overlap(box, layout_caption_box(two)))
+                    CHECK(a == b || !overlap(box, caption_box(two)));
+                    if (a != b && overlap(box, caption_box(two)))
                         printf("\"%s\" lies on \"%s\"\n", one->text, two->text);
                 }
         }
