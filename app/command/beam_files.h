@@ -2,7 +2,7 @@
 #pragma once
 
 #include "beam/response.h"
-#include "command/command.h"
+#include "options/options.h"
 #include "exchange/measured.h"
 
 typedef struct BeamFiles {

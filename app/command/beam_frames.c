@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "command/output.h"
+#include "command/progress.h"
 #include "command/studio.h"
 #include "plot/plate.h"
 #include "visual/beam/beam_film.h"
@@ -102,7 +103,7 @@ static bool write_film(const Subject *subject, const Options *options) {
 }
 
 bool beam_frames_write(const Beam *beam, const Rig *rig, const Response *response, const Options *options) {
-    bool film = options->frames > 0 || options->movie, told = command_interrupted;
+    bool film = options->frames > 0 || options->movie, told = progress_interrupted;
     BeamRecord record;
     Subject subject = {beam, rig, response, &record};
     if (!film && !options->out)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "beam/response.h"
-#include "command/command.h"
+#include "options/options.h"
 
 /* Says on standard error what of the options does not go together, before anything is computed; 0 or an exit code. */
 int beam_frames_check(const Options *options);

@@ -16,6 +16,7 @@
 #include "command/command.h"
 #include "command/house_file.h"
 #include "command/output.h"
+#include "command/progress.h"
 #include "inquiry/trial.h"
 #include "laboratory/shipped.h"
 
@@ -90,11 +91,11 @@ static void show_progress(void *context, size_t done, size_t all) {
 
 static void run_cases(Verification *cases, size_t count, const Options *options, Fault *fault) {
     Progress progress = {.begin = time(NULL)};
-    bool show = command_shows_progress(options);
+    bool show = progress_is_shown(options);
     TrialOptions trial = {.profiles = shipped_places()->profiles,
                           .seed = options->seed,
                           .jobs = options->jobs,
-                          .stop = &command_interrupted,
+                          .stop = &progress_interrupted,
                           .progress = show ? show_progress : NULL,
                           .context = &progress};
     trial_run(cases, count, &trial, fault);
@@ -142,7 +143,7 @@ static bool all_passed(const Verification *cases, size_t count) {
 }
 
 static int answer(const Verification *cases, size_t count, const Options *options, Fault *fault) {
-    if (command_interrupted)
+    if (progress_interrupted)
         fprintf(stderr, "clearance: interrupted; tests that had been run are kept\n");
     bool written = !options->out || write_tables(cases, count, options);
     if (options->json)

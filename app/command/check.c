@@ -4,6 +4,7 @@
 #include "command/answer.h"
 #include "command/command.h"
 #include "command/house_file.h"
+#include "command/progress.h"
 #include "command/suggestions.h"
 #include "house/journey.h"
 #include "plan/sunk.h"
@@ -177,7 +178,7 @@ int command_check(const Options *options) {
             answer_print(json_pack("{s:s, s:o, s:[]}", "kind", "check", "faults", fault_lines(&fault), "people"));
         return house_file_report(&fault);
     }
-    Journeys journeys = journey_plan_all(&house, NULL, options->jobs, &command_interrupted);
+    Journeys journeys = journey_plan_all(&house, NULL, options->jobs, &progress_interrupted);
     json_t *people = json_array();
     bool all = true;
     for (size_t i = 0; i < house.person_count; i++) {

@@ -1,6 +1,7 @@
 #include "command/command.h"
 
 #include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,12 +11,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "command/option.h"
-
-volatile sig_atomic_t command_interrupted;
-
-bool command_shows_progress(const Options *options) {
-    return !options->quiet && (isatty(STDERR_FILENO) || getenv("CLEARANCE_PROGRESS"));
-}
+#include "command/progress.h"
 
 /* Verbs ----------------------------------------------------------------------------------------------------------- */
 
@@ -201,12 +197,6 @@ static int run_verb(const Verb *verb, int argc, char **argv, int first) {
     return code;
 }
 
-static void interrupt(int signal_number) {
-    if (command_interrupted)
-        _exit(128 + signal_number);
-    command_interrupted = 1;
-}
-
 /* A word that is no verb and looks like a file. */
 static bool is_file(const char *word) {
     size_t length = strlen(word);
@@ -214,8 +204,7 @@ static bool is_file(const char *word) {
 }
 
 static int dispatch(int argc, char **argv) {
-    signal(SIGINT, interrupt);
-    signal(SIGTERM, interrupt);
+    progress_catch_signals();
     signal(SIGXFSZ, SIG_IGN); /* a file that would be too large is told of as any other that cannot be written */
     const char *word = argc < 2 ? "open" : argv[1];
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0) {

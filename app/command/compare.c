@@ -6,6 +6,7 @@
 #include "command/frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
+#include "command/progress.h"
 #include "command/report_files.h"
 #include "visual/house/census.h"
 #include "visual/house/house_scene.h"
@@ -136,7 +137,7 @@ int command_compare(const Options *options) {
         print_comparison(houses, observations);
     if (options->out && written && !options->json)
         printf("\npictures are in %s\n", options->out);
-    bool all = observations[0].completed && observations[1].completed && !command_interrupted;
+    bool all = observations[0].completed && observations[1].completed && !progress_interrupted;
     for (int h = 0; h < 2; h++) {
         observation_free(&observations[h]);
         house_free(&houses[h]);

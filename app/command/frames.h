@@ -1,7 +1,7 @@
 /* `--frames`, `--movie` and the raised picture: a run drawn by OpenGL without a screen, picture by picture. */
 #pragma once
 
-#include "command/command.h"
+#include "options/options.h"
 #include "visual/house/house_scene.h"
 #include "report/report_motion.h"
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "base/clock.h"
+#include "command/progress.h"
 #include "house/run.h"
 #include "laboratory/shipped.h"
 
@@ -42,10 +43,10 @@ static void show_progress(void *context, double time) {
 
 void house_file_run(Observation *observation, const House *house, const Options *options, size_t route) {
     Progress progress = {.begin = clock_now()};
-    bool show = command_shows_progress(options);
+    bool show = progress_is_shown(options);
     RunOptions run = {.route = route,
                       .jobs = options->jobs,
-                      .stop = &command_interrupted,
+                      .stop = &progress_interrupted,
                       .progress = show ? show_progress : NULL,
                       .context = &progress};
     run_house(observation, house, &run);

@@ -1,7 +1,7 @@
 /* What all verbs about houses begin with. */
 #pragma once
 
-#include "command/command.h"
+#include "options/options.h"
 #include "house/house.h"
 #include "house/observation.h"
 

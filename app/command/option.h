@@ -1,7 +1,7 @@
 /* The options of the command line: one row each, for the verbs that take it. */
 #pragma once
 
-#include "command/command.h"
+#include "options/options.h"
 
 /* The verbs, a bit each. */
 enum {

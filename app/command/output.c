@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "command/progress.h"
 #include "paint/paint_cairo.h"
 
 bool output_directory(const char *path) {
@@ -19,7 +20,7 @@ void output_failed(const char *path, int error) {
 }
 
 void output_tell_interrupted(bool told) {
-    if (command_interrupted && !told)
+    if (progress_interrupted && !told)
         fprintf(stderr, "clearance: interrupted; what is written is whole, but not all that was asked for is there\n");
 }
 

@@ -3,7 +3,7 @@
 
 #include <stdbool.h>
 
-#include "command/command.h"
+#include "options/options.h"
 #include "draw/scene.h"
 
 enum {

@@ -5,6 +5,7 @@
 #include "command/answer.h"
 #include "command/house_file.h"
 #include "command/output.h"
+#include "command/progress.h"
 #include "command/report_files.h"
 #include "plot/plot_write.h"
 #include "report/paper_report.h"
@@ -69,22 +70,22 @@ int paper_answer(const Options *options) {
         fault_add(&fault, "clearance: --paper is of a beam, %s is no beam", options->files[0]);
         return house_file_report(&fault);
     }
-    bool show = command_shows_progress(options);
+    bool show = progress_is_shown(options);
     bool made = paper_make(&paper,
                            &(PaperOptions){.path = options->files[0],
                                            .settings = options->settings,
                                            .setting_count = options->setting_count,
                                            .jobs = options->jobs,
-                                           .stop = &command_interrupted,
+                                           .stop = &progress_interrupted,
                                            .progress = show ? show_progress : NULL},
                            &fault);
     if (show)
         fprintf(stderr, "\r%60s\r", "");
     if (!made) {
-        if (command_interrupted)
+        if (progress_interrupted)
             fprintf(stderr, "clearance: interrupted; nothing is written\n");
         int code = house_file_report(&fault);
-        return command_interrupted ? EXIT_ANSWER_NO : code;
+        return progress_interrupted ? EXIT_ANSWER_NO : code;
     }
     PaperClaim claims[PAPER_CLAIMS];
     paper_claims(&paper, claims);

@@ -1,7 +1,7 @@
 /* Plots beside a film, growing with it; and those of --plots as files. */
 #pragma once
 
-#include "command/command.h"
+#include "options/options.h"
 #include "draw/layout.h"
 #include "paint/paint_gl.h"
 #include "plot/plot_canvas.h"

@@ -9,6 +9,7 @@
 #include "command/frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
+#include "command/progress.h"
 #include "document/html.h"
 #include "document/pdf.h"
 #include "report/comparison_report.h"
@@ -152,7 +153,7 @@ bool report_files_write_run(const House *house, const Observation *observation, 
             continue;
         }
         run_another(another, options, driving, route);
-        if (another->run && !command_interrupted)
+        if (another->run && !progress_interrupted)
             report.ways[driving] = (Reported){&another->house, &another->observation};
     }
     RaisedPicture raised = {.pixels = NULL};

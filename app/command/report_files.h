@@ -1,7 +1,7 @@
 /* Documents as files: what --report writes, report.html and report.pdf, and other pages. */
 #pragma once
 
-#include "command/command.h"
+#include "options/options.h"
 #include "exchange/observed.h"
 #include "house/house.h"
 #include "house/observation.h"

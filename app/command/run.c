@@ -8,6 +8,7 @@
 #include "command/frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
+#include "command/progress.h"
 #include "command/report_files.h"
 #include "command/run_beam.h"
 #include "exchange/jupedsim.h"
@@ -94,7 +95,7 @@ int command_run(const Options *options) {
     Observation observation;
     house_file_run(&observation, &house, options, route);
     report_divergence(&house, &observation);
-    bool told = command_interrupted;
+    bool told = progress_interrupted;
     if (told)
         fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; what came before is kept\n",
                 observation.time);
@@ -106,7 +107,7 @@ int command_run(const Options *options) {
         answer_text_print(&house, &observation);
     if (options->out && written && !options->json)
         printf("\n%spictures and data are in %s\n", options->report ? "report.html, report.pdf, " : "", options->out);
-    bool whole = observation.completed && !command_interrupted;
+    bool whole = observation.completed && !progress_interrupted;
     int code = !written ? EXIT_WRONG_INPUT : whole ? EXIT_ANSWERED : EXIT_ANSWER_NO;
     observation_free(&observation);
     observed_free(&observed);

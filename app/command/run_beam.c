@@ -10,6 +10,7 @@
 #include "command/beam_frames.h"
 #include "command/house_file.h"
 #include "command/output.h"
+#include "command/progress.h"
 #include "command/types_answer.h"
 #include "experiment/beam_experiment.h"
 
@@ -199,7 +200,7 @@ int run_beam_file(const Options *options) {
     }
     Response response;
     TypeAnswer type;
-    response_run(&response, &rig, &beam, NULL, &command_interrupted);
+    response_run(&response, &rig, &beam, NULL, &progress_interrupted);
     if (!type_tell(&type, &beam, options, &fault)) {
         beam_files_end(&files);
         response_clear(&response);
@@ -207,7 +208,7 @@ int run_beam_file(const Options *options) {
         beam_free(&beam);
         return house_file_report(&fault);
     }
-    if (command_interrupted)
+    if (progress_interrupted)
         fprintf(stderr, "clearance: interrupted after %zu recorded cycles; what came before is kept\n",
                 response.section.count);
     json_t *answer = make_answer(&response, &type, &beam, &rig);
@@ -227,5 +228,5 @@ int run_beam_file(const Options *options) {
     response_clear(&response);
     rig_clear(&rig);
     beam_free(&beam);
-    return !written ? EXIT_WRONG_INPUT : resolved && !command_interrupted ? EXIT_ANSWERED : EXIT_ANSWER_NO;
+    return !written ? EXIT_WRONG_INPUT : resolved && !progress_interrupted ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }

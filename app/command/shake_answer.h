@@ -3,7 +3,7 @@
 
 #include <jansson.h>
 
-#include "command/command.h"
+#include "options/options.h"
 #include "visual/house/shake_findings.h"
 
 /* {"kind":"shake", ...}. New; json_decref it. */

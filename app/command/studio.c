@@ -6,6 +6,7 @@
 
 #include "command/movie.h"
 #include "command/output.h"
+#include "command/progress.h"
 #include "paint/png.h"
 
 enum {
@@ -117,11 +118,11 @@ static void remove_later_frames(const char *out, size_t count) {
 /* False: a file could not be written; whoever ends writer and film says why. */
 static bool write_frames(Studio *studio, const StudioTimes *times, PngWriter *writer, Movie *movie) {
     const Options *options = studio->options;
-    bool shown = command_shows_progress(options);
+    bool shown = progress_is_shown(options);
     unsigned char *own = writer ? NULL : memory_zeroed((size_t)options->width * (size_t)options->height, 4);
     int error = 0;
     size_t done = 0;
-    for (; done < times->count && !error && !command_interrupted; done++) {
+    for (; done < times->count && !error && !progress_interrupted; done++) {
         unsigned char *pixels = writer ? png_writer_room(writer) : own;
         studio_draw(studio, fmin(times->first + (double)done / times->rate, times->last), pixels);
         if (movie)

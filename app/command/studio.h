@@ -1,7 +1,7 @@
 /* Pictures of a film, drawn by OpenGL without a screen, one after the other: as files, and handed to ffmpeg. */
 #pragma once
 
-#include "command/command.h"
+#include "options/options.h"
 #include "command/plot_strip.h"
 #include "paint/offscreen.h"
 #include "paint/paint_gl.h"

@@ -11,6 +11,7 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/paper.h"
+#include "command/progress.h"
 #include "command/shake_answer.h"
 #include "command/shake_words.h"
 #include "command/study_answer.h"
@@ -169,11 +170,11 @@ static bool is_whole(const Study *study) {
 
 static void run_study(StudyJob *job, Store *store) {
     const Options *options = job->options;
-    bool show = command_shows_progress(options);
+    bool show = progress_is_shown(options);
     job->begin = clock_now();
     job->done_before = study_done(&job->study);
     study_run(&job->study, &(StudyOptions){.jobs = options->jobs,
-                                           .stop = &command_interrupted,
+                                           .stop = &progress_interrupted,
                                            .progress = show ? show_progress : NULL,
                                            .context = job,
                                            .keep = store ? store_keep : NULL,
@@ -294,7 +295,7 @@ static int answer_all(StudyJob *job) {
         return answer_study(job);
     ShakeFindings findings = shake_findings_make(&job->study);
     size_t route = options->route ? plan_find_route(&findings.house->plan, options->route) : SIZE_MAX;
-    shake_findings_run_calm(&findings, route, options->jobs, &command_interrupted);
+    shake_findings_run_calm(&findings, route, options->jobs, &progress_interrupted);
     job->findings = &findings;
     int code = answer_study(job);
     job->findings = NULL;

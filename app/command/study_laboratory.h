@@ -1,7 +1,7 @@
 /* Which experiment a file is studied by. */
 #pragma once
 
-#include "command/command.h"
+#include "options/options.h"
 #include "study/experiment.h"
 
 typedef struct StudyLaboratory {

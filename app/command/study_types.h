@@ -1,7 +1,7 @@
 /* `study --types`: types I, II and III of a house or a beam in a window of named parameters. */
 #pragma once
 
-#include "command/command.h"
+#include "options/options.h"
 #include "command/study_laboratory.h"
 #include "study/typed.h"
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "base/clock.h"
+#include "command/progress.h"
 #include "laboratory/shipped.h"
 
 /* Progress, once the work has taken more than a second. */
@@ -29,8 +30,8 @@ bool suggestions_find(SuggestList *list, const Options *options, Fault *fault) {
     SuggestTask task = {.path = options->files[0],
                         .options = &house_options,
                         .jobs = options->jobs,
-                        .stop = &command_interrupted,
-                        .progress = command_shows_progress(options) ? show_progress : NULL,
+                        .stop = &progress_interrupted,
+                        .progress = progress_is_shown(options) ? show_progress : NULL,
                         .context = &progress};
     bool good = suggest_find(list, &task, fault);
     if (progress.shown)

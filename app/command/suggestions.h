@@ -3,7 +3,7 @@
 
 #include <jansson.h>
 
-#include "command/command.h"
+#include "options/options.h"
 #include "inquiry/suggest.h"
 
 /* Looks for them, with progress on standard error when that is wanted. False: faults say why not. */

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "base/clock.h"
+#include "command/progress.h"
 #include "visual/study/advice.h"
 
 /* Telling --------------------------------------------------------------------------------------------------------- */
@@ -25,13 +26,13 @@ static void show_progress(void *context, size_t done, size_t all) {
 bool types_answer_tell(Types *types, const Experiment *experiment, const Experiment *thorough, const char *const *names,
                        size_t name_count, const Options *options, Fault *fault) {
     Progress progress = {.begin = clock_now()};
-    bool show = command_shows_progress(options);
+    bool show = progress_is_shown(options);
     TypesTask task = {.experiment = experiment,
                       .thorough = thorough,
                       .names = names,
                       .name_count = name_count,
                       .jobs = options->jobs,
-                      .stop = &command_interrupted,
+                      .stop = &progress_interrupted,
                       .progress = show ? show_progress : NULL,
                       .context = &progress};
     bool good = types_tell(types, &task, fault);

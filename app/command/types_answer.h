@@ -3,7 +3,7 @@
 
 #include <jansson.h>
 
-#include "command/command.h"
+#include "options/options.h"
 #include "study/types.h"
 
 /* Tells the type of an experiment in a window of the parameters (name_count); `thorough` as in TypesTask. Shows how far

@@ -1,4 +1,4 @@
-#include "command/study_request.h"
+#include "options/study_request.h"
 
 #include <ctype.h>
 #include <errno.h>
