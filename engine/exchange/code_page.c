@@ -5,7 +5,7 @@
 
 #include "base/memory.h"
 
-enum { LONGEST = 4 /* bytes of UTF-8 that one byte may become */ };
+enum { LONGEST = 4 /* UTF-8 bytes per input byte, at most */ };
 
 bool code_page_is_utf8(const char *text, size_t size) {
     for (size_t i = 0; i < size;) {
@@ -36,7 +36,7 @@ char *code_page_convert(const char *text, size_t *size, const char *page) {
     while (left > 0) {
         if (converter != (iconv_t)-1 && iconv(converter, &in, &left, &out, &room) != (size_t)-1)
             continue;
-        if (left > 0) { /* a byte that means nothing there */
+        if (left > 0) { /* the code page has no such byte */
             *out++ = (unsigned char)*in < 0x80 ? *in : '?';
             in++;
             left--;

@@ -7,26 +7,26 @@
 #include "exchange/rectangle.h"
 #include "exchange/wall_chains.h"
 
-static const double LEAST = 3, MOST = 200;    /* m: what the longer side of a house may be */
-static const double USUAL = 12;               /* m: and what it often is */
-static const double THICKEST = 0.6;           /* m: a rectangle up to so wide */
-static const double SLENDER = 2;              /* 1: and so many times longer is a piece of wall */
-static const double DOOR_LEAST = 0.4;         /* m, of a leaf */
+static const double LEAST = 3, MOST = 200;    /* m: range of the longer side of a house */
+static const double USUAL = 12;               /* m: typical longer side of a house */
+static const double THICKEST = 0.6;           /* m: a rectangle at most this wide ... */
+static const double SLENDER = 2;              /* 1: ... and at least this many times longer is a piece of wall */
+static const double DOOR_LEAST = 0.4;         /* m, smallest door leaf */
 static const double DOOR_MOST = 2.5;          /* m */
-static const double SWING_LEAST = M_PI / 4;   /* rad, of the arc that a leaf's free end draws */
+static const double SWING_LEAST = M_PI / 4;   /* rad, range of the arc that a leaf's free end draws */
 static const double SWING_MOST = 0.75 * M_PI; /* rad */
-static const double JAMB = 0.3;               /* m: how far from the walls a shut leaf's free end may be */
-static const double AS_NEAR = 0.05;           /* m: both ends of an arc are about as near to a wall */
-static const double IN_WALL = 0.15;           /* m: how far beside a wall's line a shut leaf may be to lie in it */
+static const double JAMB = 0.3;               /* m: largest distance of a shut leaf's free end from the walls */
+static const double AS_NEAR = 0.05;           /* m: both ends of an arc count as equally near to a wall */
+static const double IN_WALL = 0.15;           /* m: largest offset of a shut leaf from the axis of its wall */
 
-enum { LEAF_POINTS = 50000 /* of lines on layers of doors, beyond which no leaves are looked for among them */ };
+enum { LEAF_POINTS = 50000 /* lines on door layers; with more, leaves are not looked for among them */ };
 
 typedef struct Drawing {
     HouseBuilder *builder;
     DxfFile file;
     DxfShapes shapes;
     double unit;        /* m */
-    size_t leaf_points; /* of lines on layers of doors */
+    size_t leaf_points; /* lines on door layers */
 } Drawing;
 
 /* The unit -------------------------------------------------------------------------------------------------------- */
@@ -41,7 +41,10 @@ static const Unit units[] = {
     {4, "mm", 0.001},  {5, "cm", 0.01}, {6, "m", 1},        {1, "inch", 0.0254},
     {2, "ft", 0.3048}, {14, "dm", 0.1}, {10, "yd", 0.9144}, {7, "km", 1000},
 };
-enum { UNITS = sizeof units / sizeof *units, LIKELY = 5 /* of them: those that a plan may be drawn in */ };
+enum {
+    UNITS = sizeof units / sizeof *units,
+    LIKELY = 5 /* the first of them: units that plans are usually drawn in */
+};
 
 static const Unit *said_unit(const DxfFile *file) {
     for (size_t u = 0; u < UNITS; u++)
@@ -50,7 +53,7 @@ static const Unit *said_unit(const DxfFile *file) {
     return NULL;
 }
 
-/* Of the walls, in the drawing's unit. */
+/* Returns the extent of the walls, in the drawing's unit. */
 static Vec2 size_of(const DxfShapes *shapes) {
     Box box = box_empty();
     for (size_t s = 0; s < shapes->count; s++)
@@ -63,7 +66,7 @@ static bool is_plausible(double longer) {
     return longer >= LEAST && longer <= MOST;
 }
 
-/* The unit that gives a house's size, the most usual one; NULL: none does. */
+/* Returns the most common unit that gives a plausible house size, or NULL. */
 static const Unit *likely_unit(double longer) {
     const Unit *best = NULL;
     for (size_t u = 0; u < LIKELY; u++)
@@ -73,7 +76,8 @@ static const Unit *likely_unit(double longer) {
     return best;
 }
 
-/* As the options say; or as the file says, unless the plan would be no house then. */
+/* Chooses the unit: from the options, else from the file unless the size would be implausible for a house, else by
+ * size. */
 static void choose_unit(Drawing *drawing) {
     ImportReport *report = drawing->builder->report;
     Vec2 size = size_of(&drawing->shapes);
@@ -120,7 +124,8 @@ static const Vec2 *points_of(const Drawing *drawing, const DxfShape *shape) {
     return drawing->shapes.points + shape->point;
 }
 
-/* Is it the outline of a piece of wall, a slender rectangle? Then that is kept, as thick as it is. */
+/* If the shape is the outline of a piece of wall (a slender rectangle), adds a wall of that thickness and returns
+ * true. */
 static bool keep_slender(const Drawing *drawing, const DxfShape *shape, WallLines *lines) {
     if (!shape->closed || shape->count != 5 || shape->width > 0)
         return false;
@@ -150,7 +155,7 @@ static void add_walls(Drawing *drawing) {
     memory_free(lines.list);
 }
 
-/* A line, or the middle of an outline along its longer side. */
+/* Adds exits: a line, or the centre line of an outline along its longer side. */
 static void add_exits(Drawing *drawing) {
     const DxfShapes *shapes = &drawing->shapes;
     for (size_t s = 0; s < shapes->count; s++) {
@@ -170,7 +175,8 @@ static void add_exits(Drawing *drawing) {
 
 /* Furniture ------------------------------------------------------------------------------------------------------- */
 
-/* The box of a block's lines along its own axes becomes the piece. The shapes of one lie side by side. */
+/* Turns the bounding box of a block's lines, along the block's own axes, into a piece of furniture. The shapes of
+ * one instance are consecutive. */
 static void add_instance(Drawing *drawing, size_t first, size_t end) {
     const DxfShapes *shapes = &drawing->shapes;
     const DxfInstance *instance = &shapes->instances[shapes->list[first].instance];
@@ -216,7 +222,7 @@ static double distance_to_walls(const Drawing *drawing, Vec2 at) {
     return vec2_distance(at, vec2_nearest_on_segment(at, ends[0], ends[1]));
 }
 
-/* Is there a line of a door, an open leaf, between the two points? */
+/* True if a line of a door (an open leaf) joins the two points. */
 static bool is_leaf(const Drawing *drawing, Vec2 hinge, Vec2 end) {
     const DxfShapes *shapes = &drawing->shapes;
     double near = 0.1 * vec2_distance(hinge, end);
@@ -233,8 +239,8 @@ static bool is_leaf(const Drawing *drawing, Vec2 hinge, Vec2 end) {
     return false;
 }
 
-/* Where the leaf's free end is when it is shut: of the arc's ends the one that is at a wall; or, when both are, the one
- * to which no leaf is drawn. False: neither is. */
+/* Finds the leaf's free end in the shut position: the end of the arc that lies at a wall or, if both do, the end to
+ * which no leaf is drawn. False: neither end lies at a wall. */
 static bool shut_end(const Drawing *drawing, Vec2 hinge, Vec2 one, Vec2 other, bool *first) {
     double d = distance_to_walls(drawing, one), e = distance_to_walls(drawing, other);
     if (d == HUGE_VAL && e == HUGE_VAL)
@@ -245,7 +251,7 @@ static bool shut_end(const Drawing *drawing, Vec2 hinge, Vec2 one, Vec2 other, b
     return true;
 }
 
-/* In the wall that goes on there, or in a piece of wall of its own that fills the gap. */
+/* Places the door in the wall that continues there, or in a wall piece of its own that fills the gap. */
 static size_t place_door(Drawing *drawing, Vec2 hinge, Vec2 shut, Vec2 open) {
     HouseBuilder *builder = drawing->builder;
     Vec2 way = vec2_sub(shut, hinge);

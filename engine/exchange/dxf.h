@@ -1,6 +1,6 @@
-/* Drawings (DXF, as text): lines on layers of walls become walls, arcs on layers of doors doors, blocks and closed
- * outlines on layers of furniture furniture. A wall drawn as two lines stays two walls of no thickness; one that
- * is drawn as a slender rectangle, or as a broad polyline, is as thick as that. */
+/* Imports DXF drawings (text form): lines on wall layers become walls, arcs on door layers doors, blocks and closed
+ * outlines on furniture layers furniture. A wall drawn as two lines stays two walls of zero thickness; a slender
+ * rectangle or a broad polyline becomes a wall of that thickness. */
 #pragma once
 
 #include "exchange/house_builder.h"

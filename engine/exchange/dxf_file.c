@@ -12,19 +12,19 @@
 #include "exchange/code_page.h"
 
 enum {
-    LARGEST_FILE = 64 * 1024 * 1024, /* bytes: a plan of a hospital has some 20 MB */
+    LARGEST_FILE = 64 * 1024 * 1024, /* bytes: the plan of a hospital has about 20 MB */
     MOST_ENTITIES = 500000,
     MOST_VERTICES = 1000000,
     MOST_LAYERS = 1000,
     MOST_BLOCKS = 20000,
     LONGEST_NAME = 255, /* bytes */
-    FROZEN = 1,         /* of the flags of a layer, and of a polyline: */
+    FROZEN = 1,         /* flags of a layer, a polyline: */
     CLOSED = 1,
-    NO_LINES = 16 | 64, /* a mesh */
-    CONTROLS = 16,      /* of a vertex: it only guides a curve */
+    NO_LINES = 16 | 64, /* a mesh, not a line */
+    CONTROLS = 16,      /* flag of a vertex that only guides a curve */
 };
 
-/* A drawing is pairs of lines, a number that says what the value on the next line is. */
+/* A drawing is a sequence of line pairs: a group code, and the value on the next line. */
 typedef struct Group {
     int code;
     char *value;
@@ -33,11 +33,11 @@ typedef struct Group {
 typedef struct Reader {
     DxfFile *file;
     HouseBuilder *builder;
-    char *at, *end; /* of the text */
-    Group group;    /* the last that was read */
-    int line;       /* of it */
+    char *at, *end; /* the text not yet read */
+    Group group;    /* the group read last */
+    int line;       /* line number of `group` */
     int next_line;
-    DxfVertex spare; /* for what comes after a fault */
+    DxfVertex spare; /* receives values after an error */
 } Reader;
 
 static bool fail(Reader *reader, const char *what, const char *detail) {
@@ -47,7 +47,8 @@ static bool fail(Reader *reader, const char *what, const char *detail) {
 
 /* Groups ---------------------------------------------------------------------------------------------------------- */
 
-/* The next line without what surrounds it, or NULL at the end. Functions of strings may look at all that is left. */
+/* Returns the next line without surrounding spaces, or NULL at the end. String functions are avoided because some of
+ * them read all the remaining text. */
 static char *next_line(Reader *reader) {
     char *begin = reader->at;
     if (begin == reader->end)
@@ -61,7 +62,7 @@ static char *next_line(Reader *reader) {
     return begin + strspn(begin, " \t");
 }
 
-/* False at the end of the file, or with a fault. */
+/* Reads the next group. False at the end of the file or after an error. */
 static bool next_group(Reader *reader) {
     char *code = next_line(reader), *end;
     if (!code || reader->builder->failed)
@@ -82,7 +83,7 @@ static bool group_is(const Reader *reader, int code, const char *value) {
     return reader->group.code == code && strcmp(reader->group.value, value) == 0;
 }
 
-/* The value as a number within what a plan may have. */
+/* Returns the value as a number within the limits of a plan. */
 static double real(Reader *reader) {
     char *end;
     double number = strtod(reader->group.value, &end);
@@ -158,7 +159,7 @@ static DxfVertex *last_vertex(Reader *reader, DxfEntity *entity) {
                                 : add_vertex(reader, entity);
 }
 
-/* Groups that mean the same in all entities. */
+/* Stores groups that mean the same in all entities. */
 static void take_common(Reader *reader, DxfEntity *entity) {
     switch (reader->group.code) {
     case 8:
@@ -183,7 +184,7 @@ static void take_line(Reader *reader, DxfEntity *entity) {
     case 21:
         last_vertex(reader, entity)->at.y = real(reader);
         break;
-    case 230: /* a LINE says where it is in the world's own axes */
+    case 230: /* a LINE gives its coordinates in world axes */
         entity->mirrored = false;
         break;
     }
@@ -218,10 +219,10 @@ static void take_polyline(Reader *reader, DxfEntity *entity) {
     }
 }
 
-/* The number of a group, and where it goes. */
+/* Where the number of a group code is stored. */
 typedef struct Place {
     int code;
-    size_t offset; /* of a double of the entity */
+    size_t offset; /* offset of a double in the entity */
 } Place;
 
 static void take_numbers(Reader *reader, DxfEntity *entity, const Place *places, size_t count) {
@@ -267,7 +268,7 @@ static const struct {
 };
 enum { TYPES = sizeof types / sizeof *types };
 
-/* A vertex of the POLYLINE before it. Ends at the next group 0. */
+/* Reads a vertex of the preceding POLYLINE; stops at the next group 0. */
 static bool read_vertex(Reader *reader, DxfEntity *polyline) {
     DxfVertex vertex = {.bulge = 0};
     bool guides = false, more;
@@ -286,7 +287,7 @@ static bool read_vertex(Reader *reader, DxfEntity *polyline) {
     return more;
 }
 
-/* Begins at a group 0 and ends at the next. */
+/* Reads an entity; starts at a group 0 and stops at the next. */
 static bool read_entity(Reader *reader) {
     DxfFile *file = reader->file;
     size_t type = 0;
@@ -317,7 +318,7 @@ static bool read_entity(Reader *reader) {
     return more;
 }
 
-/* Entities up to the one called `end`, at which it stands then. */
+/* Reads entities up to the one called `end`, and stops there. */
 static bool read_entities(Reader *reader, const char *end) {
     bool more = reader->group.code == 0 || next_group(reader);
     while (more && !group_is(reader, 0, end) && !group_is(reader, 0, "ENDSEC"))
@@ -327,7 +328,7 @@ static bool read_entities(Reader *reader, const char *end) {
 
 /* Sections -------------------------------------------------------------------------------------------------------- */
 
-/* Begins at the group 0 of BLOCK. */
+/* Reads a block; starts at the group 0 of BLOCK. */
 static bool read_block(Reader *reader) {
     DxfFile *file = reader->file;
     if (file->block_count == MOST_BLOCKS)
@@ -365,7 +366,7 @@ static void read_header(Reader *reader) {
     }
 }
 
-/* Stands at SECTION's name. */
+/* Reads a section; starts at the name of SECTION. */
 static void read_section(Reader *reader) {
     DxfFile *file = reader->file;
     const char *section = reader->group.value;
@@ -397,13 +398,14 @@ static bool read_sections(Reader *reader) {
         }
     if (reader->builder->failed)
         return false;
-    if (reader->file->block_count) /* without any, their list is NULL */
+    if (reader->file->block_count) /* an empty list is NULL */
         qsort(reader->file->blocks, reader->file->block_count, sizeof *reader->file->blocks, compare_blocks);
     reader->line = 1;
     return any || fail(reader, "no DXF drawing: it has no SECTION", "");
 }
 
-/* Drawings from before 2007 are in the code page that they name: ANSI_932 of Japan, for instance. */
+/* Converts the text to UTF-8: drawings from before 2007 are in the code page that they name, for instance ANSI_932
+ * in Japan. */
 static void convert(DxfFile *file, size_t *size) {
     char page[16] = "1252";
     const char *says = strstr(file->text, "$DWGCODEPAGE");
@@ -431,7 +433,7 @@ bool dxf_file_read(DxfFile *file, HouseBuilder *builder) {
     convert(file, &size);
     reader.end = file->text + size;
     reader.at = file->text + (strncmp(file->text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0);
-    find_layer(&reader, "0"); /* what names none is there */
+    find_layer(&reader, "0"); /* layer "0" exists even if the file does not name it */
     bool good = read_sections(&reader);
     builder->line = 1;
     return good;

@@ -1,5 +1,5 @@
-/* What a DXF drawing holds, as it holds it: the entities that plans are drawn with, of the model and of its blocks, in
- * the drawing's own unit. Only for the files of dxf.c. */
+/* The contents of a DXF drawing: the entities used in plans, of the model and of its blocks, in the drawing's own
+ * unit. Private to the DXF importer. */
 #pragma once
 
 #include "exchange/house_builder.h"
@@ -11,7 +11,8 @@ typedef enum DxfKind {
     DXF_OTHER,
 } DxfKind;
 
-/* A corner of a polyline; bulge is the tangent of a quarter of the arc's angle to the next one, 0: straight. */
+/* A corner of a polyline; bulge is the tangent of a quarter of the arc's angle to the next corner, 0 for a straight
+ * line. */
 typedef struct DxfVertex {
     Vec2 at;
     double bulge;
@@ -20,26 +21,26 @@ typedef struct DxfVertex {
 typedef struct DxfEntity {
     DxfKind kind;
     const char *type;  /* "LWPOLYLINE" */
-    const char *block; /* of an INSERT: its name */
-    size_t layer;      /* of the file's layers */
+    const char *block; /* block name of an INSERT */
+    size_t layer;      /* index into the file's layers */
     size_t vertex, vertex_count;
     bool closed;
-    bool mirrored; /* seen from below: x points to the left */
-    bool on_paper; /* no part of the model */
-    double width;  /* of a polyline, as far as it is the same everywhere */
-    Vec2 at;       /* centre, or where a block's base comes to lie */
+    bool mirrored; /* seen from below: x points left */
+    bool on_paper; /* belongs to a paper sheet, not to the model */
+    double width;  /* of a polyline, where it is constant */
+    Vec2 at;       /* centre, or the place of a block's base point */
     double radius;
     double start, end;   /* degree, of an arc */
     Vec2 scale, spacing; /* of an INSERT */
     double turned;       /* degree */
-    int columns, rows;   /* of an INSERT that is a grid of them */
-    int line;            /* of the file */
+    int columns, rows;   /* grid of an INSERT */
+    int line;            /* line in the file */
 } DxfEntity;
 
 typedef struct DxfBlock {
     const char *name;
     Vec2 base;
-    size_t first, count; /* of the entities */
+    size_t first, count; /* range of entities */
     int role;            /* DxfRole, for dxf_layers.c */
 } DxfBlock;
 
@@ -51,20 +52,21 @@ typedef struct DxfLayer {
 } DxfLayer;
 
 typedef struct DxfFile {
-    char *text;          /* names point into it */
+    char *text;          /* file text; names point into it */
     DxfEntity *entities; /* (entity_count) */
     DxfVertex *vertices;
-    DxfBlock *blocks; /* by name, once all are read */
+    DxfBlock *blocks; /* sorted by name once all are read */
     DxfLayer *layers;
     size_t entity_count, vertex_count, block_count, layer_count;
     size_t entity_capacity, vertex_capacity, block_capacity, layer_capacity;
-    size_t model, model_count; /* the entities that are no block's */
+    size_t model, model_count; /* entities outside blocks */
     int unit;                  /* $INSUNITS; 0: none */
 } DxfFile;
 
-/* Reads the builder's file. False: a fault, of the builder. dxf_file_clear releases what is read. */
+/* Reads the builder's file. Returns false after an error, which the builder holds. dxf_file_clear releases the
+ * result. */
 bool dxf_file_read(DxfFile *file, HouseBuilder *builder);
 void dxf_file_clear(DxfFile *file);
 
-/* The block of that name, or NULL. */
+/* Returns the block of that name, or NULL. */
 const DxfBlock *dxf_file_block(const DxfFile *file, const char *name);

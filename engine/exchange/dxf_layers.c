@@ -10,8 +10,8 @@ static const char *const role_names[DXF_ROLES] = {
 
 enum { NAMES_SHOWN = 8, WORDS_MOST = 24 };
 
-/* Parts of names in some languages, the rows in this order; the first that is found tells. A window is wall to whoever
- * is inside, and an obstacle of any shape stays as it is drawn. */
+/* Parts of layer names in several languages; the first row that matches decides. A window is a wall to people
+ * inside; an obstacle of any shape stays as drawn. */
 static const struct {
     DxfRole role;
     const char *words[WORDS_MOST];
@@ -32,7 +32,7 @@ static const struct {
       "light"}},
 };
 
-/* Without what a drawing within a drawing puts before its layers: "PLAN|WALLS", "PLAN$0$WALLS". */
+/* Strips the prefixes that nested drawings add to layer names: "PLAN|WALLS", "PLAN$0$WALLS". */
 static const char *bare_name(const char *name) {
     const char *bar = strrchr(name, '|'), *dollar = strrchr(name, '$');
     const char *last = bar && (!dollar || bar > dollar) ? bar : dollar;
@@ -58,7 +58,7 @@ static bool is_called(const char *name, const char *wanted, size_t length) {
     return strlen(name) == length && strncasecmp(name, wanted, length) == 0;
 }
 
-/* "there are A, B and 12 more" */
+/* Adds an error such as "there are A, B and 12 more". */
 static bool fault_unknown(const DxfFile *file, HouseBuilder *builder, const char *name, size_t length) {
     Text known = {0};
     for (size_t l = 0; l < file->layer_count && l < NAMES_SHOWN; l++)
@@ -82,7 +82,7 @@ static bool give_role(DxfFile *file, HouseBuilder *builder, const char *name, si
     return found || fault_unknown(file, builder, name, length);
 }
 
-/* The role before an equals sign, whose length goes to `*used`; DXF_UNKNOWN: there is none. */
+/* Returns the role before an equals sign, and its length in `*used`; DXF_UNKNOWN if there is none. */
 static DxfRole role_before_equals(const char *word, size_t *used) {
     for (int role = 0; role < DXF_ROLES; role++) {
         size_t length = role_names[role] ? strlen(role_names[role]) : 0;
@@ -94,7 +94,7 @@ static DxfRole role_before_equals(const char *word, size_t *used) {
     return DXF_UNKNOWN;
 }
 
-/* walls=NAME,NAME,doors=NAME: a name goes with the role before it. */
+/* Parses walls=NAME,NAME,doors=NAME; a name takes the role before it. */
 static bool choose_as_said(DxfFile *file, HouseBuilder *builder, const char *said) {
     DxfRole role = DXF_UNKNOWN;
     for (size_t l = 0; l < file->layer_count; l++)
@@ -115,7 +115,7 @@ static bool choose_as_said(DxfFile *file, HouseBuilder *builder, const char *sai
     return true;
 }
 
-/* Did some layer get the role? */
+/* True if any layer has the role. */
 static bool has(const DxfFile *file, DxfRole role) {
     for (size_t l = 0; l < file->layer_count; l++)
         if (file->layers[l].role == (int)role)

@@ -1,4 +1,4 @@
-/* What the layers of a drawing are for: as the options say, or by their names. Only for the files of dxf.c. */
+/* Assigns roles to the layers of a drawing, from the options or from their names. Private to the DXF importer. */
 #pragma once
 
 #include "exchange/dxf_file.h"
@@ -13,7 +13,6 @@ typedef enum DxfRole {
     DXF_ROLES,
 } DxfRole;
 
-/* Gives each layer its role, and notes the choice; a block has one, too, when it is called like a door or furniture.
- * Where no layer is called like walls, all are walls that are called like nothing else. False: a fault about the
- * options. */
+/* Gives each layer a role and notes the choice; a block named like a door or furniture gets one, too. If no layer is
+ * named like walls, all layers without a recognised name are walls. Returns false after an error in the options. */
 bool dxf_layers_choose(DxfFile *file, HouseBuilder *builder);

@@ -5,10 +5,10 @@
 #include <string.h>
 
 enum {
-    DEEPEST = 16,         /* blocks in blocks */
-    MOST_VISITS = 500000, /* entities, those of a block each time it is put somewhere */
+    DEEPEST = 16,         /* nesting depth of blocks */
+    MOST_VISITS = 500000, /* entities, those of a block counted at each insertion */
     MOST_POINTS = 1000000,
-    ARC_MOST = 72 /* straight lines of a circle */
+    ARC_MOST = 72 /* straight lines per circle */
 };
 
 /* x' = a x + c y + e, y' = b x + d y + f */
@@ -23,12 +23,12 @@ typedef struct Walker {
     size_t visits;
 } Walker;
 
-/* Where an entity is, within what. */
+/* The place and context of an entity. */
 typedef struct Place {
     Affine affine;
-    size_t layer;    /* of the block's INSERT, which layer 0 stands for; SIZE_MAX: in no block */
-    DxfRole role;    /* of the block that it belongs to, or DXF_UNKNOWN */
-    size_t instance; /* or SIZE_MAX */
+    size_t layer;    /* layer of the block's INSERT, which layer 0 stands for; SIZE_MAX outside blocks */
+    DxfRole role;    /* role of the enclosing block, or DXF_UNKNOWN */
+    size_t instance; /* index of the furniture instance, or SIZE_MAX */
     int depth;
 } Place;
 
@@ -36,7 +36,7 @@ static Vec2 apply(const Affine *affine, Vec2 at) {
     return vec2(affine->a * at.x + affine->c * at.y + affine->e, affine->b * at.x + affine->d * at.y + affine->f);
 }
 
-/* First `inner`, then `outer`. */
+/* Returns the transformation that applies `inner`, then `outer`. */
 static Affine compose(const Affine *outer, const Affine *inner) {
     Vec2 x = vec2(outer->a * inner->a + outer->c * inner->b, outer->b * inner->a + outer->d * inner->b);
     Vec2 y = vec2(outer->a * inner->c + outer->c * inner->d, outer->b * inner->c + outer->d * inner->d);
@@ -74,7 +74,7 @@ static DxfShape *add_shape(Walker *walker, const DxfEntity *entity, const Place 
     return shape;
 }
 
-/* The points of an arc after its first, in the entity's own axes. */
+/* Adds the points of an arc after its first, in the entity's own axes. */
 static bool add_arc_points(Walker *walker, const Affine *affine, Vec2 centre, Vec2 from, double sweep) {
     Vec2 arm = vec2_sub(from, centre);
     double pieces = real_clamp(ceil(fabs(sweep) * ARC_MOST / (2 * M_PI) - 1e-9), 1, ARC_MOST);
@@ -84,7 +84,7 @@ static bool add_arc_points(Walker *walker, const Affine *affine, Vec2 centre, Ve
     return good;
 }
 
-/* From a to b, along an arc when it bulges. */
+/* Adds the side from a to b, an arc if it bulges. */
 static bool add_side(Walker *walker, const Affine *affine, const DxfVertex *a, const DxfVertex *b) {
     double sweep = 4 * atan(a->bulge);
     Vec2 across = vec2_sub(b->at, a->at);
@@ -93,7 +93,8 @@ static bool add_side(Walker *walker, const Affine *affine, const DxfVertex *a, c
         Vec2 centre = vec2_along(vec2_along(a->at, 0.5, across), off, vec2_left(across));
         if (!add_arc_points(walker, affine, centre, a->at, sweep))
             return false;
-        walker->shapes->points[walker->shapes->point_count - 1] = apply(affine, b->at); /* to the last bit */
+        walker->shapes->points[walker->shapes->point_count - 1] =
+            apply(affine, b->at); /* set exactly, without rounding */
         return true;
     }
     return add_point(walker, apply(affine, b->at));
@@ -142,7 +143,7 @@ static Affine of_insert(const DxfEntity *insert, const DxfBlock *block, int colu
     return turned;
 }
 
-/* A block on a layer of furniture, or called like a piece of it, is one piece. */
+/* Begins a piece of furniture if the block lies on a furniture layer or is named like furniture. */
 static void begin_instance(Walker *walker, const DxfBlock *block, DxfRole role, Place *inside) {
     DxfShapes *shapes = walker->shapes;
     DxfRole called = (DxfRole)block->role;

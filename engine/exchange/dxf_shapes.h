@@ -1,25 +1,25 @@
-/* A drawing's lines as they lie in the plan, blocks put in their places, arcs as straight lines. In the drawing's own
- * unit. Only for the files of dxf.c. */
+/* The lines of a drawing in plan coordinates, with blocks inserted and arcs as straight lines, in the drawing's own
+ * unit. Private to the DXF importer. */
 #pragma once
 
 #include "exchange/dxf_layers.h"
 
 typedef struct DxfShape {
     DxfRole role;
-    size_t point, count; /* in the list of all */
+    size_t point, count; /* index of the first point in the list of all points, number of points */
     bool closed;
-    bool arc; /* of a circle about `centre`, from its first point to its last */
+    bool arc; /* part of a circle about `centre`, from its first to its last point */
     Vec2 centre;
     double sweep;    /* rad, of an arc */
-    double width;    /* of the line */
-    size_t instance; /* of a block that is furniture, or SIZE_MAX */
-    int line;        /* of the file */
+    double width;    /* width of the line */
+    size_t instance; /* index of the furniture instance, or SIZE_MAX */
+    int line;        /* line in the file */
 } DxfShape;
 
 /* A block that is one piece of furniture. */
 typedef struct DxfInstance {
     const char *block;
-    Vec2 x; /* unit vector, where the block's own x axis points to */
+    Vec2 x; /* unit vector of the block's x axis */
 } DxfInstance;
 
 typedef struct DxfShapes {
@@ -30,7 +30,7 @@ typedef struct DxfShapes {
     size_t capacity, point_capacity, instance_capacity;
 } DxfShapes;
 
-/* Takes over what is in the model on layers with a role, and reports what is not. False: a fault. dxf_shapes_clear
- * releases them. */
+/* Collects the shapes of the model on layers with a role, and reports the others. Returns false after an error.
+ * dxf_shapes_clear releases the shapes. */
 bool dxf_shapes_find(DxfShapes *shapes, const DxfFile *file, HouseBuilder *builder);
 void dxf_shapes_clear(DxfShapes *shapes);

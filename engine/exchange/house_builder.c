@@ -9,18 +9,18 @@
 #include "exchange/rectangle.h"
 #include "plan/plan_tables.h"
 
-static const double ROUNDED = 1e9;     /* per m: coordinates are rounded to a nanometre, which reads well */
-static const double FARTHEST = 1e8;    /* m, before the plan is moved to its origin: farther is no place on Earth */
-static const double APART = 1e-6;      /* m: the shortest segment of a wall, as a plan wants it */
-static const double SMALLEST = 0.01;   /* m: pieces of furniture and exits, as a plan wants them */
-static const double PARALLEL = 0.1;    /* 1: the sine of the angle up to which a door lies along its wall */
-static const double THICKEST = 5;      /* m, and other limits of the parameter tables */
+static const double ROUNDED = 1e9;  /* per m: coordinates are rounded to a nanometre, for readable files */
+static const double FARTHEST = 1e8; /* m, before the plan is moved to its origin: larger coordinates are not on Earth */
+static const double APART = 1e-6;   /* m: shortest wall segment of a plan */
+static const double SMALLEST = 0.01;   /* m: smallest side of furniture and exits in a plan */
+static const double PARALLEL = 0.1;    /* 1: sine of the largest angle between a door and its wall */
+static const double THICKEST = 5;      /* m, limits of the parameter tables */
 static const double HIGHEST = 100;     /* m */
 static const double WIDEST_DOOR = 100; /* m */
 
-enum { TEXT_LONGEST = 80 /* bytes of a name */ };
+enum { TEXT_LONGEST = 80 /* bytes in a name */ };
 
-/* Texts of a file that may be anything: kept as one short line. */
+/* Returns arbitrary text from a file as one short line. */
 static const char *kept_text(HouseBuilder *builder, const char *text) {
     char line[TEXT_LONGEST + 1];
     size_t length = strnlen(text, TEXT_LONGEST + 1);
@@ -82,7 +82,7 @@ static double rounded_length(double length) {
     return round(length * ROUNDED) / ROUNDED;
 }
 
-/* Good points, rounded, in the arena. NULL: one is not. */
+/* Returns rounded copies of valid points, in the arena, or NULL if a point is invalid. */
 static Vec2 *keep_points(HouseBuilder *builder, const Vec2 *points, size_t count) {
     for (size_t i = 0; i < count; i++)
         if (!house_builder_good(builder, points[i]))
@@ -93,8 +93,8 @@ static Vec2 *keep_points(HouseBuilder *builder, const Vec2 *points, size_t count
     return kept;
 }
 
-/* An element more in a list of the plan, at its fallbacks and with an id of its own: the list's first letter and its
- * number. NULL: there are `most` already. */
+/* Appends an element with default values to a list of the plan and gives it an id: the list's first letter and a
+ * number. NULL: the list already has `most` elements. */
 static void *add_element(HouseBuilder *builder, int list, size_t *capacity, size_t most) {
     const PlanList *kind = &plan_tables_lists[list];
     void **array = (void **)((char *)&builder->plan + kind->array);
@@ -245,7 +245,7 @@ size_t house_builder_exit(HouseBuilder *builder, Vec2 from, Vec2 to) {
 
 /* People ---------------------------------------------------------------------------------------------------------- */
 
-static const char walker[] = "adult"; /* of the shipped profiles, the one that other programs' people are nearest to */
+static const char walker[] = "adult"; /* the shipped profile nearest to other programs' pedestrians */
 
 size_t house_builder_person(HouseBuilder *builder, Vec2 at, double heading, double speed) {
     Person *person = house_builder_good(builder, at)
@@ -279,7 +279,7 @@ size_t house_builder_crowd(HouseBuilder *builder, const Vec2 *area, size_t point
     return builder->plan.crowd_count - 1;
 }
 
-/* The route that leads the same way, or NULL. */
+/* Returns the route with the same exit and intermediate points, or NULL. */
 static PlanRoute *find_route(const Plan *plan, const Vec2 *via, size_t count, const char *exit) {
     for (size_t r = 0; r < plan->route_count; r++) {
         PlanRoute *route = &plan->routes[r];
@@ -290,7 +290,7 @@ static PlanRoute *find_route(const Plan *plan, const Vec2 *via, size_t count, co
     return NULL;
 }
 
-/* There is room for twice as many as there are whenever these are a power of two. */
+/* The capacity doubles whenever the count reaches a power of two. */
 static void add_to_route(HouseBuilder *builder, PlanRoute *route, const char *who) {
     Ids *people = &route->people;
     if ((people->count & (people->count - 1)) == 0) {

@@ -5,9 +5,9 @@
 
 #include "base/text.h"
 
-enum { NOTE_KINDS = 4 /* of what is left out, that the note names */ };
+enum { NOTE_KINDS = 4 /* kinds of omitted elements that the note names */ };
 
-static const double FAR = 1000; /* m: a plan whose middle is farther than this from its origin is moved there */
+static const double FAR = 1000; /* m: a plan whose centre is farther from its origin is moved there */
 
 typedef void MovePoint(Vec2 *at, Vec2 by, void *context);
 
@@ -16,7 +16,7 @@ static void visit_points(Points *points, MovePoint *visit, Vec2 by, void *contex
         visit(&points->at[i], by, context);
 }
 
-/* Calls `visit` for every point of the plan. */
+/* Calls `visit` for each point of the plan. */
 static void visit_all(Plan *plan, MovePoint *visit, Vec2 by, void *context) {
     for (size_t i = 0; i < plan->wall_count; i++)
         visit_points(&plan->walls[i].points, visit, by, context);
@@ -47,7 +47,7 @@ static void move_point(Vec2 *at, Vec2 by, void *context) {
     *at = house_builder_rounded(vec2_add(*at, by));
 }
 
-/* Drawings lie anywhere, in the coordinates of a land survey for instance. */
+/* Moves the plan near its origin: drawings may use the coordinates of a land survey. */
 static bool bring_near(HouseBuilder *builder) {
     Box box = box_empty();
     visit_all(&builder->plan, include_point, vec2(0, 0), &box);
@@ -86,7 +86,7 @@ static bool stands_free(const Plan *plan, Vec2 at) {
     return is_free;
 }
 
-/* Takes somebody out of the routes; one of nobody goes. */
+/* Removes a person from the routes and deletes routes that become empty. */
 static void drop_from_routes(Plan *plan, const char *who) {
     size_t kept = 0;
     for (size_t r = 0; r < plan->route_count; r++) {
@@ -125,7 +125,7 @@ static void note_what_lacks(HouseBuilder *builder) {
         import_report_note(builder->report, "nobody lives here yet: add people");
 }
 
-/* Where the plan comes from and what it lacks, for whoever opens it in a year; the report says all of it. */
+/* Returns a note about the origin of the plan and its gaps, for later readers; the report has the full list. */
 static const char *house_note(HouseBuilder *builder) {
     const ImportReport *report = builder->report;
     const char *slash = strrchr(builder->path, '/');

@@ -1,8 +1,8 @@
-/* What is done to a plan that importers have built: it is brought near its origin, people who stand inside something
- * are left out, what lacks is noted, and it is checked as a file is. */
+/* Completes a plan that an importer has built: moves it near its origin, leaves out people inside obstacles, notes
+ * gaps, and checks it as a house file is checked. */
 #pragma once
 
 #include "exchange/house_builder.h"
 
-/* Hands the plan over, with a note of where it comes from. False: a fault, and the plan is as it was. */
+/* Hands over the plan with a note about its origin. Returns false after an error and leaves `plan` unchanged. */
 bool house_finish_plan(HouseBuilder *builder, Plan *plan);

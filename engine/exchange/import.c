@@ -10,7 +10,7 @@
 #include "exchange/vadere.h"
 #include "exchange/wkt.h"
 
-/* Hands what is in the file to the builder. False: a fault, or the builder has failed. */
+/* Passes the contents of the file to the builder. False: an error, or the builder has failed. */
 typedef bool Reader(HouseBuilder *builder);
 
 typedef struct Format {

@@ -38,7 +38,7 @@ static double ring_area(const Vec2 *points, size_t count) {
     return area;
 }
 
-/* A solid's outer ring is taken away, a hole in a solid is free space again. */
+/* Subtracts a solid's outer ring; a hole in a solid is free space again. */
 static GEOSGeometry *walkable(GEOSContextHandle_t geos, const Outline *outline) {
     Box box = box_expand(outline->box, FREESPACE_MARGIN);
     Vec2 corners[4] = {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
@@ -56,7 +56,7 @@ static GEOSGeometry *walkable(GEOSContextHandle_t geos, const Outline *outline) 
     return area;
 }
 
-/* PedPy takes one polygon: the part in which the first person stands. */
+/* Returns the part in which the first person stands, since PedPy takes a single polygon. */
 static const GEOSGeometry *inhabited_part(GEOSContextHandle_t geos, const GEOSGeometry *area, const House *house) {
     int parts = GEOSGetNumGeometries_r(geos, area);
     const GEOSGeometry *found = GEOSGetGeometryN_r(geos, area, 0);
@@ -70,7 +70,7 @@ static const GEOSGeometry *inhabited_part(GEOSContextHandle_t geos, const GEOSGe
     return found;
 }
 
-/* New text, or NULL; memory_free it. */
+/* Returns new text, or NULL. The caller releases it with memory_free. */
 static char *walkable_wkt(const House *house) {
     GEOSContextHandle_t geos = GEOS_init_r();
     GEOSGeometry *area = walkable(geos, &house->outline);
@@ -101,7 +101,8 @@ static bool step_and_reset(sqlite3_stmt *statement) {
     return sqlite3_reset(statement) == SQLITE_OK && good;
 }
 
-/* A person's last row, at the exit, may fall into the frame of the row before it: one row a frame and person. */
+/* Writes one row per frame and person: the last row of a person, at the exit, may fall into the frame of the row
+ * before. */
 static bool write_trajectories(sqlite3 *database, const House *house, const Observation *observation,
                                int64_t *last_frame) {
     const Trace *trace = &observation->trace;

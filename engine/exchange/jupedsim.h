@@ -9,5 +9,5 @@
 #include "house/house.h"
 #include "house/observation.h"
 
-/* Writes beside `path` and renames. 0, or errno. */
+/* Writes a temporary file in the same folder, then renames it. Returns 0, or errno. */
 int jupedsim_write(const House *house, const Observation *observation, const char *path);

@@ -9,19 +9,19 @@
 
 enum { LARGEST_FILE = 16 * 1024 * 1024 /* bytes: a minute of an oscilloscope at 10 kHz */ };
 
-#define LARGEST 1e15 /* of any unit */
+#define LARGEST 1e15 /* in any unit */
 
 typedef struct Reader {
     TableReader table;
     const MeasuredKind *kinds; /* (kind_count) */
     size_t kind_count;
-    int column_of[MEASURED_KINDS]; /* in the file, or -1 */
-    double scale[MEASURED_KINDS];  /* from the file's unit to that of the kind */
+    int column_of[MEASURED_KINDS]; /* column in the file, or -1 */
+    double scale[MEASURED_KINDS];  /* from the unit of the file to the unit of the kind */
     double row[MEASURED_KINDS];
-    bool head; /* has the row of names been read? */
+    bool head; /* the row of names has been read */
     int fields;
-    bool good;     /* is all of this row? */
-    size_t before; /* faults */
+    bool good;     /* all values of this row are valid */
+    size_t before; /* number of errors before */
     Measured measured;
 } Reader;
 
@@ -36,7 +36,7 @@ static const char *last_part(const char *name) {
     return dot ? dot + 1 : name;
 }
 
-/* The kind that a heading means; kind_count: none. */
+/* Returns the index of the kind that a heading names, or kind_count. */
 static size_t find_kind(const Reader *reader, const char *text, size_t length) {
     for (size_t k = 0; k < reader->kind_count; k++) {
         const MeasuredKind *kind = &reader->kinds[k];
@@ -47,7 +47,7 @@ static size_t find_kind(const Reader *reader, const char *text, size_t length) {
     return reader->kind_count;
 }
 
-/* How many of `wanted` one of `unit` is; 0: it cannot be told. */
+/* Returns the number of `wanted` in one `unit`, or 0 if the units are unrelated. */
 static double unit_scale(const char *unit, const char *wanted) {
     static const struct {
         const char *prefix;
@@ -64,7 +64,7 @@ static double unit_scale(const char *unit, const char *wanted) {
     return 0;
 }
 
-/* A name that is nearly one of those known is a slip. */
+/* Reports a name that is close to a known one as a probable typing error. */
 static void fault_slip(Reader *reader, TablePlace place, const char *text, size_t length) {
     const char *names[MEASURED_KINDS];
     Arena arena = {0};
@@ -97,7 +97,7 @@ static void read_name(Reader *reader, TablePlace place, int index, const char *t
     reader->column_of[k] = index;
 }
 
-/* What the first row may name. */
+/* Lists the names that the first row may have. */
 static void fault_columns(const Reader *reader, TablePlace begin) {
     Text list = {0};
     for (size_t k = 0; k < reader->kind_count; k++)

@@ -14,20 +14,20 @@
 #include "base/fault.h"
 #include "base/memory.h"
 
-/* A quantity that may be measured. */
+/* A quantity that can be measured. */
 typedef struct MeasuredKind {
     const char *name;
-    const char *other; /* is understood, too; or NULL */
+    const char *other; /* alternative name, or NULL */
     const char *unit;  /* "1" for pure numbers */
 } MeasuredKind;
 
 typedef struct MeasuredColumn {
-    const char *name; /* of the kind */
+    const char *name; /* name of the kind */
     double *values;   /* (count) in the unit of the kind; NAN: not measured */
     size_t capacity;
 } MeasuredColumn;
 
-/* Zero is empty; measured_free releases it. */
+/* A zeroed value is empty; measured_free releases it. */
 typedef struct Measured {
     const char *path;
     MeasuredColumn *columns; /* (column_count) two or more */
@@ -35,11 +35,11 @@ typedef struct Measured {
     Arena arena;
 } Measured;
 
-/* Reads a file whose columns are of such kinds (count), at most MEASURED_KINDS. False: faults say where and what, and
- * the points are as they were. */
+/* Reads a file with columns of these kinds (count, at most MEASURED_KINDS). Returns false after errors with their
+ * places and leaves `measured` unchanged. */
 enum { MEASURED_KINDS = 64 };
 bool measured_read(Measured *measured, const char *path, const MeasuredKind *kinds, size_t kind_count, Fault *fault);
 void measured_free(Measured *measured);
 
-/* The values (count) of that name; NULL: there are none. */
+/* Returns the values (count) of that name, or NULL. */
 const double *measured_find(const Measured *measured, const char *name);

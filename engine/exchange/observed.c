@@ -7,7 +7,7 @@
 #include "exchange/table.h"
 
 enum {
-    LARGEST_FILE = 64 * 1024 * 1024, /* bytes: half a day of ten people, 25 rows a second */
+    LARGEST_FILE = 64 * 1024 * 1024, /* bytes: half a day of ten people at 25 rows per second */
     MOST_PEOPLE = 1000,
 };
 
@@ -16,8 +16,8 @@ enum {
 enum { COLUMN_TIME, COLUMN_X, COLUMN_Y, COLUMN_PERSON, COLUMNS };
 
 static const struct {
-    const char *name, *other; /* both are understood */
-    const char *unit;         /* NULL: words */
+    const char *name, *other; /* both names are understood */
+    const char *unit;         /* NULL: text */
     double farthest;
 } known[COLUMNS] = {[COLUMN_TIME] = {"time", "t", "s", LONGEST_TIME},
                     [COLUMN_X] = {"x", "x", "m", PARAMETER_FARTHEST},
@@ -33,20 +33,20 @@ typedef struct Row {
 
 typedef struct Reader {
     TableReader table;
-    bool head;              /* has the row of names been read? */
-    int column_of[COLUMNS]; /* in the file, or -1 */
-    int fields;             /* how many the head has */
+    bool head;              /* the row of names has been read */
+    int column_of[COLUMNS]; /* column in the file, or -1 */
+    int fields;             /* number of columns in the heading */
     double numbers[COLUMNS];
     const char *person;
-    bool good; /* is all of this row? */
+    bool good; /* all values of this row are valid */
     Row *rows; /* (row_count) */
     size_t row_count, row_capacity, loci_capacity;
-    ObservedLoci loci; /* without points until all is read */
+    ObservedLoci loci; /* without points until the whole file is read */
 } Reader;
 
 /* The head -------------------------------------------------------------------------------------------------------- */
 
-/* The column that a name like "time [s]" or "X" means, or -1; its unit, "" without one. */
+/* Returns the column that a name such as "time [s]" or "X" means, or -1; `unit` receives its unit, or "". */
 static int find_column(const char *text, char unit[TABLE_SHOWN]) {
     size_t length = table_heading(text, unit);
     for (int c = 0; c < COLUMNS; c++)
@@ -100,7 +100,7 @@ static void take_field(void *context, TablePlace place, int index, const char *t
             reader->good = false;
 }
 
-/* Who is meant, found or new. */
+/* Finds or adds the locus of a person. */
 static size_t find_locus(Reader *reader, int line) {
     ObservedLoci *loci = &reader->loci;
     size_t last = reader->row_count ? reader->rows[reader->row_count - 1].locus : 0;

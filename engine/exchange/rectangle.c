@@ -2,9 +2,9 @@
 
 static const double ROUNDING = 1e-9; /* 1, or degree */
 
-enum { TRIES = 64 /* directions of sides */ };
+enum { TRIES = 64 /* side directions that are tried */ };
 
-/* The box of an outline along the unit vector `axis`. */
+/* Returns the box of an outline along the unit vector `axis`. */
 static Box turned_box(const Vec2 *points, size_t count, Vec2 axis) {
     Box box = box_empty();
     for (size_t i = 0; i < count; i++)
@@ -26,12 +26,12 @@ Rectangle rectangle_around(const Vec2 *points, size_t count) {
             best_axis = axis;
         }
     }
-    if (box_width(best) < box_height(best) * (1 - ROUNDING)) { /* the first side is the longer one */
+    if (box_width(best) < box_height(best) * (1 - ROUNDING)) { /* make the first side the longer one */
         best_axis = vec2_left(best_axis);
         best = turned_box(points, count, best_axis);
     }
     double angle = degrees(atan2(best_axis.y, best_axis.x));
-    if (angle <= -90 + ROUNDING || angle > 90 + ROUNDING) /* which of the two ways it points is all the same */
+    if (angle <= -90 + ROUNDING || angle > 90 + ROUNDING) /* the axis has no sign */
         angle += angle > 0 ? -180 : 180;
     return (Rectangle){.centre = vec2_turn(vec2_scale(vec2_add(best.low, best.high), 0.5), best_axis),
                        .size = vec2(box_width(best), box_height(best)),

@@ -1,4 +1,4 @@
-/* The smallest rectangle round an outline. */
+/* The smallest rectangle around an outline. */
 #pragma once
 
 #include <stddef.h>
@@ -7,8 +7,9 @@
 
 typedef struct Rectangle {
     Vec2 centre, size; /* m; the first side is the longer one */
-    double angle;      /* degree, of the first side, from -90 (not itself) to 90 */
+    double angle;      /* degree, direction of the first side, in (-90, 90] */
 } Rectangle;
 
-/* Of (count) points, one or more; of an outline of very many sides only some are tried. */
+/* Returns the rectangle of `count` points, at least 1; for an outline with very many sides only some directions are
+ * tried. */
 Rectangle rectangle_around(const Vec2 *points, size_t count);

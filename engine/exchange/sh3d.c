@@ -10,20 +10,20 @@
 #include "exchange/wall_chains.h"
 
 /* All assumed: */
-static const double SILL = 0.3;        /* m: what opens above this height is a window */
-static const double DOOR_LOWEST = 1.5; /* m: and what is lower than this */
-static const double OVERHEAD = 1.8;    /* m: what hangs above this height is in nobody's way */
-static const double FLAT = 0.03;       /* m: nor is what lies on the floor and is as low as this */
-static const double OFF_WALL = 0.15;   /* m: how far beside a wall's faces a door may stand to lie in it */
+static const double SILL = 0.3;        /* m: an opening with a higher sill is a window */
+static const double DOOR_LOWEST = 1.5; /* m: an opening lower than this is a window */
+static const double OVERHEAD = 1.8;    /* m: a piece that hangs above this height does not obstruct */
+static const double FLAT = 0.03;       /* m: nor does a piece on the floor that is at most this high */
+static const double OFF_WALL = 0.15;   /* m: largest distance of a door from the faces of its wall */
 static const double TURNS = 0.2;       /* rad: a leaf that turns by less slides */
 
-enum { MOST_LINES = 2 * HOUSE_BUILDER_POINTS /* of walls, a round one has many */ };
+enum { MOST_LINES = 2 * HOUSE_BUILDER_POINTS /* wall lines; a round wall has many */ };
 
 typedef struct Converter {
     const Home *home;
     HouseBuilder *builder;
     double unit;       /* m */
-    const char *level; /* id of the storey that is taken, or NULL: there are none */
+    const char *level; /* id of the chosen storey, or NULL if there are none */
 } Converter;
 
 static Vec2 plan_point(const Converter *converter, Vec2 at) {
@@ -75,7 +75,7 @@ static bool choose_level(Converter *converter) {
     return level;
 }
 
-/* What belongs to no storey belongs to all. */
+/* True if the element lies on the chosen storey; an element without a storey lies on all. */
 static bool is_here(const Converter *converter, const char *level) {
     return !converter->level || !*level || strcmp(level, converter->level) == 0;
 }
@@ -86,7 +86,7 @@ static double height_of(double height, double unit) {
     return height > 0 ? height * unit : 0;
 }
 
-/* An arc bulges, seen along the wall, to the left for a positive angle on the screen. */
+/* A positive angle on the screen bulges to the left, seen along the wall. */
 static void add_arc(const Converter *converter, const HomeWall *wall, WallLine line, WallLines *lines) {
     Vec2 across = vec2_sub(line.b, line.a), points[WALL_CHAINS_ARC];
     double sweep = -real_clamp(wall->arc, -1.99 * M_PI, 1.99 * M_PI), off = 1 / (2 * tan(sweep / 2));
@@ -94,7 +94,7 @@ static void add_arc(const Converter *converter, const HomeWall *wall, WallLine l
     if (!house_builder_good(converter->builder, centre))
         return;
     size_t count = wall_chains_arc(centre, line.a, sweep, points);
-    points[count - 1] = line.b; /* to the last bit */
+    points[count - 1] = line.b; /* set exactly, without rounding */
     for (size_t i = 0; i < count; i++) {
         line.b = points[i];
         wall_chains_keep(lines, line);
@@ -130,7 +130,7 @@ static size_t add_walls(const Converter *converter) {
 
 enum { WORDS = 6 };
 
-/* Is the piece called so, by the catalogue or by its owner? */
+/* True if the catalogue's or the owner's name of the piece contains one of the words. */
 static bool is_called(const HomePiece *piece, const char *const words[WORDS]) {
     for (size_t w = 0; w < WORDS && words[w]; w++)
         if (strcasestr(piece->catalog, words[w]) || strcasestr(piece->name, words[w]))
@@ -138,7 +138,7 @@ static bool is_called(const HomePiece *piece, const char *const words[WORDS]) {
     return false;
 }
 
-/* A French window is a door in all but name. */
+/* True for a window. A French window counts as a door. */
 static bool is_window(const Converter *converter, const HomePiece *piece) {
     static const char *const windows[WORDS] = {"window", "fenster", "fen\u00eatre", "ventana", "finestra", "\u7a93"};
     static const char *const doors[WORDS] = {"french", "door", "t\u00fcr", "porte", "puerta", "porta"};
@@ -146,8 +146,8 @@ static bool is_window(const Converter *converter, const HomePiece *piece) {
            (is_called(piece, windows) && !is_called(piece, doors));
 }
 
-/* A point of a piece, given in shares of its width and depth from its left back corner, and moved by `reach` of its
- * width along `angle`, which on the screen turns counter-clockwise. */
+/* Returns a point of a piece, given in fractions of its width and depth from its back left corner, moved by `reach`
+ * times its width along `angle`, which turns counter-clockwise on the screen. */
 static Vec2 piece_point(const Converter *converter, const HomePiece *piece, double x, double y, double reach,
                         double angle) {
     double side = piece->mirrored ? -1 : 1;
@@ -156,14 +156,14 @@ static Vec2 piece_point(const Converter *converter, const HomePiece *piece, doub
     return plan_point(converter, vec2_add(piece->centre, vec2_turn(own, vec2_heading(piece->angle))));
 }
 
-/* What a door's sashes say: along the wall, from its segment's beginning. */
+/* The opening that a door's sashes give, along the wall from the start of its segment. */
 typedef struct Opening {
-    double low, high; /* m, of what is clear */
-    double width;     /* m, the sum of the sashes' */
+    double low, high; /* m, clear width */
+    double width;     /* m, sum of the sashes' widths */
     Door door;
 } Opening;
 
-/* The leaf's free end stands once in the wall and once beside it. */
+/* A leaf's free end lies in the wall when shut and beside the wall when open. */
 static void add_sash(const Converter *converter, const HomePiece *piece, const HomeSash *sash, Vec2 begin, Vec2 along,
                      Opening *opening) {
     Vec2 hinge = piece_point(converter, piece, sash->x_axis, sash->y_axis, 0, 0);
@@ -185,7 +185,7 @@ static Opening opening_of(const Converter *converter, const HomePiece *piece, Ve
     Opening opening = {.low = HUGE_VAL, .high = -HUGE_VAL};
     for (size_t s = 0; s < piece->sash_count; s++)
         add_sash(converter, piece, &converter->home->sashes[piece->sash + s], begin, along, &opening);
-    if (piece->sash_count == 0) { /* a mere hole in the wall */
+    if (piece->sash_count == 0) { /* a plain hole in the wall */
         double middle = vec2_dot(vec2_sub(plan_point(converter, piece->centre), begin), along);
         opening.low = opening.high = middle;
         opening.width = piece->width * converter->unit;
@@ -221,7 +221,7 @@ static void add_door(const Converter *converter, const HomePiece *piece) {
 
 /* Furniture, rooms ------------------------------------------------------------------------------------------------ */
 
-/* Why a piece stands in nobody's way, or NULL. */
+/* Returns the reason why a piece does not obstruct, or NULL. */
 static const char *harmless(const Converter *converter, const HomePiece *piece) {
     double bottom = piece->elevation * converter->unit, top = bottom + piece->height * converter->unit;
     if (!piece->visible)

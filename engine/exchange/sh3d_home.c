@@ -8,12 +8,12 @@
 #include "base/text.h"
 
 enum {
-    LARGEST_XML = 64 * 1024 * 1024, /* bytes: a house of 100,000 walls has a quarter of it */
-    HARMLESS = 1024 * 1024,         /* bytes: what is unpacked up to here is no bomb */
-    MOST_SHRUNK = 200,              /* times; Home.xml of real homes shrinks some ten times */
+    LARGEST_XML = 64 * 1024 * 1024, /* bytes: a house with 100,000 walls has a quarter of this */
+    HARMLESS = 1024 * 1024,         /* bytes: an unpacked size up to this is always accepted */
+    MOST_SHRUNK = 200,              /* largest compression ratio; Home.xml of real homes shrinks about ten times */
     CHUNK = 65536,                  /* bytes */
-    DEEPEST = 64,                   /* elements in elements: groups in groups */
-    MOST = 2 * HOUSE_BUILDER_POINTS /* of each kind, over all storeys */
+    DEEPEST = 64,                   /* nesting depth: groups within groups */
+    MOST = 2 * HOUSE_BUILDER_POINTS /* of each kind, on all storeys */
 };
 
 typedef struct Reader {
@@ -21,8 +21,8 @@ typedef struct Reader {
     HouseBuilder *builder;
     XML_Parser parser;
     int depth;
-    const char *levels[DEEPEST]; /* (depth) of the groups that are open, or "" */
-    bool in_room;                /* points are the last room's */
+    const char *levels[DEEPEST]; /* (depth) storeys of the open groups, or "" */
+    bool in_room;                /* points belong to the last room */
 } Reader;
 
 /* Attributes ------------------------------------------------------------------------------------------------------ */
@@ -39,7 +39,7 @@ static const char *text(Reader *reader, const XML_Char **attributes, const char 
     return value ? arena_text(&reader->home->arena, value) : "";
 }
 
-/* What is there and no number is a fault. */
+/* Returns the attribute as a number; a value that is not a number is an error. */
 static double number(Reader *reader, const XML_Char **attributes, const char *name, double fallback) {
     const char *value = find(attributes, name);
     if (!value)
@@ -199,7 +199,7 @@ static void XMLCALL end(void *context, const XML_Char *name) {
     reader->in_room &= strcmp(name, "room") != 0;
 }
 
-/* An entity stands for text that may stand for more of it, without end, or for another file: no home has one. */
+/* Refuses entities: an entity can expand without end or read another file, and homes have none. */
 static void XMLCALL declare_entity(void *context, const XML_Char *name, int is_parameter, const XML_Char *value,
                                    int value_length, const XML_Char *base, const XML_Char *system,
                                    const XML_Char *public, const XML_Char *notation) {
@@ -244,7 +244,7 @@ static bool unpack(Reader *reader, zip_file_t *entry) {
     return good && parse(reader, "", 0, true);
 }
 
-/* Is what the zip file says of Home.xml harmless? */
+/* True if the size that the zip file states for Home.xml is acceptable. */
 static bool check_size(HouseBuilder *builder, const zip_stat_t *status) {
     if (!(status->valid & ZIP_STAT_SIZE) || !(status->valid & ZIP_STAT_COMP_SIZE))
         return house_builder_fail(builder, "the zip file does not say how large Home.xml is");

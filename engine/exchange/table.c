@@ -13,9 +13,9 @@
 
 typedef struct Reading {
     const TableReader *reader;
-    TablePlace at;    /* of the byte that is read */
-    TablePlace begin; /* of the field that is read */
-    bool begun;       /* has something of it been seen? */
+    TablePlace at;    /* place of the current byte */
+    TablePlace begin; /* place of the current field */
+    bool begun;       /* part of the field has been read */
     int field;
     TablePlace row_begin;
 } Reading;
@@ -69,7 +69,7 @@ static void end_row(int terminator, void *context) {
     reading->field = 0;
 }
 
-/* The separator that the first row has most of. */
+/* Returns the separator that is most frequent in the first row. */
 static char find_separator(const char *text) {
     const char separators[] = {',', ';', '\t'};
     size_t most = 0, counts[sizeof separators] = {0};
@@ -81,7 +81,7 @@ static char find_separator(const char *text) {
     return separators[most];
 }
 
-/* Byte by byte, so that each field's place is known; libcsv tells none. */
+/* Parses byte by byte to know the place of each field, which libcsv does not report. */
 static void read_text(Reading *reading, const char *text, size_t size) {
     struct csv_parser parser;
     csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI | CSV_APPEND_NULL);
@@ -95,7 +95,8 @@ static void read_text(Reading *reading, const char *text, size_t size) {
         good = csv_parse(&parser, text + i, 1, take_field, end_row, reading) == 1;
         if (good && text[i] == '\n')
             reading->at = (TablePlace){reading->at.line + 1, 1};
-        else if (good && ((unsigned char)text[i] & 0xc0) != 0x80) /* not within a character of UTF-8 */
+        else if (good &&
+                 ((unsigned char)text[i] & 0xc0) != 0x80) /* count characters, not continuation bytes of UTF-8 */
             reading->at.column++;
     }
     if (!good)
@@ -107,7 +108,7 @@ static void read_text(Reading *reading, const char *text, size_t size) {
 }
 
 TablePlace table_read(const TableReader *reader, size_t largest) {
-    static const char mark[] = "\xef\xbb\xbf"; /* some editors begin UTF-8 with it */
+    static const char mark[] = "\xef\xbb\xbf"; /* byte order mark of UTF-8, which some editors write */
     Reading reading = {.reader = reader, .at = {1, 1}, .row_begin = {1, 1}};
     size_t size = 0;
     char *text = text_read_file(reader->path, largest, &size);

@@ -8,27 +8,28 @@
 #include "base/json.h"
 #include "exchange/rectangle.h"
 
-static const double SLENDER = 3;          /* 1: a rectangle so many times longer than wide is a wall */
-static const double OBSTACLE_HEIGHT = 2;  /* m: assumed, one cannot see over it */
-static const double CLEARLY_LONGER = 1.2; /* 1: sides of a target beyond this ratio tell which way it is crossed */
-static const double ROOM_EACH = 0.35;     /* m2: as dense as people are placed at random */
+static const double SLENDER = 3;         /* 1: a rectangle at least this many times longer than wide is a wall */
+static const double OBSTACLE_HEIGHT = 2; /* m: assumed height, too high to look over */
+static const double CLEARLY_LONGER =
+    1.2;                              /* 1: a target with a larger ratio of sides is crossed along its shorter side */
+static const double ROOM_EACH = 0.35; /* m2 per person, the limit of random placement */
 
 enum {
     CIRCLE_SIDES = 24,
-    SHAPE_POINTS = 10000, /* of one shape */
-    VIA_MOST = 50,        /* targets on one way */
+    SHAPE_POINTS = 10000, /* points in a shape */
+    VIA_MOST = 50,        /* targets of a route */
 };
 
-/* A shape as its outline. */
+/* The outline of a shape. */
 typedef struct Shape {
-    Vec2 *points; /* (count); memory_free it */
+    Vec2 *points; /* (count); released by memory_free */
     size_t count;
 } Shape;
 
 typedef struct Target {
     int id;
     Vec2 middle;
-    size_t exit; /* SIZE_MAX: people go past it */
+    size_t exit; /* SIZE_MAX: an intermediate target */
 } Target;
 
 typedef struct Reader {
@@ -36,15 +37,15 @@ typedef struct Reader {
     JsonFile file;
     Arena arena;
     double unit;     /* m */
-    Vec2 sources;    /* where people are, in the mean */
-    Target *targets; /* (target_count) by id */
+    Vec2 sources;    /* mean position of the sources */
+    Target *targets; /* (target_count) sorted by id */
     size_t target_count;
-    size_t later; /* sources that go on giving people */
+    size_t later; /* number of sources that add people later */
 } Reader;
 
 /* Values ---------------------------------------------------------------------------------------------------------- */
 
-/* Adds the fault at the node, once. */
+/* Adds the error at the node, once. */
 static bool fail_at(Reader *reader, const JsonNode *node, const char *what) {
     if (!reader->builder->failed)
         json_fault(node, reader->builder->fault, "%s", what);
@@ -52,7 +53,7 @@ static bool fail_at(Reader *reader, const JsonNode *node, const char *what) {
     return false;
 }
 
-/* A number, finite; `fallback` when there is none. */
+/* Returns a finite number, or `fallback` if the key is absent. */
 static double number(const json_t *object, const char *key, double fallback) {
     const json_t *value = json_object_get(object, key);
     return json_is_number(value) && isfinite(json_number_value(value)) ? json_number_value(value) : fallback;
@@ -103,7 +104,7 @@ static bool is_somewhere(Reader *reader, const Shape *shape, const JsonNode *nod
     return true;
 }
 
-/* Reads the member "shape" of an element. False: a fault. */
+/* Reads the member "shape" of an element. False after an error. */
 static bool read_shape(Reader *reader, const JsonNode *element, Shape *shape) {
     JsonNode node = json_member(element, "shape");
     JsonNode centre = json_member(&node, "center");
@@ -143,12 +144,12 @@ static double area_of(const Shape *shape) {
     return fabs(area);
 }
 
-/* Does the rectangle round a shape tell all about it? */
+/* True if the shape is its own bounding rectangle. */
 static bool is_rectangle(const Shape *shape, const Rectangle *box) {
     return fabs(area_of(shape) - box->size.x * box->size.y) < 1e-6 * box->size.x * box->size.y;
 }
 
-/* Calls `take` for each element of a list of the topography, with its shape. False: a fault. */
+/* Calls `take` with each element of a topography list and its shape. False after an error. */
 static bool each(Reader *reader, const JsonNode *topography, const char *key,
                  void (*take)(Reader *reader, const JsonNode *element, const Shape *shape)) {
     JsonNode list = json_member(topography, key);
@@ -195,7 +196,7 @@ static void take_obstacle(Reader *reader, const JsonNode *element, const Shape *
         add_outline(reader->builder, shape);
 }
 
-/* The frame lies inside the bounds. */
+/* Adds the frame, which lies inside the bounds. */
 static bool add_frame(Reader *reader, const JsonNode *topography) {
     JsonNode attributes = json_member(topography, "attributes"), bounds = json_member(&attributes, "bounds");
     if (!json_is_object(bounds.value))
@@ -215,8 +216,8 @@ static bool add_frame(Reader *reader, const JsonNode *topography) {
 
 /* Targets --------------------------------------------------------------------------------------------------------- */
 
-/* People leave by a line across the middle of the target: along its longer side; of a square, across the way from
- * where people are. */
+/* Adds an exit: a line across the middle of the target along its longer side, or for a square across the direction
+ * from the sources. */
 static size_t add_exit(Reader *reader, const Shape *shape) {
     Rectangle box = rectangle_around(shape->points, shape->count);
     Vec2 along = vec2_heading(radians(box.angle));
@@ -234,7 +235,7 @@ static size_t add_exit(Reader *reader, const Shape *shape) {
 
 static bool absorbs(const json_t *target) {
     const json_t *absorber = json_object_get(target, "absorber");
-    const json_t *before = json_object_get(target, "absorbing"); /* until release 2.1 */
+    const json_t *before = json_object_get(target, "absorbing"); /* up to release 2.1 */
     return absorber ? json_is_true(json_object_get(absorber, "enabled")) : !json_is_false(before);
 }
 
@@ -271,7 +272,7 @@ static bool read_targets(Reader *reader, const JsonNode *topography) {
     return true;
 }
 
-/* The way of somebody by the targets they are to reach one after the other: the last that takes people in ends it. */
+/* Adds the route of a person through a list of targets; the last absorbing target is the exit. */
 static void add_way(Reader *reader, const char *who, const json_t *ids) {
     Vec2 via[VIA_MOST];
     size_t count = 0, exit = SIZE_MAX;
@@ -288,13 +289,13 @@ static void add_way(Reader *reader, const char *who, const json_t *ids) {
 
 /* People ---------------------------------------------------------------------------------------------------------- */
 
-/* What a source says of its people, in the words of its release. */
+/* The people of a source, in the keys of its release. */
 typedef struct Spawning {
     double count, begin, end;
 } Spawning;
 
 static Spawning spawning_of(const json_t *source) {
-    const json_t *spawner = json_object_get(source, "spawner"); /* since release 2.3 */
+    const json_t *spawner = json_object_get(source, "spawner"); /* from release 2.3 */
     if (spawner)
         return (Spawning){number(spawner, "eventElementCount", 1), number(spawner, "constraintsTimeStart", 0),
                           number(spawner, "constraintsTimeEnd", 0)};
@@ -376,7 +377,7 @@ static void leave_the_rest(Reader *reader, const JsonNode *topography) {
 
 static bool read_topography(Reader *reader, const JsonNode *root) {
     JsonNode scenario = json_member(root, "scenario");
-    const JsonNode *above = scenario.value ? &scenario : root; /* a topography may also stand alone */
+    const JsonNode *above = scenario.value ? &scenario : root; /* a topography may also be the root */
     JsonNode topography = json_member(above, "topography");
     if (!json_is_object(topography.value))
         return fail_at(reader, root, "no Vadere scenario: it has no scenario with a topography");

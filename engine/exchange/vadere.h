@@ -1,5 +1,5 @@
-/* Scenarios of Vadere (.scenario, JSON): obstacles and the frame round the plan become walls and furniture, targets
- * that take people in become exits, sources crowds, pedestrians that are there already people on foot. */
+/* Imports Vadere scenarios (.scenario, JSON): obstacles and the frame become walls and furniture, absorbing targets
+ * exits, sources crowds, and existing pedestrians walkers. */
 #pragma once
 
 #include "exchange/house_builder.h"

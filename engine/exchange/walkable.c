@@ -5,20 +5,23 @@
 
 #include "space/solids.h"
 
-static const double MARGIN = 1;        /* m, round the plan: the way past an open door */
-static const double HALF_LEAST = 5e-4; /* m: a wall of no thickness that ends within the area is twice this thick */
+static const double MARGIN = 1; /* m, around the plan: allows paths past an open door */
+static const double HALF_LEAST =
+    5e-4; /* m: half the thickness given to a wall of zero thickness that ends within the area */
 
-enum { MOST_CELLS = 5000 /* into which walls of no thickness cut the area: each is looked for in all others */ };
+enum {
+    MOST_CELLS = 5000 /* cells into which walls of zero thickness cut the area; each is compared with all others */
+};
 
 typedef struct Area {
     GEOSContextHandle_t geos;
     const Plan *plan;
     Solids solids;
     Box box;
-    GEOSGeometry *solid; /* all that has a thickness */
-    GEOSGeometry *whole; /* the box less that */
-    GEOSGeometry *lines; /* of the walls that have none, doors cut out; or NULL */
-    GEOSGeometry *cells; /* the parts into which the lines cut it */
+    GEOSGeometry *solid; /* everything with a thickness */
+    GEOSGeometry *whole; /* the box without `solid` */
+    GEOSGeometry *lines; /* walls of zero thickness with doors cut out, or NULL */
+    GEOSGeometry *cells; /* the parts that `lines` cut the area into */
 } Area;
 
 /* Geometry -------------------------------------------------------------------------------------------------------- */
@@ -43,7 +46,7 @@ static Box box_of_plan(const Plan *plan, GEOSContextHandle_t geos, const GEOSGeo
     return box_expand(box, MARGIN);
 }
 
-/* Of walls without a thickness; NULL: there are none. */
+/* Collects walls of zero thickness; NULL if there are none. */
 static GEOSGeometry *find_lines(Area *area) {
     GEOSGeometry **list = memory_zeroed(area->plan->wall_count, sizeof *list);
     unsigned count = 0;
@@ -60,9 +63,9 @@ static GEOSGeometry *find_lines(Area *area) {
     return united;
 }
 
-/* A geometry of the parts' own, less what the lines that enclose nothing take away when they are hair-thin walls. */
+/* Returns the cells without the thin strips that open-ended walls take away. */
 static GEOSGeometry *less_loose_ends(Area *area, GEOSGeometry *cells, GEOSGeometry *loose) {
-    GEOSGeometry *joined = GEOSLineMerge_r(area->geos, loose); /* or corners would have notches */
+    GEOSGeometry *joined = GEOSLineMerge_r(area->geos, loose); /* joined first, so that corners have no notches */
     GEOSGeometry *thin =
         joined ? GEOSBufferWithStyle_r(area->geos, joined, HALF_LEAST, 8, GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, 5)
                : NULL;
@@ -90,7 +93,7 @@ static bool is_there(const Area *area, const GEOSGeometry *geometry) {
     return geometry && GEOSisEmpty_r(area->geos, geometry) == 0;
 }
 
-/* What the edges of the whole and the lines enclose together. */
+/* Returns the cells that the edges of the area and the lines enclose. */
 static GEOSGeometry *cut_cells(Area *area) {
     GEOSContextHandle_t geos = area->geos;
     GEOSGeometry *edge = GEOSBoundary_r(geos, area->whole);
@@ -115,9 +118,9 @@ typedef struct Cell {
     GEOSGeometry *shape; /* a polygon; owned */
     GEOSGeometry *hull;  /* without its holes; owned */
     GEOSGeometry *inner; /* a point in it; owned */
-    bool outside;        /* at the edge of the box */
+    bool outside;        /* touches the edge of the box */
     bool inhabited;
-    int depth; /* in how many holes of others it lies */
+    int depth; /* number of other cells' holes that contain it */
 } Cell;
 
 typedef struct Cells {
@@ -132,7 +135,7 @@ static bool holds(const Area *area, const GEOSGeometry *shape, Vec2 at) {
     return inside;
 }
 
-/* Does somebody stand there, or does a door that can be opened lead there? */
+/* True if a person stands in the shape or an openable door leads into it. */
 static bool is_inhabited(const Area *area, const GEOSGeometry *shape) {
     const Plan *plan = area->plan;
     bool found = false;
@@ -190,7 +193,8 @@ static void find_depths(const Area *area, Cells *cells) {
     }
 }
 
-/* Inside the outermost walls one walks, within what stands there not, within that again: unless somebody is there. */
+/* Inside the outermost walls is walkable, inside an obstacle there is not, and so on alternately; a cell with a
+ * person in it is always walkable. */
 static bool is_walkable(const Cell *cell, bool outside_too) {
     return cell->inhabited || (outside_too ? cell->depth % 2 == 0 : cell->depth % 2 == 1);
 }
@@ -231,11 +235,11 @@ static char *text_of(const Area *area, const GEOSGeometry *geometry) {
     return copy;
 }
 
-/* A MULTIPOLYGON's parts must not have a side in common. */
+/* Merges parts with a common side, which a MULTIPOLYGON must not have. */
 static char *write_area(const Area *area, GEOSGeometry *all) {
     GEOSContextHandle_t geos = area->geos;
     int count = GEOSGetNumGeometries_r(geos, all);
-    GEOSNormalize_r(geos, all); /* so that rings begin where one would look for it */
+    GEOSNormalize_r(geos, all); /* a canonical order of the rings' points */
     if (count == 1)
         return text_of(area, GEOSGetGeometryN_r(geos, all, 0));
     if (GEOSisValid_r(geos, all) == 1)

@@ -1,12 +1,12 @@
-/* The area of a house in which one can walk, as other programs about people on foot want it. */
+/* The walkable area of a house, for other pedestrian programs. */
 #pragma once
 
 #include "base/fault.h"
 #include "plan/plan.h"
 
-/* One line of WKT, a POLYGON, or a MULTIPOLYGON where it has several parts (a GEOMETRYCOLLECTION where these meet along
- * a wall of no thickness): the box of the plan, a metre larger, less walls, furniture and the leaves of doors that
- * stand open; doors that are not locked are open. What lies outside a house without a way out is no part of it, nor is
- * what walls of no thickness enclose within the area when nobody stands there: that is an obstacle. New, memory_free
- * it; NULL: a fault. */
+/* Returns one line of WKT: a POLYGON, or a MULTIPOLYGON if the area has several parts (a GEOMETRYCOLLECTION where
+ * parts meet along a wall of zero thickness). The area is the plan's box, extended by 1 m, without walls, furniture
+ * and the leaves of open doors; doors that are not locked count as open. The outside of a house without an exit is
+ * left out, and so is an uninhabited area enclosed by walls of zero thickness, which is an obstacle. The caller
+ * releases the text with memory_free; NULL after an error. */
 char *walkable_wkt(const Plan *plan, Fault *fault);

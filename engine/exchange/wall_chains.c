@@ -3,21 +3,21 @@
 #include <math.h>
 #include <stdint.h>
 
-static const double ARC_DEVIATION = 0.01; /* m: how far straight lines may be off an arc */
-static const double STRAIGHT = 1e-6;      /* 1: the sine of the turn below which two lines go straight on */
+static const double ARC_DEVIATION = 0.01; /* m: largest deviation of straight lines from an arc */
+static const double STRAIGHT = 1e-6;      /* 1: sine of the largest turn between lines that count as straight */
 
 /* Ends ------------------------------------------------------------------------------------------------------------ */
 
-/* Places where lines end, found by a hash of the square they lie in. An end of a line is 2 * line + (0 or 1). */
+/* Points where lines end, found by a hash of their grid square. The end of a line is 2 * line + (0 or 1). */
 typedef struct Ends {
     const WallLine *lines;
     size_t count;
     Vec2 *places;   /* (place_count) */
-    size_t *next;   /* (place_count) the place before in the same bucket, or SIZE_MAX */
+    size_t *next;   /* (place_count) previous place in the same bucket, or SIZE_MAX */
     size_t *bucket; /* (bucket_count, a power of two) */
     size_t place_count, bucket_count;
-    size_t *place_of; /* (2 * count) of an end */
-    size_t *first;    /* (place_count) an end there; then after[end], SIZE_MAX: no more */
+    size_t *place_of; /* (2 * count) place of an end */
+    size_t *first;    /* (place_count) first end at the place; after[end] is the next one, SIZE_MAX at the last */
     size_t *after;    /* (2 * count) */
     bool *used;       /* (count) */
 } Ends;
@@ -31,7 +31,8 @@ static int64_t square(double coordinate) {
     return (int64_t)floor(coordinate / WALL_CHAINS_TOLERANCE);
 }
 
-/* The place of a point, a new one where none is near: places are a tolerance apart, so that few share a square. */
+/* Returns the place of a point, adding one if none is near: places are at least the tolerance apart, so that few
+ * share a square. */
 static size_t find_place(Ends *ends, Vec2 at) {
     int64_t x = square(at.x), y = square(at.y);
     for (int64_t i = x - 1; i <= x + 1; i++)
@@ -52,7 +53,7 @@ static bool same_line(const Ends *ends, size_t one, size_t other) {
     return (a[0] == b[0] && a[1] == b[1]) || (a[0] == b[1] && a[1] == b[0]);
 }
 
-/* Is the line of no length, or there already? Then it counts as used. */
+/* True for a line of zero length or a duplicate, which then counts as used. */
 static bool is_spare(const Ends *ends, size_t line) {
     size_t from = ends->place_of[2 * line];
     if (from == ends->place_of[2 * line + 1])
@@ -101,7 +102,8 @@ static void ends_free(Ends *ends) {
 
 /* Chains ---------------------------------------------------------------------------------------------------------- */
 
-/* The end of the one other line that meets the line of `end` there and is like it, or SIZE_MAX. */
+/* Returns the end of the only other line that meets the line of `end` there and has its thickness and height, or
+ * SIZE_MAX. */
 static size_t meets(const Ends *ends, size_t end) {
     size_t a = ends->first[ends->place_of[end]], b = ends->after[a];
     if (b == SIZE_MAX || ends->after[b] != SIZE_MAX)
@@ -111,7 +113,7 @@ static size_t meets(const Ends *ends, size_t end) {
     return one->thickness == two->thickness && one->height == two->height ? other : SIZE_MAX;
 }
 
-/* The same of those that are not in a chain yet. */
+/* Same, among lines that are not yet in a chain. */
 static size_t goes_on(const Ends *ends, size_t end) {
     size_t other = meets(ends, end);
     return other != SIZE_MAX && !ends->used[other / 2] ? other : SIZE_MAX;
@@ -122,7 +124,7 @@ typedef struct Chain {
     size_t count, capacity;
 } Chain;
 
-/* What goes straight on at the chain's last point needs no point there. */
+/* Adds a point; a point on a straight continuation is dropped. */
 static void chain_add(Chain *chain, Vec2 at) {
     if (chain->count > 1) {
         Vec2 last = chain->points[chain->count - 1], before = chain->points[chain->count - 2];
@@ -134,17 +136,17 @@ static void chain_add(Chain *chain, Vec2 at) {
     chain->points[chain->count++] = at;
 }
 
-/* The end where the chain that holds a line begins: against the line's direction as far as it goes; a closed chain
- * begins with the line. */
+/* Returns the end where the chain of a line begins, found by walking against the line's direction; a closed chain
+ * begins with the line itself. */
 static size_t find_beginning(Ends *ends, size_t line) {
     size_t begin = 2 * line;
-    ends->used[line] = true; /* so that a closed chain ends here */
+    ends->used[line] = true; /* ends a closed chain here */
     for (size_t other = goes_on(ends, begin); other != SIZE_MAX; other = goes_on(ends, begin)) {
         ends->used[other / 2] = true;
         begin = other ^ 1;
     }
     bool closed = meets(ends, begin) == 2 * line + 1;
-    for (size_t end = begin;;) { /* they are walked again, from the beginning on */
+    for (size_t end = begin;;) { /* walk the chain again from its beginning */
         ends->used[end / 2] = false;
         if (end / 2 == line)
             return closed ? 2 * line : begin;
@@ -187,7 +189,7 @@ size_t wall_chains_arc(Vec2 centre, Vec2 from, double sweep, Vec2 points[WALL_CH
     Vec2 arm = vec2_sub(from, centre);
     double radius = vec2_length(arm), step = radius > ARC_DEVIATION ? 2 * acos(1 - ARC_DEVIATION / radius) : M_PI;
     double pieces = ceil(fabs(sweep) / fmin(step, M_PI / 6));
-    size_t count = pieces >= 1 ? (size_t)fmin(pieces, WALL_CHAINS_ARC) : 1; /* 1 also when it is no number */
+    size_t count = pieces >= 1 ? (size_t)fmin(pieces, WALL_CHAINS_ARC) : 1; /* 1 also for NaN */
     for (size_t i = 0; i < count; i++)
         points[i] = vec2_add(centre, vec2_turn(arm, vec2_heading(sweep * (double)(i + 1) / (double)count)));
     return count;

@@ -1,5 +1,5 @@
-/* Single lines joined into walls: where just two lines of the same thickness and height meet end to end, they are one
- * wall, and what goes straight on there has no point. Only for the importers. */
+/* Joins single lines into walls: two lines of equal thickness and height that alone meet end to end become one wall,
+ * without a point where they continue straight. Private to the importers. */
 #pragma once
 
 #include "exchange/house_builder.h"
@@ -9,12 +9,12 @@ typedef struct WallLine {
     double thickness, height;
 } WallLine;
 
-#define WALL_CHAINS_TOLERANCE 1e-3 /* m: ends this near to each other meet */
+#define WALL_CHAINS_TOLERANCE 1e-3 /* m: ends closer than this meet */
 
-/* Adds the walls of (count) lines; a line that is there twice counts once. */
+/* Adds the walls of `count` lines; a duplicate counts once. */
 void wall_chains_add(HouseBuilder *builder, const WallLine *lines, size_t count);
 
-/* Lines that are collected. Zero is none; memory_free(lines.list) releases them. */
+/* A growing list of lines. A zeroed list is empty; memory_free(lines.list) releases it. */
 typedef struct WallLines {
     WallLine *list; /* (count) */
     size_t count, capacity;
@@ -24,6 +24,6 @@ void wall_chains_keep(WallLines *lines, WallLine line);
 
 enum { WALL_CHAINS_ARC = 64 };
 
-/* Straight lines for an arc about `centre` from `from` on by `sweep` rad, counter-clockwise, that stay within a
- * centimetre of it: the points after `from`, the last at the arc's end. Returns how many. */
+/* Approximates an arc about `centre`, from `from` through `sweep` rad counter-clockwise, by straight lines within 1
+ * cm of it. Stores the points after `from`, the last at the arc's end, and returns their number. */
 size_t wall_chains_arc(Vec2 centre, Vec2 from, double sweep, Vec2 points[WALL_CHAINS_ARC]);

@@ -11,20 +11,20 @@
 #include "mechanics/broadphase.h"
 
 enum {
-    LARGEST_FILE = 16 * 1024 * 1024, /* bytes: four times what the most points of walls take */
-    DEEPEST = 32,                    /* brackets in brackets; GEOS would go as deep as the stack */
+    LARGEST_FILE = 16 * 1024 * 1024, /* bytes: four times the largest number of wall points */
+    DEEPEST = 32,                    /* nested brackets; GEOS would recurse until the stack overflows */
     MOST_UNITED = 50000,             /* points of areas that are united */
-    MOST_MEETINGS = 400000,          /* pairs of their sides whose boxes meet: each may be a crossing */
+    MOST_MEETINGS = 400000,          /* pairs of sides whose boxes overlap: each may be a crossing */
 };
 
 typedef struct Reader {
     HouseBuilder *builder;
     GEOSContextHandle_t geos;
     GEOSWKTReader *wkt;
-    char message[200];    /* what GEOS complained about */
+    char message[200];    /* last message of GEOS */
     GEOSGeometry **areas; /* (count) polygons */
     size_t count, capacity;
-    size_t points; /* of the areas */
+    size_t points; /* points in all areas */
     double unit;   /* m */
 } Reader;
 
@@ -80,7 +80,7 @@ static bool check_area(Reader *reader, const GEOSGeometry *polygon) {
     return fail(reader, "an area's rings must not cross or touch along a side");
 }
 
-/* Keeps the polygons of a geometry, makes walls of its lines. */
+/* Keeps the polygons of a geometry and adds its lines as walls. */
 static bool sort_out(Reader *reader, const GEOSGeometry *geometry) {
     int type = GEOSGeomTypeId_r(reader->geos, geometry);
     if (GEOSisEmpty_r(reader->geos, geometry) == 1) {
@@ -121,7 +121,7 @@ static bool visit_side(void *context, int item) {
     return ++sides->met <= MOST_MEETINGS;
 }
 
-/* Looks for the sides of a ring among those before, then adds them. */
+/* Counts the overlaps of a ring's sides with those of earlier rings, then adds its sides. */
 static void meet_ring(const Reader *reader, Sides *sides, const GEOSGeometry *ring) {
     const GEOSCoordSequence *sequence = GEOSGeom_getCoordSeq_r(reader->geos, ring);
     unsigned count = 0;
@@ -137,7 +137,7 @@ static void meet_ring(const Reader *reader, Sides *sides, const GEOSGeometry *ri
     }
 }
 
-/* Can the areas be united in bounded time? */
+/* True if uniting the areas takes bounded time. */
 static bool few_meet(const Reader *reader) {
     Sides sides = {.tree = broadphase_create()};
     for (size_t a = 0; a < reader->count; a++) {
@@ -149,7 +149,7 @@ static bool few_meet(const Reader *reader) {
     return sides.met <= MOST_MEETINGS;
 }
 
-/* Areas that overlap or lie side by side are one: where they meet is no wall. */
+/* Unites areas that overlap or adjoin, so that no wall stands where they meet. */
 static bool add_united(Reader *reader) {
     if (reader->points > MOST_UNITED || !few_meet(reader))
         return house_builder_fail(reader->builder, "the areas meet in too many places to be united");
@@ -167,8 +167,8 @@ static bool add_united(Reader *reader) {
 
 /* Text ------------------------------------------------------------------------------------------------------------ */
 
-/* The end of the geometry that begins at `at`: after the bracket that closes it, or the word EMPTY. NULL: there is
- * none, or it is nested too deeply. */
+/* Returns the end of the geometry that begins at `at`: after its closing bracket or the word EMPTY. NULL: there is
+ * none, or the nesting is too deep. */
 static char *find_end(HouseBuilder *builder, char *at) {
     int depth = 0;
     for (char *c = at; *c; c++) {
@@ -197,7 +197,7 @@ static char *skip_space(HouseBuilder *builder, char *at) {
 static bool read_one(Reader *reader, char *at, char *end) {
     char after = *end;
     *end = 0;
-    if (strncasecmp(at, "SRID=", 5) == 0 && strchr(at, ';')) /* which plane of the Earth is meant is all the same */
+    if (strncasecmp(at, "SRID=", 5) == 0 && strchr(at, ';')) /* the reference system is ignored */
         at = strchr(at, ';') + 1;
     reader->message[0] = 0;
     GEOSGeometry *geometry = GEOSWKTReader_read_r(reader->geos, reader->wkt, at);

@@ -1,6 +1,6 @@
-/* Walkable areas as well-known text, as JuPedSim and PedPy have them: POLYGON, MULTIPOLYGON, GEOMETRYCOLLECTION, also
- * several one after another. What lies inside the areas is free; their outer and inner rings become walls of no
- * thickness, and so do single lines. Metres, unless the options say otherwise. */
+/* Imports walkable areas in well-known text, as JuPedSim and PedPy write them: POLYGON, MULTIPOLYGON and
+ * GEOMETRYCOLLECTION, one or several. The inside of the areas is free; their outer and inner rings and single lines
+ * become walls of zero thickness. Lengths are in metres unless the options name a unit. */
 #pragma once
 
 #include "exchange/house_builder.h"
