@@ -1,4 +1,4 @@
-/* The pencil of the widgets: letters and shapes by Dear ImGui's atlas of letters and its lists of triangles. Nothing
+/* The painter of the widgets: letters and shapes by Dear ImGui's atlas of letters and its lists of triangles. Nothing
  * else of it is used: no windows, no navigation, no input.
  *
  * Letters are as high as pango's, with capitals of whole pixels, so that their edges are crisp. The atlas has the
@@ -15,7 +15,7 @@ extern "C" {
 #include <imgui.h>
 #include <vector>
 
-#include "widgets/ui_inside.h"
+#include "widgets/ui_painter.h"
 
 #define FONTS "/usr/share/fonts/"
 
@@ -86,7 +86,7 @@ struct Ground {
     int left, top, width, height;
 };
 
-struct UiPencil {
+struct UiPainter {
     PaintGlScreen *screen;
     ImGuiContext *context;
     std::vector<ImDrawList *> lists;
@@ -107,22 +107,22 @@ struct UiPencil {
 
 namespace {
 
-void want(UiPencil *pencil, const char *words, const char *end) {
+void want(UiPainter *painter, const char *words, const char *end) {
     while (words < end) {
         unsigned code = next_code(&words, end);
-        if (code < 0x20 || code >= pencil->wanted.size() || pencil->wanted[code])
+        if (code < 0x20 || code >= painter->wanted.size() || painter->wanted[code])
             continue;
-        pencil->wanted[code] = pencil->wants_more = true;
-        pencil->wants_japanese |= is_japanese(code);
+        painter->wanted[code] = painter->wants_more = true;
+        painter->wants_japanese |= is_japanese(code);
     }
 }
 
-ImVector<ImWchar> wanted_ranges(const UiPencil *pencil) {
+ImVector<ImWchar> wanted_ranges(const UiPainter *painter) {
     ImVector<ImWchar> ranges;
-    for (size_t code = 0x20; code < pencil->wanted.size(); code++)
-        if (pencil->wanted[code]) {
+    for (size_t code = 0x20; code < painter->wanted.size(); code++)
+        if (painter->wanted[code]) {
             ranges.push_back(static_cast<ImWchar>(code));
-            while (code + 1 < pencil->wanted.size() && pencil->wanted[code + 1])
+            while (code + 1 < painter->wanted.size() && painter->wanted[code + 1])
                 code++;
             ranges.push_back(static_cast<ImWchar>(code));
         }
@@ -141,106 +141,106 @@ void add_font(ImFontAtlas *atlas, std::vector<unsigned char> &bytes, double size
 }
 
 /* Without DejaVu there is ImGui's own letters, which are of one size and have no accents: words stay legible. */
-void add_letters(UiPencil *pencil, ImFontAtlas *atlas, const Letters &letters, const ImWchar *ranges) {
-    std::vector<unsigned char> &bytes = letters.bold && !pencil->bold.empty() ? pencil->bold : pencil->regular;
-    double capital = std::round(CAPITAL * letters.size * pencil->made_unit);
+void add_letters(UiPainter *painter, ImFontAtlas *atlas, const Letters &letters, const ImWchar *ranges) {
+    std::vector<unsigned char> &bytes = letters.bold && !painter->bold.empty() ? painter->bold : painter->regular;
+    double capital = std::round(CAPITAL * letters.size * painter->made_unit);
     if (bytes.empty()) {
         ImFontConfig config;
-        config.SizePixels = static_cast<float>(std::round(letters.size * pencil->made_unit));
+        config.SizePixels = static_cast<float>(std::round(letters.size * painter->made_unit));
         atlas->AddFontDefault(&config);
         return;
     }
     add_font(atlas, bytes, capital / CAPITAL * SPAN, ranges, false);
-    if (!pencil->japanese.empty())
-        add_font(atlas, pencil->japanese, capital / CAPITAL, ranges, true);
+    if (!painter->japanese.empty())
+        add_font(atlas, painter->japanese, capital / CAPITAL, ranges, true);
 }
 
-void make_atlas(UiPencil *pencil) {
+void make_atlas(UiPainter *painter) {
     ImFontAtlas *atlas = ImGui::GetIO().Fonts;
-    if (pencil->wants_japanese && pencil->japanese.empty())
-        pencil->japanese = file_bytes(JAPANESE);
-    ImVector<ImWchar> ranges = wanted_ranges(pencil);
+    if (painter->wants_japanese && painter->japanese.empty())
+        painter->japanese = file_bytes(JAPANESE);
+    ImVector<ImWchar> ranges = wanted_ranges(painter);
     atlas->Clear();
     atlas->Flags = ImFontAtlasFlags_NoMouseCursors | ImFontAtlasFlags_NoBakedLines;
     for (const Letters &letters : LETTERS)
-        add_letters(pencil, atlas, letters, ranges.Data);
+        add_letters(painter, atlas, letters, ranges.Data);
     unsigned char *pixels;
     int width, height;
     atlas->GetTexDataAsAlpha8(&pixels, &width, &height);
-    paint_gl_screen_fill_mask(pencil->screen, &pencil->atlas, pixels, width, height);
-    atlas->SetTexID(&pencil->atlas);
+    paint_gl_screen_fill_mask(painter->screen, &painter->atlas, pixels, width, height);
+    atlas->SetTexID(&painter->atlas);
     atlas->ClearTexData();
     for (int i = 0; i < UI_LETTERS; i++)
-        pencil->fonts[i] = atlas->Fonts[i];
-    pencil->wants_more = pencil->wants_japanese = false;
+        painter->fonts[i] = atlas->Fonts[i];
+    painter->wants_more = painter->wants_japanese = false;
 }
 
 /* A window that is being resized asks for other letters in every frame: they are made when it asks for the same twice.
  */
-void renew_atlas(UiPencil *pencil) {
-    bool settled = pencil->made_unit == 0 || pencil->unit == pencil->seen_unit;
-    pencil->seen_unit = pencil->unit;
-    bool other = pencil->made_unit != pencil->unit && settled;
+void renew_atlas(UiPainter *painter) {
+    bool settled = painter->made_unit == 0 || painter->unit == painter->seen_unit;
+    painter->seen_unit = painter->unit;
+    bool other = painter->made_unit != painter->unit && settled;
     if (other)
-        pencil->made_unit = pencil->unit;
-    if (other || pencil->wants_more)
-        make_atlas(pencil);
+        painter->made_unit = painter->unit;
+    if (other || painter->wants_more)
+        make_atlas(painter);
 }
 
-float pixel(const UiPencil *pencil, double place) {
-    return static_cast<float>(std::round(place * pencil->unit));
+float pixel(const UiPainter *painter, double place) {
+    return static_cast<float>(std::round(place * painter->unit));
 }
 
 /* Before the first frame letters are as large as at first sight. */
-const ImFont *font_of(UiPencil *pencil, UiLetters letters) {
-    if (!pencil->fonts[letters])
-        renew_atlas(pencil);
-    return pencil->fonts[letters];
+const ImFont *font_of(UiPainter *painter, UiLetters letters) {
+    if (!painter->fonts[letters])
+        renew_atlas(painter);
+    return painter->fonts[letters];
 }
 
-ImVec2 exact(const UiPencil *pencil, Vec2 place) {
-    return ImVec2(static_cast<float>(place.x * pencil->unit), static_cast<float>(place.y * pencil->unit));
+ImVec2 exact(const UiPainter *painter, Vec2 place) {
+    return ImVec2(static_cast<float>(place.x * painter->unit), static_cast<float>(place.y * painter->unit));
 }
 
-ImVec2 snapped(const UiPencil *pencil, Vec2 place) {
-    return ImVec2(pixel(pencil, place.x), pixel(pencil, place.y));
+ImVec2 snapped(const UiPainter *painter, Vec2 place) {
+    return ImVec2(pixel(painter, place.x), pixel(painter, place.y));
 }
 
 /* Its place among the commands of a list says when a ground is drawn; it is never called. */
 void mark_ground(const ImDrawList *, const ImDrawCmd *) {
 }
 
-float thickness(const UiPencil *pencil, double width) {
-    return std::fmax(1.0f, pixel(pencil, width));
+float thickness(const UiPainter *painter, double width) {
+    return std::fmax(1.0f, pixel(painter, width));
 }
 
-const ImVec2 *exact_points(UiPencil *pencil, const Vec2 *points, size_t count) {
-    pencil->points.resize(count);
+const ImVec2 *exact_points(UiPainter *painter, const Vec2 *points, size_t count) {
+    painter->points.resize(count);
     for (size_t i = 0; i < count; i++)
-        pencil->points[i] = exact(pencil, points[i]);
-    return pencil->points.data();
+        painter->points[i] = exact(painter, points[i]);
+    return painter->points.data();
 }
 
 } // namespace
 
-double ui_pencil_size(UiLetters letters) {
+double ui_painter_size(UiLetters letters) {
     return LETTERS[letters].size;
 }
 
-Vec2 ui_pencil_extent(UiPencil *pencil, UiLetters letters, const char *words, size_t bytes) {
-    want(pencil, words, words + bytes);
-    const ImFont *font = font_of(pencil, letters);
+Vec2 ui_painter_extent(UiPainter *painter, UiLetters letters, const char *words, size_t bytes) {
+    want(painter, words, words + bytes);
+    const ImFont *font = font_of(painter, letters);
     ImVec2 size = font->CalcTextSizeA(font->FontSize, HUGE_VALF, 0, words, words + bytes);
-    return vec2_scale(vec2(size.x, size.y), 1 / pencil->unit);
+    return vec2_scale(vec2(size.x, size.y), 1 / painter->unit);
 }
 
-size_t ui_pencil_wrap(UiPencil *pencil, UiLetters letters, const char *words, double width) {
+size_t ui_painter_wrap(UiPainter *painter, UiLetters letters, const char *words, double width) {
     size_t line = std::strcspn(words, "\n");
-    want(pencil, words, words + line);
-    const ImFont *font = font_of(pencil, letters);
-    if (ui_pencil_extent(pencil, letters, words, line).x <= width + 0.5 / pencil->unit)
+    want(painter, words, words + line);
+    const ImFont *font = font_of(painter, letters);
+    if (ui_painter_extent(painter, letters, words, line).x <= width + 0.5 / painter->unit)
         return line;
-    const char *end = font->CalcWordWrapPositionA(1, words, words + line, static_cast<float>(width * pencil->unit));
+    const char *end = font->CalcWordWrapPositionA(1, words, words + line, static_cast<float>(width * painter->unit));
     if (end == words) /* not even one letter has room: the line has one, all the same */
         next_code(&end, words + line);
     const char *blank = end; /* ImGui parts words behind a point, too: "0." and "040 m" */
@@ -249,162 +249,163 @@ size_t ui_pencil_wrap(UiPencil *pencil, UiLetters letters, const char *words, do
     return static_cast<size_t>((blank > words && end < words + line ? blank : end) - words);
 }
 
-void ui_pencil_words(UiPencil *pencil, UiLetters letters, UiInk ink, Vec2 at, const char *words, size_t bytes) {
-    const ImFont *font = font_of(pencil, letters);
-    want(pencil, words, words + bytes);
-    double capital = std::round(CAPITAL * LETTERS[letters].size * pencil->made_unit);
-    double base = std::round(at.y * pencil->unit + capital / 2);
-    ImVec2 corner(pixel(pencil, at.x), static_cast<float>(base) - font->Ascent);
-    pencil->list->AddText(font, font->FontSize, corner, ink_of(ink), words, words + bytes);
+void ui_painter_words(UiPainter *painter, UiLetters letters, UiInk ink, Vec2 at, const char *words, size_t bytes) {
+    const ImFont *font = font_of(painter, letters);
+    want(painter, words, words + bytes);
+    double capital = std::round(CAPITAL * LETTERS[letters].size * painter->made_unit);
+    double base = std::round(at.y * painter->unit + capital / 2);
+    ImVec2 corner(pixel(painter, at.x), static_cast<float>(base) - font->Ascent);
+    painter->list->AddText(font, font->FontSize, corner, ink_of(ink), words, words + bytes);
 }
 
 /* Shapes ----------------------------------------------------------------------------------------------------------- */
 
-void ui_pencil_ground(UiPencil *pencil, Box box, Colour colour) {
-    ImVec2 low = snapped(pencil, box.low), high = snapped(pencil, box.high);
+void ui_painter_ground(UiPainter *painter, Box box, Colour colour) {
+    ImVec2 low = snapped(painter, box.low), high = snapped(painter, box.high);
     int left = static_cast<int>(low.x), top = static_cast<int>(low.y);
-    pencil->list->AddCallback(mark_ground, reinterpret_cast<void *>(pencil->grounds.size()));
-    pencil->grounds.push_back({colour, left, top, static_cast<int>(high.x) - left, static_cast<int>(high.y) - top});
+    painter->list->AddCallback(mark_ground, reinterpret_cast<void *>(painter->grounds.size()));
+    painter->grounds.push_back({colour, left, top, static_cast<int>(high.x) - left, static_cast<int>(high.y) - top});
 }
 
-void ui_pencil_box(UiPencil *pencil, Box box, UiInk ink) {
-    pencil->list->AddRectFilled(snapped(pencil, box.low), snapped(pencil, box.high), ink_of(ink));
+void ui_painter_box(UiPainter *painter, Box box, UiInk ink) {
+    painter->list->AddRectFilled(snapped(painter, box.low), snapped(painter, box.high), ink_of(ink));
 }
 
-void ui_pencil_frame(UiPencil *pencil, Box box, double width, UiInk ink) {
-    ImVec2 low = snapped(pencil, box.low), high = snapped(pencil, box.high);
-    float wide = thickness(pencil, width);
+void ui_painter_frame(UiPainter *painter, Box box, double width, UiInk ink) {
+    ImVec2 low = snapped(painter, box.low), high = snapped(painter, box.high);
+    float wide = thickness(painter, width);
     ImU32 colour = ink_of(ink);
-    pencil->list->AddRectFilled(low, ImVec2(high.x, low.y + wide), colour);
-    pencil->list->AddRectFilled(ImVec2(low.x, high.y - wide), high, colour);
-    pencil->list->AddRectFilled(ImVec2(low.x, low.y + wide), ImVec2(low.x + wide, high.y - wide), colour);
-    pencil->list->AddRectFilled(ImVec2(high.x - wide, low.y + wide), ImVec2(high.x, high.y - wide), colour);
+    painter->list->AddRectFilled(low, ImVec2(high.x, low.y + wide), colour);
+    painter->list->AddRectFilled(ImVec2(low.x, high.y - wide), high, colour);
+    painter->list->AddRectFilled(ImVec2(low.x, low.y + wide), ImVec2(low.x + wide, high.y - wide), colour);
+    painter->list->AddRectFilled(ImVec2(high.x - wide, low.y + wide), ImVec2(high.x, high.y - wide), colour);
 }
 
-void ui_pencil_polyline(UiPencil *pencil, const Vec2 *points, size_t count, bool closed, double width, UiInk ink) {
-    pencil->list->AddPolyline(exact_points(pencil, points, count), static_cast<int>(count), ink_of(ink),
-                              closed ? ImDrawFlags_Closed : ImDrawFlags_None,
-                              static_cast<float>(std::fmax(1, width * pencil->unit)));
+void ui_painter_polyline(UiPainter *painter, const Vec2 *points, size_t count, bool closed, double width, UiInk ink) {
+    painter->list->AddPolyline(exact_points(painter, points, count), static_cast<int>(count), ink_of(ink),
+                               closed ? ImDrawFlags_Closed : ImDrawFlags_None,
+                               static_cast<float>(std::fmax(1, width * painter->unit)));
 }
 
-void ui_pencil_convex(UiPencil *pencil, const Vec2 *points, size_t count, UiInk ink) {
-    pencil->list->AddConvexPolyFilled(exact_points(pencil, points, count), static_cast<int>(count), ink_of(ink));
+void ui_painter_convex(UiPainter *painter, const Vec2 *points, size_t count, UiInk ink) {
+    painter->list->AddConvexPolyFilled(exact_points(painter, points, count), static_cast<int>(count), ink_of(ink));
 }
 
-void ui_pencil_disc(UiPencil *pencil, Vec2 middle, double radius, UiInk ink) {
-    pencil->list->AddCircleFilled(exact(pencil, middle), static_cast<float>(radius * pencil->unit), ink_of(ink));
+void ui_painter_disc(UiPainter *painter, Vec2 middle, double radius, UiInk ink) {
+    painter->list->AddCircleFilled(exact(painter, middle), static_cast<float>(radius * painter->unit), ink_of(ink));
 }
 
-void ui_pencil_image(UiPencil *pencil, const ScreenTexture *texture, Box box) {
-    pencil->list->AddImage(const_cast<ScreenTexture *>(texture), snapped(pencil, box.low), snapped(pencil, box.high));
+void ui_painter_image(UiPainter *painter, const ScreenTexture *texture, Box box) {
+    painter->list->AddImage(const_cast<ScreenTexture *>(texture), snapped(painter, box.low),
+                            snapped(painter, box.high));
 }
 
-void ui_pencil_picture(UiPencil *pencil, const ScreenTexture *texture, const Vec2 corners[4], double opacity) {
-    pencil->list->AddImageQuad(const_cast<ScreenTexture *>(texture), exact(pencil, corners[3]),
-                               exact(pencil, corners[2]), exact(pencil, corners[1]), exact(pencil, corners[0]),
-                               ImVec2(0, 0), ImVec2(1, 0), ImVec2(1, 1), ImVec2(0, 1),
-                               IM_COL32(255, 255, 255, static_cast<int>(std::lround(255 * opacity))));
+void ui_painter_picture(UiPainter *painter, const ScreenTexture *texture, const Vec2 corners[4], double opacity) {
+    painter->list->AddImageQuad(const_cast<ScreenTexture *>(texture), exact(painter, corners[3]),
+                                exact(painter, corners[2]), exact(painter, corners[1]), exact(painter, corners[0]),
+                                ImVec2(0, 0), ImVec2(1, 0), ImVec2(1, 1), ImVec2(0, 1),
+                                IM_COL32(255, 255, 255, static_cast<int>(std::lround(255 * opacity))));
 }
 
-void ui_pencil_clip(UiPencil *pencil, Box box) {
-    pencil->list->PushClipRect(snapped(pencil, box.low), snapped(pencil, box.high), true);
+void ui_painter_clip(UiPainter *painter, Box box) {
+    painter->list->PushClipRect(snapped(painter, box.low), snapped(painter, box.high), true);
 }
 
-void ui_pencil_unclip(UiPencil *pencil) {
-    pencil->list->PopClipRect();
+void ui_painter_unclip(UiPainter *painter) {
+    painter->list->PopClipRect();
 }
 
-bool ui_pencil_is_stale(const UiPencil *pencil) {
-    return pencil->wants_more || pencil->unit != pencil->made_unit;
+bool ui_painter_is_stale(const UiPainter *painter) {
+    return painter->wants_more || painter->unit != painter->made_unit;
 }
 
-void ui_pencil_layer(UiPencil *pencil, UiLayer layer) {
-    pencil->list = pencil->lists[layer];
+void ui_painter_layer(UiPainter *painter, UiLayer layer) {
+    painter->list = painter->lists[layer];
 }
 
 /* Frames ----------------------------------------------------------------------------------------------------------- */
 
-UiPencil *ui_pencil_create(PaintGlScreen *screen) {
-    auto *pencil = new UiPencil();
-    pencil->screen = screen;
-    pencil->context = ImGui::CreateContext();
-    pencil->regular = file_bytes(REGULAR);
-    pencil->bold = file_bytes(BOLD);
+UiPainter *ui_painter_create(PaintGlScreen *screen) {
+    auto *painter = new UiPainter();
+    painter->screen = screen;
+    painter->context = ImGui::CreateContext();
+    painter->regular = file_bytes(REGULAR);
+    painter->bold = file_bytes(BOLD);
     ImGuiIO &io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     ImGui::GetStyle().AntiAliasedLinesUseTex = false;
-    pencil->wanted.resize(0x10000);
+    painter->wanted.resize(0x10000);
     for (size_t code = 0x20; code < 0x100; code++)
-        pencil->wanted[code] = code < 0x7F || code >= 0xA0;
-    want(pencil, SIGNS, SIGNS + std::strlen(SIGNS));
+        painter->wanted[code] = code < 0x7F || code >= 0xA0;
+    want(painter, SIGNS, SIGNS + std::strlen(SIGNS));
     for (int i = 0; i < UI_LAYER_COUNT; i++)
-        pencil->lists.push_back(new ImDrawList(ImGui::GetDrawListSharedData()));
-    pencil->list = pencil->lists[0];
-    pencil->unit = 1;
-    return pencil;
+        painter->lists.push_back(new ImDrawList(ImGui::GetDrawListSharedData()));
+    painter->list = painter->lists[0];
+    painter->unit = 1;
+    return painter;
 }
 
-void ui_pencil_destroy(UiPencil *pencil) {
-    paint_gl_screen_forget(pencil->screen, &pencil->atlas);
-    for (ImDrawList *list : pencil->lists)
+void ui_painter_destroy(UiPainter *painter) {
+    paint_gl_screen_forget(painter->screen, &painter->atlas);
+    for (ImDrawList *list : painter->lists)
         delete list;
-    ImGui::DestroyContext(pencil->context);
-    delete pencil;
+    ImGui::DestroyContext(painter->context);
+    delete painter;
 }
 
-void ui_pencil_begin(UiPencil *pencil, int width, int height, double unit, double seconds) {
-    ImGui::SetCurrentContext(pencil->context);
-    pencil->unit = unit;
-    renew_atlas(pencil);
+void ui_painter_begin(UiPainter *painter, int width, int height, double unit, double seconds) {
+    ImGui::SetCurrentContext(painter->context);
+    painter->unit = unit;
+    renew_atlas(painter);
     ImGuiIO &io = ImGui::GetIO();
     io.DisplaySize = ImVec2(static_cast<float>(width), static_cast<float>(height));
     io.DeltaTime = static_cast<float>(std::fmax(seconds, 1e-4));
     ImGui::NewFrame();
-    for (ImDrawList *list : pencil->lists) {
+    for (ImDrawList *list : painter->lists) {
         list->_ResetForNewFrame();
-        list->PushTextureID(&pencil->atlas);
+        list->PushTextureID(&painter->atlas);
         list->PushClipRect(ImVec2(0, 0), io.DisplaySize);
     }
-    pencil->list = pencil->lists[UI_LAYER_PANES];
+    painter->list = painter->lists[UI_LAYER_PANES];
 }
 
 namespace {
 
-void draw_ground(UiPencil *pencil, const Ground &ground) {
-    paint_gl_screen_box(pencil->screen, ground.colour, ground.left, ground.top, ground.width, ground.height);
+void draw_ground(UiPainter *painter, const Ground &ground) {
+    paint_gl_screen_box(painter->screen, ground.colour, ground.left, ground.top, ground.width, ground.height);
 }
 
 /* A command's triangles know only few of the list's vertices: those are sent. */
-void send(UiPencil *pencil, const ImDrawList *list, const ImDrawCmd &command) {
+void send(UiPainter *painter, const ImDrawList *list, const ImDrawCmd &command) {
     const ImDrawIdx *from = list->IdxBuffer.Data + command.IdxOffset;
     ImDrawIdx low = 0xFFFF, high = 0;
     for (unsigned i = 0; i < command.ElemCount; i++) {
         low = std::min(low, from[i]);
         high = std::max(high, from[i]);
     }
-    pencil->indices.resize(command.ElemCount);
+    painter->indices.resize(command.ElemCount);
     for (unsigned i = 0; i < command.ElemCount; i++)
-        pencil->indices[i] = static_cast<ImDrawIdx>(from[i] - low);
+        painter->indices[i] = static_cast<ImDrawIdx>(from[i] - low);
     const ImDrawVert *vertices = list->VtxBuffer.Data + command.VtxOffset + low;
     static_assert(sizeof(ImDrawVert) == sizeof(ScreenVertex) && sizeof(ImDrawIdx) == sizeof(unsigned short),
                   "as ImGui");
     int left = static_cast<int>(command.ClipRect.x), top = static_cast<int>(command.ClipRect.y);
-    paint_gl_screen_mesh(pencil->screen, reinterpret_cast<const ScreenVertex *>(vertices), size_t(high - low) + 1,
-                         pencil->indices.data(), command.ElemCount,
+    paint_gl_screen_mesh(painter->screen, reinterpret_cast<const ScreenVertex *>(vertices), size_t(high - low) + 1,
+                         painter->indices.data(), command.ElemCount,
                          static_cast<const ScreenTexture *>(command.TextureId), left, top,
                          static_cast<int>(command.ClipRect.z) - left, static_cast<int>(command.ClipRect.w) - top);
 }
 
 } // namespace
 
-void ui_pencil_end(UiPencil *pencil) {
-    for (const ImDrawList *list : pencil->lists)
+void ui_painter_end(UiPainter *painter) {
+    for (const ImDrawList *list : painter->lists)
         for (const ImDrawCmd &command : list->CmdBuffer)
             if (command.UserCallback == mark_ground)
-                draw_ground(pencil, pencil->grounds[reinterpret_cast<size_t>(command.UserCallbackData)]);
+                draw_ground(painter, painter->grounds[reinterpret_cast<size_t>(command.UserCallbackData)]);
             else if (command.ElemCount)
-                send(pencil, list, command);
-    pencil->grounds.clear();
+                send(painter, list, command);
+    painter->grounds.clear();
     ImGui::EndFrame();
 }

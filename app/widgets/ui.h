@@ -216,7 +216,7 @@ void ui_draw_diamond(Ui *ui, Vec2 middle, double radius, Role role);
 
 /* One line: at.y is the middle of the capitals; at.x the left end (aligned 0), the middle (0.5) or the right one (1).
  */
-void ui_draw_words(Ui *ui, UiLetters letters, Role role, Vec2 at, double aligned, const char *words);
+void ui_draw_text(Ui *ui, UiLetters letters, Role role, Vec2 at, double aligned, const char *words);
 
 /* A box that is grabbed by the mouse: where it is held, design points of the window. */
 typedef struct UiGrab {

@@ -3,7 +3,10 @@
 #include <string.h>
 
 #include "base/digest.h"
-#include "widgets/ui_inside.h"
+#include "widgets/ui_pane.h"
+#include "widgets/ui_stop.h"
+#include "widgets/ui_text.h"
+#include "widgets/ui_tip.h"
 
 #define PADDING 8.0
 #define LINE 19.0 /* of several lines in a button */
@@ -28,18 +31,18 @@ static int count_lines(const char *words) {
 }
 
 static UiInk words_ink(const Ui *ui, Look look) {
-    return look.chosen ? ui_frame_ink_on(ui, ROLE_CHAIR) : ui_frame_ink(ui, look.disabled ? ROLE_ROOM : ROLE_TEXT, 1);
+    return look.chosen ? ui_state_ink_on(ui, ROLE_CHAIR) : ui_state_ink(ui, look.disabled ? ROLE_ROOM : ROLE_TEXT, 1);
 }
 
 static void draw_button_ground(Ui *ui, Box box, Look look) {
     if (look.chosen)
-        ui_pencil_box(ui->pencil, box, ui_frame_ink(ui, ROLE_CHAIR, 1));
+        ui_painter_box(ui->painter, box, ui_state_ink(ui, ROLE_CHAIR, 1));
     else if (!look.disabled && (!look.plain || look.hovered))
-        ui_pencil_box(ui->pencil, box, ui_frame_ink(ui, look.hovered ? ROLE_SHADE : ROLE_PAPER, 1));
+        ui_painter_box(ui->painter, box, ui_state_ink(ui, look.hovered ? ROLE_SHADE : ROLE_PAPER, 1));
     if (look.hovered || look.held)
-        ui_pencil_frame(ui->pencil, box, look.held ? 2 * UI_EDGE : UI_EDGE, ui_frame_ink(ui, ROLE_TEXT, 1));
+        ui_painter_frame(ui->painter, box, look.held ? 2 * UI_EDGE : UI_EDGE, ui_state_ink(ui, ROLE_TEXT, 1));
     else if (!look.plain)
-        ui_pencil_frame(ui->pencil, box, UI_EDGE, ui_frame_ink(ui, ROLE_ROOM, look.disabled ? 0.5 : 1));
+        ui_painter_frame(ui->painter, box, UI_EDGE, ui_state_ink(ui, ROLE_ROOM, look.disabled ? 0.5 : 1));
 }
 
 /* The largest letters that have room. */
@@ -53,7 +56,7 @@ static void draw_lines(Ui *ui, Box box, UiInk ink, const char *label) {
     UiLetters letters = UI_BOLD;
     for (const char *line = label; line; letters = UI_SMALL) {
         Box place = {{box.low.x + 2, top}, {box.high.x - 2, top + LINE}};
-        ui_words_in(ui, letters, ink, place, 0.5, line);
+        ui_text_in(ui, letters, ink, place, 0.5, line);
         top += LINE;
         line = strchr(line, '\n');
         line = line ? line + 1 : NULL;
@@ -67,9 +70,9 @@ static void draw_plain(Ui *ui, Box box, UiInk ink, const char *label) {
     snprintf(first, sizeof first, "%.*s", (int)bytes, label);
     double padding = ui_extent(ui, UI_BODY, label).x + 2 * PADDING <= box_width(box) ? PADDING : PADDING / 4;
     Box inside = {{box.low.x + padding, box.low.y}, {box.high.x - padding, box.high.y}};
-    ui_words_in(ui, fitting_letters(ui, UI_BODY, label, box_width(inside)), ink, inside, 0, first);
+    ui_text_in(ui, fitting_letters(ui, UI_BODY, label, box_width(inside)), ink, inside, 0, first);
     if (label[bytes])
-        ui_words_in(ui, UI_SMALL, ink, inside, 1, label + bytes + 1);
+        ui_text_in(ui, UI_SMALL, ink, inside, 1, label + bytes + 1);
 }
 
 static void draw_label(Ui *ui, Box box, Look look, const char *label) {
@@ -80,18 +83,18 @@ static void draw_label(Ui *ui, Box box, Look look, const char *label) {
     else if (look.plain)
         draw_plain(ui, box, ink, label);
     else
-        ui_words_in(ui, fitting_letters(ui, look.chosen ? UI_BOLD : UI_BODY, label, box_width(inside)), ink, inside,
-                    0.5, label);
+        ui_text_in(ui, fitting_letters(ui, look.chosen ? UI_BOLD : UI_BODY, label, box_width(inside)), ink, inside, 0.5,
+                   label);
 }
 
 bool ui_button(Ui *ui, const UiButton *button) {
-    UiId id = ui_frame_id(ui, button->id ? button->id : button->label);
+    UiId id = ui_state_id(ui, button->id ? button->id : button->label);
     int lines = count_lines(button->label);
     Box box = ui_pane_next(ui, lines > 1 ? LINE * lines + 2 * PADDING : UI_BUTTON_HEIGHT);
-    UiTouch touch = ui_frame_touch(ui, id, box, false);
+    UiTouch touch = ui_state_touch(ui, id, box, false);
     /* one that is no longer to be used keeps the focus until it goes on by itself */
-    bool focused = (!button->disabled || ui->focus == id) && ui_focus_stop(ui, id, UI_IS_BUTTON, box);
-    bool used = ui_focus_used(ui, id) || touch.clicked;
+    bool focused = (!button->disabled || ui->focus == id) && ui_stop_make(ui, id, UI_IS_BUTTON, box);
+    bool used = ui_stop_used(ui, id) || touch.clicked;
     bool lives = !button->disabled;
     Look look = {button->chosen, button->plain, button->disabled, touch.hovered && lives,
                  touch.held && touch.hovered && lives};
@@ -104,11 +107,11 @@ bool ui_button(Ui *ui, const UiButton *button) {
 /* Flags ------------------------------------------------------------------------------------------------------------ */
 
 bool ui_flag(Ui *ui, const char *id_text, const char *label, const char *help, bool *value) {
-    UiId id = ui_frame_id(ui, id_text ? id_text : label);
+    UiId id = ui_state_id(ui, id_text ? id_text : label);
     Box box = ui_pane_next(ui, UI_BUTTON_HEIGHT - 4);
-    UiTouch touch = ui_frame_touch(ui, id, box, false);
-    bool focused = ui_focus_stop(ui, id, UI_IS_BUTTON, box);
-    bool used = ui_focus_used(ui, id) || touch.clicked;
+    UiTouch touch = ui_state_touch(ui, id, box, false);
+    bool focused = ui_stop_make(ui, id, UI_IS_BUTTON, box);
+    bool used = ui_stop_used(ui, id) || touch.clicked;
     if (used)
         *value = !*value;
     double middle = (box.low.y + box.high.y) / 2, left = box.low.x;
@@ -116,10 +119,10 @@ bool ui_flag(Ui *ui, const char *id_text, const char *label, const char *help, b
     draw_button_ground(ui, square, (Look){.chosen = *value, .hovered = touch.hovered, .held = touch.held});
     if (*value) {
         Vec2 tick[] = {{left + 4.5, middle}, {left + 8.5, middle + 4.5}, {left + 15.5, middle - 5}};
-        ui_pencil_polyline(ui->pencil, tick, 3, false, 2.5, ui_frame_ink_on(ui, ROLE_CHAIR));
+        ui_painter_polyline(ui->painter, tick, 3, false, 2.5, ui_state_ink_on(ui, ROLE_CHAIR));
     }
     Box words = {{square.high.x + PADDING, box.low.y}, box.high};
-    ui_words_in(ui, UI_BODY, ui_frame_ink(ui, ROLE_TEXT, 1), words, 0, label);
+    ui_text_in(ui, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1), words, 0, label);
     ui_tip_offer(ui, id, box, help, touch.hovered, focused);
     return used;
 }
@@ -127,7 +130,7 @@ bool ui_flag(Ui *ui, const char *id_text, const char *label, const char *help, b
 /* Choices ---------------------------------------------------------------------------------------------------------- */
 
 static void choose_by_keys(Ui *ui, UiId id, size_t count, size_t *chosen) {
-    for (UiPress press; ui_focus_take(ui, id, &press);)
+    for (UiPress press; ui_stop_next_key(ui, id, &press);)
         switch (press.key) {
         case UI_KEY_LEFT:
         case UI_KEY_UP:
@@ -164,20 +167,20 @@ bool ui_choice(Ui *ui, const char *id_text, const char *label, const char *help,
                size_t *chosen) {
     enum { MOST = 12 };
     assert(count <= MOST);
-    UiId id = ui_frame_id(ui, id_text ? id_text : label);
+    UiId id = ui_state_id(ui, id_text ? id_text : label);
     bool named = label && *label;
     size_t before = *chosen;
     Box box = ui_pane_next(ui, UI_BUTTON_HEIGHT + (named ? UI_LINE_HEIGHT : 0));
-    bool focused = ui_focus_stop(ui, id, UI_IS_CHOICE, box), hovered = false;
+    bool focused = ui_stop_make(ui, id, UI_IS_CHOICE, box), hovered = false;
     double widths[MOST];
     share_width(ui, words, count, box_width(box), widths);
     if (named)
-        ui_words_in(ui, UI_BODY, ui_frame_ink(ui, ROLE_TEXT, 1),
-                    (Box){box.low, {box.high.x, box.low.y + UI_LINE_HEIGHT}}, 0, label);
+        ui_text_in(ui, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1),
+                   (Box){box.low, {box.high.x, box.low.y + UI_LINE_HEIGHT}}, 0, label);
     Vec2 at = {box.low.x, named ? box.low.y + UI_LINE_HEIGHT : box.low.y};
     for (size_t i = 0; i < count; at.x += widths[i] + CHOICE_GAP, i++) {
         Box part = {at, {at.x + widths[i], box.high.y}};
-        UiTouch touch = ui_frame_touch(ui, digest_chain(id, i + 1), part, false);
+        UiTouch touch = ui_state_touch(ui, digest_chain(id, i + 1), part, false);
         if (touch.clicked)
             *chosen = i;
         hovered = hovered || touch.hovered;
@@ -194,23 +197,23 @@ bool ui_choice(Ui *ui, const char *id_text, const char *label, const char *help,
 
 static void draw_mark(Ui *ui, Box box, const UiRow *row) {
     Vec2 middle = {box.low.x + ROW_DISC_RADIUS + 1, (box.low.y + box.high.y) / 2};
-    UiInk ink = ui_frame_ink_on(ui, row->role), fill = ui_frame_ink(ui, row->role, 1);
+    UiInk ink = ui_state_ink_on(ui, row->role), fill = ui_state_ink(ui, row->role, 1);
     if (row->shape == ROW_DISC) {
-        ui_pencil_disc(ui->pencil, middle, ROW_DISC_RADIUS, ui_frame_ink(ui, ROLE_WALL, 1));
-        ui_pencil_disc(ui->pencil, middle, ROW_DISC_RADIUS - 2, fill);
+        ui_painter_disc(ui->painter, middle, ROW_DISC_RADIUS, ui_state_ink(ui, ROLE_WALL, 1));
+        ui_painter_disc(ui->painter, middle, ROW_DISC_RADIUS - 2, fill);
     } else if (row->shape == ROW_LINE) {
         static const double dashes[LINE_STYLES][2] = {{26, 0}, {7, 4}, {3, 3}, {10, 3}};
         const double *dash = dashes[row->style];
         for (double x = 0; x < 26; x += dash[0] + dash[1])
-            ui_pencil_box(ui->pencil,
-                          (Box){{box.low.x + x, middle.y - 2}, {box.low.x + fmin(26, x + dash[0]), middle.y + 2}},
-                          fill);
+            ui_painter_box(ui->painter,
+                           (Box){{box.low.x + x, middle.y - 2}, {box.low.x + fmin(26, x + dash[0]), middle.y + 2}},
+                           fill);
         if (row->mark)
-            ui_pencil_box(ui->pencil, box_expand((Box){middle, middle}, ROW_DISC_RADIUS - 2), fill);
+            ui_painter_box(ui->painter, box_expand((Box){middle, middle}, ROW_DISC_RADIUS - 2), fill);
     }
     if (row->mark)
-        ui_words_in(ui, UI_SMALL, row->shape == ROW_DISC || row->shape == ROW_LINE ? ink : fill,
-                    box_expand((Box){middle, middle}, 14), 0.5, row->mark);
+        ui_text_in(ui, UI_SMALL, row->shape == ROW_DISC || row->shape == ROW_LINE ? ink : fill,
+                   box_expand((Box){middle, middle}, 14), 0.5, row->mark);
 }
 
 /* Where there are several, the columns at the right are as wide as their widest cell of the frame before. */
@@ -222,8 +225,8 @@ static double draw_cells(Ui *ui, Box box, UiLetters letters, const char *const *
         double *columns[] = {ui->place ? &ui->place->columns[0][column - 1] : &width,
                              ui->place ? &ui->place->columns[1][column - 1] : &width};
         *columns[1] = count > 2 ? fmax(*columns[1], width) : *columns[1];
-        ui_words_in(ui, letters, ui_frame_ink(ui, ROLE_TEXT, 1), (Box){{right - width, box.low.y}, {right, box.high.y}},
-                    1, cells[column]);
+        ui_text_in(ui, letters, ui_state_ink(ui, ROLE_TEXT, 1), (Box){{right - width, box.low.y}, {right, box.high.y}},
+                   1, cells[column]);
         right -= (count > 2 ? fmax(width, *columns[0]) : width) + ROW_GAP;
     }
     return right;
@@ -239,17 +242,17 @@ static Box next_row(Ui *ui) {
 }
 
 bool ui_list_row(Ui *ui, const UiRow *row) {
-    UiId id = ui_frame_id(ui, row->id ? row->id : row->cells[0]);
+    UiId id = ui_state_id(ui, row->id ? row->id : row->cells[0]);
     Box box = next_row(ui);
-    UiTouch touch = row->usable ? ui_frame_touch(ui, id, box, false) : (UiTouch){0};
+    UiTouch touch = row->usable ? ui_state_touch(ui, id, box, false) : (UiTouch){0};
     Box wide = {{box.low.x - 6, box.low.y}, {box.high.x + 6, box.high.y}};
     /* the frame of the focus hides nothing of the rows beside it */
-    bool focused = row->usable && ui_focus_stop(ui, id, UI_IS_ROW, box_expand(wide, -UI_FRAME - UI_RIM));
-    bool used = row->usable && (ui_focus_used(ui, id) || touch.clicked);
+    bool focused = row->usable && ui_stop_make(ui, id, UI_IS_ROW, box_expand(wide, -UI_FRAME - UI_RIM));
+    bool used = row->usable && (ui_stop_used(ui, id) || touch.clicked);
     if (row->selected || touch.hovered)
-        ui_pencil_box(ui->pencil, wide, ui_frame_ink(ui, ROLE_SHADE, row->selected ? 1 : 0.6));
+        ui_painter_box(ui->painter, wide, ui_state_ink(ui, ROLE_SHADE, row->selected ? 1 : 0.6));
     if (row->selected)
-        ui_pencil_box(ui->pencil, (Box){wide.low, {wide.low.x + 4, wide.high.y}}, ui_frame_ink(ui, ROLE_CHAIR, 1));
+        ui_painter_box(ui->painter, (Box){wide.low, {wide.low.x + 4, wide.high.y}}, ui_state_ink(ui, ROLE_CHAIR, 1));
     UiLetters letters = row->selected ? UI_BOLD : UI_BODY;
     Box inside = box;
     if (row->mark || row->shape == ROW_DISC || row->shape == ROW_LINE) {
@@ -258,7 +261,7 @@ bool ui_list_row(Ui *ui, const UiRow *row) {
     }
     inside.high.x = draw_cells(ui, inside, letters, row->cells);
     if (row->cells[0])
-        ui_words_in(ui, letters, ui_frame_ink(ui, ROLE_TEXT, 1), inside, 0, row->cells[0]);
+        ui_text_in(ui, letters, ui_state_ink(ui, ROLE_TEXT, 1), inside, 0, row->cells[0]);
     ui_tip_offer(ui, id, box, row->help, touch.hovered, focused);
     return used;
 }

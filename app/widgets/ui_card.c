@@ -1,4 +1,6 @@
-#include "widgets/ui_inside.h"
+#include "widgets/ui_pane.h"
+#include "widgets/ui_stop.h"
+#include "widgets/ui_text.h"
 
 #define EDGE 6.0 /* design points, round the picture and the words */
 #define NAME_HEIGHT 26.0
@@ -12,22 +14,22 @@ static Box fitted(Box place, const ScreenTexture *picture) {
 }
 
 bool ui_card(Ui *ui, const UiCard *card) {
-    UiId id = ui_frame_id(ui, card->id ? card->id : card->name);
+    UiId id = ui_state_id(ui, card->id ? card->id : card->name);
     Box box = ui_pane_next(ui, card->picture_height + NAME_HEIGHT + card->words_height + 3 * EDGE);
-    UiTouch touch = ui_frame_touch(ui, id, box, false);
-    ui_focus_stop(ui, id, UI_IS_BUTTON, box);
-    bool used = ui_focus_used(ui, id) || touch.clicked;
+    UiTouch touch = ui_state_touch(ui, id, box, false);
+    ui_stop_make(ui, id, UI_IS_BUTTON, box);
+    bool used = ui_stop_used(ui, id) || touch.clicked;
     Box inside = box_expand(box, -EDGE), place = inside;
     place.high.y = inside.low.y + card->picture_height;
-    ui_pencil_box(ui->pencil, box, ui_frame_ink(ui, touch.hovered ? ROLE_SHADE : ROLE_PAPER, 1));
-    ui_pencil_frame(ui->pencil, box, touch.hovered ? 2 * UI_EDGE : UI_EDGE, ui_frame_ink(ui, ROLE_ROOM, 1));
+    ui_painter_box(ui->painter, box, ui_state_ink(ui, touch.hovered ? ROLE_SHADE : ROLE_PAPER, 1));
+    ui_painter_frame(ui->painter, box, touch.hovered ? 2 * UI_EDGE : UI_EDGE, ui_state_ink(ui, ROLE_ROOM, 1));
     if (card->picture)
-        ui_pencil_image(ui->pencil, card->picture, fitted(place, card->picture));
+        ui_painter_image(ui->painter, card->picture, fitted(place, card->picture));
     Box name = {{inside.low.x, place.high.y + EDGE / 2}, {inside.high.x, place.high.y + EDGE / 2 + NAME_HEIGHT}};
-    ui_words_in(ui, UI_BOLD, ui_frame_ink(ui, ROLE_TEXT, 1), name, 0, card->name);
+    ui_text_in(ui, UI_BOLD, ui_state_ink(ui, ROLE_TEXT, 1), name, 0, card->name);
     Box words = {{inside.low.x, name.high.y}, inside.high};
-    ui_pencil_clip(ui->pencil, words);
-    ui_words_wrapped(ui, UI_SMALL, ui_frame_ink(ui, ROLE_DIM_TEXT, 1), words, card->words ? card->words : "");
-    ui_pencil_unclip(ui->pencil);
+    ui_painter_clip(ui->painter, words);
+    ui_text_wrapped(ui, UI_SMALL, ui_state_ink(ui, ROLE_DIM_TEXT, 1), words, card->words ? card->words : "");
+    ui_painter_unclip(ui->painter);
     return used;
 }

@@ -1,6 +1,10 @@
+#include "widgets/ui_editor.h"
+
 #include <string.h>
 
-#include "widgets/ui_inside.h"
+#include "base/text.h"
+#include "widgets/ui_number.h"
+#include "widgets/ui_stop.h"
 
 enum { LONGEST = 4096 /* bytes of one line; more is not typed */ };
 
@@ -71,28 +75,50 @@ static void tell(Ui *ui, UiEnd end, const char *text) {
     ui->typed[ui->typed_count++] = (UiTyped){ui->editor.id, end, arena_text(&ui->typed_texts, text)};
 }
 
+UiDraft *ui_editor_draft(const Ui *ui, UiId id) {
+    for (size_t i = 0; id && i < ui->draft_count; i++)
+        if (ui->drafts[i].id == id)
+            return &ui->drafts[i];
+    return NULL;
+}
+
+void ui_editor_drop_draft(Ui *ui, UiId id) {
+    UiDraft *draft = ui_editor_draft(ui, id);
+    if (!draft)
+        return;
+    memory_free(draft->text);
+    *draft = ui->drafts[--ui->draft_count];
+}
+
+static void store_draft(Ui *ui, UiId id, const char *text) {
+    ui_editor_drop_draft(ui, id);
+    ui->drafts = memory_reserve(ui->drafts, &ui->draft_capacity, ui->draft_count + 1, sizeof *ui->drafts);
+    UiDraft *draft = &ui->drafts[ui->draft_count++];
+    *draft = (UiDraft){id, text_copy(text)};
+}
+
 /* A number that was looked at but not changed keeps the digits that are not shown. */
 static void close_number(Ui *ui, const UiStop *stop, UiEnd end) {
     UiEditor *editor = &ui->editor;
-    bool changed = strcmp(editor->text, editor->original) != 0 || ui_slider_draft(ui, editor->id);
+    bool changed = strcmp(editor->text, editor->original) != 0 || ui_editor_draft(ui, editor->id);
     char reason[UI_REASON];
     double value;
-    bool wrong = end != UI_END_ESCAPED && changed && ui_slider_is_wrong(stop->number, editor->text, &value, reason);
+    bool wrong = end != UI_END_ESCAPED && changed && ui_number_is_wrong(stop->number, editor->text, &value, reason);
     if (wrong && end == UI_END_ENTERED) {
         editor->wrong = true;
         return;
     }
     if (wrong)
-        ui_slider_keep_draft(ui, editor->id, editor->text);
+        store_draft(ui, editor->id, editor->text);
     else
-        ui_slider_drop_draft(ui, editor->id);
+        ui_editor_drop_draft(ui, editor->id);
     if (!wrong && changed && end != UI_END_ESCAPED)
         tell(ui, end, editor->text);
     editor->id = 0;
 }
 
 void ui_editor_close(Ui *ui, UiEnd end) {
-    const UiStop *stop = ui_focus_find(ui, ui->editor.id);
+    const UiStop *stop = ui_stop_find(ui, ui->editor.id);
     if (stop && stop->number) {
         close_number(ui, stop, end);
         return;
@@ -156,7 +182,7 @@ static void insert(UiEditor *editor, const char *words) {
 }
 
 void ui_type(Ui *ui, const char *words) {
-    ui_frame_stir(ui);
+    ui_state_stir(ui);
     if (ui->editor.id)
         insert(&ui->editor, words);
 }
@@ -248,7 +274,7 @@ void ui_editor_key(Ui *ui, UiKey key, bool shift, bool control) {
 /* Drawing ---------------------------------------------------------------------------------------------------------- */
 
 static double width_of(Ui *ui, size_t bytes) {
-    return ui_pencil_extent(ui->pencil, UI_BODY, ui->editor.text, bytes).x;
+    return ui_painter_extent(ui->painter, UI_BODY, ui->editor.text, bytes).x;
 }
 
 /* Where the mouse is among the letters. */
@@ -282,15 +308,15 @@ void ui_editor_draw(Ui *ui, Box box, UiTouch touch) {
     editor->scroll = real_clamp(editor->scroll, fmax(0, caret - room), caret);
     editor->scroll = fmin(editor->scroll, fmax(0, width_of(ui, editor->size) - room));
     double left = inside.low.x - editor->scroll;
-    ui_pencil_clip(ui->pencil, inside);
+    ui_painter_clip(ui->painter, inside);
     if (editor->caret != editor->anchor) {
         Box chosen = {{left + width_of(ui, selected_from(editor)), inside.low.y},
                       {left + width_of(ui, selected_to(editor)), inside.high.y}};
-        ui_pencil_box(ui->pencil, chosen, ui_frame_ink(ui, ROLE_CHAIR, 0.35));
+        ui_painter_box(ui->painter, chosen, ui_state_ink(ui, ROLE_CHAIR, 0.35));
     }
-    ui_pencil_words(ui->pencil, UI_BODY, ui_frame_ink(ui, ROLE_TEXT, 1), vec2(left, middle), editor->text,
-                    editor->size);
+    ui_painter_words(ui->painter, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1), vec2(left, middle), editor->text,
+                     editor->size);
     Box line = {{left + caret, inside.low.y}, {left + caret + CARET, inside.high.y}};
-    ui_pencil_box(ui->pencil, line, ui_frame_ink(ui, ROLE_TEXT, 1));
-    ui_pencil_unclip(ui->pencil);
+    ui_painter_box(ui->painter, line, ui_state_ink(ui, ROLE_TEXT, 1));
+    ui_painter_unclip(ui->painter);
 }

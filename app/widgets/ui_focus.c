@@ -1,51 +1,19 @@
+#include "widgets/ui_focus.h"
 
 #include "base/digest.h"
-#include "widgets/ui_inside.h"
+#include "widgets/ui_editor.h"
+#include "widgets/ui_pane.h"
+#include "widgets/ui_stop.h"
+#include "widgets/ui_tip.h"
 
 /* Stops ------------------------------------------------------------------------------------------------------------ */
-
-static const UiSlider *keep_number(Ui *ui, const UiSlider *number) {
-    if (!number)
-        return NULL;
-    UiSlider *kept = arena_allocate(&ui->stop_texts, sizeof *kept);
-    *kept = *number;
-    kept->unit = arena_text(&ui->stop_texts, number->unit ? number->unit : "");
-    kept->id = kept->label = kept->help = NULL;
-    return kept;
-}
-
-bool ui_focus_stop_typed(Ui *ui, UiId id, UiKind kind, Box box, const char *text, const UiSlider *number) {
-    ui->stops = memory_reserve(ui->stops, &ui->stop_capacity, ui->stop_count + 1, sizeof *ui->stops);
-    ui->stops[ui->stop_count++] = (UiStop){id, ui->place ? ui->place->id : 0, kind,
-                                           text ? arena_text(&ui->stop_texts, text) : NULL, keep_number(ui, number)};
-    if (ui->focus != id)
-        return false;
-    ui->focus_box = box;
-    ui->focus_made = true;
-    return true;
-}
-
-bool ui_focus_stop(Ui *ui, UiId id, UiKind kind, Box box) {
-    return ui_focus_stop_typed(ui, id, kind, box, NULL, NULL);
-}
 
 static bool reaches(const Ui *ui, const UiStop *stop) {
     return !ui->modal || stop->pane == ui->modal;
 }
 
-static const UiStop *find(const UiStop *stops, size_t count, UiId id) {
-    for (size_t i = 0; id && i < count; i++)
-        if (stops[i].id == id)
-            return &stops[i];
-    return NULL;
-}
-
-const UiStop *ui_focus_find(const Ui *ui, UiId id) {
-    return find(ui->old_stops, ui->old_stop_count, id);
-}
-
 static void give(Ui *ui, const UiStop *stop) {
-    ui_frame_stir(ui);
+    ui_state_stir(ui);
     ui->focus = stop->id;
     ui->focus_pane = stop->pane;
     ui->reveal = true;
@@ -167,7 +135,7 @@ static void mind_modal(Ui *ui) {
         ui->focus = 0;
         ui->focus_pane = ui->modal;
     } else if (!ui->modal && ui->keeps) {
-        ui_frame_stir(ui);
+        ui_state_stir(ui);
         ui->focus = ui->kept;
         ui->focus_pane = ui->kept_pane;
         ui->keeps = false;
@@ -176,7 +144,7 @@ static void mind_modal(Ui *ui) {
 
 /* A stop that is gone leaves the focus to the first one of its pane. */
 static void mind_gone(Ui *ui) {
-    if (!ui->focus_pane || ui_focus_find(ui, ui->focus))
+    if (!ui->focus_pane || ui_stop_find(ui, ui->focus))
         return;
     const UiStop *stop = first_of(ui, ui->old_stops, ui->old_stop_count, ui->focus_pane);
     if (!stop && !ui->modal)
@@ -192,48 +160,13 @@ void ui_focus_frame_end(Ui *ui) {
         ui->reveal = false;
     ui->press_count = ui->typed_count = 0;
     arena_clear(&ui->typed_texts);
-    if (ui->editor.id && !ui_focus_find(ui, ui->editor.id))
+    if (ui->editor.id && !ui_stop_find(ui, ui->editor.id))
         ui->editor.id = 0;
     mind_modal(ui);
     mind_gone(ui);
 }
 
-/* Two frames, one in the colour of ink and one of paper: one of them differs from any ground. */
-void ui_focus_draw(Ui *ui) {
-    double reach = UI_FRAME + UI_RIM;
-    Box box = ui->focus == ui->place->id ? ui->place->box : box_expand(ui->focus_box, reach), pane = ui->place->box;
-    box.low = vec2(fmax(box.low.x, pane.low.x), fmax(box.low.y, pane.low.y));
-    box.high = vec2(fmin(box.high.x, pane.high.x), fmin(box.high.y, pane.high.y));
-    Colour ground = palette_colour(ui->theme, ROLE_PAPER);
-    bool dark = palette_ink_on(ground).red > 0.5;
-    UiInk black = 0xFF000000, white = 0xFFFFFFFF;
-    ui_pencil_frame(ui->pencil, box, UI_FRAME, dark ? white : black);
-    ui_pencil_frame(ui->pencil, box_expand(box, -UI_FRAME), UI_RIM, dark ? black : white);
-}
-
 /* Keys ------------------------------------------------------------------------------------------------------------- */
-
-static void press(Ui *ui, UiId id, UiKey key, bool shift) {
-    ui->presses = memory_reserve(ui->presses, &ui->press_capacity, ui->press_count + 1, sizeof *ui->presses);
-    ui->presses[ui->press_count++] = (UiPress){id, key, shift};
-}
-
-bool ui_focus_take(Ui *ui, UiId id, UiPress *taken) {
-    for (size_t i = 0; i < ui->press_count; i++)
-        if (ui->presses[i].id == id) {
-            *taken = ui->presses[i];
-            ui->presses[i].id = 0;
-            return true;
-        }
-    return false;
-}
-
-bool ui_focus_used(Ui *ui, UiId id) {
-    bool used = false;
-    for (UiPress taken; ui_focus_take(ui, id, &taken);)
-        used = true;
-    return used;
-}
 
 /* Sets of keys, a bit each. */
 #define KEY(name_) (1u << UI_KEY_##name_)
@@ -273,7 +206,7 @@ static bool use_key(Ui *ui, const UiStop *stop, UiKey key, bool shift) {
         const UiPlace *place = ui_pane_find(ui, stop->pane);
         bool scrolls = place && ui_pane_overflows(place) && ((UPWARDS | PAGES) & 1u << key);
         if (scrolls)
-            press(ui, place->id, key, shift);
+            ui_stop_press(ui, place->id, key, shift);
         return scrolls;
     }
     if (stop->kind == UI_IS_ROW && (UPWARDS & 1u << key))
@@ -281,7 +214,7 @@ static bool use_key(Ui *ui, const UiStop *stop, UiKey key, bool shift) {
     else if (stop->text && key == UI_KEY_ENTER)
         ui_editor_open(ui, stop->id, stop->text);
     else
-        press(ui, stop->id, key, shift);
+        ui_stop_press(ui, stop->id, key, shift);
     return true;
 }
 
@@ -290,8 +223,8 @@ static bool escape(Ui *ui) {
         ui_editor_close(ui, UI_END_ESCAPED);
         return true;
     }
-    if (ui_slider_draft(ui, ui->focus)) {
-        ui_slider_drop_draft(ui, ui->focus);
+    if (ui_editor_draft(ui, ui->focus)) {
+        ui_editor_drop_draft(ui, ui->focus);
         return true;
     }
     return !ui->modal && ui_tip_hide(ui);
@@ -312,14 +245,14 @@ static void go(Ui *ui, UiKey key) {
 /* Enter in a field that the focus keeps open leaves it open. */
 static void enter(Ui *ui) {
     UiId id = ui->editor.id;
-    const UiStop *stop = ui_focus_find(ui, id);
+    const UiStop *stop = ui_stop_find(ui, id);
     ui_editor_close(ui, UI_END_ENTERED);
     if (stop && stop->kind == UI_IS_FIELD && ui->focus == id)
         ui_editor_open(ui, id, ui->typed[ui->typed_count - 1].text);
 }
 
 bool ui_key(Ui *ui, UiKey key, bool shift, bool control) {
-    ui_frame_stir(ui);
+    ui_state_stir(ui);
     if (key <= UI_KEY_PANE_BACK) {
         go(ui, key);
         return true;
@@ -333,6 +266,6 @@ bool ui_key(Ui *ui, UiKey key, bool shift, bool control) {
             ui_editor_key(ui, key, shift, control);
         return true;
     }
-    const UiStop *stop = ui_focus_find(ui, ui->focus);
+    const UiStop *stop = ui_stop_find(ui, ui->focus);
     return stop && !control && use_key(ui, stop, key, shift);
 }

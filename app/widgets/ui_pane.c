@@ -1,8 +1,10 @@
+#include "widgets/ui_pane.h"
+
 #include <string.h>
 
 #include "base/digest.h"
 #include "base/text.h"
-#include "widgets/ui_inside.h"
+#include "widgets/ui_stop.h"
 
 #define NARROW 160.0 /* a pane no wider than that has only a small margin */
 #define MARGIN 16.0
@@ -70,12 +72,12 @@ static void draw_bar(Ui *ui, UiPlace *place) {
     double height = box_height(box), length = fmax(BAR_LEAST, height * height / place->content);
     double part = hidden(place) > 0 ? place->scroll / hidden(place) : 0;
     Box track = {{box.high.x - BAR_WIDTH - 2, box.low.y}, box.high};
-    UiTouch touch = ui_frame_touch(ui, ui_frame_id(ui, "scroll bar"), track, false);
+    UiTouch touch = ui_state_touch(ui, ui_state_id(ui, "scroll bar"), track, false);
     if (touch.held)
         place->scroll += ui->moved.y * hidden(place) / fmax(1, height - length);
     double top = box.low.y + part * (height - length);
     Box block = {{box.high.x - BAR_WIDTH, top}, {box.high.x - 2, top + length}};
-    ui_pencil_box(ui->pencil, block, ui_frame_ink(ui, ROLE_ROOM, touch.hovered || touch.held ? 1 : 0.75));
+    ui_painter_box(ui->painter, block, ui_state_ink(ui, ROLE_ROOM, touch.hovered || touch.held ? 1 : 0.75));
 }
 
 static void bring_into_view(Ui *ui, UiPlace *place) {
@@ -103,13 +105,13 @@ static void begin_flow(Ui *ui, UiPlace *place) {
 }
 
 static void draw_ground(Ui *ui, const UiPane *pane) {
-    ui_pencil_layer(ui->pencil, pane->modal ? UI_LAYER_MODAL : UI_LAYER_PANES);
+    ui_painter_layer(ui->painter, pane->modal ? UI_LAYER_MODAL : UI_LAYER_PANES);
     if (pane->modal)
-        ui_pencil_box(ui->pencil, ui->window, (UiInk)lrint(255 * DIM) << 24);
+        ui_painter_box(ui->painter, ui->window, (UiInk)lrint(255 * DIM) << 24);
     if (pane->ground != ROLE_COUNT)
-        ui_pencil_ground(ui->pencil, pane->box, palette_colour(ui->theme, pane->ground));
+        ui_painter_ground(ui->painter, pane->box, palette_colour(ui->theme, pane->ground));
     if (pane->modal)
-        ui_pencil_frame(ui->pencil, box_expand(pane->box, UI_RIM), UI_RIM, ui_frame_ink(ui, ROLE_TEXT, 1));
+        ui_painter_frame(ui->painter, box_expand(pane->box, UI_RIM), UI_RIM, ui_state_ink(ui, ROLE_TEXT, 1));
 }
 
 void ui_pane_begin(Ui *ui, const UiPane *pane) {
@@ -131,16 +133,16 @@ void ui_pane_begin(Ui *ui, const UiPane *pane) {
     ui->place = place;
     ui->ground = pane->ground;
     draw_ground(ui, pane);
-    ui_pencil_clip(ui->pencil, pane->box);
+    ui_painter_clip(ui->painter, pane->box);
     begin_flow(ui, place);
     ui->first_stop = ui->stop_count;
     if (pane->stop)
-        ui_focus_stop(ui, id, UI_IS_PANE, pane->box);
+        ui_stop_make(ui, id, UI_IS_PANE, pane->box);
 }
 
 static void scroll_by_key(Ui *ui, UiPlace *place) {
     double page = 0.9 * box_height(place->box);
-    for (UiPress press; ui_focus_take(ui, place->id, &press);)
+    for (UiPress press; ui_stop_next_key(ui, place->id, &press);)
         switch (press.key) {
         case UI_KEY_UP:
             place->scroll -= NOTCH;
@@ -166,7 +168,7 @@ static void scroll_by_key(Ui *ui, UiPlace *place) {
 static void mind_change(Ui *ui, UiPlace *place, double content) {
     bool wider = memcmp(place->columns[0], place->columns[1], sizeof place->columns[0]) != 0;
     if (place->content != content || place->scroll != place->seen_scroll || wider)
-        ui_frame_stir(ui);
+        ui_state_stir(ui);
 }
 
 void ui_pane_end(Ui *ui) {
@@ -180,15 +182,15 @@ void ui_pane_end(Ui *ui) {
         scroll_by_key(ui, place);
     }
     if (ui->stop_count == ui->first_stop && (place->modal || ui_pane_overflows(place)))
-        ui_focus_stop(ui, place->id, UI_IS_PANE, place->box);
+        ui_stop_make(ui, place->id, UI_IS_PANE, place->box);
     if (ui->focus_pane == place->id && ui->focus_made) {
         if (ui->reveal && place->scrolls && ui->focus != place->id)
             bring_into_view(ui, place);
-        ui_focus_draw(ui);
+        ui_stop_draw(ui);
     }
     mind_change(ui, place, content);
-    ui_pencil_unclip(ui->pencil);
-    ui_pencil_layer(ui->pencil, UI_LAYER_PANES);
+    ui_painter_unclip(ui->painter);
+    ui_painter_layer(ui->painter, UI_LAYER_PANES);
     ui->place = NULL;
     ui->inner = ui->window;
 }

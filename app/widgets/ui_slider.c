@@ -1,8 +1,9 @@
-#include <stdio.h>
-
-#include "base/quantity.h"
-#include "base/text.h"
-#include "widgets/ui_inside.h"
+#include "widgets/ui_editor.h"
+#include "widgets/ui_number.h"
+#include "widgets/ui_pane.h"
+#include "widgets/ui_stop.h"
+#include "widgets/ui_text.h"
+#include "widgets/ui_tip.h"
 
 #define LABEL_HEIGHT 24.0
 #define TRACK_ROW 24.0 /* what the mouse may hit */
@@ -14,31 +15,6 @@
 #define REASON_HEIGHT 22.0
 
 /* Numbers ---------------------------------------------------------------------------------------------------------- */
-
-static void print_value(const UiSlider *slider, double value, char *text, size_t size) {
-    const char *unit = slider->unit ? slider->unit : "";
-    snprintf(text, size, "%.*f%s%s", slider->whole ? 0 : slider->digits, value, *unit ? " " : "", unit);
-}
-
-bool ui_slider_is_wrong(const UiSlider *slider, const char *text, double *value, char reason[UI_REASON]) {
-    char why[QUANTITY_REASON] = "", least[64], most[64];
-    double typed;
-    bool read = quantity_read(text, slider->unit, &typed, why);
-    double slack = 1e-9 * fmax(fabs(slider->least), fabs(slider->most)); /* 1500 mm is 1.5 m, whatever rounding says */
-    if (read && slider->whole)
-        typed = round(typed);
-    if (read && typed >= slider->least - slack && typed <= slider->most + slack) {
-        *value = real_clamp(typed, slider->least, slider->most);
-        return false;
-    }
-    print_value(slider, slider->least, least, sizeof least);
-    print_value(slider, slider->most, most, sizeof most);
-    if (read)
-        snprintf(reason, UI_REASON, "%s to %s", least, most);
-    else
-        snprintf(reason, UI_REASON, "%s to %s; %s", least, most, why);
-    return true;
-}
 
 static double part_of(const UiSlider *slider, double value) {
     double part = slider->logarithmic ? log(value / slider->low) / log(slider->high / slider->low)
@@ -55,30 +31,6 @@ static double value_at(const UiSlider *slider, double part) {
                                        : slider->low + part * (slider->high - slider->low);
     double grain = slider->whole ? 1 : pow(10, -slider->digits);
     return real_clamp(round(value / grain) * grain, slider->low, slider->high);
-}
-
-/* Drafts ----------------------------------------------------------------------------------------------------------- */
-
-UiDraft *ui_slider_draft(const Ui *ui, UiId id) {
-    for (size_t i = 0; id && i < ui->draft_count; i++)
-        if (ui->drafts[i].id == id)
-            return &ui->drafts[i];
-    return NULL;
-}
-
-void ui_slider_drop_draft(Ui *ui, UiId id) {
-    UiDraft *draft = ui_slider_draft(ui, id);
-    if (!draft)
-        return;
-    memory_free(draft->text);
-    *draft = ui->drafts[--ui->draft_count];
-}
-
-void ui_slider_keep_draft(Ui *ui, UiId id, const char *text) {
-    ui_slider_drop_draft(ui, id);
-    ui->drafts = memory_reserve(ui->drafts, &ui->draft_capacity, ui->draft_count + 1, sizeof *ui->drafts);
-    UiDraft *draft = &ui->drafts[ui->draft_count++];
-    *draft = (UiDraft){id, text_copy(text)};
 }
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
@@ -129,15 +81,15 @@ static void draw_track(Ui *ui, const UiSlider *slider, Box box, UiTouch touch) {
     double at = left + BLOCK / 2 + part_of(slider, slider->value) * width;
     double initial = left + BLOCK / 2 + part_of(slider, slider->initial) * width;
     Box track = {{left, middle - TRACK / 2}, {box.high.x, middle + TRACK / 2}};
-    ui_pencil_box(ui->pencil, track, ui_frame_ink(ui, ROLE_ROOM, 0.4));
+    ui_painter_box(ui->painter, track, ui_state_ink(ui, ROLE_ROOM, 0.4));
     track.high.x = at;
-    ui_pencil_box(ui->pencil, track, ui_frame_ink(ui, ROLE_CHAIR, 1));
+    ui_painter_box(ui->painter, track, ui_state_ink(ui, ROLE_CHAIR, 1));
     Box mark = {{initial - 1, middle - MARK_HEIGHT / 2}, {initial + 1, middle + MARK_HEIGHT / 2}};
-    ui_pencil_box(ui->pencil, mark, ui_frame_ink(ui, ROLE_TEXT, 1));
+    ui_painter_box(ui->painter, mark, ui_state_ink(ui, ROLE_TEXT, 1));
     Box block = {{at - BLOCK / 2, middle - BLOCK_HEIGHT / 2}, {at + BLOCK / 2, middle + BLOCK_HEIGHT / 2}};
-    ui_pencil_box(ui->pencil, block, ui_frame_ink(ui, ROLE_CHAIR, 1));
+    ui_painter_box(ui->painter, block, ui_state_ink(ui, ROLE_CHAIR, 1));
     if (touch.hovered || touch.held)
-        ui_pencil_frame(ui->pencil, block, 2, ui_frame_ink(ui, ROLE_TEXT, 1));
+        ui_painter_frame(ui->painter, block, 2, ui_state_ink(ui, ROLE_TEXT, 1));
 }
 
 static UiChange slide(Ui *ui, UiSlider *slider, const Parts *parts, UiTouch touch) {
@@ -148,7 +100,7 @@ static UiChange slide(Ui *ui, UiSlider *slider, const Parts *parts, UiTouch touc
     }
     double left = parts->track.low.x + BLOCK / 2, width = fmax(1, box_width(parts->track) - BLOCK);
     if (touch.pressed)
-        ui_slider_drop_draft(ui, parts->id);
+        ui_editor_drop_draft(ui, parts->id);
     if (touch.pressed) { /* beside the block it comes to the mouse, on it it is held where it is */
         double off = ui->mouse.x - left - width * part_of(slider, slider->value);
         ui->grip = fabs(off) <= BLOCK / 2 ? off : 0;
@@ -162,36 +114,36 @@ static UiChange slide(Ui *ui, UiSlider *slider, const Parts *parts, UiTouch touc
 
 static UiChange use_keys(Ui *ui, UiSlider *slider, UiId id) {
     double before = slider->value;
-    for (UiPress press; ui_focus_take(ui, id, &press);) {
+    for (UiPress press; ui_stop_next_key(ui, id, &press);) {
         slider->value = value_by_key(slider, press);
-        ui_slider_drop_draft(ui, id);
+        ui_editor_drop_draft(ui, id);
     }
     const UiTyped *typed = ui_editor_ended(ui, id);
     char reason[UI_REASON];
     if (typed)
-        ui_slider_is_wrong(slider, typed->text, &slider->value, reason);
+        ui_number_is_wrong(slider, typed->text, &slider->value, reason);
     return slider->value != before ? UI_CHANGED : UI_SAME;
 }
 
 /* The reason lies where the track was: nothing else moves. */
 static void draw_reason(Ui *ui, Box box, const char *reason) {
-    UiInk ink = ui_frame_ink(ui, ROLE_ERROR, 1);
+    UiInk ink = ui_state_ink(ui, ROLE_ERROR, 1);
     double middle = (box.low.y + box.high.y) / 2;
-    ui_pencil_disc(ui->pencil, vec2(box.low.x + 9, middle), 9, ink);
+    ui_painter_disc(ui->painter, vec2(box.low.x + 9, middle), 9, ink);
     Box sign = {{box.low.x, box.low.y}, {box.low.x + 18, box.high.y}};
-    ui_words_in(ui, UI_BOLD, ui_frame_ink_on(ui, ROLE_ERROR), sign, 0.5, "!");
-    ui_words_in(ui, UI_SMALL, ink, (Box){{box.low.x + 24, box.low.y}, box.high}, 0, reason);
+    ui_text_in(ui, UI_BOLD, ui_state_ink_on(ui, ROLE_ERROR), sign, 0.5, "!");
+    ui_text_in(ui, UI_SMALL, ink, (Box){{box.low.x + 24, box.low.y}, box.high}, 0, reason);
 }
 
 static void draw_field(Ui *ui, const Parts *parts, bool wrong, UiTouch touch) {
     Box box = parts->value;
-    ui_pencil_box(ui->pencil, box, ui_frame_ink(ui, ROLE_PAPER, 1));
-    ui_pencil_frame(ui->pencil, box, wrong ? 2.5 : UI_EDGE, ui_frame_ink(ui, wrong ? ROLE_ERROR : ROLE_TEXT, 1));
+    ui_painter_box(ui->painter, box, ui_state_ink(ui, ROLE_PAPER, 1));
+    ui_painter_frame(ui->painter, box, wrong ? 2.5 : UI_EDGE, ui_state_ink(ui, wrong ? ROLE_ERROR : ROLE_TEXT, 1));
     if (parts->typing)
         ui_editor_draw(ui, box, touch);
     else
-        ui_words_in(ui, UI_BODY, ui_frame_ink(ui, ROLE_TEXT, 1), (Box){{box.low.x + 7, box.low.y}, box.high}, 0,
-                    parts->draft->text);
+        ui_text_in(ui, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1), (Box){{box.low.x + 7, box.low.y}, box.high}, 0,
+                   parts->draft->text);
 }
 
 /* A changed value is bold, with a diamond before its name. */
@@ -201,22 +153,22 @@ static void draw_head(Ui *ui, const UiSlider *slider, const Parts *parts, UiTouc
         ui_draw_diamond(ui, vec2(label.low.x + 5, (label.low.y + label.high.y) / 2), 5, ROLE_TEXT);
         label.low.x += 15;
     }
-    ui_words_in(ui, parts->changed ? UI_BOLD : UI_BODY, ui_frame_ink(ui, ROLE_TEXT, 1), label, 0, slider->label);
+    ui_text_in(ui, parts->changed ? UI_BOLD : UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1), label, 0, slider->label);
     if (parts->typing || parts->draft)
         return;
     if (touch.hovered)
-        ui_pencil_frame(ui->pencil, parts->value, UI_EDGE, ui_frame_ink(ui, ROLE_ROOM, 1));
-    ui_words_in(ui, UI_BOLD, ui_frame_ink(ui, ROLE_TEXT, 1), parts->value, 1, parts->text);
+        ui_painter_frame(ui->painter, parts->value, UI_EDGE, ui_state_ink(ui, ROLE_ROOM, 1));
+    ui_text_in(ui, UI_BOLD, ui_state_ink(ui, ROLE_TEXT, 1), parts->value, 1, parts->text);
 }
 
 static Parts part(Ui *ui, const UiSlider *slider) {
-    Parts parts = {.id = ui_frame_id(ui, slider->id ? slider->id : slider->label)};
+    Parts parts = {.id = ui_state_id(ui, slider->id ? slider->id : slider->label)};
     Box box = ui_pane_next(ui, LABEL_HEIGHT + TRACK_ROW);
     parts.hand = parts.id ^ 1;
-    parts.draft = ui_slider_draft(ui, parts.id);
+    parts.draft = ui_editor_draft(ui, parts.id);
     parts.typing = ui->editor.id == parts.id;
     parts.changed = slider->value != slider->initial;
-    print_value(slider, slider->value, parts.text, sizeof parts.text);
+    ui_number_print(slider, slider->value, parts.text, sizeof parts.text);
     double head = real_clamp(box_height(box) - TRACK_ROW, 0, LABEL_HEIGHT);
     double width = parts.typing || parts.draft ? FIELD_WIDTH : ui_extent(ui, UI_BOLD, parts.text).x;
     parts.track = (Box){{box.low.x, box.low.y + head}, box.high};
@@ -228,27 +180,27 @@ static Parts part(Ui *ui, const UiSlider *slider) {
 static bool find_reason(Ui *ui, const UiSlider *slider, const Parts *parts, char reason[UI_REASON]) {
     double value;
     if (parts->typing)
-        return (ui->editor.wrong || parts->draft) && ui_slider_is_wrong(slider, ui->editor.text, &value, reason);
-    return parts->draft && ui_slider_is_wrong(slider, parts->draft->text, &value, reason);
+        return (ui->editor.wrong || parts->draft) && ui_number_is_wrong(slider, ui->editor.text, &value, reason);
+    return parts->draft && ui_number_is_wrong(slider, parts->draft->text, &value, reason);
 }
 
 UiChange ui_slider(Ui *ui, UiSlider *slider) {
     Parts parts = part(ui, slider);
     Box whole = {parts.label.low, parts.track.high};
     const char *text = parts.draft ? parts.draft->text : parts.text;
-    bool focused = ui_focus_stop_typed(ui, parts.id, UI_IS_SLIDER, whole, text, slider);
+    bool focused = ui_stop_make_typed(ui, parts.id, UI_IS_SLIDER, whole, text, slider);
     UiChange typed = use_keys(ui, slider, parts.id);
-    UiTouch field = ui_frame_touch(ui, parts.id, parts.value, false), hand = {0};
+    UiTouch field = ui_state_touch(ui, parts.id, parts.value, false), hand = {0};
     char reason[UI_REASON];
     bool wrong = find_reason(ui, slider, &parts, reason);
     if (!wrong)
-        hand = ui_frame_touch(ui, parts.hand, parts.track, false);
-    if (field.clicked && !parts.typing && ui_focus_find(ui, parts.id))
+        hand = ui_state_touch(ui, parts.hand, parts.track, false);
+    if (field.clicked && !parts.typing && ui_stop_find(ui, parts.id))
         ui_editor_open(ui, parts.id, text);
     UiChange slid = wrong ? UI_SAME : slide(ui, slider, &parts, hand);
-    parts.draft = ui_slider_draft(ui, parts.id);
+    parts.draft = ui_editor_draft(ui, parts.id);
     parts.changed = slider->value != slider->initial;
-    print_value(slider, slider->value, parts.text, sizeof parts.text);
+    ui_number_print(slider, slider->value, parts.text, sizeof parts.text);
     draw_head(ui, slider, &parts, field);
     if (parts.typing || parts.draft)
         draw_field(ui, &parts, wrong, field);

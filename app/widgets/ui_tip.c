@@ -1,7 +1,9 @@
+#include "widgets/ui_tip.h"
+
 #include <stdio.h>
 #include <string.h>
 
-#include "widgets/ui_inside.h"
+#include "widgets/ui_text.h"
 
 #define DELAY 0.5 /* s of hovering */
 #define GRACE 0.4 /* s in which the mouse can go from the widget to its help */
@@ -81,10 +83,10 @@ static void draw_words(Ui *ui, const UiTip *tip, UiInk ink, Box inside, double *
     char first[sizeof tip->text];
     snprintf(first, sizeof first, "%.*s", (int)name, tip->text);
     bool several = tip->text[name] == '\n';
-    *height = ui_words_wrapped(ui, several ? UI_BOLD : UI_BODY, ink, inside, first);
+    *height = ui_text_wrapped(ui, several ? UI_BOLD : UI_BODY, ink, inside, first);
     inside.low.y += *height;
     if (several)
-        *height += ui_words_wrapped(ui, UI_BODY, ink, inside, tip->text + name + 1);
+        *height += ui_text_wrapped(ui, UI_BODY, ink, inside, tip->text + name + 1);
 }
 
 void ui_tip_draw(Ui *ui) {
@@ -101,8 +103,8 @@ void ui_tip_draw(Ui *ui) {
     width = fmin(width, ui_extent(ui, UI_BOLD, tip->text).x + 1);
     draw_words(ui, tip, 0, (Box){{0, 0}, {width, 0}}, &height);
     ui->tip_box = place_tip(ui, tip, width + 2 * PADDING, height + 2 * PADDING);
-    ui_pencil_layer(ui->pencil, UI_LAYER_TIP);
-    ui_pencil_box(ui->pencil, ui->tip_box, ui_frame_ink(ui, ROLE_PAPER, 1));
-    ui_pencil_frame(ui->pencil, ui->tip_box, EDGE, ui_frame_ink(ui, ROLE_TEXT, 1));
-    draw_words(ui, tip, ui_frame_ink(ui, ROLE_TEXT, 1), box_expand(ui->tip_box, -PADDING), &height);
+    ui_painter_layer(ui->painter, UI_LAYER_TIP);
+    ui_painter_box(ui->painter, ui->tip_box, ui_state_ink(ui, ROLE_PAPER, 1));
+    ui_painter_frame(ui->painter, ui->tip_box, EDGE, ui_state_ink(ui, ROLE_TEXT, 1));
+    draw_words(ui, tip, ui_state_ink(ui, ROLE_TEXT, 1), box_expand(ui->tip_box, -PADDING), &height);
 }

@@ -241,9 +241,9 @@ static double show_key(Window *window, double left, double y, const KeyRow *row)
     Vec2 key = ui_extent(window->ui, UI_SMALL, row->key);
     Box cap = {{left, y - key.y / 2 - 2}, {left + key.x + 2 * KEY_PAD, y + key.y / 2 + 2}};
     ui_draw_frame(window->ui, cap, ROLE_ROOM, 1.5);
-    ui_draw_words(window->ui, UI_SMALL, ROLE_TEXT, vec2(left + KEY_PAD, y), 0, row->key);
+    ui_draw_text(window->ui, UI_SMALL, ROLE_TEXT, vec2(left + KEY_PAD, y), 0, row->key);
     double words = cap.high.x + KEY_PAD;
-    ui_draw_words(window->ui, UI_SMALL, ROLE_TEXT, vec2(words, y), 0, row->strip);
+    ui_draw_text(window->ui, UI_SMALL, ROLE_TEXT, vec2(words, y), 0, row->strip);
     return words + ui_extent(window->ui, UI_SMALL, row->strip).x + GAP;
 }
 
@@ -283,7 +283,7 @@ void bars_show_strip(Window *window) {
     ui_pane_begin(window->ui, &(UiPane){.name = "strip", .box = bar, .ground = ROLE_PAPER});
     double y = middle_of(bar).y, left = MARGIN / 2, right = bar.high.x - MARGIN;
     const char *place = tab->live ? place_words(window, tab) : "";
-    ui_draw_words(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(right, y), 1, place);
+    ui_draw_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(right, y), 1, place);
     right -= ui_extent(window->ui, UI_SMALL, place).x + GAP;
     left = show_doing(window, left, right, y);
     for (size_t i = 0; i < keys_count; i++) {

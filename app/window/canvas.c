@@ -77,7 +77,7 @@ static void show_note(Window *window, const char *note) {
         double right = view.low.x + MARGIN + ui_extent(window->ui, UI_BODY, lines[i]).x;
         ui_draw_box(window->ui, (Box){{view.low.x + MARGIN - 4, y - height / 2}, {right + 4, y + height / 2}},
                     ROLE_PAPER, 0.8);
-        ui_draw_words(window->ui, UI_BODY, ROLE_DIM_TEXT, vec2(view.low.x + MARGIN, y), 0, lines[i]);
+        ui_draw_text(window->ui, UI_BODY, ROLE_DIM_TEXT, vec2(view.low.x + MARGIN, y), 0, lines[i]);
     }
 }
 
@@ -90,7 +90,7 @@ static void show_animation(Window *window, const char *words) {
     Box strip = {{middle.x - size.x / 2 - MARGIN, view.low.y + MARGIN},
                  {middle.x + size.x / 2 + MARGIN, view.low.y + MARGIN + size.y + 6}};
     ui_draw_box(window->ui, strip, ROLE_TEXT, 1);
-    ui_draw_words(window->ui, UI_HEADING, ROLE_PAPER, middle_of(strip), 0.5, words);
+    ui_draw_text(window->ui, UI_HEADING, ROLE_PAPER, middle_of(strip), 0.5, words);
 }
 
 static void show_view_words(Window *window, const Tab *tab) {
@@ -103,7 +103,7 @@ static void show_view_words(Window *window, const Tab *tab) {
     Box tag = {{view.high.x - size.x - 3 * MARGIN, view.low.y + MARGIN},
                {view.high.x - MARGIN, view.low.y + MARGIN + size.y + 6}};
     ui_draw_box(window->ui, tag, ROLE_TEXT, 1);
-    ui_draw_words(window->ui, UI_HEADING, ROLE_PAPER, vec2(tag.low.x + MARGIN, middle_of(tag).y), 0, "PAUSED");
+    ui_draw_text(window->ui, UI_HEADING, ROLE_PAPER, vec2(tag.low.x + MARGIN, middle_of(tag).y), 0, "PAUSED");
 }
 
 static Vec2 floor_at(const Window *window, const Tab *tab, Vec2 at) {
@@ -161,7 +161,7 @@ static void show_read_out(Window *window, Tab *tab, PlotPane *pane, size_t plot,
     double top = fmax(nearest.y - extent.y - 10, pane->place.low.y);
     ui_draw_disc(window->ui, nearest, 4, ROLE_TEXT);
     ui_draw_box(window->ui, (Box){{left - 4, top}, {left + extent.x + 4, top + extent.y + 4}}, ROLE_PANEL, 1);
-    ui_draw_words(window->ui, UI_BODY, ROLE_TEXT, vec2(left, top + extent.y / 2 + 2), 0, words);
+    ui_draw_text(window->ui, UI_BODY, ROLE_TEXT, vec2(left, top + extent.y / 2 + 2), 0, words);
 }
 
 /* A click sets what the cursor stands for; the wheel zooms about the pointer. */

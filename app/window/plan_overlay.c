@@ -78,7 +78,7 @@ static void write_label(Window *window, Labels *labels, Vec2 middle, Role ground
     Vec2 size = vec2_add(ui_extent(window->ui, UI_BOLD, words), vec2(2 * PAD, 2));
     Box box = place_label(window, labels, middle, size);
     ui_draw_box(window->ui, box, ground, 1);
-    ui_draw_words(window->ui, UI_BOLD, ROLE_PAPER, vec2(box.low.x + PAD, (box.low.y + box.high.y) / 2), 0, words);
+    ui_draw_text(window->ui, UI_BOLD, ROLE_PAPER, vec2(box.low.x + PAD, (box.low.y + box.high.y) / 2), 0, words);
 }
 
 /* Lines ------------------------------------------------------------------------------------------------------------ */
@@ -293,11 +293,11 @@ static void show_read_out(Window *window, const GestureView *gesture, Labels *la
     double y = box.low.y + PAD + height / 2;
     for (size_t i = 0; i < gesture->field_count; i++, y += height) {
         bool now = i == gesture->field;
-        ui_draw_words(window->ui, now ? UI_BOLD : UI_BODY, now ? ROLE_TEXT : ROLE_DIM_TEXT, vec2(box.low.x + PAD, y), 0,
-                      field_words(window, gesture, i));
+        ui_draw_text(window->ui, now ? UI_BOLD : UI_BODY, now ? ROLE_TEXT : ROLE_DIM_TEXT, vec2(box.low.x + PAD, y), 0,
+                     field_words(window, gesture, i));
     }
     if (gesture->wrong)
-        ui_draw_words(window->ui, UI_BODY, ROLE_ERROR, vec2(box.low.x + PAD, y), 0, gesture->wrong);
+        ui_draw_text(window->ui, UI_BODY, ROLE_ERROR, vec2(box.low.x + PAD, y), 0, gesture->wrong);
 }
 
 void plan_overlay_show(Window *window) {

@@ -176,7 +176,7 @@ static void draw_cursor(const PlotPane *pane, double x, const char *words, Ui *u
     double left = fmin(fmax(at - extent.x - 12, frame.low.x), frame.high.x - extent.x - 12);
     Box tag = {{left, frame.low.y + 2}, {left + extent.x + 12, frame.low.y + extent.y + 4}};
     ui_draw_box(ui, tag, ROLE_IMPACT, 1);
-    ui_draw_words(ui, UI_BOLD, ROLE_PAPER, vec2(tag.low.x + 6, (tag.low.y + tag.high.y) / 2), 0, words);
+    ui_draw_text(ui, UI_BOLD, ROLE_PAPER, vec2(tag.low.x + 6, (tag.low.y + tag.high.y) / 2), 0, words);
 }
 
 Vec2 plot_panes_place(Box frame, Vec2 part) {

@@ -48,7 +48,7 @@ static void add_words(Row *row, UiLetters letters, const char *words, const char
     double width = fmax(ui_extent(row->window->ui, letters, words).x, ui_extent(row->window->ui, letters, widest).x);
     double left = at_right ? row->right - width : row->left, y = middle_of(row->bar).y;
     double at = at_right ? left + width / 2 : left;
-    ui_draw_words(row->window->ui, letters, ROLE_TEXT, vec2(at, y), at_right ? 0.5 : 0, words);
+    ui_draw_text(row->window->ui, letters, ROLE_TEXT, vec2(at, y), at_right ? 0.5 : 0, words);
     if (at_right)
         row->right = left - GAP;
     else

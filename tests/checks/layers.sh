@@ -77,8 +77,8 @@ check_floors() {
     forbid 'OpenGL outside its painter and the window that has the context' '#include "paint/(gl|shaders)\.h"' \
         $(sources engine app | grep -vE 'app/(paint/(gl|offscreen|paint_gl[a-z_]*|shaders)|platform/sdl_window)\.[ch]')
     forbid 'SDL outside the window' '#include *[<"]SDL' $(sources app | grep -vE 'app/(window|platform)/')
-    forbid 'Dear ImGui outside the pencil of the widgets' '#include *[<"](imgui|imstb)' $(sources engine app | grep -v app/widgets/ui.cpp)
-    forbid 'widgets from inside' '#include "widgets/ui_inside\.h"' $(sources app | grep -vE 'app/widgets/')
+    forbid 'Dear ImGui outside the painter of the widgets' '#include *[<"](imgui|imstb)' $(sources engine app | grep -v app/widgets/ui.cpp)
+    forbid 'widgets from inside' '#include "widgets/ui_[a-z]+\.h"' $(sources app | grep -vE 'app/widgets/')
     forbid 'Box2D outside its adaptor' 'box2d/' $(sources engine app | grep -v mechanics/broadphase.cpp)
     forbid 'LAPACK outside the beam' '#include *<lapacke' $(sources engine app | grep -v engine/beam/)
     forbid 'FFTW outside the spectrum' '#include *<fftw' $(sources engine app | grep -v mechanics/spectrum.c)

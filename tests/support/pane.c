@@ -81,8 +81,8 @@ static void make_plan(Pane *pane, double left, double right, double bottom) {
     pane->canvas = (Box){{left, 30}, {right, bottom}};
     ui_pane_begin(ui, &(UiPane){.name = "plan", .box = pane->canvas, .ground = ROLE_PAPER, .stop = true});
     pane->grab = ui_grab(ui, "plan", pane->canvas);
-    ui_draw_words(ui, UI_ANSWER, ROLE_TEXT, vec2(left + 18, 70), 0, "Out in 18.4 s");
-    ui_draw_words(ui, UI_DETAIL, ROLE_TEXT, vec2(left + 18, 110), 0, "narrowest 0.06 m → ½ α Ж ✓");
+    ui_draw_text(ui, UI_ANSWER, ROLE_TEXT, vec2(left + 18, 70), 0, "Out in 18.4 s");
+    ui_draw_text(ui, UI_DETAIL, ROLE_TEXT, vec2(left + 18, 110), 0, "narrowest 0.06 m → ½ α Ж ✓");
     ui_draw_polyline(ui, (Vec2[]){{110, 200}, {200, 260}, {300, 180}}, 3, false, ROLE_LOCUS, 4);
     ui_draw_disc(ui, vec2(350, 200), 12, ROLE_IMPACT);
     ui_draw_diamond(ui, vec2(390, 200), 9, ROLE_TEXT);
@@ -151,7 +151,7 @@ static void make_timeline(Pane *pane, double top) {
     ui_pane_begin(ui, &(UiPane){.name = "timeline", .box = {{0, top}, pane->page}, .ground = ROLE_SHADE});
     ui_at(ui, pane->pause);
     pane->pauses += button(pane, "Pause", true, false);
-    ui_draw_words(ui, UI_CLOCK, ROLE_TEXT, vec2(104, top + 30), 0, "7.32 s");
+    ui_draw_text(ui, UI_CLOCK, ROLE_TEXT, vec2(104, top + 30), 0, "7.32 s");
     ui_pane_end(ui);
 }
 

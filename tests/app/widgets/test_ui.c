@@ -509,7 +509,7 @@ TEST(letters_are_as_high_as_those_of_pictures) {
         for (UiLetters letters = UI_BODY; letters < UI_LETTERS; letters++) {
             paint_gl_screen_begin(pane.screen, WIDTH, HEIGHT, (Colour){1, 1, 1});
             ui_begin(pane.ui, &pane.input);
-            ui_draw_words(pane.ui, letters, ROLE_TEXT, vec2(100, 100), 0.5, "H");
+            ui_draw_text(pane.ui, letters, ROLE_TEXT, vec2(100, 100), 0.5, "H");
             ui_end(pane.ui);
             paint_gl_screen_read(pane.screen, pane.pixels);
             bool bold = letters == UI_BOLD || letters == UI_HEADING || letters == UI_CLOCK || letters == UI_ANSWER;

@@ -1,0 +1,7 @@
+/* Which stop has the focus, and what keys do. */
+#pragma once
+
+#include "widgets/ui_state.h"
+
+void ui_focus_frame_begin(Ui *ui);
+void ui_focus_frame_end(Ui *ui);

@@ -1,0 +1,163 @@
+/* The state that the files of the widgets share, and the parts that all of them use: identities, colours and the mouse.
+ * Lowest first: ui.cpp (the painter), ui_state, ui_stop (stops of the focus), ui_number, ui_editor (the text that is
+ * being typed), ui_pane (panes and the flow in them), ui_text, ui_draw, ui_tip, then the widgets (ui_button, ui_card,
+ * ui_field, ui_slider), ui_focus (keys) and ui_frame. Only the widgets include these headers. */
+#pragma once
+
+#include "base/memory.h"
+#include "widgets/ui_painter.h"
+
+#define UI_GAP 8.0
+#define UI_BUTTON_HEIGHT 34.0
+#define UI_LINE_HEIGHT 24.0 /* of one line of words that stand alone */
+#define UI_SPACING 1.3      /* of lines of wrapped words, times the size of the letters */
+#define UI_EDGE 1.5
+#define UI_FRAME 3.0 /* of the focus, and of the light rim inside it */
+#define UI_RIM 2.0
+
+typedef uint64_t UiId; /* a digest of the pane's name and the widget's; 0: none */
+
+typedef enum UiKind { UI_IS_PANE, UI_IS_BUTTON, UI_IS_ROW, UI_IS_CHOICE, UI_IS_SLIDER, UI_IS_FIELD } UiKind;
+
+/* A stop of the focus. */
+typedef struct UiStop {
+    UiId id, pane;
+    UiKind kind;
+    const char *text;       /* what typing begins with, or NULL: in the frame's arena */
+    const UiSlider *number; /* of which kind what is typed must be, or NULL: there, too */
+} UiStop;
+
+/* What the mouse can be over. */
+typedef struct UiItem {
+    UiId id, pane;
+    Box box; /* as far as it is seen */
+    bool canvas;
+} UiItem;
+
+/* A key on its way to the stop that had the focus when it was pressed. */
+typedef struct UiPress {
+    UiId id;
+    UiKey key;
+    bool shift;
+} UiPress;
+
+/* How typing has ended. */
+typedef enum UiEnd { UI_END_ENTERED, UI_END_LEFT, UI_END_ESCAPED } UiEnd;
+
+/* What was typed and can be used, on its way to its widget. */
+typedef struct UiTyped {
+    UiId id;
+    UiEnd end;
+    const char *text; /* in `typed_texts` */
+} UiTyped;
+
+/* The text that is being typed. */
+typedef struct UiEditor {
+    UiId id;
+    bool wrong; /* Enter was pressed and it could not be used */
+    char *text, *original;
+    size_t size, capacity, original_capacity; /* bytes, without the end */
+    size_t caret, anchor;                     /* what is selected lies between them */
+    double scroll;                            /* design points that are hidden to the left */
+} UiEditor;
+
+/* A number that was typed and could not be used. */
+typedef struct UiDraft {
+    UiId id;
+    char *text;
+} UiDraft;
+
+/* What is remembered of a pane from frame to frame. */
+typedef struct UiPlace {
+    UiId id;
+    char *name;
+    Box box;
+    bool made, modal, stop, scrolls;
+    int order;                           /* among the panes of a frame */
+    double scroll, content, seen_scroll; /* design points */
+    double columns[2][2];                /* widths of the cells to the right: as they were, as they become */
+} UiPlace;
+
+/* What a help says, and where. */
+typedef struct UiTip {
+    UiId id, item; /* of the widget, and what of it the mouse is on */
+    Box box, pane;
+    char text[512];
+} UiTip;
+
+struct Ui {
+    UiPainter *painter;
+    Theme theme;
+    UiClipboard clipboard;
+    UiInput input;
+    Box window;
+
+    /* the mouse */
+    Vec2 mouse, moved, pressed_at;
+    bool pressed[3], released[3], was_down[3], twice;
+    double clock, pressed_time;
+    UiId hovered, held;
+    double grip; /* design points from the middle of a slider's block to where it is held */
+    UiPlace *hovered_pane;
+    bool on_canvas;
+    UiItem *items, *old_items;
+    size_t item_count, item_capacity, old_item_count, old_item_capacity;
+
+    int stirred; /* frames until what was done is seen */
+
+    /* the focus */
+    UiId focus, focus_pane;
+    UiId kept, kept_pane; /* what had it before a modal pane was opened */
+    bool keeps;
+    bool by_key; /* it came by a key: its help is seen */
+    bool reveal; /* it is to be scrolled into view */
+    Box focus_box;
+    bool focus_made;
+    UiStop *stops, *old_stops;
+    size_t stop_count, stop_capacity, old_stop_count, old_stop_capacity;
+    Arena stop_texts, old_stop_texts;
+    UiPress *presses;
+    size_t press_count, press_capacity;
+    UiTyped *typed;
+    size_t typed_count, typed_capacity;
+    Arena typed_texts;
+    UiEditor editor;
+    UiDraft *drafts;
+    size_t draft_count, draft_capacity;
+
+    /* panes */
+    UiPlace **places;
+    size_t place_count, place_capacity;
+    UiPlace *place; /* the one that is being made */
+    UiId modal;
+    int order;
+    Role ground;
+    Box inner;                 /* where things flow, as if it had no end */
+    double y, first_y, list_y; /* below the last row of a list */
+    int row_count, row_index;
+    double row_height;
+    bool at_given;
+    Box at;
+    size_t first_stop; /* of the pane that is being made */
+
+    /* tooltips */
+    UiTip hover_tip, focus_tip;
+    UiId tip_hidden;
+    double hover_time, leave_time;
+    Box tip_box;
+    bool tip_shown;
+};
+
+typedef struct UiTouch {
+    bool hovered, pressed, held, released, clicked, twice;
+} UiTouch;
+
+/* Something was done: the next two frames show it. */
+void ui_state_stir(Ui *ui);
+UiId ui_state_id(const Ui *ui, const char *id);
+
+/* Makes a box that the mouse can use. */
+UiTouch ui_state_touch(Ui *ui, UiId id, Box box, bool canvas);
+
+UiInk ui_state_ink(const Ui *ui, Role role, double opacity);
+UiInk ui_state_ink_on(const Ui *ui, Role role); /* black or white */
