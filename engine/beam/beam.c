@@ -58,17 +58,17 @@ static const ParameterTable table = {"beam", beam_rows, ROWS};
 static const char *const groups[] = {"beam", "pivot", "shaker", "drive", "joint", "run"};
 enum { GROUPS = sizeof groups / sizeof *groups };
 
-/* Of a value that is given bare. */
+/* Provenance of a value given as a bare number. */
 #define WITHOUT "given without provenance"
 
-/* How the provenance of a value in a file begins. */
+/* Allowed beginnings of the provenance of a value in a file. */
 #define SOURCES "paper|reconstructed|identified|literature: |assumed"
 
 const ParameterTable *beam_table(void) {
     return &table;
 }
 
-/* A value, bare or as {"value": .., "provenance": ..}. */
+/* Reads a value, either bare or as {"value": .., "provenance": ..}. */
 static void read_value(Beam *beam, size_t row, const JsonNode *group, const char *name, Fault *fault) {
     JsonNode node = json_member(group, name);
     beam->provenance[row] = node.value ? WITHOUT : "assumed: the usual value";
@@ -117,7 +117,7 @@ static void read_file(Beam *beam, const JsonNode *root, Fault *fault) {
         read_group(beam, root, groups[g], fault);
 }
 
-/* A NAME=VALUE of the command line: VALUE is a number or else a word. */
+/* Applies a NAME=VALUE of the command line; VALUE is a number or a choice. */
 static void read_setting(Beam *beam, const char *setting, Fault *fault) {
     const char *equals = strchr(setting, '=');
     if (!equals || equals == setting || !equals[1]) {
@@ -138,8 +138,9 @@ static void read_setting(Beam *beam, const char *setting, Fault *fault) {
     json_decref(file.root);
 }
 
-/* Two places of a beam are one, within the first share of its length, or at least the second apart: each is a node, and
- * rounding leaves nothing of the bending of a beam whose elements are much shorter than that beside the others. */
+/* Two places on the beam must coincide within SAME_PLACE times the length or differ by at least APART_LEAST times
+ * the length: each place is a node, and rounding destroys the bending stiffness of elements that are much shorter
+ * than the others. */
 static const double SAME_PLACE = 1e-9, APART_LEAST = 1e-3;
 
 static void check_apart(const Beam *beam, const JsonNode *group, const char *name, double place, const char *what,
@@ -150,7 +151,8 @@ static void check_apart(const Beam *beam, const JsonNode *group, const char *nam
                    what, other, least);
 }
 
-/* What the rows cannot say: the parts fit together, the beam is held and there are freedoms for its modes. */
+/* Checks conditions between values: the parts fit together, the beam is supported, and there are enough degrees of
+ * freedom for its modes. */
 static void check_whole(const Beam *beam, const JsonNode *root, Fault *fault) {
     JsonNode pivot = json_member(root, "pivot"), shaker = json_member(root, "shaker"), own = json_member(root, "beam");
     if (beam->pivot_position > beam->length)

@@ -19,31 +19,31 @@
 #include "base/parameters.h"
 #include "mechanics/contact.h"
 
-/* When the contact lets go: two models, see mechanics/contact.h. */
+/* The instant at which the contact is released: two models, see mechanics/contact.h. */
 typedef enum BeamRelease {
-    RELEASE_FORCE, /* at zero force, before the gap reopens: the law never pulls */
-    RELEASE_GAP,   /* when the gap reopens: linear, the dashpot pulls at the end */
+    RELEASE_FORCE, /* at zero force, before the gap reopens: the contact never pulls */
+    RELEASE_GAP,   /* when the gap reopens: linear; the dashpot pulls at the end */
 } BeamRelease;
 
-enum { BEAM_VALUES = 24 /* room for the rows of the table */ };
+enum { BEAM_VALUES = 24 /* capacity for the rows of the table */ };
 
 typedef struct Beam {
     const char *name;
     const char *note;
 
-    double length, width, thickness; /* m; it bends along its thickness */
+    double length, width, thickness; /* m; bending is along the thickness */
     double youngs_modulus;           /* Pa */
     double density;                  /* kg/m3 */
     int elements;                    /* finite elements along the length */
-    int modes;                       /* natural modes kept */
-    double damping_ratio;            /* 1, of each mode */
+    int modes;                       /* natural modes in the model */
+    double damping_ratio;            /* 1, the same for all modes */
 
     double pivot_position;   /* m */
     double pivot_stiffness;  /* N/m, k_t */
     double pivot_rotational; /* N m/rad, k_r */
 
     double shaker_position;  /* m */
-    double shaker_mass;      /* kg, moving */
+    double shaker_mass;      /* kg, moving mass */
     double shaker_stiffness; /* N/m */
     double shaker_damping;   /* N s/m */
 
@@ -56,26 +56,26 @@ typedef struct Beam {
 
     int transient_cycles, cycles;
 
-    const char *provenance[BEAM_VALUES]; /* of each row of beam_table, in its order */
+    const char *provenance[BEAM_VALUES]; /* one per row of beam_table, in its order */
     Arena arena;
 } Beam;
 
-/* The rows, `beam.length`, `drive.frequency`, `joint.clearance` and so on. */
+/* Returns the rows `beam.length`, `drive.frequency`, `joint.clearance` and so on. */
 const ParameterTable *beam_table(void);
 
-/* Is this file a beam's, as its "format" says? False also for what cannot be read. */
+/* True if the "format" of the file is that of a beam; false also for an unreadable file. */
 bool beam_is_file(const char *path);
 
-/* Reads a beam file and changes it by settings (count), NAME=VALUE as on the command line; on false faults say where
- * and what, and the beam is as it was. */
+/* Reads a beam file and applies `count` settings, NAME=VALUE as on the command line. On false, the errors give
+ * places and reasons, and the beam is unchanged. */
 bool beam_read(Beam *beam, const char *path, const char *const *settings, size_t setting_count, Fault *fault);
 
-/* Does what the rows cannot say hold: do the parts fit together, is the beam held, are there freedoms for its modes?
- * False: faults at the place `place`. */
+/* Checks conditions between values: the parts fit together, the beam is supported, and there are enough degrees of
+ * freedom for its modes. Returns false after errors at the place `place`. */
 bool beam_check(const Beam *beam, const char *place, Fault *fault);
 
-/* Writes the beam, each value with its provenance, so that reading it again gives the same beam. Beside and renamed. 0,
- * or errno. */
+/* Writes the beam, each value with its provenance, so that reading the file gives the same beam. Writes a temporary
+ * file in the same folder, then renames it. Returns 0, or errno. */
 int beam_write(const Beam *beam, const char *path);
 
 void beam_free(Beam *beam);

@@ -65,7 +65,7 @@ double chaos_exponent_sum(const Rig *rig, double contact_share) {
 
 enum { FREQUENCIES = 100 /* values of c */ };
 
-/* The correlation of values (count) with 1, 2, 3 ... */
+/* Returns the correlation of `count` values with 1, 2, 3 ... */
 static double correlation_with_time(const double *values, size_t count) {
     double mean = 0, middle = ((double)count - 1) / 2, own = 0, time = 0, both = 0;
     for (size_t i = 0; i < count; i++)
@@ -79,7 +79,7 @@ static double correlation_with_time(const double *values, size_t count) {
     return own > 0 ? both / sqrt(own * time) : 0;
 }
 
-/* The sum of (a - b)^2, in four parts at once: nearly all the effort of the test is here. */
+/* Returns the sum of (a - b)^2 in four partial sums; nearly all the time of the 0-1 test is spent here. */
 static double square_distance(const double *a, const double *b, size_t count) {
     double sum[4] = {0};
     size_t whole = count - count % 4;
@@ -91,7 +91,8 @@ static double square_distance(const double *a, const double *b, size_t count) {
     return sum[0] + sum[1] + (sum[2] + sum[3]);
 }
 
-/* K of one c: p and q add up the series turned by c, 2c, 3c ...; their mean square displacement grows with chaos. */
+/* Returns K for one c: p and q are the sums of the series rotated by c, 2c, 3c ...; their mean square displacement
+ * grows if the series is chaotic. */
 static double growth_of(const double *series, size_t count, double mean, double c, double *room) {
     size_t lags = count / 10, span = count - lags;
     double *p = room, *q = room + count, *displacement = room + 2 * count, sum_p = 0, sum_q = 0;
@@ -108,7 +109,7 @@ static double growth_of(const double *series, size_t count, double mean, double 
 
 double chaos_zero_one(const double *series, size_t count) {
     double grown[FREQUENCIES], mean = 0, *room = memory_zeroed(3 * count, sizeof *room);
-    Random random = random_seed(1, 0); /* c at random keeps off the resonances of a regular series */
+    Random random = random_seed(1, 0); /* random values of c avoid the resonances of a regular series */
     for (size_t i = 0; i < count; i++)
         mean += series[i] / (double)count;
     for (int k = 0; k < FREQUENCIES; k++) {

@@ -1,5 +1,4 @@
-/* Is a motion chaotic? Two measures that do not know of each other: Lyapunov exponents of the tangents, and the 0-1
- * test of a recorded series. */
+/* Two independent measures of chaos: Lyapunov exponents from tangent vectors, and the 0-1 test of a recorded series. */
 #pragma once
 
 #include <stdbool.h>
@@ -12,21 +11,21 @@ typedef struct ChaosExponent {
     double value, error; /* 1 */
 } ChaosExponent;
 
-/* Makes the tangents orthonormal again (Gram and Schmidt, twice) and adds the logarithms of what they had grown by to
+/* Orthonormalises the tangents (Gram-Schmidt, applied twice) and adds the logarithms of their growth factors to
  * `growth` (tangents). */
 void chaos_renew_tangents(Motion *motion, double *growth);
 
-/* Mean of the growths of single cycles (count), and its standard error from the means of CHAOS_BATCHES batches, whose
- * neighbours hardly know of each other. */
+/* Returns the mean growth per cycle over `count` cycles and its standard error, from the means of CHAOS_BATCHES
+ * nearly independent batches. */
 ChaosExponent chaos_exponent(const double *growth, size_t count);
 
 enum { CHAOS_BATCHES = 20 };
 
-/* The exponents' sum as it must be, 1/s: the trace of what damps, -2 sum zeta omega - c (phi phi) times the share of
- * the time in contact, for a release at zero force. */
+/* Returns the theoretical sum of the exponents, 1/s, for release at zero force: the trace of the damping, -2 sum
+ * zeta omega - c (phi phi) times the fraction of time in contact. */
 double chaos_exponent_sum(const Rig *rig, double contact_share);
 
-/* The 0-1 test (Gottwald and Melbourne 2009, with the mean's oscillation taken away): median over 100 values of c of
- * the correlation K of the mean square displacement with time: 0 regular, 1 chaotic. Asks for a hundred values or more;
- * a transient among them looks like chaos. */
+/* Returns the result of the 0-1 test (Gottwald and Melbourne 2009, with the oscillation of the mean removed): the
+ * median over 100 values of c of the correlation K of the mean square displacement with time; 0 is regular, 1 is
+ * chaotic. Needs at least 100 values; a transient among them resembles chaos. */
 double chaos_zero_one(const double *series, size_t count);

@@ -7,10 +7,10 @@
 #include "base/memory.h"
 #include "base/order.h"
 
-/* Stations nearer to each other than this share of the length are one. */
+/* Stations closer than this fraction of the length coincide. */
 static const double SAME_STATION = 1e-9;
 
-/* Both ends and the stations, rising, each once; returns how many. */
+/* Sorts both ends and the stations, removes duplicates, and returns the number. */
 static size_t sort_stations(double *sorted, double length, const double *stations, size_t count) {
     for (size_t i = 0; i < count; i++)
         sorted[i] = stations[i];
@@ -24,7 +24,7 @@ static size_t sort_stations(double *sorted, double length, const double *station
     return kept;
 }
 
-/* Adds an element's 4 x 4 matrix, `factor` times, for the element between nodes i and i + 1. */
+/* Adds `factor` times the 4 x 4 matrix of the element between nodes i and i + 1. */
 static void add_element(double *matrix, size_t freedoms, size_t i, const double element[4][4], double factor) {
     for (size_t row = 0; row < 4; row++)
         for (size_t column = 0; column < 4; column++)

@@ -15,24 +15,24 @@
 
 typedef struct ElementMesh {
     size_t nodes, freedoms;             /* freedoms = 2 nodes */
-    double *place;                      /* (nodes) m along the beam, rising */
+    double *place;                      /* (nodes) m along the beam, ascending */
     double *mass, *stiffness, *damping; /* (freedoms x freedoms), symmetric */
 } ElementMesh;
 
-/* Meshes a beam of `length` (m), bending stiffness (N m2) and mass per length (kg/m) with at least `elements` elements,
- * and with a node on each of the stations (count, m, from 0 to the length, in any order); those within 1e-9 of the
- * length are one. An element of a share s of the length costs the lowest frequencies some 1e-16 / s^3 of their
- * precision. element_clear releases it. */
+/* Meshes a beam of `length` (m), bending stiffness (N m2) and mass per length (kg/m) with at least `elements`
+ * elements and a node at each of `count` stations (m, from 0 to the length, in any order); stations within 1e-9 of
+ * the length coincide. An element of a fraction s of the length reduces the precision of the lowest frequencies to
+ * about 1e-16 / s^3. element_clear releases the mesh. */
 void element_build(ElementMesh *mesh, double length, double bending_stiffness, double mass_per_length, size_t elements,
                    const double *stations, size_t station_count);
 
 void element_clear(ElementMesh *mesh);
 
-/* The deflection of the node nearest to a place; its slope is the freedom after it. */
+/* Returns the deflection freedom of the node nearest to a place; the next freedom is its slope. */
 size_t element_deflection(const ElementMesh *mesh, double place);
 
-/* Hang something on a freedom: a mass (kg) or inertia (kg m2), a spring to ground (N/m or N m/rad), a dashpot to ground
- * (N s/m or N m s/rad). */
+/* These add a mass (kg) or inertia (kg m2), a spring to ground (N/m or N m/rad), or a dashpot to ground (N s/m or N
+ * m s/rad) to a freedom. */
 void element_add_mass(ElementMesh *mesh, size_t freedom, double mass);
 void element_add_spring(ElementMesh *mesh, size_t freedom, double stiffness);
 void element_add_dashpot(ElementMesh *mesh, size_t freedom, double damping);

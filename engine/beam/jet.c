@@ -2,9 +2,10 @@
 
 #include <math.h>
 
-enum { STEPS_MOST = 100 /* halving alone needs some fifty */ };
+enum { STEPS_MOST = 100 /* bisection alone needs about fifty */ };
 
-/* Newton's steps, halved brackets where they leave it. A step of d leaves an error of some y'' d^2 / 2 y'. */
+/* Newton's method with bisection where a step leaves the bracket. A step of d leaves an error of about y'' d^2 / 2
+ * y'. */
 double jet_rise(const Jet *jet, double low, double high, double guess) {
     Jet rate = jet_rate(jet, 1);
     double at = guess;

@@ -1,5 +1,5 @@
-/* What is measured of a motion, about a moment: y(t) = sum over m of term[m] t^m, exact to rounding within a part of a
- * cell (regime.h). Roots and turns of it cost no exponentials. */
+/* Taylor polynomial of an observed quantity about an instant: y(t) = sum over m of term[m] t^m, exact to rounding
+ * within a part of a cell (regime.h). Its roots and extrema need no exponentials. */
 #pragma once
 
 #include <assert.h>
@@ -7,7 +7,7 @@
 #include "beam/regime.h"
 
 typedef struct Jet {
-    double term[REGIME_TERMS]; /* the measure's unit / s^m */
+    double term[REGIME_TERMS]; /* unit of y / s^m */
 } Jet;
 
 static_assert(REGIME_TERMS == 8, "jet_value has them all");
@@ -20,7 +20,7 @@ static inline double jet_value(const Jet *jet, double time) {
     return low + high * (square * square);
 }
 
-/* y', `times` times. */
+/* Returns y' multiplied by `times`. */
 static inline Jet jet_rate(const Jet *jet, double times) {
     Jet rate = {{0}};
     for (int m = 1; m < REGIME_TERMS; m++)
@@ -28,8 +28,9 @@ static inline Jet jet_rate(const Jet *jet, double times) {
     return rate;
 }
 
-/* Where y, below 0 at `low` and not below at `high`, rises through 0, to JET_RESOLUTION s; sought first at `guess`. */
+/* Returns the time at which y, negative at `low` and not negative at `high`, rises through 0, to JET_RESOLUTION s;
+ * starts at `guess`. */
 double jet_rise(const Jet *jet, double low, double high, double guess);
 
-/* s: switches are located to this; beyond it, rounding decides. */
+/* s: precision of switches; rounding dominates below it. */
 #define JET_RESOLUTION 1e-15

@@ -6,14 +6,14 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 
-/* A lane is a motion whose blocks lie across the others'. As long as it is open or in contact and nothing can happen
- * before the end of a cell, it hops with the others by vector instructions; otherwise it steps alone, by motion_step.
- * Both do the same arithmetic in the same order, so that the bits are those of a motion alone. */
+/* Each lane is one motion; the lanes' blocks are interleaved. While a lane is open or in contact and no event can
+ * occur within a cell, it advances together with the others by vector instructions; otherwise motion_step advances
+ * it alone. Both use the same arithmetic in the same order, so that the bits equal those of a motion alone. */
 enum { LANES = 8 };
 
 typedef double Pack __attribute__((vector_size(LANES * sizeof(double)), aligned(8)));
 
-/* Comparisons are made by halves, which more machines can. */
+/* Half vectors, for comparisons, which more processors support. */
 typedef double Half __attribute__((vector_size(LANES / 2 * sizeof(double)), aligned(8), may_alias));
 typedef int64_t Mask __attribute__((vector_size(LANES / 2 * sizeof(int64_t)), aligned(8), may_alias));
 
@@ -21,37 +21,36 @@ typedef struct LaneVector {
     Pack *re, *im; /* (blocks) */
 } LaneVector;
 
-/* What moves with every hop. */
+/* The part of a lane that changes with every hop. */
 typedef struct LaneMoment {
     LaneVector z;
-    Pack sine, cosine, value, rate; /* of the row that matters: the tip when open, the force when in contact */
-    Pack phase, top;                /* s; N, largest push since the lane last stepped alone */
+    Pack sine, cosine, value, rate; /* of the row that matters: tip deflection when open, force in contact */
+    Pack phase, top;                /* s; N, largest contact force since the lane last stepped alone */
 } LaneMoment;
 
 typedef struct Lane {
-    Rig rig; /* shares with the one that all are of */
+    Rig rig; /* shares modes and regimes with the common rig */
     Motion motion;
     LanesRun *run;     /* NULL: idle */
     int cycle;         /* of the run */
-    MotionPlace place; /* when it joined the pack last */
+    MotionPlace place; /* place when it last joined the pack */
 } Lane;
 
 typedef struct Lanes {
     const Rig *rig;
     size_t blocks;
     LaneMoment moments[2], *now, *next;
-    LaneVector hop, row[2];                                   /* row and its rate */
-    Pack turn_sine, turn_cosine, omega, wave_a, wave_b, rest; /* of the drive, and the row's steady part */
-    Pack low, high;             /* the row's value stays between them, or something happens */
-    Pack period;                /* s */
-    Pack side, watched, offset; /* of the contact, 0: none; 0 too when peaks are not looked for; N */
-    int64_t busy[LANES];        /* lanes to which something happens within the cell */
+    LaneVector hop, row[2];                                   /* factor of a hop; row and its rate */
+    Pack turn_sine, turn_cosine, omega, wave_a, wave_b, rest; /* of the drive; steady part of the row */
+    Pack low, high;                                           /* an event occurs when the row leaves this range */
+    Pack period;                                              /* s */
+    Pack side, watched, offset; /* of the contact, 0: none, or peaks are not recorded; N */
+    int64_t busy[LANES];        /* lanes in which an event occurs within the cell */
     Lane lane[LANES];
     double *memory;
 } Lanes;
 
-/* All lanes by one cell, into `next`; `busy` says for which that was wrong -------------------------------------------
- */
+/* Advances all lanes by one cell into `next`; `busy` marks the lanes for which the result is invalid. */
 
 static inline __attribute__((always_inline)) void hop_blocks(Lanes *lanes) {
     const LaneVector from = lanes->now->z, to = lanes->next->z, hop = lanes->hop;
@@ -83,7 +82,7 @@ static inline __attribute__((always_inline)) void hop_all(Lanes *lanes, double c
 
 #define HALF(pack_) (((const Half *)&(pack_))[half])
 
-/* For which lanes something happens within the cell, and the pushes of the others. */
+/* Marks the lanes that switch, turn or peak within the cell; updates the peak force of the others. */
 static inline __attribute__((always_inline)) void find_busy(Lanes *lanes, double cell, size_t half) {
     const LaneMoment *now = lanes->now;
     LaneMoment *next = lanes->next;
@@ -108,7 +107,7 @@ static inline __attribute__((always_inline)) void hop_and_look(Lanes *lanes, dou
     find_busy(lanes, cell, 1);
 }
 
-/* The same instructions for wider vectors, where the machine has them. */
+/* The same code compiled for wider vectors, chosen at run time. */
 #if defined __x86_64__
 __attribute__((target("avx512f,avx512dq"))) static void hop_eight(Lanes *lanes, double cell) {
     hop_and_look(lanes, cell);
@@ -144,7 +143,7 @@ static RegimeRow row_of(const Motion *motion) {
     return motion_in_contact(motion->place) ? REGIME_FORCE : REGIME_TIP;
 }
 
-/* Can it hop, now and for as long as its place stays? */
+/* True if the motion can hop now and while its place stays the same. */
 static bool can_hop(const Lanes *lanes, const Motion *motion) {
     const Rig *rig = motion->rig;
     bool touches = motion_in_contact(motion->place);
@@ -165,7 +164,7 @@ static void take_lane(const LaneMoment *moment, size_t l, RegimeRow row, RegimeV
     reading->rate[row] = moment->rate[l];
 }
 
-/* From the lane's pack to its motion, and on to what happens within the cell, or to the cell's end. */
+/* Copies the lane from the pack to its motion, then advances to the event within the cell or to the cell's end. */
 static void leave_pack(Lanes *lanes, size_t l) {
     const LaneMoment *now = lanes->now;
     Motion *motion = &lanes->lane[l].motion;
@@ -185,7 +184,7 @@ static void leave_pack(Lanes *lanes, size_t l) {
     }
 }
 
-/* A lane's part of a vector; blocks that the regime does not have are empty. */
+/* Sets a lane's part of a vector; blocks that the regime does not have are empty. */
 static void set_vector(const Lanes *lanes, LaneVector vector, size_t l, size_t blocks, RegimeVector what) {
     for (size_t j = 0; j < lanes->blocks; j++) {
         vector.re[j][l] = j < blocks ? what.re[j] : 0;
@@ -193,7 +192,7 @@ static void set_vector(const Lanes *lanes, LaneVector vector, size_t l, size_t b
     }
 }
 
-/* What depends on the place and the run. */
+/* Sets everything that depends on the place and the run. */
 static void set_place(Lanes *lanes, size_t l) {
     const Motion *motion = &lanes->lane[l].motion;
     const Rig *rig = motion->rig;
@@ -218,7 +217,7 @@ static void set_place(Lanes *lanes, size_t l) {
     lanes->period[l] = rig->period;
 }
 
-/* From a motion into the pack that comes next. */
+/* Copies a motion into the next pack. */
 static void join_pack(Lanes *lanes, size_t l) {
     const Motion *motion = &lanes->lane[l].motion;
     LaneMoment *next = lanes->next;
@@ -239,7 +238,7 @@ static void join_pack(Lanes *lanes, size_t l) {
     next->top[l] = lanes->side[l] * motion->now.value[row] - lanes->offset[l];
 }
 
-/* Nothing happens to it any more. */
+/* Makes the lane idle: no event can occur in it. */
 static void make_idle(Lanes *lanes, size_t l) {
     LaneMoment *next = lanes->next;
     for (size_t j = 0; j < lanes->blocks; j++)
@@ -273,7 +272,7 @@ static void end_run(Lanes *lanes, size_t l) {
     lane->run = NULL;
 }
 
-/* The cycle that has just been made; false: the run ends with it. */
+/* Records the cycle that has just ended; false: the run ends with it. */
 static bool note_cycle(Lane *lane) {
     LanesRun *run = lane->run;
     Motion *motion = &lane->motion;
@@ -295,7 +294,7 @@ static bool note_cycle(Lane *lane) {
     return lane->cycle < run->transient_cycles + run->cycles;
 }
 
-/* A lane alone, until it can hop with the others; false: its run has ended. */
+/* Advances a lane alone until it can hop with the others; false: its run has ended. */
 static bool step_alone(const Lanes *lanes, Lane *lane) {
     Motion *motion = &lane->motion;
     const Rig *rig = motion->rig;
@@ -308,7 +307,7 @@ static bool step_alone(const Lanes *lanes, Lane *lane) {
     }
 }
 
-/* Takes a lane that has something to do, and the next runs when its own have ended. */
+/* Advances a lane that has an event, and starts further runs in it when its own have ended. */
 static void serve_lane(Lanes *lanes, size_t l, LanesRun **more, const LanesRun *last) {
     Lane *lane = &lanes->lane[l];
     bool goes_on = false;

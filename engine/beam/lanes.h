@@ -1,7 +1,7 @@
-/* Many motions of one beam at once, side by side in the lanes of vector instructions: a sweep, a basin, a map. They
- * share modes, regimes and propagators, which depend neither on frequency, force, clearance nor start.
+/* Simulates many motions of one beam in the lanes of vector instructions: a sweep, a basin, a map. The motions share
+ * modes, regimes and propagators, which depend neither on frequency, force, clearance nor initial state.
  *
- * A motion's results do not depend on which others are beside it, nor on how wide the machine's vectors are. */
+ * The results of a motion depend neither on the other motions nor on the vector width of the processor. */
 #pragma once
 
 #include <signal.h>
@@ -15,9 +15,9 @@ typedef struct LanesRun {
     const double *start; /* (states) at phase 0; NULL: at rest */
     int transient_cycles, cycles;
 
-    /* What comes of it; arrays are the caller's, NULL: not wanted. */
+    /* Results; the arrays belong to the caller, NULL: not wanted. */
     MotionStatus status;
-    size_t recorded;    /* cycles, fewer than `cycles` when it chatters, diverges or is stopped */
+    size_t recorded;    /* cycles; fewer than `cycles` after chatter, divergence or interruption */
     double *peak;       /* (cycles x 2) N, largest force of each recorded cycle on the upper and the lower side */
     double *deflection; /* (cycles) m, of the tip at the end of each recorded cycle, phase 0 */
     double *velocity;   /* (cycles) m/s */
@@ -25,6 +25,6 @@ typedef struct LanesRun {
     double *end;        /* (states) the last state */
 } LanesRun;
 
-/* Makes the runs (count) of the beam that the rig is of, whatever the rig's own drive and clearance are. `stop` as
- * everywhere. */
+/* Simulates `count` runs of the rig's beam; the rig's own drive and clearance are ignored. `stop` other than 0
+ * interrupts. */
 void lanes_run(const Rig *rig, LanesRun *runs, size_t count, const volatile sig_atomic_t *stop);

@@ -7,16 +7,16 @@
 
 #include "base/memory.h"
 
-/* Below this share of the largest, a squared frequency is a rigid motion. */
+/* a squared frequency below this fraction of the largest is a rigid-body mode. */
 static const double RIGID = 1e-13;
 
-/* Solves K x = lambda M x of `size`: values rising, vectors (M-orthonormal) in place of K; M is destroyed. */
+/* Solves K x = lambda M x of `size`: ascending values, M-orthonormal vectors in place of K; M is destroyed. */
 static bool solve_modes(double *stiffness, double *mass, double *values, size_t size) {
     lapack_int n = (lapack_int)size;
     return n == 0 || LAPACKE_dsygvd(LAPACK_COL_MAJOR, 1, 'V', 'U', n, stiffness, n, mass, n, values) == 0;
 }
 
-/* The boundary freedoms, then the others. */
+/* Returns the boundary freedoms, then the others. */
 static size_t *order_freedoms(const ElementMesh *mesh, const size_t *boundary, size_t boundary_count) {
     size_t *order = memory_zeroed(mesh->freedoms, sizeof *order), at = boundary_count;
     for (size_t b = 0; b < boundary_count; b++)
@@ -28,11 +28,11 @@ static size_t *order_freedoms(const ElementMesh *mesh, const size_t *boundary, s
         if (!is_boundary)
             order[at++] = f;
     }
-    assert(at == mesh->freedoms); /* a boundary freedom is named once */
+    assert(at == mesh->freedoms); /* each boundary freedom is named once */
     return order;
 }
 
-/* The block of a matrix (of size `all`) of the ordered freedoms from `row` and from `column` on. */
+/* Returns the block of a matrix of size `all` that starts at `row` and `column` of the ordered freedoms. */
 static double *take_block(const double *matrix, size_t all, const size_t *order, size_t row, size_t rows, size_t column,
                           size_t columns) {
     double *block = memory_zeroed(rows * columns + 1, sizeof *block);
@@ -42,8 +42,8 @@ static double *take_block(const double *matrix, size_t all, const size_t *order,
     return block;
 }
 
-/* The Craig-Bampton basis (freedoms x reduced, a shape after the other): constraint modes, then fixed-interface
- * modes. */
+/* Returns the Craig-Bampton basis (freedoms x reduced, one shape after another): constraint modes, then fixed-
+ * interface modes. */
 static double *make_basis(const ElementMesh *mesh, const size_t *order, size_t outer, size_t fixed, bool *good) {
     size_t all = mesh->freedoms, inner = all - outer, reduced = outer + fixed;
     double *basis = memory_zeroed(all * reduced, sizeof *basis);
@@ -72,7 +72,7 @@ static double *make_basis(const ElementMesh *mesh, const size_t *order, size_t o
     return basis;
 }
 
-/* basis^T matrix basis, (columns x columns). */
+/* Returns basis^T matrix basis, (columns x columns). */
 static double *project(const double *matrix, size_t all, const double *basis, size_t columns) {
     double *product = memory_zeroed(all * columns, sizeof *product);
     double *projected = memory_zeroed(columns * columns, sizeof *projected);
@@ -88,7 +88,7 @@ static double *project(const double *matrix, size_t all, const double *basis, si
     return projected;
 }
 
-/* The lowest modes as shapes of the mesh: the basis, mixed by the reduced vectors. */
+/* Stores the lowest modes as shapes of the mesh: the basis times the reduced vectors. */
 static void keep_modes(Modes *modes, const double *basis, const double *vectors, const double *values, size_t reduced) {
     for (size_t i = 0; i < modes->count; i++) {
         modes->frequency[i] = sqrt(fmax(0, values[i] > RIGID * values[reduced - 1] ? values[i] : 0));
@@ -130,7 +130,7 @@ bool modes_reduce(Modes *modes, const ElementMesh *mesh, const size_t *boundary,
     return good;
 }
 
-/* How far a unit force on a freedom pushes it, m/N; 0: nothing holds the mesh. */
+/* Returns the deflection of a freedom under a unit force, m/N; 0 if the mesh is not supported. */
 static double static_compliance(const ElementMesh *mesh, size_t freedom) {
     lapack_int n = (lapack_int)mesh->freedoms;
     double *factor = memory_zeroed(mesh->freedoms * mesh->freedoms, sizeof *factor);

@@ -18,27 +18,27 @@
 
 typedef struct Modes {
     size_t count, freedoms;
-    double *place;         /* (freedoms / 2) m along the beam, of the nodes, rising */
-    double *frequency;     /* (count) omega, rad/s, rising */
-    double *shape;         /* (count x freedoms) phi, 1/sqrt(kg), a mode after the other */
+    double *place;         /* (freedoms / 2) m along the beam, of the nodes, ascending */
+    double *frequency;     /* (count) omega, rad/s, ascending */
+    double *shape;         /* (count x freedoms) phi, 1/sqrt(kg), one mode after another */
     double *damping;       /* (count x count) 1/s: 2 zeta omega on the diagonal, and dashpots */
-    double *tip, *shaker;  /* (count) phi there, 1/sqrt(kg) */
-    double tip_compliance; /* m/N, static, of the elements */
-    double residual;       /* m/N, the part of it that the modes left out would have had */
+    double *tip, *shaker;  /* (count) phi at these places, 1/sqrt(kg) */
+    double tip_compliance; /* m/N, static, of the finite-element mesh */
+    double residual;       /* m/N, part of the compliance that the omitted modes carry */
 } Modes;
 
-/* The natural modes of a mesh reduced to its `boundary` freedoms (boundary_count, each once) and `fixed`
- * fixed-interface modes (or as many as there are); the lowest `count` are kept. False: LAPACK found no modes, and
- * nothing is kept. */
+/* Reduces a mesh to its `boundary` freedoms (boundary_count, each once) and `fixed` fixed-interface modes (fewer if
+ * there are fewer) and stores the lowest `count` natural modes. Returns false, with nothing to clear, if the
+ * eigenproblem has no solution. */
 bool modes_reduce(Modes *modes, const ElementMesh *mesh, const size_t *boundary, size_t boundary_count, size_t fixed,
                   size_t count);
 
-/* The modes of a beam, its springs, masses and dashpots on it, damped as it says. False: as above, or nothing holds
- * it. */
+/* Computes the modes of a beam with its springs, masses, dashpots and damping. Returns false as above, or if the
+ * beam is not supported. */
 bool modes_of_beam(Modes *modes, const Beam *beam);
 
 void modes_clear(Modes *modes);
 
-/* How large the compliance that the modes lack may be beside the contact's own, 1/k: beyond it, a contact is too
- * soft or too stiff by that much. */
+/* Largest residual compliance as a fraction of the contact's own, 1/k; the contact stiffness has a relative error of
+ * this size. */
 #define MODES_RESIDUAL_MOST 0.01

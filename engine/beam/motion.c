@@ -7,7 +7,7 @@
 #include "base/memory.h"
 #include "beam/jet.h"
 
-/* As fmin and fmax, without a call. */
+/* Like fmin and fmax, but inlined. */
 static inline double least(double a, double b) {
     return a < b ? a : b;
 }
@@ -18,8 +18,8 @@ static inline double largest(double a, double b) {
 
 /* Places ---------------------------------------------------------------------------------------------------------- */
 
-/* A switch comes when sign y(row) + offset, below 0 before, reaches 0; the offset is the clearance, times k for a
- * force, `side` times. */
+/* A switch occurs when sign y(row) + offset rises through 0; the offset is the clearance (times k for a force) times
+ * `side`. */
 typedef struct Way {
     RegimeRow row;
     int sign, side;
@@ -28,7 +28,7 @@ typedef struct Way {
 
 enum { WAYS = 2 };
 
-/* By the release, by the place. A place has one way or two. */
+/* Indexed by release rule and place; one or two possible switches each. */
 static const Way ways[2][MOTION_PLACES][WAYS] =
     {
         [RELEASE_FORCE] =
@@ -61,12 +61,12 @@ static double offset_of(const Rig *rig, const Way *way) {
 
 /* The state ------------------------------------------------------------------------------------------------------- */
 
-/* Blocks of either regime. */
+/* Returns the larger number of blocks of the two regimes. */
 static size_t room_of(const Rig *rig) {
     return rig->free.blocks > rig->contact.blocks ? rig->free.blocks : rig->contact.blocks;
 }
 
-/* Points into the motion's memory. */
+/* Sets the pointers into the motion's memory. */
 static void lay_out(Motion *motion) {
     size_t room = room_of(motion->rig);
     double *at = motion->memory;
@@ -107,7 +107,7 @@ void motion_copy(Motion *to, const Motion *from) {
     }
 }
 
-/* Adds the steady part, `times` times. */
+/* Adds `times` times the steady part. */
 static void add_steady(const Motion *motion, double times, RegimeVector z) {
     const RigSteady *steady = steady_of(motion);
     double sine = times * motion->now.sine, cosine = times * motion->now.cosine,
@@ -118,7 +118,7 @@ static void add_steady(const Motion *motion, double times, RegimeVector z) {
     }
 }
 
-/* The row's value and rate, of blocks at phase with this sine and cosine. */
+/* Computes the row's value and rate from blocks, given sine and cosine of the drive's phase. */
 static void measure(const Motion *motion, RegimeRow row, RegimeVector z, MotionReading *reading) {
     const RigSteady *steady = steady_of(motion);
     const Regime *regime = regime_of(motion);
@@ -129,20 +129,20 @@ static void measure(const Motion *motion, RegimeRow row, RegimeVector z, MotionR
                          motion->rig->omega * (a * reading->cosine - b * reading->sine);
 }
 
-/* Is this row asked for in the place the motion is in? */
+/* True if the row is needed in the motion's present place. */
 static bool row_matters(const Motion *motion, RegimeRow row) {
     const Way *way = ways[motion->rig->release][motion->place];
     return way[0].row == row || (way[1].sign && way[1].row == row) ||
            (row == REGIME_FORCE && motion_in_contact(motion->place));
 }
 
-/* `time` s on: sine and cosine. */
+/* Computes sine and cosine of the drive `time` s later. */
 static void read_drive(const Motion *motion, double time, MotionReading *reading) {
     *reading = motion->now;
     rig_turn_drive(motion->rig, time, &reading->sine, &reading->cosine);
 }
 
-/* Of blocks `time` s on: sine, cosine, and the rows that matter. */
+/* Computes sine, cosine and the needed rows from blocks `time` s later. */
 static void read_rows(const Motion *motion, RegimeVector z, double time, MotionReading *reading) {
     read_drive(motion, time, reading);
     for (RegimeRow row = 0; row < REGIME_ROWS; row++)
@@ -157,7 +157,7 @@ void motion_state(const Motion *motion, double *state) {
     regime_state(regime_of(motion), motion->next, state);
 }
 
-/* Where the tip is, by its state alone. */
+/* Returns the place of the tip as its state alone determines it. */
 static MotionPlace tell_place(const Rig *rig, const double *state) {
     size_t n = rig->modes.count;
     double deflection = 0, velocity = 0;
@@ -251,7 +251,7 @@ double motion_velocity(const Motion *motion) {
     return read_tip(motion).rate[REGIME_TIP];
 }
 
-/* N, of the wall that is touched on the tip, towards the clearance, from the row's value. */
+/* Returns the contact force on the tip towards the middle of the clearance, N, from the row's value. */
 static double push_of(const Motion *motion, double value) {
     return motion_side(motion->place) * value - motion->rig->stiffness * motion->rig->clearance;
 }
@@ -264,14 +264,14 @@ double motion_force(const Motion *motion) {
 
 /* Switches -------------------------------------------------------------------------------------------------------- */
 
-/* sign y + offset, of a row of a motion. */
+/* The function sign y + offset of a row of a motion. */
 typedef struct Curve {
     const Motion *motion;
     RegimeRow row;
     double sign, offset;
 } Curve;
 
-/* The curve about the cut nearest to `time` s from now; the cut's time into `*middle`. */
+/* Returns the Taylor polynomial about the cut nearest to `time` s from now; `*middle` receives the cut's time. */
 static Jet follow(const Curve *curve, double time, double *middle) {
     static const double inverse[] = {1. / 2, 1. / 6, 1. / 12, 1. / 20, 1. / 30, 1. / 42, 1. / 56, 1. / 72};
     const Motion *motion = curve->motion;
@@ -296,8 +296,8 @@ static Jet follow(const Curve *curve, double time, double *middle) {
     return jet;
 }
 
-/* Where the curve (or its rate times `turning`, unless that is 0), below 0 at `low` and not below at `high`, rises
- * through 0, sought first at `guess`; what the curve is there into `*value`, unless NULL. */
+/* Returns the time at which the curve (or `turning` times its rate, if not 0), negative at `low` and not negative at
+ * `high`, rises through 0, starting at `guess`; `*value`, unless NULL, receives the curve there. */
 static double find_root(const Curve *curve, double turning, double low, double high, double guess, double *value) {
     double part = curve->motion->rig->cell / (double)regime_of(curve->motion)->cuts;
     for (;;) {
@@ -320,7 +320,8 @@ static double find_root(const Curve *curve, double turning, double low, double h
     }
 }
 
-/* Where the cubic through both ends of a step, by values and rates, has the value 0; it is below 0 at its beginning. */
+/* Returns the root of the cubic through the values and rates at both ends of a step; the cubic is negative at the
+ * start. */
 static double guess_root(double step, double begin, double begin_rate, double end, double end_rate) {
     double a = begin_rate * step, b = end_rate * step, rise = end - begin;
     double at = begin / (begin - end);
@@ -332,14 +333,14 @@ static double guess_root(double step, double begin, double begin_rate, double en
     return at * step;
 }
 
-/* Where a curve that first rises (`way` 1) and then falls within the step, or the other way round (-1), turns, and its
- * value there. */
+/* Returns the extremum of a curve that rises and then falls within the step (`way` 1) or falls and then rises (-1),
+ * and its value. */
 static double find_turn(const Curve *curve, double way, double step, const MotionReading *end, double *value) {
     double begin = curve->motion->now.rate[curve->row];
     return find_root(curve, -way, 0, step, step * begin / (begin - end->rate[curve->row]), value);
 }
 
-/* The time of a way's switch within a step, or HUGE_VAL. From the values and rates at both ends. */
+/* Returns the time of a switch within a step, or HUGE_VAL, from the values and rates at both ends. */
 static double find_switch(Motion *motion, const Way *way, double step, const MotionReading *next) {
     double sign = way->sign, offset = offset_of(motion->rig, way);
     Curve curve = {motion, way->row, sign, offset};
@@ -350,16 +351,16 @@ static double find_switch(Motion *motion, const Way *way, double step, const Mot
         return 0;
     if (end >= 0) {
         if (begin >= 0 && begin_rate == 0)
-            return HUGE_VAL;                  /* it rests there */
-        if (begin_rate < 0 && end_rate > 0) { /* away, as just after a switch, and back */
+            return HUGE_VAL;                  /* the tip rests there */
+        if (begin_rate < 0 && end_rate > 0) { /* leaves, as just after a switch, and returns */
             double turn = find_turn(&curve, -1, step, next, &top);
             return top < 0 ? find_root(&curve, 0, turn, step, step, NULL) : 0;
         }
-        if (begin >= 0) /* still leaving, or out and back and turned again */
+        if (begin >= 0) /* still leaving, or has left, returned and turned again */
             return begin <= end ? 0 : HUGE_VAL;
         return find_root(&curve, 0, 0, step, guess_root(step, begin, begin_rate, end, end_rate), NULL);
     }
-    double bend = begin_rate - end_rate; /* it turns below where the tangents at both ends meet */
+    double bend = begin_rate - end_rate; /* the extremum lies below the intersection of the end tangents */
     if (begin >= 0 || begin_rate <= 0 || end_rate >= 0 ||
         begin * bend + begin_rate * (end - begin - end_rate * step) < 0)
         return HUGE_VAL;
@@ -369,7 +370,7 @@ static double find_switch(Motion *motion, const Way *way, double step, const Mot
     return top >= 0 ? find_root(&curve, 0, 0, turn, turn, NULL) : HUGE_VAL;
 }
 
-/* The force's largest value within the step that is being made. */
+/* Updates the force's largest value within the present step. */
 static void note_peak(Motion *motion, double step, const MotionReading *end) {
     double side = motion_side(motion->place);
     const MotionReading *begin = &motion->now;
@@ -384,7 +385,7 @@ static void note_peak(Motion *motion, double step, const MotionReading *end) {
     }
 }
 
-/* z += times what. */
+/* Computes z += times what. */
 static void add(size_t blocks, double times, RegimeVector what, RegimeVector z) {
     for (size_t j = 0; j < blocks; j++) {
         z.re[j] += times * what.re[j];
@@ -392,7 +393,8 @@ static void add(size_t blocks, double times, RegimeVector what, RegimeVector z) 
     }
 }
 
-/* What a tangent becomes: the force of the dashpot, which comes or goes, jumps by `damping` times the velocity. */
+/* Transforms the tangents at a switch: the force of the dashpot, which appears or disappears, jumps by `damping`
+ * times the velocity. */
 static void change_tangents(Motion *motion, const RigChange *change, const Regime *before, const Regime *after,
                             double damping) {
     for (size_t t = 0; t < motion->tangents; t++) {
@@ -405,7 +407,7 @@ static void change_tangents(Motion *motion, const RigChange *change, const Regim
     }
 }
 
-/* Between free and contact: the state stays, its blocks are the other regime's. */
+/* Changes between free and contact: the state is continuous, its blocks are those of the other regime. */
 static void change_regime(Motion *motion, MotionPlace to, double damping) {
     const Rig *rig = motion->rig;
     bool touches = motion_in_contact(to);
@@ -422,7 +424,7 @@ static void change_regime(Motion *motion, MotionPlace to, double damping) {
     change_tangents(motion, change, before, after, damping);
 }
 
-/* Into the next place. */
+/* Enters the next place. */
 static void change_place(Motion *motion, MotionPlace to) {
     const Rig *rig = motion->rig;
     MotionPlace from = motion->place;
@@ -446,7 +448,7 @@ static void change_place(Motion *motion, MotionPlace to) {
 
 /* Stepping -------------------------------------------------------------------------------------------------------- */
 
-/* Moves blocks and tangents on; `next` has the moved blocks. */
+/* Advances blocks and tangents; `next` has the advanced blocks. */
 static void go_on(Motion *motion, double step, RegimeVector factor, const MotionReading *end) {
     size_t blocks = regime_of(motion)->blocks;
     RegimeVector z = motion->next;
@@ -460,7 +462,7 @@ static void go_on(Motion *motion, double step, RegimeVector factor, const Motion
     motion->now = *end;
 }
 
-/* Puts the blocks `step` s on into `next`, by the factor that it returns. */
+/* Computes the blocks `step` s later into `next` and returns their factor. */
 static RegimeVector move_blocks(Motion *motion, double step) {
     const Regime *regime = regime_of(motion);
     RegimeVector factor = motion->factor;
@@ -472,7 +474,7 @@ static RegimeVector move_blocks(Motion *motion, double step) {
     return factor;
 }
 
-/* The way whose switch comes first within the step, or NULL, and when. */
+/* Returns the switch that occurs first within the step, or NULL, and its time. */
 static const Way *first_switch(Motion *motion, double step, const MotionReading *end, double *when) {
     const Way *first = NULL, *way = ways[motion->rig->release][motion->place];
     *when = HUGE_VAL;
@@ -486,12 +488,12 @@ static const Way *first_switch(Motion *motion, double step, const MotionReading 
     return first;
 }
 
-/* The step whose end is in `next` and `end`, as far as nothing switches before. */
+/* Makes a step, whose end is given in `next` and `end`, or its part before the first switch. */
 static double make_step(Motion *motion, double step, RegimeVector factor, MotionReading *end) {
     double when;
     const Way *first = first_switch(motion, step, end, &when);
     bool watched = motion_in_contact(motion->place) && !motion->unwatched;
-    if (first) { /* whose place reads anew */
+    if (first) { /* the new place has other rows */
         step = when;
         factor = move_blocks(motion, step);
         if (watched)

@@ -29,25 +29,25 @@ typedef enum MotionPlace {
 
 typedef enum MotionStatus {
     MOTION_GOOD,
-    MOTION_CHATTERS, /* more than MOTION_SWITCHES_MOST switches in one cycle: the motion stands there */
-    MOTION_DIVERGED, /* a number is not finite */
+    MOTION_CHATTERS, /* more than MOTION_SWITCHES_MOST switches in one cycle: the motion stops there */
+    MOTION_DIVERGED, /* a number became infinite or NaN */
 } MotionStatus;
 
-enum { MOTION_SWITCHES_MOST = 1000 /* in a cycle of the drive: a beam that impacts makes some ten */ };
+enum { MOTION_SWITCHES_MOST = 1000 /* per cycle of the drive; an impacting beam makes about ten */ };
 
-/* What is read at one moment. */
+/* Quantities at one instant. */
 typedef struct MotionReading {
-    double sine, cosine;                          /* of omega phase */
-    double value[REGIME_ROWS], rate[REGIME_ROWS]; /* of the rows that matter in the place */
+    double sine, cosine;                          /* of omega times phase */
+    double value[REGIME_ROWS], rate[REGIME_ROWS]; /* of the rows needed in the place */
 } MotionReading;
 
-/* What changes. One memory, so that it can be copied whole. */
+/* The variable part of a motion, in one block of memory so that it can be copied whole. */
 typedef struct Motion {
     const Rig *rig;
     MotionPlace place;
     MotionStatus status;
-    size_t cycle; /* of the drive, since the start */
-    double phase; /* s, in the cycle */
+    size_t cycle; /* cycles of the drive since the start */
+    double phase; /* s, within the cycle */
     double since; /* s, since the last switch */
     MotionReading now;
     RegimeVector z;       /* (blocks) without the steady part */
@@ -55,67 +55,68 @@ typedef struct Motion {
     size_t tangents;
 
     size_t switches, cycle_switches; /* since the start; in this cycle */
-    size_t grazes;                   /* extrema within MOTION_GRAZE of the wall, counted since the start */
-    double contact_time;             /* s, in contact since the start */
-    double peak[2]; /* N, largest force on the upper and on the lower contact since they were last set to 0 */
-    bool unwatched; /* peaks are not looked for, which saves time */
+    size_t grazes;                   /* extrema within MOTION_GRAZE of the wall since the start */
+    double contact_time;             /* s, contact time since the start */
+    double peak[2]; /* N, largest force on the upper and the lower contact since they were last reset */
+    bool unwatched; /* peaks are not recorded, which saves time */
 
     RegimeVector next, factor, trial;
     double *memory;
-    size_t memory_size; /* doubles */
+    size_t memory_size; /* number of doubles */
 } Motion;
 
-#define MOTION_GRAZE 1e-6 /* of the clearance: nearer than this to the wall without touching, or as deep in it */
+#define MOTION_GRAZE 1e-6 /* fraction of the clearance: an extremum this close to the wall is a graze */
 
-/* A motion that rests at phase 0, with room for tangents (count). */
+/* Creates a motion at rest at phase 0 with `tangents` tangent vectors. */
 Motion motion_create(const Rig *rig, size_t tangents);
 void motion_destroy(Motion *motion);
 
-/* Makes `to`, of the same rig and number of tangents, what `from` is. */
+/* Copies `from` to `to`, which must have the same rig and number of tangents. */
 void motion_copy(Motion *to, const Motion *from);
 
-/* The state (omega q, q') (2 n), sqrt(J). Setting one begins a cycle, at phase 0, in the place that the state tells. */
+/* The state (omega q, q') (2 n), sqrt(J). Setting a state begins a cycle at phase 0, in the place that the state
+ * determines. */
 void motion_state(const Motion *motion, double *state);
 void motion_set_state(Motion *motion, const double *state);
 
-/* A motion at phase 0, but for its tangents and for what it counts, as numbers (motion_saved_size of its rig):
- * restored, it goes on with the same bits, which a state, being computed from it, does not promise. A cycle begins. */
+/* A motion at phase 0, without tangents and counters, as motion_saved_size numbers. A restored motion continues with
+ * the same bits; setting a state does not promise that, since a state is computed from the blocks. A cycle begins. */
 size_t motion_saved_size(const Rig *rig);
 void motion_save(const Motion *motion, double *saved);
 void motion_restore(Motion *motion, const double *saved);
 
-/* Tangent vector `index`, as a state. */
+/* Returns tangent vector `index` as a state. */
 void motion_tangent(const Motion *motion, size_t index, double *tangent);
 void motion_set_tangent(Motion *motion, size_t index, const double *tangent);
 
-/* Makes tangent i the i-th unit vector. */
+/* Sets tangent i to the i-th unit vector. */
 void motion_unit_tangents(Motion *motion);
 
-/* Goes on to the next switch, to the end of a cell or by `longest` s, whichever is first; returns the time gone on.
- * Switches, when there is one, at its end. */
+/* Advances to the next switch, to the end of a cell or by `longest` s, whichever is first; returns the elapsed time.
+ * A switch takes place at the end of the step. */
 double motion_step(Motion *motion, double longest);
 
-/* As motion_step by a whole cell, whose end, if nothing switches before, is known: its blocks in `next`, and `end`. */
+/* Like motion_step over a whole cell whose end without a switch is known: blocks in `next`, and `end`. */
 double motion_step_known(Motion *motion, MotionReading *end);
 
-/* Goes on to the end of the cycle, phase 0. */
+/* Advances to the end of the cycle, phase 0. */
 MotionStatus motion_cycle(Motion *motion);
 
-/* Begins the next cycle, when steps have made a whole one. */
+/* Begins the next cycle once the steps have completed one. */
 MotionStatus motion_end_cycle(Motion *motion);
 
-/* m, m/s of the tip. */
+/* Deflection and velocity of the tip, m, m/s. */
 double motion_deflection(const Motion *motion);
 double motion_velocity(const Motion *motion);
 
-/* N, of the joint on the tip: negative at the upper contact. */
+/* Returns the force of the joint on the tip, N: negative at the upper contact. */
 double motion_force(const Motion *motion);
 
 static inline bool motion_in_contact(MotionPlace place) {
     return place == MOTION_UPPER || place == MOTION_LOWER;
 }
 
-/* Of the wall that is in contact: 1 the upper one, -1 the lower one, 0 none. */
+/* Returns 1 for the upper contact, -1 for the lower one, 0 without contact. */
 static inline double motion_side(MotionPlace place) {
     return place == MOTION_UPPER ? 1 : place == MOTION_LOWER ? -1 : 0;
 }

@@ -7,9 +7,9 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 
-/* Newton's iteration ends when what is left is this share of the state: rounding leaves some 1e-13. */
+/* Fraction of the state at which Newton's iteration ends: rounding leaves about 1e-13. */
 static const double CONVERGED = 1e-11;
-/* So far from closing, of the state's length, it will not find what was near its start. */
+/* Fraction of the state's length: a start that misses closing by more does not lead to a nearby orbit. */
 static const double FAR = 1;
 enum { ITERATIONS_MOST = 12 };
 
@@ -20,7 +20,7 @@ static double length_of(const double *vector, size_t count) {
     return sqrt(sum);
 }
 
-/* How far apart, as a share of how large, or of what is at rest; equal ones are not apart. */
+/* Returns the distance as a fraction of the size, or of `rest` if larger; 0 for equal states. */
 static double share(double apart, double size, double rest) {
     return apart > 0 ? apart / fmax(size, rest) : 0;
 }
@@ -40,7 +40,7 @@ bool orbit_map(const Rig *rig, double *state, size_t cycles, double *derivative,
     return good;
 }
 
-/* x -= (derivative - 1)^-1 gap; destroys the derivative and the gap. */
+/* Computes x -= (derivative - 1)^-1 gap; destroys the derivative and the gap. */
 static bool newton_step(double *state, double *derivative, double *gap, size_t states) {
     lapack_int n = (lapack_int)states;
     lapack_int *pivots = memory_zeroed(states, sizeof *pivots);
@@ -53,7 +53,7 @@ static bool newton_step(double *state, double *derivative, double *gap, size_t s
     return good;
 }
 
-/* Which way the largest multiplier would leave the unit circle. */
+/* Classifies the crossing of the unit circle nearest to the largest multiplier. */
 static void name_leaving(Orbit *orbit) {
     size_t which = 0;
     for (size_t i = 1; i < orbit->states; i++)

@@ -6,7 +6,7 @@
 
 #include "base/memory.h"
 
-/* A of the state (omega q, q'), column by column, of a beam damped `scale` times as much. */
+/* Builds A for the state (omega q, q'), column by column, of a beam with `scale` times the damping. */
 static double *make_matrix(const Modes *modes, double stiffness, double damping, double scale) {
     size_t n = modes->count, size = 2 * n;
     const double *omega = modes->frequency, *tip = modes->tip;
@@ -22,9 +22,9 @@ static double *make_matrix(const Modes *modes, double stiffness, double damping,
 }
 
 typedef struct Eigen {
-    double *re, *im; /* (size) a pair's one with the positive imaginary part comes first */
-    double *vectors; /* (size x size) of a pair: the real part, then the imaginary one */
-    double *inverse; /* of `vectors` */
+    double *re, *im; /* (size) the member of a pair with positive imaginary part comes first */
+    double *vectors; /* (size x size) for a pair: real part, then imaginary part */
+    double *inverse; /* inverse of `vectors` */
 } Eigen;
 
 static bool find_eigen(Eigen *eigen, double *matrix, size_t size) {
@@ -43,7 +43,7 @@ static bool find_eigen(Eigen *eigen, double *matrix, size_t size) {
     return good;
 }
 
-/* One block a real eigenvalue or pair. With v = r + i s, x = u r + w s, Z = u - i w. */
+/* Stores one block per real eigenvalue or pair. With v = r + i s, x = u r + w s, Z = u - i w. */
 static void keep_blocks(Regime *regime, const Eigen *eigen) {
     size_t size = regime->states, blocks = regime->blocks;
     for (size_t column = 0, j = 0; column < size; column++, j++) {
@@ -60,7 +60,8 @@ static void keep_blocks(Regime *regime, const Eigen *eigen) {
     }
 }
 
-/* A row over states as one over blocks, and its terms: each is the one before times lambda / m. */
+/* Converts a row over states to a row over blocks, and computes its terms: each is the previous one times lambda /
+ * m. */
 static void keep_row(Regime *regime, RegimeRow which, const double *over_states) {
     RegimeVector *row = regime->row[which];
     for (size_t j = 0; j < regime->blocks; j++) {
@@ -108,7 +109,7 @@ static RegimeVector take(double **at, size_t count) {
     return taken;
 }
 
-/* Of the eigenvalues, a pair as one, filled up. */
+/* Counts the blocks: one per real eigenvalue or pair, rounded up to REGIME_WIDTH. */
 static size_t count_blocks(const Eigen *eigen, size_t size) {
     size_t count = 0;
     for (size_t column = 0; column < size; column++, count++)
@@ -116,7 +117,7 @@ static size_t count_blocks(const Eigen *eigen, size_t size) {
     return (count + REGIME_WIDTH - 1) / REGIME_WIDTH * REGIME_WIDTH;
 }
 
-/* The largest sum of a column. */
+/* Returns the 1-norm, the largest column sum. */
 static double norm_of(const double *matrix, size_t size) {
     double norm = 0;
     for (size_t c = 0; c < size; c++) {
@@ -128,12 +129,12 @@ static double norm_of(const double *matrix, size_t size) {
     return norm;
 }
 
-/* Vectors nearer to parallel than this lose as many digits. */
+/* Eigenvectors with a larger condition number lose that many digits. */
 static const double CONDITION_MOST = 1e6;
-/* By so much more a beam is damped whose vectors would be parallel. */
+/* Relative extra damping where eigenvectors would be parallel. */
 static const double NUDGE = 1e-9;
 
-/* The eigenvalues and vectors, of a beam nudged away from where two of them meet. */
+/* Computes eigenvalues and eigenvectors, with extra damping where two eigenvalues coincide. */
 static bool find_regime(Eigen *eigen, const Modes *modes, double stiffness, double damping) {
     size_t size = 2 * modes->count;
     for (int nudged = 0;; nudged++) {
@@ -212,8 +213,8 @@ void regime_cut(Regime *regime, double cell, size_t cuts) {
         }
 }
 
-/* exp(x) of two x of at most REGIME_PART / 2, by Taylor's series: (1 + x + x^2 / 2) + x^3 (1 / 6 + x / 24 + x^2 / 120 +
- * x^3 / 720); the next term would be below 1e-17. */
+/* Computes exp(x) for two x of at most REGIME_PART / 2 by Taylor's series: (1 + x + x^2 / 2) + x^3 (1 / 6 + x / 24 +
+ * x^2 / 120 + x^3 / 720); the next term would be below 1e-17. */
 static inline void exponentials(RegimeTwo x_re, RegimeTwo x_im, RegimeTwo *re, RegimeTwo *im) {
     RegimeTwo square_re = x_re * x_re - x_im * x_im, square_im = 2 * (x_re * x_im);
     RegimeTwo cube_re = square_re * x_re - square_im * x_im, cube_im = square_re * x_im + square_im * x_re;

@@ -23,85 +23,85 @@
 #include "beam/modes.h"
 #include "mechanics/contact.h"
 
-/* Complex numbers, real and imaginary parts apart. */
+/* Complex numbers with separate real and imaginary parts. */
 typedef struct RegimeVector {
     double *re, *im;
 } RegimeVector;
 
-/* What is measured of a state: y = Re sum row Z. */
+/* Observed quantities of a state: y = Re sum row Z. */
 typedef enum RegimeRow {
     REGIME_TIP,   /* m, deflection of the tip */
-    REGIME_FORCE, /* N, k deflection + c velocity of the tip: the contact's force, but for what the clearance takes */
+    REGIME_FORCE, /* N, k deflection + c velocity of the tip: the contact's force plus the constant k times clearance */
     REGIME_ROWS,
 } RegimeRow;
 
-/* Blocks come in fours, the last ones empty: a sum over them is four sums of every fourth, whichever vector
- * instructions there are. */
+/* The number of blocks is a multiple of four, the last ones empty: each sum over blocks is four interleaved partial
+ * sums with any vector instructions. */
 enum { REGIME_WIDTH = 4 };
 
-/* Terms of a measured polynomial about a cut: the next would be 1e-17 of a block's size. */
+/* Terms of a Taylor polynomial about a cut: the next would be 1e-17 of a block's size. */
 enum { REGIME_TERMS = 8 };
 
-/* |lambda| times the length of a part, at most. */
+/* Largest |lambda| times the length of a part. */
 #define REGIME_PART (M_PI / 128)
 
 typedef struct Regime {
     size_t states, blocks;            /* 2 n; a multiple of REGIME_WIDTH */
-    RegimeVector lambda;              /* (blocks) 1/s; 0: an empty block */
+    RegimeVector lambda;              /* (blocks) 1/s; 0: empty block */
     RegimeVector shape;               /* (states x blocks) v */
     RegimeVector part;                /* (states x blocks) w */
-    RegimeVector drive;               /* (blocks) what 1 N at the shaker gives */
-    RegimeVector push;                /* (blocks) what 1 N at the tip gives */
-    RegimeVector row[REGIME_ROWS][2]; /* (blocks) the row, and its rate, row lambda */
+    RegimeVector drive;               /* (blocks) response to 1 N at the shaker */
+    RegimeVector push;                /* (blocks) response to 1 N at the tip */
+    RegimeVector row[REGIME_ROWS][2]; /* (blocks) the row, and its rate: row lambda */
     double *terms[REGIME_ROWS];       /* (blocks x 2 x REGIME_TERMS) Re, Im of row lambda^m / m! */
     double *memory;
 
     double cell;      /* s */
-    size_t cuts;      /* parts of a cell */
+    size_t cuts;      /* number of parts of a cell */
     RegimeVector hop; /* (cuts + 1 x blocks) exp(lambda cell k / cuts) */
 } Regime;
 
-/* The regime of modes whose tip is held by `law`; `held` false: free, and the law only makes the row of the force.
- * False: LAPACK found no eigenvalues, and there is nothing to clear. */
+/* Builds the regime of modes whose tip is held by `law`; with `held` false the tip is free, and the law only defines
+ * the force row. Returns false, with nothing to clear, if the eigenproblem has no solution. */
 bool regime_build(Regime *regime, const Modes *modes, const ContactLaw *law, bool held);
 
 void regime_clear(Regime *regime);
 
-/* 1/s, the largest |Im lambda| and the largest |lambda|. */
+/* Return the largest |Im lambda| and the largest |lambda|, 1/s. */
 double regime_fastest(const Regime *regime);
 double regime_largest(const Regime *regime);
 
-/* Makes the table for cells of `cell` s in `cuts` parts. */
+/* Builds the table for cells of `cell` s in `cuts` parts. */
 void regime_cut(Regime *regime, double cell, size_t cuts);
 
 static inline size_t regime_nearest_cut(const Regime *regime, double time) {
     return (size_t)(time / regime->cell * (double)regime->cuts + 0.5);
 }
 
-/* s */
+/* s. */
 static inline double regime_cut_time(const Regime *regime, size_t cut) {
     return regime->cell * (double)cut / (double)regime->cuts;
 }
 
-/* exp(lambda time) at a cut, (blocks). */
+/* Returns exp(lambda time) at a cut, (blocks). */
 static inline RegimeVector regime_hop(const Regime *regime, size_t cut) {
     return (RegimeVector){regime->hop.re + cut * regime->blocks, regime->hop.im + cut * regime->blocks};
 }
 
-/* Room for `count` complex numbers; memory_free its `re`. */
+/* Allocates `count` complex numbers; memory_free their `re`. */
 RegimeVector regime_vector(size_t count);
 
-/* exp(lambda time) of each block, time from 0 to a cell. */
+/* Computes exp(lambda time) of each block for a time from 0 to a cell. */
 void regime_propagator(const Regime *regime, double time, RegimeVector factor);
 
-/* Two doubles, wherever they lie: vectors that every machine of the kind has. */
+/* Two doubles, unaligned: a vector that every processor of this kind supports. */
 typedef double RegimeTwo __attribute__((vector_size(16), aligned(8), may_alias));
 
 static inline RegimeTwo *regime_two(const double *at) {
     return (RegimeTwo *)(uintptr_t)at;
 }
 
-/* moved = Z factor. */
+/* Computes moved = Z factor. */
 static inline void regime_advance(size_t blocks, RegimeVector factor, RegimeVector z, RegimeVector moved) {
     for (size_t j = 0; j < blocks; j += 2) {
         RegimeTwo re = *regime_two(z.re + j), im = *regime_two(z.im + j);
@@ -115,7 +115,7 @@ static inline RegimeTwo regime_product(RegimeVector row, RegimeVector z, size_t 
     return *regime_two(row.re + j) * *regime_two(z.re + j) - *regime_two(row.im + j) * *regime_two(z.im + j);
 }
 
-/* Re sum row Z. */
+/* Returns Re sum row Z. */
 static inline double regime_measure(size_t blocks, RegimeVector row, RegimeVector z) {
     RegimeTwo first = {0}, second = {0};
     for (size_t j = 0; j < blocks; j += REGIME_WIDTH) {
@@ -125,7 +125,7 @@ static inline double regime_measure(size_t blocks, RegimeVector row, RegimeVecto
     return (first[0] + first[1]) + (second[0] + second[1]);
 }
 
-/* y of a moment t later is the sum over m of term[m] t^m, t within a part. */
+/* Computes the Taylor polynomial: y a time t later is the sum over m of term[m] t^m, for t within a part. */
 static inline void regime_expand(const Regime *regime, RegimeRow row, RegimeVector z, double term[REGIME_TERMS]) {
     const double *from = regime->terms[row];
     RegimeTwo sum[REGIME_TERMS / 2] = {{0}};
@@ -136,9 +136,9 @@ static inline void regime_expand(const Regime *regime, RegimeRow row, RegimeVect
         *regime_two(term + 2 * m) = sum[m];
 }
 
-/* The state of blocks, and the blocks of a state. */
+/* Convert blocks to a state and a state to blocks. */
 void regime_state(const Regime *regime, RegimeVector z, double *state);
 void regime_blocks(const Regime *regime, const double *state, RegimeVector z);
 
-/* The trace of A, 1/s: the sum of all its eigenvalues. */
+/* Returns the trace of A, 1/s: the sum of all its eigenvalues. */
 double regime_trace(const Regime *regime);

@@ -6,18 +6,18 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 
-/* A return so near, of the state's length, is worth Newton's iteration; the orbit must then be as near. A chaotic
- * motion returns so near now and then, but to an orbit that does not attract. */
+/* Fraction of the state's length: a return this close starts Newton's iteration, and the orbit must then be as
+ * close. A chaotic motion sometimes returns this close, but to an orbit that is unstable. */
 static const double NEAR_RETURN = 0.05;
 
-/* A tangent that grows faster than this, a cycle, is of no motion near an orbit that attracts: Newton's iteration, by
- * far the longest part, is not tried. */
+/* Per cycle: a tangent that grows faster excludes a nearby stable orbit, so Newton's iteration, by far the longest
+ * part, is skipped. */
 static const double GROWS = 0.1;
 
-/* The 0-1 test, whose effort is the square of it, needs no more cycles: the last ones. */
+/* The time of the 0-1 test grows with the square of the cycles; it uses only the last ones. */
 enum { ZERO_ONE_CYCLES = 4000 };
 
-/* So near to an orbit, of the state's length, a motion is on it. */
+/* Fraction of the state's length: a motion this close to an orbit has settled on it. */
 static const double SETTLED = 1e-3;
 
 static const TraceColumn columns[] = {[RESPONSE_TIME] = {"time", "s"},
@@ -30,7 +30,7 @@ const char *response_verdict_name(ResponseVerdict verdict) {
     return names[verdict];
 }
 
-/* The motion beside what is told of it. */
+/* A motion and the data for its verdict. */
 typedef struct Watch {
     Motion motion;
     const volatile sig_atomic_t *stop;
@@ -52,7 +52,7 @@ static void pass_transient(Watch *watch, int cycles) {
     watch->motion.peak[0] = watch->motion.peak[1] = 0;
 }
 
-/* The cycle that has just been made. */
+/* Records the cycle that has just ended. */
 static void note_cycle(Watch *watch) {
     if (watch->motion.status != MOTION_GOOD)
         return;
@@ -67,7 +67,7 @@ static void add_sample(Trace *trace, const Motion *motion, double time) {
     trace_add(trace, (double[]){time, motion_deflection(motion), motion_velocity(motion), motion_force(motion)});
 }
 
-/* One cycle in as many parts as it has samples. */
+/* Adds one cycle to the trace, in as many parts as it has samples. */
 static void trace_cycle(Trace *trace, Motion *motion, size_t cycle) {
     double period = motion->rig->period;
     for (int sample = 0; sample < RESPONSE_SAMPLES; sample++) {
@@ -107,7 +107,7 @@ static void record(Response *response, Watch *watch, int cycles) {
     response->grazes = motion->grazes - grazes;
 }
 
-/* An orbit that has been found with a multiple of its period: with its own. */
+/* Replaces an orbit found with a multiple of its period by the orbit with its own period. */
 static void reduce_period(Orbit *orbit, const Rig *rig, const volatile sig_atomic_t *stop) {
     for (size_t period = 1; period < orbit->period; period++) {
         Orbit shorter;
@@ -122,7 +122,7 @@ static void reduce_period(Orbit *orbit, const Rig *rig, const volatile sig_atomi
     }
 }
 
-/* Does the tangent grow, in the last quarter of what was seen? */
+/* True if the tangent grew in the last quarter of the record. */
 static bool tangent_grows(const Watch *watch) {
     size_t count = watch->analysed.count, last = count / 4 > 0 ? count / 4 : 1;
     double sum = 0;
@@ -131,7 +131,7 @@ static bool tangent_grows(const Watch *watch) {
     return sum > GROWS * (double)last;
 }
 
-/* The stable orbit that the motion is near. */
+/* Finds the stable orbit near the motion. */
 static bool find_orbit(Response *response, const Watch *watch) {
     const Section *seen = &watch->analysed;
     const Rig *rig = watch->motion.rig;
@@ -157,7 +157,7 @@ static bool is_chaotic(const Response *response) {
     return response->exponent.value - 3 * response->exponent.error > 0 && response->zero_one > RESPONSE_ZERO_ONE_LEAST;
 }
 
-/* Goes on until the motion can be told, twice as long each time. */
+/* Continues, doubling the number of cycles each time, until a verdict is reached. */
 static void tell(Response *response, Watch *watch) {
     for (size_t cycles = RESPONSE_CYCLES_LEAST;; cycles *= 2) {
         if (watch->analysed.count > 1 && find_orbit(response, watch)) {

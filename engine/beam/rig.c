@@ -4,8 +4,8 @@
 
 #include "base/memory.h"
 
-/* Nearer than this to omega^2, lambda^2 leaves too few digits of a steady part: an undamped beam at its resonance,
- * whose motion has no end. */
+/* Relative difference of lambda^2 and -omega^2 below which a steady part loses its digits: an undamped beam at
+ * resonance, whose motion grows without bound. */
 static const double RESONANCE = 1e-8;
 
 /* Z' = lambda Z + drive F sin(omega t) + push R has the steady part
@@ -16,7 +16,7 @@ static void make_steady(RigSteady *steady, const Regime *regime, const Rig *rig,
         double a = regime->lambda.re[j], b = regime->lambda.im[j];
         double re = a * a - b * b + omega * omega, im = 2 * a * b, size = re * re + im * im;
         if (size < RESONANCE * RESONANCE * pow(omega, 4))
-            size = 0; /* and the motion diverges */
+            size = 0; /* marks a motion that diverges */
         double drive_re = rig->force * regime->drive.re[j], drive_im = rig->force * regime->drive.im[j];
         double part_re = -(drive_re * re + drive_im * im) / size, part_im = -(drive_im * re - drive_re * im) / size;
         steady->cosine.re[j] = omega * part_re;
@@ -48,7 +48,7 @@ static void steady_clear(RigSteady *steady) {
     memory_free(steady->rest.re);
 }
 
-/* C = w' v of each pair of blocks; of a block's Z = a + i b, x = a Re v - b Im v. */
+/* Computes C = w' v of each pair of blocks; for a block Z = a + i b, x = a Re v - b Im v. */
 static void make_change(RigChange *change, const Regime *before, const Regime *after) {
     change->by_re = regime_vector(before->blocks * after->blocks);
     change->by_im = regime_vector(before->blocks * after->blocks);
@@ -99,7 +99,7 @@ static void subtract(size_t count, RegimeVector from, RegimeVector what) {
     }
 }
 
-/* What the steady part before is, as blocks after, without the steady part after. */
+/* Computes the steady part before the switch, in the blocks after it, minus the steady part after it. */
 static void make_jumps(RigChange *change, const Regime *before, const RigSteady *steady_before, const Regime *after,
                        const RigSteady *steady_after) {
     rig_change_blocks(change, before, after, steady_before->sine, change->sine);
@@ -110,7 +110,7 @@ static void make_jumps(RigChange *change, const Regime *before, const RigSteady 
     subtract(after->blocks, change->rest, steady_after->rest);
 }
 
-/* Of an angle of at most 2 pi / RIG_CELLS. */
+/* Computes sine and cosine of an angle of at most 2 pi / RIG_CELLS. */
 static void take_sine_cosine(double angle, double *sine, double *cosine) {
     double s = angle * angle, s2 = s * s, s4 = s2 * s2;
     *sine = angle * (((1 - s * (1. / 6)) + (1. / 120 - s * (1. / 5040)) * s2) +
@@ -130,20 +130,22 @@ void rig_turn_drive(const Rig *rig, double time, double *sine, double *cosine) {
 }
 
 static void cut(Regime *regime, const Rig *rig) {
-    double finest = fmax(regime_largest(regime), 2 * M_PI / (RIG_CELLS * rig->cell)); /* the drive's is not cut */
+    double finest =
+        fmax(regime_largest(regime), 2 * M_PI / (RIG_CELLS * rig->cell)); /* the table of the drive has no cuts */
     if (rig->shares_cells)
         regime->hop = (RegimeVector){NULL, NULL};
     regime_cut(regime, rig->cell, (size_t)ceil(finest * rig->cell / REGIME_PART));
 }
 
-/* A step after a switch: where something decays faster than in half a cell, a quarter of what its period would be. */
+/* Returns the length of the step after a switch: where a mode decays faster than in half a cell, a quarter of the
+ * corresponding period. */
 static double first_step(const Regime *regime, double cell) {
     double first = M_PI / (2 * regime_largest(regime));
     return first < cell / 2 ? first : cell;
 }
 
-/* A cell is a quarter of the shortest period of any mode, free or in contact, a period of the drive / RIG_CELLS, or,
- * where something decays much faster than that, as long as CUTS_MOST parts of it. */
+/* Chooses the cell: a quarter of the shortest period of any mode, free or in contact, or a period of the drive /
+ * RIG_CELLS, or, where a mode decays much faster, CUTS_MOST parts of its time scale. */
 static void make_cells(Rig *rig) {
     enum { CUTS_MOST = 4096 };
     double fastest = fmax(regime_fastest(&rig->free), regime_fastest(&rig->contact));
@@ -264,7 +266,7 @@ double rig_rest_deflection(const Rig *rig) {
 
 double rig_rest_state(const Rig *rig) {
     const Modes *modes = &rig->modes;
-    double squares = 0; /* of the tip's deflection by each coordinate of a state */
+    double squares = 0; /* the tip's deflection per coordinate of a state */
     for (size_t i = 0; i < modes->count; i++)
         squares += modes->tip[i] * modes->tip[i] / (modes->frequency[i] * modes->frequency[i]);
     return squares > 0 ? rig_rest_deflection(rig) / sqrt(squares) : 0;

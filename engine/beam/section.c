@@ -5,12 +5,12 @@
 
 #include "base/memory.h"
 
-/* A motion whose every return is nearer than this, of its own size, repeats. A transient that shrinks by 1 % a cycle is
+/* Relative distance: a motion whose every return is closer repeats. A transient that shrinks by 1 % per cycle is
  * then within 1 % of its orbit. */
 static const double RETURN_NEAR = 1e-4;
 
-/* One whose returns are this near and get nearer settles still. A chaotic motion returns so near now and then, but not
- * for a quarter of what is seen. */
+/* Relative distance: a motion whose returns are this close and approach is still settling. A chaotic motion
+ * sometimes returns this close, but not for a quarter of the record. */
 static const double RETURN_SETTLING = 0.05;
 
 void section_add(Section *section, Motion *motion) {
@@ -64,7 +64,7 @@ double section_return(const Section *section, size_t lag, double rest) {
     return apart > 0 ? sqrt(apart) / fmax(sqrt(size), rest) : 0;
 }
 
-/* The tip as a point of one unit, m/s. */
+/* Deflection and velocity of the tip in one unit, m/s. */
 typedef struct Tip {
     const double *deflection, *velocity;
     double omega, rest;
@@ -76,7 +76,7 @@ static double return_of(const Tip *tip, size_t at, size_t lag) {
     return apart > 0 ? apart / fmax(hypot(tip->omega * tip->deflection[at], tip->velocity[at]), tip->rest) : 0;
 }
 
-/* The largest return after `lag` cycles, of those at `from` up to before `to`. */
+/* Returns the largest distance between cycles that are `lag` apart, from `from` up to but excluding `to`. */
 static double largest_return(const Tip *tip, size_t lag, size_t from, size_t to) {
     double largest = 0;
     for (size_t i = from; i < to; i++)
@@ -84,7 +84,7 @@ static double largest_return(const Tip *tip, size_t lag, size_t from, size_t to)
     return largest;
 }
 
-/* Do the returns get nearer from quarter to quarter of what is seen? */
+/* True if the returns get closer from quarter to quarter of the record. */
 static bool returns_settle(const Tip *tip, size_t count, size_t lag) {
     enum { QUARTERS = 4 };
     double before = HUGE_VAL;
@@ -107,7 +107,7 @@ int section_period(const double *deflection, const double *velocity, size_t coun
         if (count < span + lag)
             told = false;
         else if (largest_return(&tip, lag, count - span, count) < RETURN_NEAR)
-            return told ? (int)lag : SECTION_UNTOLD; /* not of a shorter period that it settles to */
+            return told ? (int)lag : SECTION_UNTOLD; /* a shorter period to which it settles is excluded */
         else if (returns_settle(&tip, count, lag))
             told = false;
     }

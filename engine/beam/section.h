@@ -1,4 +1,4 @@
-/* The Poincare section: a motion seen once a cycle of the drive, at phase 0 (stroboscopic), and each cycle's largest
+/* The Poincare section: the state once per cycle of the drive, at phase 0 (stroboscopic), and each cycle's largest
  * force on either side of the joint. */
 #pragma once
 
@@ -10,36 +10,38 @@ typedef struct Section {
     size_t count, states;
     double *state;                 /* (count x states) sqrt(J) */
     double *deflection, *velocity; /* (count) of the tip, m and m/s */
-    double *peak;                  /* (count x 2) N, on the upper and the lower side; 0: not touched in that cycle */
+    double *peak;                  /* (count x 2) N, on the upper and the lower side; 0: no contact in that cycle */
     size_t state_capacity, deflection_capacity, velocity_capacity, peak_capacity;
 } Section;
 
-/* Adds the motion as it is, at phase 0, and the peaks since the last addition, which begin anew. Zero is an empty
- * section. */
+/* Adds the present state of the motion, at phase 0, and the peaks since the last addition, and resets the peaks. A
+ * zeroed section is empty. */
 void section_add(Section *section, Motion *motion);
 
 void section_clear(Section *section);
 
-/* Of the peaks of both sides, those that touched. */
+/* Peaks of both sides, contacts only. */
 typedef struct SectionPeaks {
     double min, max, mean; /* N */
-    size_t count;          /* 0: nothing touched */
+    size_t count;          /* 0: no contact */
 } SectionPeaks;
 
 SectionPeaks section_peaks(const Section *section);
 
-/* |x_last - x_(last - lag)| / |x_last|, of `rest` at least (rig_rest_state); lag below the count. */
+/* Returns |x_last - x_(last - lag)| / |x_last|, with |x_last| at least `rest` (rig_rest_state); lag is below the
+ * count. */
 double section_return(const Section *section, size_t lag, double rest);
 
 enum {
     SECTION_PERIOD_MOST = 16, /* cycles */
-    SECTION_NONE = 0,         /* not periodic within the cycles that were seen */
-    SECTION_UNTOLD = -1,      /* still settling, or too few cycles to say so */
+    SECTION_NONE = 0,         /* not periodic within the record */
+    SECTION_UNTOLD = -1,      /* still settling, or the record is too short */
 };
 
-/* Quickly told by how the tip returns: after how many cycles, 1 to SECTION_PERIOD_MOST, a motion repeats that was seen
- * at the end of each of `count` cycles (deflection, m; velocity, m/s) of a drive of `omega` rad/s, deflections below
- * `rest` (m) being none; else SECTION_NONE or SECTION_UNTOLD. Nothing is certified: orbit.h does that. */
+/* Estimates the period from the returns of the tip: the number of cycles, 1 to SECTION_PERIOD_MOST, after which a
+ * motion repeats, given deflection (m) and velocity (m/s) at the end of each of `count` cycles of a drive of `omega`
+ * rad/s; deflections below `rest` (m) count as none. Returns SECTION_NONE or SECTION_UNTOLD otherwise. Nothing is
+ * certified: orbit.h does that. */
 int section_period(const double *deflection, const double *velocity, size_t count, double omega, double rest);
 
 static inline const double *section_last(const Section *section) {

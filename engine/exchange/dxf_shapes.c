@@ -11,7 +11,7 @@ enum {
     ARC_MOST = 72 /* straight lines per circle */
 };
 
-/* x' = a x + c y + e, y' = b x + d y + f */
+/* x' = a x + c y + e, y' = b x + d y + f. */
 typedef struct Affine {
     double a, b, c, d, e, f;
 } Affine;
