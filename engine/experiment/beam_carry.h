@@ -1,5 +1,5 @@
-/* What a motion takes along from one beam to another: each natural mode's share of the tip's deflection and velocity,
- * at phase 0 of the drive. Modes that there were not rest. */
+/* The state that is carried from one beam to another: each natural mode's part of the tip's deflection and velocity,
+ * at phase 0 of the drive. Additional modes start at rest. */
 #pragma once
 
 #include <stdbool.h>
@@ -7,16 +7,16 @@
 
 #include "beam/modes.h"
 
-/* Zero is nothing. */
+/* A zeroed value holds no state. */
 typedef struct BeamCarry {
     double *share; /* (modes x 2) m, m/s */
-    size_t modes;  /* 0: there is none */
+    size_t modes;  /* 0: no state */
 } BeamCarry;
 
-/* Takes it from a state; of one that is lost (not finite) there is none. */
+/* Takes the state; a state that is not finite gives none. */
 void beam_carry_take(BeamCarry *carry, const Modes *modes, const double *state);
 
-/* Makes a state of it. False: there is none, and the state is as it was. */
+/* Converts to a state of other modes. Returns false, leaving `state` unchanged, if there is none. */
 bool beam_carry_give(const BeamCarry *carry, const Modes *modes, double *state);
 
 void beam_carry_clear(BeamCarry *carry);

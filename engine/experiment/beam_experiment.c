@@ -15,8 +15,9 @@
 
 const char *const beam_experiment_window[] = {"drive.frequency", "beam.length", "joint.clearance", "drive.force"};
 
-/* Trials that are made together: enough to fill the lanes, few enough that two threads share a window of types. */
-enum { BATCH = 16, LONG = 100000 /* cycles: of longer ones, one, for the memory's sake */ };
+/* Number of trials simulated together: enough to fill the lanes, and few enough that two threads share a window of
+ * types. */
+enum { BATCH = 16, LONG = 100000 /* cycles: longer trials run singly, to save memory */ };
 
 static const Observable observables[BEAM_OBSERVABLES] = {
     [BEAM_REGULAR] = {"regular", "1", "periodic (1) or not within the cycles seen (0)"},
@@ -33,7 +34,7 @@ static const Observable observables[BEAM_OBSERVABLES] = {
 
 static const Observable series = {"peak", "N", "peak force of each cycle and side"};
 
-/* Where the tip begins; NAN: as the seed says. */
+/* Initial deflection and velocity of the tip; NAN: drawn from the seed. */
 typedef struct Start {
     double deflection, velocity; /* m, m/s */
 } Start;
@@ -58,9 +59,9 @@ static const ParameterTable start_table = {"start", start_rows, sizeof start_row
 
 typedef struct Given {
     Beam beam;
-    bool owned; /* the beam is this one's own */
+    bool owned; /* the experiment owns the beam */
     bool thorough;
-    Rig rig; /* of the beam as given */
+    Rig rig; /* of the nominal beam */
 } Given;
 
 /* Parameters ------------------------------------------------------------------------------------------------------ */
@@ -100,26 +101,26 @@ static double nominal(const void *given, const char *name) {
 
 /* Trials ---------------------------------------------------------------------------------------------------------- */
 
-/* A trial's beam and start. */
+/* The beam and initial state of a trial. */
 typedef struct Case {
     Trial *trial;
-    Beam beam; /* its texts are the given one's */
+    Beam beam; /* its texts belong to the nominal beam */
     Start start;
     bool made;
 } Case;
 
-/* Moves the first fault to the trial. */
+/* Moves the first error to the trial. */
 static void keep_fault(Trial *trial, Fault *fault) {
     trial->fault = text_copy(fault->lines[0]);
     trial->done = true;
     fault_clear(fault);
 }
 
-/* The given beam with the trial's values; when they do not fit, the trial says why. */
+/* Sets the trial's values in the nominal beam; if they are invalid, the trial gets the reason. */
 static void make_case(const Given *given, const char *const *names, size_t name_count, Trial *trial, Case *made) {
     *made = (Case){.trial = trial, .beam = given->beam, .start = {NAN, NAN}};
     Fault fault = {0};
-    Arena none = {0}; /* numbers need no room */
+    Arena none = {0}; /* numbers need no memory */
     for (size_t i = 0; i < name_count; i++) {
         const Parameter *row = find_parameter(given, names[i]);
         JsonFile file = {.path = "", .root = json_number(trial->at[i])};
@@ -137,7 +138,7 @@ static void make_case(const Given *given, const char *const *names, size_t name_
     }
 }
 
-/* m, how far the amplitude of the drive would push the tip without the joint, if it stood still. */
+/* Returns the static deflection of the tip under the drive's amplitude without the joint, m. */
 static double static_deflection(const Modes *modes, double force) {
     double sum = 0;
     for (size_t i = 0; i < modes->count; i++)
@@ -145,7 +146,7 @@ static double static_deflection(const Modes *modes, double force) {
     return fabs(sum * force);
 }
 
-/* m/s, the largest velocity of the tip without the joint. */
+/* Returns the largest velocity of the tip without the joint, m/s. */
 static double free_speed(const Beam *beam, const Rig *rig) {
     Rig own = rig_share(rig, beam->frequency, beam->force, beam->clearance);
     double speed = own.omega * rig_free_amplitude(&own);
@@ -153,7 +154,7 @@ static double free_speed(const Beam *beam, const Rig *rig) {
     return speed;
 }
 
-/* The state (states) of a case's start. */
+/* Computes the initial state (states) of a case. */
 static void make_start(const Case *one, const Rig *rig, double *state) {
     Random random = random_seed(one->trial->seed, 0);
     bool chance = one->trial->seed != 0;
@@ -173,7 +174,7 @@ static void make_start(const Case *one, const Rig *rig, double *state) {
     }
 }
 
-/* Lists the peaks (2 x cycles) of those that touched. */
+/* Lists the peaks (2 x cycles) of cycles with contact. */
 static void list_peaks(Trial *trial, const double *peak, size_t cycles) {
     trial->series = memory_zeroed(2 * cycles, sizeof *trial->series);
     double sum = 0, smallest = HUGE_VAL, largest = 0;
@@ -206,7 +207,7 @@ static void tell_regular(Trial *trial, bool regular, size_t period) {
 
 /* Runs ------------------------------------------------------------------------------------------------------------ */
 
-/* Where one lane's numbers are: two states, then four for each cycle. */
+/* Returns the numbers per lane: two states, then four numbers per cycle. */
 static size_t lane_room(const Case *one, size_t states) {
     return 2 * states + 4 * (size_t)one->beam.cycles;
 }
@@ -238,7 +239,7 @@ static void tell_lane(const Case *one, const LanesRun *lane) {
         tell_regular(trial, period != SECTION_NONE, (size_t)period);
 }
 
-/* Makes quick trials (count) of one rig from `states` (count x states), where their last states are put. */
+/* Runs `count` quick trials of one rig from `states` (count x states), which receive their last states. */
 static void run_quickly(Case **cases, size_t count, const Rig *rig, double *states, const volatile sig_atomic_t *stop) {
     size_t size = 2 * rig->modes.count, each = lane_room(cases[0], size);
     LanesRun *lanes = memory_zeroed(count, sizeof *lanes);
@@ -266,7 +267,7 @@ static void tell_response(Trial *trial, const Response *response) {
     observed[BEAM_ZERO_ONE] = response->zero_one;
 }
 
-/* Makes one trial as thoroughly as there is, from `state`, where its last recorded state is put. */
+/* Runs one trial with full analysis from `state`, which receives its last recorded state. */
 static void run_thoroughly(const Case *one, const Rig *rig, double *state, const volatile sig_atomic_t *stop) {
     Rig own = rig_share(rig, one->beam.frequency, one->beam.force, one->beam.clearance);
     Response response;
@@ -291,7 +292,7 @@ static void run_cases(const Given *given, Case **cases, size_t count, const Rig 
         run_thoroughly(cases[i], rig, states + i * 2 * rig->modes.count, stop);
 }
 
-/* The rig of a case: the given one, or `own`, made for it. NULL: there is none, and the trial says why. */
+/* Returns the rig of a case: the nominal one, or `own`, built for the case. NULL: the trial has the reason. */
 static const Rig *find_rig(const Given *given, Case *one, Rig *own) {
     Fault fault = {0};
     if (beam_numbers_same_rig(&one->beam, &given->beam) && beam_numbers_followed(&one->beam, &given->rig))
@@ -303,7 +304,7 @@ static const Rig *find_rig(const Given *given, Case *one, Rig *own) {
     return NULL;
 }
 
-/* Trials that share a rig are made together. */
+/* Runs the trials that share a rig together. */
 static void run_apart(const Given *given, Case *cases, size_t count, const volatile sig_atomic_t *stop) {
     Case **group = memory_zeroed(count, sizeof *group);
     for (size_t i = 0; i < count && !parallel_stopped(stop); i++) {
@@ -347,7 +348,7 @@ static void run_carried(const Given *given, Case *cases, size_t count, BeamCarry
     }
 }
 
-/* `carry`: one after the other, from what it holds; NULL: each from its own start. */
+/* `carry`: one after another, continuing from its state; NULL: each from its own initial state. */
 static void run_trials(const Given *given, const char *const *names, size_t name_count, Trial *trials, size_t count,
                        BeamCarry *carry, const volatile sig_atomic_t *stop) {
     Case *cases = memory_zeroed(count, sizeof *cases);

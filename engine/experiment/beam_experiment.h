@@ -26,38 +26,37 @@
 #include "study/experiment.h"
 
 typedef enum BeamObservable {
-    BEAM_REGULAR, /* 1 periodic, 0 not periodic within the cycles seen or chaotic, NAN cannot be told */
+    BEAM_REGULAR, /* 1 periodic, 0 chaotic or not periodic within the record, NAN undetermined */
     BEAM_PERIOD,
     BEAM_PEAK_MIN,
     BEAM_PEAK_MAX,
     BEAM_PEAK_MEAN,
     BEAM_TOUCHES,
-    BEAM_CLEARANCE_RATIO, /* 1, g/a, a the static deflection of the tip under the drive's amplitude, without the joint
+    BEAM_CLEARANCE_RATIO, /* 1, g/a; a is the static deflection of the tip under the drive's amplitude without the joint
                            */
-    BEAM_LYAPUNOV,        /* of thorough trials only, as those that follow */
+    BEAM_LYAPUNOV,        /* this and the following in thorough trials only */
     BEAM_LYAPUNOV_ERROR,
     BEAM_ZERO_ONE,
     BEAM_OBSERVABLES,
 } BeamObservable;
 
-/* What a beam's type is told in a window of. */
+/* Number of parameters of the window for a beam's type. */
 enum { BEAM_EXPERIMENT_WINDOW = 4 };
 extern const char *const beam_experiment_window[BEAM_EXPERIMENT_WINDOW];
 
-/* The experiment of a beam file changed by settings (setting_count), of quick trials. False: faults, and there is
- * nothing to close. */
+/* Opens the experiment of a beam file with `setting_count` settings and quick trials. Returns false after errors,
+ * with nothing to close. */
 bool beam_experiment_open(Experiment *experiment, const char *path, const char *const *settings, size_t setting_count,
                           Fault *fault);
 
-/* The experiment of a beam that is read already and outlives it; `place` begins its faults. */
+/* Opens the experiment of a beam that is already read and must outlive it; `place` begins its errors. */
 bool beam_experiment_of(Experiment *experiment, const Beam *beam, const char *place, Fault *fault);
 
-/* From now on, each trial is told thoroughly. */
+/* Analyses each later trial fully. */
 void beam_experiment_be_thorough(Experiment *experiment);
 
-/* Trials (count) of one parameter, one after the other, the first from where `carry` was left: a carried pass in
- * pieces.
- */
+/* Runs `count` trials of one parameter one after another, the first continuing from `carry`: a carried pass in
+ * pieces. */
 void beam_experiment_run_on(const Experiment *experiment, const char *name, Trial *trials, size_t count,
                             BeamCarry *carry, const volatile sig_atomic_t *stop);
 

@@ -10,7 +10,7 @@ bool beam_numbers_set(const Parameter *row, Beam *beam, double value, Fault *fau
         return false;
     }
     char place[] = "";
-    Arena none = {0}; /* numbers need no room */
+    Arena none = {0}; /* numbers need no memory */
     JsonFile file = {.path = place, .root = parameters_number_json(row, value)};
     JsonNode node = json_root(&file);
     bool good = parameters_read_value(row, beam, &node, &none, fault);

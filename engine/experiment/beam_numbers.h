@@ -1,16 +1,16 @@
-/* The rows of a beam's table as numbers, and what beams that differ in some of them share. */
+/* Access to the rows of a beam's table as numbers, and comparison of beams. */
 #pragma once
 
 #include "beam/rig.h"
 
-/* False: a fault says what would be right, and the beam is as it was. */
+/* Sets a number. Returns false, with an error and the beam unchanged, if the value is invalid. */
 bool beam_numbers_set(const Parameter *row, Beam *beam, double value, Fault *fault);
 
-/* Is a rig of the one a rig of the other, but for the drive and the clearance? */
+/* True if the beams share a rig except for drive and clearance. */
 bool beam_numbers_same_rig(const Beam *a, const Beam *b);
 
-/* Is the drive fast enough for the rig's cells? Of one that is not, rig_build says why. */
+/* True if the rig's cells are short enough for the drive; otherwise rig_build gives the reason. */
 bool beam_numbers_followed(const Beam *beam, const Rig *rig);
 
-/* Are all their numbers the same? */
+/* True if all numbers of the beams are equal. */
 bool beam_numbers_same(const Beam *a, const Beam *b);

@@ -15,9 +15,9 @@ typedef struct HouseGiven {
     const char *path;
     HouseOptions options;
     const char *route;
-    House house; /* with nominal values, and as before any shake */
+    House house; /* with nominal values, before any shake */
     ShakeRecord shake;
-    Arena arena; /* holds the names of what is observed of shakes */
+    Arena arena; /* holds the names of shake observables */
 } HouseGiven;
 
 static const Observable observables[HOUSE_OBSERVABLES] = {
@@ -68,8 +68,8 @@ static double nominal(const void *given, const char *name) {
 
 /* Runs ----------------------------------------------------------------------------------------------------------- */
 
-/* Of the exits and changes of direction of those whom the plan names; of a crowd every member goes another way each
- * time. Small enough for a double to hold it. */
+/* Combines the exits and changes of direction of the plan's own people; members of a crowd take different paths each
+ * time. The value is exact in a double. */
 static double way_of(const House *house, const Observation *observation) {
     uint64_t digest = DIGEST_START;
     for (size_t i = 0; i < observation->person_count; i++) {
@@ -108,10 +108,10 @@ static void observe(Trial *trial, const HouseGiven *given, const House *house, c
     observed[HOUSE_WAY] = way_of(house, observation);
 }
 
-/* The options' settings, then a NAME=VALUE for each varied one; memory_free both. */
+/* Joins the options' settings and a NAME=VALUE for each varied name; the caller releases both with memory_free. */
 static char *join_settings(const HouseOptions *options, const char **settings, const char *const *names,
                            size_t name_count, const double *at) {
-    enum { NUMBER = 32 /* characters of = and a number to the last bit */ };
+    enum { NUMBER = 32 /* characters of "=" and a number with all digits */ };
     size_t room = 1;
     for (size_t n = 0; n < name_count; n++)
         room += strlen(names[n]) + NUMBER;
@@ -155,14 +155,14 @@ static void run_one(const HouseGiven *given, const char *const *names, size_t na
 
 static void run(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count, bool carry,
                 const volatile sig_atomic_t *stop) {
-    (void)carry; /* everybody begins at the start */
+    (void)carry; /* all people begin at their start */
     for (size_t i = 0; i < count && !parallel_stopped(stop); i++)
         run_one(given, names, name_count, &trials[i], stop);
 }
 
 /* Opening -------------------------------------------------------------------------------------------------------- */
 
-/* Of what the house file does not hold itself. */
+/* Returns the digest of inputs outside the house file. */
 static uint64_t identity_of(const HouseGiven *given) {
     uint64_t digest = digest_mix(DIGEST_START, (double)given->options.seed);
     digest = digest_text(digest, given->route ? given->route : "");
@@ -191,7 +191,7 @@ static bool find_route(const HouseGiven *given, Fault *fault) {
     return false;
 }
 
-/* Each trial is a shake, of which more is observed. */
+/* Makes each trial a shake, with more observables. */
 static void observe_shakes(Experiment *experiment, HouseGiven *given) {
     const Plan *plan = &given->house.plan;
     given->shake = shake_record_of(plan, HOUSE_OBSERVABLES);

@@ -1,5 +1,5 @@
-/* A house as an experiment: what a study varies is what `--set` accepts as a number; each run reads the house anew with
- * its values, plans the ways and lets everybody leave. */
+/* A house as an experiment: parameters are the numbers that `--set` accepts; each run reads the house with its
+ * values, plans the routes and simulates the evacuation. */
 #pragma once
 
 #include "house/house.h"
@@ -9,25 +9,25 @@
 /* Indices into the observables. */
 enum {
     HOUSE_COMPLETED,
-    HOUSE_TIME, /* NAN: somebody is not out */
+    HOUSE_TIME, /* NAN: a person is not out */
     HOUSE_NARROWEST,
     HOUSE_PEAK_FORCE,
     HOUSE_CONTACTS,
     HOUSE_RING_TIME,
-    HOUSE_LOST_TIME, /* NAN likewise */
+    HOUSE_LOST_TIME, /* NAN: a person is not out */
     HOUSE_NOT_OUT,
     HOUSE_WAY,
     HOUSE_OBSERVABLES,
 };
 
-/* Reads the house for its names and nominal values. What `path` and `options` point at must stay until the experiment
- * is closed. A run with seed 0 takes that of the options. With options->shake each run begins with the earthquake of
- * its seed, of which more is observed: shake_record.h. `route`: only its people take part; NULL: everybody. False:
- * faults say where and what. */
+/* Reads the house for its names and nominal values. `path` and `options` must stay valid until the experiment is
+ * closed. A run with seed 0 uses the seed of the options. With options->shake each run begins with the earthquake of
+ * its seed and returns more observables: see shake_record.h. `route`: only the people of that route take part; NULL:
+ * all people. Returns false after errors with places and reasons. */
 bool house_experiment_open(Experiment *experiment, const char *path, const HouseOptions *options, const char *route,
                            Fault *fault);
 void house_experiment_close(Experiment *experiment);
 
-/* The house with nominal values, as before any shake; and where it is told of shakes, if it is. */
+/* Return the house with nominal values, before any shake; and the record of shakes, or NULL. */
 const House *house_experiment_house(const Experiment *experiment);
 const ShakeRecord *house_experiment_shake(const Experiment *experiment);

@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "experiment/beam_experiment.h"
 
-/* The paper's numbers, as they are read. */
+/* Figures of the paper, as far as legible. */
 #define PERIODIC_FREQUENCY 190.0 /* Hz */
 #define CHAOTIC_FREQUENCY 300.0
 #define NOMINAL_FREQUENCY 290.0
@@ -23,10 +23,10 @@
 #define BAD_TO 300.0
 #define QUIET_BELOW 130.0 /* Hz */
 
-/* Figures agree that are nearer than this, of the paper's: read off pictures, or with lost digits. */
+/* Largest relative difference of figures that agree: the paper's are read off pictures, or have lost digits. */
 #define AGREES 0.10
 
-/* Of the studies. */
+/* Sizes of the studies. */
 enum { SWEEP_STEPS = 301, LENGTH_STEPS = 61, MAP_FREQUENCIES = 111, MAP_CLEARANCES = 40 };
 #define SWEEP_FROM 20.0 /* Hz */
 #define SWEEP_TO 320.0
@@ -160,7 +160,7 @@ static bool make_types(Paper *paper, const PaperOptions *options, Fault *fault) 
     return good;
 }
 
-/* The map is over shares of the clearance. */
+/* Checks that the map's range applies: it is in fractions of the clearance. */
 static bool check_beam(const Paper *paper, Fault *fault) {
     if (paper->beam.clearance <= 0)
         fault_add(fault, "%s: joint.clearance is 0: the paper's map needs one over 0", paper->path);
@@ -219,7 +219,7 @@ static const char *say_response(Paper *paper, const Response *response) {
     }
 }
 
-/* Is the response so? Of one that cannot be told, nothing is. */
+/* Compares a verdict with the claim; an undetermined verdict stays undetermined. */
 static PaperMet met_verdict(const Response *response, ResponseVerdict verdict) {
     return response->verdict == RESPONSE_UNRESOLVED ? PAPER_NOT_TOLD : met_if(response->verdict == verdict);
 }
@@ -231,7 +231,7 @@ static double tip_speed(const Response *response) {
     return most;
 }
 
-/* The largest peak from rest over all frequencies, and where. */
+/* Returns the largest peak from rest over all frequencies, and its frequency. */
 static double sweep_peak(const Paper *paper, double *frequency) {
     const Study *study = &paper->studies[PAPER_FREQUENCIES];
     double most = 0;
@@ -245,7 +245,7 @@ static double sweep_peak(const Paper *paper, double *frequency) {
     return most;
 }
 
-/* Of the frequencies from rest below `below`, how many are not periodic, of how many. */
+/* Counts the irregular frequencies from rest below `below`, and all of them. */
 static size_t count_irregular(const Paper *paper, double below, size_t *of) {
     const Study *study = &paper->studies[PAPER_FREQUENCIES];
     size_t count = 0;
@@ -255,7 +255,8 @@ static size_t count_irregular(const Paper *paper, double below, size_t *of) {
     return count;
 }
 
-/* "III at 180, 200 Hz" of the frequencies that the paper calls type III, and whether all of them are. */
+/* Returns text such as "III at 180, 200 Hz" for the frequencies that the paper calls type III, and the counts of
+ * agreement. */
 static const char *say_types(Paper *paper, size_t *met, size_t *all) {
     char text[256] = "";
     size_t used = 0;

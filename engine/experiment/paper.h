@@ -1,8 +1,8 @@
-/* What Gu and Dubowsky's paper (1995) says of its impact beam system beside what a beam file does: the runs that this
- * takes, and each claim with the paper's figure, ours, and whether they agree.
+/* Compares the claims of Gu and Dubowsky's paper (1995) about its impact beam system with a beam file: runs the
+ * simulations and lists each claim with the paper's figure, our figure, and whether they agree.
  *
- * The paper's pictures are lost, and of its text every digit 0 and every capital T: what is compared is what can still
- * be read, or was reconstructed (assets/beams/ibs.json says how). Misfits are part of it. */
+ * The paper's pictures are lost, and from its text every digit 0 and every capital T: the comparison uses what is
+ * legible or reconstructed (assets/beams/ibs.json says how). Disagreements are listed, too. */
 #pragma once
 
 #include "beam/response.h"
@@ -20,18 +20,18 @@ typedef enum PaperRun {
 
 /* The studies. */
 typedef enum PaperStudy {
-    PAPER_FREQUENCIES, /* peaks against the drive's frequency, from rest, up and down */
-    PAPER_LENGTHS,     /* peaks against the beam's length, at 290 Hz */
+    PAPER_FREQUENCIES, /* peaks against frequency, from rest, up and down */
+    PAPER_LENGTHS,     /* peaks against beam length, at 290 Hz */
     PAPER_MAP,         /* responses over frequency and clearance */
     PAPER_STUDIES,
 } PaperStudy;
 
-enum { PAPER_TYPES = 15 /* frequencies at which the type is told */ };
+enum { PAPER_TYPES = 15 /* number of classified frequencies */ };
 
 typedef struct Paper {
-    const char *path;       /* of the beam file */
-    Beam beam;              /* as the file gives it */
-    Beam beams[PAPER_RUNS]; /* what is changed of it; their texts are the file's */
+    const char *path;       /* path of the beam file */
+    Beam beam;              /* as in the file */
+    Beam beams[PAPER_RUNS]; /* variants; their texts belong to the file's beam */
     Response responses[PAPER_RUNS];
     Experiment experiments[PAPER_STUDIES];
     Study studies[PAPER_STUDIES];
@@ -40,18 +40,18 @@ typedef struct Paper {
     Arena arena;
 } Paper;
 
-/* How it is made: threads, and how to stop it and tell how far it is. */
+/* Options: threads, interruption and progress. */
 typedef struct PaperOptions {
     const char *path;
-    const char *const *settings; /* (setting_count) of the command line */
+    const char *const *settings; /* (setting_count) from the command line */
     size_t setting_count;
     int jobs;
     const volatile sig_atomic_t *stop;
-    void (*progress)(void *context, const char *what); /* what is begun; NULL: none */
+    void (*progress)(void *context, const char *what); /* reports the next step; NULL: none */
     void *context;
 } PaperOptions;
 
-/* Makes all runs. False: faults, or it was stopped, and there is nothing to clear. */
+/* Runs all simulations. Returns false after errors or an interruption, with nothing to clear. */
 bool paper_make(Paper *paper, const PaperOptions *options, Fault *fault);
 void paper_clear(Paper *paper);
 
@@ -59,17 +59,17 @@ typedef enum PaperMet { PAPER_MET, PAPER_NOT_MET, PAPER_NOT_TOLD } PaperMet;
 
 typedef struct PaperClaim {
     const char *id;    /* "chaos-peaks" */
-    const char *place; /* where in the paper, "figure 2" */
-    const char *claim; /* what is claimed */
-    const char *paper; /* its figure, as it is read */
+    const char *place; /* place in the paper, "figure 2" */
+    const char *claim; /* the claim as a sentence */
+    const char *paper; /* the paper's figure, as legible */
     const char *ours;
     PaperMet met;
-    const char *rule; /* when it counts as met */
+    const char *rule; /* condition for agreement */
 } PaperClaim;
 
 enum { PAPER_CLAIMS = 10 };
 
-/* The claims, whose texts live as long as the paper. */
+/* Fills the claims, whose texts live as long as the paper. */
 void paper_claims(Paper *paper, PaperClaim claims[PAPER_CLAIMS]);
 
 /* "met", "not met", "not told" */

@@ -5,7 +5,7 @@
 
 #include "base/text.h"
 
-/* m: beyond what somebody would need at the place where they stick, a piece has nothing to do with it. */
+/* m: a piece farther than this beyond the width that a stopped person needs is not the cause. */
 static const double BESIDE = 0.05;
 
 ShakeRecord shake_record_of(const Plan *plan, size_t usual) {
@@ -40,7 +40,7 @@ void shake_record_describe(const ShakeRecord *record, const Plan *plan, Observab
     observables[record->caught] = (Observable){"caught", "1", "people on whom something fell"};
 }
 
-/* The person of the plan, or the crowd whose member NAME-1, NAME-2, ... it is. */
+/* Returns the person in the plan, or the crowd that has a member NAME-1, NAME-2, ... */
 static size_t party_of(const Plan *plan, const char *id) {
     size_t person = plan_find_person(plan, id);
     if (person != SIZE_MAX)
@@ -66,7 +66,7 @@ static double distance_of(const Furniture *piece, Vec2 at) {
     return inside ? 0 : nearest;
 }
 
-/* The piece that the place is called after: "wardrobe (f3)", "start, inside wardrobe (f3)". */
+/* Returns the piece that a place is named after: "wardrobe (f3)", "start, inside wardrobe (f3)". */
 static size_t piece_called(const Plan *plan, const char *what) {
     size_t length = strlen(what);
     for (size_t f = 0; f < plan->furniture_count; f++) {
@@ -80,7 +80,7 @@ static size_t piece_called(const Plan *plan, const char *what) {
     return SIZE_MAX;
 }
 
-/* What stops somebody, a piece or SIZE_MAX. */
+/* Returns the piece that stops a person, or SIZE_MAX. */
 static size_t stopped_by(const Plan *before, const House *house, const Inhabitant *person,
                          const PersonObservation *observed) {
     const Plan *plan = &house->plan;
@@ -101,7 +101,7 @@ static size_t stopped_by(const Plan *before, const House *house, const Inhabitan
     return found == SIZE_MAX ? piece_called(plan, blockage->what) : found;
 }
 
-/* Of a party whose members are counted in `out`, and of whom so many take part. */
+/* Completes the record of the parties, given the members who are out and the number who take part. */
 static void conclude(const ShakeRecord *record, const size_t *people, double *observed) {
     for (size_t p = 0; p < record->party_count; p++) {
         bool all = observed[record->out + p] == (double)people[p];

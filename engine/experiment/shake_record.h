@@ -15,22 +15,22 @@
 #include "house/observation.h"
 #include "study/experiment.h"
 
-/* Where they are among the observables of the experiment. */
+/* Indices among the experiment's observables. */
 typedef struct ShakeRecord {
-    size_t party_count; /* people of the plan, then its crowds */
+    size_t party_count; /* people of the plan, then crowds */
     size_t piece_count;
-    size_t out, time;       /* of the first party; the others follow */
-    size_t toppled, blocks; /* of the first piece */
+    size_t out, time;       /* index for the first party; the others follow */
+    size_t toppled, blocks; /* index for the first piece */
     size_t elsewhere, caught;
-    size_t count; /* of all observables, the usual ones among them */
+    size_t count; /* number of all observables */
 } ShakeRecord;
 
-/* Behind the first `usual` ones. */
+/* Describes a record behind the first `usual` observables. */
 ShakeRecord shake_record_of(const Plan *plan, size_t usual);
 
-/* Fills those of the shake in (count); texts live in the arena. */
+/* Describes the shake observables in (count); texts live in the arena. */
 void shake_record_describe(const ShakeRecord *record, const Plan *plan, Observable *observables, Arena *arena);
 
-/* Fills what was observed of a house, in whose plan `before` nothing had fallen. */
+/* Fills the observables of a house, in whose plan `before` nothing had fallen. */
 void shake_record_observe(const ShakeRecord *record, const Plan *before, const House *house,
                           const Observation *observation, double *observed);

@@ -1,4 +1,4 @@
-/* Trials with the room of their numbers: a handful that is made at once, looked at and thrown away. */
+/* A batch of trials with the memory of their numbers: run together, read and released. */
 #pragma once
 
 #include "study/experiment.h"
@@ -7,15 +7,16 @@ typedef struct Bunch {
     Trial *trials; /* (count) */
     size_t count;
     size_t name_count;
-    double *at;       /* (count x names) what the trials' `at` point at */
+    double *at;       /* (count x names) memory of the trials' `at` */
     double *observed; /* (count x observables) */
 } Bunch;
 
-/* Trials (count) of the nominal values of the names (name_count) and seed 0; bunch_clear releases them. */
+/* Creates `count` trials with the nominal values of the names (name_count) and seed 0; the clear function releases
+ * them. */
 Bunch bunch_create(const Experiment *experiment, const char *const *names, size_t name_count, size_t count);
 void bunch_clear(Bunch *bunch);
 
-/* Gives a trial its own value of one name. */
+/* Sets a trial's value of one name. */
 static inline void bunch_set(Bunch *bunch, size_t trial, size_t name, double value) {
     bunch->at[trial * bunch->name_count + name] = value;
 }

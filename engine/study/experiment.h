@@ -1,5 +1,6 @@
-/* What a study runs: anything that can be run and observed when its named parameters are given values: an evacuation, a
- * beam in its clearance. A study knows neither; a laboratory makes the experiment (app/laboratory). */
+/* The interface between studies and simulators: anything that runs with given parameter values and returns
+ * observables, such as an evacuation or a beam in its clearance. A study knows neither; engine/experiment/ has the
+ * adaptors. */
 #pragma once
 
 #include <signal.h>
@@ -11,56 +12,57 @@
 #include "base/memory.h"
 #include "base/parameters.h"
 
-/* One number that is seen of a run. */
+/* A number that each run returns. */
 typedef struct Observable {
     const char *name; /* "peak_max" */
     const char *unit;
-    const char *meaning; /* a sentence's beginning: axis titles, headers, help */
+    const char *meaning; /* beginning of a sentence, for axis titles, headings and help */
 } Observable;
 
-/* One run: what it is asked, and what came of it. */
+/* A run: its parameter values and its results. */
 typedef struct Trial {
-    const double *at; /* (names) value of each varied parameter, in its unit */
-    uint64_t seed;    /* of all chance: starts, deviations; 0: the nominal start */
-    double *observed; /* (observables) NAN: there is none */
-    double *series;   /* (series_count) the numbers that a run lists, by memory_zeroed; trial_clear releases it */
+    const double *at; /* (names) value of each varied parameter, in the unit of the parameter */
+    uint64_t seed;    /* seed of all random numbers: initial states, deviations; 0: nominal initial state */
+    double *observed; /* (observables) NAN: no value */
+    double *series;   /* (series_count) values that a run lists, by memory_zeroed; trial_clear releases them */
     size_t series_count;
-    char *fault; /* NULL, or why it could not be run with these values; by memory_zeroed */
-    bool done;   /* false: it was stopped before */
+    char *fault; /* NULL, or the reason why these values cannot be run; by memory_zeroed */
+    bool done;   /* false: interrupted before the run */
 } Trial;
 
 typedef struct Experiment {
     const char *kind; /* "house", "beam" */
     const Observable *observables;
     size_t observable_count;
-    const Observable *series; /* what a run lists, or NULL */
+    const Observable *series; /* values that a run lists, or NULL */
 
-    /* What types are told by (types.h), indices into observables. */
-    size_t regular; /* 1: the answer is regular (a stable periodic orbit; everybody out), 0: not, NAN: cannot be told */
-    size_t outcome; /* which of several regular answers it is: another number is another one */
-    bool periods;   /* the outcome is a period: where it doubles, there is a flip */
-    size_t measure; /* what sensitivities are of, and what tells apart equal outcomes: a peak force, a time */
+    /* Observables that decide types (types.h), by index. */
+    size_t
+        regular; /* 1: the response is regular (a stable periodic orbit; all people out), 0: not, NAN: undetermined */
+    size_t outcome; /* number that distinguishes regular responses */
+    bool periods;   /* the outcome is a period: a doubled value is a flip */
+    size_t measure; /* the observable of sensitivities, which also separates equal outcomes: a peak force, a time */
 
-    bool carries; /* a run can begin where the one before it ended: sweeps up and down */
-    size_t batch; /* runs that are best made together */
-    void *given;  /* the laboratory's; any number of threads read it at once */
+    bool carries; /* a run can continue from the end of the previous one: sweeps up and down */
+    size_t batch; /* number of runs that are best simulated together */
+    void *given;  /* owned by the experiment; read by any number of threads at once */
 
-    /* Digest of what `given` was made of, beside the file and the settings; 0: of nothing else. */
+    /* digest of the origin of `given` besides the file and the settings; 0: nothing else */
     uint64_t identity;
 
-    /* The parameter of that name, for its unit, range and meaning. NULL: none. */
+    /* Returns the parameter of that name, with its unit, range and meaning, or NULL. */
     const Parameter *(*parameter)(const void *given, const char *name);
 
-    /* Adds a fault, beginning with `place`, about a name that is no parameter's, and says which is meant. NULL: nobody
-     * knows. */
+    /* Adds an error, beginning with `place`, about an unknown parameter name, with a suggestion. NULL: no
+     * suggestions. */
     void (*unknown)(const void *given, const char *name, const char *place, Fault *fault);
 
-    /* Its value when nothing varies it. */
+    /* Returns the value of a parameter that is not varied. */
     double (*nominal)(const void *given, const char *name);
 
-    /* Makes the runs (count), whose trials have values for `names` (name_count); `carry`: one after the other, each
-     * from where the one before ended. What comes of a run does not depend on the others, unless it is carried, nor on
-     * how many there are. `stop`, when it becomes other than 0, ends it early; NULL: nothing does. */
+    /* Runs `count` trials, which have values for `names` (name_count). `carry`: one after another, each continuing
+     * from the end of the previous one. A result depends neither on the other trials, unless carried, nor on their
+     * number. `stop` other than 0 interrupts; NULL: never. */
     void (*run)(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count, bool carry,
                 const volatile sig_atomic_t *stop);
 } Experiment;

@@ -6,7 +6,7 @@
 #include "base/memory.h"
 #include "base/order.h"
 
-/* Of sorted numbers, count at least 1: the k-th of n numbers is the quantile (k - 1) / (n - 1). */
+/* Returns a quantile of `count` sorted numbers, at least 1: the k-th of n numbers is the quantile (k - 1) / (n - 1). */
 static double quantile(const double *sorted, size_t count, double share) {
     double place = share * (double)(count - 1);
     size_t below = (size_t)place;
@@ -47,9 +47,10 @@ Distribution montecarlo_distribution(const double *numbers, size_t count) {
     return d;
 }
 
-/* The interval of all shares p from which the one that was seen is within CONFIDENT sqrt(p (1 - p) / n). */
+/* Returns the interval of all proportions p that differ from the observed one by at most CONFIDENT sqrt(p (1 - p) /
+ * n). */
 Share montecarlo_share(size_t good, size_t all) {
-    static const double CONFIDENT = 1.959964; /* standard deviations that hold 95 % of a normal distribution */
+    static const double CONFIDENT = 1.959964; /* half-width in standard deviations of 95 % of a normal distribution */
     if (!all)
         return (Share){.value = (double)NAN, .low = (double)NAN, .high = (double)NAN};
     double n = (double)all, square = CONFIDENT * CONFIDENT / n, share = (double)good / n;

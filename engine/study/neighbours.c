@@ -12,7 +12,7 @@ double neighbours_share(size_t step) {
     return FINE * (double)fine + COARSE * (double)(step + 1 - fine);
 }
 
-/* Is what is sought at a step, whose trials (NEIGHBOURS_STARTS) are given? What cannot be told is neither. */
+/* True if the condition holds at a step, given its trials (NEIGHBOURS_STARTS); false also when undetermined. */
 static bool is_found(const NeighboursTask *task, const Trial *trials) {
     size_t regular = 0, irregular = 0;
     for (size_t s = 0; s < NEIGHBOURS_STARTS; s++) {
@@ -30,7 +30,8 @@ static bool is_possible(const Trial *trials) {
     return true;
 }
 
-/* Looks at the steps from `first` to before `last`. False: it is found, or there is no way on. */
+/* Examines the steps from `first` up to but excluding `last`. Returns false once the condition is found or the range
+ * ends. */
 static bool look(const NeighboursTask *task, size_t name, double side, size_t first, size_t last,
                  Neighbour *neighbour) {
     const Experiment *experiment = task->experiment;

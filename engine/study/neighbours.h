@@ -1,29 +1,29 @@
-/* How far away trouble is: one parameter at a time is moved outwards, in steps of 0.5 % and then 1 % up to 20 %, from a
- * few starts each, to the first value at which the answer is another kind than here: not regular where it is regular
- * here; regular from every start where it is not. */
+/* Finds the distance to the next change of response: each parameter in turn is moved outwards, in steps of 0.5 % and
+ * then 1 % up to 20 %, from a few initial states each, to the first value with a different response: irregular where
+ * the centre is regular, or regular from every initial state where it is not. */
 #pragma once
 
 #include "study/experiment.h"
 
 enum {
-    NEIGHBOURS_FINE = 10,  /* steps of 0.5 %: to 5 % */
-    NEIGHBOURS_STEPS = 25, /* the others of 1 %: to 20 % */
+    NEIGHBOURS_FINE = 10,  /* steps of 0.5 %, up to 5 % */
+    NEIGHBOURS_STEPS = 25, /* all steps; the later ones of 1 %, up to 20 % */
     NEIGHBOURS_STARTS = 4, /* seeds 0 to 3 */
 };
 
 typedef enum NeighboursSought { NEIGHBOURS_TROUBLE, NEIGHBOURS_REGULAR } NeighboursSought;
 
-/* What is on one side of one parameter. */
+/* The result on one side of one parameter. */
 typedef struct Neighbour {
     bool found;
-    double value;   /* of the parameter, where it was found */
-    double share;   /* 1, how far away: value / nominal - 1 */
-    double reached; /* 1, how far was looked: below 0.2 when a value was out of range or it was stopped */
+    double value;   /* parameter value at the change */
+    double share;   /* 1, distance: value / nominal - 1 */
+    double reached; /* 1, range examined: below 0.2 if a value was out of range or the search was interrupted */
     size_t runs;
 } Neighbour;
 
-/* Looks on the sides of each of the names (name_count); `sides` (name_count x 2): below, above. A parameter that is 0
- * has none. `done` is called with the number of trials that a side need not make any more; from any thread. */
+/* Examines both sides of each name (name_count); `sides` (name_count x 2): below, above. A parameter that is 0 has
+ * no sides. `done`, called from any thread, receives the number of trials that a side no longer needs. */
 typedef struct NeighboursTask {
     const Experiment *experiment;
     const char *const *names;
@@ -37,5 +37,5 @@ typedef struct NeighboursTask {
 
 void neighbours_find(const NeighboursTask *task, Neighbour *sides);
 
-/* 1, how far the step (from 0) goes. */
+/* Returns the relative distance of a step (from 0), 1. */
 double neighbours_share(size_t step);

@@ -12,11 +12,11 @@
 
 /* Sheets --------------------------------------------------------------------------------------------------------- */
 
-/* A table on its way to the disk, cell by cell: a map's series have millions of rows. */
+/* A table written cell by cell: the series of a map have millions of rows. */
 typedef struct Sheet {
     const char *path;
     char *beside;
-    FILE *file;     /* NULL: it could not be made */
+    FILE *file;     /* NULL: the file cannot be created */
     bool is_within; /* a row */
     int error;
 } Sheet;
@@ -65,7 +65,7 @@ static void add_word(Sheet *sheet, const char *word) {
     fputs(word, sheet->file);
 }
 
-/* In quotes, those inside doubled; nothing for NULL. */
+/* Adds quoted text with inner quotes doubled; adds nothing for NULL. */
 static void add_quoted(Sheet *sheet, const char *words) {
     begin_cell(sheet);
     if (!words)
@@ -93,7 +93,7 @@ static void add_names_head(Sheet *sheet, const Study *study, size_t count) {
     add_head(sheet, "pass", "", "");
 }
 
-/* What tells one trial from another. */
+/* Adds the cells that identify a trial. */
 static void add_trial(Sheet *sheet, const Study *study, size_t index) {
     const Trial *trial = &study->trials[index];
     for (size_t n = 0; n < study->name_count; n++)

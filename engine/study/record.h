@@ -1,14 +1,14 @@
-/* The results of a study as tables for other programs: CSV (RFC 4180), a header `name [unit]`, an empty cell where
- * there is no number. Files are written beside and renamed; 0, or errno. */
+/* Writes the results of a study as tables for other programs: CSV (RFC 4180), headings `name [unit]`, an empty cell
+ * for a missing number. Each file is written to a temporary file and renamed; the functions return 0, or errno. */
 #pragma once
 
 #include "study/study.h"
 
-/* A row a trial that is done: the varied values, the pass, the seed, the observables, the fault if there is one. */
+/* Writes one row per completed trial: varied values, pass, seed, observables, and the error if there is one. */
 int record_write_trials(const Study *study, const char *path);
 
-/* A row a number of the trials' series, in the order in which it was listed. */
+/* Writes one row per value of the trials' series, in the order listed. */
 int record_write_series(const Study *study, const char *path);
 
-/* A row a point: its runs as distributions. */
+/* Writes one row per point: the distributions of its runs. */
 int record_write_points(const Study *study, const char *path);

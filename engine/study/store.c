@@ -12,12 +12,12 @@
 
 enum {
     FORMAT = 1,
-    APPLICATION = 0x436c6561, /* "Clea": what SQLite keeps at byte 68 to tell whose a file is */
-    PATIENCE = 2000,          /* ms, for another program that looks into the file */
-    REASON = 200,             /* characters */
+    APPLICATION = 0x436c6561, /* "Clea": the application id that SQLite keeps at byte 68 */
+    PATIENCE = 2000,          /* ms, for another program that reads the file */
+    REASON = 200,             /* size of a reason, characters */
 };
 
-/* Bytes are this machine's: a double is written as it stands in memory. A trial's digest is of its row. */
+/* Numbers are in this machine's byte order: a double is stored as in memory. A trial's digest covers its row. */
 static const char tables[] =
     "CREATE TABLE study (id INTEGER PRIMARY KEY, digest INTEGER NOT NULL UNIQUE, trials INTEGER NOT NULL);"
     "CREATE TABLE trial (study INTEGER NOT NULL, trial INTEGER NOT NULL, observed BLOB NOT NULL, series BLOB NOT NULL,"
@@ -28,16 +28,16 @@ struct Store {
     sqlite3_stmt *insert;
     char *path;
     int64_t study;
-    double committed;    /* s, by the clock, the last time */
-    bool open;           /* a transaction is */
-    char reason[REASON]; /* why something could not be written; "" */
+    double committed;    /* s, clock time of the last commit */
+    bool open;           /* a transaction is open */
+    char reason[REASON]; /* reason of the first failed write, or "" */
 };
 
 static bool run_statement(Store *store, const char *statement) {
     return sqlite3_exec(store->database, statement, NULL, NULL, NULL) == SQLITE_OK;
 }
 
-/* The number that a statement gives, or -1. */
+/* Returns the number that a statement yields, or -1. */
 static int64_t ask(Store *store, const char *statement) {
     sqlite3_stmt *prepared = NULL;
     int64_t number = -1;
@@ -48,7 +48,7 @@ static int64_t ask(Store *store, const char *statement) {
     return number;
 }
 
-/* Why the database is of no use, in words. */
+/* Adds the reason why the database is unusable. */
 static void add_database_fault(const Store *store, Fault *fault) {
     int code = sqlite3_errcode(store->database);
     const char *path = store->path;
@@ -64,7 +64,7 @@ static void add_database_fault(const Store *store, Fault *fault) {
                   sqlite3_errmsg(store->database));
 }
 
-/* The tables, new in a file without any. */
+/* Creates the tables in a file without tables. */
 static bool prepare_tables(Store *store, Fault *fault) {
     int64_t known = ask(store, "SELECT count(*) FROM sqlite_master");
     if (known < 0) {
@@ -99,7 +99,7 @@ static uint64_t row_digest(const Trial *trial, size_t observables, int64_t index
     return digest_mix(digest_text(digest, trial->fault ? trial->fault : ""), (double)index);
 }
 
-/* Takes the row into its trial. False: it is not what was written. */
+/* Reads a row into its trial. Returns false if the row is not as it was written. */
 static bool take_row(sqlite3_stmt *row, Study *study) {
     int64_t index = sqlite3_column_int64(row, 0);
     size_t observables = study->experiment->observable_count;
@@ -121,7 +121,7 @@ static bool take_row(sqlite3_stmt *row, Study *study) {
     return trial->done;
 }
 
-/* What a reading that failed has left. */
+/* Clears the trials after a failed reading. */
 static void forget_trials(Study *study) {
     for (size_t t = 0; t < study->trial_count; t++) {
         Trial *trial = &study->trials[t];
@@ -156,7 +156,7 @@ static bool read_trials(Store *store, Study *study, StoreFound *found, Fault *fa
     return sound;
 }
 
-/* The row of this study, new when there is none. */
+/* Finds the row of this study, adding one if needed. */
 static bool find_study(Store *store, const Study *study, uint64_t digest, StoreFound *found, Fault *fault) {
     char statement[160];
     snprintf(statement, sizeof statement, "SELECT count(*) FROM study WHERE digest <> %lld", (long long)digest);
@@ -179,7 +179,7 @@ static bool open_database(Store *store, Study *study, uint64_t digest, StoreFoun
     }
     sqlite3_extended_result_codes(store->database, 0);
     sqlite3_busy_timeout(store->database, PATIENCE);
-    /* one program at a time, so that none is surprised in the middle */
+    /* one program at a time, so that another cannot change the file meanwhile */
     if (!run_statement(store, "PRAGMA locking_mode = EXCLUSIVE; BEGIN IMMEDIATE")) {
         add_database_fault(store, fault);
         return false;
@@ -219,7 +219,7 @@ Store *store_open(const char *path, Study *study, uint64_t digest, StoreFound *f
 
 /* Writing -------------------------------------------------------------------------------------------------------- */
 
-/* The first failure counts; the study itself goes on. */
+/* Records the first failure; the study itself continues. */
 static void note_failure(Store *store) {
     if (!*store->reason)
         snprintf(store->reason, sizeof store->reason, "%s", sqlite3_errmsg(store->database));

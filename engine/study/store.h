@@ -1,6 +1,5 @@
-/* The results of studies in a file, as they come, so that a study that was stopped, or whose computer was switched off,
- * goes on where it was. One SQLite file holds any number of studies, each known by its digest. Numbers are kept bit for
- * bit. */
+/* Stores the results of studies in a file as they arrive, so that an interrupted study continues later. One SQLite
+ * file holds any number of studies, each identified by its digest. Numbers are stored bit for bit. */
 #pragma once
 
 #include "base/fault.h"
@@ -8,21 +7,21 @@
 
 typedef struct Store Store;
 
-/* What was in the file. */
+/* Contents of the file. */
 typedef struct StoreFound {
     size_t done;   /* trials of this study */
-    size_t others; /* studies: with none of this one's trials there, something was changed since */
+    size_t others; /* other studies: if none of this study's trials are stored, an input has changed since */
 } StoreFound;
 
-/* Opens the file, makes it when it is not there, and takes the trials of the study with this digest into `study`, which
- * has begun. NULL: a fault says why the file, which stays as it was, is of no use. */
+/* Opens or creates the file and reads the trials of the study with this digest into `study`, which has begun. NULL:
+ * an error says why the file, left unchanged, is unusable. */
 Store *store_open(const char *path, Study *study, uint64_t digest, StoreFound *found, Fault *fault);
 
-/* As StudyOptions.keep, the keeper being the store: writes them, and about once a second makes sure that they stay. */
+/* Implements StudyOptions.keep with the store as keeper: writes the trials, and commits them about once per second. */
 void store_keep(void *store, const Study *study, const size_t *done, size_t count);
 
-/* Takes this study out of the file: its results are worth nothing. */
+/* Deletes this study from the file: its results are invalid. */
 void store_forget(Store *store);
 
-/* False: a fault says that not everything could be written. */
+/* Returns false, with an error, if anything was not written. */
 bool store_close(Store *store, Fault *fault);

@@ -25,7 +25,7 @@ double study_value(const StudyAxis *axis, size_t i) {
 
 /* What is asked -------------------------------------------------------------------------------------------------- */
 
-/* The parameter of that name, if it can be varied; `option` is where it was named. */
+/* Returns the parameter of that name if it can be varied; `option` is the option that names it. */
 static const Parameter *check_name(const Study *study, const char *option, const char *name, Fault *fault) {
     const Experiment *experiment = study->experiment;
     const Parameter *parameter = experiment->parameter(experiment->given, name);
@@ -138,7 +138,7 @@ bool study_check(const Study *study, Fault *fault) {
 
 /* Making the trials ---------------------------------------------------------------------------------------------- */
 
-/* The place of a name among the study's, which takes it up when it is new. */
+/* Returns the index of a name in the study, adding the name if it is new. */
 static size_t take_name(Study *study, const char *name) {
     for (size_t n = 0; n < study->name_count; n++)
         if (strcmp(study->names[n], name) == 0)
@@ -147,13 +147,13 @@ static size_t take_name(Study *study, const char *name) {
     return study->name_count++;
 }
 
-/* How far off the seed's run is in a parameter, in standard deviations. */
+/* Returns the deviation of a parameter for a seed, in standard deviations. */
 static double deviate(uint64_t seed, const char *name) {
     Random random = random_seed(seed, digest_text(DIGEST_START, name));
     return random_normal(&random, 0, 1);
 }
 
-/* The values of one run's parameters wherever no axis varies them, and by what factor each is off. */
+/* Draws the values of a run's parameters that no axis varies, and the factor of each deviation. */
 static void draw_run(const Study *study, uint64_t seed, const size_t *places, double *fixed, double *factors) {
     const Experiment *experiment = study->experiment;
     for (size_t n = 0; n < study->name_count; n++) {
@@ -223,7 +223,7 @@ size_t study_done(const Study *study) {
 
 /* Running -------------------------------------------------------------------------------------------------------- */
 
-/* Trials that one call of the experiment does. */
+/* The trials of one call of the experiment. */
 typedef struct Piece {
     size_t first, count; /* in Work.order */
     bool carry;
@@ -236,7 +236,7 @@ typedef struct Work {
     Piece *pieces; /* (piece_count) */
     size_t piece_count, capacity, ordered;
     size_t done;
-    pthread_mutex_t lock; /* of `done` and of who reports and keeps */
+    pthread_mutex_t lock; /* protects `done`, the progress report and the keeper */
 } Work;
 
 static bool stopped(const StudyOptions *options) {
@@ -250,7 +250,7 @@ static void add_piece(Work *work, size_t first, bool carry) {
     work->pieces[work->piece_count++] = (Piece){first, work->ordered - first, carry};
 }
 
-/* The trials of a pass, in batches; all threads have something to do. */
+/* Adds the trials of a pass in batches small enough to occupy all threads. */
 static void add_batches(Work *work, size_t pass) {
     const Study *study = work->study;
     size_t each = study->trial_count / study->pass_count, begin = work->ordered;
@@ -267,7 +267,7 @@ static void add_batches(Work *work, size_t pass) {
     work->ordered = end;
 }
 
-/* The trials along axis 0, one after another, if any of them is missing. */
+/* Adds the trials along axis 0, one after another, if any is missing. */
 static void add_chain(Work *work, size_t pass, size_t run, size_t i1) {
     const Study *study = work->study;
     size_t steps = study_steps(study, 0), first = work->ordered;
@@ -294,7 +294,7 @@ static void make_pieces(Work *work) {
     }
 }
 
-/* Takes over what came of a piece, in trials of its own; `fresh` lists those that had not been done before. */
+/* Copies the results of a piece from its own trials; `fresh` lists those that were not done before. */
 static size_t take_over(Study *study, const size_t *order, Trial *own, size_t count, size_t *fresh) {
     size_t fresh_count = 0;
     for (size_t i = 0; i < count; i++) {

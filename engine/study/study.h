@@ -1,6 +1,6 @@
-/* Many runs of one experiment over a grid: a sweep of one parameter, a map of two, each point once or with many seeds,
- * from rest (reset) or carried on from the neighbour, upwards or downwards. The same results for any number of jobs,
- * and for a study that was stopped and went on. */
+/* Runs one experiment over a grid: a sweep of one parameter or a map of two, each point once or with many seeds,
+ * from its own initial state (reset) or continued from its neighbour, upwards or downwards. The results do not
+ * depend on the number of jobs, nor on interruptions. */
 #pragma once
 
 #include "base/fault.h"
@@ -41,22 +41,23 @@ typedef struct Study {
     StudyPass passes[STUDY_PASSES];
     size_t pass_count;
     size_t runs;   /* of each point: run r has the seed `seed` + r */
-    uint64_t seed; /* of the first; with seed 0 nothing is off and the start is the nominal one */
+    uint64_t seed; /* seed of the first run; with seed 0 all deviations are 0 and the initial state is nominal */
 
-    const char *names[STUDY_NAMES_MOST]; /* (name_count) of the trials' `at`: the axes', then the spreads' other ones */
+    const char *names[STUDY_NAMES_MOST]; /* (name_count) names of the trials' `at`: the axes, then the other spreads */
     size_t name_count;
     Trial *trials; /* (trial_count) */
     size_t trial_count;
-    double *values; /* room of the trials' `at` and `observed` */
+    double *values; /* memory of the trials' `at` and `observed` */
 } Study;
 
 typedef struct StudyOptions {
     int jobs; /* threads */
     const volatile sig_atomic_t *stop;
-    void (*progress)(void *context, size_t done, size_t all); /* trials; from one thread at a time; NULL: none */
+    void (*progress)(void *context, size_t done,
+                     size_t all); /* counts of trials; called by one thread at a time; NULL: none */
     void *context;
 
-    /* Is given the trials (count indices) that have just been done; from one thread at a time; NULL: none. */
+    /* Receives the trials (`count` indices) just completed; called by one thread at a time; NULL: none. */
     void (*keep)(void *keeper, const Study *study, const size_t *done, size_t count);
     void *keeper;
 } StudyOptions;
@@ -64,27 +65,27 @@ typedef struct StudyOptions {
 /* "reset", "up", "down" */
 const char *study_pass_name(StudyPass pass);
 
-/* The axis' i-th value. */
+/* Returns the i-th value of the axis. */
 double study_value(const StudyAxis *axis, size_t i);
 
-/* Can it be done? False: faults say what of axes, spreads, passes and runs cannot. */
+/* True if the study can run; otherwise errors name the invalid axes, spreads, passes or runs. */
 bool study_check(const Study *study, Fault *fault);
 
-/* Makes the trials, none of them done, of a study that has been checked. study_clear releases them. */
+/* Creates the trials, none of them done, of a checked study. study_clear releases them. */
 void study_begin(Study *study);
 void study_clear(Study *study);
 
-/* Does the trials that are not done; what is complete stays when it is stopped. A carried pass along axis 0 goes from
- * its beginning, what was done of it included, for nobody knows any more where it stood. */
+/* Runs the trials that are not done; an interruption keeps completed ones. A carried pass restarts at its first
+ * point along axis 0: intermediate states are not stored. */
 void study_run(Study *study, const StudyOptions *options);
 
-/* Of everything that determines the results; `given` of what the experiment was made of: file, settings, program. */
+/* Returns the digest of all inputs; `given` is the digest of the experiment's file, settings and program version. */
 uint64_t study_digest(const Study *study, uint64_t given);
 
-/* How many trials are done. */
+/* Returns the number of completed trials. */
 size_t study_done(const Study *study);
 
-/* The number of values that an axis has; 1 for one that the study has not. */
+/* Returns the number of values of an axis; 1 for an absent axis. */
 static inline size_t study_steps(const Study *study, size_t axis) {
     return axis < study->axis_count ? study->axes[axis].steps : 1;
 }
@@ -97,7 +98,7 @@ static inline const Trial *study_trial(const Study *study, size_t pass, size_t r
     return &study->trials[study_index(study, pass, run, i1, i0)];
 }
 
-/* The index into study->passes that a trial is of. */
+/* Returns the index into study->passes of a trial. */
 static inline size_t study_pass_of(const Study *study, size_t trial) {
     return trial / (study->runs * study_steps(study, 1) * study_steps(study, 0));
 }

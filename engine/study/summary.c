@@ -68,7 +68,7 @@ SummaryRange *summary_ranges(const Study *study, size_t pass, size_t axis, size_
     return ranges;
 }
 
-/* 1: measures nearer than this are of one answer that has not quite settled. */
+/* 1: relative difference below which measures belong to one response that is still settling */
 static const double SAME_MEASURE = 0.01;
 
 static bool answers_differ(const Experiment *experiment, const Trial *a, const Trial *b) {

@@ -1,15 +1,15 @@
-/* What a study shows as a whole: where the answer is regular and where not, and where the measure is best. */
+/* Summarises a study: where the response is regular, and where the measure is least or greatest. */
 #pragma once
 
 #include "study/study.h"
 
-/* Of all runs that were looked at. */
+/* The state of a set of runs. */
 typedef enum SummaryState {
-    SUMMARY_NOTHING,   /* none is done, or none could be run */
-    SUMMARY_REGULAR,   /* all that can be told, at least half of them */
-    SUMMARY_IRREGULAR, /* none of those */
+    SUMMARY_NOTHING,   /* no run is done and valid */
+    SUMMARY_REGULAR,   /* all whose response is known, at least half of the runs */
+    SUMMARY_IRREGULAR, /* no run whose response is known */
     SUMMARY_MIXED,     /* some */
-    SUMMARY_UNTOLD,    /* it cannot be told of most */
+    SUMMARY_UNTOLD,    /* the response of most runs is undetermined */
 } SummaryState;
 
 /* "nothing", "regular", "not regular", "mixed", "cannot be told" */
@@ -17,10 +17,10 @@ const char *summary_state_name(SummaryState state);
 
 typedef struct SummaryCount {
     size_t trials, done, faults;
-    size_t regular, irregular, untold; /* of those done without a fault */
+    size_t regular, irregular, untold; /* counts of valid completed runs */
 } SummaryCount;
 
-/* Neighbouring values of an axis with the same state. */
+/* Neighbouring values of an axis with equal state. */
 typedef struct SummaryRange {
     size_t first, last; /* steps of the axis */
     SummaryState state;
@@ -28,19 +28,20 @@ typedef struct SummaryRange {
 
 SummaryCount summary_count(const Study *study);
 
-/* Of all runs of a point. */
+/* Returns the state of all runs of a point. */
 SummaryState summary_point(const Study *study, size_t pass, size_t i1, size_t i0);
 
-/* The ranges of an axis, from its first value to its last, each over all that is beside the axis. memory_free them. */
+/* Returns the ranges of an axis from its first value to its last, each over all values of the other axis. The caller
+ * releases them with memory_free. */
 SummaryRange *summary_ranges(const Study *study, size_t pass, size_t axis, size_t *count);
 
-/* Do the passes end in different answers at a point: one regular and another not, other outcomes, or, both regular,
- * measures more than a hundredth apart? Then several answers exist there, and it depends on the past which one comes.
- */
+/* True if the passes end in different responses at a point: one regular and another irregular, different outcomes,
+ * or both regular with measures more than 1 % apart. Several responses then coexist, and the history decides between
+ * them. */
 bool summary_passes_differ(const Study *study, size_t i1, size_t i0);
 
-/* The index of the trial whose measure is least, or greatest; the first of several. SIZE_MAX: there is none. */
+/* Returns the index of the trial with the least or greatest measure, the first of equal ones, or SIZE_MAX. */
 size_t summary_extreme(const Study *study, bool greatest);
 
-/* Of all results, bit for bit. */
+/* Returns the digest of all results, bit for bit. */
 uint64_t summary_digest(const Study *study);

@@ -6,7 +6,7 @@
 #include "base/digest.h"
 #include "base/parallel.h"
 
-/* An experiment of which some parameters have other nominal values. */
+/* An experiment with other nominal values of some parameters. */
 typedef struct Fixed {
     const Experiment *of;
     const char *const *names; /* (count) */
@@ -14,7 +14,7 @@ typedef struct Fixed {
     size_t count;
 } Fixed;
 
-/* The index of a name, or the count. */
+/* Returns the index of a name, or the count. */
 static size_t find_name(const char *const *names, size_t count, const char *name) {
     size_t i = 0;
     while (i < count && strcmp(names[i], name) != 0)
@@ -71,7 +71,7 @@ static Experiment fix(Fixed *fixed) {
     return experiment;
 }
 
-/* 1, 2, 3; NAN: unresolved, or stopped. */
+/* Returns 1, 2 or 3; NAN: unresolved or interrupted. */
 static double type_at(const Typed *typed, const char *const *names, size_t name_count, const double *at,
                       const volatile sig_atomic_t *stop) {
     Fixed quick = {typed->of, names, at, name_count}, slow = {typed->thorough, names, at, name_count};

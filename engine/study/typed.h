@@ -1,18 +1,18 @@
-/* An experiment whose runs also say of which type the place is where they are (types.h): regions of types on a map.
- * Each run takes the runs of a whole window. */
+/* An experiment whose runs also return the type at their values (types.h), for maps of types. Each run needs the
+ * runs of a whole window. */
 #pragma once
 
 #include "study/types.h"
 
 typedef struct Typed {
-    const Experiment *of;       /* the experiment that is looked at */
+    const Experiment *of;       /* the experiment that is classified */
     const Experiment *thorough; /* as in TypesTask, or NULL */
-    const char *const *names;   /* (name_count) of the window's parameters */
+    const char *const *names;   /* (name_count) parameters of the window */
     size_t name_count;
-    Observable *observables; /* those of the experiment, and "type": 1, 2, 3; NAN: unresolved */
+    Observable *observables; /* the experiment's observables, and "type": 1, 2, 3; NAN: unresolved */
 } Typed;
 
-/* The experiment of `typed`, whose fields but the last are given; both must outlive it. False: a fault of the names.
- * typed_close releases it. */
+/* Opens an experiment from all fields except the last, which are given; both structures must outlive it. Returns
+ * false after an error in the names. The close function releases it. */
 bool typed_open(Typed *typed, Experiment *experiment, Fault *fault);
 void typed_close(Typed *typed);

@@ -14,7 +14,7 @@ const char *types_kind_name(TypesKind kind) {
     return names[kind];
 }
 
-/* What is at work. */
+/* State of a classification. */
 typedef struct Work {
     const TypesTask *task;
     Types *types;
@@ -82,7 +82,7 @@ static void forget(const Work *work, size_t trial) {
     work->window.trials[trial].observed[work->task->experiment->regular] = NAN;
 }
 
-/* Trials that are made again thoroughly. */
+/* Trials that are repeated thoroughly. */
 typedef struct Again {
     const TypesTask *task;
     Bunch bunch;
@@ -95,7 +95,7 @@ static void run_again(void *context, size_t i) {
                         task->stop);
 }
 
-/* Makes the trials `of` (count) of the window again, and takes over what comes of them. */
+/* Repeats the trials `of` (count) of the window and copies the results. */
 static void make_again(Work *work, const size_t *of, size_t count) {
     const TypesTask *task = work->task;
     Again again = {.task = task, .bunch = bunch_create(task->thorough, task->names, task->name_count, count)};
@@ -116,8 +116,8 @@ static void make_again(Work *work, const size_t *of, size_t count) {
     bunch_clear(&again.bunch);
 }
 
-/* Makes again what is not regular, from the centre outwards, until one is surely irregular. Where none is, what was
- * only quickly found irregular is not told. */
+/* Repeats trials that are not regular, from the centre outwards, until one is certainly irregular. If none is,
+ * results that only the quick run found irregular become undetermined. */
 static void confirm(Work *work) {
     const TypesTask *task = work->task;
     bool sure = !task->thorough;
@@ -151,7 +151,7 @@ static bool is_same(const TypesAnswer *a, const TypesAnswer *b) {
     return a->outcome == b->outcome && fabs(a->measure - b->measure) <= TYPES_SAME * fabs(b->measure);
 }
 
-/* Puts together the regular trials of a point that are of one answer; its measure is their first one's. */
+/* Groups the regular trials of a point by response; the first one's measure is the group's. */
 static void gather_answers(const Work *work, size_t at) {
     const Experiment *experiment = work->task->experiment;
     TypesPoint *point = &work->types->points[at];
@@ -176,7 +176,7 @@ static void gather_answers(const Work *work, size_t at) {
             point->answers[point->answer_count++] = found[i];
 }
 
-/* The answer of a point of the same outcome whose measure is nearest; NULL: none. */
+/* Returns the response of a point with the same outcome and the nearest measure, or NULL. */
 static const TypesAnswer *find_answer(const TypesPoint *point, const TypesAnswer *like) {
     const TypesAnswer *nearest = NULL;
     for (size_t a = 0; a < point->answer_count; a++)
@@ -186,7 +186,7 @@ static const TypesAnswer *find_answer(const TypesPoint *point, const TypesAnswer
     return nearest;
 }
 
-/* d ln P / d ln p from the centre to an end of the window. */
+/* Returns d ln P / d ln p from the centre to an end of the window. */
 static double slope(const TypesAnswer *centre, const TypesAnswer *end, double share) {
     if (centre->measure == end->measure)
         return 0;
@@ -219,7 +219,7 @@ static bool has_outcome(const TypesPoint *point, double outcome) {
     return false;
 }
 
-/* Does a period at one point double at the other, so that neither has both? */
+/* True if a period at one point doubles at the other, with neither point having both. */
 static bool flips(const TypesPoint *a, const TypesPoint *b) {
     for (size_t k = 0; k < a->answer_count; k++) {
         double period = a->answers[k].outcome;

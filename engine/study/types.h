@@ -17,42 +17,42 @@
 #include "base/fault.h"
 #include "study/neighbours.h"
 
-#define TYPES_WINDOW 0.01 /* 1, of each parameter, either way */
-#define TYPES_STEEP 5.0   /* 1, |d ln P / d ln p| from which on a response is steep */
-#define TYPES_SAME 0.01   /* 1, measures that differ by less are of one answer */
+#define TYPES_WINDOW 0.01 /* 1, half-width of the window in each parameter */
+#define TYPES_STEEP 5.0   /* 1, least |d ln P / d ln p| of a steep response */
+#define TYPES_SAME 0.01   /* 1, measures with a smaller relative difference belong to one response */
 
 enum {
     TYPES_STARTS = 16,          /* seeds 0 to 15 at each point */
     TYPES_PARAMETERS_MOST = 8,  /* of a window */
-    TYPES_ANSWERS_MOST = 16,    /* at a point: as many as starts */
-    TYPES_THOROUGH_MOST = 256,  /* trials that are made again thoroughly, at most: as many as a window mostly has */
-    TYPES_UNTOLD_MOST = 4,      /* of them that cannot be told then either, before the others are left alone */
-    TYPES_THOROUGH_AT_ONCE = 2, /* of them before it is seen whether that is enough */
+    TYPES_ANSWERS_MOST = 16,    /* responses at a point, at most one per initial state */
+    TYPES_THOROUGH_MOST = 256,  /* largest number of thorough repetitions, about the size of a window */
+    TYPES_UNTOLD_MOST = 4,      /* undetermined repetitions after which the others are skipped */
+    TYPES_THOROUGH_AT_ONCE = 2, /* repetitions at a time */
 };
 
 typedef enum TypesKind { TYPES_UNRESOLVED, TYPES_I, TYPES_II, TYPES_III } TypesKind;
 
-/* What of the definition it is. */
+/* The part of the definition that decided. */
 typedef enum TypesReason {
     TYPES_ALL_WELL,      /* I */
-    TYPES_STEEP_ANSWER,  /* II: a sensitivity */
-    TYPES_SEVERAL,       /* II: answers, at one point or from point to point */
+    TYPES_STEEP_ANSWER,  /* II: high sensitivity */
+    TYPES_SEVERAL,       /* II: several responses, at one point or between points */
     TYPES_NOT_REGULAR,   /* III */
-    TYPES_FLIPS,         /* III: a period doubles */
+    TYPES_FLIPS,         /* III: period doubling */
     TYPES_CANNOT_BE_TOLD /* unresolved */
 } TypesReason;
 
-/* One answer at a point. */
+/* A response at a point. */
 typedef struct TypesAnswer {
     double outcome, measure;
-    size_t starts; /* that end there */
+    size_t starts; /* initial states that lead to it */
 } TypesAnswer;
 
 /* A point of the window. */
 typedef struct TypesPoint {
-    size_t parameter; /* index into Types.parameters; of the centre, their count */
-    double value;     /* of that parameter; of the centre, NAN */
-    bool possible;    /* false: the value is out of range, and nothing is said of it */
+    size_t parameter; /* index into Types.parameters; at the centre, their count */
+    double value;     /* value of that parameter; NAN at the centre */
+    bool possible;    /* false: the value is out of range and is ignored */
     TypesAnswer answers[TYPES_ANSWERS_MOST];
     size_t answer_count;
     size_t irregular, untold; /* starts */
@@ -61,8 +61,8 @@ typedef struct TypesPoint {
 typedef struct TypesParameter {
     const char *name;
     double nominal;
-    double sensitivity; /* d ln P / d ln p, the steeper of both sides and of all answers; HUGE_VAL: P is 0 on one side;
-                           NAN: cannot be told, or the parameter is 0 and has no window */
+    double sensitivity; /* d ln P / d ln p, the largest over both sides and all responses; HUGE_VAL: P is 0 on one side;
+                           NAN: undetermined, or the parameter is 0 and has no window */
     Neighbour below, above;
 } TypesParameter;
 
@@ -73,35 +73,36 @@ typedef struct Types {
     TypesReason reason;
     TypesParameter parameters[TYPES_PARAMETERS_MOST];
     size_t parameter_count;
-    TypesPoint points[TYPES_POINTS_MOST]; /* the centre, then the lower and the upper end of each parameter */
+    TypesPoint points[TYPES_POINTS_MOST]; /* the centre, then the lower and upper end for each parameter */
     size_t point_count;
-    size_t answers;          /* at the point that has most */
-    size_t worst;            /* index into points: where the reason is seen; the centre when it is seen there */
-    size_t runs, thorough;   /* trials of the window; of them made again thoroughly */
-    size_t neighbour_runs;   /* trials beyond it */
-    NeighboursSought sought; /* what the neighbours are: trouble, or regular answers */
-    bool stopped;            /* before it was complete */
+    size_t answers;          /* largest number at a point */
+    size_t worst;            /* index into points of the deciding point, where that is not the centre */
+    size_t runs, thorough;   /* trials of the window, and thorough repetitions among them */
+    size_t neighbour_runs;   /* trials outside the window */
+    NeighboursSought sought; /* the change that the neighbours were searched for */
+    bool stopped;            /* interrupted before completion */
 } Types;
 
-/* What is asked. */
+/* Input of a classification. */
 typedef struct TypesTask {
     const Experiment *experiment;
-    const Experiment *thorough; /* the same, told with more effort where the first does not tell "regular"; NULL: the
-                                   first is believed */
-    const char *const *names;   /* (name_count) of the parameters */
+    const Experiment *thorough; /* the same experiment with full analysis, used where the first does not find "regular";
+                                   NULL: the first is final */
+    const char *const *names;   /* (name_count) parameters of the window */
     size_t name_count;
-    bool window_only; /* neighbours are not looked for */
+    bool window_only; /* skips the search for neighbours */
     int jobs;
     const volatile sig_atomic_t *stop;
-    void (*progress)(void *context, size_t done, size_t all); /* trials; from one thread at a time; NULL: none */
+    void (*progress)(void *context, size_t done,
+                     size_t all); /* counts of trials; called by one thread at a time; NULL: none */
     void *context;
 } TypesTask;
 
 /* "I", "II", "III", "unresolved" */
 const char *types_kind_name(TypesKind kind);
 
-/* Can types be told in a window of these names (name_count)? False: a fault. */
+/* True if a type is defined in a window of these names (name_count); otherwise adds an error. */
 bool types_check(const Experiment *experiment, const char *const *names, size_t name_count, Fault *fault);
 
-/* Tells the type. False: a fault, of a name that is no parameter's or too many of them. */
+/* Classifies. Returns false after an error: an unknown parameter, or too many. */
 bool types_tell(Types *types, const TypesTask *task, Fault *fault);
