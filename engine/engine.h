@@ -31,7 +31,7 @@
 #include "house/track.h"
 #include "house/journey.h"
 #include "space/body.h"
-#include "space/near.h"
+#include "space/neighbour_list.h"
 #include "space/gap.h"
 #include "space/vicinity.h"
 #include "space/cells.h"

@@ -96,8 +96,8 @@ static void force_of_obstacles(World *world, size_t i) {
     Body *body = &world->body[i];
     Vec2 centre = world->centre[i];
     size_t seat = world->seat[i];
-    near_update(&world->near[seat], body, centre, world->axis[i], &house->outline, &house->plan, world->door_open,
-                world->door_changes);
+    neighbour_list_update(&world->neighbours[seat], body, centre, world->axis[i], &house->outline, &house->plan,
+                          world->door_open, world->door_changes);
     Gap gaps[GAPS_MOST];
     Slip kept[GAPS_MOST], *slips = world->slips + seat * GAPS_MOST;
     int held[GAPS_MOST];
@@ -105,7 +105,7 @@ static void force_of_obstacles(World *world, size_t i) {
     for (int k = 0; k < world->slip_count[seat]; k++)
         if (slips[k].touches)
             held[held_count++] = slips[k].key;
-    size_t count = gap_to_obstacles(gaps, body, centre, world->axis[i], &world->near[seat], held, held_count);
+    size_t count = gap_to_obstacles(gaps, body, centre, world->axis[i], &world->neighbours[seat], held, held_count);
     Vec2 force = {0, 0}, rings = {0, 0};
     double moment = 0, ring_moment = 0;
     for (size_t g = 0; g < count; g++) {

@@ -352,8 +352,8 @@ static inline __attribute__((always_inline)) Vec2 force_of_walkers(Walkers *walk
 
 /* What is there beside a place, ready for gaps. */
 typedef struct Beside {
-    const NearFace *faces[GAPS_MOST];
-    const NearCorner *corners[GAPS_MOST];
+    const NeighbourFace *faces[GAPS_MOST];
+    const NeighbourCorner *corners[GAPS_MOST];
     size_t face_count, corner_count;
 } Beside;
 
@@ -368,13 +368,13 @@ static void look_beside(Beside *beside, const World *world, Vec2 at, double reac
         if (!vicinity_has(vicinity, item, world->door_open))
             continue;
         if (item < vicinity->face_count) {
-            const NearFace *face = &vicinity->faces[item];
+            const NeighbourFace *face = &vicinity->faces[item];
             double distance = vec2_dot(face->normal, at) - face->offset, along = vec2_dot(vec2_left(face->normal), at);
             if (distance < reach && distance > -reach && along >= face->begin - reach && along <= face->end + reach &&
                 beside->face_count < GAPS_MOST)
                 beside->faces[beside->face_count++] = face;
         } else {
-            const NearCorner *corner = &vicinity->corners[item - vicinity->face_count];
+            const NeighbourCorner *corner = &vicinity->corners[item - vicinity->face_count];
             Vec2 from = vec2_sub(at, corner->at);
             if (vec2_dot(from, from) < reach * reach && beside->corner_count < GAPS_MOST)
                 beside->corners[beside->corner_count++] = corner;
@@ -422,7 +422,7 @@ static Vec2 force_of_obstacles(World *world, uint32_t s, uint32_t i, const Besid
 static int crossed_faces(const Beside *beside, Vec2 before, Vec2 after) {
     int crossed = 0;
     for (size_t f = 0; f < beside->face_count; f++)
-        crossed += near_crosses(beside->faces[f], before, after);
+        crossed += neighbour_list_crosses(beside->faces[f], before, after);
     return crossed;
 }
 

@@ -50,7 +50,7 @@ static size_t lay_out(World *world, char *block) {
     LAY(body, n);
     LAY(was_clear, n);
     LAY(door_open, world->house->plan.door_count);
-    LAY(near, chairs);
+    LAY(neighbours, chairs);
     LAY(slips, chairs * GAPS_MOST);
     LAY(slip_count, chairs);
 #undef LAY
@@ -435,10 +435,10 @@ static void place_back(World *world, size_t i, Vec2 centre, double heading) {
 }
 
 /* Did the mass centre go into a wall? */
-static int crossed_faces(const Near *near, Vec2 before, Vec2 after) {
+static int crossed_faces(const NeighbourList *neighbours, Vec2 before, Vec2 after) {
     int crossed = 0;
-    for (int f = 0; f < near->close_faces; f++)
-        crossed += near_crosses(&near->face[near->close_face[f]], before, after);
+    for (int f = 0; f < neighbours->close_faces; f++)
+        crossed += neighbour_list_crosses(&neighbours->face[neighbours->close_face[f]], before, after);
     return crossed;
 }
 
@@ -451,7 +451,7 @@ static void move_riders(World *world, size_t *diverged) {
         Vec2 before = world_reference(world, i), middle = world->centre[i];
         double heading = world->heading[i];
         move_person(world, i);
-        world->wall_crossings += crossed_faces(&world->near[world->seat[i]], middle, world->centre[i]);
+        world->wall_crossings += crossed_faces(&world->neighbours[world->seat[i]], middle, world->centre[i]);
         if (world->phase[i] == PHASE_MOVING)
             world->departures += world_leave(world, i, before, world_reference(world, i));
         bool sound = is_sound(world, i);

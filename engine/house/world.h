@@ -119,7 +119,7 @@ typedef struct World {
                         everybody */
     bool *door_open; /* (doors) */
     /* one per chair, by its seat */
-    Near *near;
+    NeighbourList *neighbours;
     Slip *slips; /* (chairs x GAPS_MOST) */
     int *slip_count;
     void *block; /* all of the arrays above */

@@ -58,7 +58,7 @@ static bool is_held(const int *held, size_t held_count, int key) {
     return false;
 }
 
-static size_t gaps_to_face(Gap *gaps, size_t count, const Stance *stance, const NearFace *face, const int *held,
+static size_t gaps_to_face(Gap *gaps, size_t count, const Stance *stance, const NeighbourFace *face, const int *held,
                            size_t held_count) {
     const Body *body = stance->body;
     Vec2 tangent = vec2_left(face->normal);
@@ -92,7 +92,7 @@ static size_t drop_far_sides(Gap *gaps, size_t count) {
     return count;
 }
 
-static size_t gap_to_corner(Gap *gaps, size_t count, const Stance *stance, const NearCorner *corner) {
+static size_t gap_to_corner(Gap *gaps, size_t count, const Stance *stance, const NeighbourCorner *corner) {
     const Body *body = stance->body;
     Vec2 arm = vec2_sub(corner->at, stance->centre), local = vec2_unturn(arm, stance->axis), nearest, normal;
     double gap = core_distance(body, local, &nearest, &normal) - body->radius;
@@ -105,26 +105,26 @@ static size_t gap_to_corner(Gap *gaps, size_t count, const Stance *stance, const
                    (Gap){.gap = gap, .normal = outwards, .arm = arm, .key = corner->id * PARTS + PART_SIDE});
 }
 
-size_t gap_to_obstacles(Gap gaps[GAPS_MOST], const Body *body, Vec2 centre, Vec2 axis, const Near *near,
+size_t gap_to_obstacles(Gap gaps[GAPS_MOST], const Body *body, Vec2 centre, Vec2 axis, const NeighbourList *neighbours,
                         const int *held, size_t held_count) {
     Stance stance = body_stance(body, centre, axis);
     size_t count = 0;
-    for (int i = 0; i < near->close_faces; i++)
-        count = gaps_to_face(gaps, count, &stance, &near->face[near->close_face[i]], held, held_count);
-    for (int i = 0; i < near->close_corners; i++)
-        count = gap_to_corner(gaps, count, &stance, &near->corner[near->close_corner[i]]);
+    for (int i = 0; i < neighbours->close_faces; i++)
+        count = gaps_to_face(gaps, count, &stance, &neighbours->face[neighbours->close_face[i]], held, held_count);
+    for (int i = 0; i < neighbours->close_corners; i++)
+        count = gap_to_corner(gaps, count, &stance, &neighbours->corner[neighbours->close_corner[i]]);
     if (held_count)
         count = drop_far_sides(gaps, count);
     fill_shares(gaps, count, body->sight);
     return count;
 }
 
-size_t gap_of_disc(Gap gaps[GAPS_MOST], Vec2 centre, double radius, double sight, const NearFace *const *faces,
-                   size_t face_count, const NearCorner *const *corners, size_t corner_count, const int *held,
+size_t gap_of_disc(Gap gaps[GAPS_MOST], Vec2 centre, double radius, double sight, const NeighbourFace *const *faces,
+                   size_t face_count, const NeighbourCorner *const *corners, size_t corner_count, const int *held,
                    size_t held_count) {
     size_t count = 0;
     for (size_t f = 0; f < face_count; f++) {
-        const NearFace *face = faces[f];
+        const NeighbourFace *face = faces[f];
         double distance = vec2_dot(face->normal, centre) - face->offset;
         double along = vec2_dot(vec2_left(face->normal), centre);
         bool deep = distance <= -face->depth;

@@ -15,7 +15,7 @@
 
 #include "base/vec2.h"
 #include "space/body.h"
-#include "space/near.h"
+#include "space/neighbour_list.h"
 
 /* One gap. The normal points from the other to the body; the arm from the body's mass centre to where they meet. */
 typedef struct Gap {
@@ -51,12 +51,12 @@ enum {
  * GAPS_MOST, shares filled in. A corner of the core may sink behind a face by half of the solid; `held` (held_count
  * keys) are the contacts of the step before, which are not let go however deep they are, so that nobody is driven
  * through a wall. */
-size_t gap_to_obstacles(Gap gaps[GAPS_MOST], const Body *body, Vec2 centre, Vec2 axis, const Near *near,
+size_t gap_to_obstacles(Gap gaps[GAPS_MOST], const Body *body, Vec2 centre, Vec2 axis, const NeighbourList *neighbours,
                         const int *held, size_t held_count);
 
 /* The same for a disc beside the faces and corners that are given. */
-size_t gap_of_disc(Gap gaps[GAPS_MOST], Vec2 centre, double radius, double sight, const NearFace *const *faces,
-                   size_t face_count, const NearCorner *const *corners, size_t corner_count, const int *held,
+size_t gap_of_disc(Gap gaps[GAPS_MOST], Vec2 centre, double radius, double sight, const NeighbourFace *const *faces,
+                   size_t face_count, const NeighbourCorner *const *corners, size_t corner_count, const int *held,
                    size_t held_count);
 
 /* The gaps smaller than `reach` between body a and body b; normals point to a, arms are a's. */

@@ -68,12 +68,12 @@ void vicinity_init(Vicinity *vicinity, const Outline *outline, const Plan *plan,
     vicinity->presence = memory_zeroed(features, sizeof *vicinity->presence);
     vicinity->door = memory_zeroed(features, sizeof *vicinity->door);
     for (size_t i = 0; i < outline->face_count; i++) {
-        vicinity->faces[i] = near_face(outline, plan, i);
+        vicinity->faces[i] = neighbour_list_face(outline, plan, i);
         vicinity->presence[i] = (signed char)outline->faces[i].presence;
         vicinity->door[i] = outline->faces[i].door;
     }
     for (size_t i = 0; i < outline->corner_count; i++) {
-        vicinity->corners[i] = near_corner(outline, i);
+        vicinity->corners[i] = neighbour_list_corner(outline, i);
         vicinity->presence[outline->face_count + i] = (signed char)outline->corners[i].presence;
         vicinity->door[outline->face_count + i] = outline->corners[i].door;
     }

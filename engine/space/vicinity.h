@@ -7,19 +7,19 @@
 #include <stdint.h>
 
 #include "base/vec2.h"
-#include "space/near.h"
+#include "space/neighbour_list.h"
 #include "space/outline.h"
 
 typedef struct Vicinity {
     Vec2 low;    /* m, of square (0, 0) */
     double side; /* m */
     int nx, ny;
-    uint32_t *begin;       /* (nx * ny + 1) into items */
-    uint32_t *items;       /* features: face i as i, corner j as face_count + j, rising */
-    NearFace *faces;       /* (face_count) */
-    NearCorner *corners;   /* (corner_count) */
-    signed char *presence; /* (face_count + corner_count) Presence */
-    int *door;             /* (as many) whose state decides, or -1 */
+    uint32_t *begin;          /* (nx * ny + 1) into items */
+    uint32_t *items;          /* features: face i as i, corner j as face_count + j, rising */
+    NeighbourFace *faces;     /* (face_count) */
+    NeighbourCorner *corners; /* (corner_count) */
+    signed char *presence;    /* (face_count + corner_count) Presence */
+    int *door;                /* (as many) whose state decides, or -1 */
     size_t face_count, corner_count;
     double reach; /* m, from a square within which features are listed for it */
 } Vicinity;

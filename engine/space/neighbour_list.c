@@ -1,4 +1,4 @@
-#include "space/near.h"
+#include "space/neighbour_list.h"
 
 /* m: nothing is thicker to the touch than this, however thick it is. */
 static const double DEEPEST = 0.05;
@@ -16,20 +16,20 @@ static double face_depth(const Plan *plan, const Face *face) {
     return DEEPEST;
 }
 
-NearFace near_face(const Outline *outline, const Plan *plan, size_t index) {
+NeighbourFace neighbour_list_face(const Outline *outline, const Plan *plan, size_t index) {
     const Face *face = &outline->faces[index];
     Vec2 tangent = vec2_left(face->normal); /* from a to b: the solid is on its left */
-    return (NearFace){.normal = face->normal,
-                      .offset = vec2_dot(face->normal, face->a),
-                      .begin = vec2_dot(tangent, face->a),
-                      .end = vec2_dot(tangent, face->b),
-                      .depth = face_depth(plan, face),
-                      .id = (int)index};
+    return (NeighbourFace){.normal = face->normal,
+                           .offset = vec2_dot(face->normal, face->a),
+                           .begin = vec2_dot(tangent, face->a),
+                           .end = vec2_dot(tangent, face->b),
+                           .depth = face_depth(plan, face),
+                           .id = (int)index};
 }
 
-NearCorner near_corner(const Outline *outline, size_t index) {
+NeighbourCorner neighbour_list_corner(const Outline *outline, size_t index) {
     const Corner *corner = &outline->corners[index];
-    return (NearCorner){
+    return (NeighbourCorner){
         .at = corner->at, .in = corner->in, .out = corner->out, .id = (int)(outline->face_count + index)};
 }
 
@@ -43,7 +43,7 @@ typedef struct Gathering {
     const bool *door_open;
     Vec2 centre;
     double reach;
-    Candidate candidate[2 * NEAR_MOST];
+    Candidate candidate[2 * NEIGHBOURS_MOST];
     int count;
 } Gathering;
 
@@ -82,24 +82,26 @@ static bool gather(void *context, int item) {
     return true;
 }
 
-static void gather_all(Near *near, double outer, Vec2 middle, const Outline *outline, const Plan *plan,
+static void gather_all(NeighbourList *neighbours, double outer, Vec2 middle, const Outline *outline, const Plan *plan,
                        const bool *door_open) {
-    Gathering gathering = {
-        .outline = outline, .door_open = door_open, .centre = middle, .reach = outer + NEAR_SKIN + NEAR_SLACK};
+    Gathering gathering = {.outline = outline,
+                           .door_open = door_open,
+                           .centre = middle,
+                           .reach = outer + NEIGHBOUR_SKIN + NEIGHBOUR_SLACK};
     broadphase_visit(outline->broadphase, box_around(middle, gathering.reach), gather, &gathering);
-    near->centre = middle;
-    near->faces = near->corners = 0;
+    neighbours->centre = middle;
+    neighbours->faces = neighbours->corners = 0;
     for (int i = 0; i < gathering.count; i++) {
         size_t item = (size_t)gathering.candidate[i].item;
-        if (item < outline->face_count && near->faces < NEAR_MOST)
-            near->face[near->faces++] = near_face(outline, plan, item);
-        else if (item >= outline->face_count && near->corners < NEAR_MOST)
-            near->corner[near->corners++] = near_corner(outline, item - outline->face_count);
+        if (item < outline->face_count && neighbours->faces < NEIGHBOURS_MOST)
+            neighbours->face[neighbours->faces++] = neighbour_list_face(outline, plan, item);
+        else if (item >= outline->face_count && neighbours->corners < NEIGHBOURS_MOST)
+            neighbours->corner[neighbours->corners++] = neighbour_list_corner(outline, item - outline->face_count);
     }
 }
 
 /* May a corner of the core be within `reach` of the face? */
-static bool face_is_close(const Stance *stance, const NearFace *face, double reach) {
+static bool face_is_close(const Stance *stance, const NeighbourFace *face, double reach) {
     const Body *body = stance->body;
     Vec2 tangent = vec2_left(face->normal);
     double across = fabs(vec2_dot(face->normal, stance->axis)), beside = fabs(vec2_dot(tangent, stance->axis));
@@ -111,35 +113,36 @@ static bool face_is_close(const Stance *stance, const NearFace *face, double rea
 }
 
 /* May the core be within `reach` of the obstacle's corner? */
-static bool corner_is_close(const Stance *stance, const NearCorner *corner, double reach) {
+static bool corner_is_close(const Stance *stance, const NeighbourCorner *corner, double reach) {
     const Body *body = stance->body;
     Vec2 local = vec2_unturn(vec2_sub(corner->at, stance->middle), stance->axis);
     double outer = body->radius + reach;
     return fabs(local.x) < body->half.x + outer && fabs(local.y) < body->half.y + outer;
 }
 
-static void choose_close(Near *near, const Stance *stance) {
-    double reach = stance->body->sight + NEAR_SLACK;
-    near->slack_centre = stance->centre;
-    near->slack_axis = stance->axis;
-    near->close_faces = near->close_corners = 0;
-    for (int i = 0; i < near->faces; i++)
-        if (face_is_close(stance, &near->face[i], reach))
-            near->close_face[near->close_faces++] = (short)i;
-    for (int i = 0; i < near->corners; i++)
-        if (corner_is_close(stance, &near->corner[i], reach))
-            near->close_corner[near->close_corners++] = (short)i;
+static void choose_close(NeighbourList *neighbours, const Stance *stance) {
+    double reach = stance->body->sight + NEIGHBOUR_SLACK;
+    neighbours->slack_centre = stance->centre;
+    neighbours->slack_axis = stance->axis;
+    neighbours->close_faces = neighbours->close_corners = 0;
+    for (int i = 0; i < neighbours->faces; i++)
+        if (face_is_close(stance, &neighbours->face[i], reach))
+            neighbours->close_face[neighbours->close_faces++] = (short)i;
+    for (int i = 0; i < neighbours->corners; i++)
+        if (corner_is_close(stance, &neighbours->corner[i], reach))
+            neighbours->close_corner[neighbours->close_corners++] = (short)i;
 }
 
-void near_update(Near *near, const Body *body, Vec2 centre, Vec2 axis, const Outline *outline, const Plan *plan,
-                 const bool *door_open, int door_changes) {
-    bool same_doors = near->doors == door_changes + 1;
-    double moved = vec2_distance(centre, near->slack_centre) + vec2_distance(axis, near->slack_axis) * body->swing;
-    if (same_doors && moved < NEAR_SLACK)
+void neighbour_list_update(NeighbourList *neighbours, const Body *body, Vec2 centre, Vec2 axis, const Outline *outline,
+                           const Plan *plan, const bool *door_open, int door_changes) {
+    bool same_doors = neighbours->doors == door_changes + 1;
+    double moved =
+        vec2_distance(centre, neighbours->slack_centre) + vec2_distance(axis, neighbours->slack_axis) * body->swing;
+    if (same_doors && moved < NEIGHBOUR_SLACK)
         return;
     Stance stance = body_stance(body, centre, axis);
-    if (!same_doors || vec2_distance(near->centre, stance.middle) > NEAR_SKIN)
-        gather_all(near, body->outer, stance.middle, outline, plan, door_open);
-    near->doors = door_changes + 1;
-    choose_close(near, &stance);
+    if (!same_doors || vec2_distance(neighbours->centre, stance.middle) > NEIGHBOUR_SKIN)
+        gather_all(neighbours, body->outer, stance.middle, outline, plan, door_open);
+    neighbours->doors = door_changes + 1;
+    choose_close(neighbours, &stance);
 }
