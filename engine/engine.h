@@ -33,7 +33,7 @@
 #include "space/body.h"
 #include "space/neighbour_list.h"
 #include "space/gap.h"
-#include "space/vicinity.h"
+#include "space/obstacle_grid.h"
 #include "space/cells.h"
 #include "house/world.h"
 #include "house/walkers.h"

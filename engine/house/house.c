@@ -128,7 +128,7 @@ static void build_vicinity(House *house) {
         if (house->profiles[i].driving == DRIVING_WALKER)
             reach = fmax(reach, house->profiles[i].width / 2 + house->profiles[i].space_reach);
     if (reach > 0)
-        vicinity_init(&house->vicinity, &house->outline, &house->plan, reach);
+        obstacle_grid_init(&house->obstacles, &house->outline, &house->plan, reach);
 }
 
 /* What follows from the plan alone. */
@@ -146,7 +146,7 @@ static bool build_space(House *house, const char *path, Fault *fault) {
 
 static void free_space(House *house) {
     freespace_free(&house->space);
-    vicinity_clear(&house->vicinity);
+    obstacle_grid_clear(&house->obstacles);
     outline_free(&house->outline);
 }
 

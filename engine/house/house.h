@@ -11,7 +11,7 @@
 #include "space/outline.h"
 #include "plan/plan.h"
 #include "plan/profile.h"
-#include "space/vicinity.h"
+#include "space/obstacle_grid.h"
 
 /* One person of the plan, or of a crowd. */
 typedef struct Inhabitant {
@@ -40,7 +40,7 @@ typedef struct House {
     uint64_t seed;
     Outline outline;
     FreeSpace space;
-    Vicinity vicinity; /* empty when nobody walks */
+    ObstacleGrid obstacles; /* empty when nobody walks */
     Arena arena;
 } House;
 

@@ -162,14 +162,14 @@ static uint32_t chunk_end(const Walkers *walkers, size_t chunk) {
 
 static uint8_t marks_at(const World *world, Vec2 at, bool walks) {
     const Plan *plan = &world->house->plan;
-    const Vicinity *vicinity = &world->house->vicinity;
+    const ObstacleGrid *grid = &world->house->obstacles;
     if (!walks)
         return MARK_CHAIR;
     uint8_t marks = 0;
     double moves = WALKERS_SKIN; /* m, until the marks are made anew */
     for (int corner = 0; corner < 9 && !(marks & MARK_OBSTACLES); corner++) {
         size_t count;
-        vicinity_at(vicinity, vec2_add(at, vec2((corner % 3 - 1) * moves, (corner / 3 - 1) * moves)), &count);
+        obstacle_grid_at(grid, vec2_add(at, vec2((corner % 3 - 1) * moves, (corner / 3 - 1) * moves)), &count);
         if (count)
             marks |= MARK_OBSTACLES;
     }
@@ -359,22 +359,22 @@ typedef struct Beside {
 
 /* At most GAPS_MOST of a kind: within a disc's reach there are no more but in a plan that nobody could build. */
 static void look_beside(Beside *beside, const World *world, Vec2 at, double reach) {
-    const Vicinity *vicinity = &world->house->vicinity;
+    const ObstacleGrid *grid = &world->house->obstacles;
     size_t count;
-    const uint32_t *items = vicinity_at(vicinity, at, &count);
+    const uint32_t *items = obstacle_grid_at(grid, at, &count);
     beside->face_count = beside->corner_count = 0;
     for (size_t k = 0; k < count; k++) {
         uint32_t item = items[k];
-        if (!vicinity_has(vicinity, item, world->door_open))
+        if (!obstacle_grid_has(grid, item, world->door_open))
             continue;
-        if (item < vicinity->face_count) {
-            const NeighbourFace *face = &vicinity->faces[item];
+        if (item < grid->face_count) {
+            const NeighbourFace *face = &grid->faces[item];
             double distance = vec2_dot(face->normal, at) - face->offset, along = vec2_dot(vec2_left(face->normal), at);
             if (distance < reach && distance > -reach && along >= face->begin - reach && along <= face->end + reach &&
                 beside->face_count < GAPS_MOST)
                 beside->faces[beside->face_count++] = face;
         } else {
-            const NeighbourCorner *corner = &vicinity->corners[item - vicinity->face_count];
+            const NeighbourCorner *corner = &grid->corners[item - grid->face_count];
             Vec2 from = vec2_sub(at, corner->at);
             if (vec2_dot(from, from) < reach * reach && beside->corner_count < GAPS_MOST)
                 beside->corners[beside->corner_count++] = corner;
@@ -450,7 +450,7 @@ static inline __attribute__((always_inline)) void step_walker(World *world, Walk
     Beside beside; /* only counted, not cleared: this is the inner loop */
     beside.face_count = beside.corner_count = 0;
     if (walkers->marks[s] & MARK_OBSTACLES) {
-        look_beside(&beside, world, walkers->at[s], world->house->vicinity.reach);
+        look_beside(&beside, world, walkers->at[s], world->house->obstacles.reach);
         if (beside.face_count + beside.corner_count > 0)
             force = vec2_add(force, force_of_obstacles(world, s, i, &beside, dt, sense));
     }

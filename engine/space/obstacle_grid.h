@@ -10,7 +10,7 @@
 #include "space/neighbour_list.h"
 #include "space/outline.h"
 
-typedef struct Vicinity {
+typedef struct ObstacleGrid {
     Vec2 low;    /* m, of square (0, 0) */
     double side; /* m */
     int nx, ny;
@@ -22,25 +22,25 @@ typedef struct Vicinity {
     int *door;                /* (as many) whose state decides, or -1 */
     size_t face_count, corner_count;
     double reach; /* m, from a square within which features are listed for it */
-} Vicinity;
+} ObstacleGrid;
 
-/* Lists what is within `reach` m of each square. Zero is a vicinity of nothing; vicinity_clear releases it. */
-void vicinity_init(Vicinity *vicinity, const Outline *outline, const Plan *plan, double reach);
-void vicinity_clear(Vicinity *vicinity);
+/* Lists what is within `reach` m of each square. Zero is a grid of nothing; obstacle_grid_clear releases it. */
+void obstacle_grid_init(ObstacleGrid *grid, const Outline *outline, const Plan *plan, double reach);
+void obstacle_grid_clear(ObstacleGrid *grid);
 
 /* The features beside a place, `*count` of them. */
-static inline const uint32_t *vicinity_at(const Vicinity *vicinity, Vec2 at, size_t *count) {
-    double x = (at.x - vicinity->low.x) / vicinity->side, y = (at.y - vicinity->low.y) / vicinity->side;
+static inline const uint32_t *obstacle_grid_at(const ObstacleGrid *grid, Vec2 at, size_t *count) {
+    double x = (at.x - grid->low.x) / grid->side, y = (at.y - grid->low.y) / grid->side;
     *count = 0;
-    if (!(x >= 0 && y >= 0 && x < vicinity->nx && y < vicinity->ny))
+    if (!(x >= 0 && y >= 0 && x < grid->nx && y < grid->ny))
         return NULL;
-    size_t square = (size_t)y * (size_t)vicinity->nx + (size_t)x;
-    *count = vicinity->begin[square + 1] - vicinity->begin[square];
-    return vicinity->items + vicinity->begin[square];
+    size_t square = (size_t)y * (size_t)grid->nx + (size_t)x;
+    *count = grid->begin[square + 1] - grid->begin[square];
+    return grid->items + grid->begin[square];
 }
 
 /* Is the feature there now? */
-static inline bool vicinity_has(const Vicinity *vicinity, uint32_t item, const bool *door_open) {
-    int presence = vicinity->presence[item];
-    return presence == PRESENT_ALWAYS || door_open[vicinity->door[item]] == (presence == PRESENT_OPEN);
+static inline bool obstacle_grid_has(const ObstacleGrid *grid, uint32_t item, const bool *door_open) {
+    int presence = grid->presence[item];
+    return presence == PRESENT_ALWAYS || door_open[grid->door[item]] == (presence == PRESENT_OPEN);
 }
