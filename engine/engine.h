@@ -34,7 +34,7 @@
 #include "space/neighbour_list.h"
 #include "space/gap.h"
 #include "space/obstacle_grid.h"
-#include "space/cells.h"
+#include "space/cell_grid.h"
 #include "house/world.h"
 #include "house/walkers.h"
 #include "house/walk.h"

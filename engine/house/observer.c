@@ -158,8 +158,8 @@ static size_t add_stretch(Observer *observer, Vec2 at) {
 /* The square that a walker is on: all who come along have it in common. */
 static Stretch *square_of(Observer *observer, Vec2 at) {
     Floor *floor = &observer->floor;
-    int x = cells_index((at.x - floor->low.x) / floor->side, floor->nx - 1);
-    int y = cells_index((at.y - floor->low.y) / floor->side, floor->ny - 1);
+    int x = cell_grid_index((at.x - floor->low.x) / floor->side, floor->nx - 1);
+    int y = cell_grid_index((at.y - floor->low.y) / floor->side, floor->ny - 1);
     size_t *stretch = &floor->stretch[(size_t)y * (size_t)floor->nx + (size_t)x];
     if (*stretch == 0)
         *stretch = add_stretch(observer, at) + 1;

@@ -57,13 +57,13 @@ static void take_over_slips(const Rides *rides, size_t old_count, RidePair *pair
 
 static void list_rider(World *world, size_t i, size_t old_count) {
     Rides *rides = &world->rides;
-    const Cells *cells = &world->walkers.cells;
+    const CellGrid *grid = &world->walkers.cells;
     double reach = world->body[i].swing + world->body[i].radius + rides->widest + rides->sight + WALKERS_SKIN;
-    CellRange range = cells_around(cells, world->centre[i], reach);
+    CellRange range = cell_grid_around(grid, world->centre[i], reach);
     for (int y = range.y0; y <= range.y1; y++) {
         uint32_t end;
-        for (uint32_t s = cells_row(cells, &range, y, &end); s < end; s++) {
-            uint32_t j = cells->who[s];
+        for (uint32_t s = cell_grid_row(grid, &range, y, &end); s < end; s++) {
+            uint32_t j = grid->who[s];
             if (j == i || (world_rides(world, j) && j < i) || !may_touch(world, i, j))
                 continue;
             rides->pairs = memory_reserve(rides->pairs, &rides->capacity, rides->count + 1, sizeof *rides->pairs);

@@ -123,10 +123,10 @@ static void see_chair(View *view, size_t j, Vec2 from) {
 static void look_around(View *view, uint32_t slot) {
     const Walkers *walkers = &view->world->walkers;
     const double far = view->sight + view->radius + walkers->widest + BERTH; /* m */
-    CellRange range = cells_around(&walkers->cells, view->at, far + WALKERS_SKIN);
+    CellRange range = cell_grid_around(&walkers->cells, view->at, far + WALKERS_SKIN);
     for (int y = range.y0; y <= range.y1; y++) {
         uint32_t end;
-        for (uint32_t s = cells_row(&walkers->cells, &range, y, &end); s < end; s++) {
+        for (uint32_t s = cell_grid_row(&walkers->cells, &range, y, &end); s < end; s++) {
             const WalkerKind *kind = &walkers->kinds[walkers->kind[s]];
             Vec2 from = vec2_sub(walkers->at[s], view->at);
             uint32_t j = walkers->cells.who[s];
@@ -145,10 +145,10 @@ static void look_around(View *view, uint32_t slot) {
 static void look_ahead(View *view) {
     const Walkers *walkers = &view->world->walkers;
     for (size_t k = 0; k < sizeof farther / sizeof *farther && !view->oncoming; k++) {
-        CellRange range = cells_around(&walkers->cells, vec2_along(view->at, farther[k], view->way), BESIDE);
+        CellRange range = cell_grid_around(&walkers->cells, vec2_along(view->at, farther[k], view->way), BESIDE);
         for (int y = range.y0; y <= range.y1; y++) {
             uint32_t end;
-            for (uint32_t s = cells_row(&walkers->cells, &range, y, &end); s < end; s++) {
+            for (uint32_t s = cell_grid_row(&walkers->cells, &range, y, &end); s < end; s++) {
                 Vec2 from = vec2_sub(walkers->at[s], view->at);
                 view->oncoming |= vec2_dot(walkers->facing[s], view->way) < ONCOMING &&
                                   fabs(vec2_cross(view->way, from)) < BESIDE && vec2_dot(view->way, from) > 0 &&

@@ -64,7 +64,7 @@ void walkers_init(Walkers *walkers, const World *world) {
     if (walkers->any)
         walkers->walls = memory_zeroed(walkers->people, sizeof *walkers->walls);
     double side = real_max(walkers->range + WALKERS_SKIN, 0.5); /* m */
-    cells_shape(&walkers->cells, house->outline.box, side, walkers->people);
+    cell_grid_shape(&walkers->cells, house->outline.box, side, walkers->people);
 }
 
 /* Memory ------------------------------------------------------------------------------------------------------------*/
@@ -84,7 +84,7 @@ static void *copy_of(const void *from, size_t count, size_t size) {
 void walkers_copy(Walkers *to, const Walkers *from) {
     *to = *from;
     size_t pairs = from->first ? from->first[from->cells.count] : 0, kinds = from->kind_count;
-    cells_copy(&to->cells, &from->cells);
+    cell_grid_copy(&to->cells, &from->cells);
     to->kinds = copy_of(from->kinds, kinds, sizeof *to->kinds);
     to->laws = copy_of(from->laws, kinds * kinds, sizeof *to->laws);
 #define COPY(array) to->array = copy_of(from->array, from->capacity, sizeof *to->array);
@@ -107,7 +107,7 @@ void walkers_copy(Walkers *to, const Walkers *from) {
 }
 
 void walkers_clear(Walkers *walkers) {
-    cells_clear(&walkers->cells);
+    cell_grid_clear(&walkers->cells);
     memory_free(walkers->kinds);
     memory_free(walkers->laws);
 #define FREE(array) memory_free(walkers->array);
@@ -204,10 +204,10 @@ static uint32_t list_near(const World *world, uint32_t s, uint32_t *list) {
         return 0;
     Vec2 at = walkers->at[s];
     const WalkerLaw *laws = walkers->laws + walkers->kind[s] * walkers->kind_count;
-    CellRange range = cells_around(&walkers->cells, at, walkers->range + WALKERS_SKIN);
+    CellRange range = cell_grid_around(&walkers->cells, at, walkers->range + WALKERS_SKIN);
     for (int y = range.y0; y <= range.y1; y++) {
         uint32_t end;
-        for (uint32_t o = cells_row(&walkers->cells, &range, y, &end); o < end; o++) {
+        for (uint32_t o = cell_grid_row(&walkers->cells, &range, y, &end); o < end; o++) {
             const WalkerLaw *law = &laws[walkers->kind[o]];
             double near = law->radii + law->reach + WALKERS_SKIN;
             Vec2 from = vec2_sub(walkers->at[o], at);
@@ -274,7 +274,7 @@ static void make_lists(World *world) {
     SWAP(size_t, walkers->list_capacity, walkers->old_list_capacity);
     SWAP(size_t, walkers->slip_capacity, walkers->old_slip_capacity);
     memset(walkers->slot_of, 0xff, walkers->people * sizeof *walkers->slot_of);
-    cells_sort(&walkers->cells, world->present, world->present_count, world->centre);
+    cell_grid_sort(&walkers->cells, world->present, world->present_count, world->centre);
     size_t chunks = chunk_count(walkers);
     parallel_team_for(world->team, chunks, load_chunk, world);
     walkers->first[0] = 0;

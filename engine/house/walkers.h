@@ -12,7 +12,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "space/cells.h"
+#include "space/cell_grid.h"
 #include "space/gap.h"
 
 #define WALKERS_SKIN 0.20 /* m: how much nearer two may come before the lists are made anew */
@@ -57,7 +57,7 @@ typedef struct WalkerReport {
 } WalkerReport;
 
 typedef struct Walkers {
-    Cells cells;
+    CellGrid cells;
     WalkerKind *kinds; /* (kind_count) one per profile of the house */
     WalkerLaw *laws;   /* (kind_count x kind_count) */
     size_t kind_count;

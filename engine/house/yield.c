@@ -144,14 +144,14 @@ static void heed(const World *world, size_t i, size_t j, Vec2 travel, double *sp
 
 /* Everybody in sight, in the order of the cells. */
 static void look_around(const World *world, size_t i, Drive *drive, Vec2 travel) {
-    const Cells *cells = &world->walkers.cells;
-    CellRange range = cells_around(cells, world->centre[i], SIGHT + WALKERS_SKIN);
+    const CellGrid *grid = &world->walkers.cells;
+    CellRange range = cell_grid_around(grid, world->centre[i], SIGHT + WALKERS_SKIN);
     drive->heeded = HUGE_VAL;
     drive->around = 0;
     for (int y = range.y0; y <= range.y1; y++) {
         uint32_t end;
-        for (uint32_t s = cells_row(cells, &range, y, &end); s < end; s++)
-            heed(world, i, cells->who[s], travel, &drive->heeded, &drive->around);
+        for (uint32_t s = cell_grid_row(grid, &range, y, &end); s < end; s++)
+            heed(world, i, grid->who[s], travel, &drive->heeded, &drive->around);
     }
 }
 
