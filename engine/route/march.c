@@ -3,7 +3,7 @@
 #include <stdint.h>
 
 #include "base/memory.h"
-#include "route/front.h"
+#include "route/fast_marching.h"
 #include "space/outline.h"
 
 /* Times are those of a front (front.c) that starts at the goal. The slowness, s/m, of a place is
@@ -83,7 +83,7 @@ static bool almost_passable(const March *march, Vec2 at) {
     return freespace_exact(march->space, off, march->radius, NULL) > march->radius - TOUCHING;
 }
 
-static void classify(const March *march, Front *front, int stride) {
+static void classify(const March *march, FastMarching *front, int stride) {
     const FreeSpace *space = march->space;
     double blocked = march->cell / 2, doubtful = fmax(march->radius - march->cell / 2, blocked);
     for (int j = 0; j < march->ny; j++)
@@ -93,7 +93,9 @@ static void classify(const March *march, Front *front, int stride) {
             bool passable = distance > doubtful && (distance > fmax(march->radius, blocked) ||
                                                     almost_passable(march, point_place(march, i, j)));
             double lack = fmin(fmax(1 - (distance - march->radius) / MARCH_MARGIN, 0), 1);
-            front->states[point] = passable ? FRONT_PASSABLE : distance > blocked ? FRONT_SQUEEZED : FRONT_BLOCKED;
+            front->states[point] = passable             ? FAST_MARCHING_PASSABLE
+                                   : distance > blocked ? FAST_MARCHING_SQUEEZED
+                                                        : FAST_MARCHING_BLOCKED;
             front->slowness[point] = (float)((1 + MARCH_DISCOMFORT * lack * lack) / march->speed);
             if (!passable)
                 front->slowness[point] *= (float)SQUEEZED;
@@ -117,7 +119,7 @@ static Range range_about(const March *march, Vec2 from, Vec2 to, double reach) {
     return range_of(march, box_expand(box_include(box_include(box_empty(), from), to), reach));
 }
 
-static void slow_at_doors(const March *march, Front *front, const Plan *plan) {
+static void slow_at_doors(const March *march, FastMarching *front, const Plan *plan) {
     double band = DOOR_BAND * march->cell;
     for (size_t d = 0; d < plan->door_count; d++) {
         if (!outline_door_moves(&plan->doors[d]))
@@ -145,7 +147,7 @@ static bool sees(const FreeSpace *space, Vec2 from, Vec2 to, double distance) {
 }
 
 /* The points within half the goal's radius that see it, which keeps those on the other side of a wall out. */
-static void seed_place(const March *march, Front *front) {
+static void seed_place(const March *march, FastMarching *front) {
     const Goal *goal = &march->goal;
     double reach = fmax(goal->radius / 2, 2 * march->cell);
     Range range = range_about(march, goal->at, goal->at, reach);
@@ -154,7 +156,7 @@ static void seed_place(const March *march, Front *front) {
             Vec2 at = point_place(march, i, j);
             double away = vec2_distance(at, goal->at);
             if (away <= reach && sees(march->space, at, goal->at, 0))
-                front_give(front, i, j, (away - goal->radius) / march->speed);
+                fast_marching_give(front, i, j, (away - goal->radius) / march->speed);
         }
 }
 
@@ -169,7 +171,7 @@ static bool before_line(const MarchExit *exit, Vec2 frame, double end, double re
     return fabs(frame.y) <= reach && frame.x >= margin && frame.x <= exit->length - margin;
 }
 
-static void seed_exit(const March *march, Front *front, const MarchExit *exit) {
+static void seed_exit(const March *march, FastMarching *front, const MarchExit *exit) {
     double reach = SEEDED * march->cell;
     Range range = range_about(march, exit->from, vec2_along(exit->from, exit->length, exit->along), reach);
     for (int j = range.first_y; j <= range.last_y; j++)
@@ -177,7 +179,7 @@ static void seed_exit(const March *march, Front *front, const MarchExit *exit) {
             Vec2 at = point_place(march, i, j), frame = exit_frame(exit, at);
             if (before_line(exit, frame, march->cell, reach) &&
                 sees(march->space, vec2_along(exit->from, frame.x, exit->along), at, 0))
-                front_give(front, i, j, fabs(frame.y) / march->speed);
+                fast_marching_give(front, i, j, fabs(frame.y) / march->speed);
         }
 }
 
@@ -188,7 +190,7 @@ static MarchExit exit_make(const Exit *line) {
 
 /* How far, in steps, the points within OUTSIDE of the grid's edge are from it without crossing any exit; infinite
  * elsewhere. Breadth first. */
-static float *steps_outside(const March *march, const Front *front, const Plan *plan) {
+static float *steps_outside(const March *march, const FastMarching *front, const Plan *plan) {
     size_t points = (size_t)march->nx * (size_t)march->ny, count = 0, capacity = 0;
     float *steps = memory_zeroed(points, sizeof *steps), most = (float)(OUTSIDE / march->cell);
     int *queue = NULL;
@@ -205,7 +207,7 @@ static float *steps_outside(const March *march, const Front *front, const Plan *
     for (int p = 0; p < (int)points; p++) {
         int i = p % march->nx, j = p / march->nx;
         bool edge = i == 0 || j == 0 || i == march->nx - 1 || j == march->ny - 1;
-        if (!edge || front->states[p] != FRONT_PASSABLE || steps[p] < 0)
+        if (!edge || front->states[p] != FAST_MARCHING_PASSABLE || steps[p] < 0)
             continue;
         queue = memory_reserve(queue, &capacity, count + 1, sizeof *queue);
         queue[count++] = p;
@@ -217,7 +219,7 @@ static float *steps_outside(const March *march, const Front *front, const Plan *
             if (!inside_grid(march, i, j))
                 continue;
             size_t point = point_at(march, i, j);
-            if (front->states[point] != FRONT_PASSABLE || steps[point] < HUGE_VALF)
+            if (front->states[point] != FAST_MARCHING_PASSABLE || steps[point] < HUGE_VALF)
                 continue;
             steps[point] = steps[queue[taken]] + 1;
             queue = memory_reserve(queue, &capacity, count + 1, sizeof *queue);
@@ -243,7 +245,7 @@ static int outward_side(const March *march, const MarchExit *exit, const float *
     return left + CLEARLY < right ? 1 : right + CLEARLY < left ? -1 : 0;
 }
 
-static void find_exits(March *march, const Front *front, const Plan *plan) {
+static void find_exits(March *march, const FastMarching *front, const Plan *plan) {
     march->exits = memory_zeroed(plan->exit_count, sizeof *march->exits);
     for (size_t e = 0; e < plan->exit_count; e++)
         if (field_exit_usable(&march->goal, plan, e))
@@ -259,15 +261,15 @@ static void set_direction(March *march, size_t point, Vec2 direction) {
     march->directions[point][1] = (signed char)lrint(UNIT * direction.y);
 }
 
-static void find_directions(March *march, const Front *front) {
+static void find_directions(March *march, const FastMarching *front) {
     for (int j = 0; j < march->ny; j++)
         for (int i = 0; i < march->nx; i++) {
             size_t point = point_at(march, i, j);
-            if (front->states[point] == FRONT_BLOCKED) {
+            if (front->states[point] == FAST_MARCHING_BLOCKED) {
                 march->directions[point][0] = BLOCKED;
                 march->directions[point][1] = BLOCKED_WALL;
             } else {
-                set_direction(march, point, front_downhill(front, i, j));
+                set_direction(march, point, fast_marching_downhill(front, i, j));
             }
         }
 }
@@ -324,8 +326,8 @@ bool march_init(March *march, const Plan *plan, const FreeSpace *space, double r
     int stride;
     *march = (March){.space = space, .goal = *goal, .radius = radius, .speed = speed};
     grid_make(march, &stride);
-    Front front;
-    front_init(&front, march->nx, march->ny, march->cell, march->time);
+    FastMarching front;
+    fast_marching_init(&front, march->nx, march->ny, march->cell, march->time);
     classify(march, &front, stride);
     slow_at_doors(march, &front, plan);
     if (goal->radius > 0)
@@ -334,12 +336,12 @@ bool march_init(March *march, const Plan *plan, const FreeSpace *space, double r
         find_exits(march, &front, plan);
     for (size_t e = 0; e < march->exit_count; e++)
         seed_exit(march, &front, &march->exits[e]);
-    bool reachable = front_run(&front);
-    front_squeeze(&front, (int)fmin(ceil(2 * radius / march->cell) + 1, FRONT_MOST_STEPS));
+    bool reachable = fast_marching_run(&front);
+    fast_marching_squeeze(&front, (int)fmin(ceil(2 * radius / march->cell) + 1, FAST_MARCHING_MOST_STEPS));
     find_directions(march, &front);
     for (size_t e = 0; e < march->exit_count; e++)
         direct_exit(march, &march->exits[e]);
-    front_clear(&front);
+    fast_marching_clear(&front);
     return reachable;
 }
 

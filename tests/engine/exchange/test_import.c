@@ -135,7 +135,7 @@ TEST(a_door_is_as_wide_as_its_sashes_and_hangs_and_swings_as_drawn) {
         "<doorOrWindow catalogId='eTeks#door' name='Door' x='400' y='200' width='91.5' depth='12' height='208' "
         "angle='1.5707963267948966'><sash xAxis='0.0546448087' yAxis='0.5' width='0.890710382514' startAngle='0' "
         "endAngle='-1.5707963'/></doorOrWindow>"
-        "<doorOrWindow name='Front' x='100' y='400' width='100' depth='12' height='208'><sash xAxis='0.95' "
+        "<doorOrWindow name='FastMarching' x='100' y='400' width='100' depth='12' height='208'><sash xAxis='0.95' "
         "yAxis='0.5' width='0.9' startAngle='3.14159265' endAngle='1.5707963'/></doorOrWindow>"
         "<doorOrWindow name='Mirrored' x='300' y='400' width='100' depth='12' height='208' modelMirrored='true'><sash "
         "xAxis='0.95' yAxis='0.5' width='0.9' startAngle='3.14159265' endAngle='1.5707963'/></doorOrWindow>",

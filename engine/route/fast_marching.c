@@ -1,4 +1,4 @@
-#include "route/front.h"
+#include "route/fast_marching.h"
 
 #include <limits.h>
 
@@ -31,35 +31,35 @@ enum {
 
 static const int neighbours[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
 
-static size_t point_at(const Front *front, int i, int j) {
+static size_t point_at(const FastMarching *front, int i, int j) {
     return (size_t)j * (size_t)front->nx + (size_t)i;
 }
 
-static bool inside_grid(const Front *front, int i, int j) {
+static bool inside_grid(const FastMarching *front, int i, int j) {
     return i >= 0 && j >= 0 && i < front->nx && j < front->ny;
 }
 
-void front_init(Front *front, int nx, int ny, double cell, float *time) {
+void fast_marching_init(FastMarching *front, int nx, int ny, double cell, float *time) {
     size_t points = (size_t)nx * (size_t)ny;
-    *front = (Front){.nx = nx, .ny = ny, .cell = cell, .time = time};
+    *front = (FastMarching){.nx = nx, .ny = ny, .cell = cell, .time = time};
     front->slowness = memory_zeroed(points, sizeof *front->slowness);
     front->states = memory_zeroed(points, sizeof *front->states);
     for (size_t p = 0; p < points; p++)
         time[p] = HUGE_VALF;
 }
 
-void front_clear(Front *front) {
+void fast_marching_clear(FastMarching *front) {
     memory_free(front->slowness);
     memory_free(front->states);
     memory_free(front->heap);
-    *front = (Front){0};
+    *front = (FastMarching){0};
 }
 
-static bool entry_before(FrontEntry a, FrontEntry b) {
+static bool entry_before(FastMarchingEntry a, FastMarchingEntry b) {
     return a.time < b.time || (a.time <= b.time && a.point < b.point);
 }
 
-HEAP_DEFINE(heap, FrontEntry, entry_before)
+HEAP_DEFINE(heap, FastMarchingEntry, entry_before)
 
 /* The smallest final time beside a point on one axis, as q and a of the equation above. */
 typedef struct Upwind {
@@ -73,7 +73,7 @@ static bool is_even(float here, float behind) {
     return behind <= here && here <= STEEP * behind;
 }
 
-static Upwind upwind(const Front *front, size_t point, int place, int end, ptrdiff_t stride, int class) {
+static Upwind upwind(const FastMarching *front, size_t point, int place, int end, ptrdiff_t stride, int class) {
     const float *time = front->time + point;
     const unsigned char *states = front->states + point;
     Upwind best = {HUGE_VAL, HUGE_VAL, 1};
@@ -104,7 +104,7 @@ static double solve(const Upwind *x, const Upwind *y, double rise) {
     return root > 0 ? (b + sqrt(root)) / a : real_min(one, other);
 }
 
-static double point_time(const Front *front, int i, int j, int class) {
+static double point_time(const FastMarching *front, int i, int j, int class) {
     size_t point = point_at(front, i, j);
     Upwind x = upwind(front, point, i, front->nx, 1, class), y = upwind(front, point, j, front->ny, front->nx, class);
     double rise = front->cell * (double)front->slowness[point];
@@ -113,19 +113,19 @@ static double point_time(const Front *front, int i, int j, int class) {
     return real_max(time, real_min(x.time, y.time));
 }
 
-static void lower_point(Front *front, int i, int j, int class) {
+static void lower_point(FastMarching *front, int i, int j, int class) {
     size_t point = point_at(front, i, j);
     float time = (float)point_time(front, i, j, class);
     if (time < front->time[point]) {
         front->time[point] = time;
-        heap_put(&front->heap, &front->heap_count, &front->heap_capacity, (FrontEntry){time, (int)point});
+        heap_put(&front->heap, &front->heap_count, &front->heap_capacity, (FastMarchingEntry){time, (int)point});
     }
 }
 
 /* Makes the times of all points of a class final that are reached from what is in the heap. */
-static void run(Front *front, unsigned char class, int most_steps) {
+static void run(FastMarching *front, unsigned char class, int most_steps) {
     while (front->heap_count > 0) {
-        FrontEntry entry = heap_take(front->heap, &front->heap_count);
+        FastMarchingEntry entry = heap_take(front->heap, &front->heap_count);
         size_t point = (size_t)entry.point;
         if (front->states[point] & POINT_FINAL)
             continue;
@@ -139,50 +139,50 @@ static void run(Front *front, unsigned char class, int most_steps) {
                 continue;
             unsigned char *state = &front->states[point_at(front, x, y)];
             if ((*state & POINT_CLASS) != class || (*state & POINT_FINAL) ||
-                (class == FRONT_PASSABLE && (*state & POINT_GIVEN)))
+                (class == FAST_MARCHING_PASSABLE && (*state & POINT_GIVEN)))
                 continue;
-            if (class == FRONT_SQUEEZED && *state < POINT_STEP)
+            if (class == FAST_MARCHING_SQUEEZED && *state < POINT_STEP)
                 *state = (unsigned char)(class + POINT_STEP * (steps + 1));
             lower_point(front, x, y, class);
         }
     }
 }
 
-bool front_run(Front *front) {
+bool fast_marching_run(FastMarching *front) {
     bool given = front->heap_count > 0;
-    run(front, FRONT_PASSABLE, INT_MAX);
+    run(front, FAST_MARCHING_PASSABLE, INT_MAX);
     return given;
 }
 
-void front_squeeze(Front *front, int most_steps) {
+void fast_marching_squeeze(FastMarching *front, int most_steps) {
     for (int j = 0; j < front->ny; j++)
         for (int i = 0; i < front->nx; i++) {
             size_t point = point_at(front, i, j);
-            if (front->states[point] != FRONT_SQUEEZED)
+            if (front->states[point] != FAST_MARCHING_SQUEEZED)
                 continue;
             for (int n = 0; n < 4; n++) {
                 int x = i + neighbours[n][0], y = j + neighbours[n][1];
                 if (inside_grid(front, x, y) &&
-                    (front->states[point_at(front, x, y)] & ~POINT_GIVEN) == (FRONT_PASSABLE | POINT_FINAL)) {
-                    lower_point(front, i, j, FRONT_SQUEEZED);
+                    (front->states[point_at(front, x, y)] & ~POINT_GIVEN) == (FAST_MARCHING_PASSABLE | POINT_FINAL)) {
+                    lower_point(front, i, j, FAST_MARCHING_SQUEEZED);
                     break;
                 }
             }
         }
-    run(front, FRONT_SQUEEZED, most_steps);
+    run(front, FAST_MARCHING_SQUEEZED, most_steps);
 }
 
-void front_give(Front *front, int i, int j, double time) {
+void fast_marching_give(FastMarching *front, int i, int j, double time) {
     size_t point = point_at(front, i, j);
-    if ((front->states[point] & POINT_CLASS) != FRONT_PASSABLE || !((float)time < front->time[point]))
+    if ((front->states[point] & POINT_CLASS) != FAST_MARCHING_PASSABLE || !((float)time < front->time[point]))
         return;
     front->states[point] |= POINT_GIVEN;
     front->time[point] = (float)time;
-    heap_put(&front->heap, &front->heap_count, &front->heap_capacity, (FrontEntry){(float)time, (int)point});
+    heap_put(&front->heap, &front->heap_count, &front->heap_capacity, (FastMarchingEntry){(float)time, (int)point});
 }
 
 /* The slope of the time along one axis, s/m, from the neighbour that it came from. */
-static double slope(const Front *front, size_t point, int place, int end, ptrdiff_t stride, int class) {
+static double slope(const FastMarching *front, size_t point, int place, int end, ptrdiff_t stride, int class) {
     const float *time = front->time + point;
     const unsigned char *states = front->states + point;
     double least = (double)time[0], rise = 0;
@@ -197,7 +197,7 @@ static double slope(const Front *front, size_t point, int place, int end, ptrdif
     return rise;
 }
 
-Vec2 front_downhill(const Front *front, int i, int j) {
+Vec2 fast_marching_downhill(const FastMarching *front, int i, int j) {
     size_t point = point_at(front, i, j);
     int class = front->states[point] & POINT_CLASS;
     if (!(front->states[point] & POINT_FINAL))
