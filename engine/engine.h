@@ -27,7 +27,7 @@
 #include "space/passage.h"
 #include "route/route.h"
 #include "route/fields.h"
-#include "route/march.h"
+#include "route/floor_field.h"
 #include "house/track.h"
 #include "house/journey.h"
 #include "space/body.h"

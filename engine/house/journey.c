@@ -99,8 +99,8 @@ static void make_fields(void *context, size_t index) {
         return; /* then nobody asks them */
     for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
         Goal goal = itinerary->fields[leg].goal;
-        march_init(&itinerary->fields[leg], &house->plan, &house->space, itinerary->profile->width / 2,
-                   itinerary->profile->free_speed, &goal);
+        floor_field_init(&itinerary->fields[leg], &house->plan, &house->space, itinerary->profile->width / 2,
+                         itinerary->profile->free_speed, &goal);
     }
 }
 
@@ -134,9 +134,9 @@ static void plan_walk(const Planning *planning, const Whereabouts *place, Journe
     journey->leg_count = itinerary->leg_count;
     journey->route.exit = itinerary->fields[itinerary->leg_count - 1].goal.exit;
     journey->route.answer = itinerary->has_exit ? ROUTE_FOUND : ROUTE_NO_EXIT;
-    bool reached = march_time(journey->legs[0], place->at) < HUGE_VAL;
+    bool reached = floor_field_time(journey->legs[0], place->at) < HUGE_VAL;
     for (size_t leg = 1; leg < journey->leg_count; leg++)
-        reached &= march_time(journey->legs[leg], journey->legs[leg - 1]->goal.at) < HUGE_VAL;
+        reached &= floor_field_time(journey->legs[leg], journey->legs[leg - 1]->goal.at) < HUGE_VAL;
     if (itinerary->has_exit && reached)
         journey->route.fits = journey->route.drivable = true;
     else if (itinerary->has_exit)
@@ -196,18 +196,18 @@ static void explain_walkers(const Planning *planning, size_t count) {
             snprintf(route.blockage.what, sizeof route.blockage.what, "start");
         }
         Goal here = {.at = place->at, .radius = profile->width};
-        March part;
-        march_init(&part, &house->plan, &house->space, profile->width / 2, profile->free_speed, &here);
+        FloorField part;
+        floor_field_init(&part, &house->plan, &house->space, profile->width / 2, profile->free_speed, &here);
         for (size_t other = k; other < count; other++) {
             Journey *like = &planning->journeys->of[planning->places[other].person];
             if (other != k && (like->legs != journey->legs || like->route.answer != journey->route.answer ||
-                               !(march_time(&part, planning->places[other].at) < HUGE_VAL)))
+                               !(floor_field_time(&part, planning->places[other].at) < HUGE_VAL)))
                 continue;
             explained[other] = true;
             like->route.fits = route.fits;
             like->route.blockage = route.blockage;
         }
-        march_clear(&part);
+        floor_field_clear(&part);
         route_free(&route);
     }
     memory_free(explained);
@@ -293,7 +293,7 @@ void journey_free_all(Journeys *journeys) {
     for (size_t k = 0; k < journeys->itinerary_count; k++) {
         Itinerary *itinerary = journeys->itineraries[k];
         for (size_t leg = 0; leg < itinerary->leg_count; leg++)
-            march_clear(&itinerary->fields[leg]);
+            floor_field_clear(&itinerary->fields[leg]);
         memory_free(itinerary->fields);
         memory_free(itinerary->legs);
         memory_free(itinerary);

@@ -8,15 +8,15 @@
 
 #include "route/fields.h"
 #include "house/house.h"
-#include "route/march.h"
+#include "route/floor_field.h"
 #include "route/route.h"
 #include "house/track.h"
 
 /* What is planned for one person. */
 typedef struct Journey {
-    Route route;              /* of a walker only answer, blockage and exit, SIZE_MAX for any */
-    Track track;              /* of a chair; empty when there is no way */
-    const March *const *legs; /* (leg_count) of a walker, one after another; not owned */
+    Route route;                   /* of a walker only answer, blockage and exit, SIZE_MAX for any */
+    Track track;                   /* of a chair; empty when there is no way */
+    const FloorField *const *legs; /* (leg_count) of a walker, one after another; not owned */
     size_t leg_count;
     size_t via; /* of the route's points, the first one of this journey */
 } Journey;
@@ -24,12 +24,12 @@ typedef struct Journey {
 /* The fields that people of one profile with one route share, from some time on. */
 typedef struct Itinerary {
     const Profile *profile;
-    const PlanRoute *route; /* NULL: none, the quickest exit */
-    double since;           /* s: exits closed by then do not count */
-    bool again;             /* made while people were on the way: exits that are not open yet come last */
-    bool has_exit;          /* otherwise all exits are closed */
-    March *fields;          /* (leg_count) */
-    const March **legs;     /* (leg_count) into fields */
+    const PlanRoute *route;  /* NULL: none, the quickest exit */
+    double since;            /* s: exits closed by then do not count */
+    bool again;              /* made while people were on the way: exits that are not open yet come last */
+    bool has_exit;           /* otherwise all exits are closed */
+    FloorField *fields;      /* (leg_count) */
+    const FloorField **legs; /* (leg_count) into fields */
     size_t leg_count;
 } Itinerary;
 

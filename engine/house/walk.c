@@ -1,4 +1,4 @@
-/* Somebody on foot follows the direction in which the time to the goal falls (march.h) at the speed
+/* Somebody on foot follows the direction in which the time to the goal falls (floor_field.h) at the speed
  *
  *     v = min(v_0, s / T)
  *
@@ -75,7 +75,7 @@ typedef struct Seen {
 
 typedef struct View {
     const World *world;
-    const March *march;
+    const FloorField *field;
     Vec2 at, way;
     double radius, time, speed, gap; /* m, s, m/s, s */
     double sight;                    /* m: farther bodies do not matter */
@@ -103,7 +103,7 @@ static bool is_seen(const View *view, Seen *seen) {
 
 static bool goes_first(const View *view, Seen *seen) {
     if (seen->first < 0)
-        seen->first = march_time(view->march, vec2_add(view->at, seen->now)) < view->time;
+        seen->first = floor_field_time(view->field, vec2_add(view->at, seen->now)) < view->time;
     return seen->first;
 }
 
@@ -271,7 +271,7 @@ void walk_decide(World *world, size_t i, uint32_t slot) {
     const Walkers *walkers = &world->walkers;
     Walk *walk = &world->walk[i];
     View view = {.world = world,
-                 .march = journey->legs[walk->leg],
+                 .field = journey->legs[walk->leg],
                  .at = walkers->at[slot],
                  .radius = person->profile->width / 2,
                  .speed = person->speed,
@@ -280,17 +280,17 @@ void walk_decide(World *world, size_t i, uint32_t slot) {
     double soon = real_min(view.speed, vec2_length(walkers->velocity[slot]) + FASTER);
     view.sight = soon * view.gap + view.speed * FORESIGHT;
     while ((size_t)walk->leg + 1 < journey->leg_count &&
-           vec2_distance(view.at, view.march->goal.at) <= view.march->goal.radius &&
-           freespace_sees(&world->house->space, view.at, view.march->goal.at)) {
-        view.march = journey->legs[++walk->leg];
+           vec2_distance(view.at, view.field->goal.at) <= view.field->goal.radius &&
+           freespace_sees(&world->house->space, view.at, view.field->goal.at)) {
+        view.field = journey->legs[++walk->leg];
         walk->best = HUGE_VAL;
     }
     if (walk->stalled > world->house->plan.run.patience) {
         world_give_up(world, i, REASON_BLOCKED);
         return;
     }
-    view.way = march_direction(view.march, view.at);
-    view.time = march_time(view.march, view.at);
+    view.way = floor_field_direction(view.field, view.at);
+    view.time = floor_field_time(view.field, view.at);
     watch_progress(world, walk, view.time);
     look_around(&view, slot);
     look_ahead(&view);

@@ -5,7 +5,7 @@
 
 #include "base/random.h"
 #include "case.h"
-#include "route/march.h"
+#include "route/floor_field.h"
 
 #define RADIUS 0.23 /* m, of somebody on foot */
 #define SPEED 1.34  /* m/s */
@@ -20,7 +20,7 @@ typedef struct Fixture {
     Outline outline;
     FreeSpace space;
     Goal goal;
-    March march;
+    FloorField field;
 } Fixture;
 
 /* After the plan's parts are in place. */
@@ -29,12 +29,12 @@ static bool fixture_build(Fixture *fixture, double cell) {
     CHECK(outline_build(&fixture->outline, &fixture->plan, &fault));
     fault_clear(&fault);
     freespace_build(&fixture->space, &fixture->outline, cell);
-    memset(&fixture->march, 0xa5, sizeof fixture->march);
-    return march_init(&fixture->march, &fixture->plan, &fixture->space, RADIUS, SPEED, &fixture->goal);
+    memset(&fixture->field, 0xa5, sizeof fixture->field);
+    return floor_field_init(&fixture->field, &fixture->plan, &fixture->space, RADIUS, SPEED, &fixture->goal);
 }
 
 static void fixture_free(Fixture *fixture) {
-    march_clear(&fixture->march);
+    floor_field_clear(&fixture->field);
     freespace_free(&fixture->space);
     outline_free(&fixture->outline);
 }
@@ -100,11 +100,11 @@ typedef struct Walk {
 } Walk;
 
 /* Follows the directions by small steps until `beyond` m after an exit or the goal's place. */
-static Walk follow(const March *march, const Plan *plan, Vec2 at, double beyond) {
+static Walk follow(const FloorField *field, const Plan *plan, Vec2 at, double beyond) {
     const double step = 0.02;
     Walk walk = {.nearest = HUGE_VAL, .end = at};
     for (int n = 0; n < 20000; n++) {
-        Vec2 direction = march_direction(march, walk.end);
+        Vec2 direction = floor_field_direction(field, walk.end);
         if (!(vec2_length(direction) > 0))
             return walk;
         Vec2 next = vec2_along(walk.end, step, direction);
@@ -112,10 +112,10 @@ static Walk follow(const March *march, const Plan *plan, Vec2 at, double beyond)
             walk.out = crosses(&plan->exits[e], walk.end, next);
         walk.end = next;
         walk.length += step;
-        walk.nearest = fmin(walk.nearest, freespace_exact(march->space, next, 1, NULL));
+        walk.nearest = fmin(walk.nearest, freespace_exact(field->space, next, 1, NULL));
         if (walk.out && (beyond -= step) < 0)
             return walk;
-        if (march->goal.radius > 0 && vec2_distance(next, march->goal.at) < march->goal.radius)
+        if (field->goal.radius > 0 && vec2_distance(next, field->goal.at) < field->goal.radius)
             return walk;
     }
     return walk;
@@ -130,8 +130,9 @@ TEST(a_straight_corridor_takes_its_length_over_the_speed) {
         CHECK(fixture_build(&fixture, 0.05));
         for (double x = 1; x < 18; x += 4) {
             double expected = (18 - x) / SPEED;
-            CHECK_NEAR(march_time(&fixture.march, vec2_turn(vec2(x, 1), axis)), expected, 0.005 * expected + 0.005);
-            Vec2 direction = vec2_unturn(march_direction(&fixture.march, vec2_turn(vec2(x, 1), axis)), axis);
+            CHECK_NEAR(floor_field_time(&fixture.field, vec2_turn(vec2(x, 1), axis)), expected,
+                       0.005 * expected + 0.005);
+            Vec2 direction = vec2_unturn(floor_field_direction(&fixture.field, vec2_turn(vec2(x, 1), axis)), axis);
             CHECK_NEAR(direction.x, 1, 0.01);
         }
         fixture_free(&fixture);
@@ -157,7 +158,7 @@ TEST(the_time_round_a_corner_is_that_of_a_taut_string_and_converges) {
         fixture.walls[0] = (Wall){.id = "w1", .points = {fixture.points, 7}, .thickness = 0};
         fixture.goal = (Goal){.at = to, .radius = 0.5, .exit = SIZE_MAX};
         CHECK(fixture_build(&fixture, cells[c]));
-        times[c] = march_time(&fixture.march, from);
+        times[c] = floor_field_time(&fixture.field, from);
         least = (string_length(from, vec2(3, 3), to, RADIUS) - 0.5) / SPEED;
         CHECK_NEAR(times[c], least, (cells[c] > 0.06 ? 0.025 : 0.02) * least);
         fixture_free(&fixture);
@@ -175,7 +176,7 @@ TEST(ways_keep_off_a_corner_where_there_is_room) {
     fixture.walls[0] = (Wall){.id = "w1", .points = {fixture.points, 7}, .thickness = 0};
     fixture.exits[0] = (Exit){.id = "e1", .from = {8, 0}, .to = {8, 3}, .closes = HUGE_VAL};
     CHECK(fixture_build(&fixture, 0.05));
-    Walk walk = follow(&fixture.march, &fixture.plan, vec2(2, 8), 0.1);
+    Walk walk = follow(&fixture.field, &fixture.plan, vec2(2, 8), 0.1);
     CHECK(walk.out);
     CHECK_NEAR(walk.nearest, RADIUS + 0.1, 0.06);
     fixture_free(&fixture);
@@ -192,13 +193,13 @@ TEST(a_gap_narrower_than_the_disc_is_not_passed_and_one_5_cm_wider_is) {
             Fixture fixture;
             rooms_make(&fixture, 2 * RADIUS - 0.01 - cell * cell / (4 * RADIUS), angle, thickness);
             CHECK(fixture_build(&fixture, cell)); /* from the other room */
-            wrong_narrow += isfinite(march_time(&fixture.march, start));
-            CHECK(!(vec2_length(march_direction(&fixture.march, start)) > 0));
+            wrong_narrow += isfinite(floor_field_time(&fixture.field, start));
+            CHECK(!(vec2_length(floor_field_direction(&fixture.field, start)) > 0));
             fixture_free(&fixture);
             rooms_make(&fixture, 2 * RADIUS + 0.05, angle, thickness);
             CHECK(fixture_build(&fixture, cell));
-            wrong_wide += !isfinite(march_time(&fixture.march, start));
-            Walk walk = follow(&fixture.march, &fixture.plan, start, 0);
+            wrong_wide += !isfinite(floor_field_time(&fixture.field, start));
+            Walk walk = follow(&fixture.field, &fixture.plan, start, 0);
             wrong_wide += !walk.out;
             into += walk.nearest < RADIUS - cell;
             fixture_free(&fixture);
@@ -217,18 +218,20 @@ TEST(an_unreachable_place_has_neither_time_nor_direction) {
     for (int n = 0; n < 2000; n++) {
         Vec2 at = vec2_turn(vec2(0.07 + 4.9 * random_uniform(&random), 0.07 + 3.86 * random_uniform(&random)),
                             vec2_heading(0.2));
-        wrong += isfinite(march_time(&fixture.march, at)) || vec2_length(march_direction(&fixture.march, at)) > 0;
+        wrong += isfinite(floor_field_time(&fixture.field, at)) ||
+                 vec2_length(floor_field_direction(&fixture.field, at)) > 0;
     }
     CHECK_NEAR(wrong, 0, 0);
     Vec2 away = {1000, 1000};
-    CHECK(!isfinite(march_time(&fixture.march, away)) && !(vec2_length(march_direction(&fixture.march, away)) > 0));
+    CHECK(!isfinite(floor_field_time(&fixture.field, away)) &&
+          !(vec2_length(floor_field_direction(&fixture.field, away)) > 0));
     fixture_free(&fixture);
     rooms_make(&fixture, 1, 0, 0.1);
     fixture.exits[0].closes = 10;
     fixture.goal.time = 10;
     CHECK(!fixture_build(&fixture, 0.05));
-    CHECK(!isfinite(march_time(&fixture.march, vec2(7, 2))));
-    CHECK(!(vec2_length(march_direction(&fixture.march, vec2(7, 2))) > 0));
+    CHECK(!isfinite(floor_field_time(&fixture.field, vec2(7, 2))));
+    CHECK(!(vec2_length(floor_field_direction(&fixture.field, vec2(7, 2))) > 0));
     fixture_free(&fixture);
 }
 
@@ -249,7 +252,7 @@ TEST(a_closed_door_costs_its_opening_time) {
                                       .opening_time = 3,
                                       .wall_index = 1};
             CHECK(fixture_build(&fixture, 0.05));
-            times[closed] = march_time(&fixture.march, vec2_turn(vec2(1, 2.5), vec2_heading(angles[a])));
+            times[closed] = floor_field_time(&fixture.field, vec2_turn(vec2(1, 2.5), vec2_heading(angles[a])));
             fixture_free(&fixture);
         }
         CHECK_NEAR(times[1] - times[0], 3, 0.1);
@@ -264,14 +267,14 @@ TEST(an_exits_line_is_crossed_from_either_side) {
         fixture.exits[0].from = vec2_turn(vec2(10, 0), axis);
         fixture.exits[0].to = vec2_turn(vec2(10.3, 2), axis);
         CHECK(fixture_build(&fixture, 0.05));
-        CHECK(fixture.march.exits[0].outward == 0);
+        CHECK(fixture.field.exits[0].outward == 0);
         for (double y = 0.3; y < 1.8; y += 0.2)
             for (int side = -1; side <= 1; side += 2) {
                 Vec2 start = vec2_turn(vec2(10 + 3 * side, y), axis);
-                CHECK(follow(&fixture.march, &fixture.plan, start, 0).out);
+                CHECK(follow(&fixture.field, &fixture.plan, start, 0).out);
                 /* However near to the line, it is crossed. */
                 Vec2 close = vec2_turn(vec2(10 + 0.15 * y + 1e-3 * side, y), axis);
-                Vec2 there = vec2_unturn(march_direction(&fixture.march, close), axis);
+                Vec2 there = vec2_unturn(floor_field_direction(&fixture.field, close), axis);
                 CHECK(there.x * side < -0.9);
             }
         fixture_free(&fixture);
@@ -290,12 +293,12 @@ TEST(an_exit_to_the_outside_leads_on_beyond_its_line) {
         fixture.exits[0] = (Exit){
             .id = "e1", .from = vec2_turn(vec2(6, 1.5), axis), .to = vec2_turn(vec2(6, 2.5), axis), .closes = HUGE_VAL};
         CHECK(fixture_build(&fixture, 0.05));
-        CHECK(fixture.march.exits[0].outward != 0);
+        CHECK(fixture.field.exits[0].outward != 0);
         for (double y = 0.4; y < 3.8; y += 0.2) {
-            Walk walk = follow(&fixture.march, &fixture.plan, vec2_turn(vec2(2, y), axis), 0.42);
+            Walk walk = follow(&fixture.field, &fixture.plan, vec2_turn(vec2(2, y), axis), 0.42);
             CHECK(walk.out && walk.nearest > RADIUS - 0.05);
             CHECK_NEAR(vec2_unturn(walk.end, axis).x, 6.43, 0.04);
-            CHECK_NEAR(march_time(&fixture.march, walk.end), 0, 0);
+            CHECK_NEAR(floor_field_time(&fixture.field, walk.end), 0, 0);
         }
         fixture_free(&fixture);
     }
@@ -315,11 +318,11 @@ TEST(somebody_pressed_against_a_wall_is_led_away_from_it_or_along_it) {
             continue;
         tried++;
         const Face *face = &fixture.outline.faces[index];
-        Vec2 direction = march_direction(&fixture.march, at);
+        Vec2 direction = floor_field_direction(&fixture.field, at);
         Vec2 away = vec2_unit(vec2_sub(at, vec2_nearest_on_segment(at, face->a, face->b)));
         lost += !(vec2_length(direction) > 0.999);
         into += distance < RADIUS - 0.05 && vec2_dot(direction, away) < -0.01;
-        endless += !isfinite(march_time(&fixture.march, at));
+        endless += !isfinite(floor_field_time(&fixture.field, at));
     }
     CHECK_NEAR(lost, 0, 0);
     CHECK_NEAR(into, 0, 0);
@@ -333,31 +336,31 @@ TEST(directions_lead_out_of_every_shipped_house_past_everything) {
     for (size_t h = 0; h < sizeof names / sizeof *names; h++) {
         House house;
         case_house(&house, names[h], -1, NULL);
-        March march;
+        FloorField field;
         Goal goal = {.exit = SIZE_MAX};
-        CHECK(march_init(&march, &house.plan, &house.space, RADIUS, SPEED, &goal));
+        CHECK(floor_field_init(&field, &house.plan, &house.space, RADIUS, SPEED, &goal));
         Random random = random_seed(3, 10 + h);
         Box box = house.outline.box;
         int tried = 0, inside = 0, stuck = 0, grazed = 0, slow = 0;
         for (int n = 0; n < 400; n++) {
             Vec2 at = {box.low.x + (box.high.x - box.low.x) * random_uniform(&random),
                        box.low.y + (box.high.y - box.low.y) * random_uniform(&random)};
-            double time = march_time(&march, at);
+            double time = floor_field_time(&field, at);
             if (freespace_distance(&house.space, at) <= RADIUS || !isfinite(time))
                 continue;
             tried++;
-            Walk walk = follow(&march, &house.plan, at, 0);
+            Walk walk = follow(&field, &house.plan, at, 0);
             /* Who starts outside is led to where the others come out. */
-            stuck += !walk.out && march_time(&march, walk.end) > (MARCH_BEYOND + 0.1) / SPEED;
+            stuck += !walk.out && floor_field_time(&field, walk.end) > (FLOOR_FIELD_BEYOND + 0.1) / SPEED;
             inside += walk.out;
-            grazed += walk.nearest < RADIUS - march.cell;
+            grazed += walk.nearest < RADIUS - field.cell;
             slow += walk.out && walk.length / SPEED > time + 0.2; /* discomfort and doors only add */
         }
         CHECK(tried > 50 && inside > 20);
         CHECK_NEAR(stuck, 0, 0);
         CHECK_NEAR(grazed, 0, 0);
         CHECK_NEAR(slow, 0, 0);
-        march_clear(&march);
+        floor_field_clear(&field);
         house_free(&house);
     }
 }
@@ -374,9 +377,9 @@ TEST(a_thinned_grid_finds_through_a_door) {
         fixture.walls[3] = (Wall){.id = "w4", .points = {fixture.points + 9, 2}, .thickness = 0.1};
         fixture.plan.wall_count = 4;
         CHECK(fixture_build(&fixture, 0.05));
-        CHECK_NEAR(fixture.march.cell, 0.1, 1e-9);
-        CHECK((double)fixture.march.nx * fixture.march.ny <= MARCH_MOST_POINTS);
-        Walk walk = follow(&fixture.march, &fixture.plan, vec2_turn(vec2(1, 1), vec2_heading(angle)), 0);
+        CHECK_NEAR(fixture.field.cell, 0.1, 1e-9);
+        CHECK((double)fixture.field.nx * fixture.field.ny <= FLOOR_FIELD_MOST_POINTS);
+        Walk walk = follow(&fixture.field, &fixture.plan, vec2_turn(vec2(1, 1), vec2_heading(angle)), 0);
         CHECK(walk.out && walk.nearest > RADIUS - 0.1);
         fixture_free(&fixture);
     }
@@ -387,9 +390,9 @@ TEST(the_same_march_has_the_same_bits) {
     rooms_make(&one, 0.9, 0.4, 0.1);
     rooms_make(&other, 0.9, 0.4, 0.1);
     CHECK(fixture_build(&one, 0.05) && fixture_build(&other, 0.05));
-    size_t points = (size_t)one.march.nx * (size_t)one.march.ny;
-    CHECK(memcmp(one.march.time, other.march.time, points * sizeof *one.march.time) == 0);
-    CHECK(memcmp(one.march.directions, other.march.directions, points * sizeof *one.march.directions) == 0);
+    size_t points = (size_t)one.field.nx * (size_t)one.field.ny;
+    CHECK(memcmp(one.field.time, other.field.time, points * sizeof *one.field.time) == 0);
+    CHECK(memcmp(one.field.directions, other.field.directions, points * sizeof *one.field.directions) == 0);
     fixture_free(&one);
     fixture_free(&other);
 }
