@@ -10,7 +10,7 @@
 #include "route/fit.h"
 #include "route/search.h"
 #include "route/smooth.h"
-#include "route/taut.h"
+#include "route/disc_route.h"
 
 /* Quick when the way is easy, but not to be believed when it finds none; then finer, each with room for about as many
  * nodes as take a second. */
@@ -340,25 +340,25 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
 }
 
 /* All legs of a disc on one grid. */
-static bool taut_legs(SearchTrack *track, const RouteQuery *query, const FreeSpace *space, Fields *fields,
+static bool disc_legs(SearchTrack *track, const RouteQuery *query, const FreeSpace *space, Fields *fields,
                       const Legs *legs, double radius) {
     double clearance = freespace_exact(space, query->at, radius + ROUTE_CLEARANCE_REACH, NULL) - radius;
     search_track_clear(track);
     search_track_add(track, (Pose){query->at, query->heading, clearance, 0});
     for (size_t leg = 0; leg < legs->count; leg++)
-        if (!taut_leg(track, fields, query->plan, space, query->profile, radius, &legs->goals[leg]))
+        if (!disc_route_leg(track, fields, query->plan, space, query->profile, radius, &legs->goals[leg]))
             return false;
     return true;
 }
 
 static void search_round(Route *route, const RouteQuery *query, const Legs *legs, double radius) {
     SearchTrack track = {0};
-    bool found = taut_legs(&track, query, query->space, query->fields, legs, radius);
+    bool found = disc_legs(&track, query, query->space, query->fields, legs, radius);
     if (!found) { /* gaps hardly wider than the disc slip between the points of a coarse grid */
         FreeSpace fine;
         Fields *own = fields_create(); /* `fine` does not outlive this */
         freespace_build(&fine, query->space->outline, query->space->cell / FINER);
-        found = taut_legs(&track, query, &fine, own, legs, radius);
+        found = disc_legs(&track, query, &fine, own, legs, radius);
         fields_destroy(own);
         freespace_free(&fine);
     }

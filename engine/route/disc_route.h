@@ -9,5 +9,5 @@
 /* Continues `track` from its last pose to the goal for a disc of `radius` m, with poses about 5 cm apart that head
  * along the way and know their clearance. The field is taken from `fields`. False, and the track as it was: there is no
  * way on this grid. */
-bool taut_leg(SearchTrack *track, Fields *fields, const Plan *plan, const FreeSpace *space, const Profile *profile,
-              double radius, const Goal *goal);
+bool disc_route_leg(SearchTrack *track, Fields *fields, const Plan *plan, const FreeSpace *space,
+                    const Profile *profile, double radius, const Goal *goal);

@@ -1,4 +1,4 @@
-#include "route/taut.h"
+#include "route/disc_route.h"
 
 #include "base/memory.h"
 
@@ -192,8 +192,8 @@ static void write_poses(SearchTrack *track, const Line *line, const FreeSpace *s
     }
 }
 
-bool taut_leg(SearchTrack *track, Fields *fields, const Plan *plan, const FreeSpace *space, const Profile *profile,
-              double radius, const Goal *goal) {
+bool disc_route_leg(SearchTrack *track, Fields *fields, const Plan *plan, const FreeSpace *space,
+                    const Profile *profile, double radius, const Goal *goal) {
     Vec2 start = track->poses[track->count - 1].at;
     Line line = {0};
     const Field *field = fields_take(fields, &(FieldWish){plan, space, profile, radius + TIGHT, true, *goal, NULL});
