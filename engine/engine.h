@@ -46,7 +46,7 @@
 #include "house/locus.h"
 #include "house/replan.h"
 #include "house/shake.h"
-#include "plan/sunk.h"
+#include "plan/overlap.h"
 #include "house/run.h"
 #include "inquiry/suggest.h"
 #include "inquiry/measure.h"

@@ -7,7 +7,7 @@
 #include "command/progress.h"
 #include "command/suggestions.h"
 #include "house/journey.h"
-#include "plan/sunk.h"
+#include "plan/overlap.h"
 #include "visual/house/census.h"
 
 /* Of the only exit also when a route leads to any; NULL: whichever is the quickest. */
@@ -134,8 +134,8 @@ static json_t *notes_of(const Plan *plan) {
     for (size_t f = 0; f < plan->furniture_count; f++) {
         char name[80], note[160];
         size_t wall = 0;
-        double depth = sunk_depth(plan, &plan->furniture[f], &wall);
-        if (depth < SUNK_LEAST)
+        double depth = overlap_depth(plan, &plan->furniture[f], &wall);
+        if (depth < OVERLAP_LEAST)
             continue;
         outline_name(plan, OWNER_FURNITURE, (int)f, name, sizeof name);
         snprintf(note, sizeof note, "%s stands %.0f cm in wall %s", name, 100 * depth, plan->walls[wall].id);

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "plan/sunk.h"
+#include "plan/overlap.h"
 #include "laboratory/house/session_parts.h"
 
 static const EditGesture shape, body, slide, whole, box;
@@ -98,13 +98,13 @@ static void release(HouseSession *live, bool moved) {
 }
 
 /* Remarks a piece that is held in a wall. */
-static void say_sunk(const HouseSession *live, Text *words) {
+static void say_overlap(const HouseSession *live, Text *words) {
     const Plan *plan = draft_plan(live->draft);
     size_t index, wall = 0;
     if (draft_find(live->draft, live->edit.held, &index) != DRAFT_FURNITURE || index >= plan->furniture_count)
         return;
-    double depth = sunk_depth(plan, &plan->furniture[index], &wall);
-    if (depth >= SUNK_LEAST)
+    double depth = overlap_depth(plan, &plan->furniture[index], &wall);
+    if (depth >= OVERLAP_LEAST)
         text_format(words, "; stands %.0f cm in wall %s", 100 * depth, plan->walls[wall].id);
 }
 
@@ -117,7 +117,7 @@ static void say(HouseSession *live, Text *words) {
         text_format(words, "%s %s %.*f%s", i ? "," : "", edit->fields[i].name,
                     strcmp(edit->fields[i].unit, "degree") == 0 ? 1 : 2, edit->fields[i].value,
                     strcmp(edit->fields[i].unit, "degree") == 0 ? " degrees" : " m");
-    say_sunk(live, words);
+    say_overlap(live, words);
 }
 
 static void show(HouseSession *live) {

@@ -1,4 +1,4 @@
-#include "plan/sunk.h"
+#include "plan/overlap.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -60,7 +60,7 @@ static bool is_near(const Vec2 corners[4], Vec2 from, Vec2 to, double thickness)
            segment.low.y < piece.high.y;
 }
 
-double sunk_depth(const Plan *plan, const Furniture *piece, size_t *wall) {
+double overlap_depth(const Plan *plan, const Furniture *piece, size_t *wall) {
     Vec2 corners[4];
     plan_furniture_corners(piece, corners);
     const Door **doors = memory_zeroed(plan->door_count + 1, sizeof *doors);

@@ -1,5 +1,5 @@
 /* Furniture that stands in a wall is remarked, how deep; in a doorway it is not. */
-#include "plan/sunk.h"
+#include "plan/overlap.h"
 
 #include "check.h"
 
@@ -13,11 +13,11 @@ TEST(how_deep_a_piece_stands_in_a_wall) {
     Plan plan = {0};
     Fault fault = {0};
     size_t wall = 7;
-    CHECK(plan_read_text(&plan, "sunk", text, NULL, 0, &fault));
-    CHECK_NEAR(sunk_depth(&plan, &plan.furniture[0], &wall), 0.1, 1e-9);
+    CHECK(plan_read_text(&plan, "overlap", text, NULL, 0, &fault));
+    CHECK_NEAR(overlap_depth(&plan, &plan.furniture[0], &wall), 0.1, 1e-9);
     CHECK(wall == 0);
-    CHECK(sunk_depth(&plan, &plan.furniture[1], &wall) < SUNK_LEAST); /* beside it */
-    CHECK(sunk_depth(&plan, &plan.furniture[2], &wall) < SUNK_LEAST); /* in the doorway */
+    CHECK(overlap_depth(&plan, &plan.furniture[1], &wall) < OVERLAP_LEAST); /* beside it */
+    CHECK(overlap_depth(&plan, &plan.furniture[2], &wall) < OVERLAP_LEAST); /* in the doorway */
     plan_free(&plan);
     fault_clear(&fault);
 }

@@ -4,8 +4,8 @@
 
 #include "plan/plan.h"
 
-#define SUNK_LEAST 0.01 /* m: what is less is not remarked */
+#define OVERLAP_LEAST 0.01 /* m: what is less is not remarked */
 
 /* How deep a piece stands in walls, doorways apart, m: the shortest way out of the one it is deepest in, whose index
  * goes to `*wall`. 0: it stands free. */
-double sunk_depth(const Plan *plan, const Furniture *piece, size_t *wall);
+double overlap_depth(const Plan *plan, const Furniture *piece, size_t *wall);
