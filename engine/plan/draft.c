@@ -6,7 +6,7 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "plan/draft_parts.h"
-#include "plan/pieces.h"
+#include "plan/plan_json.h"
 #include "plan/plan_tables.h"
 
 _Static_assert((int)DRAFT_WALLS == (int)LIST_WALLS && (int)DRAFT_ROUTES == (int)LIST_ROUTES &&
@@ -224,7 +224,7 @@ size_t draft_step_count(const Draft *draft) {
 DraftList draft_find(const Draft *draft, const char *id, size_t *index) {
     for (int l = 0; *id && l < DRAFT_LISTS; l++)
         for (size_t i = 0; i < json_array_size(draft->lists[l]); i++)
-            if (strcmp(pieces_text(json_array_get(draft->lists[l], i), "id"), id) == 0) {
+            if (strcmp(plan_json_text(json_array_get(draft->lists[l], i), "id"), id) == 0) {
                 *index = i;
                 return (DraftList)l;
             }
@@ -258,23 +258,24 @@ static const char *free_id(Draft *draft, DraftList list) {
 
 const char *draft_add(Draft *draft, DraftList list, json_t *element) {
     size_t index, count = draft_count(draft, list);
-    const char *id = pieces_text(element, "id");
+    const char *id = plan_json_text(element, "id");
     if (!*id || draft_find(draft, id, &index) < DRAFT_LISTS) {
-        json_t *named = pieces_with(element, "id", json_string(free_id(draft, list)));
+        json_t *named = plan_json_with(element, "id", json_string(free_id(draft, list)));
         json_decref(element);
         element = named;
     }
     draft_change_make(draft, list, count, NULL, NULL, element);
-    return pieces_text(element, "id");
+    return plan_json_text(element, "id");
 }
 
 /* Whatever names an element names another one, or none; NULL `to`: what cannot be without it goes, too. */
 static void rename_all(Draft *draft, const char *from, const char *to) {
     for (int l = 0; l < DRAFT_LISTS; l++)
         for (size_t i = draft_count(draft, (DraftList)l); i > 0; i--) {
-            json_t *element = draft_at(draft, (DraftList)l, i - 1), *renamed = pieces_renamed(element, from, to);
-            bool wall = l == DRAFT_DOORS && !*pieces_text(renamed, "wall");
-            bool alone = l == DRAFT_ROUTES && renamed != element && pieces_is_empty(json_object_get(renamed, "people"));
+            json_t *element = draft_at(draft, (DraftList)l, i - 1), *renamed = plan_json_renamed(element, from, to);
+            bool wall = l == DRAFT_DOORS && !*plan_json_text(renamed, "wall");
+            bool alone =
+                l == DRAFT_ROUTES && renamed != element && plan_json_is_empty(json_object_get(renamed, "people"));
             if (renamed != element && !wall && !alone) {
                 draft_change_element(draft, (DraftList)l, i - 1, renamed);
                 continue;
@@ -304,7 +305,7 @@ bool draft_set(Draft *draft, const char *id, const char *member, json_t *value) 
         json_decref(value);
         return false;
     }
-    draft_change_element(draft, list, index, pieces_with(draft_at(draft, list, index), member, value));
+    draft_change_element(draft, list, index, plan_json_with(draft_at(draft, list, index), member, value));
     return true;
 }
 
@@ -317,18 +318,18 @@ bool draft_set_text(Draft *draft, const char *id, const char *member, const char
 }
 
 bool draft_set_point(Draft *draft, const char *id, const char *member, Vec2 value) {
-    return draft_set(draft, id, member, pieces_point(value));
+    return draft_set(draft, id, member, plan_json_point(value));
 }
 
 bool draft_set_points(Draft *draft, const char *id, const char *member, const Vec2 *points, size_t count) {
-    return draft_set(draft, id, member, pieces_points(points, count));
+    return draft_set(draft, id, member, plan_json_points(points, count));
 }
 
 void draft_move(Draft *draft, const char *id, Vec2 by) {
     size_t index;
     DraftList list = draft_find(draft, id, &index);
     if (list < DRAFT_LISTS)
-        draft_change_element(draft, list, index, pieces_moved(draft_at(draft, list, index), by));
+        draft_change_element(draft, list, index, plan_json_moved(draft_at(draft, list, index), by));
 }
 
 bool draft_rename(Draft *draft, const char *id, const char *to, Fault *fault) {

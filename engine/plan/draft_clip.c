@@ -5,7 +5,7 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "plan/draft_parts.h"
-#include "plan/pieces.h"
+#include "plan/plan_json.h"
 #include "plan/plan_tables.h"
 
 char *draft_clip_copy(const Draft *draft, const char *const *ids, size_t id_count) {
@@ -15,8 +15,8 @@ char *draft_clip_copy(const Draft *draft, const char *const *ids, size_t id_coun
         json_t *list = json_array();
         for (size_t i = 0; i < draft_count(draft, (DraftList)l); i++) {
             json_t *element = draft_at(draft, (DraftList)l, i);
-            if (text_is_among(pieces_text(element, "id"), ids, id_count) ||
-                (l == DRAFT_DOORS && text_is_among(pieces_text(element, "wall"), ids, id_count)))
+            if (text_is_among(plan_json_text(element, "id"), ids, id_count) ||
+                (l == DRAFT_DOORS && text_is_among(plan_json_text(element, "wall"), ids, id_count)))
                 json_array_append(list, element);
         }
         found += json_array_size(list);
@@ -37,7 +37,7 @@ static json_t *new_names(Draft *draft, const json_t *pieces) {
         for (size_t i = 0; i < json_array_size(list); i++) {
             /* each has a place in the list at once, so that the next name is another one */
             const char *id = draft_add(draft, (DraftList)l, json_incref(json_array_get(list, i)));
-            json_object_set_new(names, pieces_text(json_array_get(list, i), "id"), json_string(id));
+            json_object_set_new(names, plan_json_text(json_array_get(list, i), "id"), json_string(id));
         }
     }
     return names;
@@ -48,7 +48,7 @@ static json_t *renamed_by(json_t *element, json_t *names) {
     static const char *const references[] = {"wall", "exit"};
     json_t *renamed = json_copy(element), *people = json_object_get(element, "people");
     for (size_t i = 0; i < sizeof references / sizeof *references; i++) {
-        json_t *name = json_object_get(names, pieces_text(element, references[i]));
+        json_t *name = json_object_get(names, plan_json_text(element, references[i]));
         if (name)
             json_object_set(renamed, references[i], name);
     }
@@ -65,7 +65,7 @@ static json_t *renamed_by(json_t *element, json_t *names) {
 }
 
 bool draft_clip_paste(Draft *draft, const char *text, Vec2 by, const char ***ids, size_t *id_count, Fault *fault) {
-    json_t *pieces = pieces_read(text, fault);
+    json_t *pieces = plan_json_read(text, fault);
     if (!pieces)
         return false;
     size_t first[DRAFT_LISTS], capacity = 0;
@@ -77,11 +77,11 @@ bool draft_clip_paste(Draft *draft, const char *text, Vec2 by, const char ***ids
     for (int l = 0; l < DRAFT_LISTS; l++)
         for (size_t i = first[l]; i < draft_count(draft, (DraftList)l); i++) {
             json_t *renamed = renamed_by(draft_at(draft, (DraftList)l, i), names);
-            json_t *moved = pieces_moved(renamed, by);
+            json_t *moved = plan_json_moved(renamed, by);
             json_decref(renamed);
             draft_change_element(draft, (DraftList)l, i, moved);
             *ids = memory_reserve(*ids, &capacity, *id_count + 1, sizeof **ids);
-            (*ids)[(*id_count)++] = pieces_text(moved, "id");
+            (*ids)[(*id_count)++] = plan_json_text(moved, "id");
         }
     json_decref(names);
     json_decref(pieces);

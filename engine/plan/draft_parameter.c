@@ -3,13 +3,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "plan/pieces.h"
+#include "plan/plan_json.h"
 #include "plan/plan_tables.h"
 
 /* Sets a member of an object that is a member of the house: "run", "overrides". */
 static void set_in_house(Draft *draft, const char *object, const char *member, json_t *value) {
     json_t *before = draft_house(draft, object), *empty = json_object();
-    draft_set_house(draft, object, pieces_with(json_is_object(before) ? before : empty, member, value));
+    draft_set_house(draft, object, plan_json_with(json_is_object(before) ? before : empty, member, value));
     json_decref(empty);
 }
 

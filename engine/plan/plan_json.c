@@ -1,4 +1,4 @@
-#include "plan/pieces.h"
+#include "plan/plan_json.h"
 
 #include <string.h>
 
@@ -6,23 +6,23 @@
 #include "plan/plan_tables.h"
 #include "plan/snap.h"
 
-const char *pieces_text(const json_t *element, const char *member) {
+const char *plan_json_text(const json_t *element, const char *member) {
     const char *text = json_string_value(json_object_get(element, member));
     return text ? text : "";
 }
 
-json_t *pieces_point(Vec2 point) {
+json_t *plan_json_point(Vec2 point) {
     return json_pack("[o,o]", json_number(point.x), json_number(point.y));
 }
 
-json_t *pieces_points(const Vec2 *points, size_t count) {
+json_t *plan_json_points(const Vec2 *points, size_t count) {
     json_t *list = json_array();
     for (size_t i = 0; i < count; i++)
-        json_array_append_new(list, pieces_point(points[i]));
+        json_array_append_new(list, plan_json_point(points[i]));
     return list;
 }
 
-json_t *pieces_with(const json_t *element, const char *member, json_t *value) {
+json_t *plan_json_with(const json_t *element, const char *member, json_t *value) {
     json_t *with = json_copy((json_t *)element); /* shallow: the members are shared */
     if (value)
         json_object_set_new(with, member, value);
@@ -40,7 +40,7 @@ static bool is_point(const json_t *value) {
 
 static json_t *point_moved(const json_t *value, Vec2 by) {
     double x = json_number_value(json_array_get(value, 0)), y = json_number_value(json_array_get(value, 1));
-    return pieces_point(vec2(by.x != 0 ? snap_tidy(x + by.x) : x, by.y != 0 ? snap_tidy(y + by.y) : y));
+    return plan_json_point(vec2(by.x != 0 ? snap_tidy(x + by.x) : x, by.y != 0 ? snap_tidy(y + by.y) : y));
 }
 
 /* A point, or a list of them; NULL: neither. */
@@ -60,7 +60,7 @@ static json_t *place_moved(const json_t *value, Vec2 by) {
     return moved;
 }
 
-json_t *pieces_moved(const json_t *element, Vec2 by) {
+json_t *plan_json_moved(const json_t *element, Vec2 by) {
     static const char *const places[] = {"points", "centre", "outline", "from", "to", "at", "area", "via"};
     json_t *moved = json_copy((json_t *)element);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
@@ -93,26 +93,26 @@ static json_t *list_renamed(const json_t *list, const char *from, const char *to
     return NULL;
 }
 
-json_t *pieces_renamed(json_t *element, const char *from, const char *to) {
+json_t *plan_json_renamed(json_t *element, const char *from, const char *to) {
     static const char *const names[] = {"id", "wall", "exit"};
     json_t *renamed = json_incref(element);
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        if (strcmp(pieces_text(renamed, names[i]), from) != 0)
+        if (strcmp(plan_json_text(renamed, names[i]), from) != 0)
             continue;
-        json_t *with = pieces_with(renamed, names[i], to ? json_string(to) : NULL);
+        json_t *with = plan_json_with(renamed, names[i], to ? json_string(to) : NULL);
         json_decref(renamed);
         renamed = with;
     }
     json_t *people = list_renamed(json_object_get(renamed, "people"), from, to);
     if (people) {
-        json_t *with = pieces_with(renamed, "people", people);
+        json_t *with = plan_json_with(renamed, "people", people);
         json_decref(renamed);
         renamed = with;
     }
     return renamed;
 }
 
-bool pieces_is_empty(const json_t *list) {
+bool plan_json_is_empty(const json_t *list) {
     return json_is_array(list) && json_array_size(list) == 0;
 }
 
@@ -125,19 +125,19 @@ static bool check_list(const json_t *pieces, const char *key, Fault *fault) {
         return false;
     }
     for (size_t i = 0; i < json_array_size(list); i++)
-        if (!*pieces_text(json_array_get(list, i), "id")) {
+        if (!*plan_json_text(json_array_get(list, i), "id")) {
             fault_add(fault, "the pasted pieces cannot be used: number %zu of \"%s\" has no id", i + 1, key);
             return false;
         }
     return true;
 }
 
-json_t *pieces_read(const char *text, Fault *fault) {
+json_t *plan_json_read(const char *text, Fault *fault) {
     json_error_t error;
     bool fits = strlen(text) <= JSON_LARGEST_FILE;
     json_t *pieces = fits ? json_loads(text, JSON_REJECT_DUPLICATES, &error) : NULL;
-    bool good = strcmp(pieces_text(pieces, "format"), "clearance-pieces") == 0 ||
-                strcmp(pieces_text(pieces, "format"), "clearance-house") == 0;
+    bool good = strcmp(plan_json_text(pieces, "format"), "clearance-pieces") == 0 ||
+                strcmp(plan_json_text(pieces, "format"), "clearance-house") == 0;
     if (!pieces && fits && strstr(text, "\"clearance-"))
         fault_add(fault, "the pasted text is broken at its line %d, column %d: %s", error.line, error.column,
                   error.text);
