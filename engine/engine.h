@@ -66,7 +66,7 @@
 #include "beam/response.h"
 #include "study/experiment.h"
 #include "study/study.h"
-#include "study/bunch.h"
+#include "study/batch.h"
 #include "study/neighbours.h"
 #include "study/types.h"
 #include "study/typed.h"

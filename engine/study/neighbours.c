@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "base/parallel.h"
-#include "study/bunch.h"
+#include "study/batch.h"
 
 static const double FINE = 0.005, COARSE = 0.01;
 
@@ -36,15 +36,15 @@ static bool look(const NeighboursTask *task, size_t name, double side, size_t fi
                  Neighbour *neighbour) {
     const Experiment *experiment = task->experiment;
     double nominal = experiment->nominal(experiment->given, task->names[name]);
-    Bunch bunch = bunch_create(experiment, &task->names[name], 1, (last - first) * NEIGHBOURS_STARTS);
-    for (size_t i = 0; i < bunch.count; i++) {
-        bunch_set(&bunch, i, 0, nominal * (1 + side * neighbours_share(first + i / NEIGHBOURS_STARTS)));
-        bunch.trials[i].seed = i % NEIGHBOURS_STARTS;
+    Batch batch = batch_create(experiment, &task->names[name], 1, (last - first) * NEIGHBOURS_STARTS);
+    for (size_t i = 0; i < batch.count; i++) {
+        batch_set(&batch, i, 0, nominal * (1 + side * neighbours_share(first + i / NEIGHBOURS_STARTS)));
+        batch.trials[i].seed = i % NEIGHBOURS_STARTS;
     }
-    experiment->run(experiment->given, &task->names[name], 1, bunch.trials, bunch.count, false, task->stop);
+    experiment->run(experiment->given, &task->names[name], 1, batch.trials, batch.count, false, task->stop);
     bool on = true;
     for (size_t step = first; step < last && on; step++) {
-        const Trial *trials = bunch.trials + (step - first) * NEIGHBOURS_STARTS;
+        const Trial *trials = batch.trials + (step - first) * NEIGHBOURS_STARTS;
         on = is_possible(trials);
         neighbour->reached = on ? neighbours_share(step) : neighbour->reached;
         neighbour->runs += on ? NEIGHBOURS_STARTS : 0;
@@ -55,7 +55,7 @@ static bool look(const NeighboursTask *task, size_t name, double side, size_t fi
             on = false;
         }
     }
-    bunch_clear(&bunch);
+    batch_clear(&batch);
     return on;
 }
 

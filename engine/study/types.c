@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
-#include "study/bunch.h"
+#include "study/batch.h"
 
 const char *types_kind_name(TypesKind kind) {
     static const char *const names[] = {"unresolved", "I", "II", "III"};
@@ -18,7 +18,7 @@ const char *types_kind_name(TypesKind kind) {
 typedef struct Work {
     const TypesTask *task;
     Types *types;
-    Bunch window; /* (points x TYPES_STARTS) */
+    Batch window; /* (points x TYPES_STARTS) */
     pthread_mutex_t mutex;
     size_t done, all; /* trials */
 } Work;
@@ -61,12 +61,12 @@ static void run_piece(void *context, size_t piece) {
 static void run_window(Work *work) {
     Types *types = work->types;
     const TypesTask *task = work->task;
-    work->window = bunch_create(task->experiment, task->names, task->name_count, types->point_count * TYPES_STARTS);
+    work->window = batch_create(task->experiment, task->names, task->name_count, types->point_count * TYPES_STARTS);
     for (size_t i = 0; i < work->window.count; i++) {
         const TypesPoint *point = &types->points[i / TYPES_STARTS];
         work->window.trials[i].seed = i % TYPES_STARTS;
         if (point->parameter < types->parameter_count)
-            bunch_set(&work->window, i, point->parameter, point->value);
+            batch_set(&work->window, i, point->parameter, point->value);
     }
     size_t batch = task->experiment->batch;
     parallel_for(task->jobs, (work->window.count + batch - 1) / batch, run_piece, work);
@@ -85,35 +85,35 @@ static void forget(const Work *work, size_t trial) {
 /* Trials that are repeated thoroughly. */
 typedef struct Again {
     const TypesTask *task;
-    Bunch bunch;
+    Batch batch;
 } Again;
 
 static void run_again(void *context, size_t i) {
     Again *again = context;
     const TypesTask *task = again->task;
-    task->thorough->run(task->thorough->given, task->names, task->name_count, &again->bunch.trials[i], 1, false,
+    task->thorough->run(task->thorough->given, task->names, task->name_count, &again->batch.trials[i], 1, false,
                         task->stop);
 }
 
 /* Repeats the trials `of` (count) of the window and copies the results. */
 static void make_again(Work *work, const size_t *of, size_t count) {
     const TypesTask *task = work->task;
-    Again again = {.task = task, .bunch = bunch_create(task->thorough, task->names, task->name_count, count)};
+    Again again = {.task = task, .batch = batch_create(task->thorough, task->names, task->name_count, count)};
     for (size_t i = 0; i < count; i++) {
         const Trial *trial = &work->window.trials[of[i]];
-        again.bunch.trials[i].seed = trial->seed;
+        again.batch.trials[i].seed = trial->seed;
         for (size_t n = 0; n < task->name_count; n++)
-            bunch_set(&again.bunch, i, n, trial->at[n]);
+            batch_set(&again.batch, i, n, trial->at[n]);
     }
     parallel_for(task->jobs, count, run_again, &again);
     for (size_t i = 0; i < count; i++) {
         for (size_t k = 0; k < task->experiment->observable_count; k++)
-            work->window.trials[of[i]].observed[k] = again.bunch.trials[i].observed[k];
-        if (!again.bunch.trials[i].done)
+            work->window.trials[of[i]].observed[k] = again.batch.trials[i].observed[k];
+        if (!again.batch.trials[i].done)
             forget(work, of[i]);
     }
     work->types->thorough += count;
-    bunch_clear(&again.bunch);
+    batch_clear(&again.batch);
 }
 
 /* Repeats trials that are not regular, from the centre outwards, until one is certainly irregular. If none is,
@@ -361,7 +361,7 @@ bool types_tell(Types *types, const TypesTask *task, Fault *fault) {
     if (!task->window_only)
         find_neighbours(&work);
     types->stopped = is_stopped(task);
-    bunch_clear(&work.window);
+    batch_clear(&work.window);
     pthread_mutex_destroy(&work.mutex);
     return true;
 }

@@ -5,7 +5,7 @@
 
 #include "base/order.h"
 #include "base/parallel.h"
-#include "study/bunch.h"
+#include "study/batch.h"
 #include "study/study.h"
 
 enum { TOGETHER = 16 /* values that are made at once by a thread */ };
@@ -63,17 +63,17 @@ double beam_sweep_value(const BeamSweepTask *task, size_t nth, BeamSweepPass *pa
 /* What the threads share. */
 typedef struct Share {
     BeamSweep *sweep;
-    Bunch bunch;
-    size_t first, batch;
+    Batch batch;
+    size_t per_thread; /* trials */
     const volatile sig_atomic_t *stop;
 } Share;
 
-static void run_batch(void *context, size_t i) {
+static void run_part(void *context, size_t i) {
     Share *share = context;
     const Experiment *experiment = &share->sweep->experiment;
-    size_t from = i * share->batch, rest = share->bunch.count - from;
-    experiment->run(experiment->given, &share->sweep->task.name, 1, share->bunch.trials + from,
-                    rest < share->batch ? rest : share->batch, false, share->stop);
+    size_t from = i * share->per_thread, rest = share->batch.count - from;
+    experiment->run(experiment->given, &share->sweep->task.name, 1, share->batch.trials + from,
+                    rest < share->per_thread ? rest : share->per_thread, false, share->stop);
 }
 
 static void take_trial(Trial *trial, double value, BeamSweepPoints *points) {
@@ -102,23 +102,23 @@ bool beam_sweep_go_on(BeamSweep *sweep, int jobs, const volatile sig_atomic_t *s
         return false;
     BeamSweepPass pass;
     Share share = {.sweep = sweep,
-                   .bunch = bunch_create(&sweep->experiment, &task->name, 1, count),
-                   .batch = (count + (size_t)(jobs > 1 ? jobs : 1) - 1) / (size_t)(jobs > 1 ? jobs : 1),
+                   .batch = batch_create(&sweep->experiment, &task->name, 1, count),
+                   .per_thread = (count + (size_t)(jobs > 1 ? jobs : 1) - 1) / (size_t)(jobs > 1 ? jobs : 1),
                    .stop = stop};
     for (size_t i = 0; i < count; i++)
-        bunch_set(&share.bunch, i, 0, beam_sweep_value(task, sweep->done + i, &pass));
+        batch_set(&share.batch, i, 0, beam_sweep_value(task, sweep->done + i, &pass));
     if (task->carried && sweep->done == BEAM_SWEEP_CARRIED_STEPS)
         beam_carry_clear(&sweep->carry);
     if (task->carried)
-        beam_experiment_run_on(&sweep->experiment, task->name, share.bunch.trials, count, &sweep->carry, stop);
+        beam_experiment_run_on(&sweep->experiment, task->name, share.batch.trials, count, &sweep->carry, stop);
     else
-        parallel_for(jobs, (count + share.batch - 1) / share.batch, run_batch, &share);
+        parallel_for(jobs, (count + share.per_thread - 1) / share.per_thread, run_part, &share);
     bool whole = !parallel_stopped(stop);
     for (size_t i = 0; i < count && whole; i++) {
         double value = beam_sweep_value(task, sweep->done + i, &pass);
-        take_trial(&share.bunch.trials[i], value, &points[pass]);
+        take_trial(&share.batch.trials[i], value, &points[pass]);
     }
     sweep->done += whole ? count : 0;
-    bunch_clear(&share.bunch);
+    batch_clear(&share.batch);
     return whole;
 }
