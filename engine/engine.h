@@ -69,7 +69,7 @@
 #include "study/batch.h"
 #include "study/neighbours.h"
 #include "study/types.h"
-#include "study/typed.h"
+#include "study/type_map.h"
 #include "study/store.h"
 #include "study/montecarlo.h"
 #include "study/summary.h"

@@ -37,7 +37,7 @@ bool study_types_open(StudyTypes *types, const Options *options, Fault *fault) {
 }
 
 void study_types_close(StudyTypes *types) {
-    typed_close(&types->typed);
+    type_map_close(&types->map);
     if (types->both)
         types->laboratory->close(&types->thorough);
     types->laboratory->close(&types->quick);
@@ -49,9 +49,9 @@ static const Experiment *thorough_of(const StudyTypes *types) {
 }
 
 bool study_types_of_runs(StudyTypes *types, Experiment *experiment, Fault *fault) {
-    types->typed =
-        (Typed){.of = &types->quick, .thorough = thorough_of(types), .names = types->names, .name_count = types->count};
-    return typed_open(&types->typed, experiment, fault);
+    types->map = (TypeMap){
+        .of = &types->quick, .thorough = thorough_of(types), .names = types->names, .name_count = types->count};
+    return type_map_open(&types->map, experiment, fault);
 }
 
 static json_t *make_answer(const Types *types, const Experiment *experiment, const Options *options) {

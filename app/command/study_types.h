@@ -3,7 +3,7 @@
 
 #include "options/options.h"
 #include "command/study_laboratory.h"
-#include "study/typed.h"
+#include "study/type_map.h"
 
 /* The experiment, the same told more thoroughly where there is such, and the window's parameters. */
 typedef struct StudyTypes {
@@ -12,7 +12,7 @@ typedef struct StudyTypes {
     bool both;
     const char *names[TYPES_PARAMETERS_MOST + 1]; /* (count) */
     size_t count;
-    Typed typed;
+    TypeMap map;
     Arena arena;
 } StudyTypes;
 

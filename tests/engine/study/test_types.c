@@ -1,4 +1,4 @@
-#include "study/typed.h"
+#include "study/type_map.h"
 
 #include <math.h>
 #include <string.h>
@@ -301,9 +301,9 @@ TEST(each_run_of_a_typed_experiment_has_the_type_of_its_place) {
     const double at[][2] = {{2, 2}, {6, 2}, {2, 9.5}};
     Made made = {steeper_beyond, 10};
     Experiment of = make(&made), experiment;
-    Typed typed = {.of = &of, .names = names, .name_count = 1};
+    TypeMap map = {.of = &of, .names = names, .name_count = 1};
     Fault fault = {0};
-    CHECK(typed_open(&typed, &experiment, &fault));
+    CHECK(type_map_open(&map, &experiment, &fault));
     CHECK(experiment.observable_count == 4);
     CHECK_TEXT(experiment.observables[3].name, "type");
     Trial trials[3];
@@ -316,9 +316,9 @@ TEST(each_run_of_a_typed_experiment_has_the_type_of_its_place) {
     CHECK(isnan(observed[2][3]));
     CHECK_NEAR(observed[1][2], 64, 0);
     CHECK(trials[1].at == at[1]);
-    typed_close(&typed);
-    typed.names = (const char *const[]){"c"};
-    CHECK(!typed_open(&typed, &experiment, &fault));
+    type_map_close(&map);
+    map.names = (const char *const[]){"c"};
+    CHECK(!type_map_open(&map, &experiment, &fault));
     fault_clear(&fault);
 }
 

@@ -1,4 +1,4 @@
-#include "study/typed.h"
+#include "study/type_map.h"
 
 #include <math.h>
 #include <string.h>
@@ -72,19 +72,19 @@ static Experiment fix(Fixed *fixed) {
 }
 
 /* Returns 1, 2 or 3; NAN: unresolved or interrupted. */
-static double type_at(const Typed *typed, const char *const *names, size_t name_count, const double *at,
+static double type_at(const TypeMap *map, const char *const *names, size_t name_count, const double *at,
                       const volatile sig_atomic_t *stop) {
-    Fixed quick = {typed->of, names, at, name_count}, slow = {typed->thorough, names, at, name_count};
+    Fixed quick = {map->of, names, at, name_count}, slow = {map->thorough, names, at, name_count};
     Experiment experiment = fix(&quick), thorough = {.kind = NULL};
-    if (typed->thorough)
+    if (map->thorough)
         thorough = fix(&slow);
     Types types;
     Fault fault = {0};
     bool told = types_tell(&types,
                            &(TypesTask){.experiment = &experiment,
-                                        .thorough = typed->thorough ? &thorough : NULL,
-                                        .names = typed->names,
-                                        .name_count = typed->name_count,
+                                        .thorough = map->thorough ? &thorough : NULL,
+                                        .names = map->names,
+                                        .name_count = map->name_count,
                                         .window_only = true,
                                         .jobs = 1,
                                         .stop = stop},
@@ -97,55 +97,55 @@ static double type_at(const Typed *typed, const char *const *names, size_t name_
 
 static void typed_run(const void *given, const char *const *names, size_t name_count, Trial *trials, size_t count,
                       bool carry, const volatile sig_atomic_t *stop) {
-    const Typed *typed = given;
-    typed->of->run(typed->of->given, names, name_count, trials, count, carry, stop);
+    const TypeMap *map = given;
+    map->of->run(map->of->given, names, name_count, trials, count, carry, stop);
     for (size_t t = 0; t < count; t++) {
-        double *type = &trials[t].observed[typed->of->observable_count];
+        double *type = &trials[t].observed[map->of->observable_count];
         *type = NAN;
         if (trials[t].done && !trials[t].fault)
-            *type = type_at(typed, names, name_count, trials[t].at, stop);
+            *type = type_at(map, names, name_count, trials[t].at, stop);
         if (parallel_stopped(stop))
             trials[t].done = false;
     }
 }
 
 static const Parameter *typed_parameter(const void *given, const char *name) {
-    const Typed *typed = given;
-    return typed->of->parameter(typed->of->given, name);
+    const TypeMap *map = given;
+    return map->of->parameter(map->of->given, name);
 }
 
 static double typed_nominal(const void *given, const char *name) {
-    const Typed *typed = given;
-    return typed->of->nominal(typed->of->given, name);
+    const TypeMap *map = given;
+    return map->of->nominal(map->of->given, name);
 }
 
 static void typed_unknown(const void *given, const char *name, const char *place, Fault *fault) {
-    const Typed *typed = given;
-    typed->of->unknown(typed->of->given, name, place, fault);
+    const TypeMap *map = given;
+    map->of->unknown(map->of->given, name, place, fault);
 }
 
-bool typed_open(Typed *typed, Experiment *experiment, Fault *fault) {
-    const Experiment *of = typed->of;
-    if (!types_check(of, typed->names, typed->name_count, fault))
+bool type_map_open(TypeMap *map, Experiment *experiment, Fault *fault) {
+    const Experiment *of = map->of;
+    if (!types_check(of, map->names, map->name_count, fault))
         return false;
-    typed->observables = memory_zeroed(of->observable_count + 1, sizeof *typed->observables);
-    memcpy(typed->observables, of->observables, of->observable_count * sizeof *typed->observables);
-    typed->observables[of->observable_count] = (Observable){"type", "1", "type I, II or III of the place"};
+    map->observables = memory_zeroed(of->observable_count + 1, sizeof *map->observables);
+    memcpy(map->observables, of->observables, of->observable_count * sizeof *map->observables);
+    map->observables[of->observable_count] = (Observable){"type", "1", "type I, II or III of the place"};
     *experiment = *of;
-    experiment->observables = typed->observables;
+    experiment->observables = map->observables;
     experiment->observable_count++;
     experiment->batch = 1;
-    experiment->given = typed;
+    experiment->given = map;
     experiment->parameter = typed_parameter;
     experiment->nominal = typed_nominal;
     experiment->unknown = of->unknown ? typed_unknown : NULL;
     experiment->run = typed_run;
-    for (size_t n = 0; n < typed->name_count; n++)
-        experiment->identity = digest_text(experiment->identity, typed->names[n]);
+    for (size_t n = 0; n < map->name_count; n++)
+        experiment->identity = digest_text(experiment->identity, map->names[n]);
     return true;
 }
 
-void typed_close(Typed *typed) {
-    memory_free(typed->observables);
-    typed->observables = NULL;
+void type_map_close(TypeMap *map) {
+    memory_free(map->observables);
+    map->observables = NULL;
 }
