@@ -73,6 +73,6 @@
 #include "study/store.h"
 #include "study/montecarlo.h"
 #include "study/summary.h"
-#include "study/record.h"
+#include "study/study_csv.h"
 #include "exchange/jupedsim.h"
 #include "exchange/observed.h"

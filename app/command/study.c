@@ -18,7 +18,7 @@
 #include "command/study_laboratory.h"
 #include "command/study_types.h"
 #include "command/study_words.h"
-#include "study/record.h"
+#include "study/study_csv.h"
 #include "study/store.h"
 #include "visual/study/study_plots.h"
 #include "study/summary.h"
@@ -230,9 +230,9 @@ static bool write_tables(const StudyJob *job, const json_t *answer) {
     static const struct {
         const char *name;
         int (*write)(const Study *study, const char *path);
-    } tables[] = {{"study.csv", record_write_trials},
-                  {"study-series.csv", record_write_series},
-                  {"study-points.csv", record_write_points}};
+    } tables[] = {{"study.csv", study_csv_write_trials},
+                  {"study-series.csv", study_csv_write_series},
+                  {"study-points.csv", study_csv_write_points}};
     const bool wanted[] = {true, job->experiment.series, job->study.runs > 1};
     char path[OUTPUT_PATH];
     snprintf(path, sizeof path, "%s/summary.json", job->options->out);

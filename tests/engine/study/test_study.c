@@ -12,7 +12,7 @@
 #include "check.h"
 #include "scratch.h"
 #include "study/montecarlo.h"
-#include "study/record.h"
+#include "study/study_csv.h"
 #include "study/store.h"
 #include "study/summary.h"
 #include "toy.h"
@@ -463,18 +463,18 @@ TEST(tables_have_a_header_with_units_and_a_row_a_trial) {
     Study study = sweep(&experiment, 2, 52, 2);
     study_begin(&study);
     study_run(&study, &(StudyOptions){.jobs = 1});
-    CHECK(record_write_trials(&study, path) == 0);
+    CHECK(study_csv_write_trials(&study, path) == 0);
     char *text = scratch_read(path);
     CHECK_TEXT(text, "x [m],pass [1],seed [1],regular [1],sum [m],memory [m],fault [1]\r\n"
                      "2,reset,0,0,22,0,\r\n"
                      "52,reset,0,,,,\"x is \"\"52\"\", at most 50\"\r\n");
     memory_free(text);
-    CHECK(record_write_series(&study, path) == 0);
+    CHECK(study_csv_write_series(&study, path) == 0);
     text = scratch_read(path);
     CHECK_TEXT(text, "x [m],pass [1],seed [1],place [1],square [m2]\r\n"
                      "2,reset,0,1,0\r\n2,reset,0,2,1\r\n2,reset,0,3,4\r\n");
     memory_free(text);
-    CHECK(record_write_points(&study, path) == 0);
+    CHECK(study_csv_write_points(&study, path) == 0);
     text = scratch_read(path);
     CHECK(strstr(text, "x [m],pass [1],runs [1],faults [1],regular [1],share_regular [1],share_q025 [1],share_q975 "
                        "[1],regular_mean") == text);

@@ -5,10 +5,10 @@
 #include "study/study.h"
 
 /* Writes one row per completed trial: varied values, pass, seed, observables, and the error if there is one. */
-int record_write_trials(const Study *study, const char *path);
+int study_csv_write_trials(const Study *study, const char *path);
 
 /* Writes one row per value of the trials' series, in the order listed. */
-int record_write_series(const Study *study, const char *path);
+int study_csv_write_series(const Study *study, const char *path);
 
 /* Writes one row per point: the distributions of its runs. */
-int record_write_points(const Study *study, const char *path);
+int study_csv_write_points(const Study *study, const char *path);

@@ -1,4 +1,4 @@
-#include "study/record.h"
+#include "study/study_csv.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -102,7 +102,7 @@ static void add_trial(Sheet *sheet, const Study *study, size_t index) {
     add_count(sheet, trial->seed);
 }
 
-int record_write_trials(const Study *study, const char *path) {
+int study_csv_write_trials(const Study *study, const char *path) {
     const Experiment *experiment = study->experiment;
     Sheet sheet = open_sheet(path);
     if (!sheet.file)
@@ -126,7 +126,7 @@ int record_write_trials(const Study *study, const char *path) {
     return close_sheet(&sheet);
 }
 
-int record_write_series(const Study *study, const char *path) {
+int study_csv_write_series(const Study *study, const char *path) {
     const Observable *series = study->experiment->series;
     Sheet sheet = open_sheet(path);
     if (!sheet.file)
@@ -182,7 +182,7 @@ static void add_point(Sheet *sheet, const Study *study, size_t pass, size_t i1, 
     montecarlo_clear(&point);
 }
 
-int record_write_points(const Study *study, const char *path) {
+int study_csv_write_points(const Study *study, const char *path) {
     Sheet sheet = open_sheet(path);
     if (!sheet.file)
         return close_sheet(&sheet);
