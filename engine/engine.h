@@ -51,7 +51,7 @@
 #include "inquiry/suggest.h"
 #include "inquiry/measure.h"
 #include "inquiry/verification.h"
-#include "inquiry/trial.h"
+#include "inquiry/case_run.h"
 #include "beam/beam.h"
 #include "beam/element.h"
 #include "beam/modes.h"

@@ -17,7 +17,7 @@
 #include "command/house_file.h"
 #include "command/output.h"
 #include "command/progress.h"
-#include "inquiry/trial.h"
+#include "inquiry/case_run.h"
 #include "laboratory/shipped.h"
 
 /* Case files --------------------------------------------------------------------------------------------------------*/
@@ -92,13 +92,13 @@ static void show_progress(void *context, size_t done, size_t all) {
 static void run_cases(Verification *cases, size_t count, const Options *options, Fault *fault) {
     Progress progress = {.begin = time(NULL)};
     bool show = progress_is_shown(options);
-    TrialOptions trial = {.profiles = shipped_places()->profiles,
+    CaseRunOptions trial = {.profiles = shipped_places()->profiles,
                           .seed = options->seed,
                           .jobs = options->jobs,
                           .stop = &progress_interrupted,
                           .progress = show ? show_progress : NULL,
                           .context = &progress};
-    trial_run(cases, count, &trial, fault);
+    case_run_all(cases, count, &trial, fault);
     if (progress.shown)
         fprintf(stderr, "\r                         \r");
 }
@@ -136,7 +136,7 @@ static bool write_tables(const Verification *cases, size_t count, const Options 
 static bool all_passed(const Verification *cases, size_t count) {
     bool all = true;
     for (size_t i = 0; i < count; i++) {
-        Verdict verdict = trial_verdict(&cases[i]);
+        Verdict verdict = case_run_verdict(&cases[i]);
         all &= verdict == VERDICT_PASSED || verdict == VERDICT_DOES_NOT_APPLY;
     }
     return all;

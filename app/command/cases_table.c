@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "command/cases_words.h"
-#include "inquiry/trial.h"
+#include "inquiry/case_run.h"
 
 /* Terminal ----------------------------------------------------------------------------------------------------------*/
 
@@ -142,7 +142,7 @@ json_t *cases_table_json(const Verification *cases, size_t count, uint64_t seed)
             json_array_append_new(checks, answer_check(&verification->checks[c]));
         json_t *answer = json_pack("{s:s, s:s, s:s, s:s, s:s, s:o}", "id", verification->id, "suite",
                                    verification->suite, "title", verification->title, "note", verification->note,
-                                   "passed", cases_words_verdict(trial_verdict(verification)), "checks", checks);
+                                   "passed", cases_words_verdict(case_run_verdict(verification)), "checks", checks);
         if (!verification->applies)
             json_object_set_new(answer, "reason", json_string(verification->reason));
         json_array_append_new(list, answer);

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "inquiry/trial.h"
+#include "inquiry/case_run.h"
 
 const char *cases_words_verdict(Verdict verdict) {
     static const char *const words[] = {[VERDICT_NOT_RUN] = "not run",
@@ -78,7 +78,7 @@ void cases_words_why(const VerificationCheck *check, char text[3 * CASES_WORDS_S
 void cases_words_summary(const Verification *cases, size_t count, char text[CASES_WORDS_SIZE]) {
     size_t counts[VERDICT_DOES_NOT_APPLY + 1] = {0};
     for (size_t i = 0; i < count; i++)
-        counts[trial_verdict(&cases[i])]++;
+        counts[case_run_verdict(&cases[i])]++;
     size_t apply = count - counts[VERDICT_DOES_NOT_APPLY];
     snprintf(text, CASES_WORDS_SIZE, "%zu of %zu tests passed", counts[VERDICT_PASSED], apply);
     const struct {

@@ -7,7 +7,7 @@
 #include "check.h"
 #include "scratch.h"
 #include "base/text.h"
-#include "inquiry/trial.h"
+#include "inquiry/case_run.h"
 
 static bool read_shipped(Verification *verification, const char *path) {
     Fault fault = {0};
@@ -39,11 +39,11 @@ TEST(a_bad_case_gives_exactly_its_faults_and_is_left_as_it_was) {
     scratch_check_faults("tests/data/bad/cases", read_bad_case);
 }
 
-static const TrialOptions *options_of(int jobs) {
+static const CaseRunOptions *options_of(int jobs) {
     static char profiles[4096];
-    static TrialOptions options;
+    static CaseRunOptions options;
     snprintf(profiles, sizeof profiles, "%s/assets/profiles", check_source());
-    options = (TrialOptions){.profiles = profiles, .seed = 1, .jobs = jobs};
+    options = (CaseRunOptions){.profiles = profiles, .seed = 1, .jobs = jobs};
     return &options;
 }
 
@@ -67,12 +67,12 @@ TEST(a_value_within_its_limits_passes_and_one_outside_does_not) {
     draft_case(&verification, "{'measure': 'out', 'low': 1, 'high': 1, 'unit': '1', 'seeds': 2},"
                               "{'measure': 'time', 'high': 1, 'unit': 's'}");
     Fault fault = {0};
-    trial_run(&verification, 1, options_of(1), &fault);
+    case_run_all(&verification, 1, options_of(1), &fault);
     CHECK(!fault.total);
     CHECK(verification.checks[0].verdict == VERDICT_PASSED);
     CHECK_NEAR(verification.checks[0].value, 1, 0);
     CHECK(verification.checks[1].verdict == VERDICT_FAILED);
-    CHECK(trial_verdict(&verification) == VERDICT_FAILED);
+    CHECK(case_run_verdict(&verification) == VERDICT_FAILED);
     verification_free(&verification);
 }
 
@@ -83,9 +83,9 @@ TEST(a_ratio_compares_a_variant_with_another_and_does_not_depend_on_jobs) {
         draft_case(&verification, "{'measure': 'time', 'variant': 'slow', 'than': 'fast', 'low': 1.8, 'high': 2.2, "
                                   "'unit': '1', 'seeds': 3}");
         Fault fault = {0};
-        trial_run(&verification, 1, options_of(jobs), &fault);
+        case_run_all(&verification, 1, options_of(jobs), &fault);
         CHECK(!fault.total);
-        CHECK(trial_verdict(&verification) == VERDICT_PASSED);
+        CHECK(case_run_verdict(&verification) == VERDICT_PASSED);
         values[jobs - 1] = verification.checks[0].value;
         verification_free(&verification);
     }
@@ -96,11 +96,11 @@ TEST(what_is_stopped_is_not_run) {
     static const volatile sig_atomic_t stop = 1;
     Verification verification = {.path = NULL};
     draft_case(&verification, "{'measure': 'out', 'low': 1, 'unit': '1'}");
-    TrialOptions options = *options_of(1);
+    CaseRunOptions options = *options_of(1);
     options.stop = &stop;
     Fault fault = {0};
-    trial_run(&verification, 1, &options, &fault);
-    CHECK(trial_verdict(&verification) == VERDICT_NOT_RUN);
+    case_run_all(&verification, 1, &options, &fault);
+    CHECK(case_run_verdict(&verification) == VERDICT_NOT_RUN);
     CHECK(isnan(verification.checks[0].value));
     verification_free(&verification);
 }

@@ -1,4 +1,4 @@
-#include "inquiry/trial.h"
+#include "inquiry/case_run.h"
 
 #include <pthread.h>
 #include <stdio.h>
@@ -9,7 +9,7 @@
 #include "house/run.h"
 
 /* One variant of one case with one seed, and the answers to the questions of that case's checks. */
-typedef struct Trial {
+typedef struct CaseRun {
     const Verification *verification;
     const char *house;     /* path */
     const char **settings; /* (setting_count) */
@@ -19,14 +19,14 @@ typedef struct Trial {
     bool done;
     MeasureAnswer *answers; /* (2 x check_count): what is asked, and what it is compared with */
     Fault fault;
-} Trial;
+} CaseRun;
 
-typedef struct Trials {
-    const TrialOptions *options;
-    Trial *trials; /* (count) */
+typedef struct CaseRuns {
+    const CaseRunOptions *options;
+    CaseRun *runs; /* (count) */
     size_t count, done;
     pthread_mutex_t lock; /* of `done` and of who reports progress */
-} Trials;
+} CaseRuns;
 
 /* What a check asks of its side 0, or of side 1, which it is compared with. */
 static MeasureQuestion question_of(const VerificationCheck *check, int side) {
@@ -38,35 +38,35 @@ static MeasureQuestion question_of(const VerificationCheck *check, int side) {
     return question;
 }
 
-/* A check asks a trial for its variant and for as many seeds as it has. */
-static bool concerns(const VerificationCheck *check, int side, const Trial *trial) {
-    return (side == 0 || check->is_ratio) && check->sides[side] == trial->variant && trial->seed < check->seeds;
+/* A check asks a run for its variant and for as many seeds as it has. */
+static bool concerns(const VerificationCheck *check, int side, const CaseRun *run) {
+    return (side == 0 || check->is_ratio) && check->sides[side] == run->variant && run->seed < check->seeds;
 }
 
-static bool stopped(const TrialOptions *options) {
+static bool stopped(const CaseRunOptions *options) {
     return parallel_stopped(options->stop);
 }
 
-static void run_trial(Trial *trial, const TrialOptions *options) {
+static void make_run(CaseRun *run, const CaseRunOptions *options) {
     House house = {0};
     HouseOptions house_options = {.profiles = options->profiles,
-                                  .settings = trial->settings,
-                                  .setting_count = trial->setting_count,
-                                  .seed = options->seed + (uint64_t)trial->seed,
+                                  .settings = run->settings,
+                                  .setting_count = run->setting_count,
+                                  .seed = options->seed + (uint64_t)run->seed,
                                   .driving = -1};
-    if (!house_read(&house, trial->house, &house_options, &trial->fault))
+    if (!house_read(&house, run->house, &house_options, &run->fault))
         return;
     Observation observation;
-    RunOptions run = {.route = SIZE_MAX, .jobs = 1, .stop = options->stop};
-    run_house(&observation, &house, &run);
-    trial->done = !stopped(options);
-    const Verification *verification = trial->verification;
-    for (size_t c = 0; c < verification->check_count && trial->done; c++) {
+    RunOptions run_options = {.route = SIZE_MAX, .jobs = 1, .stop = options->stop};
+    run_house(&observation, &house, &run_options);
+    run->done = !stopped(options);
+    const Verification *verification = run->verification;
+    for (size_t c = 0; c < verification->check_count && run->done; c++) {
         const VerificationCheck *check = &verification->checks[c];
         for (int side = 0; side < 2; side++) {
             MeasureQuestion question = question_of(check, side);
-            if (concerns(check, side, trial))
-                check->measure->take(&trial->answers[2 * c + (size_t)side], &house, &observation, &question);
+            if (concerns(check, side, run))
+                check->measure->take(&run->answers[2 * c + (size_t)side], &house, &observation, &question);
         }
     }
     observation_free(&observation);
@@ -74,15 +74,15 @@ static void run_trial(Trial *trial, const TrialOptions *options) {
 }
 
 static void run_one(void *context, size_t index) {
-    Trials *trials = context;
-    const TrialOptions *options = trials->options;
+    CaseRuns *runs = context;
+    const CaseRunOptions *options = runs->options;
     if (!stopped(options))
-        run_trial(&trials->trials[index], options);
-    pthread_mutex_lock(&trials->lock);
-    trials->done++;
+        make_run(&runs->runs[index], options);
+    pthread_mutex_lock(&runs->lock);
+    runs->done++;
     if (options->progress)
-        options->progress(options->context, trials->done, trials->count);
-    pthread_mutex_unlock(&trials->lock);
+        options->progress(options->context, runs->done, runs->count);
+    pthread_mutex_unlock(&runs->lock);
 }
 
 /* How many seeds the checks of a case ask a variant for. */
@@ -96,14 +96,14 @@ static int seeds_of(const Verification *verification, size_t variant) {
     return most;
 }
 
-static void add_trials(Trials *trials, size_t *capacity, Verification *verification) {
+static void add_runs(CaseRuns *runs, size_t *capacity, Verification *verification) {
     for (size_t v = 0; v < verification->variant_count && verification->applies; v++) {
         const char **settings;
         size_t setting_count = verification_settings(verification, &verification->variants[v], &settings);
         int seeds = seeds_of(verification, v);
         for (int seed = 0; seed < seeds; seed++) {
-            trials->trials = memory_reserve(trials->trials, capacity, trials->count + 1, sizeof *trials->trials);
-            trials->trials[trials->count++] = (Trial){
+            runs->runs = memory_reserve(runs->runs, capacity, runs->count + 1, sizeof *runs->runs);
+            runs->runs[runs->count++] = (CaseRun){
                 .verification = verification,
                 .house = verification->variants[v].house,
                 .settings = settings,
@@ -118,14 +118,14 @@ static void add_trials(Trials *trials, size_t *capacity, Verification *verificat
 
 /* The mean over the seeds of one side of a check. False: not all of it has been run. */
 static bool mean_of(double *mean, VerificationCheck *check, size_t c, int side, const Verification *verification,
-                    const Trials *trials) {
+                    const CaseRuns *runs) {
     int found = 0;
     *mean = 0;
-    for (size_t t = 0; t < trials->count; t++) {
-        const Trial *trial = &trials->trials[t];
-        if (trial->verification != verification || !trial->done || !concerns(check, side, trial))
+    for (size_t t = 0; t < runs->count; t++) {
+        const CaseRun *run = &runs->runs[t];
+        if (run->verification != verification || !run->done || !concerns(check, side, run))
             continue;
-        const MeasureAnswer *answer = &trial->answers[2 * c + (size_t)side];
+        const MeasureAnswer *answer = &run->answers[2 * c + (size_t)side];
         *mean += answer->value / check->seeds;
         found++;
         if (!*check->note)
@@ -134,13 +134,13 @@ static bool mean_of(double *mean, VerificationCheck *check, size_t c, int side, 
     return found == check->seeds;
 }
 
-static void judge(VerificationCheck *check, size_t c, const Verification *verification, const Trials *trials) {
+static void judge(VerificationCheck *check, size_t c, const Verification *verification, const CaseRuns *runs) {
     double value, other = 1;
     check->value = (double)NAN;
     check->verdict = VERDICT_NOT_RUN;
     *check->note = 0;
-    if (!mean_of(&value, check, c, 0, verification, trials) ||
-        (check->is_ratio && !mean_of(&other, check, c, 1, verification, trials)))
+    if (!mean_of(&value, check, c, 0, verification, runs) ||
+        (check->is_ratio && !mean_of(&other, check, c, 1, verification, runs)))
         return;
     check->value = value / other;
     check->verdict = check->value >= check->low && check->value <= check->high ? VERDICT_PASSED : VERDICT_FAILED;
@@ -157,25 +157,25 @@ static void add_new_faults(Fault *fault, const Fault *more) {
     }
 }
 
-void trial_run(Verification *cases, size_t count, const TrialOptions *options, Fault *fault) {
-    Trials trials = {.options = options, .lock = PTHREAD_MUTEX_INITIALIZER};
+void case_run_all(Verification *cases, size_t count, const CaseRunOptions *options, Fault *fault) {
+    CaseRuns runs = {.options = options, .lock = PTHREAD_MUTEX_INITIALIZER};
     size_t capacity = 0;
     for (size_t i = 0; i < count; i++)
-        add_trials(&trials, &capacity, &cases[i]);
-    parallel_for(options->jobs, trials.count, run_one, &trials);
+        add_runs(&runs, &capacity, &cases[i]);
+    parallel_for(options->jobs, runs.count, run_one, &runs);
     for (size_t i = 0; i < count; i++)
         for (size_t c = 0; c < cases[i].check_count; c++)
-            judge(&cases[i].checks[c], c, &cases[i], &trials);
-    for (size_t t = 0; t < trials.count; t++) {
-        Trial *trial = &trials.trials[t];
-        add_new_faults(fault, &trial->fault);
-        fault_clear(&trial->fault);
-        memory_free(trial->answers);
+            judge(&cases[i].checks[c], c, &cases[i], &runs);
+    for (size_t t = 0; t < runs.count; t++) {
+        CaseRun *run = &runs.runs[t];
+        add_new_faults(fault, &run->fault);
+        fault_clear(&run->fault);
+        memory_free(run->answers);
     }
-    memory_free(trials.trials);
+    memory_free(runs.runs);
 }
 
-Verdict trial_verdict(const Verification *verification) {
+Verdict case_run_verdict(const Verification *verification) {
     if (!verification->applies)
         return VERDICT_DOES_NOT_APPLY;
     Verdict verdict = VERDICT_PASSED;

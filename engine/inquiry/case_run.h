@@ -8,19 +8,19 @@
 #include "base/fault.h"
 #include "inquiry/verification.h"
 
-typedef struct TrialOptions {
+typedef struct CaseRunOptions {
     const char *profiles; /* directory of the shipped profiles */
     uint64_t seed;        /* the first */
     int jobs;             /* threads */
     const volatile sig_atomic_t *stop;
     void (*progress)(void *context, size_t done, size_t all); /* runs; from one thread at a time; NULL: none */
     void *context;
-} TrialOptions;
+} CaseRunOptions;
 
 /* Fills verdicts and values of all checks of all cases (count). A house whose people cannot be placed, or whose profile
  * is missing, shows only here: that goes to `fault`, and its checks are not run. The same seed gives the same values
  * for any number of jobs. */
-void trial_run(Verification *cases, size_t count, const TrialOptions *options, Fault *fault);
+void case_run_all(Verification *cases, size_t count, const CaseRunOptions *options, Fault *fault);
 
 /* The whole case: failed when a check is, passed when all are. */
-Verdict trial_verdict(const Verification *verification);
+Verdict case_run_verdict(const Verification *verification);
