@@ -139,7 +139,7 @@ json_t *study_answer_make(const Study *study, const char *file) {
     set(answer, "first_fault", first_fault(study));
     set(answer, "regular", whole(count.regular));
     set(answer, "not_regular", whole(count.irregular));
-    set(answer, "cannot_be_told", whole(count.untold));
+    set(answer, "cannot_be_told", whole(count.undecided));
     set(answer, "regular_means", json_string(regular->meaning));
     set(answer, "measure",
         json_pack("{s:s, s:s, s:s}", "name", measure->name, "unit", measure->unit, "meaning", measure->meaning));

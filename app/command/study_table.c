@@ -72,7 +72,7 @@ static void print_point_row(const Study *study, size_t pass, size_t i) {
     const Distribution *d = &point.of[study->experiment->measure];
     const double numbers[] = {d->mean, d->deviation, d->low, d->median, d->high};
     char word[WORD] = "-";
-    if (point.told)
+    if (point.decided)
         snprintf(word, sizeof word, "%.0f %%", 100 * point.share);
     print_cell(word, 8);
     for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
@@ -131,12 +131,12 @@ void study_table_map(const Study *study, const StudyLaboratory *laboratory, size
                                    [SUMMARY_REGULAR] = '#',
                                    [SUMMARY_IRREGULAR] = '.',
                                    [SUMMARY_MIXED] = '+',
-                                   [SUMMARY_UNTOLD] = '?'};
+                                   [SUMMARY_UNDECIDED] = '?'};
     size_t steps0 = study_steps(study, 0), steps1 = study_steps(study, 1);
     size_t columns = steps0 < MAP_COLUMNS ? steps0 : MAP_COLUMNS, rows = steps1 < MAP_ROWS ? steps1 : MAP_ROWS;
     SummaryCount count = summary_count(study);
     printf("\n# %s, . %s%s%s%s; to the right %s, upwards %s\n", laboratory->regular, laboratory->irregular,
-           study->runs > 1 ? ", + sometimes" : "", count.untold ? ", ? cannot be told" : "",
+           study->runs > 1 ? ", + sometimes" : "", count.undecided ? ", ? cannot be told" : "",
            count.faults || count.done < count.trials ? ", blank not run" : "", study->axes[0].name,
            study->axes[1].name);
     for (size_t r = rows; r-- > 0;) {

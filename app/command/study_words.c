@@ -99,7 +99,7 @@ const char *study_words_state(const StudyLaboratory *laboratory, SummaryState st
         return laboratory->irregular;
     case SUMMARY_MIXED:
         return laboratory->mixed;
-    case SUMMARY_UNTOLD:
+    case SUMMARY_UNDECIDED:
         return "cannot be told";
     case SUMMARY_NOTHING:
         break;
@@ -153,9 +153,9 @@ static void print_ranges(const Study *study, const StudyLaboratory *laboratory, 
     } else {
         printf("%s at %zu of %zu values", laboratory->regular, values_of(ranges, count, SUMMARY_REGULAR),
                study->axes[axis].steps);
-        size_t untold = values_of(ranges, count, SUMMARY_UNTOLD);
-        if (untold)
-            printf(" (at %zu it cannot be told)", untold);
+        size_t undecided = values_of(ranges, count, SUMMARY_UNDECIDED);
+        if (undecided)
+            printf(" (at %zu it cannot be told)", undecided);
         printf(", the answer changes %zu times", count - 1);
         const char *before = "; the longest stretches: ";
         for (SummaryState state = SUMMARY_REGULAR; state <= SUMMARY_IRREGULAR; state++) {
@@ -284,9 +284,9 @@ static void print_faults(const Study *study, size_t faults) {
 
 static void print_share(const Study *study, const StudyLaboratory *laboratory) {
     MontecarloPoint point = montecarlo_point(study, 0, 0, 0);
-    if (point.told)
+    if (point.decided)
         printf("%s in %zu of %zu runs: %.1f %%, with 95 %% confidence from %.1f to %.1f %%\n", laboratory->regular,
-               point.regular, point.told, 100 * point.share, 100 * point.share_low, 100 * point.share_high);
+               point.regular, point.decided, 100 * point.share, 100 * point.share_low, 100 * point.share_high);
     if (point.done > 1 && point.of[study->experiment->measure].deviation == 0)
         printf("all runs are alike, nothing in them is left to chance: --spread NAME=SHARE would give a tolerance\n");
     montecarlo_clear(&point);
@@ -294,8 +294,8 @@ static void print_share(const Study *study, const StudyLaboratory *laboratory) {
 
 static void print_count(const StudyLaboratory *laboratory, const SummaryCount *count) {
     printf("%s in %zu of %zu runs", laboratory->regular, count->regular, count->done - count->faults);
-    if (count->untold)
-        printf(", in %zu it cannot be told", count->untold);
+    if (count->undecided)
+        printf(", in %zu it cannot be told", count->undecided);
     printf("\n");
 }
 

@@ -35,7 +35,7 @@ bool types_answer_tell(Types *types, const Experiment *experiment, const Experim
                       .stop = &progress_interrupted,
                       .progress = show ? show_progress : NULL,
                       .context = &progress};
-    bool good = types_tell(types, &task, fault);
+    bool good = types_classify(types, &task, fault);
     if (progress.shown)
         fprintf(stderr, "\n");
     return good;
@@ -80,13 +80,13 @@ static json_t *point_json(const Types *types, const TypesPoint *point, const Exp
     return json_pack("{s:o, s:o, s:b, s:I, s:I, s:o}", "parameter",
                      centre ? json_null() : json_string(types->parameters[point->parameter].name), "value",
                      known(point->value), "possible", point->possible, "irregular", (json_int_t)point->irregular,
-                     "untold", (json_int_t)point->untold, "answers", answers);
+                     "untold", (json_int_t)point->undecided, "answers", answers);
 }
 
 static const char *reason_name(TypesReason reason) {
     static const char *const names[] = {
         [TYPES_ALL_WELL] = "one answer",     [TYPES_STEEP_ANSWER] = "steep", [TYPES_SEVERAL] = "several answers",
-        [TYPES_NOT_REGULAR] = "not regular", [TYPES_FLIPS] = "flips",        [TYPES_CANNOT_BE_TOLD] = "cannot be told"};
+        [TYPES_NOT_REGULAR] = "not regular", [TYPES_FLIPS] = "flips",        [TYPES_UNDECIDED] = "cannot be told"};
     return names[reason];
 }
 

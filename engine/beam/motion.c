@@ -158,7 +158,7 @@ void motion_state(const Motion *motion, double *state) {
 }
 
 /* Returns the place of the tip as its state alone determines it. */
-static MotionPlace tell_place(const Rig *rig, const double *state) {
+static MotionPlace classify_place(const Rig *rig, const double *state) {
     size_t n = rig->modes.count;
     double deflection = 0, velocity = 0;
     for (size_t i = 0; i < n; i++) {
@@ -174,7 +174,7 @@ static MotionPlace tell_place(const Rig *rig, const double *state) {
 }
 
 void motion_set_state(Motion *motion, const double *state) {
-    motion->place = tell_place(motion->rig, state);
+    motion->place = classify_place(motion->rig, state);
     motion->status = MOTION_GOOD;
     motion->phase = motion->since = 0;
     motion->now.sine = 0;

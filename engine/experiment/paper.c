@@ -145,14 +145,14 @@ static bool make_types(Paper *paper, const PaperOptions *options, Fault *fault) 
         good = beam_experiment_of(&thorough, &beam, options->path, fault);
         if (good) {
             beam_experiment_be_thorough(&thorough);
-            good = types_tell(&paper->types[i],
-                              &(TypesTask){.experiment = &quick,
-                                           .thorough = &thorough,
-                                           .names = beam_experiment_window,
-                                           .name_count = BEAM_EXPERIMENT_WINDOW,
-                                           .jobs = options->jobs,
-                                           .stop = options->stop},
-                              fault);
+            good = types_classify(&paper->types[i],
+                                  &(TypesTask){.experiment = &quick,
+                                               .thorough = &thorough,
+                                               .names = beam_experiment_window,
+                                               .name_count = BEAM_EXPERIMENT_WINDOW,
+                                               .jobs = options->jobs,
+                                               .stop = options->stop},
+                                  fault);
             beam_experiment_close(&thorough);
         }
         beam_experiment_close(&quick);

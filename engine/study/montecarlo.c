@@ -69,10 +69,10 @@ MontecarloPoint montecarlo_point(const Study *study, size_t pass, size_t i1, siz
         double regular = trial->observed[experiment->regular];
         point.done += trial->done;
         point.faults += trial->done && trial->fault;
-        point.told += trial->done && !isnan(regular);
+        point.decided += trial->done && !isnan(regular);
         point.regular += trial->done && regular == 1;
     }
-    Share share = montecarlo_share(point.regular, point.told);
+    Share share = montecarlo_share(point.regular, point.decided);
     point.share = share.value;
     point.share_low = share.low;
     point.share_high = share.high;

@@ -17,7 +17,7 @@ typedef struct Distribution {
 typedef struct MontecarloPoint {
     size_t done;    /* runs */
     size_t faults;  /* runs that were impossible with their values */
-    size_t told;    /* runs known to be regular or irregular */
+    size_t decided; /* runs known to be regular or irregular */
     size_t regular; /* regular ones among those */
     double share;   /* 1, proportion of regular runs; NAN: none is known */
     double share_low,

@@ -16,9 +16,9 @@ double neighbours_share(size_t step) {
 static bool is_found(const NeighboursTask *task, const Trial *trials) {
     size_t regular = 0, irregular = 0;
     for (size_t s = 0; s < NEIGHBOURS_STARTS; s++) {
-        double told = trials[s].observed[task->experiment->regular];
-        regular += told == 1;
-        irregular += told == 0;
+        double answer = trials[s].observed[task->experiment->regular];
+        regular += answer == 1;
+        irregular += answer == 0;
     }
     return task->sought == NEIGHBOURS_TROUBLE ? irregular > 0 : regular == NEIGHBOURS_STARTS;
 }

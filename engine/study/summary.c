@@ -10,7 +10,7 @@ const char *summary_state_name(SummaryState state) {
                                         [SUMMARY_REGULAR] = "regular",
                                         [SUMMARY_IRREGULAR] = "not regular",
                                         [SUMMARY_MIXED] = "mixed",
-                                        [SUMMARY_UNTOLD] = "cannot be told"};
+                                        [SUMMARY_UNDECIDED] = "cannot be told"};
     return names[state];
 }
 
@@ -20,7 +20,7 @@ static void count_trial(SummaryCount *count, const Study *study, const Trial *tr
     count->trials++;
     count->done += trial->done;
     count->faults += trial->done && trial->fault;
-    count->untold += seen && isnan(regular);
+    count->undecided += seen && isnan(regular);
     count->regular += seen && regular == 1;
     count->irregular += seen && !isnan(regular) && regular != 1;
 }
@@ -33,8 +33,8 @@ SummaryCount summary_count(const Study *study) {
 }
 
 static SummaryState state_of(const SummaryCount *count) {
-    if (count->untold > count->regular + count->irregular)
-        return SUMMARY_UNTOLD;
+    if (count->undecided > count->regular + count->irregular)
+        return SUMMARY_UNDECIDED;
     if (count->regular && count->irregular)
         return SUMMARY_MIXED;
     return count->regular ? SUMMARY_REGULAR : count->irregular ? SUMMARY_IRREGULAR : SUMMARY_NOTHING;

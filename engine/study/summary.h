@@ -9,7 +9,7 @@ typedef enum SummaryState {
     SUMMARY_REGULAR,   /* all whose response is known, at least half of the runs */
     SUMMARY_IRREGULAR, /* no run whose response is known */
     SUMMARY_MIXED,     /* some */
-    SUMMARY_UNTOLD,    /* the response of most runs is undetermined */
+    SUMMARY_UNDECIDED, /* the response of most runs is undetermined */
 } SummaryState;
 
 /* "nothing", "regular", "not regular", "mixed", "cannot be told" */
@@ -17,7 +17,7 @@ const char *summary_state_name(SummaryState state);
 
 typedef struct SummaryCount {
     size_t trials, done, faults;
-    size_t regular, irregular, untold; /* counts of valid completed runs */
+    size_t regular, irregular, undecided; /* counts of valid completed runs */
 } SummaryCount;
 
 /* Neighbouring values of an axis with equal state. */

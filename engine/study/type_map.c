@@ -80,17 +80,17 @@ static double type_at(const TypeMap *map, const char *const *names, size_t name_
         thorough = fix(&slow);
     Types types;
     Fault fault = {0};
-    bool told = types_tell(&types,
-                           &(TypesTask){.experiment = &experiment,
-                                        .thorough = map->thorough ? &thorough : NULL,
-                                        .names = map->names,
-                                        .name_count = map->name_count,
-                                        .window_only = true,
-                                        .jobs = 1,
-                                        .stop = stop},
-                           &fault);
+    bool decided = types_classify(&types,
+                                  &(TypesTask){.experiment = &experiment,
+                                               .thorough = map->thorough ? &thorough : NULL,
+                                               .names = map->names,
+                                               .name_count = map->name_count,
+                                               .window_only = true,
+                                               .jobs = 1,
+                                               .stop = stop},
+                                  &fault);
     fault_clear(&fault);
-    if (!told || types.stopped || types.kind == TYPES_UNRESOLVED)
+    if (!decided || types.stopped || types.kind == TYPES_UNRESOLVED)
         return NAN;
     return types.kind;
 }

@@ -74,7 +74,7 @@ static void run_window(Work *work) {
         types->runs += work->window.trials[i].done && !work->window.trials[i].fault;
 }
 
-static double told_regular(const Work *work, size_t trial) {
+static double decided_regular(const Work *work, size_t trial) {
     return work->window.trials[trial].observed[work->task->experiment->regular];
 }
 
@@ -121,21 +121,21 @@ static void make_again(Work *work, const size_t *of, size_t count) {
 static void confirm(Work *work) {
     const TypesTask *task = work->task;
     bool sure = !task->thorough;
-    size_t untold = 0;
+    size_t undecided = 0;
     for (size_t i = 0; i < work->window.count && !sure && work->types->thorough < TYPES_THOROUGH_MOST &&
-                       untold < TYPES_UNTOLD_MOST;) {
+                       undecided < TYPES_UNDECIDED_MOST;) {
         size_t of[TYPES_THOROUGH_AT_ONCE], count = 0;
         for (; i < work->window.count && count < TYPES_THOROUGH_AT_ONCE; i++)
-            if (work->window.trials[i].done && !work->window.trials[i].fault && told_regular(work, i) != 1)
+            if (work->window.trials[i].done && !work->window.trials[i].fault && decided_regular(work, i) != 1)
                 of[count++] = i;
         make_again(work, of, count);
         for (size_t k = 0; k < count; k++) {
-            sure |= told_regular(work, of[k]) == 0;
-            untold += isnan(told_regular(work, of[k])) ? 1 : 0;
+            sure |= decided_regular(work, of[k]) == 0;
+            undecided += isnan(decided_regular(work, of[k])) ? 1 : 0;
         }
     }
     for (size_t i = 0; i < work->window.count && !sure; i++)
-        if (told_regular(work, i) == 0)
+        if (decided_regular(work, i) == 0)
             forget(work, i);
 }
 
@@ -163,7 +163,7 @@ static void gather_answers(const Work *work, size_t at) {
         double regular = trial->observed[experiment->regular];
         point->possible &= !trial->fault;
         point->irregular += regular == 0;
-        point->untold += isnan(regular) ? 1 : 0;
+        point->undecided += isnan(regular) ? 1 : 0;
         if (regular == 1)
             found[count++] =
                 (TypesAnswer){trial->observed[experiment->outcome], trial->observed[experiment->measure], 1};
@@ -249,8 +249,8 @@ static bool decide_irregular(Types *types, bool periods) {
 
 static bool decide_untold(Types *types) {
     for (size_t i = 0; i < types->point_count; i++)
-        if ((types->points[i].possible || i == 0) && types->points[i].untold)
-            return decide(types, TYPES_UNRESOLVED, TYPES_CANNOT_BE_TOLD, i);
+        if ((types->points[i].possible || i == 0) && types->points[i].undecided)
+            return decide(types, TYPES_UNRESOLVED, TYPES_UNDECIDED, i);
     return false;
 }
 
@@ -292,7 +292,7 @@ static void find_neighbours(Work *work) {
     const TypesTask *task = work->task;
     Types *types = work->types;
     Neighbour sides[2 * TYPES_PARAMETERS_MOST];
-    bool regular = types->points[0].answer_count > 0 && !types->points[0].irregular && !types->points[0].untold;
+    bool regular = types->points[0].answer_count > 0 && !types->points[0].irregular && !types->points[0].undecided;
     types->sought = regular ? NEIGHBOURS_TROUBLE : NEIGHBOURS_REGULAR;
     neighbours_find(&(NeighboursTask){.experiment = task->experiment,
                                       .names = task->names,
@@ -342,7 +342,7 @@ static void take_names(Types *types, const TypesTask *task) {
     types->parameter_count = task->name_count;
 }
 
-bool types_tell(Types *types, const TypesTask *task, Fault *fault) {
+bool types_classify(Types *types, const TypesTask *task, Fault *fault) {
     assert(!task->thorough || task->thorough->observable_count == task->experiment->observable_count);
     *types = (Types){0};
     if (!types_check(task->experiment, task->names, task->name_count, fault))

@@ -26,7 +26,7 @@ enum {
     TYPES_PARAMETERS_MOST = 8,  /* of a window */
     TYPES_ANSWERS_MOST = 16,    /* responses at a point, at most one per initial state */
     TYPES_THOROUGH_MOST = 256,  /* largest number of thorough repetitions, about the size of a window */
-    TYPES_UNTOLD_MOST = 4,      /* undetermined repetitions after which the others are skipped */
+    TYPES_UNDECIDED_MOST = 4,   /* undetermined repetitions after which the others are skipped */
     TYPES_THOROUGH_AT_ONCE = 2, /* repetitions at a time */
 };
 
@@ -34,12 +34,12 @@ typedef enum TypesKind { TYPES_UNRESOLVED, TYPES_I, TYPES_II, TYPES_III } TypesK
 
 /* The part of the definition that decided. */
 typedef enum TypesReason {
-    TYPES_ALL_WELL,      /* I */
-    TYPES_STEEP_ANSWER,  /* II: high sensitivity */
-    TYPES_SEVERAL,       /* II: several responses, at one point or between points */
-    TYPES_NOT_REGULAR,   /* III */
-    TYPES_FLIPS,         /* III: period doubling */
-    TYPES_CANNOT_BE_TOLD /* unresolved */
+    TYPES_ALL_WELL,     /* I */
+    TYPES_STEEP_ANSWER, /* II: high sensitivity */
+    TYPES_SEVERAL,      /* II: several responses, at one point or between points */
+    TYPES_NOT_REGULAR,  /* III */
+    TYPES_FLIPS,        /* III: period doubling */
+    TYPES_UNDECIDED     /* unresolved */
 } TypesReason;
 
 /* A response at a point. */
@@ -55,7 +55,7 @@ typedef struct TypesPoint {
     bool possible;    /* false: the value is out of range and is ignored */
     TypesAnswer answers[TYPES_ANSWERS_MOST];
     size_t answer_count;
-    size_t irregular, untold; /* starts */
+    size_t irregular, undecided; /* starts */
 } TypesPoint;
 
 typedef struct TypesParameter {
@@ -105,4 +105,4 @@ const char *types_kind_name(TypesKind kind);
 bool types_check(const Experiment *experiment, const char *const *names, size_t name_count, Fault *fault);
 
 /* Classifies. Returns false after an error: an unknown parameter, or too many. */
-bool types_tell(Types *types, const TypesTask *task, Fault *fault);
+bool types_classify(Types *types, const TypesTask *task, Fault *fault);

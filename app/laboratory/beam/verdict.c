@@ -65,7 +65,7 @@ bool beam_verdict_tell_type(BeamVerdict *verdict, int jobs, const volatile sig_a
                               .stop = stop,
                               .progress = progress,
                               .context = context};
-            told = types_tell(&types, &task, &fault) && !parallel_stopped(stop);
+            told = types_classify(&types, &task, &fault) && !parallel_stopped(stop);
             if (told)
                 write_advice(verdict, &types, &quick);
             beam_experiment_close(&thorough);

@@ -163,11 +163,11 @@ static void add_reason(Text *text, const Types *types, const Experiment *experim
         text_add(text, " ");
         add_answers(text, types, experiment, types->worst);
         break;
-    case TYPES_CANNOT_BE_TOLD:
+    case TYPES_UNDECIDED:
         text_format(text, "%s ", words->unsure);
         add_place(text, types, experiment, types->worst);
         text_add(text, ",");
-        add_starts(text, worst->untold, "any");
+        add_starts(text, worst->undecided, "any");
         text_format(text, "; %s", types->stopped ? "it was stopped" : words->longer);
         break;
     }

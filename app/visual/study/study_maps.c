@@ -203,13 +203,13 @@ static void classify_period(Map *map) {
         {"not periodic", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
         CANNOT_BE_TOLD,
     };
-    const double untold = sizeof classes / sizeof *classes - 1;
+    const double undecided = sizeof classes / sizeof *classes - 1;
     size_t period = study_axes_find(map->study, "period"), touches = study_axes_find(map->study, "touches");
     bool told = touches < map->study->experiment->observable_count;
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         const Trial *trial = map_trial(map, 0, i);
         double class = period_class(study_axes_value(trial, period), told ? study_axes_value(trial, touches) : NAN);
-        map->values[i] = isnan(class) && was_run(map, i) ? untold : class;
+        map->values[i] = isnan(class) && was_run(map, i) ? undecided : class;
     }
     note_first(map);
     keep_classes(map, classes, sizeof classes / sizeof *classes);

@@ -395,7 +395,7 @@ TEST(a_point_of_many_runs_has_a_share_and_its_error) {
     study_begin(&study);
     study_run(&study, &(StudyOptions){.jobs = 2});
     MontecarloPoint point = montecarlo_point(&study, 0, 0, 0);
-    CHECK(point.done == 1000 && point.told == 1000 && point.faults == 0);
+    CHECK(point.done == 1000 && point.decided == 1000 && point.faults == 0);
     CHECK_NEAR(point.share, 0.5, 4 * sqrt(0.25 / 1000)); /* x < 2 half of the time */
     CHECK_NEAR(point.share_high - point.share_low, 2 * 1.96 * sqrt(0.25 / 1000), 0.0005);
     CHECK(summary_point(&study, 0, 0, 0) == SUMMARY_MIXED && summary_point(&study, 0, 0, 1) == SUMMARY_IRREGULAR);

@@ -78,7 +78,7 @@ static Types tell_with(Told (*quick)(double, double, uint64_t), Told (*thorough)
     Types types;
     memset(&types, 0x55, sizeof types);
     Fault fault = {0};
-    CHECK(types_tell(&types, &task, &fault));
+    CHECK(types_classify(&types, &task, &fault));
     return types;
 }
 
@@ -192,7 +192,7 @@ TEST(one_irregular_start_at_one_point_of_the_window_is_type_three) {
     CHECK(types.sought == NEIGHBOURS_TROUBLE);
 }
 
-static Told untold_below(double a, double b, uint64_t seed) {
+static Told undecided_below(double a, double b, uint64_t seed) {
     return (Told){b < 2.98 && seed == 3 ? NAN : 1, 1, a * b};
 }
 
@@ -202,9 +202,9 @@ static Told chaos_here(double a, double b, uint64_t seed) {
 }
 
 TEST(what_cannot_be_told_is_unresolved_unless_something_else_is_irregular) {
-    Types types = tell(untold_below);
-    CHECK(types.kind == TYPES_UNRESOLVED && types.reason == TYPES_CANNOT_BE_TOLD);
-    CHECK(types.points[types.worst].parameter == 1 && types.points[types.worst].untold == 1);
+    Types types = tell(undecided_below);
+    CHECK(types.kind == TYPES_UNRESOLVED && types.reason == TYPES_UNDECIDED);
+    CHECK(types.points[types.worst].parameter == 1 && types.points[types.worst].undecided == 1);
     CHECK_TEXT(types_kind_name(types.kind), "unresolved");
 }
 
@@ -256,8 +256,8 @@ TEST(what_is_not_quickly_told_regular_is_told_thoroughly) {
     types = tell_with(hasty, hasty, 10, 2);
     CHECK(types.kind == TYPES_III && types.thorough == 2 && types.worst == 0);
     types = tell_with(hasty, never, 10, 2);
-    CHECK(types.kind == TYPES_UNRESOLVED && types.thorough == TYPES_UNTOLD_MOST);
-    CHECK(types.points[0].irregular == 0 && types.points[0].untold == 2);
+    CHECK(types.kind == TYPES_UNRESOLVED && types.thorough == TYPES_UNDECIDED_MOST);
+    CHECK(types.points[0].irregular == 0 && types.points[0].undecided == 2);
     types = tell_with(never, power, 10, 2);
     CHECK(types.kind == TYPES_I && types.thorough == types.runs);
 }
@@ -286,7 +286,7 @@ TEST(a_parameter_that_is_nothing_has_no_window) {
     TypesTask task = {.experiment = &experiment, .names = nothing, .name_count = 1, .jobs = 1};
     Types types;
     Fault fault = {0};
-    CHECK(types_tell(&types, &task, &fault));
+    CHECK(types_classify(&types, &task, &fault));
     CHECK(types.kind == TYPES_I && types.point_count == 1 && isnan(types.parameters[0].sensitivity));
     CHECK(!types.parameters[0].below.found && types.neighbour_runs == 0);
 }
@@ -339,13 +339,13 @@ TEST(names_that_are_no_parameters_are_a_fault) {
     TypesTask task = {.experiment = &experiment, .names = wrong, .name_count = 2, .jobs = 1};
     Types types;
     Fault fault = {0};
-    CHECK(!types_tell(&types, &task, &fault));
+    CHECK(!types_classify(&types, &task, &fault));
     CHECK(fault.count == 1);
     CHECK_TEXT(fault.lines[0], "types: c: a beam has no such number");
     fault_clear(&fault);
     const char *twice[] = {"b", "b"};
     task.names = twice;
-    CHECK(!types_tell(&types, &task, &fault));
+    CHECK(!types_classify(&types, &task, &fault));
     CHECK(fault.count == 1);
     CHECK_TEXT(fault.lines[0], "types: b is named twice");
     fault_clear(&fault);
@@ -358,6 +358,6 @@ TEST(stopped_it_says_nothing) {
     TypesTask task = {.experiment = &experiment, .names = names, .name_count = 2, .jobs = 2, .stop = &stop};
     Types types;
     Fault fault = {0};
-    CHECK(types_tell(&types, &task, &fault));
+    CHECK(types_classify(&types, &task, &fault));
     CHECK(types.kind == TYPES_UNRESOLVED && types.stopped && types.runs == 0);
 }
