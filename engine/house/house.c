@@ -122,7 +122,7 @@ static void check_profile(const House *house, size_t i, Fault *fault) {
 }
 
 /* For the widest of those who walk. */
-static void build_vicinity(House *house) {
+static void list_obstacles(House *house) {
     double reach = 0;
     for (size_t i = 0; i < house->profile_count; i++)
         if (house->profiles[i].driving == DRIVING_WALKER)
@@ -140,7 +140,7 @@ static bool build_space(House *house, const char *path, Fault *fault) {
     if (house->space.cell > COARSEST_CELL)
         fault_add(fault, "%s:1:1: the house is too large for the route search, %.0f m by %.0f m: it must be smaller",
                   path, house->space.cell * house->space.nx, house->space.cell * house->space.ny);
-    build_vicinity(house);
+    list_obstacles(house);
     return fault->total == before;
 }
 
