@@ -46,7 +46,7 @@ static void measure_column(const Table *table, size_t column, double *least, dou
     }
 }
 
-/* CellGrid of short columns are not broken, unless there are too many of them. */
+/* Cells of short columns are not broken, unless there are too many of them. */
 static void keep_short(double *least, const double *most, size_t count, double room) {
     double sum = 0;
     for (size_t c = 0; c < count; c++)

@@ -1,4 +1,4 @@
-/* CellGrid of a raster, and their key, in colours and patterns. */
+/* Cells of a raster, and their key, in colours and patterns. */
 #pragma once
 
 #include "plot/plot_layout.h"

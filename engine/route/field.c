@@ -8,7 +8,7 @@
 /* The grid rounds a disc's place by up to this many cells, so it is let through passages that much narrower. */
 #define ROUNDING 0.75
 
-/* CellGrid on either side of a closed door's line that are looked at more closely. */
+/* Cells on either side of a closed door's line that are looked at more closely. */
 #define DOOR_BAND 2.5
 
 /* The lowest speed that the search reckons with, m/s: keeps times finite. */

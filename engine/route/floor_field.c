@@ -24,7 +24,7 @@
  *
  * Exits are lines that have to be crossed:
  *
- *              outside   ^  ^  ^        T is 0 on the line. NeighbourList the line, directions are straight across it,
+ *              outside   ^  ^  ^        T is 0 on the line. Near the line, directions are straight across it,
  * away from
  *     ------+- - e1 - - - - - +------   the side on which the place is, however near: so nobody turns back before it.
  *           |  inside    ^    |         Where only one side is outside, they go on for FLOOR_FIELD_BEYOND behind it. */

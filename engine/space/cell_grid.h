@@ -19,7 +19,7 @@ typedef struct CellGrid {
     size_t cell_capacity, who_capacity;
 } CellGrid;
 
-/* CellGrid of at least `side` m over a box; larger ones where the box would hold far more cells than people. */
+/* Cells of at least `side` m over a box; larger ones where the box would hold far more cells than people. */
 void cell_grid_shape(CellGrid *grid, Box box, double side, size_t people);
 
 /* Sorts `count` people; `centres` is indexed by person. Whoever is outside the box is in the cell nearest to them. */
