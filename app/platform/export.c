@@ -132,11 +132,11 @@ struct Export {
 };
 
 /* The words, and the environment with what makes it tell progress; memory_free both. */
-static char **make_words(const ExportOrder *order) {
-    char **words = memory_zeroed(order->word_count + order->option_count + 6, sizeof *words), **end = words;
+static char **make_arguments(const ExportOrder *order) {
+    char **words = memory_zeroed(order->argument_count + order->option_count + 6, sizeof *words), **end = words;
     *end++ = (char *)"clearance";
-    for (size_t i = 0; i < order->word_count; i++)
-        *end++ = (char *)order->words[i];
+    for (size_t i = 0; i < order->argument_count; i++)
+        *end++ = (char *)order->arguments[i];
     for (size_t i = 0; i < order->option_count; i++)
         *end++ = (char *)order->options[i];
     if (order->out) {
@@ -177,7 +177,7 @@ static int spawn(Export *export, const ExportOrder *order, int writing) {
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setsigdefault(&attributes, &usual);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-    char **words = make_words(order), **environment = make_environment();
+    char **words = make_arguments(order), **environment = make_environment();
     const char *program = order->program ? order->program : "/proc/self/exe";
     int error = posix_spawn(&export->child, program, &actions, &attributes, words, environment);
     memory_free(words);
@@ -217,7 +217,7 @@ static void replace(Text *text, const char *words, size_t length) {
 }
 
 /* A piece of progress, or the end of a line; what a carriage return begins is progress, unless a sentence follows. */
-static void take_line(Export *export, bool ended) {
+static void read_line(Export *export, bool ended) {
     const char *words = export->line.text, *sentence = strstr(words, "clearance: ");
     size_t length = export->line.used;
     while (length && words[length - 1] == ' ')
@@ -233,13 +233,13 @@ static void take_line(Export *export, bool ended) {
     export->overwrites = !ended;
 }
 
-static void take_said(Export *export) {
+static void read_said(Export *export) {
     char said[4096];
     ssize_t got;
     while ((got = read(export->pipe, said, sizeof said)) > 0)
         for (ssize_t i = 0; i < got; i++) {
             if (said[i] == '\r' || said[i] == '\n')
-                take_line(export, said[i] == '\n');
+                read_line(export, said[i] == '\n');
             else if (said[i] && export->line.used < LINE_MOST)
                 text_add(&export->line, (char[]){said[i], 0});
         }
@@ -303,11 +303,11 @@ static void conclude(Export *export, int how) {
         text_format(&export->said, "it ended with the exit code %d", code);
 }
 
-const ExportStatus *export_look(Export *export) {
+const ExportStatus *export_update(Export *export) {
     int how;
     if (export->child) {
         pid_t ended = waitpid(export->child, &how, WNOHANG);
-        take_said(export);
+        read_said(export);
         if (ended < 0)
             how = FAILED << 8; /* nobody can tell how it ended */
         if (ended)
@@ -338,7 +338,7 @@ void export_cancel(Export *export) {
 static void end_child(Export *export) {
     export_cancel(export);
     export->asked = clock_now();
-    while (export_look(export)->stage == EXPORT_RUNNING) {
+    while (export_update(export)->stage == EXPORT_RUNNING) {
         if (clock_now() - export->asked > LAST_PATIENCE)
             kill(export->child, SIGKILL);
         usleep(10000);

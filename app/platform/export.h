@@ -21,9 +21,9 @@ char *export_free_name(const char *folder, const char *name, const char *const *
 
 /* A command -------------------------------------------------------------------------------------------------------- */
 
-/* The words behind "clearance", quoted for a shell: "clearance run 'my house.json' --set door.d1.width=0.8".
+/* The arguments behind "clearance", quoted for a shell: "clearance run 'my house.json' --set door.d1.width=0.8".
  * memory_free it. */
-char *export_command(const char *const *words, size_t count);
+char *export_command(const char *const *arguments, size_t count);
 
 typedef struct Export Export;
 
@@ -41,9 +41,9 @@ typedef struct ExportStatus {
 } ExportStatus;
 
 typedef struct ExportOrder {
-    const char *program;      /* NULL: this one */
-    const char *const *words; /* (word_count) Laboratory.command */
-    size_t word_count;
+    const char *program;          /* NULL: this one */
+    const char *const *arguments; /* (argument_count) Laboratory.command */
+    size_t argument_count;
     const char *const *options; /* (option_count) "--frames", "30", ... without --out */
     size_t option_count;
     const char *out;   /* for --out; made by the child */
@@ -54,7 +54,7 @@ typedef struct ExportOrder {
 Export *export_begin(const ExportOrder *order, Fault *fault);
 
 /* Where it is; never waits. Good until the next call. To be called now and then until it is over. */
-const ExportStatus *export_look(Export *export);
+const ExportStatus *export_update(Export *export);
 
 /* Asks it to end, keeping what is complete; one that does not within a few seconds is ended. */
 void export_cancel(Export *export);

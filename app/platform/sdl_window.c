@@ -113,12 +113,12 @@ static int button_of(int button) {
                                          : SDL_WINDOW_EVENT_LEFT;
 }
 
-static void take_text(SdlWindowEvent *event, SdlWindowKind kind, const char *text) {
+static void translate_text(SdlWindowEvent *event, SdlWindowKind kind, const char *text) {
     event->kind = kind;
     snprintf(event->text, sizeof event->text, "%s", text);
 }
 
-static void take_window(SdlWindowEvent *event, int what) {
+static void translate_window(SdlWindowEvent *event, int what) {
     event->kind = what == SDL_WINDOWEVENT_SIZE_CHANGED                                      ? SDL_WINDOW_EVENT_RESIZED
                   : what == SDL_WINDOWEVENT_EXPOSED || what == SDL_WINDOWEVENT_FOCUS_GAINED ? SDL_WINDOW_EVENT_EXPOSED
                   : what == SDL_WINDOWEVENT_LEAVE                                           ? SDL_WINDOW_EVENT_MOUSE
@@ -144,7 +144,7 @@ static void translate(const SdlWindow *sdl_window, const SDL_Event *from, SdlWin
         event->kind = SDL_WINDOW_EVENT_LET_GO;
         break;
     case SDL_TEXTINPUT:
-        take_text(event, SDL_WINDOW_EVENT_TEXT, from->text.text);
+        translate_text(event, SDL_WINDOW_EVENT_TEXT, from->text.text);
         break;
     case SDL_MOUSEMOTION:
         event->kind = SDL_WINDOW_EVENT_MOUSE;
@@ -165,11 +165,11 @@ static void translate(const SdlWindow *sdl_window, const SDL_Event *from, SdlWin
         event->mods = mods_of((unsigned)SDL_GetModState());
         break;
     case SDL_DROPFILE:
-        take_text(event, SDL_WINDOW_EVENT_FILE, from->drop.file);
+        translate_text(event, SDL_WINDOW_EVENT_FILE, from->drop.file);
         SDL_free(from->drop.file);
         break;
     case SDL_WINDOWEVENT:
-        take_window(event, from->window.event);
+        translate_window(event, from->window.event);
         break;
     default:
         break;

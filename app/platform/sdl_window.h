@@ -33,7 +33,7 @@ enum { SDL_WINDOW_EVENT_TEXT_MOST = 4096 };
 typedef struct SdlWindowEvent {
     SdlWindowKind kind;
     int32_t key; /* SDL's code: a letter's character, see sdl_window_key */
-    int mods;    /* GLASS_SHIFT, added up */
+    int mods;    /* SDL_WINDOW_EVENT_SHIFT, added up */
     bool repeat;
     Vec2 at; /* pixels */
     int button;

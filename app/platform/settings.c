@@ -18,22 +18,29 @@
 
 /* Tables ----------------------------------------------------------------------------------------------------------- */
 
-#define LIKES(kind_, field_)                                                                                           \
+#define PREFERENCE(kind_, field_)                                                                                      \
     .name = #field_, .kind = kind_, .offset = offsetof(SettingsPreferences, field_), .unit = "1"
 
-static const Parameter likes_rows[] = {
-    {LIKES(PARAMETER_CHOICE, theme), .choices = THEME_WORDS, .meaning = "light or dark"},
-    {LIKES(PARAMETER_WHOLE, text), .low = 1, .high = SETTINGS_TEXT_MOST, .fallback = 1, .meaning = "size of the text"},
-    {LIKES(PARAMETER_FLAG, sound), .meaning = "is it to be heard"},
-    {LIKES(PARAMETER_FLAG, reduced_motion), .meaning = "does nothing move but what is simulated"},
-    {LIKES(PARAMETER_FLAG, letters), .fallback = 1, .meaning = "are single letters keys"},
-    {LIKES(PARAMETER_WHOLE, width), .low = SETTINGS_WIDTH_LEAST, .high = SETTINGS_SIDE_MOST, .fallback = 1280,
+static const Parameter preferences_rows[] = {
+    {PREFERENCE(PARAMETER_CHOICE, theme), .choices = THEME_WORDS, .meaning = "light or dark"},
+    {PREFERENCE(PARAMETER_WHOLE, text), .low = 1, .high = SETTINGS_TEXT_MOST, .fallback = 1,
+     .meaning = "size of the text"},
+    {PREFERENCE(PARAMETER_FLAG, sound), .meaning = "is it to be heard"},
+    {PREFERENCE(PARAMETER_FLAG, reduced_motion), .meaning = "does nothing move but what is simulated"},
+    {.name = "letters",
+     .kind = PARAMETER_FLAG,
+     .offset = offsetof(SettingsPreferences, single_keys),
+     .unit = "1",
+     .fallback = 1,
+     .meaning = "are single letters keys"},
+    {PREFERENCE(PARAMETER_WHOLE, width), .low = SETTINGS_WIDTH_LEAST, .high = SETTINGS_SIDE_MOST, .fallback = 1280,
      .meaning = "pixels of the window"},
-    {LIKES(PARAMETER_WHOLE, height), .low = SETTINGS_HEIGHT_LEAST, .high = SETTINGS_SIDE_MOST, .fallback = 720,
+    {PREFERENCE(PARAMETER_WHOLE, height), .low = SETTINGS_HEIGHT_LEAST, .high = SETTINGS_SIDE_MOST, .fallback = 720,
      .meaning = "pixels of the window"},
-    {LIKES(PARAMETER_FLAG, full_screen), .meaning = "does the window fill the screen"},
+    {PREFERENCE(PARAMETER_FLAG, full_screen), .meaning = "does the window fill the screen"},
 };
-static const ParameterTable likes_table = {"settings", likes_rows, sizeof likes_rows / sizeof *likes_rows};
+static const ParameterTable preferences_table = {"settings", preferences_rows,
+                                                 sizeof preferences_rows / sizeof *preferences_rows};
 
 #define SHOWN(kind_, field_) .name = #field_, .kind = kind_, .offset = offsetof(SettingsLaboratory, field_), .unit = "1"
 
@@ -133,7 +140,7 @@ static void forget_recent(Settings *settings) {
         memory_free(settings->recent[--settings->recent_count]);
 }
 
-static void keep_bad(const char *path, const Fault *fault, Fault *notes) {
+static void set_aside(const char *path, const Fault *fault, Fault *notes) {
     Text bad = {0};
     text_format(&bad, "%s.bad", path);
     bool kept = rename(path, bad.text) == 0;
@@ -162,19 +169,20 @@ static void read_file(Settings *settings, const char *path, const ParameterTable
             forget_recent(settings);
         memory_free(*written);
         *written = NULL;
-        keep_bad(path, &fault, notes);
+        set_aside(path, &fault, notes);
     }
     json_free(&file);
     fault_clear(&fault);
 }
 
 void settings_open(Settings *settings, Fault *notes) {
-    *settings = (Settings){.told = false};
-    parameters_reset(&likes_table, &settings->preferences);
+    *settings = (Settings){.complained = false};
+    parameters_reset(&preferences_table, &settings->preferences);
     parameters_reset(&state_table, &settings->state);
-    settings->likes_path = file_in("XDG_CONFIG_HOME", ".config", "settings.json");
+    settings->preferences_path = file_in("XDG_CONFIG_HOME", ".config", "settings.json");
     settings->state_path = file_in("XDG_STATE_HOME", ".local/state", "state.json");
-    read_file(settings, settings->likes_path, &likes_table, &settings->preferences, &settings->likes_written, notes);
+    read_file(settings, settings->preferences_path, &preferences_table, &settings->preferences,
+              &settings->preferences_written, notes);
     read_file(settings, settings->state_path, &state_table, &settings->state, &settings->state_written, notes);
 }
 
@@ -204,8 +212,8 @@ static void save_object(Settings *settings, const char *path, json_t *object, ch
     char *line = json_line(object);
     bool same = *written ? strcmp(*written, line) == 0 : json_object_size(object) == 0;
     int error = same ? 0 : write_object(path, object);
-    if (error && !settings->told) {
-        settings->told = true;
+    if (error && !settings->complained) {
+        settings->complained = true;
         fault_add(notes, "what is set here cannot be remembered: %s%s%s", path ? path : "there is no HOME",
                   path ? ": " : "", path ? strerror(error) : "");
     }
@@ -226,19 +234,19 @@ void settings_save(Settings *settings, Fault *notes) {
             json_array_append_new(recent, json_string(settings->recent[i]));
         json_object_set_new(state, "recent", recent);
     }
-    save_object(settings, settings->likes_path, parameters_write(&likes_table, &settings->preferences),
-                &settings->likes_written, notes);
+    save_object(settings, settings->preferences_path, parameters_write(&preferences_table, &settings->preferences),
+                &settings->preferences_written, notes);
     save_object(settings, settings->state_path, state, &settings->state_written, notes);
 }
 
 void settings_close(Settings *settings) {
     forget_recent(settings);
-    memory_free(settings->likes_path);
+    memory_free(settings->preferences_path);
     memory_free(settings->state_path);
-    memory_free(settings->likes_written);
+    memory_free(settings->preferences_written);
     memory_free(settings->state_written);
     arena_clear(&settings->arena);
-    *settings = (Settings){.told = false};
+    *settings = (Settings){.complained = false};
 }
 
 /* What is in it ---------------------------------------------------------------------------------------------------- */
@@ -247,7 +255,7 @@ SettingsLaboratory *settings_laboratory(Settings *settings, const char *word) {
     return strcmp(word, "beam") == 0 ? &settings->state.beam : &settings->state.house;
 }
 
-const char *settings_keep(Settings *settings, const char *text) {
+const char *settings_store(Settings *settings, const char *text) {
     return arena_text(&settings->arena, text);
 }
 

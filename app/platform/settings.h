@@ -27,7 +27,7 @@ typedef struct SettingsPreferences {
     int text;            /* size of text, 1 to 3 */
     bool sound;          /* off at first */
     bool reduced_motion; /* nothing moves but what is simulated */
-    bool letters;        /* single letters are keys */
+    bool single_keys;    /* single letters are keys */
     int width, height;   /* pixels of the window */
     bool full_screen;
 } SettingsPreferences;
@@ -47,12 +47,12 @@ typedef struct SettingsState {
 
 typedef struct Settings {
     SettingsPreferences preferences;
-    SettingsState state; /* texts by settings_keep, or as long-lived as the settings */
+    SettingsState state; /* texts by settings_store, or as long-lived as the settings */
     char *recent[SETTINGS_RECENT_MOST];
     size_t recent_count;
-    char *likes_path, *state_path;       /* NULL: there is no place for it */
-    char *likes_written, *state_written; /* what the files hold, or NULL */
-    bool told;                           /* that it cannot be remembered */
+    char *preferences_path, *state_path;       /* NULL: there is no place for it */
+    char *preferences_written, *state_written; /* what the files hold, or NULL */
+    bool complained;                           /* that it cannot be remembered */
     Arena arena;
 } Settings;
 
@@ -68,7 +68,7 @@ void settings_close(Settings *settings);
 SettingsLaboratory *settings_laboratory(Settings *settings, const char *word);
 
 /* A copy of a text that lives as long as the settings, for the fields above. */
-const char *settings_keep(Settings *settings, const char *text);
+const char *settings_store(Settings *settings, const char *text);
 
 /* Puts a file in front of the recent ones, by its absolute path. */
 void settings_add_recent(Settings *settings, const char *path);

@@ -21,18 +21,18 @@
 /* Saying ----------------------------------------------------------------------------------------------------------- */
 
 void act_say(Window *window, const char *format, ...) {
-    char words[512];
+    char text[512];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(words, sizeof words, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    messages_say(&window->messages, MESSAGE_SAID, NAN, "%s", words);
+    messages_add(&window->messages, MESSAGE_NOTE, NAN, "%s", text);
     window->dirty = true;
 }
 
 void act_complain(Window *window, Fault *fault, double time) {
     if (fault->count)
-        messages_take(&window->messages, fault, time);
+        messages_add_fault(&window->messages, fault, time);
     window->dirty = true;
 }
 
@@ -75,13 +75,13 @@ static bool open_in(Window *window, size_t index, const char *path, const char *
 static void enter(Window *window, size_t index) {
     Tab *left = window_tab(window);
     if (window->current != index && left->live) {
-        plan_input_let_go(window);
+        plan_input_reset(window);
         RecordSpan span = left->kind->span(left->live);
         player_pause(&left->player, &span);
     }
     Tab *entered = &window->tabs[index];
     window->current = index;
-    entered->plot_panes_wait = true;
+    entered->plot_panes_stale = true;
     window->dirty = true;
 }
 
@@ -89,7 +89,7 @@ bool act_open(Window *window, const char *path) {
     if (path && files_import_knows(path))
         return files_import_open(window, path);
     size_t index = path ? tab_of(laboratory_of(path)) : TAB_HOUSE;
-    plan_input_let_go(window);
+    plan_input_reset(window);
     if (!open_in(window, index, path, NULL, true))
         return false;
     enter(window, index);
@@ -98,7 +98,7 @@ bool act_open(Window *window, const char *path) {
 
 bool act_open_copy(Window *window, const char *path, const char *origin, const char *mark) {
     Tab *tab = &window->tabs[TAB_HOUSE];
-    plan_input_let_go(window);
+    plan_input_reset(window);
     if (!open_in(window, TAB_HOUSE, path, origin, false))
         return false;
     tab->mark = mark;

@@ -119,7 +119,7 @@ static char *write_view(Tab *tab, const char *folder, const char *name, Fault *f
     bool raised = tab->camera.kind == VIEW_RAISED;
     char *path = snapshot_view(&view, raised ? SNAPSHOT_PNG : SNAPSHOT_PNG | SNAPSHOT_SVG, folder, name, &note, fault);
     memory_free(pixels);
-    view_layers_forget(&tab->view_layers);
+    view_layers_invalidate(&tab->view_layers);
     return path;
 }
 
@@ -162,7 +162,7 @@ static void begin_frames(Window *window) {
     snprintf(name, sizeof name, "%s frames", tab->kind->title(tab->live));
     char *out = export_free_name(folder, name, endings);
     ExportOrder order = {.options = options, .option_count = sizeof options / sizeof *options, .out = out};
-    order.words = files_command(window, &order.word_count);
+    order.arguments = files_command(window, &order.argument_count);
     window->export = export_begin(&order, &fault);
     if (window->export)
         act_say(window, "writing frames to %s", out);

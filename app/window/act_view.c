@@ -23,7 +23,7 @@ static void pan(Tab *tab, double right, double down) {
 
 static void turn(Tab *tab, double degrees) {
     tab->camera.azimuth = remainder(tab->camera.azimuth + degrees, 360);
-    tab_look(tab);
+    tab_apply_camera(tab);
 }
 
 static void toggle_raised(Window *window, Tab *tab) {
@@ -32,7 +32,7 @@ static void toggle_raised(Window *window, Tab *tab) {
         return;
     }
     tab->camera.kind = tab->camera.kind == VIEW_RAISED ? VIEW_PLAN : VIEW_RAISED;
-    tab_look(tab);
+    tab_apply_camera(tab);
 }
 
 static void follow(Window *window, Tab *tab) {

@@ -7,7 +7,7 @@
 #include "window/files.h"
 
 /* Design points. */
-#define TWO_LINES 1.8 /* times the width, that words of two lines take at most: lines end between words */
+#define TWO_LINES 1.8 /* times the width, that text of two lines take at most: lines end between text */
 #define MARGIN 14.0
 #define GAP 12.0
 #define BUTTON_PAD 20.0
@@ -20,7 +20,7 @@ static Vec2 middle_of(Box box) {
     return vec2_scale(vec2_add(box.low, box.high), 0.5);
 }
 
-/* A button as wide as its words, from `left` on; where it ends. */
+/* A button as wide as its text, from `left` on; where it ends. */
 static double add_button(Window *window, double left, Box bar, const UiButton *button, bool *pressed) {
     double width = ui_extent(window->ui, UI_BODY, button->label).x + BUTTON_PAD;
     ui_at(window->ui, (Box){{left, bar.low.y + 2}, {left + width, bar.high.y - 2}});
@@ -29,13 +29,13 @@ static double add_button(Window *window, double left, Box bar, const UiButton *b
 }
 
 /* Words that end with an ellipsis where there is no more room. */
-static void show_words(Window *window, UiLetters letters, Role role, double left, double right, double y,
-                       const char *words) {
-    double height = ui_extent(window->ui, letters, words).y;
+static void show_text(Window *window, UiLetters size, Role role, double left, double right, double y,
+                      const char *text) {
+    double height = ui_extent(window->ui, size, text).y;
     if (right - left < height)
         return;
     ui_at(window->ui, (Box){{left, y - height / 2}, {right, y + height / 2}});
-    ui_line(window->ui, letters, role, words);
+    ui_line(window->ui, size, role, text);
 }
 
 /* The menu --------------------------------------------------------------------------------------------------------- */
@@ -49,7 +49,7 @@ static double show_menus(Window *window, Box bar) {
     double left = 2;
     bool pressed;
     if (window->frame.compact) {
-        UiButton button = {.label = "Menu", .help = keys_help(&window->words, ACTION_MENU), .plain = true};
+        UiButton button = {.label = "Menu", .help = keys_help(&window->arena, ACTION_MENU), .plain = true};
         left = add_button(window, left, bar, &button, &pressed);
         if (pressed)
             open_menu(window, MENU_FILE);
@@ -73,7 +73,7 @@ static double show_laboratories(Window *window, Box bar) {
     const char *labels[TABS];
     double width = 4;
     for (size_t i = 0; i < TABS; i++) {
-        labels[i] = text_in_arena(&window->words, "%s %s", keys_row(actions[i])->name, keys_row(actions[i])->key);
+        labels[i] = text_in_arena(&window->arena, "%s %s", keys_row(actions[i])->name, keys_row(actions[i])->key);
         width += ui_extent(window->ui, UI_BODY, labels[i]).x + BUTTON_PAD;
     }
     double left = bar.high.x - width, begin = left;
@@ -82,7 +82,7 @@ static double show_laboratories(Window *window, Box bar) {
         UiButton button = {.label = labels[i],
                            .plain = true,
                            .chosen = window->current == i,
-                           .help = keys_help(&window->words, actions[i])};
+                           .help = keys_help(&window->arena, actions[i])};
         left = add_button(window, left, bar, &button, &pressed);
         if (pressed)
             act_do(window, actions[i], 0, 0);
@@ -101,7 +101,7 @@ void bars_show_menu(Window *window) {
         const char *title = files_title(window, tab);
         double width = ui_extent(window->ui, UI_BOLD, title).x;
         double begin = fmax(left + GAP, middle_of(bar).x - width / 2);
-        show_words(window, UI_BOLD, ROLE_TEXT, begin, right - GAP, middle_of(bar).y, title);
+        show_text(window, UI_BOLD, ROLE_TEXT, begin, right - GAP, middle_of(bar).y, title);
     }
     ui_pane_end(window->ui);
 }
@@ -139,26 +139,26 @@ static void show_progress(Window *window, Box bar, const Result *answer) {
 static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
     const char *detail = answer->detail ? answer->detail : "";
     Role role = answer->stale ? ROLE_DIM_TEXT : ROLE_TEXT;
-    UiLetters letters = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
-    if (ui_extent(window->ui, letters, detail).x > TWO_LINES * (right - left))
-        letters = UI_SMALL;
-    Vec2 size = ui_extent(window->ui, letters, detail);
-    if (left + size.x > right && size.x < TWO_LINES * (right - left)) {
-        ui_at(window->ui, (Box){{left, y - size.y}, {right, y + size.y}});
-        ui_text(window->ui, letters, role, detail);
+    UiLetters size = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
+    if (ui_extent(window->ui, size, detail).x > TWO_LINES * (right - left))
+        size = UI_SMALL;
+    Vec2 extent = ui_extent(window->ui, size, detail);
+    if (left + extent.x > right && extent.x < TWO_LINES * (right - left)) {
+        ui_at(window->ui, (Box){{left, y - extent.y}, {right, y + extent.y}});
+        ui_text(window->ui, size, role, detail);
         return;
     }
-    show_words(window, letters, role, left, right, y, detail);
-    left += *detail ? size.x + GAP : 0;
+    show_text(window, size, role, left, right, y, detail);
+    left += *detail ? extent.x + GAP : 0;
     if (answer->doing && left + GAP < right)
-        show_words(window, UI_BODY, ROLE_DIM_TEXT, left, right, y, answer->doing);
+        show_text(window, UI_BODY, ROLE_DIM_TEXT, left, right, y, answer->doing);
 }
 
 /* Large, unless the numbers would then have no room. */
-static UiLetters title_letters(Window *window, const Result *answer, double right) {
-    double width = ui_extent(window->ui, UI_ANSWER, answer->title).x, tab = right - MARGIN - width - 2 * GAP;
+static UiLetters title_size(Window *window, const Result *answer, double right) {
+    double width = ui_extent(window->ui, UI_ANSWER, answer->title).x, rest = right - MARGIN - width - 2 * GAP;
     double wanted = answer->detail ? ui_extent(window->ui, UI_BODY, answer->detail).x : 0;
-    return tab < 0 || wanted > TWO_LINES * tab ? UI_CLOCK : UI_ANSWER;
+    return rest < 0 || wanted > TWO_LINES * rest ? UI_CLOCK : UI_ANSWER;
 }
 
 void bars_show_answer(Window *window) {
@@ -168,10 +168,10 @@ void bars_show_answer(Window *window) {
     if (tab->live) {
         Result answer = tab->kind->answer(tab->live);
         double right = show_place_button(window, tab, bar), y = middle_of(bar).y;
-        UiLetters letters = title_letters(window, &answer, right);
-        double width = ui_extent(window->ui, letters, answer.title).x;
-        show_words(window, letters, answer.stale ? ROLE_DIM_TEXT : answer.role, MARGIN, fmin(right, MARGIN + width + 2),
-                   y, answer.title);
+        UiLetters size = title_size(window, &answer, right);
+        double width = ui_extent(window->ui, size, answer.title).x;
+        show_text(window, size, answer.stale ? ROLE_DIM_TEXT : answer.role, MARGIN, fmin(right, MARGIN + width + 2), y,
+                  answer.title);
         show_detail(window, &answer, MARGIN + width + 2 * GAP, right, y + 2);
         show_progress(window, bar, &answer);
     }
@@ -181,9 +181,9 @@ void bars_show_answer(Window *window) {
 /* Messages --------------------------------------------------------------------------------------------------------- */
 
 static void show_export(Window *window, Box box) {
-    const ExportStatus *status = export_look(window->export);
-    const char *words = text_in_arena(&window->words, "writing to %s: %s", status->folder, status->doing);
-    show_words(window, UI_BODY, ROLE_TEXT, box.low.x + MARGIN, box.high.x - 100, middle_of(box).y, words);
+    const ExportStatus *status = export_update(window->export);
+    const char *text = text_in_arena(&window->arena, "writing to %s: %s", status->folder, status->doing);
+    show_text(window, UI_BODY, ROLE_TEXT, box.low.x + MARGIN, box.high.x - 100, middle_of(box).y, text);
     ui_at(window->ui, (Box){{box.high.x - 94, box.low.y + 3}, {box.high.x - 6, box.high.y - 3}});
     if (ui_button(window->ui,
                   &(UiButton){.label = "Cancel", .help = "Cancel: ends the writing; what is complete is kept"}))
@@ -201,29 +201,28 @@ static bool show_gesture(Window *window, Box box) {
         return false;
     ui_pane_begin(window->ui, &(UiPane){.name = "gesture", .box = box, .ground = ROLE_PANEL});
     ui_draw_frame(window->ui, box, gesture->refusal ? ROLE_ERROR : ROLE_ROOM, 2);
-    const char *words =
-        gesture->refusal ? text_in_arena(&window->words, "\u26a0 %s", gesture->refusal) : gesture->doing;
-    show_words(window, UI_BODY, gesture->refusal ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, box.high.x - MARGIN,
-               middle_of(box).y, words);
+    const char *text = gesture->refusal ? text_in_arena(&window->arena, "\u26a0 %s", gesture->refusal) : gesture->doing;
+    show_text(window, UI_BODY, gesture->refusal ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, box.high.x - MARGIN,
+              middle_of(box).y, text);
     ui_pane_end(window->ui);
     return true;
 }
 
 void bars_show_message(Window *window) {
     const Message *last = messages_last(&window->messages);
-    bool told = last && last->number > window->dismissed;
+    bool pending = last && last->number > window->dismissed;
     Box box = {{window->frame.view.low.x, window->frame.timeline.low.y - MESSAGE_HEIGHT},
                {window->frame.drawer ? window->frame.page.x : window->frame.page.x - box_width(window->frame.panel),
                 window->frame.timeline.low.y}};
-    if (show_gesture(window, box) || (!told && !window->export))
+    if (show_gesture(window, box) || (!pending && !window->export))
         return;
     ui_pane_begin(window->ui, &(UiPane){.name = "message", .box = box, .ground = ROLE_PANEL});
-    ui_draw_frame(window->ui, box, told && last->kind == MESSAGE_FAULT ? ROLE_ERROR : ROLE_ROOM, 2);
-    if (told) {
+    ui_draw_frame(window->ui, box, pending && last->kind == MESSAGE_FAULT ? ROLE_ERROR : ROLE_ROOM, 2);
+    if (pending) {
         bool fault = last->kind == MESSAGE_FAULT;
-        const char *words = text_in_arena(&window->words, "%s%s", fault ? "\u26a0 " : "", last->text);
-        show_words(window, UI_BODY, fault ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, box.high.x - 40,
-                   middle_of(box).y, words);
+        const char *text = text_in_arena(&window->arena, "%s%s", fault ? "\u26a0 " : "", last->text);
+        show_text(window, UI_BODY, fault ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, box.high.x - 40,
+                  middle_of(box).y, text);
         ui_at(window->ui, (Box){{box.high.x - 34, box.low.y + 3}, {box.high.x - 6, box.high.y - 3}});
         if (ui_button(
                 window->ui,
@@ -242,9 +241,9 @@ static double show_key(Window *window, double left, double y, const KeyRow *row)
     Box cap = {{left, y - key.y / 2 - 2}, {left + key.x + 2 * KEY_PAD, y + key.y / 2 + 2}};
     ui_draw_frame(window->ui, cap, ROLE_ROOM, 1.5);
     ui_draw_text(window->ui, UI_SMALL, ROLE_TEXT, vec2(left + KEY_PAD, y), 0, row->key);
-    double words = cap.high.x + KEY_PAD;
-    ui_draw_text(window->ui, UI_SMALL, ROLE_TEXT, vec2(words, y), 0, row->strip);
-    return words + ui_extent(window->ui, UI_SMALL, row->strip).x + GAP;
+    double text = cap.high.x + KEY_PAD;
+    ui_draw_text(window->ui, UI_SMALL, ROLE_TEXT, vec2(text, y), 0, row->strip);
+    return text + ui_extent(window->ui, UI_SMALL, row->strip).x + GAP;
 }
 
 static double key_width(Window *window, const KeyRow *row) {
@@ -253,14 +252,14 @@ static double key_width(Window *window, const KeyRow *row) {
 }
 
 /* Where the mouse points, m; and what is selected. */
-static const char *place_words(Window *window, Tab *tab) {
+static const char *place_text(Window *window, Tab *tab) {
     Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
     Item thing = tab->kind->selected(tab->live);
     const char *name = thing.kind ? tab->kind->name_thing(tab->live, thing) : "";
     if (tab->kind != &house_laboratory || !box_holds(window->frame.view, at) || !tab->view_layers.painted)
         return name;
     Vec2 floor = view_layers_floor(&tab->view_layers, vec2_sub(at, window->frame.view.low));
-    return text_in_arena(&window->words, "%s   x %.2f  y %.2f m", name, floor.x, floor.y);
+    return text_in_arena(&window->arena, "%s   x %.2f  y %.2f m", name, floor.x, floor.y);
 }
 
 /* What the hand does, or can do next, while a tool is in it. */
@@ -269,9 +268,9 @@ static double show_doing(Window *window, double left, double right, double y) {
     const EditorFunctions *editor = plan_input_of(tab);
     if (!editor || !plan_input_listens(window))
         return left;
-    const char *words = editor->gesture(tab->live)->doing;
-    double end = fmin(right, left + ui_extent(window->ui, UI_BOLD, words).x + 1);
-    show_words(window, UI_BOLD, ROLE_TEXT, left, end, y, words);
+    const char *text = editor->gesture(tab->live)->doing;
+    double end = fmin(right, left + ui_extent(window->ui, UI_BOLD, text).x + 1);
+    show_text(window, UI_BOLD, ROLE_TEXT, left, end, y, text);
     return end + GAP;
 }
 
@@ -282,7 +281,7 @@ void bars_show_strip(Window *window) {
         return;
     ui_pane_begin(window->ui, &(UiPane){.name = "strip", .box = bar, .ground = ROLE_PAPER});
     double y = middle_of(bar).y, left = MARGIN / 2, right = bar.high.x - MARGIN;
-    const char *place = tab->live ? place_words(window, tab) : "";
+    const char *place = tab->live ? place_text(window, tab) : "";
     ui_draw_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(right, y), 1, place);
     right -= ui_extent(window->ui, UI_SMALL, place).x + GAP;
     left = show_doing(window, left, right, y);

@@ -42,10 +42,10 @@ void canvas_paint(Window *window) {
     view_layers_fit(&tab->view_layers, sdl_window_gl(window->sdl_window), width, height, window->unit, window->theme);
     if (tab->view_layers.paint)
         view_layers_show(&tab->view_layers, tab->kind, tab->live, tab->player.time);
-    window->dirty |= tab->plot_panes_wait; /* they have their places with the next picture */
-    if (tab->plot_panes_wait)
+    window->dirty |= tab->plot_panes_stale; /* they have their places with the next picture */
+    if (tab->plot_panes_stale)
         plot_panes_choose(&tab->panes, tab->kind, tab->live, tab->plots, window->screen);
-    tab->plot_panes_wait = false;
+    tab->plot_panes_stale = false;
 }
 
 /* The index of a chart's plot among the laboratory's. */
@@ -68,7 +68,7 @@ static void show_note(Window *window, const char *note) {
     for (const char *at = note; *at && count < NOTE_LINES; count++) {
         const char *end = strstr(at, "; ");
         bool fits = ui_extent(window->ui, UI_BODY, at).x <= most || !end;
-        lines[count] = fits ? at : text_in_arena(&window->words, "%.*s", (int)(end - at), at);
+        lines[count] = fits ? at : text_in_arena(&window->arena, "%.*s", (int)(end - at), at);
         at = fits ? "" : end + 2;
     }
     for (int i = 0; i < count; i++) {
@@ -82,22 +82,22 @@ static void show_note(Window *window, const char *note) {
 }
 
 /* In the middle of the upper edge. */
-static void show_animation(Window *window, const char *words) {
-    if (!words || !*words)
+static void show_animation(Window *window, const char *text) {
+    if (!text || !*text)
         return;
     Box view = window->frame.view;
-    Vec2 size = ui_extent(window->ui, UI_HEADING, words), middle = middle_of(view);
+    Vec2 size = ui_extent(window->ui, UI_HEADING, text), middle = middle_of(view);
     Box strip = {{middle.x - size.x / 2 - MARGIN, view.low.y + MARGIN},
                  {middle.x + size.x / 2 + MARGIN, view.low.y + MARGIN + size.y + 6}};
     ui_draw_box(window->ui, strip, ROLE_TEXT, 1);
-    ui_draw_text(window->ui, UI_HEADING, ROLE_PAPER, middle_of(strip), 0.5, words);
+    ui_draw_text(window->ui, UI_HEADING, ROLE_PAPER, middle_of(strip), 0.5, text);
 }
 
-static void show_view_words(Window *window, const Tab *tab) {
+static void show_view_text(Window *window, const Tab *tab) {
     Box view = window->frame.view;
     show_note(window, tab->kind->note(tab->live));
     show_animation(window, plan_input_animation(tab));
-    if (tab->player.playing || (window->edit.holds && window->edit.plays_on))
+    if (tab->player.playing || (window->plan_input.holds && window->plan_input.plays_on))
         return;
     Vec2 size = ui_extent(window->ui, UI_HEADING, "PAUSED");
     Box tag = {{view.high.x - size.x - 3 * MARGIN, view.low.y + MARGIN},
@@ -143,7 +143,7 @@ static void show_view(Window *window, Tab *tab) {
     if (tab->live) {
         trace_image_show(window);
         use_mouse(window, tab);
-        show_view_words(window, tab);
+        show_view_text(window, tab);
         plan_overlay_show(window);
     }
     ui_pane_end(window->ui);
@@ -152,20 +152,20 @@ static void show_view(Window *window, Tab *tab) {
 /* The plots -------------------------------------------------------------------------------------------------------- */
 
 static void show_read_out(Window *window, Tab *tab, PlotPane *pane, size_t plot, Vec2 at) {
-    char words[CHART_WORDS];
+    char text[PLOT_PANES_TEXT];
     Vec2 nearest;
-    if (!plot_panes_read(pane, tab->kind, tab->live, plot, tab->player.time, at, &nearest, words))
+    if (!plot_panes_read(pane, tab->kind, tab->live, plot, tab->player.time, at, &nearest, text))
         return;
-    Vec2 extent = ui_extent(window->ui, UI_BODY, words);
+    Vec2 extent = ui_extent(window->ui, UI_BODY, text);
     double left = fmin(fmax(nearest.x + 10, pane->place.low.x), pane->place.high.x - extent.x - 8);
     double top = fmax(nearest.y - extent.y - 10, pane->place.low.y);
     ui_draw_disc(window->ui, nearest, 4, ROLE_TEXT);
     ui_draw_box(window->ui, (Box){{left - 4, top}, {left + extent.x + 4, top + extent.y + 4}}, ROLE_PANEL, 1);
-    ui_draw_text(window->ui, UI_BODY, ROLE_TEXT, vec2(left, top + extent.y / 2 + 2), 0, words);
+    ui_draw_text(window->ui, UI_BODY, ROLE_TEXT, vec2(left, top + extent.y / 2 + 2), 0, text);
 }
 
 /* A click sets what the cursor stands for; the wheel zooms about the pointer. */
-static void use_chart_mouse(Window *window, Tab *tab, PlotPane *pane, size_t plot) {
+static void use_pane_mouse(Window *window, Tab *tab, PlotPane *pane, size_t plot) {
     Vec2 value;
     UiGrab grab = ui_grab(window->ui, pane->live.name, pane->place);
     if (!pane->canvas || !plot_panes_value(pane, grab.at, &value))
@@ -178,7 +178,7 @@ static void use_chart_mouse(Window *window, Tab *tab, PlotPane *pane, size_t plo
         return;
     }
     if (grab.pressed) {
-        ui_focus(window->ui, text_in_arena(&window->words, "plot:%s", pane->live.name));
+        ui_focus(window->ui, text_in_arena(&window->arena, "plot:%s", pane->live.name));
         act_plot_use(window, pane, value.x);
     }
     if (grab.hovered)
@@ -188,7 +188,7 @@ static void use_chart_mouse(Window *window, Tab *tab, PlotPane *pane, size_t plo
 static void show_pane(Window *window, Tab *tab, size_t index) {
     PlotPane *pane = &tab->panes.panes[index];
     Box box = window->frame.panes[index];
-    ui_pane_begin(window->ui, &(UiPane){.name = text_in_arena(&window->words, "plot:%s", pane->live.name),
+    ui_pane_begin(window->ui, &(UiPane){.name = text_in_arena(&window->arena, "plot:%s", pane->live.name),
                                         .box = box,
                                         .ground = ROLE_PAPER,
                                         .stop = true});
@@ -196,7 +196,7 @@ static void show_pane(Window *window, Tab *tab, size_t index) {
     if (plot < tab->kind->plot_count(tab->live)) {
         plot_panes_show(pane, tab->kind, tab->live, plot, tab->player.time, box, window->unit, window->theme,
                         window->screen, window->ui);
-        use_chart_mouse(window, tab, pane, plot);
+        use_pane_mouse(window, tab, pane, plot);
     }
     ui_pane_end(window->ui);
 }
@@ -204,6 +204,6 @@ static void show_pane(Window *window, Tab *tab, size_t index) {
 void canvas_show(Window *window) {
     Tab *tab = window_tab(window);
     show_view(window, tab);
-    for (size_t i = 0; tab->live && i < window->frame.chart_count && i < tab->panes.count; i++)
+    for (size_t i = 0; tab->live && i < window->frame.pane_count && i < tab->panes.count; i++)
         show_pane(window, tab, i);
 }

@@ -52,7 +52,7 @@ enum { MAKINGS = sizeof makings / sizeof *makings, OPTIONS_MOST = 16 };
 static const char *all_plots(Window *window, const Tab *tab) {
     return tab->kind == &house_laboratory
                ? "speed,clearance,force,ring,phase"
-               : text_in_arena(&window->words, "phase,poincare,force,displacement,velocity,spectrum");
+               : text_in_arena(&window->arena, "phase,poincare,force,displacement,velocity,spectrum");
 }
 
 static void make(Window *window, const Making *making) {
@@ -77,17 +77,17 @@ static void make(Window *window, const Making *making) {
     char *folder = act_folder(window);
     if (!folder)
         return;
-    const char *name = text_in_arena(&window->words, "%s %s", tab->kind->title(tab->live), making->name);
+    const char *name = text_in_arena(&window->arena, "%s %s", tab->kind->title(tab->live), making->name);
     const char *const alone[] = {making->ending, NULL};
     char *free_name = export_free_name(folder, name, making->ending ? alone : making->movie ? films : folders);
-    const char *out = making->ending ? text_in_arena(&window->words, "%s.%s", free_name, making->ending) : free_name;
-    const char *movie = making->movie ? text_in_arena(&window->words, "%s.mp4", out) : NULL;
+    const char *out = making->ending ? text_in_arena(&window->arena, "%s.%s", free_name, making->ending) : free_name;
+    const char *movie = making->movie ? text_in_arena(&window->arena, "%s.mp4", out) : NULL;
     ExportOrder order = {.options = options, .option_count = count, .out = making->movie ? NULL : out, .movie = movie};
-    order.words = files_command(window, &order.word_count);
-    const char *const plan[] = {"export", order.words[1]};
+    order.arguments = files_command(window, &order.argument_count);
+    const char *const plan[] = {"export", order.arguments[1]};
     if (making->ending) {
-        order.words = plan;
-        order.word_count = sizeof plan / sizeof *plan;
+        order.arguments = plan;
+        order.argument_count = sizeof plan / sizeof *plan;
     }
     window->export = export_begin(&order, &fault);
     if (window->export)
@@ -118,7 +118,7 @@ void dialog_export_show(Window *window) {
     ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, command ? command : "");
     memory_free(command);
     if (ui_button(window->ui,
-                  &(UiButton){.label = "Copy command", .help = keys_help(&window->words, ACTION_COPY_COMMAND)}))
+                  &(UiButton){.label = "Copy command", .help = keys_help(&window->arena, ACTION_COPY_COMMAND)}))
         act_do(window, ACTION_COPY_COMMAND, 0, 0);
     ui_heading(window->ui, "Now");
     show_now(window);
@@ -126,7 +126,7 @@ void dialog_export_show(Window *window) {
     for (size_t i = 0; i < MAKINGS && window->dialog == DIALOG_EXPORT; i++) {
         if (makings[i].ending && !plan_input_of(tab))
             continue;
-        const char *label = text_in_arena(&window->words, "%s: %s", makings[i].label, makings[i].meaning);
+        const char *label = text_in_arena(&window->arena, "%s: %s", makings[i].label, makings[i].meaning);
         if (ui_list_row(window->ui,
                         &(UiRow){.id = makings[i].label, .shape = ROW_PLAIN, .cells = {label}, .usable = true})) {
             act_close_dialog(window);
@@ -153,6 +153,6 @@ void dialog_export_show_save(Window *window) {
     if (ui_button(window->ui, &(UiButton){.label = "Cancel", .help = "Cancel (Escape)"}))
         act_close_dialog(window);
     else if (typed || pressed)
-        files_save_as(window, text_in_arena(&window->words, "%s", window->field));
+        files_save_as(window, text_in_arena(&window->arena, "%s", window->field));
     ui_pane_end(window->ui);
 }

@@ -10,7 +10,7 @@
 #define EDGE 24.0
 #define ITEM_WIDTH 268.0
 #define PICTURE_HEIGHT 150.0
-#define WORDS_HEIGHT 78.0
+#define TEXT_HEIGHT 78.0
 #define GAP 12.0
 #define HEAD 44.0
 
@@ -37,7 +37,7 @@ static bool show_item(Window *window, const GalleryItem *item, size_t index) {
                    .words = item->fault ? item->fault : item->line,
                    .picture = index < GALLERY_MOST && window->pictures[index].name ? &window->pictures[index] : NULL,
                    .picture_height = PICTURE_HEIGHT,
-                   .words_height = WORDS_HEIGHT};
+                   .words_height = TEXT_HEIGHT};
     return ui_card(window->ui, &card);
 }
 
@@ -65,7 +65,7 @@ void dialog_gallery_show(Window *window) {
 
 /* Folders ---------------------------------------------------------------------------------------------------------- */
 
-static const char *kind_words(FolderKind kind) {
+static const char *kind_label(FolderKind kind) {
     static const char *const words[] = {[FOLDER_ABOVE] = "folder above",
                                         [FOLDER_FOLDER] = "folder",
                                         [FOLDER_HOUSE] = "house",
@@ -77,13 +77,13 @@ static const char *kind_words(FolderKind kind) {
 /* Goes into a folder, or opens a file. */
 static void choose(Window *window, const FolderEntry *entry) {
     Fault fault = {0};
-    const char *path = text_in_arena(&window->words, "%s", entry->path);
+    const char *path = text_in_arena(&window->arena, "%s", entry->path);
     if (entry->kind == FOLDER_ABOVE || entry->kind == FOLDER_FOLDER) {
         folder_read(&window->folder, path, &fault);
         act_complain(window, &fault, NAN);
         return;
     }
-    window->settings.state.folder = settings_keep(&window->settings, window->folder.path);
+    window->settings.state.folder = settings_store(&window->settings, window->folder.path);
     act_close_dialog(window);
     files_leave(window, LEAVE_OPEN, path);
 }
@@ -95,15 +95,15 @@ void dialog_gallery_show_open(Window *window) {
     ui_line(window->ui, UI_BODY, ROLE_DIM_TEXT, window->folder.path);
     if (ui_field(window->ui, "path", "or type its path", "Path: Return opens it", window->field,
                  sizeof window->field)) {
-        const char *path = text_in_arena(&window->words, "%s", window->field);
+        const char *path = text_in_arena(&window->arena, "%s", window->field);
         act_close_dialog(window);
         files_leave(window, LEAVE_OPEN, path);
     }
     for (size_t i = 0; i < window->folder.count; i++) {
         const FolderEntry *entry = &window->folder.entries[i];
-        UiRow row = {.id = text_in_arena(&window->words, "entry %zu", i),
+        UiRow row = {.id = text_in_arena(&window->arena, "entry %zu", i),
                      .shape = ROW_PLAIN,
-                     .cells = {entry->name, kind_words(entry->kind)},
+                     .cells = {entry->name, kind_label(entry->kind)},
                      .usable = true};
         if (ui_list_row(window->ui, &row)) {
             choose(window, entry);

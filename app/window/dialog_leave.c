@@ -21,7 +21,7 @@ void dialog_leave_show(Window *window) {
     dialog_pane_begin(window, dialog_pane_centred(window, WIDTH, HEIGHT, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save before closing?");
     ui_text(window->ui, UI_BODY, ROLE_TEXT,
-            text_in_arena(&window->words, "%s has %zu edit%s that no file holds yet.", tab->kind->title(tab->live),
+            text_in_arena(&window->arena, "%s has %zu edit%s that no file holds yet.", tab->kind->title(tab->live),
                           edits, edits == 1 ? "" : "s"));
     ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, tab->path ? tab->path : "It has no file of its own yet.");
     ui_row(window->ui, 3);
@@ -33,39 +33,39 @@ void dialog_leave_show(Window *window) {
     else if (saves)
         files_save(window);
     else if (drops)
-        files_go_on(window);
+        files_finish_leaving(window);
     ui_pane_end(window->ui);
 }
 
 /* "14:02", or with its day when that is another one. */
-static const char *when_words(Window *window, int64_t when) {
+static const char *when_text(Window *window, int64_t when) {
     time_t moment = (time_t)when, now = time(NULL);
     struct tm then, today;
-    char words[64];
+    char text[64];
     localtime_r(&moment, &then);
     localtime_r(&now, &today);
     bool same = then.tm_year == today.tm_year && then.tm_yday == today.tm_yday;
-    strftime(words, sizeof words, same ? "%H:%M" : "%Y-%m-%d %H:%M", &then);
-    return text_in_arena(&window->words, "%s", words);
+    strftime(text, sizeof text, same ? "%H:%M" : "%Y-%m-%d %H:%M", &then);
+    return text_in_arena(&window->arena, "%s", text);
 }
 
 /* True: it was chosen or put away, and there are others now. */
 static bool show_found(Window *window, size_t index) {
     const RecoveryFound *found = &window->found[index];
-    ui_heading(window->ui, text_in_arena(&window->words, "%s, %s, %zu edit%s", found->name,
-                                         when_words(window, found->when), found->edits, found->edits == 1 ? "" : "s"));
-    ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, text_in_arena(&window->words, "kept in %s", found->path));
+    ui_heading(window->ui, text_in_arena(&window->arena, "%s, %s, %zu edit%s", found->name,
+                                         when_text(window, found->when), found->edits, found->edits == 1 ? "" : "s"));
+    ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, text_in_arena(&window->arena, "kept in %s", found->path));
     const char *origin = !found->origin ? "it had no file of its own"
                          : found->origin_when
-                             ? text_in_arena(&window->words, "its file: %s, saved %s", found->origin,
-                                             when_words(window, found->origin_when))
-                             : text_in_arena(&window->words, "its file: %s, which is not there now", found->origin);
+                             ? text_in_arena(&window->arena, "its file: %s, saved %s", found->origin,
+                                             when_text(window, found->origin_when))
+                             : text_in_arena(&window->arena, "its file: %s, which is not there now", found->origin);
     ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, origin);
     ui_row(window->ui, 2);
-    bool opens = ui_button(window->ui, &(UiButton){.id = text_in_arena(&window->words, "open %zu", index),
+    bool opens = ui_button(window->ui, &(UiButton){.id = text_in_arena(&window->arena, "open %zu", index),
                                                    .label = "Open",
                                                    .help = "Open: shows it; no file is changed until it is saved"});
-    bool forgets = ui_button(window->ui, &(UiButton){.id = text_in_arena(&window->words, "forget %zu", index),
+    bool forgets = ui_button(window->ui, &(UiButton){.id = text_in_arena(&window->arena, "forget %zu", index),
                                                      .label = "Forget",
                                                      .help = "Forget: puts it away for good"});
     if (opens)

@@ -52,7 +52,7 @@ static bool show_menu_row(Window *window, const KeyRow *row) {
     bool can = !steps || (editor && (undoes ? editor->undo_name(tab->live) : editor->redo_name(tab->live)));
     UiRow shown = {.id = row->name,
                    .shape = ROW_PLAIN,
-                   .cells = {steps ? plan_input_step_words(window, row->action) : row->name,
+                   .cells = {steps ? plan_input_step_label(window, row->action) : row->name,
                              is_meant(window, row) ? row->key : NULL},
                    .usable = can};
     if (!ui_list_row(window->ui, &shown))
@@ -121,11 +121,11 @@ static const char *place_name(KeyPlace place) {
 
 /* All keys of an action in a place: "Space, Alt+K". */
 static const char *all_keys(Window *window, size_t row) {
-    const char *words = keys_table[row].key;
+    const char *text = keys_table[row].key;
     for (size_t i = row + 1; i < keys_count && !keys_table[i].name; i++)
         if (keys_table[i].place == keys_table[row].place && keys_table[row].action != ACTION_LAYER)
-            words = text_in_arena(&window->words, "%s, %s", words, keys_table[i].key);
-    return keys_table[row].action == ACTION_LAYER ? "1 ... 9" : words;
+            text = text_in_arena(&window->arena, "%s, %s", text, keys_table[i].key);
+    return keys_table[row].action == ACTION_LAYER ? "1 ... 9" : text;
 }
 
 static void show_keys(Window *window) {
@@ -147,11 +147,11 @@ static void show_keys(Window *window) {
             bool first = keys_table[i].name || keys_table[i].place != keys_table[i - 1].place;
             if (keys_table[i].place != place || !first)
                 continue;
-            const char *words = text_in_arena(&window->words, "%s: %s", named->name, named->help);
+            const char *text = text_in_arena(&window->arena, "%s: %s", named->name, named->help);
             ui_list_row(window->ui,
-                        &(UiRow){.id = text_in_arena(&window->words, "key %zu", i),
+                        &(UiRow){.id = text_in_arena(&window->arena, "key %zu", i),
                                  .shape = ROW_PLAIN,
-                                 .cells = {words, keys_table[i].name ? all_keys(window, i) : keys_table[i].key}});
+                                 .cells = {text, keys_table[i].name ? all_keys(window, i) : keys_table[i].key}});
         }
     }
     ui_pane_end(window->ui);
@@ -167,16 +167,16 @@ static void show_messages(Window *window) {
     for (size_t i = messages_count(&window->messages); i-- > 0;) {
         const Message *message = messages_at(&window->messages, i);
         bool timed = !isnan(message->time);
-        const char *when = timed ? text_in_arena(&window->words, "%.3f s", message->time) : NULL;
-        const char *words =
-            text_in_arena(&window->words, "%s%s", message->kind == MESSAGE_FAULT ? "\u26a0 " : "", message->text);
+        const char *when = timed ? text_in_arena(&window->arena, "%.3f s", message->time) : NULL;
+        const char *text =
+            text_in_arena(&window->arena, "%s%s", message->kind == MESSAGE_FAULT ? "\u26a0 " : "", message->text);
         if (!timed) {
-            ui_text(window->ui, UI_BODY, message->kind == MESSAGE_FAULT ? ROLE_ERROR : ROLE_TEXT, words);
+            ui_text(window->ui, UI_BODY, message->kind == MESSAGE_FAULT ? ROLE_ERROR : ROLE_TEXT, text);
             continue;
         }
-        UiRow row = {.id = text_in_arena(&window->words, "message %zu", message->number),
+        UiRow row = {.id = text_in_arena(&window->arena, "message %zu", message->number),
                      .shape = ROW_PLAIN,
-                     .cells = {words, when},
+                     .cells = {text, when},
                      .usable = true};
         if (ui_list_row(window->ui, &row) && window_tab(window)->live) {
             tab_seek(window_tab(window), message->time);

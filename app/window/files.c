@@ -33,7 +33,7 @@ bool files_unsaved(const Tab *tab) {
 
 const char *files_title(Window *window, const Tab *tab) {
     const char *mark = tab->mark ? tab->mark : files_unsaved(tab) ? " (edited)" : "";
-    return text_in_arena(&window->words, "%s%s", tab->kind->title(tab->live), mark);
+    return text_in_arena(&window->arena, "%s%s", tab->kind->title(tab->live), mark);
 }
 
 /* The system's frame says the same as the menu. */
@@ -98,8 +98,8 @@ void files_save(Window *window) {
     bool own = plan_input_of(tab) && tab->path && !tab->mark && !is_shipped(tab->path) && access(tab->path, W_OK) == 0;
     if (!own)
         files_ask_name(window);
-    else if (save(window, text_in_arena(&window->words, "%s", tab->path)) && window->leave)
-        files_go_on(window);
+    else if (save(window, text_in_arena(&window->arena, "%s", tab->path)) && window->leave)
+        files_finish_leaving(window);
 }
 
 void files_ask_name(Window *window) {
@@ -124,7 +124,7 @@ bool files_save_as(Window *window, const char *path) {
     bool own = (tab->origin && strcmp(path, tab->origin) == 0) ||
                (tab->path && strcmp(path, tab->path) == 0 && !is_shipped(path));
     if (!own && access(path, F_OK) == 0) {
-        messages_say(&window->messages, MESSAGE_FAULT, NAN,
+        messages_add(&window->messages, MESSAGE_FAULT, NAN,
                      "%s: there is such a file already, the new one must have another name", path);
         window->dirty = true;
         return false;
@@ -135,13 +135,13 @@ bool files_save_as(Window *window, const char *path) {
     act_close_dialog(window);
     window->leave = leave;
     if (leave)
-        files_go_on(window);
+        files_finish_leaving(window);
     return true;
 }
 
 /* Leaving ---------------------------------------------------------------------------------------------------------- */
 
-void files_go_on(Window *window) {
+void files_finish_leaving(Window *window) {
     Leave leave = window->leave;
     act_close_dialog(window);
     if (leave == LEAVE_QUIT)
@@ -153,10 +153,10 @@ void files_go_on(Window *window) {
 void files_leave(Window *window, Leave leave, const char *path) {
     bool beam = leave == LEAVE_OPEN && laboratory_of(path) == &beam_laboratory;
     snprintf(window->leave_path, sizeof window->leave_path, "%s", path ? path : "");
-    plan_input_let_go(window);
+    plan_input_reset(window);
     window->leave = leave;
     if (beam || !files_unsaved(house_tab(window))) {
-        files_go_on(window);
+        files_finish_leaving(window);
         return;
     }
     act_enter(window, TAB_HOUSE);
@@ -196,7 +196,7 @@ const char *const *files_command(Window *window, size_t *count) {
     if (*words[FILE_WORD] || !editor || !window->recovery)
         return words;
     write_recovery(window, tab, editor);
-    const char **given = arena_allocate(&window->words, *count * sizeof *given);
+    const char **given = arena_allocate(&window->arena, *count * sizeof *given);
     memcpy(given, words, *count * sizeof *given);
     given[FILE_WORD] = recovery_path(window->recovery);
     return given;

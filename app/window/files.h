@@ -20,7 +20,7 @@ bool files_save_as(Window *window, const char *path);
 void files_leave(Window *window, Leave leave, const char *path);
 
 /* What was asked about is saved, or need not be. */
-void files_go_on(Window *window);
+void files_finish_leaving(Window *window);
 
 /* A file has been opened in a room. */
 void files_begin(Window *window, Tab *tab);

@@ -15,7 +15,7 @@
 #define TOOL_NARROW 40.0
 #define TOOL_HEIGHT 42.0 /* at least, of a letter above a word; at least, of a letter */
 #define TOOL_LEAST 28.0
-#define TOOLBAR_WORDS 1000.0 /* a page at least so wide has room for them */
+#define LABELLED_WIDTH 1000.0 /* a page at least so wide has room for them */
 
 /* Below these a page is small. */
 #define COMPACT_WIDTH 900.0
@@ -25,9 +25,9 @@
 #define COMPACT_TIMELINE 44.0
 
 /* Of a plot, at least; and the shape that reads best. */
-#define CHART_WIDTH 230.0
-#define CHART_HEIGHT 112.0
-#define CHART_ASPECT 1.6
+#define PLOT_WIDTH 230.0
+#define PLOT_HEIGHT 112.0
+#define PLOT_ASPECT 1.6
 #define FIRST_ROW 1.4     /* times as high as the others */
 #define BESIDE_WIDTH 0.38 /* of the place, of plots beside the view */
 #define BESIDE_MOST 440.0
@@ -48,9 +48,9 @@ static size_t in_row(size_t count, size_t rows, size_t row) {
 /* How far from the best shape the plots would be in so many rows; infinite: too small. */
 static double misfit(Box place, size_t count, size_t rows) {
     double width = box_width(place) / (double)in_row(count, rows, rows - 1), height = box_height(place) / (double)rows;
-    if (width < CHART_WIDTH || height < CHART_HEIGHT)
+    if (width < PLOT_WIDTH || height < PLOT_HEIGHT)
         return HUGE_VAL;
-    return fabs(log(width / height / CHART_ASPECT));
+    return fabs(log(width / height / PLOT_ASPECT));
 }
 
 static void place_rows(Frame *frame, Box place, size_t count, size_t rows) {
@@ -62,7 +62,7 @@ static void place_rows(Frame *frame, Box place, size_t count, size_t rows) {
         double width = box_width(place) / (double)here;
         for (size_t i = 0; i < here; i++) {
             Box box = {{place.low.x + (double)i * width, y}, {place.low.x + (double)(i + 1) * width, y + height}};
-            frame->panes[frame->chart_count++] = box_expand(box, -GAP / 2);
+            frame->panes[frame->pane_count++] = box_expand(box, -GAP / 2);
         }
         y += height;
     }
@@ -91,7 +91,7 @@ static double scale_of(Box place, double aspect) {
 
 /* Divides what is left between the view and its plots: beside or below, whichever leaves the view larger. */
 static void divide(Frame *frame, Box place, const FrameWish *wish) {
-    size_t count = wish->plot_count < FRAME_CHARTS_MOST ? wish->plot_count : FRAME_CHARTS_MOST;
+    size_t count = wish->plot_count < FRAME_PANES_MOST ? wish->plot_count : FRAME_PANES_MOST;
     frame->view = place;
     if (!wish->plots || !count)
         return;
@@ -106,22 +106,22 @@ static void divide(Frame *frame, Box place, const FrameWish *wish) {
     upper.high.y = below.low.y;
     bool is_below = wish->aspect > WIDE_VIEW || scale_of(upper, wish->aspect) > scale_of(left, wish->aspect);
     place_panes(frame, is_below ? below : beside, count);
-    if (!frame->chart_count) {
+    if (!frame->pane_count) {
         is_below = !is_below;
         place_panes(frame, is_below ? below : beside, count);
     }
-    if (frame->chart_count)
+    if (frame->pane_count)
         frame->view = is_below ? upper : left;
 }
 
 /* Left of the view; what is left of the place. */
-static Box place_rail(Frame *frame, Box place, const FrameWish *wish) {
+static Box place_toolbar(Frame *frame, Box place, const FrameWish *wish) {
     if (!wish->tool_count || wish->present)
         return place;
     double each = (box_height(place) - GAP) / (double)wish->tool_count;
-    frame->tool_words = frame->page.x >= TOOLBAR_WORDS && each >= TOOL_HEIGHT;
+    frame->tool_labels = frame->page.x >= LABELLED_WIDTH && each >= TOOL_HEIGHT;
     frame->tool_columns = each < TOOL_LEAST ? 2 : 1;
-    double width = (frame->tool_words ? TOOL_WIDTH : TOOL_NARROW) * frame->tool_columns + 2 * GAP;
+    double width = (frame->tool_labels ? TOOL_WIDTH : TOOL_NARROW) * frame->tool_columns + 2 * GAP;
     frame->toolbar = (Box){place.low, {place.low.x + width, place.high.y}};
     place.low.x += width;
     return place;
@@ -143,7 +143,7 @@ Frame frame_make(Vec2 page, const FrameWish *wish) {
     frame.panel = (Box){{page.x - panel, place.low.y}, place.high};
     if (!frame.drawer)
         place.high.x = frame.panel.low.x;
-    place = place_rail(&frame, place, wish);
+    place = place_toolbar(&frame, place, wish);
     if (is_there(place))
         divide(&frame, place, wish);
     return frame;

@@ -20,7 +20,7 @@
 
 #include "base/vec2.h"
 
-enum { FRAME_CHARTS_MOST = 8 };
+enum { FRAME_PANES_MOST = 8 };
 
 typedef struct FrameWish {
     bool panel, plots, present;
@@ -32,12 +32,12 @@ typedef struct FrameWish {
 typedef struct Frame {
     Vec2 page;
     Box menu, answer, toolbar, view, panel, timeline, strip; /* those that there is no room for have no width */
-    Box panes[FRAME_CHARTS_MOST];
-    size_t chart_count; /* as many of the plots as there is room for */
-    int tool_columns;   /* of the rail */
-    bool tool_words;    /* its tools have their names */
-    bool compact;       /* bars in short */
-    bool drawer;        /* the panel lies over the view */
+    Box panes[FRAME_PANES_MOST];
+    size_t pane_count; /* as many of the plots as there is room for */
+    int tool_columns;  /* of the rail */
+    bool tool_labels;  /* its tools have their names */
+    bool compact;      /* bars in short */
+    bool drawer;       /* the panel lies over the view */
 } Frame;
 
 Frame frame_make(Vec2 page, const FrameWish *wish);

@@ -143,7 +143,7 @@ static char *fault_line(Fault *fault) {
     return line;
 }
 
-static void find_words(Gallery *gallery, size_t i) {
+static void find_text(Gallery *gallery, size_t i) {
     Thumbnail thumbnail;
     Fault fault = {0};
     Found found = {.name = NULL};
@@ -196,7 +196,7 @@ static void *work(void *context) {
     theme = gallery->theme;
     pthread_mutex_unlock(&gallery->lock);
     for (size_t i = 0; i < gallery->count; i++)
-        find_words(gallery, i);
+        find_text(gallery, i);
     do
         for (size_t i = 0; i < gallery->count && goes_on(gallery, revision); i++)
             find_picture(gallery, i, theme);
@@ -281,7 +281,7 @@ bool gallery_update(Gallery *gallery) {
         hand_over(shown, &gallery->found[i]);
         item->name = shown->name ? shown->name : item->name;
         item->line = shown->line ? shown->line : "";
-        item->told = shown->line;
+        item->is_read = shown->line;
         item->fault = shown->fault;
         item->pixels = shown->fault ? NULL : shown->pixels;
     }

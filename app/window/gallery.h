@@ -19,7 +19,7 @@ typedef struct GalleryItem {
     bool beam;                   /* otherwise a house */
     const char *fault;           /* why there is no picture: it cannot be read, or NULL */
     const unsigned char *pixels; /* GALLERY_WIDTH x GALLERY_HEIGHT of cairo's RGB24, rows from the top; NULL: not yet */
-    bool told;                   /* it has been read: name, line and fault are final */
+    bool is_read;                /* it has been read: name, line and fault are final */
 } GalleryItem;
 
 /* Houses first, each kind in natural order of names. Returns at once; gallery_destroy ends the thread. */

@@ -183,7 +183,7 @@ const KeyRow *keys_row(Action action) {
     return NULL;
 }
 
-void keys_read(const char *words, int32_t *key, int *mods) {
+void keys_read(const char *text, int32_t *key, int *mods) {
     static const struct {
         const char *word;
         int mod;
@@ -192,16 +192,16 @@ void keys_read(const char *words, int32_t *key, int *mods) {
     *mods = 0;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         size_t length = strlen(known[i].word);
-        if (strncmp(words, known[i].word, length) == 0 && words[length]) {
+        if (strncmp(text, known[i].word, length) == 0 && text[length]) {
             *mods |= known[i].mod;
-            words += length;
+            text += length;
         }
     }
-    *key = sdl_window_key(words);
+    *key = sdl_window_key(text);
 }
 
 /* A letter, a digit or a sign alone, which somebody who types by mistake presses too. */
-static bool is_letter(const KeyRow *row) {
+static bool is_single(const KeyRow *row) {
     return !row->key[1];
 }
 
@@ -220,7 +220,7 @@ static int narrowness(const KeyRow *row, KeyPlace place) {
     }
 }
 
-const KeyRow *keys_find(int32_t key, int mods, KeyPlace place, bool letters) {
+const KeyRow *keys_find(int32_t key, int mods, KeyPlace place, bool single_keys) {
     const KeyRow *found = NULL;
     int narrowest = 0;
     for (size_t i = 0; i < keys_count; i++) {
@@ -228,7 +228,7 @@ const KeyRow *keys_find(int32_t key, int mods, KeyPlace place, bool letters) {
         int32_t row_key;
         int row_mods, narrow = narrowness(row, place);
         keys_read(row->key, &row_key, &row_mods);
-        if (row_key == key && row_mods == mods && narrow > narrowest && (letters || !is_letter(row))) {
+        if (row_key == key && row_mods == mods && narrow > narrowest && (single_keys || !is_single(row))) {
             found = row;
             narrowest = narrow;
         }

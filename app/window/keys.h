@@ -142,11 +142,11 @@ extern const char *const keys_menus[MENUS];
 const KeyRow *keys_row(Action action);
 
 /* What a key means where a place of this kind has the focus, of several meanings that of the narrowest place;
- * `letters`: single letters mean something. NULL: nothing. `mods` as in glass.h. */
-const KeyRow *keys_find(int32_t key, int mods, KeyPlace place, bool letters);
+ * `single_keys`: single letters mean something. NULL: nothing. `mods` as in sdl_window.h. */
+const KeyRow *keys_find(int32_t key, int mods, KeyPlace place, bool single_keys);
 
 /* The key's code and mods. */
-void keys_read(const char *words, int32_t *key, int *mods);
+void keys_read(const char *text, int32_t *key, int *mods);
 
 /* "Open (Ctrl+O): ..." */
 const char *keys_help(Arena *arena, Action action);

@@ -32,7 +32,7 @@ static void join_lines(char *text) {
         *end = ' ';
 }
 
-void messages_say(Messages *messages, MessageKind kind, double time, const char *format, ...) {
+void messages_add(Messages *messages, MessageKind kind, double time, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
     char *text = text_printed(format, arguments);
@@ -41,11 +41,11 @@ void messages_say(Messages *messages, MessageKind kind, double time, const char 
     add(messages, kind, time, text);
 }
 
-void messages_take(Messages *messages, Fault *fault, double time) {
+void messages_add_fault(Messages *messages, Fault *fault, double time) {
     for (size_t i = 0; i < fault->count; i++)
-        messages_say(messages, MESSAGE_FAULT, time, "%s", fault->lines[i]);
+        messages_add(messages, MESSAGE_FAULT, time, "%s", fault->lines[i]);
     if (fault->total > fault->count)
-        messages_say(messages, MESSAGE_FAULT, time, "and %zu more", fault->total - fault->count);
+        messages_add(messages, MESSAGE_FAULT, time, "and %zu more", fault->total - fault->count);
     fault_clear(fault);
 }
 

@@ -8,7 +8,7 @@
 
 enum { MESSAGES_MOST = 200 };
 
-typedef enum MessageKind { MESSAGE_SAID, MESSAGE_FAULT } MessageKind;
+typedef enum MessageKind { MESSAGE_NOTE, MESSAGE_FAULT } MessageKind;
 
 typedef struct Message {
     size_t number; /* from 1, of all that was ever said */
@@ -24,11 +24,11 @@ typedef struct Messages {
 } Messages;
 
 /* Adds a line; one that says the same as the last, of the same kind and time, is not said twice. */
-void messages_say(Messages *messages, MessageKind kind, double time, const char *format, ...)
+void messages_add(Messages *messages, MessageKind kind, double time, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
 /* Adds all lines of a fault, and releases it. */
-void messages_take(Messages *messages, Fault *fault, double time);
+void messages_add_fault(Messages *messages, Fault *fault, double time);
 
 /* How many are kept, and the i-th of them, from the oldest, below that. */
 size_t messages_count(const Messages *messages);

@@ -29,14 +29,14 @@ static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index
         ui_text(window->ui, UI_BODY, ROLE_TEXT, scene->cells[0]);
         return;
     }
-    UiRow shown = {.id = text_in_arena(&window->words, "row %zu", index),
+    UiRow shown = {.id = text_in_arena(&window->arena, "row %zu", index),
                    .mark = scene->mark,
                    .role = scene->role,
                    .shape = (int)scene->kind,
                    .style = (int)scene->style,
                    .cells = {scene->cells[0], scene->cells[1], scene->cells[2]},
                    .help =
-                       usable ? text_in_arena(&window->words, "%s: selects it and goes there", scene->cells[0]) : NULL,
+                       usable ? text_in_arena(&window->arena, "%s: selects it and goes there", scene->cells[0]) : NULL,
                    .selected = row->thing.kind && item_same(row->thing, tab->kind->selected(tab->live)),
                    .usable = usable};
     Item thing = row->thing;
@@ -76,7 +76,7 @@ static void show_choices(Window *window, Tab *tab) {
         size_t chosen = choices[i].chosen;
         if (choices[i].count < 2)
             continue;
-        const char *help = text_in_arena(&window->words, "%s: %s", choices[i].name, choices[i].meaning);
+        const char *help = text_in_arena(&window->arena, "%s: %s", choices[i].name, choices[i].meaning);
         if (ui_choice(window->ui, choices[i].name, choices[i].name, help, choices[i].words, choices[i].count,
                       &chosen)) {
             tab->kind->choose(tab->live, i, chosen);
@@ -95,7 +95,7 @@ static void show_presets(Window *window, Tab *tab) {
     for (size_t i = 0; i < count; i++) {
         if (i % PRESETS_IN_ROW == 0)
             ui_row(window->ui, PRESETS_IN_ROW);
-        const char *help = text_in_arena(&window->words, "%s: %s", presets[i].name, presets[i].meaning);
+        const char *help = text_in_arena(&window->arena, "%s: %s", presets[i].name, presets[i].meaning);
         if (ui_button(window->ui, &(UiButton){.label = presets[i].name, .help = help})) {
             tab->kind->prefer(tab->live, i);
             return;
@@ -118,7 +118,7 @@ static int digits_of(const PanelParameter *parameter) {
 }
 
 static const char *help_of(Window *window, const PanelParameter *parameter) {
-    return text_in_arena(&window->words, "%s: %s%s%s (--set %s=...)", parameter->label, parameter->meaning,
+    return text_in_arena(&window->arena, "%s: %s%s%s (--set %s=...)", parameter->label, parameter->meaning,
                          parameter->provenance ? ". From: " : "", parameter->provenance ? parameter->provenance : "",
                          parameter->name);
 }
@@ -149,7 +149,7 @@ static size_t split_words(Window *window, const char *choices, const char **word
     size_t count = 0;
     while (count < most) {
         size_t length = strcspn(choices, "|");
-        words[count++] = text_in_arena(&window->words, "%.*s", (int)length, choices);
+        words[count++] = text_in_arena(&window->arena, "%.*s", (int)length, choices);
         if (!choices[length])
             break;
         choices += length + 1;
@@ -190,7 +190,7 @@ static void show_parameters(Window *window, Tab *tab, bool first) {
             continue;
         if (strcmp(group, parameters[i].group) != 0)
             ui_heading(window->ui, parameters[i].group);
-        group = text_in_arena(&window->words, "%s", parameters[i].group);
+        group = text_in_arena(&window->arena, "%s", parameters[i].group);
         show_parameter(window, &parameters[i]);
         parameters = tab->kind->parameters(tab->live, &count); /* a change may have made them anew */
     }
@@ -199,7 +199,7 @@ static void show_parameters(Window *window, Tab *tab, bool first) {
 static void show_more(Window *window, Tab *tab) {
     ui_gap(window->ui, 6);
     ui_row(window->ui, 2);
-    if (ui_button(window->ui, &(UiButton){.label = "Reset all", .help = keys_help(&window->words, ACTION_UNDO_ALL)}))
+    if (ui_button(window->ui, &(UiButton){.label = "Reset all", .help = keys_help(&window->arena, ACTION_UNDO_ALL)}))
         act_do(window, ACTION_UNDO_ALL, 0, 0);
     if (ui_button(window->ui, &(UiButton){.label = window->more ? "Fewer numbers" : "All numbers",
                                           .help = "All numbers: shows every number that can be changed",
@@ -215,9 +215,9 @@ static void show_layers(Window *window, Tab *tab) {
     ui_heading(window->ui, "Layers");
     for (size_t i = 0; i < tab->kind->layer_count; i++) {
         bool shown = tab_layers(tab) >> i & 1;
-        const char *label = text_in_arena(&window->words, "%zu  %s", i + 1, tab->kind->layers[i]);
+        const char *label = text_in_arena(&window->arena, "%zu  %s", i + 1, tab->kind->layers[i]);
         const char *help =
-            text_in_arena(&window->words, "%s (%zu): %s", tab->kind->layers[i], i + 1, tab->kind->meanings[i]);
+            text_in_arena(&window->arena, "%s (%zu): %s", tab->kind->layers[i], i + 1, tab->kind->meanings[i]);
         if (ui_flag(window->ui, label, label, help, &shown))
             act_do(window, ACTION_LAYER, '1' + (int32_t)i, 0);
     }
@@ -233,7 +233,7 @@ static const char *toggled(Window *window, const char *names, const char *name, 
     }
     if (add)
         text_format(&text, "%s%s", text.used ? "," : "", name);
-    const char *kept = settings_keep(&window->settings, text.text ? text.text : "none");
+    const char *kept = settings_store(&window->settings, text.text ? text.text : "none");
     memory_free(text.text);
     return kept;
 }
@@ -246,10 +246,10 @@ static void show_plots(Window *window, Tab *tab) {
         bool shown = false;
         for (size_t c = 0; c < tab->panes.count; c++)
             shown |= strcmp(tab->panes.panes[c].live.name, plot.name) == 0;
-        const char *help = text_in_arena(&window->words, "%s: shows the plot, or not", plot.title);
-        if (ui_flag(window->ui, text_in_arena(&window->words, "plot %s", plot.name), plot.title, help, &shown)) {
+        const char *help = text_in_arena(&window->arena, "%s: shows the plot, or not", plot.title);
+        if (ui_flag(window->ui, text_in_arena(&window->arena, "plot %s", plot.name), plot.title, help, &shown)) {
             tab->plots = toggled(window, tab->plots, plot.name, shown);
-            tab->plot_panes_wait = true;
+            tab->plot_panes_stale = true;
         }
     }
 }
@@ -266,7 +266,7 @@ void panel_show(Window *window) {
         panel_edit_show(window);
         show_rows(window, tab, 0, lists);
         show_parameters(window, tab, true); /* of what is selected: Enter goes to the first that can be changed */
-        panel_edit_show_words(window);
+        panel_edit_show_texts(window);
         show_presets(window, tab);
         show_rows(window, tab, lists, SIZE_MAX);
         show_choices(window, tab);

@@ -19,10 +19,10 @@ static void show_items(Window *window, Tab *tab, const EditorFunctions *editor) 
         if (strcmp(group, items[i].group) != 0)
             ui_heading(window->ui, items[i].group);
         group = items[i].group;
-        UiRow row = {.id = text_in_arena(&window->words, "item %zu", i),
+        UiRow row = {.id = text_in_arena(&window->arena, "item %zu", i),
                      .shape = ROW_PLAIN,
                      .cells = {items[i].name},
-                     .help = text_in_arena(&window->words, "%s: %s", items[i].name, items[i].words),
+                     .help = text_in_arena(&window->arena, "%s: %s", items[i].name, items[i].words),
                      .selected = i == chosen,
                      .usable = true};
         if (ui_list_row(window->ui, &row)) {
@@ -43,8 +43,8 @@ static bool show_text(Window *window, Tab *tab, const EditorFunctions *editor, c
     char typed[TEXT_MOST];
     Fault fault = {0};
     snprintf(typed, sizeof typed, "%s", text->value);
-    const char *help = text_in_arena(&window->words, "%s: %s; Return takes it", text->label, text->help);
-    const char *name = text_in_arena(&window->words, "%s", text->name);
+    const char *help = text_in_arena(&window->arena, "%s: %s; Return takes it", text->label, text->help);
+    const char *name = text_in_arena(&window->arena, "%s", text->name);
     if (!ui_field(window->ui, name, text->label, help, typed, sizeof typed) || strcmp(typed, text->value) == 0)
         return false;
     editor->set_text(tab->live, name, typed, &fault);
@@ -107,8 +107,8 @@ static void show_proposals(Window *window, Tab *tab, const EditorFunctions *edit
     Fault fault = {0};
     for (size_t i = 0; i < count; i++) {
         ui_text(window->ui, UI_BODY, ROLE_TEXT,
-                text_in_arena(&window->words, "%s: %s", proposals[i].words, proposals[i].answer));
-        UiButton button = {.id = text_in_arena(&window->words, "proposal %zu", i),
+                text_in_arena(&window->arena, "%s: %s", proposals[i].words, proposals[i].answer));
+        UiButton button = {.id = text_in_arena(&window->arena, "proposal %zu", i),
                            .label = "Do it",
                            .help = "Do it: changes the house so; it can be undone"};
         if (ui_button(window->ui, &button)) {
@@ -154,7 +154,7 @@ void panel_edit_show(Window *window) {
     show_way_out(window, tab, editor);
 }
 
-void panel_edit_show_words(Window *window) {
+void panel_edit_show_texts(Window *window) {
     Tab *tab = window_tab(window);
     const EditorFunctions *editor = plan_input_of(tab);
     if (editor)

@@ -7,5 +7,5 @@
 void panel_edit_show(Window *window);
 
 /* Names and ids of what is selected; the house's own name and note. */
-void panel_edit_show_words(Window *window);
+void panel_edit_show_texts(Window *window);
 void panel_edit_show_house(Window *window);

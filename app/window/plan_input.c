@@ -43,33 +43,33 @@ static Vec2 floor_at(const Window *window, const Tab *tab, Vec2 at) {
 }
 
 /* The hand at a point of the window. */
-static Pointer hand_at(const Window *window, const Tab *tab, Vec2 at) {
+static Pointer pointer_at(const Window *window, const Tab *tab, Vec2 at) {
     int mods = sdl_window_mods(window->sdl_window);
     Vec2 floor = floor_at(window, tab, at);
     return (Pointer){.at = floor,
                      .reach = vec2_distance(floor, floor_at(window, tab, vec2_add(at, vec2(REACH, 0)))),
-                     .free = window->edit.free || mods & SDL_WINDOW_EVENT_CONTROL,
+                     .free = window->plan_input.free || mods & SDL_WINDOW_EVENT_CONTROL,
                      .straight = mods & SDL_WINDOW_EVENT_SHIFT,
                      .more = mods & SDL_WINDOW_EVENT_SHIFT};
 }
 
-static bool same_hand(const Pointer *a, const Pointer *b) {
+static bool same_pointer(const Pointer *a, const Pointer *b) {
     return a->at.x == b->at.x && a->at.y == b->at.y && a->reach == b->reach && a->free == b->free &&
            a->straight == b->straight && a->nowhere == b->nowhere;
 }
 
 /* Says where it is, unless it is there already. */
-static void tell(Window *window, Tab *tab, const Pointer *hand) {
-    if (window->edit.told && same_hand(&window->edit.hand, hand))
+static void send_pointer(Window *window, Tab *tab, const Pointer *pointer) {
+    if (window->plan_input.pointer_known && same_pointer(&window->plan_input.pointer, pointer))
         return;
-    window->edit.hand = *hand;
-    window->edit.told = true;
-    plan_input_of(tab)->point(tab->live, hand);
+    window->plan_input.pointer = *pointer;
+    window->plan_input.pointer_known = true;
+    plan_input_of(tab)->point(tab->live, pointer);
     window->dirty = true;
 }
 
 /* Without a pointer the middle of the view is meant. */
-static void tell_where(Window *window, Tab *tab) {
+static void send_pointer_now(Window *window, Tab *tab) {
     Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
     Box view = window->frame.view;
     if (!tab->view_layers.painted)
@@ -77,9 +77,9 @@ static void tell_where(Window *window, Tab *tab) {
     bool nowhere = !box_holds(view, at);
     if (nowhere)
         at = vec2_scale(vec2_add(view.low, view.high), 0.5);
-    Pointer hand = hand_at(window, tab, at);
-    hand.nowhere = nowhere;
-    tell(window, tab, &hand);
+    Pointer pointer = pointer_at(window, tab, at);
+    pointer.nowhere = nowhere;
+    send_pointer(window, tab, &pointer);
 }
 
 void plan_input_mouse(Window *window, const UiGrab *grab) {
@@ -87,14 +87,14 @@ void plan_input_mouse(Window *window, const UiGrab *grab) {
     const EditorFunctions *editor = plan_input_of(tab);
     if (!grab->hovered && !grab->held && !grab->released)
         return;
-    Pointer hand = hand_at(window, tab, grab->at);
-    tell(window, tab, &hand);
+    Pointer pointer = pointer_at(window, tab, grab->at);
+    send_pointer(window, tab, &pointer);
     if (grab->pressed) {
         ui_focus(window->ui, "view");
-        editor->press(tab->live, &hand, grab->twice);
+        editor->press(tab->live, &pointer, grab->twice);
     }
     if (grab->released)
-        editor->release(tab->live, &hand);
+        editor->release(tab->live, &pointer);
     window->dirty |= grab->pressed || grab->released;
 }
 
@@ -116,7 +116,7 @@ bool plan_input_key(Window *window, const SdlWindowEvent *event) {
     int32_t key = event->key;
     if (!plan_input_listens(window) || event->mods & (SDL_WINDOW_EVENT_CONTROL | SDL_WINDOW_EVENT_ALT))
         return false;
-    tell_where(window, tab);
+    send_pointer_now(window, tab);
     if (key == sdl_window_key("Return") || key == sdl_window_key("Keypad Enter"))
         return editor->enter(tab->live);
     if (key == sdl_window_key("Backspace"))
@@ -135,29 +135,29 @@ static bool types_something(const SdlWindowEvent *event) {
     return event->key >= ' ' && event->key < 0x7f;
 }
 
-bool plan_input_keep_key(Window *window, const SdlWindowEvent *event) {
+bool plan_input_store_key(Window *window, const SdlWindowEvent *event) {
     if (!plan_input_listens(window) || event->mods & (SDL_WINDOW_EVENT_CONTROL | SDL_WINDOW_EVENT_ALT) ||
         !types_something(event))
         return false;
-    window->edit.key = *event;
-    window->edit.waits = true;
+    window->plan_input.key = *event;
+    window->plan_input.waits = true;
     return true;
 }
 
-bool plan_input_take_letters(Window *window, const char *letters) {
+bool plan_input_apply_text(Window *window, const char *text) {
     Tab *tab = window_tab(window);
     const EditorFunctions *editor = plan_input_of(tab);
-    const char own[] = {(char)window->edit.key.key, 0};
-    window->edit.waits = false;
-    if (!letters && window->edit.key.key < 0x7f && !window->edit.key.mods)
-        letters = own;
-    return letters && editor && *letters != ' ' && editor->type(tab->live, letters);
+    const char own[] = {(char)window->plan_input.key.key, 0};
+    window->plan_input.waits = false;
+    if (!text && window->plan_input.key.key < 0x7f && !window->plan_input.key.mods)
+        text = own;
+    return text && editor && *text != ' ' && editor->type(tab->live, text);
 }
 
-bool plan_input_type(Window *window, const char *letters) {
+bool plan_input_type(Window *window, const char *text) {
     Tab *tab = window_tab(window);
     bool used = plan_input_listens(window);
-    for (const char *at = letters; used && *at; at++)
+    for (const char *at = text; used && *at; at++)
         used = plan_input_of(tab)->type(tab->live, (const char[]){*at, 0});
     return used;
 }
@@ -170,7 +170,7 @@ static bool is_selected(const Tab *tab) {
 }
 
 /* What cannot be done says why, or that there is nothing to do it to. */
-static void tell_result(Window *window, bool done, const char *what, Fault *fault) {
+static void report_result(Window *window, bool done, const char *what, Fault *fault) {
     if (!done && !fault->count)
         act_say(window, "%s: nothing is selected that it could be done to", what);
     act_complain(window, fault, NAN);
@@ -197,10 +197,10 @@ static bool do_clipboard(Window *window, Tab *tab, Action action) {
         return true;
     case ACTION_CUT:
         copy(window, tab);
-        tell_result(window, editor->remove(tab->live, &fault), "Cut", &fault);
+        report_result(window, editor->remove(tab->live, &fault), "Cut", &fault);
         return true;
     case ACTION_PASTE:
-        tell_where(window, tab);
+        send_pointer_now(window, tab);
         if (!editor->paste(tab->live, sdl_window_clipboard(window->sdl_window), &fault) && !fault.count)
             act_say(window, "there is nothing in the clipboard that could be put here");
         act_complain(window, &fault, NAN);
@@ -226,11 +226,11 @@ static bool do_pieces(Window *window, Tab *tab, Action action) {
         bool (*done)(void *, Fault *);
         memcpy(&done, (const char *)tab->kind->editor + known[i].member, sizeof done);
         Fault fault = {0};
-        tell_where(window, tab);
+        send_pointer_now(window, tab);
         if (!done)
             return true;
         bool good = done(tab->live, &fault);
-        tell_result(window, good, keys_row(action)->name, &fault);
+        report_result(window, good, keys_row(action)->name, &fault);
         if (good && action == ACTION_SHAKE)
             act_say(window, "%s", tab->kind->editor->shaken(tab->live));
         return true;
@@ -248,7 +248,7 @@ static bool nudge(Window *window, Tab *tab, Action action, int mods) {
         act_do(window, ACTION_PAN_LEFT + (Action)way, 0, 0);
         return true;
     }
-    tell_result(window, tab->kind->editor->nudge(tab->live, vec2_scale(ways[way], far), &fault), "Nudge", &fault);
+    report_result(window, tab->kind->editor->nudge(tab->live, vec2_scale(ways[way], far), &fault), "Nudge", &fault);
     return true;
 }
 
@@ -257,7 +257,7 @@ static bool turn(Window *window, Tab *tab, double degrees) {
     Fault fault = {0};
     if (!is_selected(tab))
         return fabs(degrees) < TURN;
-    tell_result(window, tab->kind->editor->turn(tab->live, degrees, &fault), "Turn", &fault);
+    report_result(window, tab->kind->editor->turn(tab->live, degrees, &fault), "Turn", &fault);
     return true;
 }
 
@@ -265,7 +265,7 @@ static void step(Window *window, Tab *tab, Action action) {
     const EditorFunctions *editor = tab->kind->editor;
     bool undoes = action == ACTION_UNDO;
     const char *name = undoes ? editor->undo_name(tab->live) : editor->redo_name(tab->live);
-    name = text_in_arena(&window->words, "%s", name ? name : "");
+    name = text_in_arena(&window->arena, "%s", name ? name : "");
     bool done = undoes ? editor->undo(tab->live) : editor->redo(tab->live);
     const char *word = undoes ? "undone" : "done again";
     if (done)
@@ -275,11 +275,11 @@ static void step(Window *window, Tab *tab, Action action) {
 }
 
 static void toggle_snapping(Window *window) {
-    window->edit.free = !window->edit.free;
-    act_say(window, "snapping is %s", window->edit.free ? "off: the hand is free" : "on");
+    window->plan_input.free = !window->plan_input.free;
+    act_say(window, "snapping is %s", window->plan_input.free ? "off: the hand is free" : "on");
 }
 
-static bool do_hand(Window *window, Tab *tab, Action action, int mods) {
+static bool do_selection(Window *window, Tab *tab, Action action, int mods) {
     const EditorFunctions *editor = tab->kind->editor;
     switch (action) {
     case ACTION_UNDO:
@@ -325,17 +325,18 @@ bool plan_input_do(Window *window, Action action, int mods) {
         ui_focus(window->ui, asks ? "panel" : "view");
         return true;
     }
-    return do_clipboard(window, tab, action) || do_pieces(window, tab, action) || do_hand(window, tab, action, mods);
+    return do_clipboard(window, tab, action) || do_pieces(window, tab, action) ||
+           do_selection(window, tab, action, mods);
 }
 
-const char *plan_input_step_words(Window *window, Action action) {
+const char *plan_input_step_label(Window *window, Action action) {
     Tab *tab = window_tab(window);
     const EditorFunctions *editor = plan_input_of(tab);
     bool undoes = action == ACTION_UNDO;
     const char *name = !editor ? NULL : undoes ? editor->undo_name(tab->live) : editor->redo_name(tab->live);
     if (!name)
         return undoes ? "Can't undo" : "Can't redo";
-    return text_in_arena(&window->words, "%s: %s", undoes ? "Undo" : "Redo", name);
+    return text_in_arena(&window->arena, "%s: %s", undoes ? "Undo" : "Redo", name);
 }
 
 /* The clock -------------------------------------------------------------------------------------------------------- */
@@ -343,30 +344,30 @@ const char *plan_input_step_words(Window *window, Action action) {
 void plan_input_hold_number(Window *window, const char *name) {
     Tab *tab = window_tab(window);
     const EditorFunctions *editor = plan_input_of(tab);
-    if (!editor || window->edit.number)
+    if (!editor || window->plan_input.number)
         return;
-    window->edit.number = true;
+    window->plan_input.number = true;
     editor->hold(tab->live, name);
 }
 
 void plan_input_hold_clock(Window *window) {
     Tab *tab = window_tab(window);
     const EditorFunctions *editor = plan_input_of(tab);
-    PlanInput *edit = &window->edit;
+    PlanInput *input = &window->plan_input;
     if (!editor)
         return;
-    if (edit->number && !window->input.down[SDL_WINDOW_EVENT_LEFT]) {
-        edit->number = false;
+    if (input->number && !window->input.down[SDL_WINDOW_EVENT_LEFT]) {
+        input->number = false;
         editor->settle(tab->live);
     }
-    bool hold = edit->number || editor->gesture(tab->live)->active;
-    if (hold && !edit->holds)
-        edit->plays_on = tab->player.playing;
+    bool hold = input->number || editor->gesture(tab->live)->active;
+    if (hold && !input->holds)
+        input->plays_on = tab->player.playing;
     if (hold)
         tab->player.playing = false;
-    else if (edit->holds)
-        tab->player.playing = edit->plays_on;
-    edit->holds = hold;
+    else if (input->holds)
+        tab->player.playing = input->plays_on;
+    input->holds = hold;
 }
 
 /* What moves in the picture alone --------------------------------------------------------------------------------- */
@@ -378,7 +379,7 @@ void plan_input_animate(Window *window, double seconds) {
     if (!editor || window->reduced)
         return;
     window->dirty |= editor->animation(tab->live) != NULL; /* it may come to its end now */
-    editor->animate(tab->live, unseen ? 1 / PACE_RATE : seconds);
+    editor->animate(tab->live, unseen ? 1 / FRAME_TIMER_RATE : seconds);
 }
 
 const char *plan_input_animation(const Tab *tab) {
@@ -386,15 +387,15 @@ const char *plan_input_animation(const Tab *tab) {
     return editor ? editor->animation(tab->live) : NULL;
 }
 
-void plan_input_let_go(Window *window) {
+void plan_input_reset(Window *window) {
     Tab *tab = window_tab(window);
     const EditorFunctions *editor = plan_input_of(tab);
     if (!editor)
         return;
-    if (window->edit.number)
+    if (window->plan_input.number)
         editor->settle(tab->live);
     editor->take(tab->live, TOOL_SELECT);
-    if (window->edit.holds)
-        tab->player.playing = window->edit.plays_on;
-    window->edit = (PlanInput){.free = window->edit.free};
+    if (window->plan_input.holds)
+        tab->player.playing = window->plan_input.plays_on;
+    window->plan_input = (PlanInput){.free = window->plan_input.free};
 }

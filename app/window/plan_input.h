@@ -14,13 +14,13 @@ bool plan_input_listens(const Window *window);
 bool plan_input_key(Window *window, const SdlWindowEvent *event);
 
 /* A key that types something waits for what it types, which may be the editor's; false: it types nothing, or nobody
- * listens. plan_input_take_letters gives the letters (NULL: none came) to the editor; false: the key that waited is to
+ * listens. plan_input_apply_text gives the letters (NULL: none came) to the editor; false: the key that waited is to
  * be done now. */
-bool plan_input_keep_key(Window *window, const SdlWindowEvent *event);
-bool plan_input_take_letters(Window *window, const char *letters);
+bool plan_input_store_key(Window *window, const SdlWindowEvent *event);
+bool plan_input_apply_text(Window *window, const char *text);
 
 /* Letters that no key has announced, as an input method types them. */
-bool plan_input_type(Window *window, const char *letters);
+bool plan_input_type(Window *window, const char *text);
 
 /* False: the action is none of editing. */
 bool plan_input_do(Window *window, Action action, int mods);
@@ -35,7 +35,7 @@ void plan_input_hold_number(Window *window, const char *name);
 void plan_input_hold_clock(Window *window);
 
 /* Nothing is in the hand any more, and the tool is the one that selects. */
-void plan_input_let_go(Window *window);
+void plan_input_reset(Window *window);
 
 /* Moves on what an edit has set moving: by so many s on the wall, or, without anybody to see it, by a frame. */
 void plan_input_animate(Window *window, double seconds);
@@ -44,4 +44,4 @@ void plan_input_animate(Window *window, double seconds);
 const char *plan_input_animation(const Tab *tab);
 
 /* How the step would be called that is undone, or done, next: "Undo: Move wardrobe (f3)", "Can't undo". */
-const char *plan_input_step_words(Window *window, Action action);
+const char *plan_input_step_label(Window *window, Action action);

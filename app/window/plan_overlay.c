@@ -74,11 +74,11 @@ static Box place_label(const Window *window, Labels *labels, Vec2 middle, Vec2 s
     return box;
 }
 
-static void write_label(Window *window, Labels *labels, Vec2 middle, Role ground, const char *words) {
-    Vec2 size = vec2_add(ui_extent(window->ui, UI_BOLD, words), vec2(2 * PAD, 2));
+static void write_label(Window *window, Labels *labels, Vec2 middle, Role ground, const char *text) {
+    Vec2 size = vec2_add(ui_extent(window->ui, UI_BOLD, text), vec2(2 * PAD, 2));
     Box box = place_label(window, labels, middle, size);
     ui_draw_box(window->ui, box, ground, 1);
-    ui_draw_text(window->ui, UI_BOLD, ROLE_PAPER, vec2(box.low.x + PAD, (box.low.y + box.high.y) / 2), 0, words);
+    ui_draw_text(window->ui, UI_BOLD, ROLE_PAPER, vec2(box.low.x + PAD, (box.low.y + box.high.y) / 2), 0, text);
 }
 
 /* Lines ------------------------------------------------------------------------------------------------------------ */
@@ -180,7 +180,7 @@ static void draw_mark(Window *window, const EditMark *mark, const Vec2 *points, 
     }
 }
 
-/* From the middle of a line to that of words as wide as that half on both sides: beside the line, not on it. */
+/* From the middle of a line to that of text as wide as that half on both sides: beside the line, not on it. */
 static Vec2 beside(Vec2 a, Vec2 b, double half) {
     Vec2 across = vec2_left(vec2_unit(vec2_sub(b, a)));
     if (across.y > 0 || (across.y == 0 && across.x < 0))
@@ -198,7 +198,7 @@ static void write_mark(Window *window, Labels *labels, const EditMark *mark, con
     write_label(window, labels, middle, mark->kind == MARK_GAP ? ROLE_ERROR : ROLE_TEXT, mark->words);
 }
 
-/* Lines first, then what can be taken up, then words. */
+/* Lines first, then what can be taken up, then text. */
 static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Labels *labels) {
     Vec2 points[LABORATORY_MARK_POINTS];
     for (int pass = 0; pass < 3; pass++)
@@ -244,14 +244,14 @@ static void show_selection(Window *window, Tab *tab) {
 
 /* What is typed ---------------------------------------------------------------------------------------------------- */
 
-static const char *field_words(Window *window, const GestureView *gesture, size_t index) {
+static const char *field_text(Window *window, const GestureView *gesture, size_t index) {
     const EditField *field = &gesture->fields[index];
     if (index == gesture->field && *gesture->typed)
-        return text_in_arena(&window->words, "%s %s|", field->name, gesture->typed);
+        return text_in_arena(&window->arena, "%s %s|", field->name, gesture->typed);
     const char *cursor = index == gesture->field ? "|" : "";
     if (isnan(field->value))
-        return text_in_arena(&window->words, "%s %s", field->name, cursor);
-    return text_in_arena(&window->words, "%s %.*f %s%s%s", field->name, *field->unit == 'm' ? 3 : 1, field->value,
+        return text_in_arena(&window->arena, "%s %s", field->name, cursor);
+    return text_in_arena(&window->arena, "%s %.*f %s%s%s", field->name, *field->unit == 'm' ? 3 : 1, field->value,
                          field->unit, field->typed ? " (typed)" : "", cursor);
 }
 
@@ -280,7 +280,7 @@ static void show_read_out(Window *window, const GestureView *gesture, Labels *la
         return;
     double width = 0, height = ui_extent(window->ui, UI_BOLD, "0").y + 2;
     for (size_t i = 0; i < gesture->field_count; i++)
-        width = fmax(width, ui_extent(window->ui, UI_BOLD, field_words(window, gesture, i)).x);
+        width = fmax(width, ui_extent(window->ui, UI_BOLD, field_text(window, gesture, i)).x);
     if (gesture->wrong)
         width = fmax(width, ui_extent(window->ui, UI_BODY, gesture->wrong).x);
     size_t lines = gesture->field_count + (gesture->wrong ? 1 : 0);
@@ -294,7 +294,7 @@ static void show_read_out(Window *window, const GestureView *gesture, Labels *la
     for (size_t i = 0; i < gesture->field_count; i++, y += height) {
         bool now = i == gesture->field;
         ui_draw_text(window->ui, now ? UI_BOLD : UI_BODY, now ? ROLE_TEXT : ROLE_DIM_TEXT, vec2(box.low.x + PAD, y), 0,
-                     field_words(window, gesture, i));
+                     field_text(window, gesture, i));
     }
     if (gesture->wrong)
         ui_draw_text(window->ui, UI_BODY, ROLE_ERROR, vec2(box.low.x + PAD, y), 0, gesture->wrong);
@@ -308,7 +308,7 @@ void plan_overlay_show(Window *window) {
     if (!editor)
         return;
     const GestureView *gesture = editor->gesture(tab->live);
-    show_read_out(window, gesture, &labels); /* keeps its place free of words */
+    show_read_out(window, gesture, &labels); /* keeps its place free of text */
     show_marks(window, tab, gesture, &labels);
     show_read_out(window, gesture, &labels); /* and lies over what crosses it */
 }

@@ -52,7 +52,7 @@ static PlotPane take_pane(PlotPanes *before, const LaboratoryPlot *plot) {
 void plot_panes_choose(PlotPanes *panes, const Laboratory *kind, void *live, const char *names, PaintGlScreen *screen) {
     PlotPanes before = *panes;
     panes->count = 0;
-    for (const char *at = names; *at && panes->count < CHARTS_MOST; at += strcspn(at, ","), at += *at == ',') {
+    for (const char *at = names; *at && panes->count < PLOT_PANES_MOST; at += strcspn(at, ","), at += *at == ',') {
         size_t plot = find_plot(kind, live, at, strcspn(at, ","));
         if (plot == kind->plot_count(live))
             continue;
@@ -163,20 +163,20 @@ static void mark_present(const PlotPane *pane, const Laboratory *kind, const voi
     }
 }
 
-/* An upright line with words on it. */
-static void draw_cursor(const PlotPane *pane, double x, const char *words, Ui *ui) {
+/* An upright line with text on it. */
+static void draw_cursor(const PlotPane *pane, double x, const char *text, Ui *ui) {
     Box frame = frame_of(pane);
     double at = place_of(pane, vec2(x, plot_canvas_value(pane->canvas, vec2(0, 0)).y)).x;
     if (!(at >= frame.low.x && at <= frame.high.x))
         return;
     ui_draw_line(ui, vec2(at, frame.low.y), vec2(at, frame.high.y), ROLE_IMPACT, CURSOR_WIDTH);
-    if (!words)
+    if (!text)
         return;
-    Vec2 extent = ui_extent(ui, UI_BOLD, words);
+    Vec2 extent = ui_extent(ui, UI_BOLD, text);
     double left = fmin(fmax(at - extent.x - 12, frame.low.x), frame.high.x - extent.x - 12);
     Box tag = {{left, frame.low.y + 2}, {left + extent.x + 12, frame.low.y + extent.y + 4}};
     ui_draw_box(ui, tag, ROLE_IMPACT, 1);
-    ui_draw_text(ui, UI_BOLD, ROLE_PAPER, vec2(tag.low.x + 6, (tag.low.y + tag.high.y) / 2), 0, words);
+    ui_draw_text(ui, UI_BOLD, ROLE_PAPER, vec2(tag.low.x + 6, (tag.low.y + tag.high.y) / 2), 0, text);
 }
 
 Vec2 plot_panes_place(Box frame, Vec2 part) {
@@ -218,13 +218,13 @@ bool plot_panes_value(const PlotPane *pane, Vec2 at, Vec2 *value) {
     return true;
 }
 
-static void say_axis(char *words, size_t size, const PlotAxis *axis, double value) {
+static void format_axis(char *text, size_t size, const PlotAxis *axis, double value) {
     bool pure = !axis->unit || strcmp(axis->unit, "1") == 0;
-    snprintf(words, size, "%s %.6g%s%s", axis->title, value, pure ? "" : " ", pure ? "" : axis->unit);
+    snprintf(text, size, "%s %.6g%s%s", axis->title, value, pure ? "" : " ", pure ? "" : axis->unit);
 }
 
 bool plot_panes_read(const PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time, Vec2 at,
-                     Vec2 *nearest, char words[CHART_WORDS]) {
+                     Vec2 *nearest, char text[PLOT_PANES_TEXT]) {
     double least = NEAR;
     Vec2 value = {0};
     if (!pane->canvas)
@@ -242,10 +242,10 @@ bool plot_panes_read(const PlotPane *pane, const Laboratory *kind, const void *l
             *nearest = place;
         }
     }
-    char x[CHART_WORDS / 2], y[CHART_WORDS / 2];
-    say_axis(x, sizeof x, &pane->shown.x, value.x);
-    say_axis(y, sizeof y, &pane->shown.y, value.y);
-    snprintf(words, CHART_WORDS, "%.*s, %.*s", CHART_WORDS / 2 - 4, x, CHART_WORDS / 2 - 4, y);
+    char x[PLOT_PANES_TEXT / 2], y[PLOT_PANES_TEXT / 2];
+    format_axis(x, sizeof x, &pane->shown.x, value.x);
+    format_axis(y, sizeof y, &pane->shown.y, value.y);
+    snprintf(text, PLOT_PANES_TEXT, "%.*s, %.*s", PLOT_PANES_TEXT / 2 - 4, x, PLOT_PANES_TEXT / 2 - 4, y);
     return least < NEAR;
 }
 
@@ -260,8 +260,8 @@ void plot_panes_zoom(PlotPane *pane, Vec2 from, Vec2 to) {
     Box box = box_include(box_include(box_empty(), from), to);
     if (!(box.low.x < box.high.x && box.low.y < box.high.y))
         return;
-    if (pane->view_count == CHART_VIEWS_MOST)
-        memmove(pane->views, pane->views + 1, (CHART_VIEWS_MOST - 1) * sizeof *pane->views);
+    if (pane->view_count == PLOT_PANES_VIEWS_MOST)
+        memmove(pane->views, pane->views + 1, (PLOT_PANES_VIEWS_MOST - 1) * sizeof *pane->views);
     else
         pane->view_count++;
     pane->views[pane->view_count - 1] = (PlotPaneAxes){{box.low.x, box.high.x}, {box.low.y, box.high.y}};

@@ -8,7 +8,7 @@
 #include "laboratory/laboratory.h"
 #include "widgets/ui.h"
 
-enum { CHARTS_MOST = 8, CHART_VIEWS_MOST = 16, CHART_WORDS = 160 };
+enum { PLOT_PANES_MOST = 8, PLOT_PANES_VIEWS_MOST = 16, PLOT_PANES_TEXT = 160 };
 
 /* What of the axes is shown. */
 typedef struct PlotPaneAxes {
@@ -29,8 +29,8 @@ typedef struct PlotPane {
     int width, height;
     double unit;
     Theme theme;
-    double time;                          /* s, drawn last */
-    PlotPaneAxes views[CHART_VIEWS_MOST]; /* (view_count) the last is shown; none: the plot's own */
+    double time;                               /* s, drawn last */
+    PlotPaneAxes views[PLOT_PANES_VIEWS_MOST]; /* (view_count) the last is shown; none: the plot's own */
     size_t view_count;
     PlotPaneBox box;
     double cursor; /* x, moved by keys and not yet used; NAN: none */
@@ -38,7 +38,7 @@ typedef struct PlotPane {
 } PlotPane;
 
 typedef struct PlotPanes {
-    PlotPane panes[CHARTS_MOST]; /* (count) */
+    PlotPane panes[PLOT_PANES_MOST]; /* (count) */
     size_t count;
 } PlotPanes;
 
@@ -56,7 +56,7 @@ bool plot_panes_value(const PlotPane *pane, Vec2 at, Vec2 *value);
 
 /* "x 0.12 mm, y 0.3 m/s" of the point of a series that is nearest to a point of the window; false: none is near. */
 bool plot_panes_read(const PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time, Vec2 at,
-                     Vec2 *nearest, char words[CHART_WORDS]);
+                     Vec2 *nearest, char text[PLOT_PANES_TEXT]);
 
 /* Other axes: a box between two points (values); those before; the plot's own. */
 void plot_panes_zoom(PlotPane *pane, Vec2 from, Vec2 to);

@@ -318,7 +318,7 @@ static bool waits(Scripted *scripted, Window *window) {
     return true;
 }
 
-void scripted_go_on(Scripted *scripted, Window *window) {
+void scripted_advance(Scripted *scripted, Window *window) {
     if (scripted->event_at < scripted->event_count) {
         sdl_window_push(window->sdl_window, &scripted->events[scripted->event_at++]);
         window->dirty = true;

@@ -22,7 +22,7 @@ void scripted_close(Scripted *scripted);
 /* After a frame has been drawn and before it is shown. What cannot be done, or is not as expected, goes to standard
  * error and ends the window with exit code 1. At the end of the script it goes on as if there had been none, unless the
  * script quits. */
-void scripted_go_on(Scripted *scripted, Window *window);
+void scripted_advance(Scripted *scripted, Window *window);
 
 /* Is there anything left to do? */
 bool scripted_is_busy(const Scripted *scripted);

@@ -28,7 +28,7 @@ static json_t *frame_state(const Window *window) {
     json_object_set_new(state, "panel", json_box(window, frame->panel));
     json_object_set_new(state, "timeline", json_box(window, frame->timeline));
     json_object_set_new(state, "strip", json_box(window, frame->strip));
-    for (size_t i = 0; i < frame->chart_count && i < panes->count; i++)
+    for (size_t i = 0; i < frame->pane_count && i < panes->count; i++)
         json_object_set_new(plots, panes->panes[i].live.name, json_box(window, frame->panes[i]));
     json_object_set_new(state, "plots", plots);
     return state;
@@ -157,8 +157,8 @@ static void add_editor(json_t *state, Window *window, const Tab *tab) {
     json_object_set_new(state, "changed", json_boolean(editor->changed(tab->live)));
     json_object_set_new(state, "unsaved", json_boolean(files_unsaved(tab)));
     json_object_set_new(state, "shown_title", json_string(files_title(window, tab)));
-    json_object_set_new(state, "snaps", json_boolean(!window->edit.free));
-    json_object_set_new(state, "held", json_boolean(window->edit.holds));
+    json_object_set_new(state, "snaps", json_boolean(!window->plan_input.free));
+    json_object_set_new(state, "held", json_boolean(window->plan_input.holds));
     json_object_set_new(state, "animation", text_or_null(plan_input_animation(tab)));
     if (!editor->proposals)
         return;

@@ -19,7 +19,7 @@ Tab tab_make(const Laboratory *kind) {
                  .player = player_start(),
                  .layers = kind->layers_at_first,
                  .plots = kind->plots_at_first,
-                 .plot_panes_wait = true};
+                 .plot_panes_stale = true};
 }
 
 static void drop_live(Tab *tab) {
@@ -67,11 +67,11 @@ bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, Pain
     tab->player.power = power;
     tab->camera = (Camera){.kind = tab->camera.kind, .azimuth = VIEW_AZIMUTH, .elevation = VIEW_ELEVATION, .zoom = 1};
     tab->follows = false;
-    tab->plot_panes_wait = true;
+    tab->plot_panes_stale = true;
     fit(tab);
-    view_layers_forget(&tab->view_layers);
+    view_layers_invalidate(&tab->view_layers);
     tab->kind->reveal(live, tab_layers(tab));
-    tab_look(tab);
+    tab_apply_camera(tab);
     return true;
 }
 
@@ -122,7 +122,7 @@ static void keep_eye(Tab *tab) {
             fit(tab);
         else
             keep_shape(tab);
-        tab_look(tab);
+        tab_apply_camera(tab);
         return;
     }
     bool same = box.low.x == shape.low.x && box.low.y == shape.low.y && box.high.x == shape.high.x &&
@@ -132,7 +132,7 @@ static void keep_eye(Tab *tab) {
     tab->camera.pan = vec2_add(tab->camera.pan, vec2_sub(middle_of(shape), middle_of(box)));
     tab->camera.zoom /= fitting(tab, box, shape);
     tab->shape = box;
-    tab_look(tab);
+    tab_apply_camera(tab);
 }
 
 unsigned tab_update(Tab *tab, double seconds) {
@@ -151,10 +151,10 @@ unsigned tab_update(Tab *tab, double seconds) {
     if (changes & LABORATORY_VIEW) {
         keep_eye(tab);
         changes |= kind->update(tab->live, tab->player.time); /* it is looked at so from this moment on */
-        view_layers_forget(&tab->view_layers);
+        view_layers_invalidate(&tab->view_layers);
     }
     if (changes & LABORATORY_PLOTS)
-        tab->plot_panes_wait = true;
+        tab->plot_panes_stale = true;
     return changes;
 }
 
@@ -180,7 +180,7 @@ void tab_toggle_layer(Tab *tab, size_t layer) {
     tab->kind->reveal(tab->live, tab_layers(tab));
 }
 
-void tab_cramp(Tab *tab, bool cramped) {
+void tab_set_cramped(Tab *tab, bool cramped) {
     if (tab->cramped == cramped)
         return;
     tab->cramped = cramped;
@@ -191,7 +191,7 @@ void tab_cramp(Tab *tab, bool cramped) {
 
 /* Looking ---------------------------------------------------------------------------------------------------------- */
 
-void tab_look(Tab *tab) {
+void tab_apply_camera(Tab *tab) {
     if (tab->live)
         tab->kind->look(tab->live, tab->camera);
 }
@@ -204,13 +204,13 @@ void tab_zoom(Tab *tab, double times, Vec2 about) {
     tab->fits = false;
     tab->camera.pan = vec2_add(tab->camera.pan, moved);
     tab->camera.zoom = zoom;
-    tab_look(tab);
+    tab_apply_camera(tab);
 }
 
 void tab_pan(Tab *tab, Vec2 metres) {
     tab->fits = false;
     tab->camera.pan = vec2_add(tab->camera.pan, metres);
-    tab_look(tab);
+    tab_apply_camera(tab);
 }
 
 void tab_fit(Tab *tab) {
@@ -219,7 +219,7 @@ void tab_fit(Tab *tab) {
     tab->camera.elevation = VIEW_ELEVATION;
     tab->follows = false;
     fit(tab);
-    tab_look(tab);
+    tab_apply_camera(tab);
 }
 
 void tab_select(Tab *tab, Item thing) {
@@ -236,7 +236,7 @@ void tab_show_selected(Tab *tab) {
     double size = ZOOM_NEAR * fmax(fmax(box_width(box), box_height(box)), 0.25);
     tab->camera.pan = vec2_sub(vec2_scale(vec2_add(box.low, box.high), 0.5), all);
     tab->camera.zoom = fmin(fmax(fmin(box_width(still->box), box_height(still->box)) / size, 1), ZOOM_MOST);
-    tab_look(tab);
+    tab_apply_camera(tab);
 }
 
 void tab_seek(Tab *tab, double time) {

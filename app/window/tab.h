@@ -25,8 +25,8 @@ typedef struct Tab {
     const char *plots; /* names of those shown, separated by commas; not owned */
     ViewLayers view_layers;
     PlotPanes panes;
-    bool plot_panes_wait; /* they are to be chosen anew */
-    double worked;        /* s on the wall, that simulating has taken */
+    bool plot_panes_stale; /* they are to be chosen anew */
+    double worked;         /* s on the wall, that simulating has taken */
 } Tab;
 
 /* Of a laboratory, empty. tab_close releases what it holds. */
@@ -42,10 +42,10 @@ unsigned tab_update(Tab *tab, double seconds);
 /* The layers that are shown now; shows or hides one; where letters are large, names are hidden at first. */
 unsigned tab_layers(const Tab *tab);
 void tab_toggle_layer(Tab *tab, size_t layer);
-void tab_cramp(Tab *tab, bool cramped);
+void tab_set_cramped(Tab *tab, bool cramped);
 
 /* Shows what is in the camera now. */
-void tab_look(Tab *tab);
+void tab_apply_camera(Tab *tab);
 
 /* Enlarges about a place, m, that stays where it is; moves what is seen; shows all. */
 void tab_zoom(Tab *tab, double times, Vec2 about);

@@ -29,12 +29,12 @@ typedef struct Row {
 /* A button for an action, at the left or at the right of what is free. */
 static void add_button(Row *row, Action action, const char *label, bool chosen, bool at_right) {
     double pad = row->window->frame.compact ? BUTTON_PAD / 2 : BUTTON_PAD;
-    const char *widest = action == ACTION_PLAY ? "Pause" : label; /* nothing moves when its words change */
+    const char *widest = action == ACTION_PLAY ? "Pause" : label; /* nothing moves when its text change */
     double width = fmax(ui_extent(row->window->ui, UI_BOLD, widest).x + pad, LEAST_BUTTON);
     double left = at_right ? row->right - width : row->left;
     ui_at(row->window->ui, (Box){{left, row->bar.low.y + MARGIN}, {left + width, row->bar.high.y - MARGIN}});
     UiButton button = {
-        .id = keys_row(action)->name, .label = label, .help = keys_help(&row->window->words, action), .chosen = chosen};
+        .id = keys_row(action)->name, .label = label, .help = keys_help(&row->window->arena, action), .chosen = chosen};
     if (ui_button(row->window->ui, &button))
         act_do(row->window, action, 0, 0);
     if (at_right)
@@ -43,12 +43,12 @@ static void add_button(Row *row, Action action, const char *label, bool chosen, 
         row->left = left + width + GAP;
 }
 
-/* The words keep their place whatever they are. */
-static void add_words(Row *row, UiLetters letters, const char *words, const char *widest, bool at_right) {
-    double width = fmax(ui_extent(row->window->ui, letters, words).x, ui_extent(row->window->ui, letters, widest).x);
+/* The text keep their place whatever they are. */
+static void add_text(Row *row, UiLetters size, const char *text, const char *widest, bool at_right) {
+    double width = fmax(ui_extent(row->window->ui, size, text).x, ui_extent(row->window->ui, size, widest).x);
     double left = at_right ? row->right - width : row->left, y = middle_of(row->bar).y;
     double at = at_right ? left + width / 2 : left;
-    ui_draw_text(row->window->ui, letters, ROLE_TEXT, vec2(at, y), at_right ? 0.5 : 0, words);
+    ui_draw_text(row->window->ui, size, ROLE_TEXT, vec2(at, y), at_right ? 0.5 : 0, text);
     if (at_right)
         row->right = left - GAP;
     else
@@ -56,13 +56,13 @@ static void add_words(Row *row, UiLetters letters, const char *words, const char
 }
 
 /* "2x", "1/4x"; asked and, while it plays, achieved. */
-static const char *speed_words(Window *window, const Player *player) {
+static const char *speed_text(Window *window, const Player *player) {
     double speed = player_speed(player);
     const char *asked =
-        speed < 1 ? text_in_arena(&window->words, "1/%.0fx", 1 / speed) : text_in_arena(&window->words, "%.0fx", speed);
+        speed < 1 ? text_in_arena(&window->arena, "1/%.0fx", 1 / speed) : text_in_arena(&window->arena, "%.0fx", speed);
     if (!player->playing || isnan(player->achieved))
         return asked;
-    return text_in_arena(&window->words, "%s (%.2gx)", asked, player->achieved);
+    return text_in_arena(&window->arena, "%s (%.2gx)", asked, player->achieved);
 }
 
 /* The line --------------------------------------------------------------------------------------------------------- */
@@ -146,12 +146,12 @@ void timeline_show(Window *window) {
             add_button(&row, ACTION_STEP, ">", false, false);
         if (!compact)
             add_button(&row, ACTION_LOOP, "Loop", tab->player.loops, false);
-        add_words(&row, compact ? UI_BOLD : UI_CLOCK, tab->kind->clock(tab->live, tab->player.time), CLOCK_WIDEST,
-                  false);
+        add_text(&row, compact ? UI_BOLD : UI_CLOCK, tab->kind->clock(tab->live, tab->player.time), CLOCK_WIDEST,
+                 false);
         if (!compact)
             add_button(&row, ACTION_NOW, "Now", false, true);
         add_button(&row, ACTION_FASTER, "+", false, true);
-        add_words(&row, UI_BODY, speed_words(window, &tab->player), compact ? "16x" : "16x (0.98x)", true);
+        add_text(&row, UI_BODY, speed_text(window, &tab->player), compact ? "16x" : "16x (0.98x)", true);
         add_button(&row, ACTION_SLOWER, "-", false, true);
         if (row.right - row.left > LEAST_TRACK)
             show_track(window, tab, (Box){{row.left + GAP, row.bar.low.y}, {row.right - GAP, row.bar.high.y}});

@@ -28,8 +28,8 @@ void toolbar_show(Window *window) {
         const EditToolRow *row = &editor->tools[tool];
         const char *key = keys_row(action)->key;
         UiButton button = {.id = row->name,
-                           .label = frame->tool_words ? text_in_arena(&window->words, "%s\n%s", key, row->name) : key,
-                           .help = text_in_arena(&window->words, "%s (%s): %s", row->name, key, row->help),
+                           .label = frame->tool_labels ? text_in_arena(&window->arena, "%s\n%s", key, row->name) : key,
+                           .help = text_in_arena(&window->arena, "%s (%s): %s", row->name, key, row->help),
                            .chosen = tool == (size_t)taken};
         ui_at(window->ui, box_of(frame, tool));
         if (ui_button(window->ui, &button))

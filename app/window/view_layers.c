@@ -21,7 +21,7 @@ void view_layers_clear(ViewLayers *view_layers) {
     *view_layers = (ViewLayers){0};
 }
 
-void view_layers_forget(ViewLayers *view_layers) {
+void view_layers_invalidate(ViewLayers *view_layers) {
     view_layers->painted = false;
 }
 

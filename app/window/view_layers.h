@@ -19,7 +19,7 @@ void view_layers_fit(ViewLayers *view_layers, const Gl *gl, int width, int heigh
 void view_layers_clear(ViewLayers *view_layers);
 
 /* What stays has changed. */
-void view_layers_forget(ViewLayers *view_layers);
+void view_layers_invalidate(ViewLayers *view_layers);
 
 /* Draws the laboratory at a time; there is a place for it. */
 void view_layers_show(ViewLayers *view_layers, const Laboratory *kind, void *live, double time);

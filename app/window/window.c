@@ -12,7 +12,7 @@
 #include "window/plan_input.h"
 #include "window/files.h"
 #include "window/canvas.h"
-#include "window/pace_edit.h"
+#include "window/edit_benchmark.h"
 #include "window/panel.h"
 #include "window/toolbar.h"
 #include "window/scripted.h"
@@ -106,8 +106,8 @@ static void do_key(Window *window, const SdlWindowEvent *event) {
     if (!walks && !escapes && (types || place == KEY_ANYWHERE || place == KEY_TIMELINE) &&
         give_to_widgets(window, event))
         return;
-    bool letters = !types && place != KEY_ANYWHERE && window->settings.preferences.letters;
-    const KeyRow *row = keys_find(event->key, event->mods, place, letters);
+    bool single_keys = !types && place != KEY_ANYWHERE && window->settings.preferences.single_keys;
+    const KeyRow *row = keys_find(event->key, event->mods, place, single_keys);
     if (row && !(types && is_of_field(row->action)))
         act_do(window, row->action, event->key, event->mods);
     else
@@ -115,44 +115,44 @@ static void do_key(Window *window, const SdlWindowEvent *event) {
 }
 
 /* What is in the hand comes first. */
-static void take_key(Window *window, const SdlWindowEvent *event) {
-    if (place_of(window) == KEY_PLAN && (plan_input_key(window, event) || plan_input_keep_key(window, event)))
+static void handle_key(Window *window, const SdlWindowEvent *event) {
+    if (place_of(window) == KEY_PLAN && (plan_input_key(window, event) || plan_input_store_key(window, event)))
         return;
-    window->edit.done = true;
+    window->plan_input.done = true;
     do_key(window, event);
 }
 
 /* The letters of the key that waited, or NULL: it types none. */
-static void end_waiting(Window *window, const char *letters) {
-    if (!plan_input_take_letters(window, letters))
-        do_key(window, &window->edit.key);
+static void end_waiting(Window *window, const char *text) {
+    if (!plan_input_apply_text(window, text))
+        do_key(window, &window->plan_input.key);
 }
 
 /* Events ----------------------------------------------------------------------------------------------------------- */
 
 /* A field that is open has what is typed, otherwise what is in the hand. */
-static void type(Window *window, const char *letters) {
-    bool fresh = !window->edit.done && place_of(window) == KEY_PLAN && !ui_types(window->ui);
-    window->edit.done = false;
-    if (!fresh || !plan_input_type(window, letters))
-        ui_type(window->ui, letters);
+static void type(Window *window, const char *text) {
+    bool fresh = !window->plan_input.done && place_of(window) == KEY_PLAN && !ui_types(window->ui);
+    window->plan_input.done = false;
+    if (!fresh || !plan_input_type(window, text))
+        ui_type(window->ui, text);
 }
 
-static void take(Window *window, const SdlWindowEvent *event) {
+static void handle_event(Window *window, const SdlWindowEvent *event) {
     window->dirty |= event->kind != SDL_WINDOW_EVENT_NOTHING;
-    window->edit.done &= event->kind == SDL_WINDOW_EVENT_TEXT || event->kind == SDL_WINDOW_EVENT_NOTHING;
-    if (window->edit.waits && event->kind == SDL_WINDOW_EVENT_TEXT) {
+    window->plan_input.done &= event->kind == SDL_WINDOW_EVENT_TEXT || event->kind == SDL_WINDOW_EVENT_NOTHING;
+    if (window->plan_input.waits && event->kind == SDL_WINDOW_EVENT_TEXT) {
         end_waiting(window, event->text);
         return;
     }
-    if (window->edit.waits && event->kind == SDL_WINDOW_EVENT_KEY)
+    if (window->plan_input.waits && event->kind == SDL_WINDOW_EVENT_KEY)
         end_waiting(window, NULL);
     switch (event->kind) {
     case SDL_WINDOW_EVENT_QUIT:
         files_leave(window, LEAVE_QUIT, NULL);
         break;
     case SDL_WINDOW_EVENT_KEY:
-        take_key(window, event);
+        handle_key(window, event);
         break;
     case SDL_WINDOW_EVENT_TEXT:
         type(window, event->text);
@@ -177,17 +177,17 @@ static void take(Window *window, const SdlWindowEvent *event) {
 }
 
 /* A press and its release must be seen in two frames: the second waits. */
-static void take_events(Window *window, double wait) {
+static void handle_events(Window *window, double wait) {
     SdlWindowEvent event;
-    bool waited = window->edit.waits;
+    bool waited = window->plan_input.waits;
     for (; sdl_window_next(window->sdl_window, &event, wait); wait = 0) {
-        take(window, &event);
+        handle_event(window, &event);
         if (event.kind == SDL_WINDOW_EVENT_BUTTON || event.kind == SDL_WINDOW_EVENT_KEY)
             return;
     }
-    if (waited && window->edit.waits) {
+    if (waited && window->plan_input.waits) {
         end_waiting(window, NULL);
-        window->edit.done = true; /* should its letters come late, they are done */
+        window->plan_input.done = true; /* should its letters come late, they are done */
     }
 }
 
@@ -203,13 +203,14 @@ static Box snapped(const Window *window, Box box) {
 static void make_frame(Window *window) {
     const Tab *tab = window_tab(window);
     sdl_window_size(window->sdl_window, &window->width, &window->height);
-    double letters = window->text * (window->present ? PRESENT_TEXT : 1);
+    double text_size = window->text * (window->present ? PRESENT_TEXT : 1);
     window->unit =
-        fmax(layout_unit(window->width, window->height), LEAST_UNIT * sdl_window_density(window->sdl_window)) * letters;
+        fmax(layout_unit(window->width, window->height), LEAST_UNIT * sdl_window_density(window->sdl_window)) *
+        text_size;
     FrameWish wish = {.panel = window->panel,
                       .plots = window->plots,
                       .present = window->present,
-                      .plot_count = tab->plot_panes_wait && tab->live && !tab->panes.count
+                      .plot_count = tab->plot_panes_stale && tab->live && !tab->panes.count
                                         ? tab->kind->plot_count(tab->live)
                                         : tab->panes.count,
                       .tool_count = plan_input_of(tab) ? EDIT_TOOLS : 0,
@@ -221,7 +222,7 @@ static void make_frame(Window *window) {
         window->frame = frame_make(page, &wish);
     }
     window->frame.view = snapped(window, window->frame.view);
-    for (size_t i = 0; i < window->frame.chart_count; i++)
+    for (size_t i = 0; i < window->frame.pane_count; i++)
         window->frame.panes[i] = snapped(window, window->frame.panes[i]);
 }
 
@@ -248,9 +249,9 @@ static void show_panes(Window *window) {
 
 static void draw(Window *window, double seconds) {
     Tab *tab = window_tab(window);
-    arena_clear(&window->words);
+    arena_clear(&window->arena);
     make_frame(window);
-    tab_cramp(tab, window->frame.compact);
+    tab_set_cramped(tab, window->frame.compact);
     canvas_paint(window);
     paint_gl_screen_begin(window->screen, window->width, window->height, palette_colour(window->theme, ROLE_PAPER));
     if (tab->live && tab->view_layers.paint)
@@ -270,19 +271,19 @@ static void draw(Window *window, double seconds) {
 static bool is_lively(Window *window, const Scripted *scripted) {
     const Tab *tab = window_tab(window);
     bool draws = window->dialog == DIALOG_GALLERY && !gallery_complete(window->gallery);
-    return window->dirty || ui_is_busy(window->ui) || scripted_is_busy(scripted) || window->pace.counting ||
+    return window->dirty || ui_is_busy(window->ui) || scripted_is_busy(scripted) || window->frame_timer.counting ||
            window->options->benchmark_edit > 0 || window->export || draws || (tab->live && tab->player.playing) ||
            plan_input_animation(tab);
 }
 
 /* Between frames --------------------------------------------------------------------------------------------------- */
 
-static void hear_trouble(Window *window, Tab *tab) {
+static void report_trouble(Window *window, Tab *tab) {
     double time = NAN;
     const char *trouble = tab->kind->trouble(tab->live, &time);
     if (!trouble)
         return;
-    messages_say(&window->messages, MESSAGE_FAULT, time, "%s", trouble);
+    messages_add(&window->messages, MESSAGE_FAULT, time, "%s", trouble);
     if (isnan(time))
         return;
     RecordSpan span = tab->kind->span(tab->live);
@@ -307,70 +308,70 @@ static void make_sound(Window *window, const Tab *tab, double before) {
 static void end_export(Window *window) {
     if (!window->export)
         return;
-    const ExportStatus *status = export_look(window->export);
+    const ExportStatus *status = export_update(window->export);
     if (status->stage == EXPORT_RUNNING)
         return;
     if (status->stage == EXPORT_DONE)
         act_say(window, "written: %s (%zu files)", status->folder, status->file_count);
     else
-        messages_say(&window->messages, MESSAGE_FAULT, NAN, "%s", status->reason);
+        messages_add(&window->messages, MESSAGE_FAULT, NAN, "%s", status->reason);
     export_end(window->export);
     window->export = NULL;
 }
 
 /* What was merely said goes by itself; what went wrong stays until it is put away. */
-static void forget_notes(Window *window) {
+static void dismiss_old_note(Window *window) {
     const Message *last = messages_last(&window->messages);
     if (last && last->number != window->noted) {
         window->noted = last->number;
         window->noted_at = clock_now();
     }
-    if (last && last->kind == MESSAGE_SAID && last->number > window->dismissed &&
+    if (last && last->kind == MESSAGE_NOTE && last->number > window->dismissed &&
         clock_now() - window->noted_at > NOTE_STAY) {
         window->dismissed = last->number;
         window->dirty = true;
     }
 }
 
-static void move_on(Window *window, double seconds) {
+static void update(Window *window, double seconds) {
     Tab *tab = window_tab(window);
     double before = tab->player.time;
     for (size_t i = 0; i < TABS; i++) {
         unsigned changes = tab_update(&window->tabs[i], i == window->current ? seconds : 0);
         if (changes & LABORATORY_TROUBLE)
-            hear_trouble(window, &window->tabs[i]);
+            report_trouble(window, &window->tabs[i]);
         window->dirty |= changes && i == window->current;
     }
     if (tab->live)
         make_sound(window, tab, before);
     end_export(window);
     files_watch(window);
-    forget_notes(window);
+    dismiss_old_note(window);
 }
 
 /* One turn of the loop. */
 static void turn(Window *window, Scripted *scripted) {
     bool lively = is_lively(window, scripted);
-    bool hurried = (window->pace.counting && window->options->benchmark > 0) ||
+    bool hurried = (window->frame_timer.counting && window->options->benchmark > 0) ||
                    (scripted_is_busy(scripted) && !scripted->until && !sdl_window_is_seen(window->sdl_window));
-    double seconds = pace_wait(&window->pace, hurried), begun = clock_now();
+    double seconds = frame_timer_wait(&window->frame_timer, hurried), begun = clock_now();
     plan_input_animate(window, seconds);
-    take_events(window, lively ? 0 : IDLE_WAIT);
+    handle_events(window, lively ? 0 : IDLE_WAIT);
     double worked = window_tab(window)->worked;
-    move_on(window, seconds);
+    update(window, seconds);
     if (!is_lively(window, scripted))
         return;
     window->dirty = false;
     draw(window, seconds);
-    scripted_go_on(scripted, window);
+    scripted_advance(scripted, window);
     sdl_window_swap(window->sdl_window);
-    pace_note_first(&window->pace);
-    pace_note(&window->pace, clock_now() - begun, window_tab(window)->worked - worked);
+    frame_timer_note_first(&window->frame_timer);
+    frame_timer_note(&window->frame_timer, clock_now() - begun, window_tab(window)->worked - worked);
 }
 
 /* Beginning and end ------------------------------------------------------------------------------------------------ */
 
-static void take_likes(Window *window) {
+static void apply_preferences(Window *window) {
     const WindowOptions *options = window->options;
     const SettingsPreferences *preferences = &window->settings.preferences;
     window->theme = (Theme)(options->theme >= 0 ? options->theme : preferences->theme);
@@ -389,7 +390,7 @@ static void take_likes(Window *window) {
     }
 }
 
-static void keep_likes(Window *window) {
+static void store_preferences(Window *window) {
     Fault notes = {0};
     for (size_t i = 0; i < TABS; i++) {
         const Tab *tab = &window->tabs[i];
@@ -406,7 +407,7 @@ static void keep_likes(Window *window) {
     fault_clear(&notes);
 }
 
-static bool open_glass(Window *window, Fault *fault) {
+static bool create_sdl_window(Window *window, Fault *fault) {
     const WindowOptions *options = window->options;
     const SettingsPreferences *preferences = &window->settings.preferences;
     int width = options->width > 0 ? options->width : preferences->width > 0 ? preferences->width : WIDTH;
@@ -440,25 +441,25 @@ static void close_all(Window *window) {
     paint_gl_screen_destroy(window->screen);
     sdl_window_destroy(window->sdl_window);
     folder_clear(&window->folder);
-    arena_clear(&window->words);
-    pace_clear(&window->pace);
-    pace_edit_clear(window);
+    arena_clear(&window->arena);
+    frame_timer_clear(&window->frame_timer);
+    edit_benchmark_clear(window);
 }
 
 static void loop(Window *window, Scripted *scripted) {
     double begun = clock_now();
     while (!window->quit) {
         turn(window, scripted);
-        if (window->options->benchmark_edit > 0 && pace_edit_go_on(window, begun))
+        if (window->options->benchmark_edit > 0 && edit_benchmark_advance(window, begun))
             window->quit = true;
-        if (window->options->benchmark > 0 && !window->pace.counting && clock_now() - begun > BENCHMARK_WARM)
-            pace_count(&window->pace);
-        if (window->options->benchmark > 0 && window->pace.counting &&
+        if (window->options->benchmark > 0 && !window->frame_timer.counting && clock_now() - begun > BENCHMARK_WARM)
+            frame_timer_count(&window->frame_timer);
+        if (window->options->benchmark > 0 && window->frame_timer.counting &&
             clock_now() - begun > BENCHMARK_WARM + window->options->benchmark)
             window->quit = true;
     }
-    if (window->options->benchmark > 0 && window->pace.counting)
-        pace_print(&window->pace, window_tab(window)->kind->name, window->width, window->height);
+    if (window->options->benchmark > 0 && window->frame_timer.counting)
+        frame_timer_print(&window->frame_timer, window_tab(window)->kind->name, window->width, window->height);
 }
 
 /* The first file: what was asked for, or what is opened when nothing is. */
@@ -486,15 +487,15 @@ int window_run(const WindowOptions *options) {
     settings_open(&window->settings, &fault);
     act_complain(window, &fault, NAN);
     bool good = !options->script || scripted_open(&scripted, options->script, &fault);
-    take_likes(window);
-    good = good && open_glass(window, &fault);
+    apply_preferences(window);
+    good = good && create_sdl_window(window, &fault);
     int code = good ? 0 : fail(&fault);
     if (good) {
         if (window->settings.preferences.full_screen)
             act_do(window, ACTION_FULLSCREEN, 0, 0);
         open_first(window);
         loop(window, &scripted);
-        keep_likes(window);
+        store_preferences(window);
         close_all(window);
         code = window->code;
     }

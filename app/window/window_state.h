@@ -9,7 +9,7 @@
 #include "platform/sdl_window.h"
 #include "window/keys.h"
 #include "window/messages.h"
-#include "platform/pace.h"
+#include "platform/frame_timer.h"
 #include "platform/recovery.h"
 #include "window/tab.h"
 #include "platform/settings.h"
@@ -37,14 +37,14 @@ typedef enum Dialog {
 
 /* What the hand does to what is edited. */
 typedef struct PlanInput {
-    Pointer hand;  /* as last told, */
-    bool told;     /* if ever */
-    bool free;     /* there is no snapping until it is wished for again */
-    bool number;   /* one is being changed by its slider */
-    bool holds;    /* the clock, */
-    bool plays_on; /* and it goes on afterwards */
-    bool waits;    /* the key, for the letters that it types */
-    bool done;     /* a key was, of itself: the letters that it types are nobody's */
+    Pointer pointer;    /* as last told, */
+    bool pointer_known; /* if ever */
+    bool free;          /* there is no snapping until it is wished for again */
+    bool number;        /* one is being changed by its slider */
+    bool holds;         /* the clock, */
+    bool plays_on;      /* and it goes on afterwards */
+    bool waits;         /* the key, for the letters that it types */
+    bool done;          /* a key was, of itself: the letters that it types are nobody's */
     SdlWindowEvent key;
 } PlanInput;
 
@@ -61,7 +61,7 @@ typedef struct Watch {
 typedef enum Leave { LEAVE_NOTHING, LEAVE_QUIT, LEAVE_OPEN, LEAVE_NEW } Leave;
 
 /* What --benchmark-edit measures. */
-typedef struct PaceEdit {
+typedef struct EditBenchmark {
     double begun; /* s on the wall, when the piece was taken up; 0: not yet */
     Vec2 middle;  /* m, of the piece then */
     size_t steps;
@@ -70,7 +70,7 @@ typedef struct PaceEdit {
     double edited;   /* since that moment */
     double *answers; /* (count) s */
     size_t count, capacity, missed;
-} PaceEdit;
+} EditBenchmark;
 
 enum { TAB_HOUSE, TAB_BEAM, TABS, WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64 };
 
@@ -109,7 +109,7 @@ typedef struct Window {
     char field[WINDOW_PATH]; /* typed into a sheet */
     char hold[WINDOW_PATH];  /* explained by a sheet */
 
-    PlanInput edit;
+    PlanInput plan_input;
     ScreenTexture trace_image; /* of the picture to trace over, */
     char *trace_image_path;    /* from this file; NULL: none */
     Leave leave;
@@ -120,12 +120,12 @@ typedef struct Window {
     RecoveryFound *found;     /* (found_count) of times before */
     size_t found_count;
 
-    Pace pace;
-    PaceEdit pace_edit;
+    FrameTimer frame_timer;
+    EditBenchmark edit_benchmark;
     bool dirty; /* something has changed that is to be seen */
     bool quit;
     int code;    /* exit code */
-    Arena words; /* of this frame */
+    Arena arena; /* of this frame */
 } Window;
 
 static inline Tab *window_tab(Window *window) {

@@ -113,7 +113,7 @@ typedef struct Watched {
 static Watched watch(Export *export) {
     Watched watched = {.part = 0};
     for (int i = 0; i < 12000; i++) {
-        watched.status = export_look(export);
+        watched.status = export_update(export);
         if (watched.status->stage != EXPORT_RUNNING)
             break;
         watched.pictures += strncmp(watched.status->doing, "picture ", 8) == 0;
@@ -128,8 +128,8 @@ static Export *begin(const char *const *words, size_t word_count, const char *co
                      const char *out) {
     Fault fault = {0};
     Export *export = export_begin(&(ExportOrder){.program = program(),
-                                                 .words = words,
-                                                 .word_count = word_count,
+                                                 .arguments = words,
+                                                 .argument_count = word_count,
                                                  .options = options,
                                                  .option_count = option_count,
                                                  .out = out},
@@ -189,9 +189,9 @@ TEST(a_cancelled_export_ends_soon_and_keeps_what_is_whole) {
     const char *words[] = {"run", scratch_source("houses/ube-techno-house.json")};
     const char *options[] = {"--frames", "1000", "--size", "640x400"};
     Export *export = begin(words, 2, options, 4, "run");
-    for (int i = 0; i < 4000 && !strstr(export_look(export)->doing, "picture "); i++)
+    for (int i = 0; i < 4000 && !strstr(export_update(export)->doing, "picture "); i++)
         usleep(5000);
-    CHECK(export_look(export)->stage == EXPORT_RUNNING);
+    CHECK(export_update(export)->stage == EXPORT_RUNNING);
     export_cancel(export);
     export_cancel(export);
     Watched watched = watch(export);
@@ -207,7 +207,8 @@ TEST(a_cancelled_export_ends_soon_and_keeps_what_is_whole) {
 TEST(a_program_that_is_not_there_is_a_fault) {
     Fault fault = {0};
     const char *words[] = {"run"};
-    CHECK(!export_begin(&(ExportOrder){.program = "/nowhere/clearance", .words = words, .word_count = 1}, &fault));
+    CHECK(!export_begin(&(ExportOrder){.program = "/nowhere/clearance", .arguments = words, .argument_count = 1},
+                        &fault));
     CHECK_TEXT(fault.count ? fault.lines[0] : "", "the program cannot start itself: No such file or directory");
     fault_clear(&fault);
 }
@@ -215,7 +216,7 @@ TEST(a_program_that_is_not_there_is_a_fault) {
 TEST(this_program_is_started_where_none_is_named) {
     Fault fault = {0};
     const char *words[] = {"no test is called so"}; /* of this one: it ends with 1 */
-    Export *export = export_begin(&(ExportOrder){.words = words, .word_count = 1}, &fault);
+    Export *export = export_begin(&(ExportOrder){.arguments = words, .argument_count = 1}, &fault);
     CHECK(export);
     Watched watched = watch(export);
     CHECK(watched.status->stage == EXPORT_DONE && watched.status->no);

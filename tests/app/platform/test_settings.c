@@ -28,7 +28,7 @@ TEST(at_first_all_is_as_the_program_has_it_and_nothing_is_written) {
     desk_make();
     Settings settings;
     open_quietly(&settings);
-    CHECK(!settings.preferences.sound && settings.preferences.letters && !settings.preferences.reduced_motion);
+    CHECK(!settings.preferences.sound && settings.preferences.single_keys && !settings.preferences.reduced_motion);
     CHECK(settings.preferences.text == 1 && settings.preferences.width == 1280 && settings.preferences.height == 720);
     CHECK(settings_laboratory(&settings, "house")->layers == -1);
     CHECK_NEAR(settings_laboratory(&settings, "beam")->speed, 1, 0);
@@ -47,9 +47,9 @@ TEST(what_is_set_is_there_the_next_time) {
     open_quietly(&settings);
     settings.preferences.theme = 1;
     settings.preferences.text = 3;
-    settings.preferences.letters = false;
+    settings.preferences.single_keys = false;
     settings.preferences.width = 1920;
-    settings.state.folder = settings_keep(&settings, "/some where");
+    settings.state.folder = settings_store(&settings, "/some where");
     settings_laboratory(&settings, "beam")->speed = 0.25;
     settings_laboratory(&settings, "beam")->plots = "phase,section";
     settings_add_recent(&settings, "houses/b.json");
@@ -58,7 +58,7 @@ TEST(what_is_set_is_there_the_next_time) {
     save_quietly(&settings);
     settings_close(&settings);
     open_quietly(&settings);
-    CHECK(settings.preferences.theme == 1 && settings.preferences.text == 3 && !settings.preferences.letters);
+    CHECK(settings.preferences.theme == 1 && settings.preferences.text == 3 && !settings.preferences.single_keys);
     CHECK(settings.preferences.width == 1920 && settings.preferences.height == 720);
     CHECK_TEXT(settings.state.folder, "/some where");
     CHECK_TEXT(settings.state.beam.plots, "phase,section");
@@ -169,7 +169,7 @@ TEST(the_home_is_used_where_no_variable_says_otherwise) {
     unsetenv("XDG_CACHE_HOME");
     Settings settings;
     open_quietly(&settings);
-    CHECK_TEXT(settings.likes_path, desk_path(".config/clearance/settings.json"));
+    CHECK_TEXT(settings.preferences_path, desk_path(".config/clearance/settings.json"));
     CHECK_TEXT(settings.state_path, desk_path(".local/state/clearance/state.json"));
     char *cache = settings_cache_folder();
     CHECK_TEXT(cache, desk_path(".cache/clearance"));

@@ -20,7 +20,7 @@ static void check_apart(const Frame *frame) {
     const Box bars[] = {frame->menu, frame->answer, frame->toolbar, frame->view, frame->timeline, frame->strip};
     for (size_t i = 0; i < sizeof bars / sizeof *bars; i++)
         boxes[count++] = bars[i];
-    for (size_t i = 0; i < frame->chart_count; i++)
+    for (size_t i = 0; i < frame->pane_count; i++)
         boxes[count++] = frame->panes[i];
     if (!frame->drawer)
         boxes[count++] = frame->panel;
@@ -36,7 +36,7 @@ TEST(nothing_overlaps_at_any_size) {
     for (double width = 300; width < 1500; width += 53)
         for (double height = 200; height < 900; height += 47)
             for (unsigned wishes = 0; wishes < 16; wishes++)
-                for (size_t plots = 0; plots <= FRAME_CHARTS_MOST; plots++) {
+                for (size_t plots = 0; plots <= FRAME_PANES_MOST; plots++) {
                     FrameWish wish = {.panel = wishes & 1,
                                       .plots = wishes & 2,
                                       .present = wishes & 4,
@@ -51,10 +51,10 @@ TEST(nothing_overlaps_at_any_size) {
 TEST(on_a_full_page_the_view_is_large_and_all_plots_are_there) {
     Frame house =
         frame_make(vec2(1280, 720), &(FrameWish){.panel = true, .plots = true, .plot_count = 2, .aspect = 1.2});
-    CHECK(house.chart_count == 2);
+    CHECK(house.pane_count == 2);
     CHECK(box_width(house.view) >= 500 && box_height(house.view) >= 500);
     Frame beam = frame_make(vec2(1280, 720), &(FrameWish){.panel = true, .plots = true, .plot_count = 5, .aspect = 6});
-    CHECK(beam.chart_count == 5);
+    CHECK(beam.pane_count == 5);
     CHECK(box_width(beam.view) >= 900 && box_height(beam.view) >= 120);
 }
 
@@ -74,8 +74,8 @@ TEST(presenting_leaves_answer_view_and_timeline) {
 TEST(the_rail_has_words_where_there_is_room_and_goes_before_a_class) {
     FrameWish wish = {.panel = true, .plots = true, .plot_count = 2, .tool_count = 10, .aspect = 1.2};
     Frame wide = frame_make(vec2(1280, 720), &wish), low = frame_make(vec2(640, 360), &wish);
-    CHECK(wide.tool_words && wide.tool_columns == 1 && is_there(wide.toolbar));
-    CHECK(!low.tool_words && low.tool_columns == 2 && box_width(low.view) >= 250);
+    CHECK(wide.tool_labels && wide.tool_columns == 1 && is_there(wide.toolbar));
+    CHECK(!low.tool_labels && low.tool_columns == 2 && box_width(low.view) >= 250);
     wish.present = true;
     CHECK(!is_there(frame_make(vec2(1280, 720), &wish).toolbar));
 }

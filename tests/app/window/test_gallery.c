@@ -71,7 +71,7 @@ TEST(all_that_comes_with_the_program_has_a_name_a_line_and_a_picture) {
     }
     items = wait_for(gallery, &count);
     for (size_t i = 0; i < count; i++) {
-        CHECK(items[i].told && !items[i].fault == (i != 1) && !items[i].pixels == (i == 1));
+        CHECK(items[i].is_read && !items[i].fault == (i != 1) && !items[i].pixels == (i == 1));
         CHECK(!items[i].pixels || drawn(items[i].pixels) > 2000);
     }
     CHECK_TEXT(items[0].name, "Ube welfare techno-house (assumed plan)");

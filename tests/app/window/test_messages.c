@@ -8,7 +8,7 @@ TEST(what_is_said_is_kept_in_order_and_the_oldest_goes) {
     static Messages messages;
     CHECK(messages_count(&messages) == 0 && !messages_last(&messages));
     for (int i = 1; i <= MESSAGES_MOST + 7; i++)
-        messages_say(&messages, MESSAGE_SAID, i, "line %d", i);
+        messages_add(&messages, MESSAGE_NOTE, i, "line %d", i);
     CHECK(messages_count(&messages) == MESSAGES_MOST);
     CHECK_TEXT(messages_at(&messages, 0)->text, "line 8");
     CHECK(messages_at(&messages, 0)->number == 8);
@@ -23,15 +23,15 @@ TEST(a_fault_gives_its_lines_and_the_same_is_not_said_twice) {
     Fault fault = {0};
     fault_add(&fault, "a.json:1:1: broken");
     fault_add(&fault, "a.json:2:1: more so");
-    messages_take(&messages, &fault, NAN);
+    messages_add_fault(&messages, &fault, NAN);
     CHECK(fault.count == 0 && messages_count(&messages) == 2);
     CHECK(messages_last(&messages)->kind == MESSAGE_FAULT);
-    messages_say(&messages, MESSAGE_FAULT, NAN, "a.json:2:1: more so");
+    messages_add(&messages, MESSAGE_FAULT, NAN, "a.json:2:1: more so");
     CHECK(messages_count(&messages) == 2);
-    messages_say(&messages, MESSAGE_SAID, NAN, "a.json:2:1: more so");
-    messages_say(&messages, MESSAGE_SAID, 1, "a.json:2:1: more so");
+    messages_add(&messages, MESSAGE_NOTE, NAN, "a.json:2:1: more so");
+    messages_add(&messages, MESSAGE_NOTE, 1, "a.json:2:1: more so");
     CHECK(messages_count(&messages) == 4);
-    messages_say(&messages, MESSAGE_SAID, 1, "two\nlines");
+    messages_add(&messages, MESSAGE_NOTE, 1, "two\nlines");
     CHECK_TEXT(messages_last(&messages)->text, "two lines");
     messages_clear(&messages);
 }

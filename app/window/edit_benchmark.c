@@ -1,4 +1,4 @@
-#include "window/pace_edit.h"
+#include "window/edit_benchmark.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -68,24 +68,24 @@ static void push(Window *window, Vec2 floor, SdlWindowKind kind, bool down) {
 
 /* Takes it up; false: there is nothing to be dragged. */
 static bool begin(Window *window) {
-    PaceEdit *pace = &window->pace_edit;
+    EditBenchmark *benchmark = &window->edit_benchmark;
     Tab *tab = window_tab(window);
-    if (!plan_input_of(tab) || !find_middle(tab, &pace->middle))
+    if (!plan_input_of(tab) || !find_middle(tab, &benchmark->middle))
         return false;
-    push(window, pace->middle, SDL_WINDOW_EVENT_MOUSE, false);
-    push(window, pace->middle, SDL_WINDOW_EVENT_BUTTON, true);
-    pace->begun = clock_now();
-    pace_count(&window->pace);
+    push(window, benchmark->middle, SDL_WINDOW_EVENT_MOUSE, false);
+    push(window, benchmark->middle, SDL_WINDOW_EVENT_BUTTON, true);
+    benchmark->begun = clock_now();
+    frame_timer_count(&window->frame_timer);
     return true;
 }
 
 static void step(Window *window) {
-    PaceEdit *pace = &window->pace_edit;
-    double angle = 2 * M_PI * (double)pace->steps++ / ROUND;
+    EditBenchmark *benchmark = &window->edit_benchmark;
+    double angle = 2 * M_PI * (double)benchmark->steps++ / ROUND;
     Vec2 away = vec2_sub(vec2_scale(vec2_heading(angle), RADIUS), vec2(RADIUS, 0));
-    push(window, vec2_add(pace->middle, away), SDL_WINDOW_EVENT_MOUSE, false);
-    pace->waits = true;
-    pace->frames = 0;
+    push(window, vec2_add(benchmark->middle, away), SDL_WINDOW_EVENT_MOUSE, false);
+    benchmark->waits = true;
+    benchmark->frames = 0;
 }
 
 /* What came of it -------------------------------------------------------------------------------------------------- */
@@ -95,60 +95,62 @@ static double part_of(const double *sorted, size_t count, double part) {
 }
 
 static void print(Window *window) {
-    PaceEdit *pace = &window->pace_edit;
-    Pace *frames = &window->pace;
-    qsort(pace->answers, pace->count, sizeof *pace->answers, order_rising);
+    EditBenchmark *benchmark = &window->edit_benchmark;
+    FrameTimer *frames = &window->frame_timer;
+    qsort(benchmark->answers, benchmark->count, sizeof *benchmark->answers, order_rising);
     qsort(frames->times, frames->count, sizeof *frames->times, order_rising);
-    double median = MILLI * part_of(pace->answers, pace->count, 0.5);
-    double late = MILLI * part_of(pace->answers, pace->count, 0.99);
+    double median = MILLI * part_of(benchmark->answers, benchmark->count, 0.5);
+    double late = MILLI * part_of(benchmark->answers, benchmark->count, 0.99);
     double frame = MILLI * part_of(frames->times, frames->count, 0.5);
     double slow = MILLI * part_of(frames->times, frames->count, 0.99);
     double longest = MILLI * part_of(frames->times, frames->count, 1);
     printf("%s, %d x %d, dragged for %.1f s: %zu edits, %zu unanswered; from an edit to its answer on the screen %.1f "
            "ms (median), %.1f ms (99 of 100); a frame takes %.1f ms (median), %.1f ms (99 of 100), %.1f ms (longest)\n",
            window_tab(window)->kind->title(window_tab(window)->live), window->width, window->height,
-           clock_now() - pace->begun, pace->count + pace->missed, pace->missed, median, late, frame, slow, longest);
-    if (pace->count && frames->count)
+           clock_now() - benchmark->begun, benchmark->count + benchmark->missed, benchmark->missed, median, late, frame,
+           slow, longest);
+    if (benchmark->count && frames->count)
         printf("{\"edits\":%zu,\"unanswered\":%zu,\"answer_ms\":{\"median\":%.3f,\"p99\":%.3f},\"frame_ms\":"
                "{\"median\":%.3f,\"p99\":%.3f,\"longest\":%.3f}}\n",
-               pace->count + pace->missed, pace->missed, median, late, frame, slow, longest);
+               benchmark->count + benchmark->missed, benchmark->missed, median, late, frame, slow, longest);
 }
 
 /* Has the answer to the last step come, or is it waited for in vain? The first frame after it still shows the old one:
  * it is the one in which the hand moved. */
 static void look(Window *window) {
-    PaceEdit *pace = &window->pace_edit;
+    EditBenchmark *benchmark = &window->edit_benchmark;
     const Tab *tab = window_tab(window);
     double now = clock_now();
-    if (pace->frames++ == 0) {
-        pace->edited = window->pace.last; /* when that frame was begun */
+    if (benchmark->frames++ == 0) {
+        benchmark->edited = window->frame_timer.last; /* when that frame was begun */
         return;
     }
     if (!tab->kind->answer(tab->live).stale) {
-        pace->answers = memory_reserve(pace->answers, &pace->capacity, pace->count + 1, sizeof *pace->answers);
-        pace->answers[pace->count++] = now - pace->edited;
-        pace->waits = false;
-    } else if (now - pace->edited > PATIENCE) {
-        pace->missed++;
-        pace->waits = false;
+        benchmark->answers =
+            memory_reserve(benchmark->answers, &benchmark->capacity, benchmark->count + 1, sizeof *benchmark->answers);
+        benchmark->answers[benchmark->count++] = now - benchmark->edited;
+        benchmark->waits = false;
+    } else if (now - benchmark->edited > PATIENCE) {
+        benchmark->missed++;
+        benchmark->waits = false;
     }
 }
 
-bool pace_edit_go_on(Window *window, double begun) {
-    PaceEdit *pace = &window->pace_edit;
+bool edit_benchmark_advance(Window *window, double begun) {
+    EditBenchmark *benchmark = &window->edit_benchmark;
     double now = clock_now();
-    if (pace->begun <= 0)
+    if (benchmark->begun <= 0)
         return now - begun > WARM && !begin(window);
-    if (pace->waits)
+    if (benchmark->waits)
         look(window);
-    if (!pace->waits && now - pace->begun <= window->options->benchmark_edit)
+    if (!benchmark->waits && now - benchmark->begun <= window->options->benchmark_edit)
         step(window);
-    if (now - pace->begun <= window->options->benchmark_edit)
+    if (now - benchmark->begun <= window->options->benchmark_edit)
         return false;
     print(window);
     return true;
 }
 
-void pace_edit_clear(Window *window) {
-    memory_free(window->pace_edit.answers);
+void edit_benchmark_clear(Window *window) {
+    memory_free(window->edit_benchmark.answers);
 }

@@ -6,5 +6,5 @@
 #include "window/window_state.h"
 
 /* After each frame; true: it is over, and what was measured has been printed. */
-bool pace_edit_go_on(Window *window, double begun);
-void pace_edit_clear(Window *window);
+bool edit_benchmark_advance(Window *window, double begun);
+void edit_benchmark_clear(Window *window);

@@ -1,0 +1,77 @@
+#include "platform/frame_timer.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "base/clock.h"
+#include "base/memory.h"
+#include "base/order.h"
+#include "base/text.h"
+#include "platform/sdl_window.h"
+
+#define MILLI 1000.0
+
+double frame_timer_wait(FrameTimer *timer, bool hurried) {
+    double now = clock_now(), due = timer->last + 1 / FRAME_TIMER_RATE;
+    if (!hurried && now < due)
+        sdl_window_sleep(due - now);
+    now = clock_now();
+    double since = timer->last > 0 ? now - timer->last : 0;
+    timer->last = now;
+    return since;
+}
+
+void frame_timer_note(FrameTimer *timer, double seconds, double simulating) {
+    if (!timer->counting)
+        return;
+    timer->times = memory_reserve(timer->times, &timer->capacity, timer->count + 1, sizeof *timer->times);
+    timer->times[timer->count++] = seconds;
+    timer->worked += simulating;
+}
+
+/* s, for which this process has been there; by the system's ticks, of 10 ms mostly. */
+static double process_age(void) {
+    enum { STARTED = 22 /* field of /proc/self/stat */ };
+    size_t size;
+    char *text = text_read_file("/proc/self/stat", 4096, &size), *at = text ? strrchr(text, ')') : NULL;
+    double ticks = 0;
+    for (int field = 2; at && field < STARTED; field++)
+        at = strchr(at + 1, ' ');
+    if (at)
+        ticks = strtod(at, NULL);
+    memory_free(text);
+    struct timespec now;
+    clock_gettime(CLOCK_BOOTTIME, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec - ticks / (double)sysconf(_SC_CLK_TCK);
+}
+
+void frame_timer_note_first(FrameTimer *timer) {
+    if (timer->first <= 0)
+        timer->first = process_age();
+}
+
+void frame_timer_count(FrameTimer *timer) {
+    timer->counting = true;
+    timer->count = 0;
+    timer->worked = 0;
+    timer->begun = clock_now();
+}
+
+void frame_timer_print(FrameTimer *timer, const char *what, int width, int height) {
+    double passed = clock_now() - timer->begun;
+    if (!timer->count)
+        return;
+    qsort(timer->times, timer->count, sizeof *timer->times, order_rising);
+    printf("%s, %d x %d: first picture after %.2f s, %.1f frames/s, a frame takes %.1f ms (median), %.1f ms (99 of "
+           "100), simulating is %.1f %%\n",
+           what, width, height, timer->first, (double)timer->count / passed, MILLI * timer->times[timer->count / 2],
+           MILLI * timer->times[timer->count * 99 / 100], 100 * timer->worked / passed);
+}
+
+void frame_timer_clear(FrameTimer *timer) {
+    memory_free(timer->times);
+    *timer = (FrameTimer){0};
+}
