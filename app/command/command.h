@@ -1,4 +1,4 @@
-/* The verbs of the command line: one file a verb, one row each in command.c. */
+/* The verbs of the command line: one file and one row in command.c each. */
 #pragma once
 
 #include "options/options.h"
@@ -12,6 +12,7 @@ int command_check(const Options *options);
 int command_cases(const Options *options);
 int command_compare(const Options *options);
 int command_export(const Options *options);
+int command_help(const Options *options);
 int command_import(const Options *options);
 int command_loci(const Options *options);
 int command_open(const Options *options);

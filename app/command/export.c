@@ -76,7 +76,7 @@ static int export_to(const Options *options, bool picture, const char *path) {
 }
 
 int command_export(const Options *options) {
-    bool picture = options->format && strcmp(options->format, "svg") == 0;
+    bool picture = options->format == EXPORT_SVG;
     Text text = {0};
     const char *path = options->out || picture ? path_of(options, picture ? "svg" : "wkt", &text) : NULL;
     int code = is_there(path) ? EXIT_WRONG_INPUT : export_to(options, picture, path);

@@ -74,7 +74,7 @@ static void make_study(StudyJob *job) {
     memcpy(study->axes, request->axes, sizeof study->axes);
     memcpy(study->spreads, request->spreads, sizeof study->spreads);
     memcpy(study->passes, request->passes, sizeof study->passes);
-    bool chance = study->runs > 1 || request->shakes || job->options->seed_said;
+    bool chance = study->runs > 1 || request->shakes || options_given(job->options, "--seed");
     study->seed = chance ? job->options->seed : 0;
 }
 
@@ -321,27 +321,20 @@ static bool is_one_chance(const Options *options, Fault *fault) {
     return false;
 }
 
-/* The paper's page has ranges, runs and types of its own. */
+/* Refuses options that have no effect: the page of the paper has its own ranges, runs and types, and types without
+ * --vary are told at one point. */
 static bool is_one_question(const Options *options, Fault *fault) {
-    const StudyRequest *asked = &options->study;
-    bool paper = options->paper, ranges = asked->axis_count || asked->runs > 1;
-    const char *own = paper ? "--paper" : options->types && !ranges ? "--types without --vary" : NULL;
-    const char *idle = asked->axis_count                ? "--vary"
-                       : asked->runs                    ? "--runs"
-                       : asked->shakes                  ? "--shake"
-                       : asked->spread_count            ? "--spread"
-                       : asked->pass_count              ? "--sweep"
-                       : options->measured              ? "--measured"
-                       : options->thorough              ? "--thorough"
-                       : paper && options->types        ? "--types"
-                       : paper && options->route        ? "--route"
-                       : paper && options->driving >= 0 ? "--driving"
-                       : paper && options->seed_said    ? "--seed"
-                                                        : NULL;
-    if (!own || !idle)
-        return true;
-    fault_add(fault, "clearance: %s has no effect with %s, must be left out", idle, own);
-    return false;
+    static const char *const idle[] = {"--vary",     "--runs",  "--shake", "--spread",  "--sweep", "--measured",
+                                       "--thorough", "--types", "--route", "--driving", "--seed"};
+    enum { IDLE = sizeof idle / sizeof *idle, IDLE_WITH_TYPES = 7 };
+    bool ranges = options->study.axis_count || options->study.runs > 1;
+    const char *own = options->paper ? "--paper" : options->types && !ranges ? "--types without --vary" : NULL;
+    for (size_t i = 0; own && i < (options->paper ? IDLE : IDLE_WITH_TYPES); i++)
+        if (options_given(options, idle[i])) {
+            fault_add(fault, "clearance: %s has no effect with %s, must be left out", idle[i], own);
+            return false;
+        }
+    return true;
 }
 
 int command_study(const Options *options) {

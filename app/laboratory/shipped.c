@@ -12,8 +12,8 @@ enum { PATH_MOST = 4096 };
 
 static char assets[PATH_MOST], looked[4 * PATH_MOST], missing[5 * PATH_MOST];
 static char profiles[PATH_MOST + 32], furniture[PATH_MOST + 32], beams[PATH_MOST + 32], houses[PATH_MOST + 32],
-    default_house[PATH_MOST + 64];
-static Shipped shipped = {profiles, furniture, beams, houses, default_house, NULL};
+    help[PATH_MOST + 32], default_house[PATH_MOST + 64];
+static Shipped shipped = {profiles, furniture, beams, houses, help, default_house, NULL};
 
 /* Adds the folder to those that were looked at, each once. */
 static void add_looked(const char *folder) {
@@ -118,6 +118,7 @@ static void find(void) {
     snprintf(furniture, sizeof furniture, "%s/furniture", assets);
     snprintf(beams, sizeof beams, "%s/beams", assets);
     snprintf(houses, sizeof houses, "%s/houses", assets);
+    snprintf(help, sizeof help, "%s/help", assets);
     if (access(houses, R_OK) != 0)
         snprintf(houses, sizeof houses, "%s/../houses", assets);
     char *whole = realpath(houses, NULL);

@@ -1,5 +1,5 @@
-/* The files that come with the program: houses, beams, profiles, furniture. Their folder, the assets, is the first of
- * these that holds profiles:
+/* The files that come with the program: houses, beams, profiles, furniture, help. Their folder, the assets, is the
+ * first of these that holds profiles:
  *   1. $CLEARANCE_ASSETS, and no other if it is set
  *   2. share/clearance beside the folder of the program, so that an installed tree can be moved
  *   3. assets beside the build folder, if the program lies in one
@@ -9,9 +9,9 @@
 #pragma once
 
 typedef struct Shipped {
-    const char *profiles, *furniture, *beams, *houses; /* folders */
-    const char *default_house;                         /* the file that the window opens when no other is asked for */
-    const char *missing; /* one line that names the places, if none of them holds profiles; NULL otherwise */
+    const char *profiles, *furniture, *beams, *houses, *help; /* folders */
+    const char *default_house; /* the file that the window opens when no other is asked for */
+    const char *missing;       /* one line that names the places, if none of them holds profiles; NULL otherwise */
 } Shipped;
 
 /* The places are looked for once and live as long as the program. Any thread may ask. */

@@ -1,4 +1,4 @@
-/* What the command line asks for, and the exit codes. */
+/* The values of the options of one command line, and the exit codes. */
 #pragma once
 
 #include <stdbool.h>
@@ -9,58 +9,80 @@
 #include "draw/palette.h"
 #include "draw/view.h"
 #include "options/study_request.h"
+#include "options/verb.h"
 #include "visual/house/house_plots.h"
 
-/* Exit codes, part of the contract. */
+/* The exit codes are part of the contract with scripts. */
 typedef enum ExitCode {
-    EXIT_ANSWERED = 0, /* everybody is out */
-    EXIT_ANSWER_NO = 1,
+    EXIT_ANSWERED = 0,  /* the answer is yes: all people are out, or the motion of the beam is known */
+    EXIT_ANSWER_NO = 1, /* the answer is no, or the work was interrupted */
     EXIT_WRONG_INPUT = 2,
     EXIT_OUR_FAULT = 3,
 } ExitCode;
 
-/* What the command line said. Texts belong to argv. */
+typedef enum ExportFormat { EXPORT_WKT, EXPORT_SVG } ExportFormat;
+
+#define EXPORT_WORDS "wkt|svg"
+
+enum { OPTIONS_MOST = 64 /* rows of the table in option.c */ };
+
+/* The values of the options. Texts belong to argv or to the arena. */
 typedef struct Options {
     const char **files; /* (file_count) */
     size_t file_count;
     const char **settings; /* (setting_count) NAME=VALUE */
     size_t setting_count;
-    const char *out;   /* directory, or NULL */
+    const char *out;   /* directory or file, or NULL */
     const char *route; /* id, or NULL */
     uint64_t seed;
-    bool seed_said;
     int driving; /* Driving, or -1 */
     int jobs;
     bool json, quiet;
     int width, height; /* pixels */
-    bool size_said, theme_said;
-    Theme theme;
-    double frames;     /* pictures a s of the film; 0: none */
-    double slow;       /* simulated time is shown so many times slower; 0: not said */
+    int theme;         /* Theme */
+    double frames;     /* 1/s, pictures per second of the film; 0: none */
+    double slow;       /* 1, how many times slower a beam is shown; 0: not given */
     const char *movie; /* file, or NULL */
-    double from, to;   /* s; negative: not said */
+    double from, to;   /* s; negative: not given */
     Camera camera;
     int show;               /* FILM_..., added up */
     const char *plot_words; /* --plots, or NULL */
-    PlotChoice plots;       /* of a house, as they say; none when they are those of a beam */
+    PlotChoice plots;       /* those words as plots of a house; none if they name plots of a beam */
     const char *measured;   /* file of measured points, or NULL */
-    bool report;            /* write one */
-    const char *observed;   /* file of measured loci, or NULL */
-    bool suggest;           /* the smallest changes that let everybody out */
+    bool report;
+    const char *observed; /* file of measured loci, or NULL */
+    bool suggest;
     StudyRequest study;
-    bool paper;         /* study the paper's claims */
-    bool thorough;      /* tell each run of a beam as `run` does */
-    const char *types;  /* names of parameters, parted by commas, or NULL */
-    int text;           /* size of the window's text, 1 to 3; 0: not said */
+    bool paper;
+    bool thorough;
+    const char *types;  /* names of parameters, separated by commas, or NULL */
+    int text;           /* size of the window's text, 1 to 3; 0: not given */
     const char *script; /* file for the window to follow, or NULL */
     double benchmark;   /* s, of the window; 0: none */
     double benchmark_edit;
-    bool reduced_motion; /* in the window */
-    double unit;         /* m, of the file to import; 0: not said */
-    const char *layers;  /* of a drawing, as said, or NULL */
-    const char *level;   /* of a home, or NULL */
-    const char *format;  /* to export to, or NULL */
-    char **arguments;    /* (argument_count) the command line, as given */
+    bool reduced_motion;
+    double unit;              /* m, of the file to import; 0: not given */
+    const char *layers;       /* of a drawing, as given, or NULL */
+    const char *level;        /* of a home, or NULL */
+    int format;               /* ExportFormat */
+    bool help;                /* print the help of the verb and end */
+    bool given[OPTIONS_MOST]; /* by row of the table in option.c */
+    char **arguments;         /* (argument_count) the command line, as given */
     int argument_count;
-    Arena arena; /* holds what was made of the words */
+    Arena arena; /* keeps texts that were made while the values were read */
 } Options;
+
+/* Sets the defaults. options_end releases what the reading takes. */
+void options_begin(Options *options, int argc, char **argv);
+void options_end(Options *options);
+
+/* Reads argv from `first` on as files and options of a verb. Returns 0, or EXIT_WRONG_INPUT after one line on standard
+ * error. */
+int options_read(Options *options, VerbId verb, int first);
+
+/* True if the command line holds the option of that name, "--seed". */
+bool options_given(const Options *options, const char *name);
+
+/* Prints "clearance: WHAT "WORD"" on standard error, with the nearest of the known words (count) if there is one near
+ * enough. Returns EXIT_WRONG_INPUT. */
+int options_complain(const char *what, const char *word, const char *const *known, size_t count);

@@ -10,9 +10,9 @@ typedef struct StudyRequest {
     StudySpread spreads[STUDY_SPREADS_MOST];
     size_t spread_count;
     StudyPass passes[STUDY_PASSES];
-    size_t pass_count; /* 0: not said */
-    size_t runs;       /* 0: not said */
-    size_t shakes;     /* runs that each begin with an earthquake; 0: none does */
+    size_t pass_count; /* 0: not given */
+    uint64_t runs;     /* 0: not given */
+    uint64_t shakes;   /* runs that each begin with an earthquake; 0: none does */
 } StudyRequest;
 
 /* NAME=FROM:TO:STEPS, NAME=SHARE, and a list of reset, up, down. False: the words are not of that form, or one too

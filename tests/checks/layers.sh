@@ -47,7 +47,7 @@ app/widgets         draw paint
 app/platform        draw paint plot
 app/window          draw laboratory laboratory/house paint platform plot widgets
 app/report          document exchange experiment house plan plot visual/
-app/options         draw exchange plan platform study visual/beam visual/house
+app/options         draw exchange study visual/beam visual/house
 app/command         beam document draw exchange experiment house inquiry laboratory options paint plan platform plot report study visual/ window
 END
 }

@@ -1,0 +1,120 @@
+/* `clearance help`: topics are the text files of the folder help of the assets; the first line of each is its title. */
+#include "options/help.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "command/command.h"
+#include "laboratory/shipped.h"
+
+enum { TOPICS_MOST = 40, TOPIC_LARGEST = 1 << 20 /* bytes */, TITLE_COLUMN = 16 };
+
+#define ENDING ".txt"
+#define OPTIONS_TOPIC "options" /* which is made from the table of options */
+
+typedef struct Topics {
+    const char *names[TOPICS_MOST + VERBS]; /* (count) sorted; after them the verbs */
+    size_t count;
+    Arena arena;
+} Topics;
+
+static int is_topic(const struct dirent *entry) {
+    size_t length = strlen(entry->d_name), ending = strlen(ENDING);
+    return *entry->d_name != '.' && length > ending && strcmp(entry->d_name + length - ending, ENDING) == 0;
+}
+
+static int by_name(const void *a, const void *b) {
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+static void find_topics(Topics *topics) {
+    struct dirent **entries = NULL;
+    int count = scandir(shipped_places()->help, &entries, is_topic, NULL);
+    topics->names[topics->count++] = OPTIONS_TOPIC;
+    for (int i = 0; i < count; i++) {
+        if (topics->count < TOPICS_MOST)
+            topics->names[topics->count++] = text_in_arena(
+                &topics->arena, "%.*s", (int)(strlen(entries[i]->d_name) - strlen(ENDING)), entries[i]->d_name);
+        free(entries[i]);
+    }
+    free(entries);
+    qsort(topics->names, topics->count, sizeof *topics->names, by_name);
+    for (size_t v = 0; v < VERBS; v++)
+        topics->names[topics->count + v] = verb_rows[v].name;
+}
+
+/* The text of a topic; NULL if there is none. memory_free it. */
+static char *read_topic(const char *name) {
+    if (strcmp(name, OPTIONS_TOPIC) == 0) {
+        Text text = {0};
+        help_add_options(&text);
+        return text.text;
+    }
+    Text path = {0};
+    size_t size;
+    text_format(&path, "%s/%s" ENDING, shipped_places()->help, name);
+    char *text = text_read_file(path.text, TOPIC_LARGEST, &size);
+    memory_free(path.text);
+    return text;
+}
+
+static void list_topics(const Topics *topics) {
+    Text text = {0};
+    text_add(&text, "Topics, to be read with `clearance help TOPIC`:\n\n");
+    for (size_t t = 0; t < topics->count; t++) {
+        char *topic = read_topic(topics->names[t]);
+        const char *title = topic ? strchr(topic, ':') : NULL;
+        if (title) {
+            topic[strcspn(topic, "\n")] = '\0';
+            text_format(&text, "  %-*s", TITLE_COLUMN - 2, topics->names[t]);
+            help_add_wrapped(&text, title + 2, TITLE_COLUMN);
+        }
+        memory_free(topic);
+    }
+    text_add(&text, "\n`clearance help VERB` prints the help of a verb, `clearance --help` the verbs.\n");
+    fputs(text.text, stdout);
+    memory_free(text.text);
+}
+
+/* The words of the command line as one name: "house file" is house-file. */
+static const char *name_of(const Options *options, Topics *topics) {
+    Text name = {0};
+    for (size_t f = 0; f < options->file_count; f++)
+        text_format(&name, "%s%s", f ? "-" : "", options->files[f]);
+    const char *kept = text_in_arena(&topics->arena, "%s", name.text);
+    memory_free(name.text);
+    return kept;
+}
+
+static int print_topic(const Topics *topics, const char *name) {
+    const Verb *verb = verb_find(name);
+    bool known = text_is_among(name, topics->names, topics->count);
+    if (!known && !verb)
+        return options_complain("there is no topic", name, topics->names, topics->count + VERBS);
+    Text text = {0};
+    if (!known)
+        help_add_verb(&text, (VerbId)(verb - verb_rows));
+    char *topic = known ? read_topic(name) : text.text;
+    if (!topic) {
+        fprintf(stderr, "clearance: %s/%s" ENDING " cannot be read\n", shipped_places()->help, name);
+        return EXIT_OUR_FAULT;
+    }
+    fputs(topic, stdout);
+    memory_free(topic);
+    return EXIT_ANSWERED;
+}
+
+int command_help(const Options *options) {
+    Topics topics = {.count = 0};
+    int code = EXIT_ANSWERED;
+    find_topics(&topics);
+    if (options->file_count)
+        code = print_topic(&topics, name_of(options, &topics));
+    else
+        list_topics(&topics);
+    arena_clear(&topics.arena);
+    return code;
+}
