@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "window/act.h"
-#include "window/files.h"
+#include "window/autosave.h"
+#include "window/notice.h"
 
 #define BOX_STEP 0.02    /* of the axes, that a corner moves by a key */
 #define CURSOR_STEP 0.01 /* of the axis */
@@ -58,8 +58,10 @@ static void move_cursor(PlotPane *pane, double direction, double times) {
 }
 
 void act_plot_use(Window *window, const PlotPane *pane, double x) {
+    Fault fault = {0};
     if (pane->live.cursor_parameter)
-        act_set(window, pane->live.cursor_parameter, x / pane->live.cursor_factor);
+        tab_set(window_tab(window), pane->live.cursor_parameter, x / pane->live.cursor_factor, &fault);
+    notice_fault(window, &fault, NAN);
 }
 
 static void zoom(PlotPane *pane, double times) {
@@ -126,10 +128,10 @@ static char *write_view(Tab *tab, const char *folder, const char *name, Fault *f
 static void write_picture(Window *window) {
     Tab *tab = window_tab(window);
     Fault fault = {0};
-    char *folder = tab->view_layers.painted ? act_folder(window) : NULL, name[WINDOW_PATH], *path = NULL;
+    char *folder = tab->view_layers.painted ? notice_folder(window) : NULL, name[WINDOW_PATH], *path = NULL;
     if (!folder)
         return;
-    const PlotPane *pane = act_focused_pane(window);
+    const PlotPane *pane = plot_panes_focused(&window_tab(window)->panes, window->ui);
     SnapshotNote note = note_of(tab);
     snprintf(name, sizeof name, "%s%s%s", tab->kind->title(tab->live), pane ? " " : "", pane ? pane->live.name : "");
     if (pane)
@@ -138,9 +140,9 @@ static void write_picture(Window *window) {
     else
         path = write_view(tab, folder, name, &fault);
     if (path)
-        act_say(window, "written: %s.png%s%s and .json", path, !pane && tab->camera.kind == VIEW_RAISED ? "" : ", .svg",
-                pane ? ", .csv" : "");
-    act_complain(window, &fault, NAN);
+        notice_post(window, "written: %s.png%s%s and .json", path,
+                    !pane && tab->camera.kind == VIEW_RAISED ? "" : ", .svg", pane ? ", .csv" : "");
+    notice_fault(window, &fault, NAN);
     memory_free(path);
     memory_free(folder);
 }
@@ -152,21 +154,21 @@ static void begin_frames(Window *window) {
     Tab *tab = window_tab(window);
     char name[WINDOW_PATH];
     if (window->export) {
-        act_say(window, "something is being written already: when it is done, or cancelled, the next can begin");
+        notice_post(window, "something is being written already: when it is done, or cancelled, the next can begin");
         return;
     }
-    char *folder = act_folder(window);
+    char *folder = notice_folder(window);
     if (!folder)
         return;
     Fault fault = {0};
     snprintf(name, sizeof name, "%s frames", tab->kind->title(tab->live));
     char *out = export_free_name(folder, name, endings);
     ExportOrder order = {.options = options, .option_count = sizeof options / sizeof *options, .out = out};
-    order.arguments = files_command(window, &order.argument_count);
+    order.arguments = autosave_command(window, &order.argument_count);
     window->export = export_begin(&order, &fault);
     if (window->export)
-        act_say(window, "writing frames to %s", out);
-    act_complain(window, &fault, NAN);
+        notice_post(window, "writing frames to %s", out);
+    notice_fault(window, &fault, NAN);
     memory_free(out);
     memory_free(folder);
 }
@@ -176,17 +178,17 @@ static void copy_command(Window *window) {
     size_t count;
     const char *const *words = tab->kind->command(tab->live, &count);
     if (count > 1 && !*words[1]) {
-        act_say(window, "no file holds what is shown yet: saved (Ctrl+S) it has a command");
+        notice_post(window, "no file holds what is shown yet: saved (Ctrl+S) it has a command");
         return;
     }
     char *command = export_command(words, count);
     sdl_window_set_clipboard(window->sdl_window, command);
-    act_say(window, "copied: %s", command);
+    notice_post(window, "copied: %s", command);
     memory_free(command);
 }
 
 bool act_plot_do(Window *window, Action action, int mods) {
-    PlotPane *pane = act_focused_pane(window);
+    PlotPane *pane = plot_panes_focused(&window_tab(window)->panes, window->ui);
     if (pane && pane->canvas && do_pane(window, pane, action, mods))
         return true;
     switch (action) {

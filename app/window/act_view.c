@@ -1,8 +1,7 @@
 #include "window/act_view.h"
+#include "window/notice.h"
 
 #include <math.h>
-
-#include "window/act.h"
 
 #define ZOOM_STEP 1.25
 #define PAN_STEP 0.1   /* of the view */
@@ -28,7 +27,7 @@ static void turn(Tab *tab, double degrees) {
 
 static void toggle_raised(Window *window, Tab *tab) {
     if (!tab->kind->raised) {
-        act_say(window, "a beam is seen from the side only");
+        notice_post(window, "a beam is seen from the side only");
         return;
     }
     tab->camera.kind = tab->camera.kind == VIEW_RAISED ? VIEW_PLAN : VIEW_RAISED;
@@ -41,7 +40,7 @@ static void follow(Window *window, Tab *tab) {
         tab_select(tab, tab->kind->next(tab->live, (Item){0}, 1));
     if (tab->follows && tab->camera.zoom < 2)
         tab_show_selected(tab);
-    act_say(window, tab->follows ? "following what is selected" : "not following");
+    notice_post(window, tab->follows ? "following what is selected" : "not following");
 }
 
 static void toggle_layer(Window *window, Tab *tab, int32_t key) {
@@ -49,7 +48,7 @@ static void toggle_layer(Window *window, Tab *tab, int32_t key) {
     if (key < '1' || layer >= tab->kind->layer_count)
         return;
     tab_toggle_layer(tab, layer);
-    act_say(window, "%s: %s", tab->kind->layers[layer], tab_layers(tab) & 1u << layer ? "shown" : "hidden");
+    notice_post(window, "%s: %s", tab->kind->layers[layer], tab_layers(tab) & 1u << layer ? "shown" : "hidden");
 }
 
 bool act_view_do(Window *window, Tab *tab, Action action, int32_t key) {

@@ -3,8 +3,8 @@
 #include <math.h>
 
 #include "window/act.h"
+#include "window/dialog_pane.h"
 #include "window/plan_input.h"
-#include "window/files.h"
 
 /* Design points. */
 #define TWO_LINES 1.8 /* times the width, that text of two lines take at most: lines end between text */
@@ -42,7 +42,7 @@ static void show_text(Window *window, UiLetters size, Role role, double left, do
 
 static void open_menu(Window *window, KeyMenu menu) {
     window->menu = menu;
-    act_show_dialog(window, DIALOG_MENU);
+    dialog_pane_show(window, DIALOG_MENU);
 }
 
 static double show_menus(Window *window, Box bar) {
@@ -98,7 +98,7 @@ void bars_show_menu(Window *window) {
     double left = show_menus(window, bar), right = show_laboratories(window, bar);
     const Tab *tab = window_tab(window);
     if (tab->live) {
-        const char *title = files_title(window, tab);
+        const char *title = tab_title(tab, &window->arena);
         double width = ui_extent(window->ui, UI_BOLD, title).x;
         double begin = fmax(left + GAP, middle_of(bar).x - width / 2);
         show_text(window, UI_BOLD, ROLE_TEXT, begin, right - GAP, middle_of(bar).y, title);
@@ -109,7 +109,7 @@ void bars_show_menu(Window *window) {
 /* The answer ------------------------------------------------------------------------------------------------------- */
 
 static double show_place_button(Window *window, Tab *tab, Box bar) {
-    const PanelRow *place = act_first_place(tab);
+    const PanelRow *place = tab_first_place(tab);
     const char *label = "Show place";
     double width = ui_extent(window->ui, UI_BOLD, label).x + BUTTON_PAD;
     if (!place || window->frame.compact || bar.high.x < 3 * width)

@@ -4,11 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "window/act.h"
 #include "window/act_plot.h"
-#include "window/trace_image.h"
 #include "window/plan_input.h"
 #include "window/plan_overlay.h"
+#include "window/trace_image.h"
 
 /* Design points. */
 #define MARGIN 12.0

@@ -4,9 +4,11 @@
 #include <string.h>
 
 #include "window/act.h"
-#include "window/plan_input.h"
-#include "window/files.h"
+#include "window/autosave.h"
 #include "window/dialog_pane.h"
+#include "window/files.h"
+#include "window/notice.h"
+#include "window/plan_input.h"
 
 #define WIDTH 760.0 /* design points */
 #define HEIGHT 560.0
@@ -71,10 +73,10 @@ static void make(Window *window, const Making *making) {
         options[count++] = window->theme == THEME_BOARD ? "board" : "paper";
     }
     if (window->export) {
-        act_say(window, "something is being written already: cancel it, or wait until it is over");
+        notice_post(window, "something is being written already: cancel it, or wait until it is over");
         return;
     }
-    char *folder = act_folder(window);
+    char *folder = notice_folder(window);
     if (!folder)
         return;
     const char *name = text_in_arena(&window->arena, "%s %s", tab->kind->title(tab->live), making->name);
@@ -83,7 +85,7 @@ static void make(Window *window, const Making *making) {
     const char *out = making->ending ? text_in_arena(&window->arena, "%s.%s", free_name, making->ending) : free_name;
     const char *movie = making->movie ? text_in_arena(&window->arena, "%s.mp4", out) : NULL;
     ExportOrder order = {.options = options, .option_count = count, .out = making->movie ? NULL : out, .movie = movie};
-    order.arguments = files_command(window, &order.argument_count);
+    order.arguments = autosave_command(window, &order.argument_count);
     const char *const plan[] = {"export", order.arguments[1]};
     if (making->ending) {
         order.arguments = plan;
@@ -91,8 +93,8 @@ static void make(Window *window, const Making *making) {
     }
     window->export = export_begin(&order, &fault);
     if (window->export)
-        act_say(window, "writing %s", movie ? movie : out);
-    act_complain(window, &fault, NAN);
+        notice_post(window, "writing %s", movie ? movie : out);
+    notice_fault(window, &fault, NAN);
     memory_free(free_name);
     memory_free(folder);
 }
@@ -103,7 +105,7 @@ static void show_now(Window *window) {
                  .cells = {"What is seen now: PNG and SVG, and the command that makes it", "F9"},
                  .usable = true};
     if (ui_list_row(window->ui, &now)) {
-        act_close_dialog(window);
+        dialog_pane_close(window);
         act_do(window, ACTION_PICTURE, 0, 0);
     }
 }
@@ -129,7 +131,7 @@ void dialog_export_show(Window *window) {
         const char *label = text_in_arena(&window->arena, "%s: %s", makings[i].label, makings[i].meaning);
         if (ui_list_row(window->ui,
                         &(UiRow){.id = makings[i].label, .shape = ROW_PLAIN, .cells = {label}, .usable = true})) {
-            act_close_dialog(window);
+            dialog_pane_close(window);
             make(window, &makings[i]);
         }
     }
@@ -151,7 +153,7 @@ void dialog_export_show_save(Window *window) {
     bool pressed =
         ui_button(window->ui, &(UiButton){.label = "Save", .help = "Save: writes the file beside and renames it"});
     if (ui_button(window->ui, &(UiButton){.label = "Cancel", .help = "Cancel (Escape)"}))
-        act_close_dialog(window);
+        dialog_pane_close(window);
     else if (typed || pressed)
         files_save_as(window, text_in_arena(&window->arena, "%s", window->field));
     ui_pane_end(window->ui);

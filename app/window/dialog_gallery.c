@@ -2,9 +2,9 @@
 
 #include <math.h>
 
-#include "window/act.h"
-#include "window/files.h"
 #include "window/dialog_pane.h"
+#include "window/files.h"
+#include "window/notice.h"
 
 /* Design points. */
 #define EDGE 24.0
@@ -55,7 +55,7 @@ void dialog_gallery_show(Window *window) {
         if (i % (size_t)columns == 0)
             ui_row(window->ui, columns);
         if (show_item(window, &items[i], i)) {
-            act_close_dialog(window);
+            dialog_pane_close(window);
             files_leave(window, LEAVE_OPEN, items[i].path);
             break;
         }
@@ -80,11 +80,11 @@ static void choose(Window *window, const FolderEntry *entry) {
     const char *path = text_in_arena(&window->arena, "%s", entry->path);
     if (entry->kind == FOLDER_ABOVE || entry->kind == FOLDER_FOLDER) {
         folder_read(&window->folder, path, &fault);
-        act_complain(window, &fault, NAN);
+        notice_fault(window, &fault, NAN);
         return;
     }
     window->settings.state.folder = settings_store(&window->settings, window->folder.path);
-    act_close_dialog(window);
+    dialog_pane_close(window);
     files_leave(window, LEAVE_OPEN, path);
 }
 
@@ -96,7 +96,7 @@ void dialog_gallery_show_open(Window *window) {
     if (ui_field(window->ui, "path", "or type its path", "Path: Return opens it", window->field,
                  sizeof window->field)) {
         const char *path = text_in_arena(&window->arena, "%s", window->field);
-        act_close_dialog(window);
+        dialog_pane_close(window);
         files_leave(window, LEAVE_OPEN, path);
     }
     for (size_t i = 0; i < window->folder.count; i++) {

@@ -2,10 +2,9 @@
 
 #include <time.h>
 
-#include "window/act.h"
-#include "window/plan_input.h"
-#include "window/files.h"
 #include "window/dialog_pane.h"
+#include "window/files.h"
+#include "window/plan_input.h"
 
 /* Design points. */
 #define WIDTH 660.0
@@ -29,7 +28,7 @@ void dialog_leave_show(Window *window) {
     bool drops =
         ui_button(window->ui, &(UiButton){.label = "Don't save", .help = "Don't save: what was edited is lost"});
     if (ui_button(window->ui, &(UiButton){.label = "Cancel", .help = "Cancel (Escape): goes on with what is open"}))
-        act_close_dialog(window);
+        dialog_pane_close(window);
     else if (saves)
         files_save(window);
     else if (drops)
@@ -86,6 +85,6 @@ void dialog_leave_show_recovered(Window *window) {
     ui_gap(window->ui, 8);
     if (!changed &&
         ui_button(window->ui, &(UiButton){.label = "Later", .help = "Later (Escape): asks again next time"}))
-        act_close_dialog(window);
+        dialog_pane_close(window);
     ui_pane_end(window->ui);
 }

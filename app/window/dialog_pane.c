@@ -12,3 +12,14 @@ Box dialog_pane_centred(const Window *window, double width, double height, doubl
     Vec2 middle = vec2_scale(page, 0.5);
     return (Box){vec2_sub(middle, half), vec2_add(middle, half)};
 }
+
+void dialog_pane_show(Window *window, Dialog dialog) {
+    window->dialog = dialog;
+    window->dirty = true;
+}
+
+void dialog_pane_close(Window *window) {
+    window->dialog = DIALOG_NONE;
+    window->leave = LEAVE_NOTHING;
+    window->dirty = true;
+}

@@ -5,12 +5,12 @@
 
 #include "base/text.h"
 #include "window/act.h"
-#include "window/plan_input.h"
-#include "window/files.h"
 #include "window/dialog_export.h"
 #include "window/dialog_gallery.h"
 #include "window/dialog_leave.h"
 #include "window/dialog_pane.h"
+#include "window/files.h"
+#include "window/plan_input.h"
 
 /* Design points. */
 #define MENU_WIDTH 376.0
@@ -57,7 +57,7 @@ static bool show_menu_row(Window *window, const KeyRow *row) {
                    .usable = can};
     if (!ui_list_row(window->ui, &shown))
         return false;
-    act_close_dialog(window);
+    dialog_pane_close(window);
     act_do(window, row->action, 0, 0);
     return true;
 }
@@ -76,7 +76,7 @@ static bool show_recent(Window *window) {
                        .help = paths[i],
                        .usable = true};
         if (ui_list_row(window->ui, &shown)) {
-            act_close_dialog(window);
+            dialog_pane_close(window);
             files_leave(window, LEAVE_OPEN, paths[i]);
             return true;
         }
@@ -180,7 +180,7 @@ static void show_messages(Window *window) {
                      .usable = true};
         if (ui_list_row(window->ui, &row) && window_tab(window)->live) {
             tab_seek(window_tab(window), message->time);
-            act_close_dialog(window);
+            dialog_pane_close(window);
         }
     }
     ui_pane_end(window->ui);
@@ -192,7 +192,7 @@ static bool show_close(Window *window) {
     ui_gap(window->ui, 8);
     if (!ui_button(window->ui, &(UiButton){.label = "Close", .help = "Close (Escape)"}))
         return false;
-    act_close_dialog(window);
+    dialog_pane_close(window);
     return true;
 }
 

@@ -3,12 +3,6 @@
 
 #include "window/window_state.h"
 
-/* "L corridor (edited)", "L corridor [Recovered]"; good for this frame. */
-const char *files_title(Window *window, const Tab *tab);
-
-/* Would anything be lost if it were closed? */
-bool files_unsaved(const Tab *tab);
-
 /* To its file; asks for a name where there is none, or none that may be written to. */
 void files_save(Window *window);
 void files_ask_name(Window *window);
@@ -22,17 +16,10 @@ void files_leave(Window *window, Leave leave, const char *path);
 /* What was asked about is saved, or need not be. */
 void files_finish_leaving(Window *window);
 
-/* A file has been opened in a room. */
-void files_begin(Window *window, Tab *tab);
-
 /* Opens what was left behind; puts it away for good. */
 void files_recover(Window *window, size_t found);
 void files_forget(Window *window, size_t found);
 
-/* Laboratory.command, of a file that holds what is shown: while none does, of the one for the case of a crash. */
-const char *const *files_command(Window *window, size_t *count);
-
-/* Looks for what was left behind; between frames: the title, and 2 s after an edit its recovery file; a clean end. */
+/* Looks for what was left behind; a clean end. */
 void files_start(Window *window);
-void files_watch(Window *window);
 void files_end(Window *window);

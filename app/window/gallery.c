@@ -11,10 +11,10 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "draw/layout.h"
-#include "paint/paint_cairo.h"
-#include "paint/png.h"
 #include "laboratory/shipped.h"
 #include "laboratory/thumbnail.h"
+#include "paint/paint_cairo.h"
+#include "paint/png.h"
 #include "platform/folder.h"
 #include "platform/settings.h"
 

@@ -5,8 +5,9 @@
 #include <string.h>
 
 #include "window/act.h"
-#include "window/plan_input.h"
+#include "window/notice.h"
 #include "window/panel_edit.h"
+#include "window/plan_input.h"
 
 enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2 };
 #define STEPS_SHOWN 500.0 /* of a slider's range, that its digits tell apart */
@@ -123,6 +124,13 @@ static const char *help_of(Window *window, const PanelParameter *parameter) {
                          parameter->name);
 }
 
+/* Changes a number; a fault is posted. */
+static void set(Window *window, const char *name, double value) {
+    Fault fault = {0};
+    tab_set(window_tab(window), name, value, &fault);
+    notice_fault(window, &fault, NAN);
+}
+
 static void show_number(Window *window, const PanelParameter *parameter) {
     double factor = factor_of(parameter);
     UiSlider slider = {.id = parameter->name,
@@ -142,7 +150,7 @@ static void show_number(Window *window, const PanelParameter *parameter) {
     if (change == UI_MOVING)
         plan_input_hold_number(window, parameter->name);
     if (change != UI_SAME && slider.value != factor * parameter->value)
-        act_set(window, parameter->name, slider.value / factor);
+        set(window, parameter->name, slider.value / factor);
 }
 
 static size_t split_words(Window *window, const char *choices, const char **words, size_t most) {
@@ -162,7 +170,7 @@ static void show_word(Window *window, const PanelParameter *parameter) {
     const char *words[WORDS_MOST];
     size_t count = split_words(window, parameter->row->choices, words, WORDS_MOST), chosen = (size_t)parameter->value;
     if (ui_choice(window->ui, parameter->name, parameter->label, help_of(window, parameter), words, count, &chosen))
-        act_set(window, parameter->name, (double)chosen);
+        set(window, parameter->name, (double)chosen);
 }
 
 static void show_parameter(Window *window, const PanelParameter *parameter) {
@@ -170,7 +178,7 @@ static void show_parameter(Window *window, const PanelParameter *parameter) {
     switch (parameter->row->kind) {
     case PARAMETER_FLAG:
         if (ui_flag(window->ui, parameter->name, parameter->label, help_of(window, parameter), &value))
-            act_set(window, parameter->name, value);
+            set(window, parameter->name, value);
         break;
     case PARAMETER_CHOICE:
         show_word(window, parameter);

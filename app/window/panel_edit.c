@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "window/act.h"
+#include "window/notice.h"
 #include "window/plan_input.h"
 
 enum { TEXT_MOST = 4096 + 1 /* bytes: what the editor takes, and its end */ };
@@ -48,7 +49,7 @@ static bool show_text(Window *window, Tab *tab, const EditorFunctions *editor, c
     if (!ui_field(window->ui, name, text->label, help, typed, sizeof typed) || strcmp(typed, text->value) == 0)
         return false;
     editor->set_text(tab->live, name, typed, &fault);
-    act_complain(window, &fault, NAN);
+    notice_fault(window, &fault, NAN);
     return true;
 }
 
@@ -81,7 +82,7 @@ static void show_image(Window *window, Tab *tab, const EditorFunctions *editor) 
     if (ui_field(window->ui, "image path", "PNG file", "PNG file: its path; Return takes it, an empty one puts it away",
                  path, sizeof path)) {
         editor->set_image(tab->live, *path ? path : NULL, &fault);
-        act_complain(window, &fault, NAN);
+        notice_fault(window, &fault, NAN);
         return;
     }
     if (!image.path)
@@ -113,7 +114,7 @@ static void show_proposals(Window *window, Tab *tab, const EditorFunctions *edit
                            .help = "Do it: changes the house so; it can be undone"};
         if (ui_button(window->ui, &button)) {
             editor->accept(tab->live, i, &fault);
-            act_complain(window, &fault, NAN);
+            notice_fault(window, &fault, NAN);
             return;
         }
     }
@@ -133,7 +134,7 @@ static void show_way_out(Window *window, Tab *tab, const EditorFunctions *editor
     ui_heading(window->ui, answer.title);
     if (answer.detail && answer.role == ROLE_ERROR)
         ui_text(window->ui, UI_BODY, ROLE_ERROR, answer.detail);
-    if (act_first_place(tab) &&
+    if (tab_first_place(tab) &&
         ui_button(window->ui, &(UiButton){.id = "show", .label = "Show", .help = "Show: the place, from near"}))
         act_show_place(window);
     if (!doing && ui_button(window->ui, &(UiButton){.label = "Smallest change",

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "window/act.h"
+#include "window/notice.h"
 
 #define REACH 10.0 /* design points: what is nearer than this is meant */
 
@@ -172,8 +172,8 @@ static bool is_selected(const Tab *tab) {
 /* What cannot be done says why, or that there is nothing to do it to. */
 static void report_result(Window *window, bool done, const char *what, Fault *fault) {
     if (!done && !fault->count)
-        act_say(window, "%s: nothing is selected that it could be done to", what);
-    act_complain(window, fault, NAN);
+        notice_post(window, "%s: nothing is selected that it could be done to", what);
+    notice_fault(window, fault, NAN);
 }
 
 static void copy(Window *window, Tab *tab) {
@@ -181,7 +181,7 @@ static void copy(Window *window, Tab *tab) {
     if (!text)
         return;
     sdl_window_set_clipboard(window->sdl_window, text);
-    act_say(window, "copied");
+    notice_post(window, "copied");
     memory_free(text);
 }
 
@@ -192,9 +192,7 @@ static bool do_clipboard(Window *window, Tab *tab, Action action) {
     case ACTION_COPY:
         if (is_selected(tab))
             copy(window, tab);
-        else
-            act_do(window, ACTION_COPY_COMMAND, 0, 0);
-        return true;
+        return is_selected(tab);
     case ACTION_CUT:
         copy(window, tab);
         report_result(window, editor->remove(tab->live, &fault), "Cut", &fault);
@@ -202,8 +200,8 @@ static bool do_clipboard(Window *window, Tab *tab, Action action) {
     case ACTION_PASTE:
         send_pointer_now(window, tab);
         if (!editor->paste(tab->live, sdl_window_clipboard(window->sdl_window), &fault) && !fault.count)
-            act_say(window, "there is nothing in the clipboard that could be put here");
-        act_complain(window, &fault, NAN);
+            notice_post(window, "there is nothing in the clipboard that could be put here");
+        notice_fault(window, &fault, NAN);
         return true;
     default:
         return false;
@@ -232,22 +230,20 @@ static bool do_pieces(Window *window, Tab *tab, Action action) {
         bool good = done(tab->live, &fault);
         report_result(window, good, keys_row(action)->name, &fault);
         if (good && action == ACTION_SHAKE)
-            act_say(window, "%s", tab->kind->editor->shaken(tab->live));
+            notice_post(window, "%s", tab->kind->editor->shaken(tab->live));
         return true;
     }
     return false;
 }
 
-/* Arrows look about where nothing is selected. */
+/* False: nothing is selected, and the view is meant. */
 static bool nudge(Window *window, Tab *tab, Action action, int mods) {
     static const Vec2 ways[] = {{-1, 0}, {1, 0}, {0, 1}, {0, -1}};
     size_t way = (size_t)(action - ACTION_NUDGE_LEFT);
     double far = mods & SDL_WINDOW_EVENT_CONTROL ? NUDGE_LITTLE : mods & SDL_WINDOW_EVENT_SHIFT ? NUDGE_FAR : NUDGE;
     Fault fault = {0};
-    if (!is_selected(tab)) {
-        act_do(window, ACTION_PAN_LEFT + (Action)way, 0, 0);
-        return true;
-    }
+    if (!is_selected(tab))
+        return false;
     report_result(window, tab->kind->editor->nudge(tab->live, vec2_scale(ways[way], far), &fault), "Nudge", &fault);
     return true;
 }
@@ -269,14 +265,14 @@ static void step(Window *window, Tab *tab, Action action) {
     bool done = undoes ? editor->undo(tab->live) : editor->redo(tab->live);
     const char *word = undoes ? "undone" : "done again";
     if (done)
-        act_say(window, "%s: %s", word, name);
+        notice_post(window, "%s: %s", word, name);
     else
-        act_say(window, "there is nothing to be %s", word);
+        notice_post(window, "there is nothing to be %s", word);
 }
 
 static void toggle_snapping(Window *window) {
     window->plan_input.free = !window->plan_input.free;
-    act_say(window, "snapping is %s", window->plan_input.free ? "off: the hand is free" : "on");
+    notice_post(window, "snapping is %s", window->plan_input.free ? "off: the hand is free" : "on");
 }
 
 static bool do_selection(Window *window, Tab *tab, Action action, int mods) {

@@ -62,6 +62,16 @@ void plot_panes_choose(PlotPanes *panes, const Laboratory *kind, void *live, con
     plot_panes_clear(&before, screen);
 }
 
+PlotPane *plot_panes_focused(PlotPanes *panes, const Ui *ui) {
+    const char *pane = ui_focus_pane(ui);
+    if (strncmp(pane, "plot:", 5) != 0)
+        return NULL;
+    for (size_t i = 0; i < panes->count; i++)
+        if (strcmp(panes->panes[i].live.name, pane + 5) == 0)
+            return &panes->panes[i];
+    return NULL;
+}
+
 /* Drawing ---------------------------------------------------------------------------------------------------------- */
 
 static void set_axes(PlotPane *pane) {

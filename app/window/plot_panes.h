@@ -47,6 +47,9 @@ typedef struct PlotPanes {
 void plot_panes_choose(PlotPanes *panes, const Laboratory *kind, void *live, const char *names, PaintGlScreen *screen);
 void plot_panes_clear(PlotPanes *panes, PaintGlScreen *screen);
 
+/* Returns the plot that has the focus; NULL: none has. */
+PlotPane *plot_panes_focused(PlotPanes *panes, const Ui *ui);
+
 /* Draws a chart in its place, design points, of which `unit` pixels are one. */
 void plot_panes_show(PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time, Box place,
                      double unit, Theme theme, PaintGlScreen *screen, Ui *ui);

@@ -6,7 +6,8 @@
 #include <string.h>
 
 #include "base/clock.h"
-#include "window/act.h"
+#include "window/notice.h"
+#include "window/opening.h"
 #include "window/plan_input.h"
 #include "window/scripted_state.h"
 
@@ -88,7 +89,7 @@ static void fail(Scripted *scripted, Window *window, Fault *fault) {
 
 static void say_error(Window *window, const char *path, int error) {
     if (error)
-        act_say(window, "%s cannot be written: %s", path, strerror(error));
+        notice_post(window, "%s cannot be written: %s", path, strerror(error));
 }
 
 static void write_picture(Window *window, const char *path) {
@@ -137,7 +138,7 @@ static void set(Scripted *scripted, Window *window, const ScriptCommand *command
     else
         tab->kind->set(tab->live, command->words[0], command->numbers[0], &fault);
     if (fault.count)
-        act_complain(window, &fault, NAN);
+        notice_fault(window, &fault, NAN);
 }
 
 static void set_speed(Tab *tab, double speed) {
@@ -236,10 +237,10 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
         scripted->since = clock_now();
         break;
     case SCRIPT_OPEN:
-        act_open(window, command->words[0]);
+        opening_file(window, command->words[0]);
         break;
     case SCRIPT_LABORATORY:
-        act_enter(window, (size_t)command->choice);
+        opening_tab(window, (size_t)command->choice);
         break;
     case SCRIPT_SET:
     case SCRIPT_PLAY:

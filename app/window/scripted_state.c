@@ -5,7 +5,6 @@
 
 #include "laboratory/house/session.h"
 #include "window/plan_input.h"
-#include "window/files.h"
 
 static json_t *json_box(const Window *window, Box box) {
     double unit = window->unit;
@@ -155,8 +154,8 @@ static void add_editor(json_t *state, Window *window, const Tab *tab) {
     json_object_set_new(state, "redo_name", text_or_null(editor->redo_name(tab->live)));
     json_object_set_new(state, "edits", json_integer((json_int_t)editor->edits(tab->live)));
     json_object_set_new(state, "changed", json_boolean(editor->changed(tab->live)));
-    json_object_set_new(state, "unsaved", json_boolean(files_unsaved(tab)));
-    json_object_set_new(state, "shown_title", json_string(files_title(window, tab)));
+    json_object_set_new(state, "unsaved", json_boolean(tab_unsaved(tab)));
+    json_object_set_new(state, "shown_title", json_string(tab_title(tab, &window->arena)));
     json_object_set_new(state, "snaps", json_boolean(!window->plan_input.free));
     json_object_set_new(state, "held", json_boolean(window->plan_input.holds));
     json_object_set_new(state, "animation", text_or_null(plan_input_animation(tab)));

@@ -243,3 +243,31 @@ void tab_seek(Tab *tab, double time) {
     RecordSpan span = tab->kind->span(tab->live);
     player_seek(&tab->player, time, &span);
 }
+
+/* Files ------------------------------------------------------------------------------------------------------------ */
+
+bool tab_unsaved(const Tab *tab) {
+    const EditorFunctions *editor = tab->live ? tab->kind->editor : NULL;
+    if (!editor)
+        return false;
+    bool something = tab->path || editor->edits(tab->live) > 0;
+    return tab->mark || (something && editor->changed(tab->live));
+}
+
+const char *tab_title(const Tab *tab, Arena *arena) {
+    const char *mark = tab->mark ? tab->mark : tab_unsaved(tab) ? " (edited)" : "";
+    return text_in_arena(arena, "%s%s", tab->kind->title(tab->live), mark);
+}
+
+bool tab_set(Tab *tab, const char *name, double value, Fault *fault) {
+    return tab->live && tab->kind->set(tab->live, name, value, fault);
+}
+
+const PanelRow *tab_first_place(const Tab *tab) {
+    size_t count;
+    const PanelRow *rows = tab->kind->rows(tab->live, &count);
+    for (size_t i = 0; i < count; i++)
+        if (rows[i].place.kind)
+            return &rows[i];
+    return NULL;
+}

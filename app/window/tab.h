@@ -58,3 +58,15 @@ void tab_show_selected(Tab *tab);
 
 /* Shows a moment. */
 void tab_seek(Tab *tab, double time);
+
+/* True if closing it would lose edits. */
+bool tab_unsaved(const Tab *tab);
+
+/* Returns its title with its mark in the arena: "L corridor (edited)", "L corridor [Recovered]". */
+const char *tab_title(const Tab *tab, Arena *arena);
+
+/* Changes a number. False: nothing is open, or a fault says why not. */
+bool tab_set(Tab *tab, const char *name, double value, Fault *fault);
+
+/* Returns the first row that has a place, the most dangerous one; NULL: none has. */
+const PanelRow *tab_first_place(const Tab *tab);

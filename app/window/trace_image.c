@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "window/act.h"
+#include "window/notice.h"
 #include "window/plan_input.h"
 
 enum { SIDE_MOST = 4096 /* pixels: a larger picture is shown smaller */, PIXELS_MOST = 1 << 26, HEAD = 24 /* bytes */ };
@@ -23,11 +23,11 @@ static bool read_head(Window *window, const char *path, double *width, double *h
         *height = ((double)head[20] * 256 + head[21]) * 65536 + head[22] * 256 + head[23];
         if (*width >= 1 && *height >= 1 && *width * *height <= PIXELS_MOST)
             return true;
-        act_say(window, "%s: a picture must have at most %d million pixels", path, PIXELS_MOST / 1000000);
+        notice_post(window, "%s: a picture must have at most %d million pixels", path, PIXELS_MOST / 1000000);
     } else if (count > 1 && head[0] == 0xff && head[1] == 0xd8) {
-        act_say(window, "%s is a JPEG file, which is not read: saved as PNG it is", path);
+        notice_post(window, "%s is a JPEG file, which is not read: saved as PNG it is", path);
     } else {
-        act_say(window, "%s: %s", path, file ? "only PNG files can be shown" : "it cannot be read");
+        notice_post(window, "%s: %s", path, file ? "only PNG files can be shown" : "it cannot be read");
     }
     return false;
 }
@@ -60,7 +60,7 @@ static void load(Window *window, const char *path) {
                              cairo_image_surface_get_stride(surface), 0, 0, w, h);
         cairo_surface_destroy(surface);
     } else {
-        act_say(window, "%s: %s", path, cairo_status_to_string(cairo_surface_status(picture)));
+        notice_post(window, "%s: %s", path, cairo_status_to_string(cairo_surface_status(picture)));
     }
     cairo_surface_destroy(picture);
 }

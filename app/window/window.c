@@ -7,18 +7,21 @@
 #include "base/clock.h"
 #include "laboratory/shipped.h"
 #include "window/act.h"
-#include "window/trace_image.h"
+#include "window/autosave.h"
 #include "window/bars.h"
-#include "window/plan_input.h"
-#include "window/files.h"
 #include "window/canvas.h"
-#include "window/edit_benchmark.h"
-#include "window/panel.h"
-#include "window/toolbar.h"
-#include "window/scripted.h"
 #include "window/dialog_gallery.h"
 #include "window/dialogs.h"
+#include "window/edit_benchmark.h"
+#include "window/files.h"
+#include "window/notice.h"
+#include "window/opening.h"
+#include "window/panel.h"
+#include "window/plan_input.h"
+#include "window/scripted.h"
 #include "window/timeline.h"
+#include "window/toolbar.h"
+#include "window/trace_image.h"
 #include "window/window_state.h"
 
 enum { WIDTH = 1280, HEIGHT = 720 /* pixels, of a window that is new */ };
@@ -312,7 +315,7 @@ static void end_export(Window *window) {
     if (status->stage == EXPORT_RUNNING)
         return;
     if (status->stage == EXPORT_DONE)
-        act_say(window, "written: %s (%zu files)", status->folder, status->file_count);
+        notice_post(window, "written: %s (%zu files)", status->folder, status->file_count);
     else
         messages_add(&window->messages, MESSAGE_FAULT, NAN, "%s", status->reason);
     export_end(window->export);
@@ -333,6 +336,18 @@ static void dismiss_old_note(Window *window) {
     }
 }
 
+/* The system's frame says the same as the menu. */
+static void show_title(Window *window) {
+    const Tab *tab = window_tab(window);
+    char title[WINDOW_TITLE];
+    snprintf(title, sizeof title, "%s - clearance", tab_title(tab, &window->arena));
+    if (strcmp(title, window->title) == 0)
+        return;
+    snprintf(window->title, sizeof window->title, "%s", title);
+    sdl_window_set_title(window->sdl_window, title);
+    window->dirty = true;
+}
+
 static void update(Window *window, double seconds) {
     Tab *tab = window_tab(window);
     double before = tab->player.time;
@@ -345,7 +360,9 @@ static void update(Window *window, double seconds) {
     if (tab->live)
         make_sound(window, tab, before);
     end_export(window);
-    files_watch(window);
+    if (tab->live)
+        show_title(window);
+    autosave_update(window);
     dismiss_old_note(window);
 }
 
@@ -466,10 +483,10 @@ static void loop(Window *window, Scripted *scripted) {
 static void open_first(Window *window) {
     files_start(window);
     const char *file = window->options->file;
-    if (!file || !act_open(window, file))
-        act_open(window, shipped_places()->default_house);
+    if (!file || !opening_file(window, file))
+        opening_file(window, shipped_places()->default_house);
     if (shipped_places()->missing)
-        act_say(window, "%s", shipped_places()->missing);
+        notice_post(window, "%s", shipped_places()->missing);
 }
 
 static int fail(Fault *fault) {
@@ -485,7 +502,7 @@ int window_run(const WindowOptions *options) {
     Fault fault = {0};
     window->options = options;
     settings_open(&window->settings, &fault);
-    act_complain(window, &fault, NAN);
+    notice_fault(window, &fault, NAN);
     bool good = !options->script || scripted_open(&scripted, options->script, &fault);
     apply_preferences(window);
     good = good && create_sdl_window(window, &fault);

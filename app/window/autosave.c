@@ -1,0 +1,92 @@
+#include "window/autosave.h"
+
+#include <string.h>
+#include <time.h>
+
+#include "base/clock.h"
+#include "base/digest.h"
+#include "window/notice.h"
+#include "window/plan_input.h"
+
+#define PATIENCE 2.0 /* s, from an edit until it is written */
+
+Tab *autosave_tab(Window *window) {
+    return &window->tabs[TAB_HOUSE];
+}
+
+/* Another number after every edit, every undoing and every saving. */
+static uint64_t state_of(const Tab *tab, const EditorFunctions *editor) {
+    const char *undo = editor->undo_name(tab->live);
+    uint64_t state = digest_text(DIGEST_START, undo ? undo : "");
+    const char *redo = editor->redo_name(tab->live);
+    state = digest_text(state, redo ? redo : "");
+    return digest_bytes(state, &(size_t){editor->edits(tab->live)}, sizeof(size_t));
+}
+
+static void write_recovery(Window *window, const Tab *tab, const EditorFunctions *editor) {
+    RecoveryAbout about = {.origin = tab->origin ? tab->origin : tab->path,
+                           .name = tab->kind->title(tab->live),
+                           .edits = editor->edits(tab->live),
+                           .when = (int64_t)time(NULL)};
+    int error = recovery_write(window->recovery, editor->text(tab->live), &about);
+    window->watch.written |= !error;
+    if (error && !window->watch.failed)
+        notice_post(window, "what is edited cannot be kept in %s for the case of a crash: %s",
+                    recovery_path(window->recovery), strerror(error));
+    window->watch.failed = error;
+}
+
+const char *const *autosave_command(Window *window, size_t *count) {
+    enum { FILE_WORD = 1 };
+    Tab *tab = window_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    const char *const *arguments = tab->kind->command(tab->live, count);
+    if (*arguments[FILE_WORD] || !editor || !window->recovery)
+        return arguments;
+    write_recovery(window, tab, editor);
+    const char **given = arena_allocate(&window->arena, *count * sizeof *given);
+    memcpy(given, arguments, *count * sizeof *given);
+    given[FILE_WORD] = recovery_path(window->recovery);
+    return given;
+}
+
+void autosave_update(Window *window) {
+    Tab *tab = autosave_tab(window);
+    const EditorFunctions *editor = plan_input_of(tab);
+    Watch *watch = &window->watch;
+    if (!editor || !window->recovery)
+        return;
+    uint64_t state = state_of(tab, editor);
+    if (state != watch->state) {
+        watch->state = state;
+        watch->since = clock_now();
+        watch->waits = true;
+    }
+    if (!tab_unsaved(tab)) {
+        if (watch->written)
+            recovery_remove(window->recovery);
+        watch->waits = watch->written = false;
+    }
+    if (!watch->waits || clock_now() - watch->since < PATIENCE)
+        return;
+    watch->waits = false;
+    write_recovery(window, tab, editor);
+}
+
+void autosave_restart(Window *window, Tab *tab) {
+    const EditorFunctions *editor = plan_input_of(tab);
+    tab->mark = NULL;
+    memory_free(tab->origin);
+    tab->origin = NULL;
+    if (tab != autosave_tab(window))
+        return;
+    if (window->recovery && window->watch.written)
+        recovery_remove(window->recovery);
+    window->watch = (Watch){.state = editor ? state_of(tab, editor) : 0};
+}
+
+void autosave_drop(Window *window) {
+    if (window->recovery)
+        recovery_remove(window->recovery);
+    window->watch.waits = window->watch.written = false;
+}

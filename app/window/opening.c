@@ -1,0 +1,134 @@
+#include "window/opening.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+#include "laboratory/import_file.h"
+#include "laboratory/shipped.h"
+#include "window/autosave.h"
+#include "window/notice.h"
+#include "window/plan_input.h"
+
+#define DEFAULT_BEAM "ibs.json"
+
+static LaboratoryOptions options_of(const Window *window, bool first) {
+    const WindowOptions *given = window->options;
+    LaboratoryOptions options = {
+        .profiles = shipped_places()->profiles, .driving = -1, .seed = given->seed, .jobs = given->jobs};
+    if (first) {
+        options.settings = given->settings;
+        options.setting_count = given->setting_count;
+        options.route = given->route;
+        options.driving = given->driving;
+    }
+    return options;
+}
+
+static size_t tab_of(const Laboratory *kind) {
+    return kind == &beam_laboratory ? TAB_BEAM : TAB_HOUSE;
+}
+
+static bool open_in(Window *window, size_t index, const char *path, const char *origin, bool remembered) {
+    Fault fault = {0};
+    Tab *tab = &window->tabs[index];
+    const char *first = window->options->file ? window->options->file : shipped_places()->default_house;
+    bool given = path && strcmp(path, first) == 0 && !tab->live;
+    LaboratoryOptions options = options_of(window, given);
+    options.origin = origin;
+    bool opened = tab_open(tab, path, &options, window->screen, &fault);
+    notice_fault(window, &fault, NAN);
+    if (opened) {
+        autosave_restart(window, tab);
+        if (path && remembered)
+            settings_add_recent(&window->settings, path);
+    }
+    return opened;
+}
+
+static void enter(Window *window, size_t index) {
+    Tab *left = window_tab(window);
+    if (window->current != index && left->live) {
+        plan_input_reset(window);
+        RecordSpan span = left->kind->span(left->live);
+        player_pause(&left->player, &span);
+    }
+    Tab *entered = &window->tabs[index];
+    window->current = index;
+    entered->plot_panes_stale = true;
+    window->dirty = true;
+}
+
+bool opening_copy(Window *window, const char *path, const char *origin, const char *mark) {
+    Tab *tab = &window->tabs[TAB_HOUSE];
+    plan_input_reset(window);
+    if (!open_in(window, TAB_HOUSE, path, origin, false))
+        return false;
+    tab->mark = mark;
+    memory_free(tab->path);
+    tab->path = NULL;
+    enter(window, TAB_HOUSE);
+    return true;
+}
+
+/* Other programs' files -------------------------------------------------------------------------------------------- */
+
+/* Line by line into the log; the line that is seen tells how much there is. */
+static void tell(Window *window, const char *path, const ImportFile *import) {
+    for (size_t i = 0; i < import->told.count; i++)
+        notice_post(window, "%s: %s", path, import->told.lines[i]);
+    const char *left = import->left.text;
+    notice_post(window, "a new house, from %s%s%s%s", import->format, left ? "; left out: " : "", left ? left : "",
+                import->told.count ? " (F7 tells all)" : "");
+}
+
+/* A house is opened from a file: until it is saved that is where it would be recovered from, too. */
+static bool open_text(Window *window, const char *path, const ImportFile *import) {
+    RecoveryAbout about = {.name = import->name, .edits = 1, .when = (int64_t)time(NULL)};
+    int error = recovery_write(window->recovery, import->text, &about);
+    if (error) {
+        notice_post(window, "%s cannot be imported: %s: %s", path, recovery_path(window->recovery), strerror(error));
+        return false;
+    }
+    if (!opening_copy(window, recovery_path(window->recovery), NULL, " [Imported]"))
+        return false;
+    window->watch.waits = true;
+    return true;
+}
+
+static bool import(Window *window, const char *path) {
+    ImportFile import = {.text = NULL};
+    Fault fault = {0};
+    bool read = window->recovery && import_file_read(&import, path, &fault);
+    if (!window->recovery)
+        notice_post(window, "%s cannot be imported: there is no folder to keep it in", path);
+    notice_fault(window, &fault, NAN);
+    read = read && open_text(window, path, &import);
+    if (read)
+        tell(window, path, &import);
+    import_file_clear(&import);
+    return read;
+}
+
+/* Files and tabs --------------------------------------------------------------------------------------------------- */
+
+bool opening_file(Window *window, const char *path) {
+    if (path && import_file_knows(path))
+        return import(window, path);
+    size_t index = path ? tab_of(laboratory_of(path)) : TAB_HOUSE;
+    plan_input_reset(window);
+    if (!open_in(window, index, path, NULL, true))
+        return false;
+    enter(window, index);
+    return true;
+}
+
+void opening_tab(Window *window, size_t index) {
+    char path[WINDOW_PATH];
+    const Shipped *shipped = shipped_places();
+    snprintf(path, sizeof path, "%s/" DEFAULT_BEAM, shipped->beams);
+    if (window->tabs[index].live ||
+        open_in(window, index, index == TAB_BEAM ? path : shipped->default_house, NULL, true))
+        enter(window, index);
+}
