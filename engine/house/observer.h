@@ -59,7 +59,7 @@ size_t observer_sample_steps(const House *house);
 void observer_init(Observer *observer, const World *world, PersonObservation *people);
 void observer_clear(Observer *observer);
 
-/* After every world_step. Chairs are watched at every step, walkers when world->sensed: what is the greatest of theirs
+/* After every step_world. Chairs are watched at every step, walkers when world->sensed: what is the greatest of theirs
  * (forces, ring) is the greatest of those moments. */
 void observer_watch(Observer *observer);
 

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "house/observation.h"
+#include "house/phase.h"
 
 double replan_next(const World *world, double time) {
     double next = HUGE_VAL;
@@ -56,9 +57,9 @@ void replan_set_out(World *world, size_t i, bool strayed) {
         world->reason[i] = REASON_NONE;
     } else if (answer != ROUTE_FOUND && strayed) {
         world->drive[i].offset = HUGE_VAL;
-        world_give_up(world, i, REASON_BLOCKED);
+        phase_give_up(world, i, REASON_BLOCKED);
     } else if (answer != ROUTE_FOUND && world->phase[i] != PHASE_WAITING) {
-        world_give_up(world, i, answer == ROUTE_NO_EXIT ? REASON_NO_EXIT : REASON_CANNOT_PASS);
+        phase_give_up(world, i, answer == ROUTE_NO_EXIT ? REASON_NO_EXIT : REASON_CANNOT_PASS);
     }
 }
 

@@ -9,6 +9,8 @@
 #include "house/observer.h"
 #include "house/replan.h"
 #include "house/shake.h"
+#include "house/phase.h"
+#include "house/step.h"
 #include "house/world.h"
 
 /* simulated s between two reports of progress */
@@ -154,9 +156,9 @@ static size_t make_groups(Group *groups, const Roster *roster, const RunOptions 
 
 /* When nobody moves any more, chairs that were pushed off their way look round once more. */
 static bool goes_on(World *world, Journeys *journeys, const Group *group) {
-    if (!world_goes_on(world))
+    if (!phase_any_active(world))
         replan_strays(world, journeys, group->jobs, group->options->stop);
-    return world_goes_on(world);
+    return phase_any_active(world);
 }
 
 /* Hands over what has been recorded since the last time. */
@@ -241,9 +243,9 @@ static Reason run_world(World *world, Journeys *journeys, Observer *observer, Gr
             next_look += LOOK_UP;
             look_up(group, world);
         }
-        WorldStatus status = world_step(world, NULL);
+        StepStatus status = step_world(world, NULL);
         observer_watch(observer);
-        if (status == WORLD_DIVERGED)
+        if (status == STEP_DIVERGED)
             return REASON_INTERRUPTED; /* for the others; the one has a reason of its own */
     }
     return REASON_NONE;

@@ -19,6 +19,7 @@
 #include "house/walk.h"
 
 #include "house/observation.h"
+#include "house/phase.h"
 #include "house/world.h"
 
 /* All of these are assumed. */
@@ -286,7 +287,7 @@ void walk_decide(World *world, size_t i, uint32_t slot) {
         walk->best = HUGE_VAL;
     }
     if (walk->stalled > world->house->plan.run.patience) {
-        world_give_up(world, i, REASON_BLOCKED);
+        phase_give_up(world, i, REASON_BLOCKED);
         return;
     }
     view.way = floor_field_direction(view.field, view.at);

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "house/walk.h"
+#include "house/phase.h"
 #include "house/world.h"
 
 enum { CHUNK = 128 /* slots that one thread does in one go */ };
@@ -467,7 +468,7 @@ static inline __attribute__((always_inline)) void step_walker(World *world, Walk
     if (beside.face_count)
         report->crossings += crossed_faces(&beside, before, after);
     if ((walkers->marks[s] & MARK_EXIT) && world->phase[i] == PHASE_MOVING)
-        report->departures += world_leave(world, i, before, after);
+        report->departures += phase_leave(world, i, before, after);
     report->fastest2 = real_max(report->fastest2, vec2_dot(velocity, velocity));
     report->digest += digest_pair(digest_pair(0, after), velocity);
 }
@@ -512,7 +513,7 @@ uint64_t walkers_step(World *world, bool senses, size_t *diverged) {
     return digest;
 }
 
-void walkers_follow(World *world) {
+void walkers_sync_chairs(World *world) {
     Walkers *walkers = &world->walkers;
     double fastest2 = 0;
     for (size_t r = 0; r < world->rider_count; r++) {

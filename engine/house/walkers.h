@@ -108,4 +108,4 @@ bool walkers_update(struct World *world);
 uint64_t walkers_step(struct World *world, bool senses, size_t *diverged);
 
 /* Chairs have moved: their slots follow. */
-void walkers_follow(struct World *world);
+void walkers_sync_chairs(struct World *world);

@@ -1,20 +1,7 @@
-/* The moving house: people as distinct elements with a personal space, advanced by one fixed step at a time.
+/* State of the moving house: people as distinct elements with a personal space. step.h advances it.
  *
- * Source: Miura, Takimoto and Kubodera, "Development of a simulation method for evacuation by wheelchair using Distinct
- * Element Method". Equation of motion of each element
- *
- *     m u'' + c u' + k u = F1 + F2 + F3 + F4
- *
- *     F1  contact with other elements      F3  driving force towards the target speed
- *     F2  contact with obstacles           F4  m v_t^2 / R, centripetal force in a corner (driving `miura`)
- *
- * where the springs and dashpots of the left side are those of the contacts, of the body and of the personal space.
- * For the driver the turning of the body is integrated as well, and the wheels hold it sideways.
- *
- * A step reads everybody, then moves everybody: semi-implicit Euler from forces of the frozen state. Chairs, few and
- * each with a shape and a planned way, are worked out one by one (ride.h, drive.h); people on foot, many and round, in
- * slots (walkers.h). A world points only at things that do not change while it moves and owns all that does, so that it
- * can be copied whole. */
+ * A world points only to data that does not change while it moves, and owns all data that does, so that it can be
+ * copied as a whole. */
 #pragma once
 
 #include <stdbool.h>
@@ -37,8 +24,6 @@ typedef enum Phase {
     PHASE_STUCK, /* stands there for good: no way, blocked */
     PHASE_OUT,   /* has crossed an exit and is gone */
 } Phase;
-
-typedef enum WorldStatus { WORLD_OK, WORLD_DIVERGED } WorldStatus;
 
 /* What a person feels in this step. */
 typedef struct Sense {
@@ -133,14 +118,6 @@ void world_destroy(World *world);
 /* A copy with memory of its own, same state to the bit. */
 World world_copy(const World *world);
 
-/* One step of house->plan.run.dt. On WORLD_DIVERGED a number was no longer finite or somebody was thrown out of the
- * house; `*who` (may be NULL) is the person, whose phase is then PHASE_STUCK, otherwise SIZE_MAX. Whoever has diverged
- * is back where the last good step had left them. */
-WorldStatus world_step(World *world, size_t *who);
-
-/* Is anybody still on the way? */
-bool world_goes_on(const World *world);
-
 /* Does no face that is there reach into the core of the person's body? Then it overlaps everything by less than its
  * rounding. Looks at the faces themselves, not at the neighbours kept for contacts; debug builds assert after every
  * step that it holds for everybody but those whom the contact law is pushing out. */
@@ -150,12 +127,6 @@ bool world_is_clear(const World *world, size_t i);
 
 /* For the parts of a step -------------------------------------------------------------------------------------------
  */
-
-/* Has person i, on the way from one place to another, crossed an exit that is open now? Then the person is out. */
-bool world_leave(World *world, size_t i, Vec2 before, Vec2 after);
-
-/* Person i gets no farther, for a Reason. */
-void world_give_up(World *world, size_t i, int reason);
 
 /* The two halves of world_create: everybody in place, and, from wherever they have been put then, what they feel. */
 World world_place(const House *house, const bool *part);

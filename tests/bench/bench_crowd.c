@@ -7,6 +7,7 @@
 
 #include "bench.h"
 #include "house/observer.h"
+#include "house/step.h"
 #include "house/world.h"
 #include "houses.h"
 
@@ -36,7 +37,7 @@ static double walk_on(World *world, int steps, Observer *observer) {
     double agents = 0;
     for (int step = 0; step < steps; step++) {
         agents += (double)world->present_count;
-        world_step(world, NULL);
+        step_world(world, NULL);
         if (observer)
             observer_watch(observer);
     }

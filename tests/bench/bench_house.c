@@ -6,6 +6,8 @@
 
 #include "bench.h"
 #include "house/observer.h"
+#include "house/phase.h"
+#include "house/step.h"
 #include "house/world.h"
 #include "houses.h"
 
@@ -41,15 +43,15 @@ static double one_turn(const char *source, const char *route, double seconds[PAR
     track_free(&again);
     World world = world_create(&house, journeys.of, part), twin = world_copy(&world);
     begin = bench_now();
-    while (world_goes_on(&world))
-        world_step(&world, NULL);
+    while (phase_any_active(&world))
+        step_world(&world, NULL);
     seconds[3] = bench_now() - begin;
     PersonObservation *people = memory_zeroed(house.person_count, sizeof *people);
     Observer observer;
     observer_init(&observer, &twin, people);
     begin = bench_now();
-    while (world_goes_on(&twin)) {
-        world_step(&twin, NULL);
+    while (phase_any_active(&twin)) {
+        step_world(&twin, NULL);
         observer_watch(&observer);
     }
     seconds[4] = bench_now() - begin - seconds[3];

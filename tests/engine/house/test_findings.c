@@ -5,6 +5,8 @@
 
 #include "case.h"
 #include "check.h"
+#include "house/phase.h"
+#include "house/step.h"
 #include "house/world.h"
 
 /* A turned, shifted or mirrored copy of a plan ----------------------------------------------------------------------*/
@@ -182,7 +184,7 @@ TEST(the_paper_s_chair_slows_before_the_corner_holds_v_min_and_speeds_up) {
     double length = (profile->free_speed * profile->free_speed - profile->minimum_speed * profile->minimum_speed) /
                     (2 * profile->deceleration);
     double slack = 0.1; /* m: the answer of the drive, 0.1 s at these speeds */
-    while (world_goes_on(&world)) {
+    while (phase_any_active(&world)) {
         double s = world.drive[0].s, v = vec2_length(world.velocity[0]);
         if (s > 2.2 && s < corner->from - length - slack)
             CHECK_NEAR(v, profile->free_speed, 0.02);
@@ -190,7 +192,7 @@ TEST(the_paper_s_chair_slows_before_the_corner_holds_v_min_and_speeds_up) {
             CHECK_NEAR(v, profile->minimum_speed, 0.05);
         if (s > corner->to + 1 && s < track->length - 0.2)
             CHECK(v > 0.6);
-        world_step(&world, NULL);
+        step_world(&world, NULL);
     }
     CHECK(world.phase[0] == PHASE_OUT);
     world_destroy(&world);

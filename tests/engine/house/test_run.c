@@ -8,6 +8,7 @@
 
 #include "case.h"
 #include "check.h"
+#include "house/step.h"
 #include "house/world.h"
 
 static Observation run_corridor(double width, const char *const *settings, House *house) {
@@ -97,7 +98,7 @@ TEST(nobody_is_minded_through_a_wall) {
         World world = world_create(&house, journeys.of, part);
         narrowest[parked] = 1;
         while (world.phase[0] == PHASE_WAITING || world.phase[0] == PHASE_MOVING) {
-            world_step(&world, NULL);
+            step_world(&world, NULL);
             narrowest[parked] = fmin(narrowest[parked], world.sense[0].clearance);
         }
         CHECK(world.phase[0] == PHASE_OUT);
@@ -127,7 +128,7 @@ TEST(nobody_is_driven_through_a_wall) {
         world.velocity[0] = vec2(5, 0);
         for (int step = 0; step < 5000; step++) {
             world.velocity[0].x += 2000 / house.people[0].profile->mass * world.clock.dt;
-            world_step(&world, NULL);
+            step_world(&world, NULL);
         }
         CHECK(world.centre[0].x < 10);
         world_destroy(&world);
@@ -142,11 +143,11 @@ TEST(numbers_that_diverge_stop_the_run_and_name_the_person) {
     case_made(&house, plan, -1, NULL);
     Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
     World world = world_create(&house, journeys.of, NULL);
-    world_step(&world, NULL);
+    step_world(&world, NULL);
     Vec2 good = world.centre[0];
     world.velocity[0] = vec2(1e12, 0);
     size_t who = SIZE_MAX;
-    CHECK(world_step(&world, &who) == WORLD_DIVERGED);
+    CHECK(step_world(&world, &who) == STEP_DIVERGED);
     CHECK(who == 0 && world.phase[0] == PHASE_STUCK && world.reason[0] == REASON_DIVERGED);
     CHECK(world.centre[0].x == good.x && world.centre[0].y == good.y); /* the last good state */
     world_destroy(&world);

@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "case.h"
 #include "check.h"
+#include "house/step.h"
 #include "house/world.h"
 
 /* A closed hall from (0, 0) to (width, height), its walls 0.2 m thick. */
@@ -147,7 +148,7 @@ TEST(momentum_between_walkers_is_conserved_to_rounding) {
     double hardest = 0;
     for (int end = 0; end < 2; end++) {
         for (int step = 0; end && step < 2000; step++) {
-            world_step(&world, NULL);
+            step_world(&world, NULL);
             for (size_t i = 0; world.sensed && i < world.count; i++)
                 hardest = fmax(hardest, world.sense[i].body_force);
         }
@@ -180,7 +181,7 @@ TEST(momentum_between_walkers_and_chairs_is_conserved_to_rounding) {
     Vec2 momentum[2] = {{0, 0}, {0, 0}};
     for (int end = 0; end < 2; end++) {
         for (int step = 0; end && step < 2000; step++)
-            world_step(&world, NULL);
+            step_world(&world, NULL);
         for (size_t i = 0; i < world.count; i++)
             momentum[end] = vec2_along(momentum[end], house.people[i].profile->mass, world.velocity[i]);
     }
@@ -199,7 +200,7 @@ TEST(lists_hold_everybody_who_can_be_felt_at_every_step) {
     size_t missing = 0, found = 0, made = 0;
     const uint32_t *lists = NULL;
     for (int step = 0; step < 600; step++) {
-        world_step(&world, NULL);
+        step_world(&world, NULL);
         const Walkers *walkers = &world.walkers;
         made += walkers->other != lists;
         lists = walkers->other;
@@ -231,11 +232,11 @@ TEST(a_copy_of_a_crowd_goes_on_with_the_same_bits) {
     Journeys journeys = journey_plan_all(&house, NULL, 2, NULL);
     World world = world_create(&house, journeys.of, NULL);
     for (int step = 0; step < 333; step++)
-        world_step(&world, NULL);
+        step_world(&world, NULL);
     World copy = world_copy(&world);
     for (int step = 0; step < 333; step++) {
-        world_step(&world, NULL);
-        world_step(&copy, NULL);
+        step_world(&world, NULL);
+        step_world(&copy, NULL);
     }
     CHECK(copy.digest == world.digest);
     world_destroy(&copy);
@@ -251,12 +252,12 @@ TEST(numbers_that_diverge_name_the_walker_and_keep_the_last_good_state) {
     case_made(&house, plan, -1, NULL);
     Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
     World world = world_create(&house, journeys.of, NULL);
-    world_step(&world, NULL);
+    step_world(&world, NULL);
     Vec2 good = world.centre[7];
     world.velocity[7] = vec2(NAN, 0);
     world.walkers.doors = -1;
     size_t who = SIZE_MAX;
-    CHECK(world_step(&world, &who) == WORLD_DIVERGED);
+    CHECK(step_world(&world, &who) == STEP_DIVERGED);
     CHECK(who == 7 && world.reason[7] == REASON_DIVERGED);
     CHECK(world.centre[7].x == good.x && world.centre[7].y == good.y);
     world_destroy(&world);

@@ -1,5 +1,6 @@
 /* The closed forms of a moving body, and what must hold of every world. */
 
+#include "house/step.h"
 #include "house/world.h"
 
 #include <stdint.h>
@@ -48,7 +49,7 @@ TEST(a_disc_in_a_corridor_swings_as_its_two_ring_springs_say) {
     int crossings = 0;
     for (int step = 0; step < 20000 && crossings < 3; step++) {
         double before = s.world.centre[0].y;
-        world_step(&s.world, NULL);
+        step_world(&s.world, NULL);
         double after = s.world.centre[0].y;
         if (before < 0 && after >= 0)
             crossing[crossings++] = (step + before / (before - after)) * s.world.clock.dt;
@@ -70,7 +71,7 @@ TEST(the_ring_brings_a_chair_to_the_middle_of_a_corridor) {
     still_make(&s, plan, -1, (const char *[]){FREE("miura-chair"), NULL});
     s.world = world_create(&s.house, s.journeys.of, NULL);
     for (int step = 0; step < 30000; step++)
-        world_step(&s.world, NULL);
+        step_world(&s.world, NULL);
     CHECK_NEAR(s.world.centre[0].y, 0, 1e-4);
     still_free(&s);
 }
@@ -94,7 +95,7 @@ TEST(momentum_between_chairs_is_conserved_to_rounding) {
         double angular[2] = {0, 0};
         for (int end = 0; end < 2; end++) {
             for (int step = 0; end && step < 3000; step++) {
-                world_step(world, NULL);
+                step_world(world, NULL);
                 touched = fmax(touched, world->sense[0].body_force);
             }
             for (int i = 0; i < 3; i++) {
@@ -122,7 +123,7 @@ TEST(a_chair_that_rolls_has_no_side_slip) {
     s.world.velocity[0] = vec2(0.5, 0);
     s.world.turn[0] = 0.5;
     for (int step = 0; step < 2000; step++) {
-        world_step(&s.world, NULL);
+        step_world(&s.world, NULL);
         Vec2 axis = vec2_heading(s.world.heading[0] - s.world.turn[0] * s.world.clock.dt); /* that of the impulse */
         double slip =
             vec2_dot(s.world.velocity[0], vec2_left(axis)) - s.house.people[0].profile->mass_centre * s.world.turn[0];
@@ -147,7 +148,7 @@ TEST(a_chair_pushed_against_a_wall_rests_where_its_spring_says) {
     const Profile *profile = s.house.people[0].profile;
     for (int step = 0; step < 30000; step++) {
         s.world.velocity[0].x += push / profile->mass * s.world.clock.dt;
-        world_step(&s.world, NULL);
+        step_world(&s.world, NULL);
     }
     /* At rest; the dashpot takes what one step's push and the brakes give. */
     double force = s.world.sense[0].body_force, slack = 2 * push / 80 * 1e-3 * profile->contact.normal_damping;
@@ -167,10 +168,10 @@ TEST(a_free_run_accelerates_by_a_0_and_keeps_the_free_speed) {
         Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
         World world = world_create(&house, journeys.of, NULL);
         while (clock_time(&world.clock) < 1)
-            world_step(&world, NULL);
+            step_world(&world, NULL);
         CHECK_NEAR(vec2_length(world.velocity[0]), profile->acceleration * clock_time(&world.clock), 2e-3);
         while (clock_time(&world.clock) < 4)
-            world_step(&world, NULL);
+            step_world(&world, NULL);
         CHECK_NEAR(vec2_length(world.velocity[0]), profile->free_speed, 1e-3);
         world_destroy(&world);
         journey_free_all(&journeys);
@@ -184,12 +185,12 @@ TEST(a_copy_of_a_world_goes_on_to_the_same_bits) {
     Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
     World world = world_create(&house, journeys.of, NULL);
     for (int step = 0; step < 3000; step++)
-        world_step(&world, NULL);
+        step_world(&world, NULL);
     World copy = world_copy(&world);
     for (int step = 0; step < 6000; step++)
-        world_step(&world, NULL);
+        step_world(&world, NULL);
     for (int step = 0; step < 6000; step++)
-        world_step(&copy, NULL);
+        step_world(&copy, NULL);
     CHECK(copy.digest == world.digest);
     CHECK(memcmp(copy.centre, world.centre, 2 * sizeof *world.centre) == 0);
     world_destroy(&copy);

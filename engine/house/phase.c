@@ -1,0 +1,103 @@
+#include "house/phase.h"
+
+#include <stdint.h>
+
+#include "house/observation.h"
+
+/* Has the reference point crossed the exit's line between two places? */
+static bool crosses(const Exit *exit, Vec2 before, Vec2 after) {
+    Vec2 line = vec2_sub(exit->to, exit->from), way = vec2_sub(after, before);
+    double a = vec2_cross(line, vec2_sub(before, exit->from)), b = vec2_cross(line, vec2_sub(after, exit->from));
+    if ((a < 0) == (b < 0))
+        return false;
+    double turn = vec2_cross(way, line);
+    double along = vec2_cross(way, vec2_sub(exit->from, before));
+    return turn != 0 && -along / turn >= 0 && -along / turn <= 1;
+}
+
+bool phase_leave(World *world, size_t i, Vec2 before, Vec2 after) {
+    const Plan *plan = &world->house->plan;
+    double time = (double)(world->clock.step + 1) * world->clock.dt;
+    for (size_t e = 0; e < plan->exit_count; e++) {
+        const Exit *exit = &plan->exits[e];
+        if (time >= exit->opens && time <= exit->closes && crosses(exit, before, after)) {
+            world->phase[i] = PHASE_OUT;
+            world->exit[i] = e;
+            world->ended[i] = time;
+            return true;
+        }
+    }
+    return false;
+}
+
+void phase_give_up(World *world, size_t i, int reason) {
+    world->phase[i] = PHASE_STUCK;
+    world->reason[i] = reason;
+    world->ended[i] = clock_time(&world->clock);
+    world->drive[i].departures = world->departures;
+    world->walk[i].wish = vec2(0, 0);
+}
+
+/* Starts those whose delay is over; those for whom there is no way stay where they are. */
+static void start_people(World *world, double time) {
+    world->next_start = HUGE_VAL;
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t i = world->present[p];
+        double start = world->start[i];
+        RouteAnswer answer = world->journeys[i].route.answer;
+        if (world->phase[i] != PHASE_WAITING)
+            continue;
+        if (time < start) {
+            world->next_start = real_min(world->next_start, start);
+            continue;
+        }
+        world->phase[i] = PHASE_MOVING;
+        if (answer != ROUTE_FOUND)
+            phase_give_up(world, i, answer == ROUTE_NO_EXIT ? REASON_NO_EXIT : REASON_CANNOT_PASS);
+    }
+}
+
+/* Blocked by others, on a way that there is? */
+static bool tries_again(const World *world, size_t i) {
+    return world->phase[i] == PHASE_STUCK && world->reason[i] == REASON_BLOCKED &&
+           world->journeys[i].route.answer == ROUTE_FOUND;
+}
+
+/* Somebody has left: perhaps there is room now for those who were blocked. */
+static void resume_people(World *world) {
+    world->resumed = world->departures;
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t i = world->present[p];
+        if (!tries_again(world, i))
+            continue;
+        world->phase[i] = PHASE_MOVING;
+        world->reason[i] = REASON_NONE;
+        world->drive[i].stalled = world->walk[i].stalled = 0;
+    }
+}
+
+void phase_update(World *world) {
+    double time = clock_time(&world->clock);
+    if (time >= world->next_start)
+        start_people(world, time);
+    if (world->resumed != world->departures)
+        resume_people(world);
+    for (size_t r = 0; r < world->rider_count; r++) {
+        size_t i = world->riders[r];
+        if (world->phase[i] == PHASE_MOVING && world->drive[i].stalled > world->house->plan.run.patience) {
+            bool closed = time > world->house->plan.exits[world->journeys[i].route.exit].closes;
+            phase_give_up(world, i, closed ? REASON_NO_EXIT : REASON_BLOCKED);
+        }
+    }
+}
+
+bool phase_any_active(const World *world) {
+    bool left = world->resumed != world->departures; /* somebody has just left: the blocked will try again */
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t i = world->present[p];
+        int phase = world->phase[i];
+        if (phase == PHASE_WAITING || phase == PHASE_MOVING || (left && tries_again(world, i)))
+            return true;
+    }
+    return false;
+}

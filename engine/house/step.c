@@ -1,0 +1,178 @@
+#include "house/step.h"
+
+#include <assert.h>
+#include <stdint.h>
+
+#include "base/digest.h"
+#include "house/drive.h"
+#include "house/observation.h"
+#include "house/phase.h"
+
+/* Doors --------------------------------------------------------------------------------------------------------------- */
+
+/* Whoever has held a shut door's handle for long enough opens it, once there is room for the leaf. */
+static void try_door(World *world, int door, double handle) {
+    if (handle < world->house->plan.doors[door].opening_time || world->door_open[door] ||
+        !world_leaf_is_free(world, (size_t)door, PRESENT_OPEN))
+        return;
+    world->door_open[door] = true;
+    world->door_changes++;
+    world->shut_doors--;
+}
+
+static void open_doors(World *world) {
+    if (!world->shut_doors)
+        return;
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t i = world->present[p];
+        if (!world_rides(world, i)) {
+            if (world->phase[i] == PHASE_MOVING && world->walk[i].door >= 0)
+                try_door(world, world->walk[i].door, world->walk[i].handle);
+            continue;
+        }
+        int door = world->phase[i] == PHASE_MOVING ? drive_door_at_hand(world, i) : -1;
+        Drive *drive = &world->drive[i];
+        if (door < 0) {
+            drive->handle = 0;
+            continue;
+        }
+        drive->handle += world->clock.dt;
+        if (drive->handle < world->house->plan.doors[door].opening_time)
+            drive->stalled = 0; /* opening a door is getting on, waiting for its leaf's place is not */
+        try_door(world, door, drive->handle);
+    }
+}
+
+/* Motion -------------------------------------------------------------------------------------------------------------- */
+
+/* Stands still, or the brakes are on: as hard as the driver can push. */
+static Effort brake_person(const World *world, size_t i) {
+    const Profile *profile = world->house->people[i].profile;
+    Vec2 force = vec2_scale(world->velocity[i], -profile->mass / profile->speed_response);
+    double size = vec2_length(force), square = profile->radius_of_gyration * profile->radius_of_gyration;
+    if (size > profile->push)
+        force = vec2_scale(force, profile->push / size);
+    double moment = profile->mass * square * world->turn[i] / profile->turn_response;
+    return (Effort){force, -real_max(-profile->turning_moment, real_min(profile->turning_moment, moment))};
+}
+
+/* F3 and F4 of chairs: everybody decides from the same frozen state. */
+static void exert_efforts(World *world) {
+    for (size_t r = 0; r < world->rider_count; r++) {
+        size_t i = world->riders[r];
+        Effort effort =
+            world->phase[i] == PHASE_MOVING ? drive_person(world, i, &world->drive[i]) : brake_person(world, i);
+        world->force[i] = vec2_add(world->force[i], effort.force);
+        world->moment[i] += effort.moment;
+    }
+}
+
+static void move_person(World *world, size_t i) {
+    const Profile *profile = world->house->people[i].profile;
+    bool turns = profile->driving == DRIVING_DRIVER;
+    double dt = world->clock.dt, inertia = profile->mass * profile->radius_of_gyration * profile->radius_of_gyration;
+    Vec2 velocity = vec2_along(world->velocity[i], dt / profile->mass, world->force[i]);
+    double turn = turns ? world->turn[i] + dt / inertia * world->moment[i] : 0;
+    if (turns)
+        drive_hold_sideways(profile, dt, world->axis[i], &velocity, &turn);
+    world->velocity[i] = velocity;
+    world->turn[i] = turn;
+    world->centre[i] = vec2_along(world->centre[i], dt, velocity);
+    if (turns) {
+        world->heading[i] = vec2_wrap_angle(world->heading[i] + dt * turn);
+        world->axis[i] = vec2_heading(world->heading[i]);
+    } else if (vec2_dot(velocity, velocity) > 1e-4) { /* a disc looks where it goes, once it goes */
+        world->axis[i] = vec2_unit(velocity);
+        world->heading[i] = atan2(velocity.y, velocity.x);
+    }
+}
+
+/* Whose numbers are lost stands where it stood: the last good state. */
+static void place_back(World *world, size_t i, Vec2 centre, double heading) {
+    world->centre[i] = centre;
+    world->heading[i] = heading;
+    world->axis[i] = vec2_heading(heading);
+    world->velocity[i] = vec2(0, 0);
+    world->turn[i] = 0;
+}
+
+/* Did the mass centre go into a wall? */
+static int crossed_faces(const NeighbourList *neighbours, Vec2 before, Vec2 after) {
+    int crossed = 0;
+    for (int f = 0; f < neighbours->close_faces; f++)
+        crossed += neighbour_list_crosses(&neighbours->face[neighbours->close_face[f]], before, after);
+    return crossed;
+}
+
+static bool is_sound(const World *world, size_t i) {
+    return world_holds(world, world->centre[i]) && isfinite(world->heading[i]) && isfinite(world->turn[i]);
+}
+
+/* Every person's digest is made by itself and the sum taken, so that the order of people does not matter. */
+static uint64_t digest_of_riders(const World *world) {
+    uint64_t sum = 0;
+    for (size_t r = 0; r < world->rider_count; r++) {
+        size_t i = world->riders[r];
+        uint64_t digest = digest_pair(digest_pair(0, world->centre[i]), world->velocity[i]);
+        sum += digest_mix(digest_mix(digest, world->heading[i]), world->turn[i]);
+    }
+    return sum;
+}
+
+/* Every chair moves; whoever crosses an exit is gone. */
+static void move_riders(World *world, size_t *diverged) {
+    for (size_t r = 0; r < world->rider_count; r++) {
+        size_t i = world->riders[r];
+        if (!world->was_clear[i])
+            continue;
+        Vec2 before = world_reference(world, i), middle = world->centre[i];
+        double heading = world->heading[i];
+        move_person(world, i);
+        world->wall_crossings += crossed_faces(&world->neighbours[world->seat[i]], middle, world->centre[i]);
+        if (world->phase[i] == PHASE_MOVING)
+            world->departures += phase_leave(world, i, before, world_reference(world, i));
+        bool sound = is_sound(world, i);
+        if (!sound) {
+            *diverged = *diverged == SIZE_MAX ? i : *diverged;
+            place_back(world, i, middle, heading);
+        }
+        /* What is deeper than the body's rounding is being pushed out by the contact law. */
+        assert(!sound || world->sense[i].body_force > 0 || world_is_clear(world, i));
+    }
+}
+
+/* The step ------------------------------------------------------------------------------------------------------------ */
+
+static void forget_senses(World *world) {
+    for (size_t p = 0; p < world->present_count; p++) {
+        size_t i = world->present[p];
+        world->sense[i] = (Sense){.clearance = world->body[i].sight, .other = -1};
+    }
+}
+
+StepStatus step_world(World *world, size_t *who) {
+    int departures = world->departures;
+    size_t diverged = SIZE_MAX;
+    world->sensed = (world->clock.step + 1) % world->sense_steps == 0;
+    phase_update(world);
+    open_doors(world);
+    if (walkers_update(world))
+        ride_list(world);
+    if (world->sensed)
+        forget_senses(world);
+    ride_gather_forces(world, world->sensed);
+    exert_efforts(world);
+    uint64_t digest = walkers_step(world, world->sensed, &diverged);
+    move_riders(world, &diverged);
+    walkers_sync_chairs(world);
+    digest += digest_of_riders(world);
+    if (diverged != SIZE_MAX)
+        phase_give_up(world, diverged, REASON_DIVERGED);
+    if (world->departures != departures)
+        world_list_present(world);
+    world->clock.step++;
+    world->digest = digest_chain(world->digest, digest);
+    if (who)
+        *who = diverged;
+    return diverged == SIZE_MAX ? STEP_OK : STEP_DIVERGED;
+}
