@@ -81,6 +81,14 @@ Primitive *scene_add_line(Scene *scene, Role edge, double width, const Vec2 *poi
     return scene_add_stroke(scene, PRIMITIVE_LINE, edge, width, points, count);
 }
 
+Primitive *scene_add_star(Scene *scene, Role fill, double radius, Vec2 at) {
+    enum { POINTS = 16 };
+    Vec2 star[POINTS];
+    for (int k = 0; k < POINTS; k++)
+        star[k] = vec2_along(at, k % 2 ? radius / 2 : radius, vec2_heading(2 * M_PI * k / POINTS));
+    return scene_add_polygon(scene, fill, star, POINTS);
+}
+
 Primitive *scene_add_tick(Scene *scene, Role edge, double width, double size, Vec2 at, Vec2 towards) {
     Primitive *tick = scene_add_stroke(scene, PRIMITIVE_TICK, edge, width, (Vec2[]){at, towards}, 2);
     tick->size = size;

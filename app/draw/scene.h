@@ -161,6 +161,7 @@ Primitive *scene_add_line(Scene *scene, Role edge, double width, const Vec2 *poi
 Primitive *scene_add_discs(Scene *scene, Role fill, double radius, const Vec2 *centres, size_t count);
 Primitive *scene_add_wheel(Scene *scene, Role fill, double radius, Vec2 from, Vec2 to);
 Primitive *scene_add_ball(Scene *scene, Role fill, double radius, Vec2 at);
+Primitive *scene_add_star(Scene *scene, Role fill, double radius, Vec2 at);
 Primitive *scene_add_tick(Scene *scene, Role edge, double width, double size, Vec2 at, Vec2 towards);
 Primitive *scene_add_dimension(Scene *scene, Role edge, double width, Vec2 from, Vec2 to);
 Primitive *scene_add_label(Scene *scene, Role role, double size, Vec2 at, const char *text);

@@ -105,7 +105,7 @@ void beam_joint_contact(Scene *scene, const Beam *beam, const BeamScale *scale, 
         double size = scale->length * (joint->loupe ? 1 : SMALL);
         Vec2 at = beam_joint_tip(joint, deflection);
         at.y += side * joint->ball;
-        beam_pieces_burst(scene, at, BURST_MOST * size * sqrt(share));
+        beam_pieces_star(scene, at, BURST_MOST * size * sqrt(share));
         beam_pieces_arrow(scene, ROLE_DANGER_MIDDLE, at, vec2(at.x, at.y - side * FORCE_MOST * size * share),
                           SHAFT_HALF * size);
     }

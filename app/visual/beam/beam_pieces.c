@@ -1,7 +1,5 @@
 #include "visual/beam/beam_pieces.h"
 
-#include "visual/house/burst.h"
-
 /* Design points. */
 #define SPRING_WIDTH 2.5
 #define GROUND_WIDTH 3.0
@@ -82,6 +80,8 @@ void beam_pieces_arrow(Scene *scene, Role role, Vec2 foot, Vec2 point, double ha
     arrow->width = EDGE;
 }
 
-void beam_pieces_burst(Scene *scene, Vec2 at, double radius) {
-    burst_add(scene, at, radius)->width = EDGE;
+void beam_pieces_star(Scene *scene, Vec2 at, double radius) {
+    Primitive *star = scene_add_star(scene, ROLE_DANGER_MIDDLE, radius, at);
+    star->edge = ROLE_WALL;
+    star->width = EDGE;
 }

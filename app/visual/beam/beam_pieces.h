@@ -20,5 +20,5 @@ Primitive *beam_pieces_block(Scene *scene, Role fill, Box box);
 /* An arrow from its foot to its point, its shaft `half` to either side; one too short for its head has none. */
 void beam_pieces_arrow(Scene *scene, Role role, Vec2 foot, Vec2 point, double half);
 
-/* A star. */
-void beam_pieces_burst(Scene *scene, Vec2 at, double radius);
+/* Adds the star of a contact. */
+void beam_pieces_star(Scene *scene, Vec2 at, double radius);

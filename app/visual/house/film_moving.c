@@ -1,8 +1,6 @@
 #include "visual/house/film_moving.h"
 
-#include "visual/house/burst.h"
 #include "visual/house/crowd_scene.h"
-#include "visual/house/figure.h"
 #include "visual/house/film_layers.h"
 #include "visual/house/plan_scene.h"
 #include "visual/house/silhouette.h"
@@ -63,7 +61,7 @@ static void add_walkers(Film *film, size_t count) {
             if (film->standing[i].profile == profile)
                 film->poses[of_this++] = film->standing[i].pose;
         if (of_this)
-            figure_add_walkers(&film->moving, profile, film->poses, of_this);
+            silhouette_add_walkers(&film->moving, profile, film->poses, of_this);
     }
 }
 
@@ -82,7 +80,7 @@ static void add_chair(Film *film, const Standing *standing) {
     if (film->small)
         crowd_scene_chair(&film->moving, film->still.box, standing->profile, standing->pose, role);
     else
-        figure_add_chair(&film->moving, standing->profile, standing->pose, role);
+        silhouette_add_chair(&film->moving, standing->profile, standing->pose, role);
     if (film->options.shown & FILM_CIRCLES)
         space_scene_add_circles(&film->moving, standing->profile, standing->pose);
 }
@@ -96,12 +94,13 @@ static void add_chairs(Film *film, size_t count) {
             add_chair(film, &film->standing[i]);
 }
 
-/* A star whose size tells the force, and the force in words. */
-static void add_burst(Scene *scene, Vec2 at, double force) {
+/* A star whose size shows the force. */
+static void add_star(Scene *scene, Vec2 at, double force) {
     double radius = fmin(CONTACT_MOST, CONTACT_RADIUS * sqrt(force / CONTACT_FORCE));
-    Primitive *burst = burst_add(scene, at, radius);
-    burst->width = CONTACT_EDGE;
-    burst->base = CONTACT_HEIGHT;
+    Primitive *star = scene_add_star(scene, ROLE_DANGER_MIDDLE, radius, at);
+    star->edge = ROLE_WALL;
+    star->width = CONTACT_EDGE;
+    star->base = CONTACT_HEIGHT;
 }
 
 /* The hardest touch of a person within the last moments; its force stands outside the body. */
@@ -110,7 +109,7 @@ static void add_contact(Film *film, const Standing *standing) {
     if (!hardest)
         return;
     Vec2 at = vec2(hardest[TRACE_CONTACT_X], hardest[TRACE_CONTACT_Y]);
-    add_burst(&film->moving, at, hardest[TRACE_BODY_FORCE]);
+    add_star(&film->moving, at, hardest[TRACE_BODY_FORCE]);
     if (film->crowd)
         return;
     const char *text = scene_text(&film->moving, "%.0f N", hardest[TRACE_BODY_FORCE]);

@@ -104,3 +104,134 @@ double silhouette_ray(const Vec2 *outline, size_t count, Vec2 from, Vec2 way, do
     }
     return reach;
 }
+
+/* Likenesses --------------------------------------------------------------------------------------------------------*/
+
+/* The chair as drawn is one of 1.10 m by 0.63 m, its axle 0.28 m from the rear: the manual chair. Others are scaled. */
+#define DRAWN_LENGTH 1.10
+#define DRAWN_WIDTH 0.63
+#define DRAWN_AXLE 0.28
+
+/* Design points. */
+#define BODY_EDGE 2.0
+#define PART_EDGE 1.0
+#define LOOK_WIDTH 1.5
+
+#define BODY_OPACITY 0.30
+
+/* m, of somebody on foot. */
+#define STANDING_HEIGHT 1.40 /* of the shoulders */
+#define STANDING_HEAD 1.53
+#define HEAD_RADIUS 0.11
+#define LOOK_LENGTH 0.30
+
+/* A box in the chair's frame, x ahead of the axle, y to the left, upright, m. */
+typedef struct Part {
+    Role role;
+    double back, front, right, left, base, height;
+} Part;
+
+/* Lowest first, as they hide one another from above. ROLE_CHAIR stands for the role of the chair that is drawn. */
+static const Part parts[] = {
+    {ROLE_FURNITURE_LINE, 0.60, 0.80, -0.19, 0.19, 0.08, 0.03},  /* foot plate */
+    {ROLE_FURNITURE_LINE, 0.40, 0.52, -0.25, -0.20, 0.00, 0.16}, /* casters */
+    {ROLE_FURNITURE_LINE, 0.40, 0.52, 0.20, 0.25, 0.00, 0.16},
+    {ROLE_FURNITURE_LINE, -0.14, 0.36, -0.22, 0.22, 0.44, 0.06}, /* seat */
+    {ROLE_WALKER, 0.62, 0.80, -0.15, -0.05, 0.11, 0.08},         /* feet */
+    {ROLE_WALKER, 0.62, 0.80, 0.05, 0.15, 0.11, 0.08},
+    {ROLE_WALKER, 0.50, 0.62, -0.16, -0.04, 0.11, 0.44}, /* shins */
+    {ROLE_WALKER, 0.50, 0.62, 0.04, 0.16, 0.11, 0.44},
+    {ROLE_WALKER, 0.05, 0.62, -0.17, -0.03, 0.50, 0.14}, /* thighs */
+    {ROLE_WALKER, 0.05, 0.62, 0.03, 0.17, 0.50, 0.14},
+    {ROLE_CHAIR, 0.06, 0.34, -0.27, -0.20, 0.66, 0.09}, /* forearms */
+    {ROLE_CHAIR, 0.06, 0.34, 0.20, 0.27, 0.66, 0.09},
+    {ROLE_WALL, -0.22, -0.16, -0.22, 0.22, 0.44, 0.48},  /* back rest */
+    {ROLE_CHAIR, -0.16, 0.08, -0.24, 0.24, 0.50, 0.58},  /* trunk */
+    {ROLE_WALL, -0.28, -0.16, -0.24, -0.20, 0.90, 0.03}, /* handles */
+    {ROLE_WALL, -0.28, -0.16, 0.20, 0.24, 0.90, 0.03},
+};
+
+#define WHEEL_RADIUS 0.28
+#define WHEEL_OUTSIDE 0.31 /* of its outer side from the middle */
+#define WHEEL_THICK 0.035
+#define DRIVER_HEAD 1.24
+#define DRIVER_HEAD_AT -0.02
+
+/* From the frame of the drawn chair to the house. */
+typedef struct Frame {
+    Vec2 at, axis;
+    double along, across; /* scales */
+} Frame;
+
+static Frame frame_of(const Profile *profile, Pose pose) {
+    Frame frame = {.at = pose.at, .axis = vec2_heading(pose.heading)};
+    if (profile->driving == DRIVING_DRIVER) {
+        frame.along = profile->length / DRAWN_LENGTH;
+        frame.across = profile->width / DRAWN_WIDTH;
+        frame.at = vec2_along(frame.at, DRAWN_AXLE * frame.along - profile->axle, frame.axis);
+    } else {
+        frame.along = frame.across = profile->width / hypot(DRAWN_LENGTH, DRAWN_WIDTH);
+        frame.at = vec2_along(frame.at, (DRAWN_AXLE - DRAWN_LENGTH / 2) * frame.along, frame.axis);
+    }
+    return frame;
+}
+
+static Vec2 place(const Frame *frame, double x, double y) {
+    return vec2_add(frame->at, vec2_turn(vec2(x * frame->along, y * frame->across), frame->axis));
+}
+
+static void add_part(Scene *scene, const Frame *frame, const Part *part, Role role) {
+    Vec2 corners[] = {place(frame, part->back, part->right), place(frame, part->front, part->right),
+                      place(frame, part->front, part->left), place(frame, part->back, part->left)};
+    Primitive *box = scene_add_polygon(scene, part->role == ROLE_CHAIR ? role : part->role, corners, 4);
+    box->base = part->base;
+    box->height = part->height;
+    box->edge = ROLE_WALL;
+    box->width = PART_EDGE;
+}
+
+static void add_wheel(Scene *scene, const Frame *frame, double side) {
+    double inside = WHEEL_OUTSIDE - WHEEL_THICK;
+    Primitive *wheel = scene_add_wheel(scene, ROLE_WALL, WHEEL_RADIUS * frame->along, place(frame, 0, side * inside),
+                                       place(frame, 0, side * WHEEL_OUTSIDE));
+    wheel->base = WHEEL_RADIUS * frame->along;
+}
+
+static void add_head(Scene *scene, Vec2 at, double height) {
+    Primitive *head = scene_add_ball(scene, ROLE_PAPER, HEAD_RADIUS, at);
+    head->base = height;
+    head->edge = ROLE_WALL;
+    head->width = PART_EDGE;
+}
+
+void silhouette_add_chair(Scene *scene, const Profile *profile, Pose pose, Role role) {
+    Primitive *body = silhouette_add(scene, role, profile, pose);
+    body->fill_opacity = BODY_OPACITY;
+    body->width = BODY_EDGE;
+    Frame frame = frame_of(profile, pose);
+    add_wheel(scene, &frame, 1);
+    add_wheel(scene, &frame, -1);
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
+        add_part(scene, &frame, &parts[i], role);
+    add_head(scene, place(&frame, DRIVER_HEAD_AT, 0), DRIVER_HEAD);
+}
+
+void silhouette_add_walkers(Scene *scene, const Profile *profile, const Pose *poses, size_t count) {
+    Vec2 *centres = memory_zeroed(count, sizeof *centres);
+    for (size_t i = 0; i < count; i++)
+        centres[i] = poses[i].at;
+    Primitive *trunks = scene_add_discs(scene, ROLE_WALKER, profile->width / 2, centres, count);
+    trunks->height = STANDING_HEIGHT;
+    trunks->edge = ROLE_PAPER;
+    trunks->width = PART_EDGE;
+    for (size_t i = 0; i < count && count <= SILHOUETTE_HEADINGS; i++) {
+        Vec2 ends[] = {poses[i].at, vec2_along(poses[i].at, LOOK_LENGTH, vec2_heading(poses[i].heading))};
+        scene_add_line(scene, ROLE_WALKER, LOOK_WIDTH, ends, 2)->base = STANDING_HEIGHT;
+    }
+    Primitive *heads = scene_add_discs(scene, ROLE_PAPER, HEAD_RADIUS, centres, count);
+    heads->kind = PRIMITIVE_BALL;
+    heads->base = STANDING_HEAD;
+    heads->edge = ROLE_WALL;
+    heads->width = PART_EDGE;
+    memory_free(centres);
+}

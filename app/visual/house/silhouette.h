@@ -1,4 +1,6 @@
-/* The outline of a body: a rounded rectangle, or a disc for the paper's way of driving. */
+/* How people look, from above and raised. The outline of a body is what the simulation knows, exact: a rounded
+ * rectangle, or a disc for the driving model of the paper. What is drawn inside it, a wheelchair with its driver or a
+ * person on foot, is a likeness. */
 #pragma once
 
 #include <stddef.h>
@@ -38,3 +40,12 @@ void silhouette_edge(const Profile *profile, Vec2 at, double heading, EdgePoint 
 
 /* How far along the unit vector `way` from `from` a closed outline is met; at most `reach`. */
 double silhouette_ray(const Vec2 *outline, size_t count, Vec2 from, Vec2 way, double reach);
+
+/* Adds the outline in `role`, and in it wheels, seat and driver; in a round body they are as large as fits. */
+void silhouette_add_chair(Scene *scene, const Profile *profile, Pose pose, Role role);
+
+/* Adds many people of one profile on foot: two primitives for all of them, and for at most SILHOUETTE_HEADINGS people
+ * one more each, which shows their heading. */
+void silhouette_add_walkers(Scene *scene, const Profile *profile, const Pose *poses, size_t count);
+
+enum { SILHOUETTE_HEADINGS = 1500 };

@@ -61,7 +61,9 @@ static int compare_attractors(const void *a, const void *b) {
     return (p->first > q->first) - (p->first < q->first);
 }
 
-/* In the order of their trials; `list` is to be freed. */
+/* Attractors of a pass: regular trials of the same outcome whose measures agree within a thousandth. `found` (steps of
+ * both axes) gets the attractor of each trial, counted from 0, the one that most trials reach first; -1: not regular;
+ * -2: unknown. Returns the number of attractors; the caller frees `list`. */
 static size_t list_attractors(const Study *study, size_t pass, int *found, Attractor **list) {
     const Experiment *experiment = study->experiment;
     size_t steps = study->axes[0].steps, cells = steps * study->axes[1].steps, count = 0, capacity = 0;
@@ -92,13 +94,6 @@ static size_t list_attractors(const Study *study, size_t pass, int *found, Attra
         found[c] = found[c] < 0 ? found[c] : place[found[c]];
     memory_free(place);
     *list = known;
-    return count;
-}
-
-size_t study_maps_attractors(const Study *study, size_t pass, int *found) {
-    Attractor *list;
-    size_t count = list_attractors(study, pass, found, &list);
-    memory_free(list);
     return count;
 }
 

@@ -9,8 +9,3 @@ size_t study_maps_most(const Study *study);
 
 /* Makes them, behind those that are there already; `plots` has room. */
 void study_maps_add(StudyPlots *plots, const Study *study, const Measured *measured);
-
-/* Attractors of a pass: regular trials of the same outcome whose measures are the same within a thousandth. `found`
- * (steps of both axes) takes the number of each trial's, counted from 0 by how many trials lead there, the most first;
- * -1: not regular; -2: not known. Returns how many there are. */
-size_t study_maps_attractors(const Study *study, size_t pass, int *found);

@@ -7,7 +7,6 @@
 #include "base/text.h"
 #include "case.h"
 #include "check.h"
-#include "visual/house/figure.h"
 #include "visual/house/silhouette.h"
 #include "visual/house/space_scene.h"
 #include "visual/house/trail.h"
@@ -335,7 +334,7 @@ TEST(a_figure_stays_within_its_body) {
         Scene scene = {0};
         Vec2 outline[SILHOUETTE_POINTS];
         Pose pose = {.at = {2, 3}, .heading = 1.1};
-        figure_add_chair(&scene, &profiles[k], pose, ROLE_CHAIR);
+        silhouette_add_chair(&scene, &profiles[k], pose, ROLE_CHAIR);
         silhouette_outline(&profiles[k], pose.at, pose.heading, 0.02, outline);
         Vec2 middle = silhouette_middle(&profiles[k], pose.at, pose.heading);
         for (size_t p = 0; p < scene.count; p++)
