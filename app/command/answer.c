@@ -77,7 +77,7 @@ static json_t *answer_routes(const House *house, const Observation *observation)
 
 static json_t *answer_crowds(const House *house, const Observation *observation) {
     json_t *crowds = json_array();
-    Census census = census_take(house, observation);
+    Census census = census_make(house, observation);
     for (size_t p = 0; p < census.party_count; p++) {
         const Party *party = &census.parties[p];
         if (!party->crowd)

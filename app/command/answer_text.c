@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "visual/house/census.h"
-#include "visual/house/wording.h"
+#include "visual/house/headline.h"
 
 enum {
     NAME_LEAST = 12, /* characters for a name's column */
@@ -128,10 +128,10 @@ static void print_hazards(const Observation *observation) {
 }
 
 void answer_text_print(const House *house, const Observation *observation) {
-    char headline[WORDING_HEADLINE];
-    wording_headline(house, observation, headline, sizeof headline);
+    char headline[HEADLINE_TEXT];
+    headline_text(house, observation, headline, sizeof headline);
     printf("%s\n%s%s%s\n\n", headline, house->plan.name, *house->plan.note ? ": " : "", house->plan.note);
-    Census census = census_take(house, observation);
+    Census census = census_make(house, observation);
     if (census.people > CENSUS_ROWS)
         print_many(house, observation, &census);
     else

@@ -114,7 +114,7 @@ static void print_party(const House *house, const Observation *observation, cons
 /* Of many people a line a crowd, and one for whoever has no like. */
 static void print_answer(const House *house, const Journeys *journeys) {
     Observation observation = observation_of_routes(house, journeys);
-    Census census = census_take(house, &observation);
+    Census census = census_make(house, &observation);
     bool many = census.people > CENSUS_ROWS;
     for (size_t p = 0; p < census.party_count && many; p++)
         if (census.parties[p].people > 1)

@@ -10,7 +10,7 @@
 #include "command/report_files.h"
 #include "visual/house/census.h"
 #include "visual/house/house_scene.h"
-#include "visual/house/wording.h"
+#include "visual/house/headline.h"
 
 static void print_row(const char *name, const char *id, const PersonObservation *person) {
     printf("%-12s %-8s %9.2f %11.3f %9d %8.0f %8.1f  %s\n", id, name, person->time, person->narrowest, person->contacts,
@@ -70,12 +70,12 @@ static void print_people(const House houses[2], const Observation observations[2
 }
 
 static void print_comparison(const House houses[2], const Observation observations[2]) {
-    char headline[WORDING_HEADLINE];
+    char headline[HEADLINE_TEXT];
     for (int h = 0; h < 2; h++) {
-        wording_headline(&houses[h], &observations[h], headline, sizeof headline);
+        headline_text(&houses[h], &observations[h], headline, sizeof headline);
         printf("%c: %s: %s\n", "ab"[h], houses[h].plan.name, headline);
     }
-    Census census[2] = {census_take(&houses[0], &observations[0]), census_take(&houses[1], &observations[1])};
+    Census census[2] = {census_make(&houses[0], &observations[0]), census_make(&houses[1], &observations[1])};
     if (census[0].people > CENSUS_ROWS)
         print_parties(houses, census);
     else

@@ -45,7 +45,7 @@ bool types_answer_tell(Types *types, const Experiment *experiment, const Experim
 
 void types_answer_print(const Types *types, const Experiment *experiment, const char *each) {
     Text text = {0};
-    advice_words(&text, types, experiment, each);
+    advice_write(&text, types, experiment, each);
     printf("%s", text.text);
     memory_free(text.text);
 }
@@ -97,7 +97,7 @@ json_t *types_answer_json(const Types *types, const Experiment *experiment, cons
     for (size_t i = 0; i < types->point_count; i++)
         json_array_append_new(points, point_json(types, &types->points[i], experiment));
     Text text = {0};
-    advice_words(&text, types, experiment, each);
+    advice_write(&text, types, experiment, each);
     json_t *answer =
         json_pack("{s:s, s:s, s:I, s:I, s:i, s:o, s:o, s:s, s:I, s:I, s:I, s:b, s:s}", "type",
                   types_kind_name(types->kind), "reason", reason_name(types->reason), "worst", (json_int_t)types->worst,

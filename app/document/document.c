@@ -29,9 +29,9 @@ void document_clear(Document *document) {
 }
 
 static const char *plain(Document *document, const char *text) {
-    char *words = text_plain(text);
-    const char *copy = arena_text(&document->arena, words);
-    memory_free(words);
+    char *label = text_plain(text);
+    const char *copy = arena_text(&document->arena, label);
+    memory_free(label);
     return copy;
 }
 
@@ -48,10 +48,10 @@ static bool is_unit(const char *text) {
 
 /* Plain words, in which no line is broken between a number and its unit. */
 static const char *prose(Document *document, const char *text) {
-    const char *words = plain(document, text);
-    char *copy = arena_allocate(&document->arena, 2 * strlen(words) + 1), *to = copy;
-    for (const char *at = words; *at; at++) {
-        bool joined = *at == ' ' && at > words && g_ascii_isdigit(at[-1]) && is_unit(at + 1);
+    const char *label = plain(document, text);
+    char *copy = arena_allocate(&document->arena, 2 * strlen(label) + 1), *to = copy;
+    for (const char *at = label; *at; at++) {
+        bool joined = *at == ' ' && at > label && g_ascii_isdigit(at[-1]) && is_unit(at + 1);
         to += joined ? g_unichar_to_utf8(0xa0, to) : 1;
         if (!joined)
             to[-1] = *at;

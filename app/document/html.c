@@ -45,8 +45,8 @@ static const char style[] =
     "h1,h2,h3,caption{break-after:avoid}tr,figure,.note,pre{break-inside:avoid}thead{display:table-header-group}"
     "h2+p,h3+p{break-after:avoid}p,.note,pre{orphans:2;widows:2}}\n";
 
-void html_add_escaped(Text *text, const char *words) {
-    for (const char *at = words; *at; at++) {
+void html_add_escaped(Text *text, const char *plain) {
+    for (const char *at = plain; *at; at++) {
         const char one[2] = {*at, 0};
         text_add(text, *at == '<'    ? "&lt;"
                        : *at == '>'  ? "&gt;"
@@ -57,9 +57,9 @@ void html_add_escaped(Text *text, const char *words) {
     }
 }
 
-static void add_element(Text *text, const char *open, const char *words, const char *close) {
+static void add_element(Text *text, const char *open, const char *plain, const char *close) {
     text_add(text, open);
-    html_add_escaped(text, words);
+    html_add_escaped(text, plain);
     text_add(text, close);
 }
 

@@ -9,4 +9,4 @@
 int html_write(const Document *document, const char *path, Theme theme);
 
 /* Adds words as HTML shows them, also within a quoted attribute. */
-void html_add_escaped(Text *text, const char *words);
+void html_add_escaped(Text *text, const char *plain);

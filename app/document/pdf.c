@@ -24,12 +24,12 @@
 #define PICTURE_SCALE 0.47 /* pt a design point at most: the smallest letters are as large as those of the text */
 #define PICTURE_EDGE 0.5
 
-static const Letters BODY = {9.4, 1.3, false, false, ROLE_TEXT};
-static const Letters ABOVE = {9.4, 1.3, false, false, ROLE_DIM_TEXT};
-static const Letters TYPED = {8.2, 1.3, false, true, ROLE_TEXT};
-static const Letters UNDER = {8.3, 1.2, false, false, ROLE_DIM_TEXT};
-static const Letters LINK = {9.4, 1.3, false, false, ROLE_LOCUS};
-static const Letters HEADINGS[] = {
+static const TextStyle BODY = {9.4, 1.3, false, false, ROLE_TEXT};
+static const TextStyle ABOVE = {9.4, 1.3, false, false, ROLE_DIM_TEXT};
+static const TextStyle TYPED = {8.2, 1.3, false, true, ROLE_TEXT};
+static const TextStyle UNDER = {8.3, 1.2, false, false, ROLE_DIM_TEXT};
+static const TextStyle LINK = {9.4, 1.3, false, false, ROLE_LOCUS};
+static const TextStyle HEADINGS[] = {
     {0}, {20, 1.15, true, false, ROLE_TEXT}, {14, 1.15, true, false, ROLE_TEXT}, {10.5, 1.15, true, false, ROLE_TEXT}};
 static const double ABOVE_HEADING[] = {0, 0, 22, 14}, BELOW_HEADING[] = {0, 8, 6, 3};
 
@@ -42,14 +42,14 @@ typedef struct Press {
     int chapter;              /* the bookmark of the last heading of level 2 */
 } Press;
 
-static PangoLayout *words_of(const char *text, Letters letters) {
-    return sheet_words(text, letters, SHEET_WIDTH, ALIGN_LEFT, 0);
+static PangoLayout *layout_of(const char *text, TextStyle style) {
+    return sheet_text(text, style, SHEET_WIDTH, ALIGN_LEFT, 0);
 }
 
-static double height_of(const char *text, Letters letters) {
-    PangoLayout *words = words_of(text, letters);
-    double height = sheet_words_height(words);
-    g_object_unref(words);
+static double height_of(const char *text, TextStyle style) {
+    PangoLayout *layout = layout_of(text, style);
+    double height = sheet_text_height(layout);
+    g_object_unref(layout);
     return height;
 }
 
@@ -65,17 +65,17 @@ static double figures_scale(const Block *block) {
     return fmin(PICTURE_SCALE, fmin((SHEET_WIDTH - gaps) / width, FIGURES_HIGHEST / height));
 }
 
-static PangoLayout *caption_words(const Picture *picture, double scale) {
+static PangoLayout *caption_layout(const Picture *picture, double scale) {
     const char *caption = picture->caption ? picture->caption : "";
-    return sheet_words(caption, UNDER, scale * picture->size.x, ALIGN_LEFT, CAPTION_HIGHEST);
+    return sheet_text(caption, UNDER, scale * picture->size.x, ALIGN_LEFT, CAPTION_HIGHEST);
 }
 
 static double figures_height(const Block *block) {
     double scale = figures_scale(block), height = 0;
     for (size_t p = 0; p < block->picture_count; p++) {
-        PangoLayout *words = caption_words(&block->pictures[p], scale);
-        height = fmax(height, scale * block->pictures[p].size.y + CAPTION_GAP + sheet_words_height(words));
-        g_object_unref(words);
+        PangoLayout *text = caption_layout(&block->pictures[p], scale);
+        height = fmax(height, scale * block->pictures[p].size.y + CAPTION_GAP + sheet_text_height(text));
+        g_object_unref(text);
     }
     return height;
 }
@@ -105,11 +105,11 @@ static void set_figures(Sheet *sheet, const Block *block) {
         if (sheet->cairo)
             paint_picture(sheet->cairo, picture, scale, x, sheet->y);
         sheet_untag(sheet, "Figure");
-        PangoLayout *words = caption_words(picture, scale);
+        PangoLayout *text = caption_layout(picture, scale);
         sheet_tag(sheet, "Caption", NULL);
-        sheet_show(sheet, words, UNDER, x, sheet->y + scale * picture->size.y + CAPTION_GAP);
+        sheet_show(sheet, text, UNDER, x, sheet->y + scale * picture->size.y + CAPTION_GAP);
         sheet_untag(sheet, "Caption");
-        g_object_unref(words);
+        g_object_unref(text);
         x += scale * picture->size.x + PICTURE_GAP;
     }
     sheet->y += height;
@@ -117,10 +117,10 @@ static void set_figures(Sheet *sheet, const Block *block) {
 
 /* Words -------------------------------------------------------------------------------------------------------------*/
 
-static void set_words(Sheet *sheet, const char *text, Letters letters) {
-    PangoLayout *words = words_of(text, letters);
-    sheet_flow(sheet, words, letters, SHEET_LEFT, NULL);
-    g_object_unref(words);
+static void set_text(Sheet *sheet, const char *text, TextStyle style) {
+    PangoLayout *layout = layout_of(text, style);
+    sheet_flow(sheet, layout, style, SHEET_LEFT, NULL);
+    g_object_unref(layout);
 }
 
 static void paint_note(const Sheet *sheet, double top, double bottom) {
@@ -133,16 +133,16 @@ static void paint_command(const Sheet *sheet, double top, double bottom) {
     sheet_fill(sheet, SHEET_LEFT, top - NOTE_PAD / 2, SHEET_WIDTH, bottom - top + NOTE_PAD, ROLE_PANEL);
 }
 
-static void set_panel(Sheet *sheet, const char *text, Letters letters,
+static void set_panel(Sheet *sheet, const char *text, TextStyle style,
                       void (*under)(const Sheet *sheet, double top, double bottom)) {
     double inset = NOTE_BAR + NOTE_PAD;
-    PangoLayout *words = sheet_words(text, letters, SHEET_WIDTH - inset - NOTE_PAD, ALIGN_LEFT, 0);
+    PangoLayout *layout = sheet_text(text, style, SHEET_WIDTH - inset - NOTE_PAD, ALIGN_LEFT, 0);
     sheet->y += NOTE_PAD / 2;
     sheet_tag(sheet, "P", NULL);
-    sheet_flow(sheet, words, letters, SHEET_LEFT + inset, under);
+    sheet_flow(sheet, layout, style, SHEET_LEFT + inset, under);
     sheet_untag(sheet, "P");
     sheet->y += NOTE_PAD / 2;
-    g_object_unref(words);
+    g_object_unref(layout);
 }
 
 /* One after the other, in as many lines as it takes: "Dangerous points 3". */
@@ -156,10 +156,10 @@ static void set_contents(Press *press) {
         char text[256], attributes[64];
         snprintf(text, sizeof text, "%.200s  %d", block->text, press->page_of[b]);
         snprintf(attributes, sizeof attributes, "dest='s%zu'", b);
-        PangoLayout *words = sheet_words(text, LINK, -1, ALIGN_LEFT, 0);
-        pango_layout_set_width(words, -1);
+        PangoLayout *layout = sheet_text(text, LINK, -1, ALIGN_LEFT, 0);
+        pango_layout_set_width(layout, -1);
         PangoRectangle logical;
-        pango_layout_get_extents(words, NULL, &logical);
+        pango_layout_get_extents(layout, NULL, &logical);
         double width = (double)logical.width / PANGO_SCALE;
         height = (double)logical.height / PANGO_SCALE;
         if (x > SHEET_LEFT && x + width > SHEET_LEFT + SHEET_WIDTH) {
@@ -167,9 +167,9 @@ static void set_contents(Press *press) {
             sheet->y += height;
         }
         sheet_tag(sheet, CAIRO_TAG_LINK, attributes);
-        sheet_show(sheet, words, LINK, x, sheet->y);
+        sheet_show(sheet, layout, LINK, x, sheet->y);
         sheet_untag(sheet, CAIRO_TAG_LINK);
-        g_object_unref(words);
+        g_object_unref(layout);
         x += width + ENTRY_GAP;
     }
     sheet->y += height;
@@ -238,13 +238,13 @@ static void set_heading(Press *press, size_t index) {
         add_bookmark(press, index, place);
     if (block->level == 1) {
         sheet_tag(sheet, "P", NULL);
-        set_words(sheet, press->document->subject, ABOVE);
+        set_text(sheet, press->document->subject, ABOVE);
         sheet_untag(sheet, "P");
         sheet->y += BELOW_HEADING[3];
     }
     sheet_tag(sheet, tags[block->level], NULL);
     sheet_tag(sheet, CAIRO_TAG_DEST, name);
-    set_words(sheet, block->text, HEADINGS[block->level]);
+    set_text(sheet, block->text, HEADINGS[block->level]);
     sheet_untag(sheet, CAIRO_TAG_DEST);
     sheet_untag(sheet, tags[block->level]);
     sheet->y += BELOW_HEADING[block->level];
@@ -262,7 +262,7 @@ static void set_block(Press *press, size_t index) {
     case BLOCK_PARAGRAPH:
         sheet_need(sheet, least_height(press->document, index));
         sheet_tag(sheet, "P", NULL);
-        set_words(sheet, block->text, BODY);
+        set_text(sheet, block->text, BODY);
         sheet_untag(sheet, "P");
         sheet->y += PARAGRAPH_GAP;
         return;
@@ -307,7 +307,7 @@ static void describe(cairo_surface_t *surface, const Document *document, time_t 
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, date);
 }
 
-static cairo_status_t keep_bytes(void *context, const unsigned char *data, unsigned length) {
+static cairo_status_t store_bytes(void *context, const unsigned char *data, unsigned length) {
     bytes_add(context, data, length);
     return CAIRO_STATUS_SUCCESS;
 }
@@ -316,7 +316,7 @@ static cairo_status_t keep_bytes(void *context, const unsigned char *data, unsig
 static int paint_pages(Bytes *bytes, const Document *document, time_t created) {
     Press press = {.document = document, .page_of = memory_zeroed(document->count, sizeof *press.page_of)};
     set_all(&press);
-    press.surface = cairo_pdf_surface_create_for_stream(keep_bytes, bytes, SHEET_PAPER_WIDTH, SHEET_PAPER_HEIGHT);
+    press.surface = cairo_pdf_surface_create_for_stream(store_bytes, bytes, SHEET_PAPER_WIDTH, SHEET_PAPER_HEIGHT);
     describe(press.surface, document, created);
     press.sheet = (Sheet){.cairo = cairo_create(press.surface), .foot = document->subject, .pages = press.sheet.page};
     set_all(&press);

@@ -10,9 +10,9 @@
 #define CAPTION_GAP 4.0
 #define CELL_HIGHEST 500.0 /* pt: a cell that is higher is cut */
 
-static const Letters CAPTION = {8.3, 1.15, false, false, ROLE_DIM_TEXT};
-static const Letters HEAD = {8.1, 1.1, true, false, ROLE_TEXT};
-static const Letters CELL = {8.1, 1.15, false, false, ROLE_TEXT};
+static const TextStyle CAPTION = {8.3, 1.15, false, false, ROLE_DIM_TEXT};
+static const TextStyle HEAD = {8.1, 1.1, true, false, ROLE_TEXT};
+static const TextStyle CELL = {8.1, 1.15, false, false, ROLE_TEXT};
 
 typedef struct Setting {
     const Table *table;
@@ -22,13 +22,13 @@ typedef struct Setting {
 } Setting;
 
 /* The width of words on one line, or of the longest of them. */
-static double natural_width(const char *text, Letters letters, bool longest_word) {
-    PangoLayout *words = sheet_words(text, letters, longest_word ? 0 : SHEET_WIDTH, ALIGN_LEFT, 0);
+static double natural_width(const char *text, TextStyle style, bool longest_word) {
+    PangoLayout *layout = sheet_text(text, style, longest_word ? 0 : SHEET_WIDTH, ALIGN_LEFT, 0);
     if (longest_word)
-        pango_layout_set_wrap(words, PANGO_WRAP_WORD);
+        pango_layout_set_wrap(layout, PANGO_WRAP_WORD);
     PangoRectangle logical;
-    pango_layout_get_extents(words, NULL, &logical);
-    g_object_unref(words);
+    pango_layout_get_extents(layout, NULL, &logical);
+    g_object_unref(layout);
     return (double)logical.width / PANGO_SCALE + 0.1;
 }
 
@@ -47,7 +47,7 @@ static void measure_column(const Table *table, size_t column, double *least, dou
 }
 
 /* Cells of short columns are not broken, unless there are too many of them. */
-static void keep_short(double *least, const double *most, size_t count, double room) {
+static void protect_short(double *least, const double *most, size_t count, double room) {
     double sum = 0;
     for (size_t c = 0; c < count; c++)
         sum += most[c] < SHORT ? most[c] : least[c];
@@ -66,7 +66,7 @@ static void set_columns(Setting *setting) {
         measure_column(table, c, &least[c], &most[c]);
         sum_most += most[c];
     }
-    keep_short(least, most, count, room);
+    protect_short(least, most, count, room);
     for (size_t c = 0; c < count; c++)
         sum_least += least[c];
     double part = sum_most > sum_least ? fmax(0, fmin(1, (room - sum_least) / (sum_most - sum_least))) : 1;
@@ -82,8 +82,8 @@ static void set_columns(Setting *setting) {
     memory_free(most);
 }
 
-static PangoLayout *cell_words(const Setting *setting, const char *text, size_t column, Letters letters) {
-    return sheet_words(text, letters, setting->widths[column], setting->table->columns[column].align, CELL_HIGHEST);
+static PangoLayout *cell_layout(const Setting *setting, const char *text, size_t column, TextStyle style) {
+    return sheet_text(text, style, setting->widths[column], setting->table->columns[column].align, CELL_HIGHEST);
 }
 
 /* A row of the table, or SIZE_MAX: its head. */
@@ -94,9 +94,9 @@ static const char *text_at(const Table *table, size_t row, size_t column) {
 static double row_height(const Setting *setting, size_t row) {
     double height = 0;
     for (size_t c = 0; c < setting->table->column_count; c++) {
-        PangoLayout *words = cell_words(setting, text_at(setting->table, row, c), c, row == SIZE_MAX ? HEAD : CELL);
-        height = fmax(height, sheet_words_height(words));
-        g_object_unref(words);
+        PangoLayout *text = cell_layout(setting, text_at(setting->table, row, c), c, row == SIZE_MAX ? HEAD : CELL);
+        height = fmax(height, sheet_text_height(text));
+        g_object_unref(text);
     }
     return height + 2 * CELL_PAD;
 }
@@ -106,13 +106,13 @@ static void set_row(Sheet *sheet, const Setting *setting, size_t row, double hei
     sheet_tag(sheet, "TR", NULL);
     for (size_t c = 0; c < setting->table->column_count; c++) {
         const char *tag = head || c == 0 ? "TH" : "TD";
-        Letters letters = head ? HEAD : CELL;
-        PangoLayout *words = cell_words(setting, text_at(setting->table, row, c), c, letters);
-        double top = head ? sheet->y + height - CELL_PAD - sheet_words_height(words) : sheet->y + CELL_PAD;
+        TextStyle style = head ? HEAD : CELL;
+        PangoLayout *text = cell_layout(setting, text_at(setting->table, row, c), c, style);
+        double top = head ? sheet->y + height - CELL_PAD - sheet_text_height(text) : sheet->y + CELL_PAD;
         sheet_tag(sheet, tag, NULL);
-        sheet_show(sheet, words, letters, setting->lefts[c], top);
+        sheet_show(sheet, text, style, setting->lefts[c], top);
         sheet_untag(sheet, tag);
-        g_object_unref(words);
+        g_object_unref(text);
     }
     sheet_untag(sheet, "TR");
     sheet->y += height;
@@ -122,12 +122,12 @@ static void set_row(Sheet *sheet, const Setting *setting, size_t row, double hei
 static void set_caption(Sheet *sheet, const Table *table) {
     if (!table->caption)
         return;
-    PangoLayout *words = sheet_words(table->caption, CAPTION, SHEET_WIDTH, ALIGN_LEFT, CELL_HIGHEST);
+    PangoLayout *text = sheet_text(table->caption, CAPTION, SHEET_WIDTH, ALIGN_LEFT, CELL_HIGHEST);
     sheet_tag(sheet, "Caption", NULL);
-    sheet_show(sheet, words, CAPTION, SHEET_LEFT, sheet->y);
+    sheet_show(sheet, text, CAPTION, SHEET_LEFT, sheet->y);
     sheet_untag(sheet, "Caption");
-    sheet->y += sheet_words_height(words) + CAPTION_GAP;
-    g_object_unref(words);
+    sheet->y += sheet_text_height(text) + CAPTION_GAP;
+    g_object_unref(text);
 }
 
 static Setting make_setting(const Table *table) {

@@ -8,7 +8,7 @@
 
 #define FOOT_Y 800.0
 
-static const Letters FOOT = {8, 1, false, false, ROLE_DIM_TEXT};
+static const TextStyle FOOT = {8, 1, false, false, ROLE_DIM_TEXT};
 
 enum { LEAST_LINES = 2 /* of a paragraph, kept together at the end of a page */ };
 
@@ -20,8 +20,8 @@ static void use_role(const Sheet *sheet, Role role) {
 static void show_foot(const Sheet *sheet) {
     char number[64];
     snprintf(number, sizeof number, "page %d of %d", sheet->page, sheet->pages);
-    PangoLayout *right = sheet_words(number, FOOT, SHEET_WIDTH, ALIGN_RIGHT, 0);
-    PangoLayout *left = sheet_words(sheet->foot, FOOT, 0.8 * SHEET_WIDTH, ALIGN_LEFT, FOOT.size);
+    PangoLayout *right = sheet_text(number, FOOT, SHEET_WIDTH, ALIGN_RIGHT, 0);
+    PangoLayout *left = sheet_text(sheet->foot, FOOT, 0.8 * SHEET_WIDTH, ALIGN_LEFT, FOOT.size);
     sheet_rule(sheet, SHEET_LEFT, SHEET_WIDTH, FOOT_Y - 6, 0.5, ROLE_GRID);
     sheet_show(sheet, left, FOOT, SHEET_LEFT, FOOT_Y);
     sheet_show(sheet, right, FOOT, SHEET_LEFT, FOOT_Y);
@@ -58,46 +58,46 @@ void sheet_gap(Sheet *sheet, double height) {
         sheet->y += height;
 }
 
-PangoLayout *sheet_words(const char *text, Letters letters, double width, Align align, double height) {
-    PangoLayout *words = text_layout(letters.size, letters.bold, letters.typed);
+PangoLayout *sheet_text(const char *text, TextStyle style, double width, Align align, double height) {
+    PangoLayout *layout = text_layout(style.size, style.bold, style.typed);
     PangoAttrList *attributes = pango_attr_list_new(); /* who reads a page aloud stumbles over ligatures */
     pango_attr_list_insert(attributes, pango_attr_font_features_new("liga 0, clig 0"));
-    pango_layout_set_attributes(words, attributes);
+    pango_layout_set_attributes(layout, attributes);
     pango_attr_list_unref(attributes);
-    pango_layout_set_line_spacing(words, (float)letters.spacing);
-    pango_layout_set_width(words, (int)(width * PANGO_SCALE));
-    pango_layout_set_wrap(words, PANGO_WRAP_WORD_CHAR);
-    pango_layout_set_alignment(words, align == ALIGN_RIGHT ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT);
+    pango_layout_set_line_spacing(layout, (float)style.spacing);
+    pango_layout_set_width(layout, (int)(width * PANGO_SCALE));
+    pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
+    pango_layout_set_alignment(layout, align == ALIGN_RIGHT ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT);
     if (height > 0) {
-        pango_layout_set_height(words, (int)(height * PANGO_SCALE));
-        pango_layout_set_ellipsize(words, PANGO_ELLIPSIZE_END);
+        pango_layout_set_height(layout, (int)(height * PANGO_SCALE));
+        pango_layout_set_ellipsize(layout, PANGO_ELLIPSIZE_END);
     }
-    pango_layout_set_text(words, text, -1);
-    return words;
+    pango_layout_set_text(layout, text, -1);
+    return layout;
 }
 
-double sheet_words_height(PangoLayout *words) {
+double sheet_text_height(PangoLayout *text) {
     PangoRectangle logical;
-    pango_layout_get_extents(words, NULL, &logical);
+    pango_layout_get_extents(text, NULL, &logical);
     return (double)logical.height / PANGO_SCALE;
 }
 
-void sheet_show(const Sheet *sheet, PangoLayout *words, Letters letters, double x, double y) {
+void sheet_show(const Sheet *sheet, PangoLayout *text, TextStyle style, double x, double y) {
     if (!sheet->cairo)
         return;
-    use_role(sheet, letters.role);
+    use_role(sheet, style.role);
     cairo_move_to(sheet->cairo, x, y);
-    pango_cairo_show_layout(sheet->cairo, words);
+    pango_cairo_show_layout(sheet->cairo, text);
     cairo_new_path(sheet->cairo);
 }
 
 /* How many lines from `first` on fit on the page, and how high they are. */
-static int lines_that_fit(const Sheet *sheet, PangoLayout *words, int first, double *height) {
-    int count = pango_layout_get_line_count(words), fit = 0;
+static int lines_that_fit(const Sheet *sheet, PangoLayout *text, int first, double *height) {
+    int count = pango_layout_get_line_count(text), fit = 0;
     *height = 0;
     for (int l = first; l < count; l++, fit++) {
         PangoRectangle logical;
-        pango_layout_line_get_extents(pango_layout_get_line_readonly(words, l), NULL, &logical);
+        pango_layout_line_get_extents(pango_layout_get_line_readonly(text, l), NULL, &logical);
         double line = (double)logical.height / PANGO_SCALE;
         if (sheet->y + *height + line > SHEET_BOTTOM && (fit || sheet->y > SHEET_TOP))
             break;
@@ -106,11 +106,11 @@ static int lines_that_fit(const Sheet *sheet, PangoLayout *words, int first, dou
     return fit;
 }
 
-static void show_lines(const Sheet *sheet, PangoLayout *words, Letters letters, int first, int count, double x) {
+static void show_lines(const Sheet *sheet, PangoLayout *text, TextStyle style, int first, int count, double x) {
     double top = sheet->y;
-    use_role(sheet, letters.role);
+    use_role(sheet, style.role);
     for (int l = first; l < first + count; l++) {
-        PangoLayoutLine *line = pango_layout_get_line_readonly(words, l);
+        PangoLayoutLine *line = pango_layout_get_line_readonly(text, l);
         PangoRectangle logical;
         pango_layout_line_get_extents(line, NULL, &logical);
         cairo_move_to(sheet->cairo, x, top - (double)logical.y / PANGO_SCALE);
@@ -120,20 +120,20 @@ static void show_lines(const Sheet *sheet, PangoLayout *words, Letters letters, 
     cairo_new_path(sheet->cairo);
 }
 
-void sheet_flow(Sheet *sheet, PangoLayout *words, Letters letters, double x,
+void sheet_flow(Sheet *sheet, PangoLayout *text, TextStyle style, double x,
                 void (*under)(const Sheet *sheet, double top, double bottom)) {
-    int count = pango_layout_get_line_count(words);
+    int count = pango_layout_get_line_count(text);
     for (int first = 0, fit; first < count; first += fit) {
         double height;
-        fit = lines_that_fit(sheet, words, first, &height);
+        fit = lines_that_fit(sheet, text, first, &height);
         if (fit < LEAST_LINES && fit < count - first && sheet->y > SHEET_TOP) {
             begin_next(sheet);
-            fit = lines_that_fit(sheet, words, first, &height);
+            fit = lines_that_fit(sheet, text, first, &height);
         }
         if (sheet->cairo) {
             if (under)
                 under(sheet, sheet->y, sheet->y + height);
-            show_lines(sheet, words, letters, first, fit, x);
+            show_lines(sheet, text, style, first, fit, x);
         }
         sheet->y += height;
         if (first + fit < count)

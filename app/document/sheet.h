@@ -15,12 +15,12 @@
 #define SHEET_BOTTOM 784.0
 #define SHEET_WIDTH (SHEET_PAPER_WIDTH - 2 * SHEET_LEFT)
 
-typedef struct Letters {
+typedef struct TextStyle {
     double size;    /* pt */
     double spacing; /* of lines, 1: as the font has it */
     bool bold, typed;
     Role role;
-} Letters;
+} TextStyle;
 
 typedef struct Sheet {
     struct _cairo *cairo; /* NULL: pages are only counted */
@@ -41,14 +41,14 @@ void sheet_gap(Sheet *sheet, double height);
 
 /* Words set within a width, pt; g_object_unref them. Those with a height, pt, are cut where they would be higher; 0:
  * as high as they are. */
-PangoLayout *sheet_words(const char *text, Letters letters, double width, Align align, double height);
-double sheet_words_height(PangoLayout *words);
+PangoLayout *sheet_text(const char *text, TextStyle style, double width, Align align, double height);
+double sheet_text_height(PangoLayout *layout);
 
 /* Shows them with the top left corner there. */
-void sheet_show(const Sheet *sheet, PangoLayout *words, Letters letters, double x, double y);
+void sheet_show(const Sheet *sheet, PangoLayout *text, TextStyle style, double x, double y);
 
 /* Sets words line by line, from page to page, as a paragraph; `under` paints the ground of each piece, or is NULL. */
-void sheet_flow(Sheet *sheet, PangoLayout *words, Letters letters, double x,
+void sheet_flow(Sheet *sheet, PangoLayout *text, TextStyle style, double x,
                 void (*under)(const Sheet *sheet, double top, double bottom));
 
 void sheet_rule(const Sheet *sheet, double x, double width, double y, double weight, Role role);

@@ -145,7 +145,7 @@ static Choice choose_place(const Mask *mask, Layout *layout, const Primitive *la
     Choice best = {.cost = HUGE_VAL};
     Vec2 *points = to_page(layout, label);
     Caption large = label_caption(layout, label, points[0], label->size);
-    Caption small = label_caption(layout, label, points[0], LAYOUT_SMALLEST_LETTERS);
+    Caption small = label_caption(layout, label, points[0], LAYOUT_SMALLEST_TEXT);
     if (label->count > 1) {
         consider_inside(&best, mask, large, points + 1, label->count - 1, points[0], 0);
         consider_inside(&best, mask, small, points + 1, label->count - 1, points[0], SMALLER_COST);
@@ -165,7 +165,7 @@ static bool is_away(const Layout *layout, const Primitive *label) {
 }
 
 /* Moves words into a box. */
-static void keep_within(Caption *caption, Box room) {
+static void clamp_within(Caption *caption, Box room) {
     Box box = caption_box(caption);
     Vec2 half = vec2_scale(vec2_sub(box.high, box.low), 0.5);
     caption->centre.x = real_clamp(caption->centre.x, room.low.x + half.x + AIR, room.high.x - half.x - AIR);
@@ -176,7 +176,7 @@ static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
     if (is_away(layout, label))
         return;
     Choice best = choose_place(mask, layout, label);
-    keep_within(&best.caption, layout->frame);
+    clamp_within(&best.caption, layout->frame);
     Box box = caption_box(&best.caption);
     double most = OPTIONAL_MOST * box_width(box) * box_height(box);
     if (best.cost == HUGE_VAL || (label->optional && mask_cost(mask, box) > most))
@@ -202,7 +202,7 @@ static void place_fixed(Layout *layout, const Primitive *label) {
         caption->centre = vec2_add(at, vec2(way.x * (half.x + GAP), way.y * (half.y + GAP)));
     }
     Box room = {{layout->frame.low.x, layout->plan.low.y - AIR}, layout->frame.high};
-    keep_within(caption, room);
+    clamp_within(caption, room);
 }
 
 static bool has_free_labels(const Scene *scene) {

@@ -9,10 +9,10 @@
 
 /* Design points. The sizes of letters are those that are read from six picture heights away: the answer at eight. */
 #define MARGIN 16.0
-#define TITLE_LETTERS 40.0
-#define DETAIL_LETTERS 22.0
-#define NAME_LETTERS 17.0
-#define CLOCK_LETTERS 26.0
+#define TITLE_TEXT 40.0
+#define DETAIL_TEXT 22.0
+#define NAME_TEXT 17.0
+#define CLOCK_TEXT 26.0
 #define BAND_HEIGHT 64.0
 #define DETAIL_HEIGHT 32.0 /* of its line when it stands below the answer */
 #define NOTE_HEIGHT 32.0
@@ -22,16 +22,16 @@
 #define PANEL_HEIGHT 230.0 /* of panels below the plan */
 #define PANEL_GAP 8.0
 #define BARE_MARGIN 12.0
-#define HEADING_LETTERS 19.0
+#define HEADING_TEXT 19.0
 #define HEADING_HEIGHT 40.0
-#define ROW_LETTERS 17.0
+#define ROW_TEXT 17.0
 #define ROW_HEIGHT 30.0
 #define CELL_GAP 14.0
 #define DISC_WIDTH 40.0   /* kept for a disc before a row's words */
 #define LINE_WIDTH 54.0   /* and for a piece of line */
 #define SYMBOL_WIDTH 46.0 /* and for one with a symbol on it */
 #define LINE_SHOWN 14.0   /* of the line, and of the tag's own edge, on either side of the tag's words */
-#define DISC_LETTERS 16.0
+#define DISC_TEXT 16.0
 #define BAR_SHORTEST 64.0 /* of the scale bar: room for "10 m" */
 #define BAR_WIDTH 5.0
 #define BAR_RIM 3.0       /* of paper round it: it may lie on something */
@@ -64,10 +64,10 @@ void layout_add_sample(Layout *layout, Sample sample) {
 }
 
 /* Words from `left` on, as far as `right`; where they end. */
-static double add_words(Layout *layout, Role role, const char *text, double size, bool bold, double left, double right,
-                        double y) {
-    const char *words = caption_shortened(layout, text, size, bold, right - left);
-    Caption *caption = caption_add(layout, words, size, bold, vec2(left, y));
+static double add_text(Layout *layout, Role role, const char *text, double size, bool bold, double left, double right,
+                       double y) {
+    const char *label = caption_shortened(layout, text, size, bold, right - left);
+    Caption *caption = caption_add(layout, label, size, bold, vec2(left, y));
     caption->centre.x += caption->extent.x / 2;
     caption->role = role;
     return left + caption->extent.x;
@@ -79,15 +79,15 @@ static void place_band(Layout *layout, const Scene *scene) {
     if (scene->bare || !scene->title)
         return;
     double right = layout->page.x - MARGIN, room = right - MARGIN;
-    double width = text_extent(scene->title, TITLE_LETTERS, true).x;
-    double size = width > room ? fmax(TITLE_LETTERS * room / width, DETAIL_LETTERS) : TITLE_LETTERS;
-    double end = add_words(layout, scene->title_role, scene->title, size, true, MARGIN, right, BAND_HEIGHT / 2);
-    const char *words = scene->detail ? scene->detail : "";
-    double detail = text_extent(words, DETAIL_LETTERS, false).x;
+    double width = text_extent(scene->title, TITLE_TEXT, true).x;
+    double size = width > room ? fmax(TITLE_TEXT * room / width, DETAIL_TEXT) : TITLE_TEXT;
+    double end = add_text(layout, scene->title_role, scene->title, size, true, MARGIN, right, BAND_HEIGHT / 2);
+    const char *text = scene->detail ? scene->detail : "";
+    double detail = text_extent(text, DETAIL_TEXT, false).x;
     bool beside = end + 2 * CELL_GAP + detail <= right;
     layout->band = (Box){{0, 0}, {layout->page.x, BAND_HEIGHT + (beside ? 0 : DETAIL_HEIGHT)}};
-    add_words(layout, ROLE_TEXT, words, DETAIL_LETTERS, false, beside ? end + 2 * CELL_GAP : MARGIN, right,
-              beside ? BAND_HEIGHT / 2 + 4 : BAND_HEIGHT + DETAIL_HEIGHT / 2 - 8);
+    add_text(layout, ROLE_TEXT, text, DETAIL_TEXT, false, beside ? end + 2 * CELL_GAP : MARGIN, right,
+             beside ? BAND_HEIGHT / 2 + 4 : BAND_HEIGHT + DETAIL_HEIGHT / 2 - 8);
 }
 
 /* The row behind the section that begins at `row`. */
@@ -117,7 +117,7 @@ static double mark_width(const SceneRow *row) {
         return 0;
     if (row->symbol != SYMBOL_NONE)
         return SYMBOL_WIDTH;
-    double tag = row->mark ? text_extent(row->mark, DISC_LETTERS, true).x + 2 * LINE_SHOWN : 0;
+    double tag = row->mark ? text_extent(row->mark, DISC_TEXT, true).x + 2 * LINE_SHOWN : 0;
     return fmax(LINE_WIDTH, tag + CELL_GAP);
 }
 
@@ -129,7 +129,7 @@ static double place_mark(Layout *layout, const SceneRow *row, double left, doubl
     if (row->kind == ROW_LINE)
         layout_add_sample(layout, (Sample){{left, y}, {right, y}, row->role, row->style, row->width, row->symbol});
     if (row->mark) {
-        Caption *mark = caption_add(layout, row->mark, DISC_LETTERS, true, vec2((left + right) / 2, y));
+        Caption *mark = caption_add(layout, row->mark, DISC_TEXT, true, vec2((left + right) / 2, y));
         caption_shape(mark, row->kind == ROW_DISC ? LABEL_DISC : LABEL_TAG, row->role);
     }
     return end;
@@ -140,12 +140,12 @@ static void place_row(Layout *layout, const SceneRow *row, Box column, const dou
     double left = place_mark(layout, row, column.low.x, widths[0], y), right = column.high.x;
     for (size_t c = ROW_CELLS; c-- > 1;) {
         if (row->cells[c]) {
-            double width = text_extent(row->cells[c], ROW_LETTERS, false).x;
-            add_words(layout, ROLE_TEXT, row->cells[c], ROW_LETTERS, false, right - width, right, y);
+            double width = text_extent(row->cells[c], ROW_TEXT, false).x;
+            add_text(layout, ROLE_TEXT, row->cells[c], ROW_TEXT, false, right - width, right, y);
         }
         right -= widths[c] > 0 ? widths[c] + CELL_GAP : 0;
     }
-    add_words(layout, ROLE_TEXT, row->cells[0], ROW_LETTERS, false, left, right, y);
+    add_text(layout, ROLE_TEXT, row->cells[0], ROW_TEXT, false, left, right, y);
 }
 
 /* One section's rows in a column of the page; `pitch` presses them together. */
@@ -154,14 +154,14 @@ static void place_section(Layout *layout, const Scene *scene, size_t first, size
     for (size_t i = first; i < end; i++) {
         widths[0] = fmax(widths[0], mark_width(&scene->rows[i]));
         for (size_t c = 1; c < ROW_CELLS && scene->rows[i].cells[c]; c++)
-            widths[c] = fmax(widths[c], text_extent(scene->rows[i].cells[c], ROW_LETTERS, false).x);
+            widths[c] = fmax(widths[c], text_extent(scene->rows[i].cells[c], ROW_TEXT, false).x);
     }
     double y = column.low.y;
     for (size_t i = first; i < end; i++) {
         const SceneRow *row = &scene->rows[i];
         double middle = y + row_height(row) * pitch / 2;
         if (row->kind == ROW_HEADING)
-            add_words(layout, ROLE_TEXT, row->cells[0], HEADING_LETTERS, true, column.low.x, column.high.x, middle);
+            add_text(layout, ROLE_TEXT, row->cells[0], HEADING_TEXT, true, column.low.x, column.high.x, middle);
         else
             place_row(layout, row, column, widths, middle);
         y += row_height(row) * pitch;
@@ -344,9 +344,9 @@ static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
         if (scene->grid <= 0)
             return;
         snprintf(text, sizeof text, "squares of %g m", grid_step(layout, scene));
-        const char *words = arena_text(&layout->arena, text);
-        left = right - text_extent(words, NAME_LETTERS, false).x;
-        add_words(layout, ROLE_DIM_TEXT, words, NAME_LETTERS, false, left, right, foot);
+        const char *label = arena_text(&layout->arena, text);
+        left = right - text_extent(label, NAME_TEXT, false).x;
+        add_text(layout, ROLE_DIM_TEXT, label, NAME_TEXT, false, left, right, foot);
         return;
     }
     double y = foot + 10;
@@ -356,13 +356,13 @@ static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
     layout_add_sample(layout, (Sample){.from = {left, y}, .to = {right, y}, .role = ROLE_TEXT, .width = BAR_WIDTH});
     snprintf(text, sizeof text, "%g m", length);
     Caption *caption =
-        caption_add(layout, arena_text(&layout->arena, text), NAME_LETTERS, true, vec2((left + right) / 2, foot - 6));
+        caption_add(layout, arena_text(&layout->arena, text), NAME_TEXT, true, vec2((left + right) / 2, foot - 6));
     caption->halo = true;
     caption->fill = ROLE_PAPER;
 }
 
 /* Gives the words from `first` on a rim: a picture that is looked at from near may reach below them. */
-static void rim_words(Layout *layout, size_t first) {
+static void rim_captions(Layout *layout, size_t first) {
     for (size_t i = first; i < layout->caption_count; i++) {
         layout->captions[i].halo = true;
         layout->captions[i].fill = ROLE_PAPER;
@@ -372,9 +372,9 @@ static void rim_words(Layout *layout, size_t first) {
 static void place_clock(Layout *layout, const Layout *under, const char *clock) {
     size_t first = layout->caption_count;
     if (clock)
-        add_words(layout, ROLE_TEXT, clock, CLOCK_LETTERS, true, MARGIN, under->plan.high.x,
-                  under->plan.high.y + FOOT_HEIGHT / 2);
-    rim_words(layout, first);
+        add_text(layout, ROLE_TEXT, clock, CLOCK_TEXT, true, MARGIN, under->plan.high.x,
+                 under->plan.high.y + FOOT_HEIGHT / 2);
+    rim_captions(layout, first);
 }
 
 /* The name and the note above the plan, the clock and the scale below. */
@@ -382,10 +382,10 @@ static void place_margins(Layout *layout, const Scene *scene) {
     size_t first = layout->caption_count;
     double right = layout->plan.high.x, y = layout->plan.low.y - NOTE_HEIGHT / 2, end = MARGIN;
     if (scene->name)
-        end = add_words(layout, ROLE_DIM_TEXT, scene->name, NAME_LETTERS, true, MARGIN, right, y);
+        end = add_text(layout, ROLE_DIM_TEXT, scene->name, NAME_TEXT, true, MARGIN, right, y);
     if (scene->note && *scene->note)
-        add_words(layout, ROLE_DIM_TEXT, scene->note, NAME_LETTERS, false, end + CELL_GAP, right, y);
-    rim_words(layout, first);
+        add_text(layout, ROLE_DIM_TEXT, scene->note, NAME_TEXT, false, end + CELL_GAP, right, y);
+    rim_captions(layout, first);
     place_clock(layout, layout, scene->clock);
     if (!scene->unscaled)
         place_scale_bar(layout, scene, layout->plan.high.y + FOOT_HEIGHT / 2);

@@ -66,7 +66,7 @@ typedef struct Layer {
 double layout_unit(int width, int height);
 
 /* The smallest letters on a picture: their capitals are 11 pixels high at 1280 x 720. */
-#define LAYOUT_SMALLEST_LETTERS 15
+#define LAYOUT_SMALLEST_TEXT 15
 
 /* Lays out a scene, which must outlive the layout, on a page of that size. layout_clear releases it. */
 void layout_make(Layout *layout, const Scene *scene, Vec2 page);

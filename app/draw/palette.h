@@ -7,7 +7,7 @@
 
 typedef enum Theme { THEME_PAPER, THEME_BOARD, THEME_COUNT } Theme;
 
-#define THEME_WORDS "paper|board"
+#define THEME_NAMES "paper|board"
 
 typedef struct Colour {
     double red, green, blue; /* 0 to 1, sRGB */

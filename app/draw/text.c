@@ -11,8 +11,8 @@ static bool is_plain(gunichar code) {
     return !control && !none;
 }
 
-char *text_plain(const char *words) {
-    char *valid = g_utf8_make_valid(words, -1);
+char *text_plain(const char *text) {
+    char *valid = g_utf8_make_valid(text, -1);
     char *copy = memory_zeroed(3 * strlen(valid) + 1, 1), *to = copy; /* a replacement has three bytes */
     for (const char *at = valid; *at; at = g_utf8_next_char(at)) {
         gunichar code = g_utf8_get_char(at);
@@ -42,10 +42,10 @@ PangoLayout *text_layout(double size, bool bold, bool typed) {
     return layout;
 }
 
-static PangoLayout *line_of(const char *words, double size, bool bold) {
+static PangoLayout *line_of(const char *text, double size, bool bold) {
     PangoLayout *layout = text_layout(size, bold, false);
     pango_layout_set_single_paragraph_mode(layout, TRUE);
-    char *plain = text_plain(words);
+    char *plain = text_plain(text);
     pango_layout_set_text(layout, plain, -1);
     memory_free(plain);
     return layout;
@@ -57,30 +57,30 @@ static Vec2 layout_extent(PangoLayout *layout) {
     return vec2((double)logical.width / PANGO_SCALE, (double)logical.height / PANGO_SCALE);
 }
 
-Vec2 text_extent(const char *words, double size, bool bold) {
-    PangoLayout *layout = line_of(words, size, bold);
+Vec2 text_extent(const char *text, double size, bool bold) {
+    PangoLayout *layout = line_of(text, size, bold);
     Vec2 extent = layout_extent(layout);
     g_object_unref(layout);
     return extent;
 }
 
 /* A layout of the words, the cairo context's current point where it begins. */
-static PangoLayout *text_begin(cairo_t *cairo, const char *words, double size, bool bold, Vec2 centre) {
-    PangoLayout *layout = line_of(words, size, bold);
+static PangoLayout *text_begin(cairo_t *cairo, const char *text, double size, bool bold, Vec2 centre) {
+    PangoLayout *layout = line_of(text, size, bold);
     Vec2 extent = layout_extent(layout);
     cairo_move_to(cairo, centre.x - extent.x / 2, centre.y - extent.y / 2);
     return layout;
 }
 
-void text_show(cairo_t *cairo, const char *words, double size, bool bold, Vec2 centre) {
-    PangoLayout *layout = text_begin(cairo, words, size, bold, centre);
+void text_show(cairo_t *cairo, const char *text, double size, bool bold, Vec2 centre) {
+    PangoLayout *layout = text_begin(cairo, text, size, bold, centre);
     pango_cairo_show_layout(cairo, layout);
     cairo_new_path(cairo);
     g_object_unref(layout);
 }
 
-void text_path(cairo_t *cairo, const char *words, double size, bool bold, Vec2 centre) {
-    PangoLayout *layout = text_begin(cairo, words, size, bold, centre);
+void text_path(cairo_t *cairo, const char *text, double size, bool bold, Vec2 centre) {
+    PangoLayout *layout = text_begin(cairo, text, size, bold, centre);
     pango_cairo_layout_path(cairo, layout);
     g_object_unref(layout);
 }

@@ -16,7 +16,7 @@
 
 typedef enum ViewKind { VIEW_PLAN, VIEW_RAISED } ViewKind;
 
-#define VIEW_WORDS "plan|raised"
+#define VIEW_NAMES "plan|raised"
 
 typedef struct Camera {
     ViewKind kind;

@@ -8,7 +8,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-static cairo_status_t keep_bytes(void *context, const unsigned char *data, unsigned length) {
+static cairo_status_t store_bytes(void *context, const unsigned char *data, unsigned length) {
     bytes_add(context, data, length);
     return CAIRO_STATUS_SUCCESS;
 }
@@ -29,11 +29,11 @@ static cairo_surface_t *create_surface(CairoFileKind kind, Bytes *bytes, int wid
     cairo_surface_t *surface;
     switch (kind) {
     case CAIRO_FILE_SVG:
-        surface = cairo_svg_surface_create_for_stream(keep_bytes, bytes, width, height);
+        surface = cairo_svg_surface_create_for_stream(store_bytes, bytes, width, height);
         cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PX);
         return surface;
     case CAIRO_FILE_PDF:
-        surface = cairo_pdf_surface_create_for_stream(keep_bytes, bytes, width, height);
+        surface = cairo_pdf_surface_create_for_stream(store_bytes, bytes, width, height);
         cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
         return surface;
     case CAIRO_FILE_PNG:
@@ -55,7 +55,7 @@ static int paint_surface(CairoFileKind kind, cairo_surface_t *surface, Bytes *by
     int error = status_error(cairo_status(cairo));
     cairo_destroy(cairo);
     if (!error && kind == CAIRO_FILE_PNG)
-        error = status_error(cairo_surface_write_to_png_stream(surface, keep_bytes, bytes));
+        error = status_error(cairo_surface_write_to_png_stream(surface, store_bytes, bytes));
     cairo_surface_finish(surface);
     return error ? error : status_error(cairo_surface_status(surface));
 }

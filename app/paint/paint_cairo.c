@@ -295,7 +295,7 @@ static void paint_primitives(const Painter *painter, const Scene *scene) {
     cairo_restore(painter->cairo);
 }
 
-void paint_cairo_words(cairo_t *cairo, const Layout *layout, Theme theme) {
+void paint_cairo_captions(cairo_t *cairo, const Layout *layout, Theme theme) {
     Painter painter = {cairo, layout, theme};
     for (size_t i = 0; i < layout->caption_count; i++)
         if (layout->captions[i].leader)
@@ -312,7 +312,7 @@ void paint_cairo_layers(cairo_t *cairo, const Layer *layers, size_t count, Theme
     for (size_t i = 0; i < count; i++)
         paint_primitives(&(Painter){cairo, layers[i].layout, theme}, layers[i].scene);
     for (size_t i = 0; i < count; i++)
-        paint_cairo_words(cairo, layers[i].layout, theme);
+        paint_cairo_captions(cairo, layers[i].layout, theme);
 }
 
 void paint_cairo_scene(cairo_t *cairo, const Scene *scene, Vec2 page, Theme theme) {

@@ -13,7 +13,7 @@ void paint_cairo_layers(struct _cairo *cairo, const Layer *layers, size_t count,
 
 /* What any laid out page has: its faint lines; its words, and the pieces of line among them. */
 void paint_cairo_grid(struct _cairo *cairo, const Layout *layout, Theme theme);
-void paint_cairo_words(struct _cairo *cairo, const Layout *layout, Theme theme);
+void paint_cairo_captions(struct _cairo *cairo, const Layout *layout, Theme theme);
 
 /* Sets the width, the dashes, the caps and the joins that lines of a style have. */
 void paint_cairo_line(struct _cairo *cairo, LineStyle style, double width);

@@ -233,7 +233,7 @@ static void forget_captions(PaintGl *paint) {
 }
 
 /* Keeps the captions and samples that moving things may hide, or the others. */
-static void keep_captions(PaintGl *paint, const Layout *layout, bool inside) {
+static void select_captions(PaintGl *paint, const Layout *layout, bool inside) {
     for (size_t i = 0; i < layout->caption_count; i++) {
         paint->captions = memory_reserve(paint->captions, &paint->caption_capacity, paint->caption_count + 1,
                                          sizeof *paint->captions);
@@ -271,11 +271,11 @@ void paint_gl_still(PaintGl *paint, Layer ground) {
         paint->panels[i] = layout->panels[i];
     draw_still(paint, ground);
     forget_captions(paint);
-    keep_captions(paint, layout, false);
+    select_captions(paint, layout, false);
     begin(paint, &paint->still);
     draw_captions(paint, paint->captions, paint->caption_count, paint->samples, paint->sample_count);
     forget_captions(paint);
-    keep_captions(paint, layout, true);
+    select_captions(paint, layout, true);
     paint->first_captions = paint->caption_count;
     paint->first_samples = paint->sample_count;
     paint->added = false;
@@ -283,7 +283,7 @@ void paint_gl_still(PaintGl *paint, Layer ground) {
 }
 
 /* Before the first addition. */
-static void keep_ground(PaintGl *paint) {
+static void store_ground(PaintGl *paint) {
     if (!paint->added)
         paint_gl_target_copy(&paint->still, &paint->ground, paint->gl, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     paint->added = true;
@@ -298,10 +298,10 @@ void paint_gl_rewind(PaintGl *paint) {
 }
 
 void paint_gl_add(PaintGl *paint, Layer more) {
-    keep_ground(paint);
+    store_ground(paint);
     begin(paint, &paint->still);
     draw_layer(paint, more);
-    keep_captions(paint, more.layout, true);
+    select_captions(paint, more.layout, true);
 }
 
 static int clamped(int value, int low, int high) {
@@ -317,7 +317,7 @@ void paint_gl_panel(PaintGl *paint, int index, const unsigned char *pixels, int 
     int bottom = clamped(y + h, 0, height < paint->height - top ? height : paint->height - top);
     if (right <= x || bottom <= y)
         return;
-    keep_ground(paint);
+    store_ground(paint);
     gl->BindTexture(GL_TEXTURE_2D, paint->still.colour);
     gl->PixelStorei(GL_UNPACK_ROW_LENGTH, stride / 4);
     gl->TexSubImage2D(GL_TEXTURE_2D, 0, left + x, top + y, right - x, bottom - y, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,

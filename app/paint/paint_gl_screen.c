@@ -165,7 +165,7 @@ void paint_gl_screen_fill_mask(PaintGlScreen *screen, ScreenTexture *texture, co
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
-void paint_gl_screen_forget(PaintGlScreen *screen, ScreenTexture *texture) {
+void paint_gl_screen_release(PaintGlScreen *screen, ScreenTexture *texture) {
     if (texture->name)
         screen->gl->DeleteTextures(1, &texture->name);
     *texture = (ScreenTexture){0};

@@ -43,7 +43,7 @@ void paint_gl_screen_fill(PaintGlScreen *screen, ScreenTexture *texture, const u
 /* The same of one byte a pixel, how opaque it is: for letters. */
 void paint_gl_screen_fill_mask(PaintGlScreen *screen, ScreenTexture *texture, const unsigned char *pixels, int width,
                                int height);
-void paint_gl_screen_forget(PaintGlScreen *screen, ScreenTexture *texture);
+void paint_gl_screen_release(PaintGlScreen *screen, ScreenTexture *texture);
 
 typedef struct ScreenVertex {
     float x, y, u, v;

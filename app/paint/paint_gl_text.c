@@ -15,10 +15,10 @@ enum {
     SMALLEST = 512,
 };
 
-typedef struct Word {
+typedef struct Stamp {
     uint64_t key; /* of the text, its size, weight and halo: 64 bits, two words never have the same */
     int x, y, width, height;
-} Word;
+} Stamp;
 
 typedef struct Corner {
     float at[4]; /* pixels of the canvas, texels of the atlas */
@@ -30,7 +30,7 @@ struct PaintGlText {
     double unit;
     int width, height; /* of the atlas, texels */
     int x, y, row;     /* where the next word goes, and how high its row is */
-    Word *words;       /* (count) */
+    Stamp *stamps;     /* (count) */
     size_t count, capacity;
     Corner *corners; /* (4 quad_count) */
     unsigned *indices;
@@ -82,7 +82,7 @@ void paint_gl_text_destroy(PaintGlText *text) {
     gl->DeleteTextures(1, &text->texture);
     gl->DeleteVertexArrays(1, &text->array);
     gl->DeleteBuffers(2, text->buffers);
-    memory_free(text->words);
+    memory_free(text->stamps);
     memory_free(text->corners);
     memory_free(text->indices);
     memory_free(text);
@@ -106,7 +106,7 @@ void paint_gl_text_draw(PaintGlText *text) {
 
 /* The atlas -------------------------------------------------------------------------------------------------------- */
 
-static uint64_t word_key(const Caption *caption, bool halo) {
+static uint64_t stamp_key(const Caption *caption, bool halo) {
     uint64_t key = digest_mix(DIGEST_START, caption->size + (caption->bold ? 0.25 : 0) + (halo ? 0.125 : 0));
     for (const char *c = caption->text; *c; c++)
         key = digest_chain(key, (unsigned char)*c);
@@ -114,18 +114,18 @@ static uint64_t word_key(const Caption *caption, bool halo) {
 }
 
 /* Finds room for a word; false when the atlas is full. */
-static bool place_word(PaintGlText *text, Word *word) {
-    if (text->x + word->width > text->width) {
+static bool place_stamp(PaintGlText *text, Stamp *stamp) {
+    if (text->x + stamp->width > text->width) {
         text->x = 0;
         text->y += text->row;
         text->row = 0;
     }
-    if (text->y + word->height > text->height)
+    if (text->y + stamp->height > text->height)
         return false;
-    word->x = text->x;
-    word->y = text->y;
-    text->x += word->width;
-    text->row = word->height > text->row ? word->height : text->row;
+    stamp->x = text->x;
+    stamp->y = text->y;
+    text->x += stamp->width;
+    text->row = stamp->height > text->row ? stamp->height : text->row;
     return true;
 }
 
@@ -136,10 +136,10 @@ static void begin_atlas(PaintGlText *text) {
 }
 
 /* Draws the words, or a line round their letters, in the middle of a picture of the word's size. */
-static void upload_word(const PaintGlText *text, const Word *word, const Caption *caption, bool halo) {
-    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, word->width, word->height);
+static void upload_stamp(const PaintGlText *text, const Stamp *stamp, const Caption *caption, bool halo) {
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, stamp->width, stamp->height);
     cairo_t *cairo = cairo_create(surface);
-    Vec2 middle = {word->width / 2.0 / text->unit, word->height / 2.0 / text->unit};
+    Vec2 middle = {stamp->width / 2.0 / text->unit, stamp->height / 2.0 / text->unit};
     cairo_scale(cairo, text->unit, text->unit);
     if (halo) {
         text_path(cairo, caption->text, caption->size, caption->bold, middle);
@@ -154,43 +154,43 @@ static void upload_word(const PaintGlText *text, const Word *word, const Caption
     const Gl *gl = text->gl;
     gl->BindTexture(GL_TEXTURE_2D, text->texture);
     gl->PixelStorei(GL_UNPACK_ROW_LENGTH, cairo_image_surface_get_stride(surface));
-    gl->TexSubImage2D(GL_TEXTURE_2D, 0, word->x, word->y, word->width, word->height, GL_RED, GL_UNSIGNED_BYTE,
+    gl->TexSubImage2D(GL_TEXTURE_2D, 0, stamp->x, stamp->y, stamp->width, stamp->height, GL_RED, GL_UNSIGNED_BYTE,
                       cairo_image_surface_get_data(surface));
     gl->PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     cairo_surface_destroy(surface);
 }
 
-static const Word *find_word(PaintGlText *text, const Caption *caption, bool halo) {
-    uint64_t key = word_key(caption, halo);
+static const Stamp *find_stamp(PaintGlText *text, const Caption *caption, bool halo) {
+    uint64_t key = stamp_key(caption, halo);
     for (size_t i = 0; i < text->count; i++)
-        if (text->words[i].key == key)
-            return &text->words[i];
+        if (text->stamps[i].key == key)
+            return &text->stamps[i];
     Vec2 extent = vec2_scale(text_extent(caption->text, caption->size, caption->bold), text->unit);
     double margin = 2 * (MARGIN + (halo ? PAINT_HALO_WIDTH / 2 * text->unit : 0));
-    Word word = {.key = key,
-                 .width = (int)fmin(ceil(extent.x + margin), text->width),
-                 .height = (int)fmin(ceil(extent.y + margin), text->height)};
-    if (!place_word(text, &word)) {
+    Stamp stamp = {.key = key,
+                   .width = (int)fmin(ceil(extent.x + margin), text->width),
+                   .height = (int)fmin(ceil(extent.y + margin), text->height)};
+    if (!place_stamp(text, &stamp)) {
         begin_atlas(text);
-        place_word(text, &word);
+        place_stamp(text, &stamp);
     }
-    upload_word(text, &word, caption, halo);
-    text->words = memory_reserve(text->words, &text->capacity, text->count + 1, sizeof *text->words);
-    text->words[text->count] = word;
-    return &text->words[text->count++];
+    upload_stamp(text, &stamp, caption, halo);
+    text->stamps = memory_reserve(text->stamps, &text->capacity, text->count + 1, sizeof *text->stamps);
+    text->stamps[text->count] = stamp;
+    return &text->stamps[text->count++];
 }
 
 /* Rectangles --------------------------------------------------------------------------------------------------------*/
 
-static void add_word(PaintGlText *text, const Caption *caption, bool halo, Colour colour, double opacity) {
+static void add_stamp(PaintGlText *text, const Caption *caption, bool halo, Colour colour, double opacity) {
     static const unsigned order[] = {0, 1, 2, 0, 2, 3};
-    const Word *word = find_word(text, caption, halo);
+    const Stamp *stamp = find_stamp(text, caption, halo);
     size_t first = 4 * text->quad_count;
     text->corners = memory_reserve(text->corners, &text->corner_capacity, first + 4, sizeof *text->corners);
     text->indices =
         memory_reserve(text->indices, &text->index_capacity, 6 * (text->quad_count + 1), sizeof *text->indices);
-    float width = (float)(caption->turned ? word->height : word->width);
-    float height = (float)(caption->turned ? word->width : word->height);
+    float width = (float)(caption->turned ? stamp->height : stamp->width);
+    float height = (float)(caption->turned ? stamp->width : stamp->height);
     /* on whole pixels: letters stay crisp */
     float left = roundf((float)(caption->centre.x * text->unit) - width / 2);
     float top = roundf((float)(caption->centre.y * text->unit) - height / 2);
@@ -199,8 +199,8 @@ static void add_word(PaintGlText *text, const Caption *caption, bool halo, Colou
         bool across = caption->turned ? !low : right, down = caption->turned ? right : low;
         Corner *corner = &text->corners[first + (size_t)i];
         *corner = (Corner){.at = {left + (right ? width : 0), top + (low ? height : 0),
-                                  (float)(word->x + (across ? word->width : 0)),
-                                  (float)(word->y + (down ? word->height : 0))},
+                                  (float)(stamp->x + (across ? stamp->width : 0)),
+                                  (float)(stamp->y + (down ? stamp->height : 0))},
                            .rgba = {(unsigned char)lrint(255 * colour.red), (unsigned char)lrint(255 * colour.green),
                                     (unsigned char)lrint(255 * colour.blue), (unsigned char)lrint(255 * opacity)}};
     }
@@ -210,9 +210,9 @@ static void add_word(PaintGlText *text, const Caption *caption, bool halo, Colou
 }
 
 void paint_gl_text_add(PaintGlText *text, const Caption *caption, Colour colour) {
-    add_word(text, caption, false, colour, 1);
+    add_stamp(text, caption, false, colour, 1);
 }
 
 void paint_gl_text_add_halo(PaintGlText *text, const Caption *caption, Colour colour) {
-    add_word(text, caption, true, colour, PAINT_HALO_OPACITY);
+    add_stamp(text, caption, true, colour, PAINT_HALO_OPACITY);
 }

@@ -31,16 +31,16 @@ struct PngWriter {
     int error; /* errno of the first file that could not be written */
 };
 
-static void keep_bytes(png_structp png, png_bytep data, png_size_t size) {
+static void store_bytes(png_structp png, png_bytep data, png_size_t size) {
     bytes_add(png_get_io_ptr(png), data, size);
 }
 
-static void keep_nothing(png_structp png) {
+static void flush_nothing(png_structp png) {
     (void)png;
 }
 
 static void encode(png_structp png, png_infop info, Bytes *bytes, const unsigned char *pixels, int width, int height) {
-    png_set_write_fn(png, bytes, keep_bytes, keep_nothing);
+    png_set_write_fn(png, bytes, store_bytes, flush_nothing);
     png_set_compression_level(png, 1);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
     png_set_IHDR(png, info, (png_uint_32)width, (png_uint_32)height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,

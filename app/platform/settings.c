@@ -22,7 +22,7 @@
     .name = #field_, .kind = kind_, .offset = offsetof(SettingsPreferences, field_), .unit = "1"
 
 static const Parameter preferences_rows[] = {
-    {PREFERENCE(PARAMETER_CHOICE, theme), .choices = THEME_WORDS, .meaning = "light or dark"},
+    {PREFERENCE(PARAMETER_CHOICE, theme), .choices = THEME_NAMES, .meaning = "light or dark"},
     {PREFERENCE(PARAMETER_WHOLE, text), .low = 1, .high = SETTINGS_TEXT_MOST, .fallback = 1,
      .meaning = "size of the text"},
     {PREFERENCE(PARAMETER_FLAG, sound), .meaning = "is it to be heard"},

@@ -13,6 +13,6 @@ void plot_paint(const Plot *plot, struct _cairo *cairo, Vec2 size, Theme theme) 
         plot_pen_draw(&pen, cairo, &layout, &plot->series[s], plot->series[s].count, theme);
         plot_pen_clear(&pen);
     }
-    plot_ground_paint_words(cairo, &layout, theme);
+    plot_ground_paint_text(cairo, &layout, theme);
     plot_layout_clear(&layout);
 }

@@ -25,7 +25,7 @@ struct PlotCanvas {
     cairo_t *cairo;         /* on the sheet */
     unsigned char *ink;     /* (pen_count x height x width) */
     uint32_t *ground;       /* (height x width) */
-    uint32_t *words;        /* (height x width) above all; multiplied by how opaque they are, the highest byte */
+    uint32_t *text;         /* (height x width) above all; multiplied by how opaque they are, the highest byte */
     uint32_t *pixels;       /* (height x width) */
 };
 
@@ -47,8 +47,8 @@ static void paint_ground(PlotCanvas *canvas) {
     cairo_t *cairo = begin_painting(canvas, canvas->ground, CAIRO_FORMAT_RGB24);
     plot_ground_paint(cairo, &canvas->layout, canvas->plot, canvas->theme);
     cairo_destroy(cairo);
-    cairo = begin_painting(canvas, canvas->words, CAIRO_FORMAT_ARGB32);
-    plot_ground_paint_words(cairo, &canvas->layout, canvas->theme);
+    cairo = begin_painting(canvas, canvas->text, CAIRO_FORMAT_ARGB32);
+    plot_ground_paint_text(cairo, &canvas->layout, canvas->theme);
     cairo_destroy(cairo);
 }
 
@@ -60,7 +60,7 @@ PlotCanvas *plot_canvas_create(const Plot *plot, int width, int height, double u
     canvas->pens = memory_zeroed(canvas->pen_count, sizeof *canvas->pens);
     canvas->ink = memory_zeroed(canvas->pen_count * pixel_count(canvas), 1);
     canvas->ground = memory_zeroed(pixel_count(canvas), sizeof *canvas->ground);
-    canvas->words = memory_zeroed(pixel_count(canvas), sizeof *canvas->words);
+    canvas->text = memory_zeroed(pixel_count(canvas), sizeof *canvas->text);
     canvas->pixels = memory_zeroed(pixel_count(canvas), sizeof *canvas->pixels);
     canvas->sheet = cairo_image_surface_create(CAIRO_FORMAT_A8, width, height);
     canvas->cairo = cairo_create(canvas->sheet);
@@ -80,7 +80,7 @@ void plot_canvas_destroy(PlotCanvas *canvas) {
     memory_free(canvas->pens);
     memory_free(canvas->ink);
     memory_free(canvas->ground);
-    memory_free(canvas->words);
+    memory_free(canvas->text);
     memory_free(canvas->pixels);
     memory_free(canvas);
 }
@@ -135,13 +135,13 @@ static void lay_over(PlotCanvas *canvas, size_t series, PlotPixels part) {
     }
 }
 
-static void lay_words_over(PlotCanvas *canvas, PlotPixels part) {
+static void lay_text_over(PlotCanvas *canvas, PlotPixels part) {
     for (int y = part.y; y < part.y + part.height; y++)
         for (int x = part.x; x < part.x + part.width; x++) {
             size_t i = (size_t)y * (size_t)canvas->width + (size_t)x;
-            uint32_t word = canvas->words[i];
-            if (word >> 24)
-                canvas->pixels[i] = (word & 0xFFFFFF) + mixed(canvas->pixels[i], 0, word >> 24);
+            uint32_t pixel = canvas->text[i];
+            if (pixel >> 24)
+                canvas->pixels[i] = (pixel & 0xFFFFFF) + mixed(canvas->pixels[i], 0, pixel >> 24);
         }
 }
 
@@ -152,7 +152,7 @@ static void compose(PlotCanvas *canvas, PlotPixels part) {
     }
     for (size_t s = 0; s < canvas->pen_count; s++)
         lay_over(canvas, s, part);
-    lay_words_over(canvas, part);
+    lay_text_over(canvas, part);
 }
 
 PlotPixels plot_canvas_advance(PlotCanvas *canvas, size_t series, size_t count) {

@@ -109,8 +109,8 @@ void plot_ground_paint(cairo_t *cairo, const PlotLayout *layout, const Plot *plo
     paint_axes(cairo, layout, theme);
 }
 
-void plot_ground_paint_words(cairo_t *cairo, const PlotLayout *layout, Theme theme) {
-    paint_cairo_words(cairo, &layout->sheet, theme);
+void plot_ground_paint_text(cairo_t *cairo, const PlotLayout *layout, Theme theme) {
+    paint_cairo_captions(cairo, &layout->sheet, theme);
     for (size_t i = 0; i < layout->mark_count; i++)
         plot_pen_mark(cairo, layout->marks[i].series, layout->marks[i].at, theme);
 }

@@ -7,4 +7,4 @@
 struct _cairo; /* cairo's own name of cairo_t */
 
 void plot_ground_paint(struct _cairo *cairo, const PlotLayout *layout, const Plot *plot, Theme theme);
-void plot_ground_paint_words(struct _cairo *cairo, const PlotLayout *layout, Theme theme);
+void plot_ground_paint_text(struct _cairo *cairo, const PlotLayout *layout, Theme theme);

@@ -4,24 +4,24 @@
 #include "draw/text.h"
 
 /* Design points. */
-#define LETTERS 15.0
+#define TEXT_SIZE 15.0
 #define GAP 12.0 /* from the plot */
 #define PATCH_WIDTH 24.0
 #define PATCH_HEIGHT 17.0
-#define WORD_GAP 6.0
+#define TEXT_GAP 6.0
 #define ROW_HEIGHT 23.0
 #define BAR_WIDTH 18.0
 #define TITLE_ROW 18.5 /* from the top of the bar up to the middle of its title */
 
-static double words_width(const PlotLayout *layout, const Plot *plot) {
+static double text_width(const PlotLayout *layout, const Plot *plot) {
     const PlotRaster *raster = plot->raster;
     double width = 0;
     for (size_t c = 0; c < raster->class_count; c++)
-        width = fmax(width, text_extent(raster->classes[c].name, LETTERS, false).x);
+        width = fmax(width, text_extent(raster->classes[c].name, TEXT_SIZE, false).x);
     for (int i = 0; !raster->classes && i < layout->shades.count; i++) {
         char label[PLOT_TICKS_LABEL];
         plot_ticks_label(&layout->shades, i, label);
-        width = fmax(width, text_extent(label, LETTERS, false).x);
+        width = fmax(width, text_extent(label, TEXT_SIZE, false).x);
     }
     return width;
 }
@@ -52,7 +52,7 @@ double plot_key_place(PlotLayout *layout, const Plot *plot, int most) {
     if (!raster->classes)
         layout->shades = make_shades(raster, most);
     double patch = raster->classes ? PATCH_WIDTH : BAR_WIDTH;
-    double width = patch + WORD_GAP + words_width(layout, plot);
+    double width = patch + TEXT_GAP + text_width(layout, plot);
     Box frame = layout->sheet.frame;
     double left = frame.high.x - width;
     layout->key = (Box){{left, frame.low.y}, {left + patch, frame.high.y}};
@@ -67,21 +67,21 @@ Box plot_key_class(const PlotLayout *layout, const Plot *plot, size_t index) {
     return (Box){{layout->key.low.x, middle - half}, {layout->key.high.x, middle + half}};
 }
 
-static void add_words(PlotLayout *layout, const char *text, double y) {
+static void add_text(PlotLayout *layout, const char *text, double y) {
     Layout *sheet = &layout->sheet;
-    double left = layout->key.high.x + WORD_GAP;
-    Caption *caption = caption_add(sheet, arena_text(&sheet->arena, text), LETTERS, false, vec2(left, y));
+    double left = layout->key.high.x + TEXT_GAP;
+    Caption *caption = caption_add(sheet, arena_text(&sheet->arena, text), TEXT_SIZE, false, vec2(left, y));
     caption->centre.x += caption->extent.x / 2;
 }
 
 static void add_title(PlotLayout *layout, const PlotAxis *axis) {
     char title[PLOT_TICKS_TITLE];
     Layout *sheet = &layout->sheet;
-    double right = sheet->page.x - WORD_GAP;
+    double right = sheet->page.x - TEXT_GAP;
     plot_ticks_title(&layout->shades, axis->title, axis->unit, title);
-    if (text_extent(title, LETTERS, false).x > right - layout->key.low.x)
+    if (text_extent(title, TEXT_SIZE, false).x > right - layout->key.low.x)
         plot_ticks_title(&layout->shades, NULL, axis->unit, title);
-    Caption *caption = caption_add(sheet, arena_text(&sheet->arena, title), LETTERS, false,
+    Caption *caption = caption_add(sheet, arena_text(&sheet->arena, title), TEXT_SIZE, false,
                                    vec2(right, layout->key.low.y - TITLE_ROW));
     caption->centre.x -= caption->extent.x / 2;
 }
@@ -92,7 +92,7 @@ void plot_key_add(PlotLayout *layout, const Plot *plot) {
         return;
     for (size_t c = 0; c < raster->class_count; c++) {
         Box box = plot_key_class(layout, plot, c);
-        add_words(layout, raster->classes[c].name, (box.low.y + box.high.y) / 2);
+        add_text(layout, raster->classes[c].name, (box.low.y + box.high.y) / 2);
     }
     if (raster->classes)
         return;
@@ -100,7 +100,7 @@ void plot_key_add(PlotLayout *layout, const Plot *plot) {
         char label[PLOT_TICKS_LABEL];
         plot_ticks_label(&layout->shades, i, label);
         double part = plot_ticks_part(&layout->shades, plot_ticks_at(&layout->shades, i));
-        add_words(layout, label, layout->key.high.y - part * box_height(layout->key));
+        add_text(layout, label, layout->key.high.y - part * box_height(layout->key));
     }
     add_title(layout, &raster->value);
 }

@@ -7,9 +7,9 @@
 #include "draw/text.h"
 
 /* Design points. */
-#define TITLE_LETTERS 19.0
-#define AXIS_LETTERS 15.0
-#define NAME_LETTERS 15.0
+#define TITLE_TEXT 19.0
+#define AXIS_TEXT 15.0
+#define NAME_TEXT 15.0
 #define MARGIN 6.0
 #define ROW_HEIGHT 23.0 /* of titles and names */
 #define ROW_GAP 7.0     /* below them: half of the topmost label */
@@ -80,7 +80,7 @@ static double widest_label(const PlotTicks *ticks) {
     for (int i = 0; i < ticks->count; i++) {
         char label[PLOT_TICKS_LABEL];
         plot_ticks_label(ticks, i, label);
-        widest = fmax(widest, text_extent(label, AXIS_LETTERS, false).x);
+        widest = fmax(widest, text_extent(label, AXIS_TEXT, false).x);
     }
     return widest;
 }
@@ -117,18 +117,18 @@ static void begin_row(Rows *rows) {
 static Caption *add_item(Rows *rows, const char *text, double size, bool bold, double before) {
     Layout *sheet = &rows->layout->sheet;
     double right = sheet->page.x - MARGIN, rounding = 0.5;
-    const char *words = caption_shortened(sheet, text, size, bold, right - MARGIN - before);
-    double width = before + text_extent(words, size, bold).x;
+    const char *label = caption_shortened(sheet, text, size, bold, right - MARGIN - before);
+    double width = before + text_extent(label, size, bold).x;
     if (rows->left > MARGIN && rows->left + width > right + rounding)
         begin_row(rows);
-    Caption *caption = add_text(rows->layout, words, size, bold, vec2(rows->left + before, rows->middle));
+    Caption *caption = add_text(rows->layout, label, size, bold, vec2(rows->left + before, rows->middle));
     caption->centre.x += caption->extent.x / 2;
     rows->left += width + ITEM_GAP;
     return caption;
 }
 
 static double name_width(const char *name, double before) {
-    return name ? before + SAMPLE_LENGTH + SAMPLE_GAP + text_extent(name, NAME_LETTERS, false).x : 0;
+    return name ? before + SAMPLE_LENGTH + SAMPLE_GAP + text_extent(name, NAME_TEXT, false).x : 0;
 }
 
 static double names_width(const Plot *plot) {
@@ -142,7 +142,7 @@ static double names_width(const Plot *plot) {
 
 /* A name; where the middle of what it names is to be shown before it. */
 static Vec2 add_name(Rows *rows, const char *name) {
-    Caption *caption = add_item(rows, name, NAME_LETTERS, false, SAMPLE_LENGTH + SAMPLE_GAP);
+    Caption *caption = add_item(rows, name, NAME_TEXT, false, SAMPLE_LENGTH + SAMPLE_GAP);
     return vec2(caption->centre.x - caption->extent.x / 2 - SAMPLE_GAP - SAMPLE_LENGTH / 2, caption->centre.y);
 }
 
@@ -165,7 +165,7 @@ static double right_width(const PlotLayout *layout, const Plot *plot) {
     if (plot->right_factor == 0)
         return 0;
     plot_ticks_title(&layout->right, plot->right.title, plot->right.unit, title);
-    return fmax(LABEL_GAP + widest_label(&layout->right), text_extent(title, AXIS_LETTERS, false).x + LABEL_GAP);
+    return fmax(LABEL_GAP + widest_label(&layout->right), text_extent(title, AXIS_TEXT, false).x + LABEL_GAP);
 }
 
 /* At the right end of a row if one holds them all. */
@@ -195,14 +195,14 @@ static double add_rows(PlotLayout *layout, const Plot *plot, bool names) {
     Rows rows = {layout, MARGIN, ROW_HEIGHT / 2 + 2};
     bool low = layout->sheet.page.y < LOW;
     if (plot->title)
-        add_item(&rows, plot->title, TITLE_LETTERS, true, 0);
+        add_item(&rows, plot->title, TITLE_TEXT, true, 0);
     if (*title && (low || !plot->title))
-        add_item(&rows, title, plot->title ? AXIS_LETTERS : TITLE_LETTERS - 2, !plot->title, 0);
+        add_item(&rows, title, plot->title ? AXIS_TEXT : TITLE_TEXT - 2, !plot->title, 0);
     if (plot->note)
-        add_item(&rows, plot->note, AXIS_LETTERS, false, 0)->role = ROLE_DIM_TEXT;
+        add_item(&rows, plot->note, AXIS_TEXT, false, 0)->role = ROLE_DIM_TEXT;
     if (*title && !low && plot->title) {
         begin_row(&rows);
-        add_item(&rows, title, AXIS_LETTERS, false, 0);
+        add_item(&rows, title, AXIS_TEXT, false, 0);
     }
     if (names)
         add_names(&rows, plot);
@@ -227,7 +227,7 @@ static void add_upright_labels(PlotLayout *layout) {
         char label[PLOT_TICKS_LABEL];
         plot_ticks_label(&layout->y, i, label);
         double y = plot_frame_point(layout, vec2(0, plot_ticks_at(&layout->y, i))).y;
-        Caption *caption = add_text(layout, label, AXIS_LETTERS, false, vec2(right, y));
+        Caption *caption = add_text(layout, label, AXIS_TEXT, false, vec2(right, y));
         caption->centre.x -= caption->extent.x / 2;
     }
 }
@@ -240,7 +240,7 @@ static void add_across_labels(PlotLayout *layout, const Plot *plot) {
     double row = sheet->frame.high.y + LABEL_GAP + LABEL_HEIGHT / 2, end = sheet->page.x;
     if (*title) {
         bool low = sheet->page.y < LOW;
-        Caption *caption = add_text(layout, title, AXIS_LETTERS, false,
+        Caption *caption = add_text(layout, title, AXIS_TEXT, false,
                                     vec2((sheet->frame.low.x + sheet->frame.high.x) / 2, row + LABEL_HEIGHT));
         if (low) {
             caption->centre = vec2(sheet->page.x - MARGIN - caption->extent.x / 2, row);
@@ -251,8 +251,8 @@ static void add_across_labels(PlotLayout *layout, const Plot *plot) {
         char label[PLOT_TICKS_LABEL];
         plot_ticks_label(&layout->x, i, label);
         double x = plot_frame_point(layout, vec2(plot_ticks_at(&layout->x, i), 0)).x;
-        if (x + text_extent(label, AXIS_LETTERS, false).x / 2 <= end)
-            add_text(layout, label, AXIS_LETTERS, false, vec2(x, row));
+        if (x + text_extent(label, AXIS_TEXT, false).x / 2 <= end)
+            add_text(layout, label, AXIS_TEXT, false, vec2(x, row));
     }
 }
 
@@ -266,11 +266,11 @@ static void add_right_labels(PlotLayout *layout, const Plot *plot) {
         char label[PLOT_TICKS_LABEL];
         plot_ticks_label(&layout->right, i, label);
         double y = plot_frame_point(layout, vec2(0, plot_ticks_at(&layout->right, i) / plot->right_factor)).y;
-        Caption *caption = add_text(layout, label, AXIS_LETTERS, false, vec2(frame.high.x + LABEL_GAP, y));
+        Caption *caption = add_text(layout, label, AXIS_TEXT, false, vec2(frame.high.x + LABEL_GAP, y));
         caption->centre.x += caption->extent.x / 2;
     }
     plot_ticks_title(&layout->right, plot->right.title, plot->right.unit, title);
-    add_text(layout, title, AXIS_LETTERS, false,
+    add_text(layout, title, AXIS_TEXT, false,
              vec2(frame.high.x + right_width(layout, plot) / 2, frame.low.y - ROW_GAP - ROW_HEIGHT / 2));
 }
 

@@ -6,7 +6,7 @@
 #include "plot/plot_frame.h"
 
 /* Design points. */
-#define LETTERS 15.0
+#define TEXT_SIZE 15.0
 #define AIR 3.0          /* kept between words and what is round them */
 #define STRIDE 4.0       /* between the points of a series that are marked */
 #define APART 8.0        /* from other series, where a name stands */
@@ -14,7 +14,7 @@
 #define MARK_HEIGHT 18.0 /* of a class' mark */
 
 #define SERIES_WEIGHT 1.0
-#define WORDS_WEIGHT 10.0
+#define TEXT_WEIGHT 10.0
 #define TEXT_CONTRAST 4.5 /* a name in a paler colour than that cannot be read */
 
 enum { GUIDE_PLACES = 13 /* that are tried along a guide, on either side */ };
@@ -62,7 +62,7 @@ static void mark_plot(Mask *mask, const PlotLayout *layout, const Plot *plot) {
         mark_series(mask, layout, &plot->series[s]);
     mark_guides(mask, layout, plot);
     for (size_t i = 0; i < layout->sheet.caption_count; i++)
-        mask_mark_box(mask, caption_box(&layout->sheet.captions[i]), WORDS_WEIGHT);
+        mask_mark_box(mask, caption_box(&layout->sheet.captions[i]), TEXT_WEIGHT);
 }
 
 static Role text_role(Role role) {
@@ -107,10 +107,10 @@ static bool add_name(PlotLayout *layout, Mask *mask, const Plot *plot, const Plo
     for (size_t s = 0; s < plot->series_count; s++)
         if (&plot->series[s] != series)
             mark_series(&others, layout, &plot->series[s]);
-    Caption *caption = caption_add(&layout->sheet, series->name, LETTERS, true, vec2(0, 0));
+    Caption *caption = caption_add(&layout->sheet, series->name, TEXT_SIZE, true, vec2(0, 0));
     caption->role = text_role(series->role);
     bool found = find_place(mask, &others, layout, series, caption->extent, &caption->centre);
-    mask_mark_box(mask, caption_box(caption), WORDS_WEIGHT);
+    mask_mark_box(mask, caption_box(caption), TEXT_WEIGHT);
     mask_clear(&others);
     return found;
 }
@@ -185,13 +185,13 @@ void plot_names_guides(PlotLayout *layout, const Plot *plot) {
         bool shown = guide->band ? plot_frame_band(layout, guide, &band) : plot_frame_guide(layout, guide, ends);
         if (!guide->name || !shown)
             continue;
-        Caption *caption = caption_add(&layout->sheet, guide->name, LETTERS, false, vec2(0, 0));
+        Caption *caption = caption_add(&layout->sheet, guide->name, TEXT_SIZE, false, vec2(0, 0));
         caption->centre = guide->band ? best_within_band(&mask, band, guide->upright, caption->extent)
                                       : best_beside_guide(&mask, layout, guide, caption->extent);
         caption->role = guide->band ? ROLE_TEXT : text_role(guide->role);
         caption->halo = true;
         caption->fill = ROLE_PAPER;
-        mask_mark_box(&mask, caption_box(caption), WORDS_WEIGHT);
+        mask_mark_box(&mask, caption_box(caption), TEXT_WEIGHT);
     }
     mask_clear(&mask);
 }
@@ -225,10 +225,10 @@ static void add_mark(PlotLayout *layout, const PlotRaster *raster, const PlotCla
                      raster->box.low.y + cell.y * (double)(square.row + 1));
     Vec2 low = vec2_along(high, -(double)square.side, cell);
     Vec2 from = plot_frame_point(layout, low), to = plot_frame_point(layout, high);
-    Vec2 extent = text_extent(marked->mark, LETTERS, true);
+    Vec2 extent = text_extent(marked->mark, TEXT_SIZE, true);
     if (extent.x > to.x - from.x || MARK_HEIGHT > from.y - to.y)
         return;
-    Caption *caption = caption_add(&layout->sheet, marked->mark, LETTERS, true, vec2_scale(vec2_add(from, to), 0.5));
+    Caption *caption = caption_add(&layout->sheet, marked->mark, TEXT_SIZE, true, vec2_scale(vec2_add(from, to), 0.5));
     caption->extent.y = MARK_HEIGHT;
     caption->shape = LABEL_TAG;
     caption->fill = marked->role;

@@ -191,7 +191,7 @@ static void path_symbol(cairo_t *cairo, Symbol symbol, Vec2 at, double half) {
 }
 
 /* Takes a place for a symbol; false: it is taken already, or outside of the frame. */
-static bool take_place(PlotPen *pen, const Layout *sheet, Vec2 at, double size) {
+static bool claim_place(PlotPen *pen, const Layout *sheet, Vec2 at, double size) {
     Box frame = box_expand(sheet->frame, size);
     Vec2 extent = vec2_sub(frame.high, frame.low);
     if (!(at.x > frame.low.x && at.x < frame.high.x && at.y > frame.low.y && at.y < frame.high.y))
@@ -224,7 +224,7 @@ static void draw_symbols(Piece *piece, const PlotLayout *layout, size_t count) {
         if (!plot_frame_shows(layout, value))
             continue;
         Vec2 at = plot_frame_point(layout, value);
-        if (!take_place(piece->pen, &layout->sheet, at, piece->series->size))
+        if (!claim_place(piece->pen, &layout->sheet, at, piece->series->size))
             continue;
         path_symbol(piece->cairo, piece->series->symbol, at, piece->series->size / 2);
         piece->box = box_include(piece->box, at);

@@ -5,7 +5,7 @@
 #include "plan/plan_tables.h"
 #include "visual/house/census.h"
 #include "visual/house/house_scene.h"
-#include "visual/house/wording.h"
+#include "visual/house/headline.h"
 #include "report/report_basis.h"
 #include "report/report_motion.h"
 #include "report/report_people.h"
@@ -13,15 +13,14 @@
 #include "report/report_places.h"
 #include "report/report_plans.h"
 
-static const char *const letters[] = {"A", "B"};
+static const char *const style[] = {"A", "B"};
 
 /* The answer --------------------------------------------------------------------------------------------------------*/
 
-static const char *say_answer(Document *document, const Reported runs[2]) {
+static const char *format_answer(Document *document, const Reported runs[2]) {
     const Observation *a = runs[0].observation, *b = runs[1].observation;
     if (a->completed != b->completed)
-        return document_text(document, "%s lets everybody out, %s does not", letters[b->completed],
-                             letters[a->completed]);
+        return document_text(document, "%s lets everybody out, %s does not", style[b->completed], style[a->completed]);
     if (!a->completed)
         return "Neither A nor B lets everybody out";
     double gain = a->time - b->time;
@@ -79,9 +78,9 @@ static void add_pictures(Document *document, const Reported runs[2]) {
     Scene scenes[2];
     const char *captions[2];
     for (int r = 0; r < 2; r++) {
-        char headline[WORDING_HEADLINE];
-        wording_headline(runs[r].house, runs[r].observation, headline, sizeof headline);
-        captions[r] = document_text(document, "%s: %s. %s.", letters[r], house_report_name(runs[r].house), headline);
+        char headline[HEADLINE_TEXT];
+        headline_text(runs[r].house, runs[r].observation, headline, sizeof headline);
+        captions[r] = document_text(document, "%s: %s. %s.", style[r], house_report_name(runs[r].house), headline);
         Before before = {.house = r ? runs[0].house : NULL, .observation = r ? runs[0].observation : NULL};
         house_scene_make_small(&scenes[r], runs[r].house, runs[r].observation, before);
     }
@@ -92,8 +91,8 @@ static void add_notes(Document *document, const Reported runs[2]) {
     bool same = strcmp(runs[0].house->plan.note, runs[1].house->plan.note) == 0;
     for (int r = 0; r < (same ? 1 : 2); r++)
         if (*runs[r].house->plan.note)
-            document_add_note(
-                document, document_text(document, "%s: %s", same ? "A and B" : letters[r], runs[r].house->plan.note));
+            document_add_note(document,
+                              document_text(document, "%s: %s", same ? "A and B" : style[r], runs[r].house->plan.note));
 }
 
 /* People ------------------------------------------------------------------------------------------------------------*/
@@ -203,11 +202,11 @@ static void add_hazards(Document *document, const Reported runs[2]) {
         if (runs[r].observation->hazard_count)
             report_places_add_table(
                 document, runs[r].observation,
-                document_text(document, "%s: %s, worst first", letters[r], house_report_name(runs[r].house)));
+                document_text(document, "%s: %s, worst first", style[r], house_report_name(runs[r].house)));
         else
             document_add_paragraph(
                 document,
-                document_text(document, "%s: %s.", letters[r],
+                document_text(document, "%s: %s.", style[r],
                               runs[r].observation->time > 0 ? "none" : "none is known, since nobody could set off"));
 }
 
@@ -243,11 +242,11 @@ Document comparison_report_make(const Reported runs[2], const Making *making) {
     Census census[2];
     Document document = document_begin(making->program);
     for (int r = 0; r < 2; r++)
-        census[r] = census_take(runs[r].house, runs[r].observation);
+        census[r] = census_make(runs[r].house, runs[r].observation);
     document_add_title(&document,
                        document_text(&document, "Comparison of A, %s, and B, %s", house_report_name(runs[0].house),
                                      house_report_name(runs[1].house)),
-                       say_answer(&document, runs));
+                       format_answer(&document, runs));
     add_pictures(&document, runs);
     add_answers(&document, runs, census);
     add_notes(&document, runs);

@@ -4,7 +4,7 @@
 
 #include "visual/house/house_scene.h"
 #include "visual/house/people_scene.h"
-#include "visual/house/wording.h"
+#include "visual/house/headline.h"
 #include "report/report_basis.h"
 #include "report/report_loci.h"
 #include "report/report_motion.h"
@@ -58,9 +58,9 @@ static void add_motion(Document *document, const HouseReport *report) {
 Document house_report_make(const HouseReport *report) {
     const House *house = report->run.house;
     const Observation *observation = report->run.observation;
-    char headline[WORDING_HEADLINE];
+    char headline[HEADLINE_TEXT];
     Document document = document_begin(report->making->program);
-    wording_headline(house, observation, headline, sizeof headline);
+    headline_text(house, observation, headline, sizeof headline);
     document_add_title(&document, document_text(&document, "Evacuation report: %s", house_report_name(house)),
                        headline);
     add_house(&document, &report->run, report->making, headline);

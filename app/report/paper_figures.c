@@ -53,7 +53,7 @@ PaperFigures *paper_figures_make(const Paper *paper) {
     PaperFigures *figures = memory_zeroed(1, sizeof *figures);
     char fault[PLOT_CHOICE_FAULT];
     PlotChoice choice;
-    bool known = beam_plots_choose(&choice, BEAM_PLOTS_WORDS, fault);
+    bool known = beam_plots_choose(&choice, BEAM_PLOTS_NAMES, fault);
     assert(known);
     (void)known;
     for (size_t i = 0; i < PAPER_RUNS; i++)

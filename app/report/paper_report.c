@@ -71,14 +71,14 @@ static void add_types(Document *document, const Paper *paper) {
                            "periodic, but steep, or one of several motions; III: somewhere within 1 % not periodic.");
     document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
     for (size_t i = 0; i < PAPER_TYPES; i++) {
-        Text words = {0};
-        advice_words(&words, &paper->types[i], &paper->experiments[PAPER_FREQUENCIES], NULL);
-        int first = (int)strcspn(words.text, "\n");
+        Text text = {0};
+        advice_write(&text, &paper->types[i], &paper->experiments[PAPER_FREQUENCIES], NULL);
+        int first = (int)strcspn(text.text, "\n");
         const char *cells[] = {document_text(document, "%.0f Hz", paper->frequency[i]),
                                types_kind_name(paper->types[i].kind),
-                               document_text(document, "%.*s", first, words.text)};
+                               document_text(document, "%.*s", first, text.text)};
         document_add_row(document, cells);
-        memory_free(words.text);
+        memory_free(text.text);
     }
 }
 

@@ -72,15 +72,15 @@ void report_basis_add_method(Document *document, const House *house, bool both_w
 
 /* Numbers -----------------------------------------------------------------------------------------------------------*/
 
-static const char *kept_words(Document *document, const Parameter *row, const void *object) {
-    char *words = parameters_words(row, object);
-    const char *kept = document_text(document, "%s", words);
-    memory_free(words);
+static const char *stored_values(Document *document, const Parameter *row, const void *object) {
+    char *text = parameters_words(row, object);
+    const char *kept = document_text(document, "%s", text);
+    memory_free(text);
     return kept;
 }
 
 /* "N s/m", which stays on one line. */
-static const char *unit_words(Document *document, const Parameter *row) {
+static const char *unit_text(Document *document, const Parameter *row) {
     const char *unit = parameters_unit(row), *space = strchr(unit, ' ');
     return space ? document_text(document, "%.*s\u00a0%s", (int)(space - unit), unit, space + 1) : unit;
 }
@@ -97,9 +97,9 @@ void report_basis_add_settings(Document *document, const House *house) {
     document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
     for (size_t r = 0; r < plan_tables_run.count; r++) {
         const Parameter *row = &plan_tables_run.rows[r];
-        const char *value = kept_words(document, row, &house->plan.run);
-        bool changed = strcmp(value, kept_words(document, row, &usual)) != 0;
-        const char *cells[] = {document_text(document, "run.%s", row->name), value, unit_words(document, row),
+        const char *value = stored_values(document, row, &house->plan.run);
+        bool changed = strcmp(value, stored_values(document, row, &usual)) != 0;
+        const char *cells[] = {document_text(document, "run.%s", row->name), value, unit_text(document, row),
                                row->meaning,
                                changed           ? "set for this house or this run"
                                : row->provenance ? row->provenance
@@ -128,13 +128,13 @@ static void add_number(Document *document, const House *house, const Profile *pr
     if (override)
         provenance = strncmp(override->place, "--set", strlen("--set")) == 0 ? "changed here, on the command line"
                                                                              : "changed here, in the house's file";
-    const char *cells[] = {row->name, kept_words(document, row, profile), unit_words(document, row), row->meaning,
+    const char *cells[] = {row->name, stored_values(document, row, profile), unit_text(document, row), row->meaning,
                            provenance};
     document_add_row(document, cells);
 }
 
 /* "Of 38 numbers 9 are reconstructed, 3 from the literature and 26 assumed." */
-static const char *say_kinds(Document *document, const House *house, const Profile *profile) {
+static const char *format_kinds(Document *document, const House *house, const Profile *profile) {
     static const char *const kinds[] = {"paper", "reconstructed", "literature", "assumed"};
     enum { KINDS = sizeof kinds / sizeof *kinds };
     size_t counts[KINDS] = {0}, changed = 0, all = 0;
@@ -162,7 +162,7 @@ void report_basis_add_profile(Document *document, const House *house, const Prof
                                      {"Where it comes from", ALIGN_LEFT}};
     document_add_heading(
         document, 3, document_text(document, "Profile %s (%s)", profile->name, profile_driving_name(profile->driving)));
-    document_add_table(document, say_kinds(document, house, profile), columns, sizeof columns / sizeof *columns);
+    document_add_table(document, format_kinds(document, house, profile), columns, sizeof columns / sizeof *columns);
     for (size_t i = 0; i < profile_table()->count; i++)
         if (profile_row_matters(i, profile->driving))
             add_number(document, house, profile, i);

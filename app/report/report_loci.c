@@ -14,7 +14,7 @@
 
 #define TICK_WIDTH 2.0 /* design points, as those of simulated loci */
 #define TICK_LENGTH 11.0
-#define NAME_LETTERS 17.0
+#define NAME_TEXT 17.0
 #define KEEP_LOCUS 1.5 /* how much labels avoid it */
 
 static const char *const way_names[] = {[DRIVING_DRIVER] = "driver", [DRIVING_MIURA] = "miura"};
@@ -91,7 +91,7 @@ static void add_locus(Scene *scene, const House *house, size_t person, const Loc
 }
 
 static void add_name(Scene *scene, const House *house, size_t person, Vec2 at) {
-    Primitive *tag = scene_add_label(scene, ROLE_TEXT, NAME_LETTERS, at, house->people[person].id);
+    Primitive *tag = scene_add_label(scene, ROLE_TEXT, NAME_TEXT, at, house->people[person].id);
     tag->fill = people_scene_look(house, person).role;
     tag->shape = LABEL_TAG;
     tag->bold = tag->leader = true;

@@ -84,7 +84,7 @@ static void add_exits(Document *document, const House *house, const Census *cens
 }
 
 void report_people_add(Document *document, const House *house, const Observation *observation) {
-    Census census = census_take(house, observation);
+    Census census = census_make(house, observation);
     document_add_heading(document, 2, "Who gets out");
     if (!census.people) {
         document_add_paragraph(document, "Nobody takes part.");

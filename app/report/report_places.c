@@ -29,7 +29,7 @@ static void add_detail(Document *document, const House *house, const Observation
 
 /* Where somebody is stopped -----------------------------------------------------------------------------------------*/
 
-static const char *say_hold(Document *document, const House *house, const Hold *hold) {
+static const char *format_hold(Document *document, const House *house, const Hold *hold) {
     const Blockage *blockage = &hold->blockage;
     char widths[64], who[96];
     route_widths(blockage, widths, sizeof widths);
@@ -49,7 +49,7 @@ static bool has_place(const Hold *hold) {
 }
 
 void report_places_add_stops(Document *document, const House *house, const Observation *observation) {
-    Census census = census_take(house, observation);
+    Census census = census_make(house, observation);
     size_t shown = 0;
     if (census.out < census.people)
         document_add_heading(document, 2, "Who is not out, and why");
@@ -65,7 +65,7 @@ void report_places_add_stops(Document *document, const House *house, const Obser
             continue;
         Vec2 at = hold->blockage.at;
         add_detail(
-            document, house, observation, shown++, at, say_hold(document, house, hold),
+            document, house, observation, shown++, at, format_hold(document, house, hold),
             document_text(document, "Detail of the plan round (%.2f, %.2f): %s", at.x, at.y, hold->blockage.what));
     }
     census_clear(&census);
@@ -73,31 +73,31 @@ void report_places_add_stops(Document *document, const House *house, const Obser
 
 /* Dangerous points --------------------------------------------------------------------------------------------------*/
 
-static void add_words(Text *text, const char *words) {
+static void add_text(Text *text, const char *label) {
     text_add(text, text->used ? "; " : "");
-    text_add(text, words);
+    text_add(text, label);
 }
 
 /* "clearance 0.04 m, below the 0.05 m from which on this report warns; 2.1 s lost, ..." */
-static const char *say_hazard(Document *document, const House *house, const Hazard *hazard, size_t rank) {
+static const char *format_hazard(Document *document, const House *house, const Hazard *hazard, size_t rank) {
     const RunSettings *run = &house->plan.run;
-    char words[160];
+    char label[160];
     Text text = {0};
     if (hazard->clearance < run->clearance_warning) {
-        snprintf(words, sizeof words, "clearance %.3f m%s, below the %g m from which on this report warns",
+        snprintf(label, sizeof label, "clearance %.3f m%s, below the %g m from which on this report warns",
                  hazard->clearance, hazard->clearance <= 0 ? " (it touches)" : "", run->clearance_warning);
-        add_words(&text, words);
+        add_text(&text, label);
     }
     if (hazard->peak_force > 0) {
         bool hard = hazard->peak_force > run->force_warning;
-        snprintf(words, sizeof words, "contact of up to %.0f N, %s the %g N from which on this report warns",
+        snprintf(label, sizeof label, "contact of up to %.0f N, %s the %g N from which on this report warns",
                  hazard->peak_force, hard ? "above" : "not above", run->force_warning);
-        add_words(&text, words);
+        add_text(&text, label);
     }
     if (hazard->lost_time > run->loss_warning) {
-        snprintf(words, sizeof words, "%.1f s lost here, above the %g s from which on this report warns",
+        snprintf(label, sizeof label, "%.1f s lost here, above the %g s from which on this report warns",
                  hazard->lost_time, run->loss_warning);
-        add_words(&text, words);
+        add_text(&text, label);
     }
     const char *said = document_text(document, "%zu. %s: %s.", rank, hazard->what, text.text ? text.text : "");
     memory_free(text.text);
@@ -152,7 +152,7 @@ void report_places_add_hazards(Document *document, const House *house, const Obs
             run->clearance_warning, run->force_warning, run->loss_warning));
     for (size_t h = 0; h < observation->hazard_count && h < PICTURES_MOST; h++) {
         const Hazard *hazard = &observation->hazards[h];
-        add_detail(document, house, observation, h, hazard->at, say_hazard(document, house, hazard, h + 1),
+        add_detail(document, house, observation, h, hazard->at, format_hazard(document, house, hazard, h + 1),
                    document_text(document, "Detail of the plan round dangerous point %zu, %s", h + 1, hazard->what));
     }
 }

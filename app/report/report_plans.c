@@ -7,7 +7,7 @@
 
 enum {
     ROWS_MOST = 40,
-    WORDS_MOST = 60, /* characters of a value: of longer ones it is only said that they differ */
+    TEXT_MOST = 60, /* characters of a value: of longer ones it is only said that they differ */
 };
 
 /* The table that grows; what is beyond ROWS_MOST is only counted. */
@@ -34,14 +34,14 @@ static void compare_rows(Differences *differences, const ParameterTable *table, 
                          const void *b) {
     for (size_t r = 0; r < table->count; r++) {
         const Parameter *row = &table->rows[r];
-        char *words[2] = {parameters_words(row, a), parameters_words(row, b)};
-        bool same = strcmp(words[0], words[1]) == 0;
-        bool shown = strlen(words[0]) < WORDS_MOST && strlen(words[1]) < WORDS_MOST;
+        char *text[2] = {parameters_words(row, a), parameters_words(row, b)};
+        bool same = strcmp(text[0], text[1]) == 0;
+        bool shown = strlen(text[0]) < TEXT_MOST && strlen(text[1]) < TEXT_MOST;
         if (!same)
             add_difference(differences, name_of(differences->document, table->what, id, row),
-                           shown ? words[0] : "differs", shown ? words[1] : "differs");
-        memory_free(words[0]);
-        memory_free(words[1]);
+                           shown ? text[0] : "differs", shown ? text[1] : "differs");
+        memory_free(text[0]);
+        memory_free(text[1]);
     }
 }
 

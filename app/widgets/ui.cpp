@@ -1,7 +1,7 @@
 /* The painter of the widgets: letters and shapes by Dear ImGui's atlas of letters and its lists of triangles. Nothing
  * else of it is used: no windows, no navigation, no input.
  *
- * Letters are as high as pango's, with capitals of whole pixels, so that their edges are crisp. The atlas has the
+ * TextStyle are as high as pango's, with capitals of whole pixels, so that their edges are crisp. The atlas has the
  * letters that Western European languages and our own signs need; others are added when they are first seen, and are
  * there from the next frame on. */
 extern "C" {
@@ -36,13 +36,13 @@ constexpr const char *SIGNS = "–—‘’“”„…•′″€™←↑→�
                               "αβγδεζηθκλμνξπρστφχψωΓΘΛΠΣΦΨΩ⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺₀₁₂₃₄₅₆₇₈₉\xEF\xBF\xBD";
 /* clang-format on */
 
-struct Letters {
+struct TextStyle {
     double size;
     bool bold;
 };
 
-constexpr Letters LETTERS[UI_LETTERS] = {{17, false}, {15, false}, {17, true}, {19, true},
-                                         {26, true},  {22, false}, {40, true}};
+constexpr TextStyle TEXT_SIZE[UI_TEXT_STYLES] = {{17, false}, {15, false}, {17, true}, {19, true},
+                                                 {26, true},  {22, false}, {40, true}};
 
 std::vector<unsigned char> file_bytes(const char *path) {
     std::vector<unsigned char> bytes;
@@ -60,16 +60,16 @@ ImU32 ink_of(UiInk ink) {
 }
 
 /* The next code of UTF-8; a broken one is the sign of replacement. */
-unsigned next_code(const char **words, const char *end) {
-    auto first = static_cast<unsigned char>(*(*words)++);
+unsigned next_code(const char **text, const char *end) {
+    auto first = static_cast<unsigned char>(*(*text)++);
     int more = first < 0x80 ? 0 : first < 0xC0 ? -1 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
     if (more < 0)
         return 0xFFFD;
     unsigned code = more == 0 ? first : first & (0x3Fu >> more);
     for (; more > 0; more--) {
-        if (*words == end || (static_cast<unsigned char>(**words) & 0xC0) != 0x80)
+        if (*text == end || (static_cast<unsigned char>(**text) & 0xC0) != 0x80)
             return 0xFFFD;
-        code = code << 6 | (static_cast<unsigned char>(*(*words)++) & 0x3F);
+        code = code << 6 | (static_cast<unsigned char>(*(*text)++) & 0x3F);
     }
     return code;
 }
@@ -99,17 +99,18 @@ struct UiPainter {
     std::vector<bool> wanted; /* codes that the atlas has, or is to have */
     bool wants_more, wants_japanese;
     std::vector<ImVec2> points;
-    ImFont *fonts[UI_LETTERS];
+    ImFont *fonts[UI_TEXT_STYLES];
     ScreenTexture atlas;
 };
 
-/* Letters ---------------------------------------------------------------------------------------------------------- */
+/* TextStyle ----------------------------------------------------------------------------------------------------------
+ */
 
 namespace {
 
-void want(UiPainter *painter, const char *words, const char *end) {
-    while (words < end) {
-        unsigned code = next_code(&words, end);
+void want(UiPainter *painter, const char *text, const char *end) {
+    while (text < end) {
+        unsigned code = next_code(&text, end);
         if (code < 0x20 || code >= painter->wanted.size() || painter->wanted[code])
             continue;
         painter->wanted[code] = painter->wants_more = true;
@@ -141,12 +142,12 @@ void add_font(ImFontAtlas *atlas, std::vector<unsigned char> &bytes, double size
 }
 
 /* Without DejaVu there is ImGui's own letters, which are of one size and have no accents: words stay legible. */
-void add_letters(UiPainter *painter, ImFontAtlas *atlas, const Letters &letters, const ImWchar *ranges) {
-    std::vector<unsigned char> &bytes = letters.bold && !painter->bold.empty() ? painter->bold : painter->regular;
-    double capital = std::round(CAPITAL * letters.size * painter->made_unit);
+void add_glyphs(UiPainter *painter, ImFontAtlas *atlas, const TextStyle &style, const ImWchar *ranges) {
+    std::vector<unsigned char> &bytes = style.bold && !painter->bold.empty() ? painter->bold : painter->regular;
+    double capital = std::round(CAPITAL * style.size * painter->made_unit);
     if (bytes.empty()) {
         ImFontConfig config;
-        config.SizePixels = static_cast<float>(std::round(letters.size * painter->made_unit));
+        config.SizePixels = static_cast<float>(std::round(style.size * painter->made_unit));
         atlas->AddFontDefault(&config);
         return;
     }
@@ -162,15 +163,15 @@ void make_atlas(UiPainter *painter) {
     ImVector<ImWchar> ranges = wanted_ranges(painter);
     atlas->Clear();
     atlas->Flags = ImFontAtlasFlags_NoMouseCursors | ImFontAtlasFlags_NoBakedLines;
-    for (const Letters &letters : LETTERS)
-        add_letters(painter, atlas, letters, ranges.Data);
+    for (const TextStyle &style : TEXT_SIZE)
+        add_glyphs(painter, atlas, style, ranges.Data);
     unsigned char *pixels;
     int width, height;
     atlas->GetTexDataAsAlpha8(&pixels, &width, &height);
     paint_gl_screen_fill_mask(painter->screen, &painter->atlas, pixels, width, height);
     atlas->SetTexID(&painter->atlas);
     atlas->ClearTexData();
-    for (int i = 0; i < UI_LETTERS; i++)
+    for (int i = 0; i < UI_TEXT_STYLES; i++)
         painter->fonts[i] = atlas->Fonts[i];
     painter->wants_more = painter->wants_japanese = false;
 }
@@ -192,10 +193,10 @@ float pixel(const UiPainter *painter, double place) {
 }
 
 /* Before the first frame letters are as large as at first sight. */
-const ImFont *font_of(UiPainter *painter, UiLetters letters) {
-    if (!painter->fonts[letters])
+const ImFont *font_of(UiPainter *painter, UiTextStyle style) {
+    if (!painter->fonts[style])
         renew_atlas(painter);
-    return painter->fonts[letters];
+    return painter->fonts[style];
 }
 
 ImVec2 exact(const UiPainter *painter, Vec2 place) {
@@ -223,39 +224,39 @@ const ImVec2 *exact_points(UiPainter *painter, const Vec2 *points, size_t count)
 
 } // namespace
 
-double ui_painter_size(UiLetters letters) {
-    return LETTERS[letters].size;
+double ui_painter_size(UiTextStyle style) {
+    return TEXT_SIZE[style].size;
 }
 
-Vec2 ui_painter_extent(UiPainter *painter, UiLetters letters, const char *words, size_t bytes) {
-    want(painter, words, words + bytes);
-    const ImFont *font = font_of(painter, letters);
-    ImVec2 size = font->CalcTextSizeA(font->FontSize, HUGE_VALF, 0, words, words + bytes);
+Vec2 ui_painter_extent(UiPainter *painter, UiTextStyle style, const char *text, size_t bytes) {
+    want(painter, text, text + bytes);
+    const ImFont *font = font_of(painter, style);
+    ImVec2 size = font->CalcTextSizeA(font->FontSize, HUGE_VALF, 0, text, text + bytes);
     return vec2_scale(vec2(size.x, size.y), 1 / painter->unit);
 }
 
-size_t ui_painter_wrap(UiPainter *painter, UiLetters letters, const char *words, double width) {
-    size_t line = std::strcspn(words, "\n");
-    want(painter, words, words + line);
-    const ImFont *font = font_of(painter, letters);
-    if (ui_painter_extent(painter, letters, words, line).x <= width + 0.5 / painter->unit)
+size_t ui_painter_wrap(UiPainter *painter, UiTextStyle style, const char *text, double width) {
+    size_t line = std::strcspn(text, "\n");
+    want(painter, text, text + line);
+    const ImFont *font = font_of(painter, style);
+    if (ui_painter_extent(painter, style, text, line).x <= width + 0.5 / painter->unit)
         return line;
-    const char *end = font->CalcWordWrapPositionA(1, words, words + line, static_cast<float>(width * painter->unit));
-    if (end == words) /* not even one letter has room: the line has one, all the same */
-        next_code(&end, words + line);
+    const char *end = font->CalcWordWrapPositionA(1, text, text + line, static_cast<float>(width * painter->unit));
+    if (end == text) /* not even one letter has room: the line has one, all the same */
+        next_code(&end, text + line);
     const char *blank = end; /* ImGui parts words behind a point, too: "0." and "040 m" */
-    while (blank > words && *blank != ' ')
+    while (blank > text && *blank != ' ')
         blank--;
-    return static_cast<size_t>((blank > words && end < words + line ? blank : end) - words);
+    return static_cast<size_t>((blank > text && end < text + line ? blank : end) - text);
 }
 
-void ui_painter_words(UiPainter *painter, UiLetters letters, UiInk ink, Vec2 at, const char *words, size_t bytes) {
-    const ImFont *font = font_of(painter, letters);
-    want(painter, words, words + bytes);
-    double capital = std::round(CAPITAL * LETTERS[letters].size * painter->made_unit);
+void ui_painter_text(UiPainter *painter, UiTextStyle style, UiInk ink, Vec2 at, const char *text, size_t bytes) {
+    const ImFont *font = font_of(painter, style);
+    want(painter, text, text + bytes);
+    double capital = std::round(CAPITAL * TEXT_SIZE[style].size * painter->made_unit);
     double base = std::round(at.y * painter->unit + capital / 2);
     ImVec2 corner(pixel(painter, at.x), static_cast<float>(base) - font->Ascent);
-    painter->list->AddText(font, font->FontSize, corner, ink_of(ink), words, words + bytes);
+    painter->list->AddText(font, font->FontSize, corner, ink_of(ink), text, text + bytes);
 }
 
 /* Shapes ----------------------------------------------------------------------------------------------------------- */
@@ -347,7 +348,7 @@ UiPainter *ui_painter_create(PaintGlScreen *screen) {
 }
 
 void ui_painter_destroy(UiPainter *painter) {
-    paint_gl_screen_forget(painter->screen, &painter->atlas);
+    paint_gl_screen_release(painter->screen, &painter->atlas);
     for (ImDrawList *list : painter->lists)
         delete list;
     ImGui::DestroyContext(painter->context);

@@ -22,7 +22,7 @@ extern "C" {
 
 typedef struct Ui Ui;
 
-typedef enum UiLetters {
+typedef enum UiTextStyle {
     UI_BODY,    /* 17 */
     UI_SMALL,   /* 15: nothing is smaller */
     UI_BOLD,    /* 17 bold */
@@ -30,8 +30,8 @@ typedef enum UiLetters {
     UI_CLOCK,   /* 26 bold */
     UI_DETAIL,  /* 22 */
     UI_ANSWER,  /* 40 bold */
-    UI_LETTERS,
-} UiLetters;
+    UI_TEXT_STYLES,
+} UiTextStyle;
 
 /* What the person does, since the frame before. */
 typedef struct UiInput {
@@ -91,7 +91,7 @@ void ui_end(Ui *ui);
 bool ui_key(Ui *ui, UiKey key, bool shift, bool control);
 
 /* Words that were typed, UTF-8, in their order among the keys; without an open field nothing happens. */
-void ui_type(Ui *ui, const char *words);
+void ui_type(Ui *ui, const char *text);
 
 /* Would another frame look different though nobody does anything? It scrolls, help is about to come, or letters. */
 bool ui_is_busy(const Ui *ui);
@@ -123,7 +123,7 @@ void ui_focus(Ui *ui, const char *pane);
 const char *ui_focus_help(const Ui *ui);
 
 /* How wide and high words are, design points. */
-Vec2 ui_extent(Ui *ui, UiLetters letters, const char *words);
+Vec2 ui_extent(Ui *ui, UiTextStyle style, const char *text);
 
 /* Where widgets go: by themselves below each other in the pane; ui_at puts the next one into a box of the window;
  * ui_row puts the next `count` side by side, equally wide. ui_gap leaves some room. */
@@ -132,11 +132,11 @@ void ui_row(Ui *ui, int count);
 void ui_gap(Ui *ui, double height);
 
 /* Words. In a flow they are wrapped at the pane's width (ui_text) or shortened by an ellipsis (ui_line). */
-void ui_text(Ui *ui, UiLetters letters, Role role, const char *words);
-void ui_line(Ui *ui, UiLetters letters, Role role, const char *words);
+void ui_text(Ui *ui, UiTextStyle style, Role role, const char *text);
+void ui_line(Ui *ui, UiTextStyle style, Role role, const char *text);
 
 /* A heading with a line above it, wrapped where the pane is narrow. */
-void ui_heading(Ui *ui, const char *words);
+void ui_heading(Ui *ui, const char *text);
 
 /* Every widget: `id` tells it from others of the pane; `help` is the tooltip, name, key and one sentence, or NULL. */
 typedef struct UiButton {
@@ -167,9 +167,9 @@ bool ui_list_row(Ui *ui, const UiRow *row);
 
 /* A picture with a name and a few lines below it: an item of a gallery, in a row of its like. True: chosen. */
 typedef struct UiCard {
-    const char *id, *name, *words;
+    const char *id, *name, *text;
     const ScreenTexture *picture; /* or NULL: not yet */
-    double picture_height, words_height;
+    double picture_height, text_height;
 } UiCard;
 bool ui_card(Ui *ui, const UiCard *card);
 
@@ -177,7 +177,7 @@ bool ui_card(Ui *ui, const UiCard *card);
 bool ui_flag(Ui *ui, const char *id, const char *label, const char *help, bool *value);
 
 /* One of a few words (count), as buttons side by side. True: *chosen is another one. */
-bool ui_choice(Ui *ui, const char *id, const char *label, const char *help, const char *const *words, size_t count,
+bool ui_choice(Ui *ui, const char *id, const char *label, const char *help, const char *const *labels, size_t count,
                size_t *chosen);
 
 /* A number: label, value with its unit, a track with a mark at the initial value. By keys: arrows a twentieth of the
@@ -216,7 +216,7 @@ void ui_draw_diamond(Ui *ui, Vec2 middle, double radius, Role role);
 
 /* One line: at.y is the middle of the capitals; at.x the left end (aligned 0), the middle (0.5) or the right one (1).
  */
-void ui_draw_text(Ui *ui, UiLetters letters, Role role, Vec2 at, double aligned, const char *words);
+void ui_draw_text(Ui *ui, UiTextStyle style, Role role, Vec2 at, double aligned, const char *text);
 
 /* A box that is grabbed by the mouse: where it is held, design points of the window. */
 typedef struct UiGrab {

@@ -23,14 +23,14 @@ typedef struct Look {
 
 /* Buttons ---------------------------------------------------------------------------------------------------------- */
 
-static int count_lines(const char *words) {
+static int count_lines(const char *text) {
     int count = 1;
-    for (; *words; words++)
-        count += *words == '\n';
+    for (; *text; text++)
+        count += *text == '\n';
     return count;
 }
 
-static UiInk words_ink(const Ui *ui, Look look) {
+static UiInk text_ink(const Ui *ui, Look look) {
     return look.chosen ? ui_state_ink_on(ui, ROLE_CHAIR) : ui_state_ink(ui, look.disabled ? ROLE_ROOM : ROLE_TEXT, 1);
 }
 
@@ -46,17 +46,17 @@ static void draw_button_ground(Ui *ui, Box box, Look look) {
 }
 
 /* The largest letters that have room. */
-static UiLetters fitting_letters(Ui *ui, UiLetters large, const char *words, double width) {
-    return ui_extent(ui, large, words).x <= width ? large : UI_SMALL;
+static UiTextStyle fitting_style(Ui *ui, UiTextStyle large, const char *text, double width) {
+    return ui_extent(ui, large, text).x <= width ? large : UI_SMALL;
 }
 
 /* Several lines: the first is bold, as a key above its name. */
 static void draw_lines(Ui *ui, Box box, UiInk ink, const char *label) {
     double height = LINE * count_lines(label), top = (box.low.y + box.high.y - height) / 2;
-    UiLetters letters = UI_BOLD;
-    for (const char *line = label; line; letters = UI_SMALL) {
+    UiTextStyle style = UI_BOLD;
+    for (const char *line = label; line; style = UI_SMALL) {
         Box place = {{box.low.x + 2, top}, {box.high.x - 2, top + LINE}};
-        ui_text_in(ui, letters, ink, place, 0.5, line);
+        ui_text_in(ui, style, ink, place, 0.5, line);
         top += LINE;
         line = strchr(line, '\n');
         line = line ? line + 1 : NULL;
@@ -70,20 +70,20 @@ static void draw_plain(Ui *ui, Box box, UiInk ink, const char *label) {
     snprintf(first, sizeof first, "%.*s", (int)bytes, label);
     double padding = ui_extent(ui, UI_BODY, label).x + 2 * PADDING <= box_width(box) ? PADDING : PADDING / 4;
     Box inside = {{box.low.x + padding, box.low.y}, {box.high.x - padding, box.high.y}};
-    ui_text_in(ui, fitting_letters(ui, UI_BODY, label, box_width(inside)), ink, inside, 0, first);
+    ui_text_in(ui, fitting_style(ui, UI_BODY, label, box_width(inside)), ink, inside, 0, first);
     if (label[bytes])
         ui_text_in(ui, UI_SMALL, ink, inside, 1, label + bytes + 1);
 }
 
 static void draw_label(Ui *ui, Box box, Look look, const char *label) {
-    UiInk ink = words_ink(ui, look);
+    UiInk ink = text_ink(ui, look);
     Box inside = {{box.low.x + PADDING / 2, box.low.y}, {box.high.x - PADDING / 2, box.high.y}};
     if (strchr(label, '\n'))
         draw_lines(ui, box, ink, label);
     else if (look.plain)
         draw_plain(ui, box, ink, label);
     else
-        ui_text_in(ui, fitting_letters(ui, look.chosen ? UI_BOLD : UI_BODY, label, box_width(inside)), ink, inside, 0.5,
+        ui_text_in(ui, fitting_style(ui, look.chosen ? UI_BOLD : UI_BODY, label, box_width(inside)), ink, inside, 0.5,
                    label);
 }
 
@@ -121,8 +121,8 @@ bool ui_flag(Ui *ui, const char *id_text, const char *label, const char *help, b
         Vec2 tick[] = {{left + 4.5, middle}, {left + 8.5, middle + 4.5}, {left + 15.5, middle - 5}};
         ui_painter_polyline(ui->painter, tick, 3, false, 2.5, ui_state_ink_on(ui, ROLE_CHAIR));
     }
-    Box words = {{square.high.x + PADDING, box.low.y}, box.high};
-    ui_text_in(ui, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1), words, 0, label);
+    Box text = {{square.high.x + PADDING, box.low.y}, box.high};
+    ui_text_in(ui, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1), text, 0, label);
     ui_tip_offer(ui, id, box, help, touch.hovered, focused);
     return used;
 }
@@ -152,10 +152,10 @@ static void choose_by_keys(Ui *ui, UiId id, size_t count, size_t *chosen) {
 }
 
 /* As wide as their words need, and what is left shared out: equally wide where that has room. */
-static void share_width(Ui *ui, const char *const *words, size_t count, double width, double *widths) {
+static void share_width(Ui *ui, const char *const *text, size_t count, double width, double *widths) {
     double equal = (width - CHOICE_GAP * (double)(count - 1)) / (double)count, sum = 0, widest = 0;
     for (size_t i = 0; i < count; i++) {
-        widths[i] = ui_extent(ui, UI_BOLD, words[i]).x + 2 * PADDING;
+        widths[i] = ui_extent(ui, UI_BOLD, text[i]).x + 2 * PADDING;
         widest = fmax(widest, widths[i]);
         sum += widths[i];
     }
@@ -163,7 +163,7 @@ static void share_width(Ui *ui, const char *const *words, size_t count, double w
         widths[i] = widest <= equal ? equal : widths[i] * equal * (double)count / sum;
 }
 
-bool ui_choice(Ui *ui, const char *id_text, const char *label, const char *help, const char *const *words, size_t count,
+bool ui_choice(Ui *ui, const char *id_text, const char *label, const char *help, const char *const *text, size_t count,
                size_t *chosen) {
     enum { MOST = 12 };
     assert(count <= MOST);
@@ -173,7 +173,7 @@ bool ui_choice(Ui *ui, const char *id_text, const char *label, const char *help,
     Box box = ui_pane_next(ui, UI_BUTTON_HEIGHT + (named ? UI_LINE_HEIGHT : 0));
     bool focused = ui_stop_make(ui, id, UI_IS_CHOICE, box), hovered = false;
     double widths[MOST];
-    share_width(ui, words, count, box_width(box), widths);
+    share_width(ui, text, count, box_width(box), widths);
     if (named)
         ui_text_in(ui, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1),
                    (Box){box.low, {box.high.x, box.low.y + UI_LINE_HEIGHT}}, 0, label);
@@ -186,7 +186,7 @@ bool ui_choice(Ui *ui, const char *id_text, const char *label, const char *help,
         hovered = hovered || touch.hovered;
         Look look = {.chosen = i == *chosen, .hovered = touch.hovered, .held = touch.held && touch.hovered};
         draw_button_ground(ui, part, look);
-        draw_label(ui, part, look, words[i]);
+        draw_label(ui, part, look, text[i]);
     }
     choose_by_keys(ui, id, count, chosen);
     ui_tip_offer(ui, id, box, help, hovered, focused);
@@ -217,16 +217,16 @@ static void draw_mark(Ui *ui, Box box, const UiRow *row) {
 }
 
 /* Where there are several, the columns at the right are as wide as their widest cell of the frame before. */
-static double draw_cells(Ui *ui, Box box, UiLetters letters, const char *const *cells) {
+static double draw_cells(Ui *ui, Box box, UiTextStyle style, const char *const *cells) {
     double right = box.high.x;
     int count = !cells[0] ? 0 : !cells[1] ? 1 : !cells[2] ? 2 : 3;
     for (int column = count - 1; column >= 1; column--) {
-        double width = ui_extent(ui, letters, cells[column]).x;
+        double width = ui_extent(ui, style, cells[column]).x;
         double *columns[] = {ui->place ? &ui->place->columns[0][column - 1] : &width,
                              ui->place ? &ui->place->columns[1][column - 1] : &width};
         *columns[1] = count > 2 ? fmax(*columns[1], width) : *columns[1];
-        ui_text_in(ui, letters, ui_state_ink(ui, ROLE_TEXT, 1), (Box){{right - width, box.low.y}, {right, box.high.y}},
-                   1, cells[column]);
+        ui_text_in(ui, style, ui_state_ink(ui, ROLE_TEXT, 1), (Box){{right - width, box.low.y}, {right, box.high.y}}, 1,
+                   cells[column]);
         right -= (count > 2 ? fmax(width, *columns[0]) : width) + ROW_GAP;
     }
     return right;
@@ -253,15 +253,15 @@ bool ui_list_row(Ui *ui, const UiRow *row) {
         ui_painter_box(ui->painter, wide, ui_state_ink(ui, ROLE_SHADE, row->selected ? 1 : 0.6));
     if (row->selected)
         ui_painter_box(ui->painter, (Box){wide.low, {wide.low.x + 4, wide.high.y}}, ui_state_ink(ui, ROLE_CHAIR, 1));
-    UiLetters letters = row->selected ? UI_BOLD : UI_BODY;
+    UiTextStyle style = row->selected ? UI_BOLD : UI_BODY;
     Box inside = box;
     if (row->mark || row->shape == ROW_DISC || row->shape == ROW_LINE) {
         draw_mark(ui, box, row);
         inside.low.x += ROW_MARK;
     }
-    inside.high.x = draw_cells(ui, inside, letters, row->cells);
+    inside.high.x = draw_cells(ui, inside, style, row->cells);
     if (row->cells[0])
-        ui_text_in(ui, letters, ui_state_ink(ui, ROLE_TEXT, 1), inside, 0, row->cells[0]);
+        ui_text_in(ui, style, ui_state_ink(ui, ROLE_TEXT, 1), inside, 0, row->cells[0]);
     ui_tip_offer(ui, id, box, row->help, touch.hovered, focused);
     return used;
 }

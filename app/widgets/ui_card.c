@@ -15,7 +15,7 @@ static Box fitted(Box place, const ScreenTexture *picture) {
 
 bool ui_card(Ui *ui, const UiCard *card) {
     UiId id = ui_state_id(ui, card->id ? card->id : card->name);
-    Box box = ui_pane_next(ui, card->picture_height + NAME_HEIGHT + card->words_height + 3 * EDGE);
+    Box box = ui_pane_next(ui, card->picture_height + NAME_HEIGHT + card->text_height + 3 * EDGE);
     UiTouch touch = ui_state_touch(ui, id, box, false);
     ui_stop_make(ui, id, UI_IS_BUTTON, box);
     bool used = ui_stop_used(ui, id) || touch.clicked;
@@ -27,9 +27,9 @@ bool ui_card(Ui *ui, const UiCard *card) {
         ui_painter_image(ui->painter, card->picture, fitted(place, card->picture));
     Box name = {{inside.low.x, place.high.y + EDGE / 2}, {inside.high.x, place.high.y + EDGE / 2 + NAME_HEIGHT}};
     ui_text_in(ui, UI_BOLD, ui_state_ink(ui, ROLE_TEXT, 1), name, 0, card->name);
-    Box words = {{inside.low.x, name.high.y}, inside.high};
-    ui_painter_clip(ui->painter, words);
-    ui_text_wrapped(ui, UI_SMALL, ui_state_ink(ui, ROLE_DIM_TEXT, 1), words, card->words ? card->words : "");
+    Box text = {{inside.low.x, name.high.y}, inside.high};
+    ui_painter_clip(ui->painter, text);
+    ui_text_wrapped(ui, UI_SMALL, ui_state_ink(ui, ROLE_DIM_TEXT, 1), text, card->text ? card->text : "");
     ui_painter_unclip(ui->painter);
     return used;
 }

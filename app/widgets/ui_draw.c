@@ -41,7 +41,7 @@ void ui_draw_diamond(Ui *ui, Vec2 middle, double radius, Role role) {
     ui_painter_convex(ui->painter, corners, 4, ui_state_ink(ui, role, 1));
 }
 
-void ui_draw_text(Ui *ui, UiLetters letters, Role role, Vec2 at, double aligned, const char *words) {
-    at.x -= aligned * ui_extent(ui, letters, words).x;
-    ui_painter_words(ui->painter, letters, ui_state_ink(ui, role, 1), at, words, strlen(words));
+void ui_draw_text(Ui *ui, UiTextStyle style, Role role, Vec2 at, double aligned, const char *text) {
+    at.x -= aligned * ui_extent(ui, style, text).x;
+    ui_painter_text(ui->painter, style, ui_state_ink(ui, role, 1), at, text, strlen(text));
 }

@@ -161,30 +161,30 @@ static size_t code_bytes(const char *text) {
 }
 
 /* What is no letter, such as the end of a line, becomes a space; what is no UTF-8 nothing. */
-static void insert(UiEditor *editor, const char *words) {
+static void insert(UiEditor *editor, const char *text) {
     remove_part(editor, selected_from(editor), selected_to(editor));
-    while (*words) {
-        size_t bytes = code_bytes(words);
+    while (*text) {
+        size_t bytes = code_bytes(text);
         if (!bytes || editor->size + bytes > LONGEST) {
-            words++;
+            text++;
             continue;
         }
         editor->text = memory_reserve(editor->text, &editor->capacity, editor->size + bytes + 1, 1);
         memmove(editor->text + editor->caret + bytes, editor->text + editor->caret, editor->size - editor->caret + 1);
-        memcpy(editor->text + editor->caret, words, bytes);
-        if ((unsigned char)*words < ' ' || *words == 0x7F)
+        memcpy(editor->text + editor->caret, text, bytes);
+        if ((unsigned char)*text < ' ' || *text == 0x7F)
             editor->text[editor->caret] = ' ';
         editor->size += bytes;
         editor->caret += bytes;
-        words += bytes;
+        text += bytes;
     }
     editor->anchor = editor->caret;
 }
 
-void ui_type(Ui *ui, const char *words) {
+void ui_type(Ui *ui, const char *text) {
     ui_state_stir(ui);
     if (ui->editor.id)
-        insert(&ui->editor, words);
+        insert(&ui->editor, text);
 }
 
 bool ui_types(const Ui *ui) {
@@ -290,7 +290,7 @@ static size_t place_of(Ui *ui, double x) {
     return at;
 }
 
-static void follow_mouse(Ui *ui, double left, UiTouch touch) {
+static void update_caret(Ui *ui, double left, UiTouch touch) {
     UiEditor *editor = &ui->editor;
     if (touch.twice) {
         editor->anchor = 0;
@@ -303,7 +303,7 @@ static void follow_mouse(Ui *ui, double left, UiTouch touch) {
 void ui_editor_draw(Ui *ui, Box box, UiTouch touch) {
     UiEditor *editor = &ui->editor;
     Box inside = {{box.low.x + PADDING, box.low.y + 3}, {box.high.x - PADDING + CARET, box.high.y - 3}};
-    follow_mouse(ui, inside.low.x, touch);
+    update_caret(ui, inside.low.x, touch);
     double room = box_width(inside) - CARET, caret = width_of(ui, editor->caret), middle = (box.low.y + box.high.y) / 2;
     editor->scroll = real_clamp(editor->scroll, fmax(0, caret - room), caret);
     editor->scroll = fmin(editor->scroll, fmax(0, width_of(ui, editor->size) - room));
@@ -314,8 +314,8 @@ void ui_editor_draw(Ui *ui, Box box, UiTouch touch) {
                       {left + width_of(ui, selected_to(editor)), inside.high.y}};
         ui_painter_box(ui->painter, chosen, ui_state_ink(ui, ROLE_CHAIR, 0.35));
     }
-    ui_painter_words(ui->painter, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1), vec2(left, middle), editor->text,
-                     editor->size);
+    ui_painter_text(ui->painter, UI_BODY, ui_state_ink(ui, ROLE_TEXT, 1), vec2(left, middle), editor->text,
+                    editor->size);
     Box line = {{left + caret, inside.low.y}, {left + caret + CARET, inside.high.y}};
     ui_painter_box(ui->painter, line, ui_state_ink(ui, ROLE_TEXT, 1));
     ui_painter_unclip(ui->painter);

@@ -19,14 +19,14 @@ static void draw_text(Ui *ui, Box box, const char *text, UiTouch touch, bool typ
 }
 
 /* As much of the words as has room, in whole letters. */
-static void take(char *text, size_t size, const char *words) {
-    size_t bytes = strlen(words);
+static void take(char *text, size_t size, const char *label) {
+    size_t bytes = strlen(label);
     if (bytes >= size) {
         bytes = size - 1;
-        while (bytes > 0 && ((unsigned char)words[bytes] & 0xC0) == 0x80)
+        while (bytes > 0 && ((unsigned char)label[bytes] & 0xC0) == 0x80)
             bytes--;
     }
-    memcpy(text, words, bytes);
+    memcpy(text, label, bytes);
     text[bytes] = 0;
 }
 

@@ -122,7 +122,7 @@ static void swap_stops(Ui *ui) {
 }
 
 /* A modal pane takes the focus and gives it back. */
-static void mind_modal(Ui *ui) {
+static void handle_modal(Ui *ui) {
     if (ui->modal && ui->focus_pane != ui->modal) {
         if (ui->editor.id)
             ui_editor_close(ui, UI_END_LEFT);
@@ -143,7 +143,7 @@ static void mind_modal(Ui *ui) {
 }
 
 /* A stop that is gone leaves the focus to the first one of its pane. */
-static void mind_gone(Ui *ui) {
+static void handle_gone_stop(Ui *ui) {
     if (!ui->focus_pane || ui_stop_find(ui, ui->focus))
         return;
     const UiStop *stop = first_of(ui, ui->old_stops, ui->old_stop_count, ui->focus_pane);
@@ -162,8 +162,8 @@ void ui_focus_frame_end(Ui *ui) {
     arena_clear(&ui->typed_texts);
     if (ui->editor.id && !ui_stop_find(ui, ui->editor.id))
         ui->editor.id = 0;
-    mind_modal(ui);
-    mind_gone(ui);
+    handle_modal(ui);
+    handle_gone_stop(ui);
 }
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */

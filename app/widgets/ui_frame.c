@@ -75,7 +75,7 @@ static void press_left(Ui *ui) {
         ui_editor_close(ui, UI_END_LEFT);
 }
 
-static void take_mouse(Ui *ui) {
+static void update_mouse(Ui *ui) {
     Vec2 before = ui->mouse;
     ui->mouse = vec2_scale(ui->input.mouse, 1 / ui->input.unit);
     ui->moved = vec2_sub(ui->mouse, before);
@@ -114,7 +114,7 @@ void ui_begin(Ui *ui, const UiInput *input) {
     ui->input = *input;
     ui->window = (Box){{0, 0}, {input->width / input->unit, input->height / input->unit}};
     ui_painter_begin(ui->painter, input->width, input->height, input->unit, input->seconds);
-    take_mouse(ui);
+    update_mouse(ui);
     ui_pane_frame_begin(ui);
     ui_focus_frame_begin(ui);
     ui_tip_frame_begin(ui);

@@ -28,15 +28,15 @@ void ui_painter_clip(UiPainter *painter, Box box);
 void ui_painter_unclip(UiPainter *painter);
 
 /* Design points, of the letters. */
-double ui_painter_size(UiLetters letters);
+double ui_painter_size(UiTextStyle style);
 
-Vec2 ui_painter_extent(UiPainter *painter, UiLetters letters, const char *words, size_t bytes);
+Vec2 ui_painter_extent(UiPainter *painter, UiTextStyle style, const char *text, size_t bytes);
 
 /* How many bytes of the words are one line no wider than that; they end before a space or the end of a line. */
-size_t ui_painter_wrap(UiPainter *painter, UiLetters letters, const char *words, double width);
+size_t ui_painter_wrap(UiPainter *painter, UiTextStyle style, const char *text, double width);
 
 /* Boxes lie on whole pixels. at.y is the middle of the capitals. */
-void ui_painter_words(UiPainter *painter, UiLetters letters, UiInk ink, Vec2 at, const char *words, size_t bytes);
+void ui_painter_text(UiPainter *painter, UiTextStyle style, UiInk ink, Vec2 at, const char *text, size_t bytes);
 void ui_painter_ground(UiPainter *painter, Box box, Colour colour); /* large and opaque: the quick way */
 void ui_painter_box(UiPainter *painter, Box box, UiInk ink);
 void ui_painter_frame(UiPainter *painter, Box box, double width, UiInk ink);

@@ -165,7 +165,7 @@ static void scroll_by_key(Ui *ui, UiPlace *place) {
 }
 
 /* What has become longer or wider, or was scrolled, is in its place in the next frame. */
-static void mind_change(Ui *ui, UiPlace *place, double content) {
+static void handle_change(Ui *ui, UiPlace *place, double content) {
     bool wider = memcmp(place->columns[0], place->columns[1], sizeof place->columns[0]) != 0;
     if (place->content != content || place->scroll != place->seen_scroll || wider)
         ui_state_stir(ui);
@@ -188,7 +188,7 @@ void ui_pane_end(Ui *ui) {
             bring_into_view(ui, place);
         ui_stop_draw(ui);
     }
-    mind_change(ui, place, content);
+    handle_change(ui, place, content);
     ui_painter_unclip(ui->painter);
     ui_painter_layer(ui->painter, UI_LAYER_PANES);
     ui->place = NULL;

@@ -1,6 +1,6 @@
 #include "widgets/ui_stop.h"
 
-static const UiSlider *keep_number(Ui *ui, const UiSlider *number) {
+static const UiSlider *store_number(Ui *ui, const UiSlider *number) {
     if (!number)
         return NULL;
     UiSlider *kept = arena_allocate(&ui->stop_texts, sizeof *kept);
@@ -13,7 +13,7 @@ static const UiSlider *keep_number(Ui *ui, const UiSlider *number) {
 bool ui_stop_make_typed(Ui *ui, UiId id, UiKind kind, Box box, const char *text, const UiSlider *number) {
     ui->stops = memory_reserve(ui->stops, &ui->stop_capacity, ui->stop_count + 1, sizeof *ui->stops);
     ui->stops[ui->stop_count++] = (UiStop){id, ui->place ? ui->place->id : 0, kind,
-                                           text ? arena_text(&ui->stop_texts, text) : NULL, keep_number(ui, number)};
+                                           text ? arena_text(&ui->stop_texts, text) : NULL, store_number(ui, number)};
     if (ui->focus != id)
         return false;
     ui->focus_box = box;

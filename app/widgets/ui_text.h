@@ -4,7 +4,7 @@
 #include "widgets/ui_state.h"
 
 /* One line in a box, in the middle of its height, shortened where it must be. */
-void ui_text_in(Ui *ui, UiLetters letters, UiInk ink, Box box, double aligned, const char *words);
+void ui_text_in(Ui *ui, UiTextStyle style, UiInk ink, Box box, double aligned, const char *text);
 
 /* Wrapped words from the top of a box downwards; returns how high they are. Opacity 0 only measures. */
-double ui_text_wrapped(Ui *ui, UiLetters letters, UiInk ink, Box box, const char *words);
+double ui_text_wrapped(Ui *ui, UiTextStyle style, UiInk ink, Box box, const char *text);

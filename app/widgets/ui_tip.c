@@ -78,7 +78,7 @@ static Box place_tip(const Ui *ui, const UiTip *tip, double width, double height
 }
 
 /* The first of several lines is the name. */
-static void draw_words(Ui *ui, const UiTip *tip, UiInk ink, Box inside, double *height) {
+static void draw_text(Ui *ui, const UiTip *tip, UiInk ink, Box inside, double *height) {
     size_t name = strcspn(tip->text, "\n");
     char first[sizeof tip->text];
     snprintf(first, sizeof first, "%.*s", (int)name, tip->text);
@@ -99,12 +99,12 @@ void ui_tip_draw(Ui *ui) {
         return;
     const UiTip *tip = hovering ? &ui->hover_tip : &ui->focus_tip;
     double width = fmin(WIDEST, box_width(ui->window)) - 2 * PADDING, height;
-    draw_words(ui, tip, 0, (Box){{0, 0}, {width, 0}}, &height);
+    draw_text(ui, tip, 0, (Box){{0, 0}, {width, 0}}, &height);
     width = fmin(width, ui_extent(ui, UI_BOLD, tip->text).x + 1);
-    draw_words(ui, tip, 0, (Box){{0, 0}, {width, 0}}, &height);
+    draw_text(ui, tip, 0, (Box){{0, 0}, {width, 0}}, &height);
     ui->tip_box = place_tip(ui, tip, width + 2 * PADDING, height + 2 * PADDING);
     ui_painter_layer(ui->painter, UI_LAYER_TIP);
     ui_painter_box(ui->painter, ui->tip_box, ui_state_ink(ui, ROLE_PAPER, 1));
     ui_painter_frame(ui->painter, ui->tip_box, EDGE, ui_state_ink(ui, ROLE_TEXT, 1));
-    draw_words(ui, tip, ui_state_ink(ui, ROLE_TEXT, 1), box_expand(ui->tip_box, -PADDING), &height);
+    draw_text(ui, tip, ui_state_ink(ui, ROLE_TEXT, 1), box_expand(ui->tip_box, -PADDING), &height);
 }

@@ -29,7 +29,7 @@ static double add_button(Window *window, double left, Box bar, const UiButton *b
 }
 
 /* Words that end with an ellipsis where there is no more room. */
-static void show_text(Window *window, UiLetters size, Role role, double left, double right, double y,
+static void show_text(Window *window, UiTextStyle size, Role role, double left, double right, double y,
                       const char *text) {
     double height = ui_extent(window->ui, size, text).y;
     if (right - left < height)
@@ -139,7 +139,7 @@ static void show_progress(Window *window, Box bar, const Result *answer) {
 static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
     const char *detail = answer->detail ? answer->detail : "";
     Role role = answer->stale ? ROLE_DIM_TEXT : ROLE_TEXT;
-    UiLetters size = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
+    UiTextStyle size = left + ui_extent(window->ui, UI_DETAIL, detail).x > right ? UI_BODY : UI_DETAIL;
     if (ui_extent(window->ui, size, detail).x > TWO_LINES * (right - left))
         size = UI_SMALL;
     Vec2 extent = ui_extent(window->ui, size, detail);
@@ -155,7 +155,7 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
 }
 
 /* Large, unless the numbers would then have no room. */
-static UiLetters title_size(Window *window, const Result *answer, double right) {
+static UiTextStyle title_size(Window *window, const Result *answer, double right) {
     double width = ui_extent(window->ui, UI_ANSWER, answer->title).x, rest = right - MARGIN - width - 2 * GAP;
     double wanted = answer->detail ? ui_extent(window->ui, UI_BODY, answer->detail).x : 0;
     return rest < 0 || wanted > TWO_LINES * rest ? UI_CLOCK : UI_ANSWER;
@@ -168,7 +168,7 @@ void bars_show_answer(Window *window) {
     if (tab->live) {
         Result answer = tab->kind->answer(tab->live);
         double right = show_place_button(window, tab, bar), y = middle_of(bar).y;
-        UiLetters size = title_size(window, &answer, right);
+        UiTextStyle size = title_size(window, &answer, right);
         double width = ui_extent(window->ui, size, answer.title).x;
         show_text(window, size, answer.stale ? ROLE_DIM_TEXT : answer.role, MARGIN, fmin(right, MARGIN + width + 2), y,
                   answer.title);

@@ -27,17 +27,17 @@ static void fill_pictures(Window *window, const GalleryItem *items, size_t count
 void dialog_gallery_clear(Window *window) {
     for (size_t i = 0; i < GALLERY_MOST; i++)
         if (window->pictures[i].name)
-            paint_gl_screen_forget(window->screen, &window->pictures[i]);
+            paint_gl_screen_release(window->screen, &window->pictures[i]);
 }
 
 /* A picture, a name and a line; true: it was chosen. */
 static bool show_item(Window *window, const GalleryItem *item, size_t index) {
     UiCard card = {.id = item->path,
                    .name = item->name,
-                   .words = item->fault ? item->fault : item->line,
+                   .text = item->fault ? item->fault : item->line,
                    .picture = index < GALLERY_MOST && window->pictures[index].name ? &window->pictures[index] : NULL,
                    .picture_height = PICTURE_HEIGHT,
-                   .words_height = TEXT_HEIGHT};
+                   .text_height = TEXT_HEIGHT};
     return ui_card(window->ui, &card);
 }
 

@@ -19,7 +19,7 @@ static void drop_canvas(PlotPane *pane) {
 
 static void clear_pane(PlotPane *pane, PaintGlScreen *screen) {
     drop_canvas(pane);
-    paint_gl_screen_forget(screen, &pane->texture);
+    paint_gl_screen_release(screen, &pane->texture);
     *pane = (PlotPane){.cursor = NAN};
 }
 

@@ -44,7 +44,7 @@ static void add_button(Row *row, Action action, const char *label, bool chosen, 
 }
 
 /* The text keep their place whatever they are. */
-static void add_text(Row *row, UiLetters size, const char *text, const char *widest, bool at_right) {
+static void add_text(Row *row, UiTextStyle size, const char *text, const char *widest, bool at_right) {
     double width = fmax(ui_extent(row->window->ui, size, text).x, ui_extent(row->window->ui, size, widest).x);
     double left = at_right ? row->right - width : row->left, y = middle_of(row->bar).y;
     double at = at_right ? left + width / 2 : left;

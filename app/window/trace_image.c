@@ -66,7 +66,7 @@ static void load(Window *window, const char *path) {
 }
 
 void trace_image_clear(Window *window) {
-    paint_gl_screen_forget(window->screen, &window->trace_image);
+    paint_gl_screen_release(window->screen, &window->trace_image);
     memory_free(window->trace_image_path);
     window->trace_image_path = NULL;
 }

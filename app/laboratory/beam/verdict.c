@@ -41,7 +41,7 @@ static void write_advice(BeamVerdict *verdict, const Types *types, const Experim
     char each[32];
     Text text = {0};
     snprintf(each, sizeof each, "%d cycles", verdict->beam.transient_cycles + verdict->beam.cycles);
-    advice_words(&text, types, experiment, each);
+    advice_write(&text, types, experiment, each);
     memory_free(verdict->advice);
     verdict->advice = text.text;
     verdict->type = types->kind;

@@ -38,7 +38,7 @@ static FurnitureFall *begin(HouseFall *falls, const Furniture *piece, bool lay) 
 
 static bool all_rest(const HouseFall *falls) {
     for (size_t i = 0; i < falls->count; i++)
-        if (!furniture_fall_rests(&falls->pieces[i]))
+        if (!furniture_fall_is_over(&falls->pieces[i]))
             return false;
     return true;
 }
@@ -138,7 +138,7 @@ void house_fall_follow(HouseSession *live) {
 static void hurry(HouseFall *falls) {
     double least = FURNITURE_FALL_SPREAD;
     for (size_t i = 0; i < falls->count; i++)
-        if (!furniture_fall_rests(&falls->pieces[i]))
+        if (!furniture_fall_is_over(&falls->pieces[i]))
             least = fmin(least, falls->pieces[i].delay);
     for (size_t i = 0; i < falls->count; i++)
         falls->pieces[i].delay = fmax(0, falls->pieces[i].delay - least);

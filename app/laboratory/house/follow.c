@@ -33,7 +33,7 @@ Before house_follow_ghost(const HouseSession *live) {
     if (live->ghost == GHOST_RIVAL && live->rival_over)
         return (Before){.house = &live->rival->house,
                         .observation = &live->rival->observation,
-                        .word = profile_driving_name(live->rival->wish.driving)};
+                        .name = profile_driving_name(live->rival->wish.driving)};
     return (Before){.house = NULL};
 }
 

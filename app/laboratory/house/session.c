@@ -144,7 +144,7 @@ static bool show(void *context, double time) {
     if (!live->film)
         return false;
     if (live->fresh)
-        film_forget(live->film);
+        film_restart(live->film);
     bool onwards = film_show(live->film, time) && !live->fresh;
     live->fresh = false;
     return onwards;
@@ -153,7 +153,7 @@ static bool show(void *context, double time) {
 static bool rests(const void *context, double time) {
     const HouseSession *live = context;
     return live->film && !live->fresh && !live->fall.count && house_run_epoch(live->shown, time) == live->epoch &&
-           film_rests(live->film, time);
+           film_is_unchanged(live->film, time);
 }
 
 static const Scene *still(const void *context) {

@@ -58,7 +58,7 @@ static void compare(HouseSession *live) {
     if (!ghost.observation || !live->whole)
         return;
     Totals before = totals_of(ghost.observation), now = totals_of(live->observation);
-    house_words_add(live, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_word(ghost)));
+    house_words_add(live, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_name(ghost)));
     add_comparison(live, "time", before.completed ? scene_text(scene, "%.1f s", before.time) : "not out",
                    now.completed ? scene_text(scene, "%.1f s", now.time) : "not out");
     if (before.completed && now.completed)
@@ -176,7 +176,7 @@ static const char *against(HouseSession *live, const Observation *now) {
     Scene *scene = &live->words.moment;
     if (!ghost.observation)
         return "";
-    const char *word = house_scene_before_word(ghost);
+    const char *word = house_scene_before_name(ghost);
     double before = ghost.observation->time, more = now->time - before;
     if (!ghost.observation->completed)
         return scene_text(scene, "%s not out", word);
@@ -215,17 +215,17 @@ static void tell_clean(HouseSession *live) {
     scene_clear(&live->words.clean);
     if (!live->clean)
         return;
-    Census census = census_take(&live->clean->house, &live->clean->observation);
-    house_scene_say(&live->words.clean, &live->clean->house, &live->clean->observation, &census);
+    Census census = census_make(&live->clean->house, &live->clean->observation);
+    house_scene_add_answer(&live->words.clean, &live->clean->house, &live->clean->observation, &census);
     census_clear(&census);
 }
 
 /* What is said of the run as a whole. */
 static void tell_run(HouseSession *live) {
     tell_clean(live);
-    Census census = census_take(&live->shown->house, live->observation);
+    Census census = census_make(&live->shown->house, live->observation);
     scene_clear(&live->words.run);
-    house_scene_say(&live->words.run, &live->shown->house, live->observation, &census);
+    house_scene_add_answer(&live->words.run, &live->shown->house, live->observation, &census);
     census_clear(&census);
     find_times(live);
     make_ticks(live);

@@ -87,7 +87,7 @@ BeamFilm *beam_film_create(const Beam *beam, const Rig *rig, const Response *res
     *film = (BeamFilm){.beam = beam, .record = record, .time = -1};
     film->scale = beam_scene_scale(beam, record->reach, record->tip_reach);
     film->shape = beam_shape_create(rig);
-    beam_scene_words(&film->still, beam, rig, response, &film->scale, slow);
+    beam_scene_labels(&film->still, beam, rig, response, &film->scale, slow);
     beam_scene_still(&film->still, beam, &film->scale);
     film->still.panels = BEAM_FILM_PLOTS;
     make_phase(film);

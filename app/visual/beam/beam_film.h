@@ -12,7 +12,7 @@ enum { BEAM_FILM_PLOTS = 2, BEAM_FILM_CYCLES = 8 /* that are shown where nothing
 typedef struct BeamFilm BeamFilm;
 
 /* Beam, rig, response and record must outlive it; the plots are of the record's samples. `slow` as in
- * beam_scene_words. beam_film_destroy releases it. */
+ * beam_scene_labels. beam_film_destroy releases it. */
 BeamFilm *beam_film_create(const Beam *beam, const Rig *rig, const Response *response, BeamRecord *record, double slow);
 void beam_film_destroy(BeamFilm *film);
 

@@ -1,7 +1,7 @@
 #include "visual/beam/beam_joint.h"
 
 #include "visual/beam/beam_pieces.h"
-#include "visual/beam/beam_words.h"
+#include "visual/beam/beam_text.h"
 
 /* Of the beam's length. */
 #define SPRING_HALF 0.35 /* of a stop's half length */
@@ -10,12 +10,12 @@
 #define FORCE_MOST 0.115
 #define BURST_MOST 0.040
 #define SHAFT_HALF 0.008
-#define WORDS_BESIDE 0.012
+#define TEXT_BESIDE 0.012
 #define SMALL 0.55 /* 1, of the signs beside the beam, where the loupe has them large */
 
 /* Design points. */
-#define NAME_LETTERS 17.0
-#define FORCE_LETTERS 24.0
+#define NAME_TEXT 17.0
+#define FORCE_TEXT 24.0
 #define THIN 1.5
 #define DIMENSION_WIDTH 2.0
 
@@ -38,9 +38,9 @@ static void add_gap(Scene *scene, const Beam *beam, const BeamScale *scale, cons
     }
     scene_add_dimension(scene, ROLE_TEXT, DIMENSION_WIDTH, vec2(x, rest), vec2(x, face));
     Vec2 at = vec2(end, (rest + face) / 2), right = vec2(end + length, at.y);
-    const char *text = beam->clearance < 1e-6 ? beam_words_quantity(scene, beam->clearance, "m")
+    const char *text = beam->clearance < 1e-6 ? beam_text_quantity(scene, beam->clearance, "m")
                                               : scene_text(scene, "%.4g mm", 1000 * beam->clearance);
-    Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_LETTERS, at, text);
+    Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_TEXT, at, text);
     scene_bind_label(scene, label, &right, 1);
     label->bold = label->fixed = true;
 }
@@ -56,7 +56,7 @@ void beam_joint_still(Scene *scene, const Beam *beam, const BeamScale *scale, co
     }
     if (joint->loupe && beam->clearance == 0) {
         Vec2 at = vec2(middle.x + DIMENSION_AT * scale->length, middle.y), right = vec2(at.x + 1, at.y);
-        Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_LETTERS, at, "no clearance");
+        Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_TEXT, at, "no clearance");
         scene_bind_label(scene, label, &right, 1);
         label->bold = label->fixed = true;
     }
@@ -76,17 +76,17 @@ void beam_joint_stops(Scene *scene, const Beam *beam, const BeamScale *scale, co
 }
 
 /* The force that a stop has now, or had at the most when it was last touched, beside it. */
-static void add_words(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint,
-                      const BeamMoment *moment, int side, bool touched) {
+static void add_text(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint,
+                     const BeamMoment *moment, int side, bool touched) {
     const BeamImpact *last = moment->last[side > 0 ? 0 : 1];
     if (!touched && !last)
         return;
-    Vec2 at = vec2(joint->middle.x + joint->half + WORDS_BESIDE * scale->length,
+    Vec2 at = vec2(joint->middle.x + joint->half + TEXT_BESIDE * scale->length,
                    joint->middle.y + side * (face_of(joint, beam) + joint->ground) / 2);
     Vec2 right = vec2(at.x + scale->length, at.y);
-    const char *text = touched ? beam_words_newtons(scene, fabs(moment->force), moment->largest)
-                               : scene_text(scene, "last %s", beam_words_newtons(scene, last->peak, moment->largest));
-    Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, touched ? FORCE_LETTERS : NAME_LETTERS, at, text);
+    const char *text = touched ? beam_text_newtons(scene, fabs(moment->force), moment->largest)
+                               : scene_text(scene, "last %s", beam_text_newtons(scene, last->peak, moment->largest));
+    Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, touched ? FORCE_TEXT : NAME_TEXT, at, text);
     scene_bind_label(scene, label, &right, 1);
     label->fixed = true;
     if (touched) {
@@ -110,5 +110,5 @@ void beam_joint_contact(Scene *scene, const Beam *beam, const BeamScale *scale, 
                           SHAFT_HALF * size);
     }
     for (int s = -1; s <= 1 && joint->loupe; s += 2)
-        add_words(scene, beam, scale, joint, moment, s, touched && s == side);
+        add_text(scene, beam, scale, joint, moment, s, touched && s == side);
 }

@@ -58,7 +58,7 @@ static double factor_of(size_t column) {
 }
 
 /* A column of the trace, from a row on, as it is shown; time from the beginning of the first cycle that is shown. */
-static double *take_column(const Given *given, size_t column, size_t from, size_t count) {
+static double *copy_column(const Given *given, size_t column, size_t from, size_t count) {
     const Trace *trace = &given->response->trace;
     double *values = arena_allocate(given->arena, (count + 1) * sizeof *values);
     double begin = column == RESPONSE_TIME && count ? trace_row(trace, from)[RESPONSE_TIME] : 0;
@@ -104,8 +104,8 @@ static void lay_measured(Plot *plot, const Given *given, size_t x, size_t y) {
 static void make_phase(Plot *plot, const Given *given) {
     const Trace *trace = &given->response->trace;
     size_t count, from = last_rows(trace, ORBITS_SHOWN, &count);
-    const double *x = take_column(given, RESPONSE_DEFLECTION, from, count),
-                 *y = take_column(given, RESPONSE_VELOCITY, from, count);
+    const double *x = copy_column(given, RESPONSE_DEFLECTION, from, count),
+                 *y = copy_column(given, RESPONSE_VELOCITY, from, count);
     bool tangle = given->response->verdict != RESPONSE_PERIODIC;
     plot->title = "Phase plane of the tip";
     plot->x = (PlotAxis){.title = "deflection", .unit = "mm"};
@@ -172,7 +172,7 @@ static void make_against_time(Plot *plot, const Given *given, size_t column) {
     plot->x = (PlotAxis){.title = "time from a phase 0 of the drive", .unit = "ms"};
     plot->x.high = MILLI * (double)CYCLES_SHOWN / given->beam->frequency;
     add_nought(plot, false);
-    add_line(plot, take_column(given, RESPONSE_TIME, from, count), take_column(given, column, from, count), count);
+    add_line(plot, copy_column(given, RESPONSE_TIME, from, count), copy_column(given, column, from, count), count);
     lay_measured(plot, given, RESPONSE_TIME, column);
 }
 
@@ -252,11 +252,11 @@ static const BeamPlot known[BEAM_PLOTS_KNOWN] = {
     {"velocity", make_velocity}, {"spectrum", make_spectrum},
 };
 
-bool beam_plots_choose(PlotChoice *choice, const char *words, char fault[PLOT_CHOICE_FAULT]) {
+bool beam_plots_choose(PlotChoice *choice, const char *text, char fault[PLOT_CHOICE_FAULT]) {
     const char *names[BEAM_PLOTS_KNOWN];
     for (size_t i = 0; i < BEAM_PLOTS_KNOWN; i++)
         names[i] = known[i].name;
-    return plot_choice_read(choice, words, names, BEAM_PLOTS_KNOWN, fault);
+    return plot_choice_read(choice, text, names, BEAM_PLOTS_KNOWN, fault);
 }
 
 const char *beam_plots_name(size_t index) {

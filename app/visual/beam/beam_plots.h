@@ -9,11 +9,11 @@
 
 enum { BEAM_PLOTS_KNOWN = 6 /* plots */ };
 
-#define BEAM_PLOTS_WORDS "phase,poincare,force,displacement,velocity,spectrum"
+#define BEAM_PLOTS_NAMES "phase,poincare,force,displacement,velocity,spectrum"
 #define BEAM_PLOTS_USUAL "phase,poincare,force"
 
 /* "phase,force" as a choice, see plot_choice.h. */
-bool beam_plots_choose(PlotChoice *choice, const char *words, char fault[PLOT_CHOICE_FAULT]);
+bool beam_plots_choose(PlotChoice *choice, const char *text, char fault[PLOT_CHOICE_FAULT]);
 
 /* "phase", "poincare" and so on. */
 const char *beam_plots_name(size_t index);

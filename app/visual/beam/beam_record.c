@@ -26,7 +26,7 @@ static void begin_cycle(BeamRecord *record, size_t cycle) {
     record->motion.cycle = cycle;
 }
 
-static void follow_until(Motion *motion, double phase) {
+static void advance_until(Motion *motion, double phase) {
     while (motion->status == MOTION_GOOD && motion->phase < phase)
         motion_step(motion, phase - motion->phase);
 }
@@ -42,7 +42,7 @@ static size_t cycle_at(const BeamRecord *record, double time, double *phase) {
 void beam_record_seek(BeamRecord *record, double time) {
     double phase;
     begin_cycle(record, cycle_at(record, time, &phase));
-    follow_until(&record->motion, phase);
+    advance_until(&record->motion, phase);
 }
 
 /* Impacts -----------------------------------------------------------------------------------------------------------*/
@@ -86,7 +86,7 @@ static void note_reach(BeamRecord *record, BeamShape *shape) {
 }
 
 /* Goes through all cycles once. */
-static void follow_all(BeamRecord *record) {
+static void advance_all(BeamRecord *record) {
     double period = period_of(record);
     Motion *motion = &record->motion;
     BeamShape shape = beam_shape_create(motion->rig);
@@ -138,7 +138,7 @@ void beam_record_make(BeamRecord *record, const Rig *rig, const Response *respon
     *record = (BeamRecord){.response = response, .motion = motion_create(rig, 0)};
     record->cycles = whole < RESPONSE_TRACE_CYCLES ? whole : RESPONSE_TRACE_CYCLES;
     record->time = (double)record->cycles * rig->period;
-    follow_all(record);
+    advance_all(record);
     find_hardest(record);
 }
 
@@ -149,7 +149,7 @@ static void add_sample(BeamRecord *record, double time) {
     size_t cycle = cycle_at(record, time, &phase);
     if (cycle != record->motion.cycle || phase < record->motion.phase)
         begin_cycle(record, cycle);
-    follow_until(&record->motion, phase);
+    advance_until(&record->motion, phase);
     size_t at = record->sample_count++;
     record->times[at] = MILLI * time;
     record->displacement[at] = MILLI * motion_deflection(&record->motion);

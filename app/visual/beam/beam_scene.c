@@ -2,7 +2,7 @@
 
 #include "visual/beam/beam_joint.h"
 #include "visual/beam/beam_pieces.h"
-#include "visual/beam/beam_words.h"
+#include "visual/beam/beam_text.h"
 
 /* Of the beam's length: where everything is. */
 #define THINNEST 0.008    /* half of the thickness, as drawn, at least: a thinner beam could not be seen */
@@ -35,7 +35,7 @@
 #define PIVOT_BESIDE 0.03      /* where they end before it elsewhere */
 #define PIVOT_BEHIND 0.20      /* and where they begin when shaker and pivot both are at the end */
 #define DRIVE_MOST 0.085
-#define DRIVE_WORDS 0.175
+#define DRIVE_LABEL 0.175
 #define DRIVE_ASIDE 0.06 /* where the pivot is above */
 #define SHAFT_HALF 0.008
 #define BALL_MORE 1.25 /* 1, of the half thickness */
@@ -52,8 +52,8 @@
 
 /* Design points. */
 #define PANELS_HEIGHT 290.0
-#define NAME_LETTERS 17.0
-#define SMALL_LETTERS 15.0
+#define NAME_TEXT 17.0
+#define SMALL_TEXT 15.0
 #define EDGE 1.5
 #define THIN 1.5
 #define ROD_WIDTH 4.0
@@ -107,25 +107,25 @@ static size_t joint_count(const BeamScale *scale) {
 
 Box beam_scene_box(const BeamScale *scale, bool alone) {
     double behind = scale->parts & BEAM_SCENE_LOUPE ? BEHIND : BEHIND_ALONE, length = scale->length;
-    double words = alone ? (scale->parts & BEAM_SCENE_SOURCES ? 2 : 1) * ROW : 0;
-    return (Box){{-BEFORE * length, (LOW - words) * length}, {(1 + behind) * length, HIGH * length}};
+    double text = alone ? (scale->parts & BEAM_SCENE_SOURCES ? 2 : 1) * ROW : 0;
+    return (Box){{-BEFORE * length, (LOW - text) * length}, {(1 + behind) * length, HIGH * length}};
 }
 
-void beam_scene_words(Scene *scene, const Beam *beam, const Rig *rig, const Response *response, const BeamScale *scale,
-                      double slow) {
+void beam_scene_labels(Scene *scene, const Beam *beam, const Rig *rig, const Response *response, const BeamScale *scale,
+                       double slow) {
     bool resolved = response->verdict == RESPONSE_PERIODIC || response->verdict == RESPONSE_CHAOTIC;
     scene->box = beam_scene_box(scale, false);
     scene->panel_height = PANELS_HEIGHT;
     scene->unscaled = true;
-    scene->title = beam_words_title(scene, beam, rig, response);
+    scene->title = beam_text_title(scene, beam, rig, response);
     scene->title_role = resolved ? ROLE_TEXT : ROLE_ERROR;
-    scene->detail = beam_words_detail(scene, response);
+    scene->detail = beam_text_detail(scene, response);
     scene->name = scene_text(scene, "%s, %g mm long: deflection \u00d7 %.9g, in the loupe \u00d7 %.9g", beam->name,
                              1000 * scale->length, scale->joint[0].factor, scale->joint[1].factor);
     const char *moment = response->peaks.count ? "at the largest force" : "at the largest deflection";
     const char *slower = slow > 0 ? scene_text(scene, "%g times slower", slow) : moment;
     scene->note = scene_text(scene, "%s; thickness%s to scale, %s", slower, scale->to_scale ? "" : " not",
-                             beam_words_provenance(scene, beam, "beam.thickness"));
+                             beam_text_provenance(scene, beam, "beam.thickness"));
 }
 
 /* Rows of words to one side of a place, downwards; a piece's name is bold, what is told of it is not. */
@@ -134,7 +134,7 @@ static void add_rows(Scene *scene, const BeamScale *scale, Vec2 at, int side, co
     for (size_t i = 0; i < shown; i++) {
         Vec2 from = vec2(at.x, at.y - ROW * scale->length * (double)i), to = vec2(from.x + side, from.y);
         Primitive *label =
-            scene_add_label(scene, i ? ROLE_DIM_TEXT : ROLE_TEXT, i ? SMALL_LETTERS : NAME_LETTERS, from, rows[i]);
+            scene_add_label(scene, i ? ROLE_DIM_TEXT : ROLE_TEXT, i ? SMALL_TEXT : NAME_TEXT, from, rows[i]);
         if (side)
             scene_bind_label(scene, label, &to, 1);
         label->bold = i == 0;
@@ -157,24 +157,24 @@ static void still_pivot(Scene *scene, const Beam *beam, const BeamScale *scale) 
     double length = scale->length, side = pivot_side(beam);
     Vec2 foot = vec2(beam->pivot_position, side * -FLOOR * length);
     const char *rows[] = {"flexure pivot",
-                          scene_text(scene, "%s, %s", beam_words_quantity(scene, beam->pivot_stiffness, "N/m"),
-                                     beam_words_quantity(scene, beam->pivot_rotational, "N m/rad")),
-                          beam_words_provenance(scene, beam, "pivot.translational_stiffness")};
+                          scene_text(scene, "%s, %s", beam_text_quantity(scene, beam->pivot_stiffness, "N/m"),
+                                     beam_text_quantity(scene, beam->pivot_rotational, "N m/rad")),
+                          beam_text_provenance(scene, beam, "pivot.translational_stiffness")};
     if (beam->pivot_stiffness > 0)
         add_ground(scene, scale, foot, PIVOT_GROUND, side);
     bool left = beam->pivot_position > length / 4;
     double beside = side < 0 && !left ? -PIVOT_BEFORE : left ? -PIVOT_BESIDE : PIVOT_BEHIND;
-    Vec2 words = vec2(beam->pivot_position + beside * length, (HIGH - ROW / 2) * length);
-    add_rows(scene, scale, words, left ? -1 : 1, rows, 3);
+    Vec2 text = vec2(beam->pivot_position + beside * length, (HIGH - ROW / 2) * length);
+    add_rows(scene, scale, text, left ? -1 : 1, rows, 3);
 }
 
 static void still_shaker(Scene *scene, const Beam *beam, const BeamScale *scale) {
     double length = scale->length, x = beam->shaker_position, bottom = FLOOR * length;
-    const char *mass = beam->shaker_mass > 0 ? beam_words_quantity(scene, beam->shaker_mass, "kg") : "no mass";
-    const char *rows[] = {scene_text(scene, "shaker: %s", beam_words_quantity(scene, beam->force, "N")),
+    const char *mass = beam->shaker_mass > 0 ? beam_text_quantity(scene, beam->shaker_mass, "kg") : "no mass";
+    const char *rows[] = {scene_text(scene, "shaker: %s", beam_text_quantity(scene, beam->force, "N")),
                           scene_text(scene, "%s, %s; %s", mass,
-                                     beam_words_quantity(scene, beam->shaker_stiffness, "N/m"),
-                                     beam_words_provenance(scene, beam, "drive.force"))};
+                                     beam_text_quantity(scene, beam->shaker_stiffness, "N/m"),
+                                     beam_text_provenance(scene, beam, "drive.force"))};
     add_ground(scene, scale, vec2(x, bottom), YOKE_HALF + YOKE_DEPTH, -1);
     for (int side = -1; side <= 1; side += 2)
         beam_pieces_block(scene, ROLE_FURNITURE,
@@ -187,9 +187,9 @@ static void still_shaker(Scene *scene, const Beam *beam, const BeamScale *scale)
 static void still_joint(Scene *scene, const Beam *beam, const BeamScale *scale) {
     double length = scale->length;
     const char *rows[] = {scene_text(scene, "stops: %s, %s",
-                                     beam_words_quantity(scene, beam->contact.normal_stiffness, "N/m"),
-                                     beam_words_quantity(scene, beam->contact.normal_damping, "N s/m")),
-                          beam_words_provenance(scene, beam, "joint.stiffness")};
+                                     beam_text_quantity(scene, beam->contact.normal_stiffness, "N/m"),
+                                     beam_text_quantity(scene, beam->contact.normal_damping, "N s/m")),
+                          beam_text_provenance(scene, beam, "joint.stiffness")};
     if (!scale->stops)
         rows[0] = scene_text(scene, "stops: far outside, at \u00b1%.4g mm", 1000 * beam->clearance);
     for (size_t i = 0; i < joint_count(scale) && scale->stops; i++)
@@ -238,7 +238,7 @@ void beam_scene_still(Scene *scene, const Beam *beam, const BeamScale *scale) {
 
 static void add_magnified(Scene *scene, Vec2 at, const char *text) {
     Vec2 right = vec2(at.x + 1, at.y);
-    Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, SMALL_LETTERS, at, text);
+    Primitive *label = scene_add_label(scene, ROLE_DIM_TEXT, SMALL_TEXT, at, text);
     scene_bind_label(scene, label, &right, 1);
     label->fixed = true;
 }
@@ -326,9 +326,9 @@ static void add_drive(Scene *scene, const Beam *beam, const BeamScale *scale, co
     Vec2 low = vec2(x, drawn_at(scale, shape, beam->shaker_position) + scale->half);
     Vec2 high = vec2(x, low.y + DRIVE_MOST * length * fabs(drive) / beam->force);
     beam_pieces_arrow(scene, ROLE_LOCUS_SECOND, drive > 0 ? low : high, drive > 0 ? high : low, SHAFT_HALF * length);
-    Primitive *label = scene_add_label(scene, ROLE_LOCUS_SECOND, NAME_LETTERS, vec2(x, DRIVE_WORDS * length),
-                                       beam_words_signed_newtons(scene, drive, beam->force));
-    Vec2 right = vec2(x + length, DRIVE_WORDS * length);
+    Primitive *label = scene_add_label(scene, ROLE_LOCUS_SECOND, NAME_TEXT, vec2(x, DRIVE_LABEL * length),
+                                       beam_text_signed_newtons(scene, drive, beam->force));
+    Vec2 right = vec2(x + length, DRIVE_LABEL * length);
     scene_bind_label(scene, label, &right, 1);
     label->fixed = label->bold = true;
 }

@@ -50,8 +50,8 @@ typedef struct BeamScale {
 BeamScale beam_scene_scale(const Beam *beam, double reach, double tip_reach);
 
 /* The answer, the name and what must be said; `slow`: so many times slower, or 0 for a still picture. */
-void beam_scene_words(Scene *scene, const Beam *beam, const Rig *rig, const Response *response, const BeamScale *scale,
-                      double slow);
+void beam_scene_labels(Scene *scene, const Beam *beam, const Rig *rig, const Response *response, const BeamScale *scale,
+                       double slow);
 
 /* What must be seen; `alone`: with nothing round it, where words below the loupe would find room. */
 Box beam_scene_box(const BeamScale *scale, bool alone);

@@ -9,7 +9,7 @@
 #define BODY_EDGE 3.0
 #define CROSS_WIDTH 4.0
 #define DIMENSION_WIDTH 3.0
-#define LETTERS 17.0
+#define TEXT_SIZE 17.0
 
 #define BODY_OPACITY 0.15
 #define KEEP_BODY 4.0 /* how much labels avoid them */
@@ -95,7 +95,7 @@ void blockage_scene_add(Scene *scene, const House *house, const Observation *obs
 
 void blockage_scene_label(Scene *scene, const Blockage *blockage) {
     const char *widths = blockage_scene_widths(scene, blockage);
-    Primitive *tag = scene_add_label(scene, ROLE_TEXT, LETTERS, blockage->at, *widths ? widths : blockage->what);
+    Primitive *tag = scene_add_label(scene, ROLE_TEXT, TEXT_SIZE, blockage->at, *widths ? widths : blockage->what);
     tag->fill = ROLE_ERROR;
     tag->shape = LABEL_TAG;
     tag->bold = tag->leader = true;

@@ -10,7 +10,7 @@
 #define TOGETHER 1.5 /* m: who is stopped so near to others is stopped by the same thing */
 #define ALIKE 0.005  /* m: widths that are told alike */
 
-enum { REASONS_TOLD = 3 };
+enum { REASONS_SHOWN = 3 };
 
 bool census_walks(const Profile *profile) {
     return profile->driving == DRIVING_WALKER;
@@ -72,7 +72,7 @@ static void count_person(Census *census, size_t party_index, const PersonObserva
     census->last = fmax(census->last, person->time);
 }
 
-static void take_means(Party *party) {
+static void finish_means(Party *party) {
     party->lost /= (double)party->people;
     party->mean = party->out ? party->mean / (double)party->out : NAN;
     party->last = party->out ? party->last : NAN;
@@ -82,12 +82,12 @@ static bool has_place(Reason reason) {
     return reason == REASON_CANNOT_PASS || reason == REASON_BLOCKED;
 }
 
-static int telling(const char *what) {
+static int severity(const char *what) {
     return strncmp(what, "door ", 5) == 0 ? 2 : strncmp(what, "person ", 7) != 0;
 }
 
 /* Are these two the same? A narrow place is told by its widths, a jam by where it is. */
-static bool holds_meet(const Hold *a, const Hold *b) {
+static bool holds_agree(const Hold *a, const Hold *b) {
     if (a->reason != b->reason)
         return false;
     if (!has_place(a->reason))
@@ -103,13 +103,13 @@ static void join_holds(Hold *into, const Hold *other) {
     into->people += other->people;
     into->first = other->first < into->first ? other->first : into->first;
     into->box = box_include(box_include(into->box, other->box.low), other->box.high);
-    if (telling(other->blockage.what) > telling(into->blockage.what))
+    if (severity(other->blockage.what) > severity(into->blockage.what))
         into->blockage = other->blockage;
 }
 
 static size_t find_hold(const Census *census, const Hold *hold) {
     size_t h = 0;
-    while (h < census->hold_count && !holds_meet(hold, &census->holds[h]))
+    while (h < census->hold_count && !holds_agree(hold, &census->holds[h]))
         h++;
     return h;
 }
@@ -141,7 +141,7 @@ static int compare_holds(const void *a, const void *b) {
                                   : (p->first > q->first) - (p->first < q->first);
 }
 
-Census census_take(const House *house, const Observation *observation) {
+Census census_make(const House *house, const Observation *observation) {
     Census census = {.stuck = SIZE_MAX,
                      .left = memory_zeroed(house->plan.exit_count, sizeof *census.left),
                      .party_of = memory_zeroed(house->person_count, sizeof *census.party_of)};
@@ -161,7 +161,7 @@ Census census_take(const House *house, const Observation *observation) {
         census.stuck = census.stuck == SIZE_MAX ? i : census.stuck;
     }
     for (size_t p = 0; p < census.party_count; p++)
-        take_means(&census.parties[p]);
+        finish_means(&census.parties[p]);
     if (census.hold_count)
         qsort(census.holds, census.hold_count, sizeof *census.holds, compare_holds);
     return census;
@@ -176,7 +176,7 @@ void census_clear(Census *census) {
 }
 
 /* "29 blocked at door d2", "p1 cannot pass door d2 (needs at least 0.80 m, has 0.75 m)" */
-static void say_hold(const House *house, const Hold *hold, bool with_widths, char *text, size_t size) {
+static void format_hold(const House *house, const Hold *hold, bool with_widths, char *text, size_t size) {
     const char *what = hold->blockage.what;
     char widths[64] = "", who[64];
     if (with_widths)
@@ -189,7 +189,7 @@ static void say_hold(const House *house, const Hold *hold, bool with_widths, cha
     else if (hold->reason == REASON_CANNOT_PASS)
         snprintf(text, size, "%s cannot pass %s%s%s%s", who, *what ? what : "here", *widths ? " (" : "", widths,
                  *widths ? ")" : "");
-    else if (hold->reason == REASON_BLOCKED && telling(what))
+    else if (hold->reason == REASON_BLOCKED && severity(what))
         snprintf(text, size, "%s blocked at %s", who, what);
     else if (hold->reason == REASON_BLOCKED)
         snprintf(text, size, "%s blocked by %s", who, hold->people > 1 ? "other people" : what);
@@ -198,15 +198,15 @@ static void say_hold(const House *house, const Hold *hold, bool with_widths, cha
 }
 
 void census_reasons(const House *house, const Census *census, bool with_widths, char *text, size_t size) {
-    size_t used = 0, told = 0;
+    size_t used = 0, listed = 0;
     *text = 0;
-    for (size_t h = 0; h < census->hold_count && h < REASONS_TOLD && used < size; h++) {
+    for (size_t h = 0; h < census->hold_count && h < REASONS_SHOWN && used < size; h++) {
         char hold[256];
-        say_hold(house, &census->holds[h], with_widths, hold, sizeof hold);
+        format_hold(house, &census->holds[h], with_widths, hold, sizeof hold);
         used += (size_t)snprintf(text + used, size - used, "%s%s", h ? ", " : "", hold);
-        told += census->holds[h].people;
+        listed += census->holds[h].people;
     }
-    size_t rest = census->people - census->out - told;
+    size_t rest = census->people - census->out - listed;
     if (rest && used < size)
         snprintf(text + used, size - used, ", %zu elsewhere", rest);
 }

@@ -42,7 +42,7 @@ typedef struct Census {
 } Census;
 
 /* census_clear releases it; house and observation must outlive it. */
-Census census_take(const House *house, const Observation *observation);
+Census census_make(const House *house, const Observation *observation);
 void census_clear(Census *census);
 
 /* "27 cannot pass door d2 (needs at least 0.39 m, has 0.30 m), 2 time limit": the holds of those who are not out, with

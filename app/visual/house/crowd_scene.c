@@ -13,7 +13,7 @@
 #define DIAMOND_LEAST 2.0  /* half, of many who are not out, at least */
 #define DIAMOND_SINGLE 6.0 /* half, of few */
 #define DOT_LARGEST 8.0    /* radius */
-#define LETTERS 17.0
+#define TEXT_SIZE 17.0
 
 #define START_OPACITY 0.28
 #define LOCUS_OPACITY 0.4 /* of a walker's locus among FEW */
@@ -264,7 +264,7 @@ static void add_hold_label(Scene *scene, const Hold *hold) {
     const char *what = hold->reason == REASON_BLOCKED ? "blocked" : "cannot pass";
     const char *text = scene_text(scene, "%zu %s here", hold->people, what);
     Vec2 middle = vec2_scale(vec2_add(hold->box.low, hold->box.high), 0.5);
-    Primitive *tag = scene_add_label(scene, ROLE_TEXT, LETTERS, middle, text);
+    Primitive *tag = scene_add_label(scene, ROLE_TEXT, TEXT_SIZE, middle, text);
     tag->fill = ROLE_ERROR;
     tag->shape = LABEL_TAG;
     tag->bold = tag->leader = true;

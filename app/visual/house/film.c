@@ -17,19 +17,19 @@
 #define ROUNDING 1e-6 /* samples: times of the record are sums of steps */
 #define WALKER_OPACITY 0.10
 
-int film_shown(const char *words, const char **unknown) {
+int film_shown(const char *text, const char **unknown) {
     static const char *const names[] = {"circles", "routes", "widths"};
     const size_t count = sizeof names / sizeof *names;
     int shown = 0;
-    while (*words) {
-        size_t length = strcspn(words, ","), i = 0;
-        while (i < count && (strlen(names[i]) != length || memcmp(names[i], words, length) != 0))
+    while (*text) {
+        size_t length = strcspn(text, ","), i = 0;
+        while (i < count && (strlen(names[i]) != length || memcmp(names[i], text, length) != 0))
             i++;
-        *unknown = words;
+        *unknown = text;
         if (i == count)
             return -1;
         shown |= 1 << i;
-        words += length + (words[length] == ',');
+        text += length + (text[length] == ',');
     }
     return shown;
 }
@@ -53,7 +53,7 @@ static bool has_several_routes(const Film *film) {
 }
 
 /* Where people will go, with their feet before them, labels would hide them: marked, not seen. */
-static void keep_ways_clear(Film *film) {
+static void mark_routes(Film *film) {
     for (size_t i = 0; i < film->house->person_count; i++) {
         const Trail *trail = &film->trails[i];
         const Profile *profile = film->house->people[i].profile;
@@ -110,10 +110,10 @@ static void make_still(Film *film) {
     const House *house = film->house;
     Scene *scene = &film->still;
     int hidden = film->options.hidden;
-    Census census = census_take(house, film->observation);
+    Census census = census_make(house, film->observation);
     film->crowd = house_scene_begin(scene, house, film->observation, &census);
     census_clear(&census);
-    house_scene_say_before(scene, film->options.before);
+    house_scene_add_before(scene, film->options.before);
     if (box_width(film->options.box) > 0)
         scene->box = film->options.box;
     film->several = has_several_routes(film);
@@ -128,7 +128,7 @@ static void make_still(Film *film) {
     House rest = without_falling(film);
     plan_scene_still(scene, &rest);
     if (film->options.before.observation && !(hidden & FILM_GHOST))
-        people_scene_ghost(scene, film->options.before.observation, house_scene_before_word(film->options.before));
+        people_scene_ghost(scene, film->options.before.observation, house_scene_before_name(film->options.before));
     if (film->options.ahead && !film->crowd && !(hidden & FILM_LOCI))
         people_scene_ahead(scene, house, film->trails);
     route_scene_add(scene, house, film->observation, film->options.shown & FILM_ROUTES,
@@ -136,7 +136,7 @@ static void make_still(Film *film) {
     if (film->options.ways)
         scene_add_all(scene, film->options.ways);
     if (!film->crowd)
-        keep_ways_clear(film);
+        mark_routes(film);
     if (!film->crowd)
         plan_scene_signs(scene, &rest);
     add_blockages(film);
@@ -183,7 +183,7 @@ void film_extend(Film *film) {
             begin_progress(film, i);
 }
 
-void film_forget(Film *film) {
+void film_restart(Film *film) {
     film->time = -1;
 }
 
@@ -303,6 +303,6 @@ bool film_show(Film *film, double time) {
     return onwards;
 }
 
-bool film_rests(const Film *film, double time) {
+bool film_is_unchanged(const Film *film, double time) {
     return film->time == time && !film->extended;
 }

@@ -16,9 +16,9 @@ enum {
 };
 
 /* "circles,routes" and so on as FILM_... added up; -1: *unknown is where a word begins that is none. */
-int film_shown(const char *words, const char **unknown);
+int film_shown(const char *text, const char **unknown);
 
-#define FILM_WORDS "circles,routes,widths"
+#define FILM_SHOWN_NAMES "circles,routes,widths"
 
 /* What is shown unless it is hidden. */
 enum {
@@ -63,7 +63,7 @@ void film_extend(Film *film);
 void film_look(Film *film, Camera camera);
 
 /* The next film_show begins from nothing: film_added then holds all. */
-void film_forget(Film *film);
+void film_restart(Film *film);
 
 /* The layer that stays. */
 const Scene *film_still(const Film *film);
@@ -72,7 +72,7 @@ const Scene *film_still(const Film *film);
 bool film_show(Film *film, double time);
 
 /* Would film_show change nothing? */
-bool film_rests(const Film *film, double time);
+bool film_is_unchanged(const Film *film, double time);
 
 /* What has come since the last film_show, and what is there only now; good until the next. */
 const Scene *film_added(const Film *film);

@@ -7,8 +7,8 @@
 
 /* Design points. */
 #define CONTACT_EDGE 1.5
-#define CONTACT_LETTERS 17.0
-#define ID_LETTERS 15.0
+#define CONTACT_TEXT 17.0
+#define ID_TEXT 15.0
 #define GHOST_EDGE 2.5
 
 #define ID_BESIDE 0.62   /* m, up the plan, of the name from a body's middle */
@@ -113,7 +113,7 @@ static void add_contact(Film *film, const Standing *standing) {
     if (film->crowd)
         return;
     const char *text = scene_text(&film->moving, "%.0f N", hardest[TRACE_BODY_FORCE]);
-    Primitive *tag = scene_add_label(&film->moving, ROLE_TEXT, CONTACT_LETTERS, at, text);
+    Primitive *tag = scene_add_label(&film->moving, ROLE_TEXT, CONTACT_TEXT, at, text);
     Vec2 middle = silhouette_middle(standing->profile, standing->pose.at, standing->pose.heading);
     Vec2 beside = vec2_add(at, vec2_sub(at, middle));
     scene_bind_label(&film->moving, tag, &beside, 1);
@@ -128,7 +128,7 @@ static void add_name(Film *film, const Standing *standing) {
     bool raised = film->options.camera.kind == VIEW_RAISED;
     Vec2 at = raised ? middle : vec2_add(middle, vec2(0, ID_BESIDE));
     Primitive *tag =
-        scene_add_label(&film->moving, ROLE_TEXT, ID_LETTERS, at, person->route ? person->route->id : person->id);
+        scene_add_label(&film->moving, ROLE_TEXT, ID_TEXT, at, person->route ? person->route->id : person->id);
     tag->fill = film_layers_look(film, standing->person).role;
     tag->base = ID_HEIGHT;
     tag->shape = LABEL_TAG;

@@ -11,7 +11,7 @@ void furniture_fall_move(FurnitureFall *fall, double seconds) {
     fall->way = real_clamp(fall->way + (fall->piece.toppled ? part : -part), 0, 1);
 }
 
-bool furniture_fall_rests(const FurnitureFall *fall) {
+bool furniture_fall_is_over(const FurnitureFall *fall) {
     return fall->piece.toppled ? fall->way >= 1 : fall->way <= 0;
 }
 

@@ -27,7 +27,7 @@ typedef struct FurnitureFall {
 
 /* Moves it on by so many s. */
 void furniture_fall_move(FurnitureFall *fall, double seconds);
-bool furniture_fall_rests(const FurnitureFall *fall);
+bool furniture_fall_is_over(const FurnitureFall *fall);
 double furniture_fall_share(const FurnitureFall *fall);
 
 /* What a piece covers and how high it is, m, at a share: those of a piece that stands at 0, that lies at 1. */

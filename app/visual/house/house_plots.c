@@ -30,7 +30,7 @@ typedef struct Subjects {
     Subject list[PEOPLE_SCENE_INDIVIDUALS]; /* (count) */
     size_t count, people;                   /* shown, and who took part */
     bool alone;                             /* one was asked for */
-    const char *word;                       /* for them, when they are what was before */
+    const char *name;                       /* for them, when they are what was before */
 } Subjects;
 
 typedef struct HousePlot {
@@ -98,11 +98,11 @@ const char *house_plots_name(size_t index) {
     return known[index].name;
 }
 
-bool house_plots_choose(PlotChoice *choice, const char *words, char fault[PLOT_CHOICE_FAULT]) {
+bool house_plots_choose(PlotChoice *choice, const char *text, char fault[PLOT_CHOICE_FAULT]) {
     const char *names[HOUSE_PLOTS_KNOWN];
     for (size_t i = 0; i < HOUSE_PLOTS_KNOWN; i++)
         names[i] = known[i].name;
-    return plot_choice_read(choice, words, names, HOUSE_PLOTS_KNOWN, fault);
+    return plot_choice_read(choice, text, names, HOUSE_PLOTS_KNOWN, fault);
 }
 
 static void add_subject(Subjects *subjects, const Trail *trail, size_t person, Arena *arena) {
@@ -132,7 +132,7 @@ static void name_subjects(Subjects *subjects) {
 }
 
 /* The people of a run, chairs before walkers, or one of them, each with a copy of their rows. */
-static Subjects take_subjects(const House *house, const Observation *observation, const Trail *trails, size_t person,
+static Subjects make_subjects(const House *house, const Observation *observation, const Trail *trails, size_t person,
                               Arena *arena) {
     Subjects subjects = {.house = house, .observation = observation, .alone = person != SIZE_MAX};
     for (size_t i = 0; i < observation->person_count; i++)
@@ -167,8 +167,8 @@ static void add_ghosts(Plot *plot, const HousePlot *definition, const Subjects *
             if (strcmp(ghosts->house->people[ghosts->list[g].person].id,
                        subjects->house->people[subjects->list[i].person].id) == 0) {
                 PlotSeries *ghost = add_series(plot, definition, &ghosts->list[g]);
-                ghost->heading = text_in_arena(arena, "%s %s", ghosts->list[g].name, ghosts->word);
-                ghost->name = plot->series_count == 1 ? ghosts->word : NULL;
+                ghost->heading = text_in_arena(arena, "%s %s", ghosts->list[g].name, ghosts->name);
+                ghost->name = plot->series_count == 1 ? ghosts->name : NULL;
                 ghost->role = ROLE_GHOST;
                 ghost->style = LINE_DASHED;
                 ghost->width = THIN_WIDTH;
@@ -213,14 +213,14 @@ static size_t like_before(const House *house, Before before, size_t person) {
 HousePlots house_plots_make_of(const House *house, const Observation *observation, const Trail *trails, Before before,
                                size_t person, const PlotChoice *choice) {
     HousePlots plots = {.choice = *choice};
-    Subjects subjects = take_subjects(house, observation, trails, person, &plots.arena), ghosts = {.count = 0};
+    Subjects subjects = make_subjects(house, observation, trails, person, &plots.arena), ghosts = {.count = 0};
     if (before.observation) {
         Trail *others = trail_list(before.observation);
         ghosts =
-            take_subjects(before.house, before.observation, others, like_before(house, before, person), &plots.arena);
+            make_subjects(before.house, before.observation, others, like_before(house, before, person), &plots.arena);
         trail_free_list(others);
     }
-    ghosts.word = text_in_arena(&plots.arena, "%s", house_scene_before_word(before));
+    ghosts.name = text_in_arena(&plots.arena, "%s", house_scene_before_name(before));
     for (size_t i = 0; i < choice->count; i++)
         plots.plots[i] = make_plot(&known[choice->indices[i]], &subjects, &ghosts, &plots.arena);
     return plots;

@@ -10,10 +10,10 @@
 
 enum { HOUSE_PLOTS_KNOWN = 5 /* plots */ };
 
-#define HOUSE_PLOTS_WORDS "speed,clearance,force,ring,phase"
+#define HOUSE_PLOTS_NAMES "speed,clearance,force,ring,phase"
 
 /* "speed,clearance" as a choice, see plot_choice.h. */
-bool house_plots_choose(PlotChoice *choice, const char *words, char fault[PLOT_CHOICE_FAULT]);
+bool house_plots_choose(PlotChoice *choice, const char *text, char fault[PLOT_CHOICE_FAULT]);
 
 /* "speed", "clearance" and so on. */
 const char *house_plots_name(size_t index);

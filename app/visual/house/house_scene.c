@@ -9,7 +9,7 @@
 #include "visual/house/crowd_scene.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/plan_scene.h"
-#include "visual/house/wording.h"
+#include "visual/house/headline.h"
 
 /* The word that a note holds when its plan was not measured: then it must be read wherever the plan is seen. */
 static const char ASSUMED[] = "assumed";
@@ -79,7 +79,7 @@ static const char *findings(Scene *scene, const House *house, const Observation 
 }
 
 /* Routes that are driven alone have no time in common: what they have is that they lead out. */
-static void say_yes(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+static void format_yes(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     scene->title_role = ROLE_TEXT;
     scene->detail = findings(scene, house, observation, census);
     if (census->people == 1) {
@@ -93,7 +93,7 @@ static void say_yes(Scene *scene, const House *house, const Observation *observa
 }
 
 /* The first who is not out says why. */
-static void say_no(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+static void format_no(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     const PersonObservation *person = &observation->people[census->stuck];
     const char *why = failure(scene, &house->people[census->stuck], person),
                *how_much = blockage_scene_widths(scene, &person->blockage);
@@ -108,7 +108,7 @@ static void say_no(Scene *scene, const House *house, const Observation *observat
         scene_text(scene, "%s: %s%s%s", house->people[census->stuck].id, why, *how_much ? ", " : "", how_much);
 }
 
-static void say_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+static void format_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     scene->name = arena_text(&scene->arena, *house->plan.name ? house->plan.name : "house");
     scene->note = house_scene_is_assumed(&house->plan) ? arena_text(&scene->arena, house->plan.note) : "";
     scene->clock = observation->time > 0 ? scene_text(scene, "0 to %.1f s", observation->time) : "";
@@ -119,9 +119,9 @@ static void say_answer(Scene *scene, const House *house, const Observation *obse
     } else if (is_crowd(census)) {
         crowd_scene_answer(scene, house, observation, census);
     } else if (census->stuck == SIZE_MAX) {
-        say_yes(scene, house, observation, census);
+        format_yes(scene, house, observation, census);
     } else {
-        say_no(scene, house, observation, census);
+        format_no(scene, house, observation, census);
     }
 }
 
@@ -200,12 +200,12 @@ static Box whole_box(const House *house, const Observation *observation) {
 bool house_scene_begin(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     *scene = (Scene){.grid = HOUSE_SCENE_GRID, .top = PLAN_SCENE_CUT};
     scene->box = whole_box(house, observation);
-    return house_scene_say(scene, house, observation, census);
+    return house_scene_add_answer(scene, house, observation, census);
 }
 
-bool house_scene_say(Scene *scene, const House *house, const Observation *observation, const Census *census) {
+bool house_scene_add_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     bool crowd = is_crowd(census);
-    say_answer(scene, house, observation, census);
+    format_answer(scene, house, observation, census);
     list_hazards(scene, house, observation, crowd);
     if (crowd)
         crowd_scene_list(scene, house, census);
@@ -236,26 +236,26 @@ static void add_house(Scene *scene, const House *house, const Observation *obser
         plan_scene_names(scene, house, !crowd);
 }
 
-void house_scene_say_before(Scene *scene, Before before) {
-    char headline[WORDING_HEADLINE];
+void house_scene_add_before(Scene *scene, Before before) {
+    char headline[HEADLINE_TEXT];
     if (!before.observation)
         return;
-    wording_headline(before.house, before.observation, headline, sizeof headline);
+    headline_text(before.house, before.observation, headline, sizeof headline);
     *headline = (char)tolower((unsigned char)*headline);
-    scene->detail = scene_text(scene, "%s: %s%s%s", house_scene_before_word(before), headline,
+    scene->detail = scene_text(scene, "%s: %s%s%s", house_scene_before_name(before), headline,
                                *scene->detail ? "; now: " : "", scene->detail);
 }
 
 void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation, Before before) {
-    Census census = census_take(house, observation);
+    Census census = census_make(house, observation);
     house_scene_begin(scene, house, observation, &census);
-    house_scene_say_before(scene, before);
+    house_scene_add_before(scene, before);
     add_house(scene, house, observation, &census, before.observation, true);
     census_clear(&census);
 }
 
 void house_scene_make_small(Scene *scene, const House *house, const Observation *observation, Before before) {
-    Census census = census_take(house, observation);
+    Census census = census_make(house, observation);
     house_scene_begin(scene, house, observation, &census);
     add_house(scene, house, observation, &census, before.observation, false);
     census_clear(&census);
@@ -265,7 +265,7 @@ void house_scene_make(Scene *scene, const House *house, const Observation *obser
     house_scene_make_compared(scene, house, observation, (Before){.house = NULL});
 }
 
-static bool boxes_meet(Box a, Box b) {
+static bool boxes_overlap(Box a, Box b) {
     return a.high.x >= b.low.x && a.low.x <= b.high.x && a.high.y >= b.low.y && a.low.y <= b.high.y;
 }
 
@@ -279,7 +279,7 @@ static Box box_of(const Vec2 *points, size_t count) {
 static bool is_elsewhere(const Primitive *primitive, Box box) {
     if (primitive->kind == PRIMITIVE_LABEL)
         return !box_holds(box, primitive->points[0]);
-    return !boxes_meet(box_expand(box_of(primitive->points, primitive->count), primitive->radius), box);
+    return !boxes_overlap(box_expand(box_of(primitive->points, primitive->count), primitive->radius), box);
 }
 
 /* Of many rings that unite, thousands of bodies or of places along a way, only those that are seen. */
@@ -289,7 +289,7 @@ static void drop_rings(Scene *scene, Primitive *polygon, Box box) {
     for (size_t r = 0; r < polygon->ring_count; r++) {
         const Vec2 *ring = polygon->points + polygon->starts[r];
         size_t count = polygon->starts[r + 1] - polygon->starts[r];
-        if (!boxes_meet(box_of(ring, count), box))
+        if (!boxes_overlap(box_of(ring, count), box))
             continue;
         memcpy(points + starts[kept], ring, count * sizeof *points);
         starts[kept + 1] = starts[kept] + count;
@@ -302,7 +302,7 @@ static void drop_rings(Scene *scene, Primitive *polygon, Box box) {
 }
 
 void house_scene_make_detail(Scene *scene, const House *house, const Observation *observation, Box box) {
-    Census census = census_take(house, observation);
+    Census census = census_make(house, observation);
     *scene = (Scene){.grid = HOUSE_SCENE_GRID, .box = box, .bare = true};
     add_house(scene, house, observation, &census, NULL, true);
     census_clear(&census);

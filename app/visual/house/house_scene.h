@@ -19,11 +19,11 @@ bool house_scene_is_assumed(const Plan *plan);
 typedef struct Before {
     const House *house;
     const Observation *observation;
-    const char *word; /* for it, where it is not "before"; or NULL */
+    const char *name; /* for it, where it is not "before"; or NULL */
 } Before;
 
-static inline const char *house_scene_before_word(Before before) {
-    return before.word ? before.word : "before";
+static inline const char *house_scene_before_name(Before before) {
+    return before.name ? before.name : "before";
 }
 
 /* The same with what was before: its ways behind, its answer beside the own. */
@@ -33,12 +33,12 @@ void house_scene_make_compared(Scene *scene, const House *house, const Observati
 void house_scene_make_small(Scene *scene, const House *house, const Observation *observation, Before before);
 
 /* Adds that answer to a scene that has been begun. */
-void house_scene_say_before(Scene *scene, Before before);
+void house_scene_add_before(Scene *scene, Before before);
 
 /* The same as house_scene_make, of a part of the plan (m), without what lies elsewhere, and without answer and list. */
 void house_scene_make_detail(Scene *scene, const House *house, const Observation *observation, Box box);
 
 /* What stills and films have in common: the answer and the list beside it; and with them what has to be seen. Is it a
  * crowd? */
-bool house_scene_say(Scene *scene, const House *house, const Observation *observation, const Census *census);
+bool house_scene_add_answer(Scene *scene, const House *house, const Observation *observation, const Census *census);
 bool house_scene_begin(Scene *scene, const House *house, const Observation *observation, const Census *census);

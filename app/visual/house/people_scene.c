@@ -16,9 +16,9 @@
 #define GHOST_EDGE 1.5
 #define START_EDGE 2.0
 #define DIMENSION_WIDTH 3.0
-#define LETTERS 17.0
-#define TICK_LETTERS 15.0
-#define DISC_LETTERS 17.0
+#define TEXT_SIZE 17.0
+#define TICK_TEXT 15.0
+#define DISC_TEXT 17.0
 
 #define SWEPT_OPACITY 0.10
 #define GHOST_OPACITY 0.10
@@ -177,7 +177,7 @@ static void add_locus(Scene *scene, const Trail *trail, LocusLook look) {
     memory_free(points);
 }
 
-void people_scene_ghost(Scene *scene, const Observation *before, const char *word) {
+void people_scene_ghost(Scene *scene, const Observation *before, const char *name) {
     static const LocusLook look = {ROLE_GHOST, LINE_DASHED, LOCUS_WIDTH};
     Trail *trails = trail_list(before);
     for (size_t i = 0; i < before->person_count; i++) {
@@ -185,7 +185,7 @@ void people_scene_ghost(Scene *scene, const Observation *before, const char *wor
             continue;
         add_locus(scene, &trails[i], look);
         Pose middle = trail_pose(&trails[i], (trail_begin(&trails[i]) + trail_end(&trails[i])) / 2);
-        scene_add_label(scene, look.role, LETTERS, middle.at, word)->optional = true;
+        scene_add_label(scene, look.role, TEXT_SIZE, middle.at, name)->optional = true;
     }
     trail_free_list(trails);
 }
@@ -297,7 +297,7 @@ void people_scene_ways(Scene *scene, const House *house, const Observation *obse
 void people_scene_hazards(Scene *scene, const Observation *observation) {
     for (size_t i = 0; i < observation->hazard_count && i < PEOPLE_SCENE_HAZARDS; i++) {
         const Hazard *hazard = &observation->hazards[i];
-        Primitive *disc = scene_add_label(scene, ROLE_TEXT, DISC_LETTERS, hazard->at, scene_text(scene, "%zu", i + 1));
+        Primitive *disc = scene_add_label(scene, ROLE_TEXT, DISC_TEXT, hazard->at, scene_text(scene, "%zu", i + 1));
         disc->fill = people_scene_danger(hazard);
         disc->shape = LABEL_DISC;
         disc->bold = disc->leader = true;
@@ -305,7 +305,7 @@ void people_scene_hazards(Scene *scene, const Observation *observation) {
 }
 
 static Primitive *add_tag(Scene *scene, Role fill, Vec2 at, const char *text) {
-    Primitive *tag = scene_add_label(scene, ROLE_TEXT, LETTERS, at, text);
+    Primitive *tag = scene_add_label(scene, ROLE_TEXT, TEXT_SIZE, at, text);
     tag->fill = fill;
     tag->shape = LABEL_TAG;
     tag->bold = true;
@@ -332,7 +332,7 @@ static void add_person_labels(Scene *scene, const House *house, size_t i) {
     scene_bind_label(scene, name, outline, SILHOUETTE_POINTS);
 }
 
-static void add_route_letter(Scene *scene, const House *house, const Trail *trail, size_t i) {
+static void add_route_label(Scene *scene, const House *house, const Trail *trail, size_t i) {
     double behind = 0.75 * house->people[i].profile->length;
     Vec2 start = trail_pose(trail, trail_begin(trail)).at;
     double time = trail_begin(trail);
@@ -345,7 +345,7 @@ static void add_tick_numbers(Scene *scene, const Trail *trail, Role role) {
     Tick tick = first_tick(trail);
     while (next_tick(&tick))
         if (tick.numbered)
-            scene_add_label(scene, role, TICK_LETTERS, tick.pose.at, scene_text(scene, "%.0f s", tick.time))->optional =
+            scene_add_label(scene, role, TICK_TEXT, tick.pose.at, scene_text(scene, "%.0f s", tick.time))->optional =
                 true;
 }
 
@@ -361,7 +361,7 @@ void people_scene_labels(Scene *scene, const House *house, const Observation *ob
     people_scene_hazards(scene, observation);
     for (size_t i = 0; i < house->person_count; i++)
         if (trails[i].count > 1 && house->people[i].route)
-            add_route_letter(scene, house, &trails[i], i);
+            add_route_label(scene, house, &trails[i], i);
     for (size_t i = 0; i < house->person_count && house->person_count <= PEOPLE_SCENE_SEVERAL; i++)
         if (trails[i].count > 1)
             add_tick_numbers(scene, &trails[i], people_scene_look(house, i).role);

@@ -49,7 +49,7 @@ double people_scene_interval(const Trail *trail, bool several);
 double people_scene_least_interval(bool several);
 
 /* The loci of an observation that is not the one shown: dashed, with a word such as "before". */
-void people_scene_ghost(Scene *scene, const Observation *before, const char *word);
+void people_scene_ghost(Scene *scene, const Observation *before, const char *name);
 
 /* The whole loci (trails, a person each), thin: where everybody will have been. */
 void people_scene_ahead(Scene *scene, const House *house, const Trail *trails);

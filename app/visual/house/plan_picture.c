@@ -4,7 +4,7 @@
 #include "visual/house/plan_scene.h"
 
 #define PERSON 0.35        /* m, radius of somebody at the start */
-#define LETTERS 12.0       /* design points */
+#define TEXT_SIZE 12.0     /* design points */
 #define CROWD_OPACITY 0.12 /* of each crowd: several may stand in one place */
 
 /* Everybody where they begin; of a crowd, where it is. */
@@ -30,7 +30,7 @@ void plan_picture_make(Scene *scene, const House *house) {
     scene->title = scene_text(scene, "%s", house->plan.name);
     scene->note = house_scene_is_assumed(&house->plan) ? scene_text(scene, "%s", house->plan.note) : "";
     for (size_t i = 0; i < house->plan.person_count && i < PLAN_SCENE_NAMES; i++)
-        scene_add_label(scene, ROLE_CHAIR, LETTERS, house->plan.people[i].at, house->plan.people[i].id)->bold = true;
+        scene_add_label(scene, ROLE_CHAIR, TEXT_SIZE, house->plan.people[i].at, house->plan.people[i].id)->bold = true;
     plan_scene_tags(scene, house, NULL);
     plan_scene_names(scene, house, true);
 }

@@ -11,10 +11,10 @@
 #define EXIT_BAND 10.0
 #define EXIT_RIM 14.0
 #define CROSS_EDGE 3.0
-#define TAG_LETTERS 17.0
-#define NAME_LETTERS 17.0
-#define ROOM_LETTERS 18.0
-#define DOOR_LETTERS 15.0
+#define TAG_TEXT 17.0
+#define NAME_TEXT 17.0
+#define ROOM_TEXT 18.0
+#define DOOR_TEXT 15.0
 
 /* How much labels avoid them. */
 #define KEEP_WALL 1.0
@@ -273,7 +273,7 @@ void plan_scene_moving(Scene *scene, const House *house, const double *door_open
 }
 
 static Primitive *add_tag(Scene *scene, Role fill, Vec2 at, const char *text) {
-    Primitive *tag = scene_add_label(scene, ROLE_TEXT, TAG_LETTERS, at, text);
+    Primitive *tag = scene_add_label(scene, ROLE_TEXT, TAG_TEXT, at, text);
     tag->fill = fill;
     tag->bold = true;
     tag->shape = LABEL_TAG;
@@ -370,7 +370,7 @@ static Vec2 room_middle(const Points *outline) {
 
 static void add_furniture_name(Scene *scene, const Furniture *piece, bool needed) {
     const char *name = *piece->name ? piece->name : piece->id;
-    Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_LETTERS, piece->centre, name);
+    Primitive *label = scene_add_label(scene, ROLE_TEXT, NAME_TEXT, piece->centre, name);
     label->fill = ROLE_FURNITURE;
     label->leader = true;
     label->close = !needed;
@@ -385,14 +385,14 @@ void plan_scene_names(Scene *scene, const House *house, bool needed) {
         add_furniture_name(scene, &plan->furniture[i], needed);
     for (size_t i = 0; i < plan->room_count; i++) {
         const Points *outline = &plan->rooms[i].outline;
-        Primitive *label = scene_add_label(scene, ROLE_ROOM, ROOM_LETTERS, room_middle(outline), plan->rooms[i].name);
+        Primitive *label = scene_add_label(scene, ROLE_ROOM, ROOM_TEXT, room_middle(outline), plan->rooms[i].name);
         label->optional = true;
         scene_bind_label(scene, label, outline->at, outline->count);
     }
     for (size_t i = 0; i < plan->door_count && plan->door_count <= PLAN_SCENE_NAMES; i++) {
         Opening opening = opening_of(plan, &plan->doors[i]);
         Vec2 middle = vec2_scale(vec2_add(opening.hinge, opening.latch), 0.5);
-        Primitive *label = scene_add_label(scene, ROLE_DOOR, DOOR_LETTERS, middle, plan->doors[i].id);
+        Primitive *label = scene_add_label(scene, ROLE_DOOR, DOOR_TEXT, middle, plan->doors[i].id);
         label->close = label->optional = !needed;
     }
 }

@@ -7,7 +7,7 @@
 /* Design points. */
 #define WAY_WIDTH 2.5
 #define WIDTH_WIDTH 2.0
-#define LETTERS 15.0
+#define TEXT_SIZE 15.0
 
 static void add_way(Scene *scene, const Track *track) {
     Vec2 *points = memory_zeroed(track->count, sizeof *points);
@@ -23,7 +23,7 @@ static void add_width(Scene *scene, Vec2 corner, Vec2 towards, double width, con
     scene_add_dimension(scene, ROLE_TEXT, WIDTH_WIDTH, corner, opposite);
     Vec2 middle = vec2_scale(vec2_add(corner, opposite), 0.5);
     Primitive *tag =
-        scene_add_label(scene, ROLE_TEXT, LETTERS, middle,
+        scene_add_label(scene, ROLE_TEXT, TEXT_SIZE, middle,
                         scene_text(scene, width < PASSAGE_WIDEST ? "%s %.2f m" : "%s over %.1f m", name, width));
     tag->shape = LABEL_TAG;
     tag->leader = true;

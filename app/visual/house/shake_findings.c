@@ -114,10 +114,10 @@ static const char *made_by(const Making *making, const Trial *trial, Arena *aren
     for (size_t f = 0; f < plan->furniture_count; f++)
         topples[f] = trial->observed[making->record->toppled + f] > 0;
     size_t count = trial->observed[making->record->caught] > 0 ? 0 : shake_settings(plan, topples, settings, arena);
-    const char *words = "";
+    const char *text = "";
     for (size_t s = 0; s < count; s++)
-        words = text_in_arena(arena, "%s%s--set %s", words, s ? " " : "", settings[s]);
-    return words;
+        text = text_in_arena(arena, "%s%s--set %s", text, s ? " " : "", settings[s]);
+    return text;
 }
 
 static void find_worst(const Making *making) {

@@ -8,7 +8,7 @@
 /* Design points. */
 #define PIECE_EDGE 2.0
 #define FALL_EDGE 2.0
-#define LETTERS 17.0
+#define TEXT_SIZE 17.0
 
 /* How much labels avoid them. */
 #define KEEP_PIECE 2.0
@@ -69,7 +69,7 @@ static const char *per_cent(Scene *scene, double share) {
 }
 
 static void add_tag(Scene *scene, Role fill, Vec2 at, const char *text) {
-    Primitive *tag = scene_add_label(scene, ROLE_TEXT, LETTERS, at, text);
+    Primitive *tag = scene_add_label(scene, ROLE_TEXT, TEXT_SIZE, at, text);
     tag->fill = fill;
     tag->shape = LABEL_TAG;
     tag->bold = tag->leader = true;

@@ -14,7 +14,7 @@
 #define CIRCLE_SLACK 1.1
 
 /* Shortens the rays that meet somebody else's body. */
-static void meet_other(const Standing *other, const EdgePoint *rays, double *reach) {
+static void shorten_rays(const Standing *other, const EdgePoint *rays, double *reach) {
     Vec2 outline[SILHOUETTE_POINTS];
     silhouette_outline(other->profile, other->pose.at, other->pose.heading, 0, outline);
     for (int i = 0; i < SILHOUETTE_EDGE; i++)
@@ -36,7 +36,7 @@ Primitive *space_scene_add(Scene *scene, const House *house, const bool *door_op
     for (size_t i = 0; i < count; i++)
         if (i != own && all[i].group == all[own].group &&
             vec2_distance(all[i].pose.at, pose.at) < 2 * BODY_MOST + profile->space_reach)
-            meet_other(&all[i], rays, reach);
+            shorten_rays(&all[i], rays, reach);
     Vec2 outline[SILHOUETTE_EDGE];
     for (int i = 0; i < SILHOUETTE_EDGE; i++)
         outline[i] = vec2_along(rays[i].at, fmax(BODY_DEPTH, reach[i]), rays[i].normal);

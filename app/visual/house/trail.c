@@ -33,7 +33,7 @@ void trail_free_list(Trail *trails) {
 }
 
 /* The trace has moved in memory. */
-static void follow_trace(TrailGrowth *growth, const double *values) {
+static void rebase_rows(TrailGrowth *growth, const double *values) {
     uintptr_t before = (uintptr_t)growth->values;
     for (size_t p = 0; p < growth->count && growth->values != values; p++)
         for (size_t i = 0; i < growth->trails[p].count; i++)
@@ -48,7 +48,7 @@ void trail_grow(TrailGrowth *growth, const Observation *observation) {
         growth->trails = memory_zeroed(growth->count, sizeof *growth->trails);
         growth->capacities = memory_zeroed(growth->count, sizeof *growth->capacities);
     }
-    follow_trace(growth, trace->values);
+    rebase_rows(growth, trace->values);
     for (; growth->rows < trace->rows; growth->rows++) {
         const double *row = trace_row(trace, growth->rows);
         Trail *trail = &growth->trails[row_person(row)];

@@ -16,7 +16,7 @@ typedef struct Terms {
     const char *longer;  /* what helps where it cannot be told */
 } Terms;
 
-static const Terms terms[] = {
+static const Terms all_terms[] = {
     {.kind = "beam",
      .headline = {"No type can be told", "Type I: run it here", "Type II: run it here only with close tolerances",
                   "Type III: do not run it here"},
@@ -42,13 +42,13 @@ static const Terms terms[] = {
      .changes = "goes another way",
      .longer = "a larger run.until may tell"},
 };
-enum { KINDS = sizeof terms / sizeof *terms };
+enum { KINDS = sizeof all_terms / sizeof *all_terms };
 
 static const Terms *find_terms(const Experiment *experiment) {
     for (size_t k = 0; k < KINDS; k++)
-        if (strcmp(terms[k].kind, experiment->kind) == 0)
-            return &terms[k];
-    return &terms[0];
+        if (strcmp(all_terms[k].kind, experiment->kind) == 0)
+            return &all_terms[k];
+    return &all_terms[0];
 }
 
 /* "clearance" of "joint.clearance"; "door.d1.width" as it is. */
@@ -112,12 +112,12 @@ static void add_answers(Text *text, const Types *types, const Experiment *experi
 }
 
 /* "1 % more clearance is 7.3 % more of the largest force" */
-static void add_sensitivity(Text *text, const Terms *words, const TypesParameter *parameter) {
+static void add_sensitivity(Text *text, const Terms *terms, const TypesParameter *parameter) {
     if (isinf(parameter->sensitivity))
         text_format(text, "a change of 1 %% in %s decides whether there is any force at all",
                     short_name(parameter->name));
     else
-        text_format(text, "1 %% more %s makes %s %.2g %% %s", short_name(parameter->name), words->measure,
+        text_format(text, "1 %% more %s makes %s %.2g %% %s", short_name(parameter->name), terms->measure,
                     fabs(parameter->sensitivity), parameter->sensitivity < 0 ? "less" : "more");
 }
 
@@ -131,28 +131,28 @@ static const TypesParameter *steepest(const Types *types) {
     return most;
 }
 
-static void add_reason(Text *text, const Types *types, const Experiment *experiment, const Terms *words) {
+static void add_reason(Text *text, const Types *types, const Experiment *experiment, const Terms *terms) {
     const TypesPoint *worst = &types->points[types->worst];
     switch (types->reason) {
     case TYPES_ALL_WELL:
-        text_format(text, "%s with one answer within 1 %% of every number: ", words->regular);
+        text_format(text, "%s with one answer within 1 %% of every number: ", terms->regular);
         add_measure(text, experiment, types->points[0].answers[0].measure);
         break;
     case TYPES_STEEP_ANSWER:
-        text_format(text, "%s throughout, but steep: ", words->regular);
-        add_sensitivity(text, words, steepest(types));
+        text_format(text, "%s throughout, but steep: ", terms->regular);
+        add_sensitivity(text, terms, steepest(types));
         break;
     case TYPES_SEVERAL:
-        text_format(text, "%s throughout, but ", words->regular);
+        text_format(text, "%s throughout, but ", terms->regular);
         add_place(text, types, experiment, types->worst);
         if (worst->answer_count > 1)
             text_add(text, " the start decides: ");
         else
-            text_format(text, " it %s: ", words->changes);
+            text_format(text, " it %s: ", terms->changes);
         add_answers(text, types, experiment, types->worst);
         break;
     case TYPES_NOT_REGULAR:
-        text_format(text, "%s ", words->irregular);
+        text_format(text, "%s ", terms->irregular);
         add_place(text, types, experiment, types->worst);
         text_add(text, ",");
         add_starts(text, worst->irregular, "any");
@@ -164,11 +164,11 @@ static void add_reason(Text *text, const Types *types, const Experiment *experim
         add_answers(text, types, experiment, types->worst);
         break;
     case TYPES_UNDECIDED:
-        text_format(text, "%s ", words->unsure);
+        text_format(text, "%s ", terms->unsure);
         add_place(text, types, experiment, types->worst);
         text_add(text, ",");
         add_starts(text, worst->undecided, "any");
-        text_format(text, "; %s", types->stopped ? "it was stopped" : words->longer);
+        text_format(text, "; %s", types->stopped ? "it was stopped" : terms->longer);
         break;
     }
     text_add(text, ".\n");
@@ -230,14 +230,14 @@ static void add_names(Text *text, const Types *types) {
                     short_name(types->parameters[p].name));
 }
 
-static void add_neighbours(Text *text, const Types *types, const Experiment *experiment, const Terms *words) {
+static void add_neighbours(Text *text, const Types *types, const Experiment *experiment, const Terms *terms) {
     size_t order[TYPES_PARAMETERS_MOST], found = order_parameters(types, order);
     bool trouble = types->sought == NEIGHBOURS_TROUBLE;
     if (!types->parameter_count || (types->stopped && !found))
         return;
     if (!found) {
         text_format(text, "%s with one of these changed alone by up to %.3g %%: ",
-                    trouble ? words->stays : words->becomes_not, 100 * least_reached(types));
+                    trouble ? terms->stays : terms->becomes_not, 100 * least_reached(types));
         add_names(text, types);
     } else if (trouble) {
         text_add(text, "The nearest trouble is at ");
@@ -245,7 +245,7 @@ static void add_neighbours(Text *text, const Types *types, const Experiment *exp
         text_add(text, found > 1 ? "; then at " : "");
         add_found(text, types, experiment, order + 1, found - 1);
     } else {
-        text_format(text, "With one number changed alone %s at ", words->again);
+        text_format(text, "With one number changed alone %s at ", terms->again);
         add_found(text, types, experiment, order, found);
     }
     text_add(text, ".\n");
@@ -261,16 +261,16 @@ static void add_basis(Text *text, const Types *types, const char *each) {
     text_format(text, "%s.\n", types->stopped ? "; it was stopped before it was complete" : "");
 }
 
-void advice_words(Text *text, const Types *types, const Experiment *experiment, const char *each) {
-    const Terms *words = find_terms(experiment);
+void advice_write(Text *text, const Types *types, const Experiment *experiment, const char *each) {
+    const Terms *terms = find_terms(experiment);
     const TypesParameter *most = steepest(types);
-    text_format(text, "%s. ", words->headline[types->kind]);
-    add_reason(text, types, experiment, words);
-    add_neighbours(text, types, experiment, words);
+    text_format(text, "%s. ", terms->headline[types->kind]);
+    add_reason(text, types, experiment, terms);
+    add_neighbours(text, types, experiment, terms);
     if (most && types->reason != TYPES_STEEP_ANSWER && most->sensitivity != 0) {
         text_add(text, "It depends most on the ");
         text_format(text, "%s: ", short_name(most->name));
-        add_sensitivity(text, words, most);
+        add_sensitivity(text, terms, most);
         text_add(text, ".\n");
     }
     add_basis(text, types, each);

@@ -5,4 +5,4 @@
 #include "study/types.h"
 
 /* Adds the sentences, each on a line; `each` is how long a run is, "400 cycles", or NULL. */
-void advice_words(Text *text, const Types *types, const Experiment *experiment, const char *each);
+void advice_write(Text *text, const Types *types, const Experiment *experiment, const char *each);

@@ -17,5 +17,5 @@ typedef struct PlotChoice {
 
 /* "speed,clearance" as a choice of the known names (count). False: `fault` says which word is none, and which are, and
  * the choice is as it was. */
-bool plot_choice_read(PlotChoice *choice, const char *words, const char *const *known, size_t count,
+bool plot_choice_read(PlotChoice *choice, const char *text, const char *const *known, size_t count,
                       char fault[PLOT_CHOICE_FAULT]);

@@ -13,11 +13,11 @@
 
 /* "joint.clearance" as "joint clearance". */
 static const char *spoken(Arena *arena, const char *name) {
-    char *words = (char *)arena_text(arena, name);
-    for (char *at = words; *at; at++)
+    char *text = (char *)arena_text(arena, name);
+    for (char *at = text; *at; at++)
         if (*at == '.' || *at == '_')
             *at = ' ';
-    return words;
+    return text;
 }
 
 StudyScale study_axes_parameter(const Study *study, size_t axis, Arena *arena) {

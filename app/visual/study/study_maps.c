@@ -130,7 +130,7 @@ static Map begin_map(StudyPlots *plots, const Study *study, size_t pass, const c
 }
 
 /* A class that the map has gets a place in the key; what the cells hold is its number there. */
-static void keep_classes(Map *map, const PlotClass *classes, size_t count) {
+static void store_classes(Map *map, const PlotClass *classes, size_t count) {
     int place[CLASSES_MOST];
     memset(place, -1, sizeof place);
     for (size_t c = 0; c < count; c++)
@@ -163,7 +163,7 @@ static void note_first(Map *map) {
         map->to->plot.note = text_in_arena(map->arena, "the first of %zu runs", map->study->runs);
 }
 
-#define CANNOT_BE_TOLD                                                                                                 \
+#define UNDECIDED_CLASS                                                                                                \
     { "cannot be told", "?", ROLE_CLASS_NONE, PLOT_PATTERN_RISING }
 
 static void classify_regular(Map *map) {
@@ -171,12 +171,12 @@ static void classify_regular(Map *map) {
     const PlotClass classes[] = {
         {house ? "not all out" : "not periodic", house ? "no" : "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
         {house ? "all out" : "periodic", house ? "out" : "p", ROLE_CLASS_FIRST, PLOT_PATTERN_PLAIN},
-        CANNOT_BE_TOLD};
+        UNDECIDED_CLASS};
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         double regular = cell_value(map, i, map->study->experiment->regular);
         map->values[i] = !isnan(regular) ? regular >= 0.5 : was_run(map, i) ? 2 : NAN;
     }
-    keep_classes(map, classes, 3);
+    store_classes(map, classes, 3);
 }
 
 /* 0 where nothing is touched, 1 to 4, 5 for 5 to 8, 6 for more, 7 for none. */
@@ -196,18 +196,18 @@ static void classify_period(Map *map) {
         {"5 to 8", "5", ROLE_CLASS_FIFTH, PLOT_PATTERN_UPRIGHT},
         {"9 and more", "9", ROLE_CLASS_SIXTH, PLOT_PATTERN_LEVEL},
         {"not periodic", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
-        CANNOT_BE_TOLD,
+        UNDECIDED_CLASS,
     };
     const double undecided = sizeof classes / sizeof *classes - 1;
     size_t period = study_axes_find(map->study, "period"), touches = study_axes_find(map->study, "touches");
-    bool told = touches < map->study->experiment->observable_count;
+    bool known = touches < map->study->experiment->observable_count;
     for (size_t i = 0; i < map->columns * map->rows; i++) {
         const Trial *trial = map_trial(map, 0, i);
-        double class = period_class(study_axes_value(trial, period), told ? study_axes_value(trial, touches) : NAN);
+        double class = period_class(study_axes_value(trial, period), known ? study_axes_value(trial, touches) : NAN);
         map->values[i] = isnan(class) && was_run(map, i) ? undecided : class;
     }
     note_first(map);
-    keep_classes(map, classes, sizeof classes / sizeof *classes);
+    store_classes(map, classes, sizeof classes / sizeof *classes);
 }
 
 static void classify_type(Map *map) {
@@ -221,7 +221,7 @@ static void classify_type(Map *map) {
         map->values[i] = value >= 1 && value <= 3 ? value - 1 : was_run(map, i) ? 3 : NAN;
     }
     note_first(map);
-    keep_classes(map, classes, 4);
+    store_classes(map, classes, 4);
 }
 
 static const char *attractor_name(const Map *map, const Attractor *attractor) {
@@ -236,25 +236,25 @@ static void classify_attractors(Map *map) {
     static const Role roles[] = {ROLE_CLASS_FIRST,  ROLE_CLASS_FOURTH, ROLE_TYPE_SECOND,
                                  ROLE_CLASS_SECOND, ROLE_CLASS_SIXTH,  ROLE_CLASS_THIRD};
     static const char *const marks[] = {"A", "B", "C", "D", "E", "F", "G", "H", "I"};
-    enum { SHOWN = sizeof marks / sizeof *marks, REST = SHOWN, WILD, UNTOLD, ROLES = sizeof roles / sizeof *roles };
+    enum { SHOWN = sizeof marks / sizeof *marks, REST = SHOWN, WILD, UNDECIDED, ROLES = sizeof roles / sizeof *roles };
     size_t cells = map->columns * map->rows;
     int *found = arena_allocate(map->arena, cells * sizeof *found);
     Attractor *list;
     size_t count = list_attractors(map->study, map->pass, found, &list);
     PlotClass classes[CLASSES_MOST] = {[REST] = {"others", "+", ROLE_CLASS_NONE, PLOT_PATTERN_CROSSED},
                                        [WILD] = {"not regular", "n", ROLE_TYPE_THIRD, PLOT_PATTERN_PLAIN},
-                                       [UNTOLD] = CANNOT_BE_TOLD};
+                                       [UNDECIDED] = UNDECIDED_CLASS};
     for (size_t a = 0; a < SHOWN && a < count; a++)
         classes[a] = (PlotClass){text_in_arena(map->arena, "%s: %s", marks[a], attractor_name(map, &list[a])), marks[a],
                                  roles[a % ROLES], (PlotPattern)(a % PLOT_PATTERNS)};
     for (size_t i = 0; i < cells; i++)
-        map->values[i] = found[i] == -2     ? (was_run(map, i) ? UNTOLD : NAN)
+        map->values[i] = found[i] == -2     ? (was_run(map, i) ? UNDECIDED : NAN)
                          : found[i] == -1   ? WILD
                          : found[i] < SHOWN ? found[i]
                                             : REST;
     memory_free(list);
     note_first(map);
-    keep_classes(map, classes, UNTOLD + 1);
+    store_classes(map, classes, UNDECIDED + 1);
 }
 
 /* A quantity; false: it is the same everywhere, or not known. */
@@ -341,8 +341,8 @@ static void end_map(StudyPlots *plots, Map *map, const Measured *measured, bool 
 }
 
 /* A heading begins with a capital. */
-static const char *capital(Arena *arena, const char *words) {
-    char *heading = (char *)arena_text(arena, words);
+static const char *capital(Arena *arena, const char *text) {
+    char *heading = (char *)arena_text(arena, text);
     heading[0] = (char)toupper((unsigned char)heading[0]);
     return heading;
 }

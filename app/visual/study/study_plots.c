@@ -121,7 +121,7 @@ static void add_orbit_diagram(StudyPlots *plots, Sweep sweep) {
 /* One observable --------------------------------------------------------------------------------------------------- */
 
 /* Its values of all runs at a point (runs). */
-static void take_runs(const Study *study, size_t pass, size_t point, size_t observable, double *values) {
+static void copy_runs(const Study *study, size_t pass, size_t point, size_t observable, double *values) {
     for (size_t run = 0; run < study->runs; run++)
         values[run] = study_axes_value(study_trial(study, pass, run, 0, point), observable);
 }
@@ -152,7 +152,7 @@ static void add_curve(Sweep *sweep, size_t pass, size_t observable, size_t error
     double *runs = memory_zeroed(study->runs, sizeof *runs);
     for (size_t i = 0; i < steps_of(study); i++) {
         const Trial *trial = study_trial(study, pass, 0, 0, i);
-        take_runs(study, pass, i, observable, runs);
+        copy_runs(study, pass, i, observable, runs);
         x[i] = sweep->scale.factor * trial->at[0];
         Distribution of = montecarlo_distribution(runs, study->runs);
         mean[i] = of.mean;
@@ -215,7 +215,7 @@ static void add_blocked(Sweep *sweep) {
 }
 
 /* Is it known anywhere, and not the same everywhere? */
-static bool is_telling(const Study *study, size_t observable) {
+static bool is_varied(const Study *study, size_t observable) {
     double first = NAN;
     for (size_t t = 0; t < study->trial_count; t++) {
         double value = study_axes_value(&study->trials[t], observable);
@@ -315,7 +315,7 @@ StudyPlots study_plots_make(const Study *study, const Measured *measured) {
             add_orbit_diagram(&plots, sweep);
     }
     for (size_t o = 0; o < experiment->observable_count && study->axis_count < 2; o++) {
-        if (is_error(experiment->observables[o].name) || study_axes_is_mark(study, o) || !is_telling(study, o))
+        if (is_error(experiment->observables[o].name) || study_axes_is_mark(study, o) || !is_varied(study, o))
             continue;
         if (study->axis_count)
             add_observable(&plots, sweep, o);

@@ -53,7 +53,7 @@ static void check_words(const Layout *layout) {
     for (size_t i = 0; i < layout->caption_count; i++) {
         Box box = caption_box(&layout->captions[i]);
         CHECK(box.low.x >= 0 && box.low.y >= 0 && box.high.x <= layout->page.x && box.high.y <= layout->page.y);
-        CHECK(layout->captions[i].size >= LAYOUT_SMALLEST_LETTERS);
+        CHECK(layout->captions[i].size >= LAYOUT_SMALLEST_TEXT);
         for (size_t j = i + 1; j < layout->caption_count; j++)
             CHECK(!boxes_overlap(box, caption_box(&layout->captions[j])));
     }
@@ -463,7 +463,7 @@ static Scene crowd_scene(Census *census) {
     observed[7].reason = REASON_TIME_LIMIT;
     Scene scene;
     house_scene_make(&scene, &house, &observation);
-    *census = census_take(&house, &observation);
+    *census = census_make(&house, &observation);
     trace_clear(&observation.trace);
     return scene;
 }

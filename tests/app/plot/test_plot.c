@@ -214,7 +214,7 @@ static void check_layout(const PlotLayout *layout) {
     for (size_t i = 0; i < sheet->caption_count; i++) {
         Box box = caption_box(&sheet->captions[i]);
         CHECK(box.low.x >= 0 && box.low.y >= 0 && box.high.x <= sheet->page.x && box.high.y <= sheet->page.y);
-        CHECK(sheet->captions[i].size >= LAYOUT_SMALLEST_LETTERS);
+        CHECK(sheet->captions[i].size >= LAYOUT_SMALLEST_TEXT);
         for (size_t j = i + 1; j < sheet->caption_count; j++)
             CHECK(!words_overlap(&sheet->captions[i], &sheet->captions[j]));
     }

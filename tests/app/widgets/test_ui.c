@@ -503,10 +503,10 @@ static int pango_height(double size, bool bold) {
 }
 
 TEST(letters_are_as_high_as_those_of_pictures) {
-    static const double sizes[UI_LETTERS] = {17, 15, 17, 19, 26, 22, 40};
+    static const double sizes[UI_TEXT_STYLES] = {17, 15, 17, 19, 26, 22, 40};
     for (double text = 1; text <= 3; text += 0.5) {
         Pane pane = pane_begin(WIDTH, HEIGHT, text, THEME_PAPER);
-        for (UiLetters letters = UI_BODY; letters < UI_LETTERS; letters++) {
+        for (UiTextStyle letters = UI_BODY; letters < UI_TEXT_STYLES; letters++) {
             paint_gl_screen_begin(pane.screen, WIDTH, HEIGHT, (Colour){1, 1, 1});
             ui_begin(pane.ui, &pane.input);
             ui_draw_text(pane.ui, letters, ROLE_TEXT, vec2(100, 100), 0.5, "H");

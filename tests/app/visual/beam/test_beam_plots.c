@@ -30,7 +30,7 @@ TEST(words_choose_plots_of_a_beam) {
     PlotChoice choice;
     char fault[PLOT_CHOICE_FAULT];
     CHECK(beam_plots_choose(&choice, BEAM_PLOTS_USUAL, fault) && choice.count == 3);
-    CHECK(beam_plots_choose(&choice, BEAM_PLOTS_WORDS, fault) && choice.count == BEAM_PLOTS_KNOWN);
+    CHECK(beam_plots_choose(&choice, BEAM_PLOTS_NAMES, fault) && choice.count == BEAM_PLOTS_KNOWN);
     CHECK(!beam_plots_choose(&choice, "speed", fault));
     CHECK_TEXT(fault, "no plot \"speed\": plots are phase, poincare, force, displacement, velocity, spectrum");
 }

@@ -58,14 +58,14 @@ TEST(it_covers_more_and_more_ever_faster_for_six_tenths_of_a_second) {
         FurnitureFall fall = {.piece = piece_to(face)};
         double last = area_of(&fall.piece, 0), grown = 0;
         for (int i = 0; i < 60; i++) {
-            CHECK(!furniture_fall_rests(&fall));
+            CHECK(!furniture_fall_is_over(&fall));
             furniture_fall_move(&fall, 0.01 + 1e-12);
             double area = area_of(&fall.piece, furniture_fall_share(&fall));
             CHECK(area - last > grown - 1e-9);
             grown = area - last;
             last = area;
         }
-        CHECK(furniture_fall_rests(&fall));
+        CHECK(furniture_fall_is_over(&fall));
         CHECK_NEAR(last, area_of(&fall.piece, 1), 1e-12);
     }
 }
@@ -98,9 +98,9 @@ TEST(a_piece_that_is_stood_up_halfway_goes_back_from_there) {
     furniture_fall_move(&fall, 0);
     CHECK_NEAR(furniture_fall_share(&fall), there, 0);
     furniture_fall_move(&fall, 0.1);
-    CHECK(furniture_fall_share(&fall) < there && !furniture_fall_rests(&fall));
+    CHECK(furniture_fall_share(&fall) < there && !furniture_fall_is_over(&fall));
     furniture_fall_move(&fall, INFINITY);
-    CHECK(furniture_fall_rests(&fall) && furniture_fall_share(&fall) == 0);
+    CHECK(furniture_fall_is_over(&fall) && furniture_fall_share(&fall) == 0);
 }
 
 TEST(pieces_of_a_shake_begin_one_after_the_other_by_seed_and_id) {

@@ -1,11 +1,11 @@
-#include "visual/house/wording.h"
+#include "visual/house/headline.h"
 
 #include <stdio.h>
 
 #include "visual/house/census.h"
 
 /* "p1 is blocked at door d2 after 18.4 s" */
-static void say_stuck(const House *house, const Observation *observation, size_t i, char *text, size_t size) {
+static void format_stuck(const House *house, const Observation *observation, size_t i, char *text, size_t size) {
     const PersonObservation *person = &observation->people[i];
     const Blockage *blockage = &person->blockage;
     const char *id = house->people[i].id;
@@ -21,8 +21,8 @@ static void say_stuck(const House *house, const Observation *observation, size_t
         snprintf(text, size, "%s is not out: %s at %.1f s", id, observation_reason(person->reason), person->time);
 }
 
-void wording_headline(const House *house, const Observation *observation, char *text, size_t size) {
-    Census census = census_take(house, observation);
+void headline_text(const House *house, const Observation *observation, char *text, size_t size) {
+    Census census = census_make(house, observation);
     size_t stuck = census.people - census.out;
     if (!census.people) {
         snprintf(text, size, "Nobody takes part");
@@ -33,11 +33,11 @@ void wording_headline(const House *house, const Observation *observation, char *
         snprintf(text, size, alone ? "All %zu out, each route alone, in at most %.1f s" : "All %zu out in %.1f s",
                  census.people, observation->time);
     } else {
-        char why[WORDING_HEADLINE / 2], others[64] = "";
+        char why[HEADLINE_TEXT / 2], others[64] = "";
         if (census.out)
             snprintf(others, sizeof others, "; the other%s out in %.1f s", census.out > 1 ? "s" : "", census.last);
         if (stuck == 1) {
-            say_stuck(house, observation, census.stuck, why, sizeof why);
+            format_stuck(house, observation, census.stuck, why, sizeof why);
             snprintf(text, size, "%s%s", why, others);
         } else {
             census_reasons(house, &census, true, why, sizeof why);

@@ -1,9 +1,9 @@
-#include "visual/beam/beam_words.h"
+#include "visual/beam/beam_text.h"
 
 #include <math.h>
 #include <string.h>
 
-const char *beam_words_quantity(Scene *scene, double value, const char *unit) {
+const char *beam_text_quantity(Scene *scene, double value, const char *unit) {
     static const struct {
         double size;
         const char *name;
@@ -11,7 +11,7 @@ const char *beam_words_quantity(Scene *scene, double value, const char *unit) {
     enum { LAST = sizeof prefixes / sizeof *prefixes - 1 };
     if (strcmp(unit, "kg") == 0)
         return value >= 1 || value == 0 ? scene_text(scene, "%.3g kg", value)
-                                        : beam_words_quantity(scene, 1000 * value, "g");
+                                        : beam_text_quantity(scene, 1000 * value, "g");
     int p = 0;
     while (p < LAST && fabs(value) < prefixes[p].size)
         p++;
@@ -25,11 +25,11 @@ static int digits_of(double most) {
     return (int)real_clamp(most > 0 ? 2 - floor(log10(most)) : 0, 0, 9);
 }
 
-const char *beam_words_newtons(Scene *scene, double force, double most) {
+const char *beam_text_newtons(Scene *scene, double force, double most) {
     return scene_text(scene, "%.*f N", digits_of(most), force);
 }
 
-const char *beam_words_signed_newtons(Scene *scene, double force, double most) {
+const char *beam_text_signed_newtons(Scene *scene, double force, double most) {
     return scene_text(scene, "%s%.*f N", force < 0 ? "\u2212" : "+", digits_of(most), fabs(force));
 }
 
@@ -40,7 +40,7 @@ static const char *peaks_of(Scene *scene, const SectionPeaks *peaks) {
     return strcmp(least, most) == 0 ? scene_text(scene, "%s N", most) : scene_text(scene, "%s to %s N", least, most);
 }
 
-const char *beam_words_title(Scene *scene, const Beam *beam, const Rig *rig, const Response *response) {
+const char *beam_text_title(Scene *scene, const Beam *beam, const Rig *rig, const Response *response) {
     static const char *const verdicts[] = {[RESPONSE_PERIODIC] = "Periodic",
                                            [RESPONSE_CHAOTIC] = "Chaotic",
                                            [RESPONSE_UNRESOLVED] = "Unresolved",
@@ -51,11 +51,11 @@ const char *beam_words_title(Scene *scene, const Beam *beam, const Rig *rig, con
         verdict = scene_text(scene, "Period %zu", response->orbit.period);
     if (!response->peaks.count)
         return scene_text(scene, "No contact: tip \u00b1%s at %g Hz",
-                          beam_words_quantity(scene, rig_free_amplitude(rig), "m"), beam->frequency);
+                          beam_text_quantity(scene, rig_free_amplitude(rig), "m"), beam->frequency);
     return scene_text(scene, "%s: %s at %g Hz", verdict, peaks_of(scene, &response->peaks), beam->frequency);
 }
 
-const char *beam_words_detail(Scene *scene, const Response *response) {
+const char *beam_text_detail(Scene *scene, const Response *response) {
     if (response->verdict == RESPONSE_PERIODIC)
         return scene_text(scene, "%s, multiplier %.3f", response->orbit.period == 1 ? "each cycle alike" : "it repeats",
                           response->orbit.largest);
@@ -65,12 +65,12 @@ const char *beam_words_detail(Scene *scene, const Response *response) {
     return scene_text(scene, "after %zu cycles", response->cycles);
 }
 
-const char *beam_words_provenance(Scene *scene, const Beam *beam, const char *name) {
+const char *beam_text_provenance(Scene *scene, const Beam *beam, const char *name) {
     const ParameterTable *table = beam_table();
     const Parameter *row = parameters_find(table, name);
     const char *whole = row ? beam->provenance[row - table->rows] : NULL;
     if (!whole)
         return "";
-    const char *word = scene_text(scene, "%.*s", (int)strcspn(whole, ":"), whole);
-    return strstr(whole, "not published") ? scene_text(scene, "%s, not published", word) : word;
+    const char *label = scene_text(scene, "%.*s", (int)strcspn(whole, ":"), whole);
+    return strstr(whole, "not published") ? scene_text(scene, "%s, not published", label) : label;
 }

@@ -4,7 +4,7 @@
 #include "house/house.h"
 #include "house/observation.h"
 
-enum { WORDING_HEADLINE = 1024 /* room for a headline */ };
+enum { HEADLINE_TEXT = 1024 /* room for a headline */ };
 
 /* "Out in 18.4 s" or what stands against it. */
-void wording_headline(const House *house, const Observation *observation, char *text, size_t size);
+void headline_text(const House *house, const Observation *observation, char *text, size_t size);
