@@ -198,14 +198,14 @@ bool rig_build(Rig *rig, const Beam *beam, const char *place, Fault *fault) {
     Modes modes;
     if (!modes_of_beam(&modes, beam)) {
         fault_add(fault,
-                  "%s: the beam has no natural modes that can be told apart: its stiffnesses are too far apart, "
-                  "or next to nothing holds it",
+                  "%s: the beam has no distinct natural modes: its stiffnesses differ too much, "
+                  "or its support is too soft",
                   place);
         return false;
     }
     if (!rig_of_modes(rig, &modes, beam)) {
         fault_add(fault,
-                  "%s: the contact has no eigenvalues that can be told apart: joint.stiffness or joint.damping is "
+                  "%s: the contact has no distinct eigenvalues: joint.stiffness or joint.damping is "
                   "too far from the beam's",
                   place);
         return false;
@@ -213,8 +213,8 @@ bool rig_build(Rig *rig, const Beam *beam, const char *place, Fault *fault) {
     if (rig->period / rig->cell <= RIG_CELLS_MOST)
         return true;
     fault_add(fault,
-              "%s: the fastest vibration is %.0e times as fast as the drive, at most %.0e times can be followed: "
-              "drive.frequency higher or beam.modes fewer",
+              "%s: the fastest vibration is %.0e times as fast as the drive, must be at most %.0e times: "
+              "raise drive.frequency or reduce beam.modes",
               place, rig->period / rig->cell / 4, RIG_CELLS_MOST / 4);
     rig_clear(rig);
     return false;

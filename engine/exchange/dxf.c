@@ -188,7 +188,7 @@ static void add_instance(Drawing *drawing, size_t first, size_t end) {
     size_t piece = house_builder_piece(drawing->builder, instance->block, centre, vec2_sub(box.high, box.low),
                                        degrees(atan2(instance->x.y, instance->x.x)), 0);
     if (piece == SIZE_MAX)
-        import_report_leave(drawing->builder->report, 1, "blocks of furniture narrower than 1 cm");
+        import_report_leave(drawing->builder->report, 1, "furniture blocks narrower than 1 cm");
 }
 
 static void add_furniture(Drawing *drawing) {
@@ -204,10 +204,10 @@ static void add_furniture(Drawing *drawing) {
         if (shape->instance != SIZE_MAX)
             add_instance(drawing, s, end);
         else if (!shape->closed)
-            import_report_leave(drawing->builder->report, 1, "open lines on layers of furniture");
+            import_report_leave(drawing->builder->report, 1, "open lines on furniture layers");
         else if (house_builder_piece_around(drawing->builder, "furniture", points_of(drawing, shape), shape->count,
                                             0) == SIZE_MAX)
-            import_report_leave(drawing->builder->report, 1, "outlines of furniture narrower than 1 cm");
+            import_report_leave(drawing->builder->report, 1, "furniture outlines narrower than 1 cm");
     }
 }
 
@@ -280,11 +280,11 @@ static void add_door(Drawing *drawing, const DxfShape *shape) {
     ImportReport *report = drawing->builder->report;
     bool first;
     if (radius < DOOR_LEAST || radius > DOOR_MOST || shape->sweep < SWING_LEAST || shape->sweep > SWING_MOST)
-        import_report_leave(report, 1, "arcs on layers of doors that are no swing of a door");
+        import_report_leave(report, 1, "arcs on door layers that are not door swings");
     else if (!shut_end(drawing, shape->centre, one, other, &first))
-        import_report_leave(report, 1, "doors that stand at no wall");
+        import_report_leave(report, 1, "doors that are not at a wall");
     else if (place_door(drawing, shape->centre, first ? one : other, first ? other : one) == SIZE_MAX)
-        import_report_leave(report, 1, "doors for which their walls have no room");
+        import_report_leave(report, 1, "doors that do not fit into their wall");
 }
 
 static void add_doors(Drawing *drawing) {
@@ -302,14 +302,12 @@ static void add_doors(Drawing *drawing) {
             continue;
         arcs += shape->arc;
         if (arcs > HOUSE_BUILDER_FEW)
-            house_builder_fail(drawing->builder, "more than %d arcs on layers of doors, must be fewer",
-                               HOUSE_BUILDER_FEW);
+            house_builder_fail(drawing->builder, "more than %d arcs on door layers, must be fewer", HOUSE_BUILDER_FEW);
         else if (shape->arc)
             add_door(drawing, shape);
     }
     if (lines && !drawing->builder->plan.door_count)
-        import_report_leave(drawing->builder->report, lines,
-                            "lines on layers of doors, none of them the arc of a swing");
+        import_report_leave(drawing->builder->report, lines, "lines on door layers without a swing arc");
 }
 
 /* The whole ------------------------------------------------------------------------------------------------------- */
@@ -331,8 +329,7 @@ static bool convert(Drawing *drawing) {
         return false;
     add_walls(drawing);
     if (!builder->failed && !builder->plan.wall_count)
-        return house_builder_fail(builder, "there are no lines on layers of walls: --layers walls=NAME says where they "
-                                           "are");
+        return house_builder_fail(builder, "no layer has walls: name their layer with --layers walls=NAME");
     add_doors(drawing);
     add_furniture(drawing);
     add_exits(drawing);

@@ -165,12 +165,12 @@ static bool insert_block(Walker *walker, const DxfEntity *insert, const Place *p
     const DxfBlock *block = dxf_file_block(walker->file, insert->block);
     DxfRole role = (DxfRole)walker->file->layers[layer].role;
     if (!block) {
-        import_report_leave(walker->builder->report, 1, "blocks that are not in the file");
+        import_report_leave(walker->builder->report, 1, "blocks missing from the file");
         return true;
     }
     if (place->depth == DEEPEST) {
         walker->builder->line = insert->line;
-        return house_builder_fail(walker->builder, "blocks are nested too deeply: does \"%.60s\" hold itself?",
+        return house_builder_fail(walker->builder, "blocks are nested too deeply: \"%.60s\" may contain itself",
                                   insert->block);
     }
     Affine outer = of_entity(place, insert);

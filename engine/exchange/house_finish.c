@@ -55,7 +55,7 @@ static bool bring_near(HouseBuilder *builder) {
     if (fabs(middle.x) > FAR || fabs(middle.y) > FAR) {
         Vec2 by = vec2(-floor(box.low.x), -floor(box.low.y));
         visit_all(&builder->plan, move_point, by, NULL);
-        import_report_note(builder->report, "all is moved by (%.10g, %.10g) m, to the origin", by.x, by.y);
+        import_report_note(builder->report, "the plan was moved by (%.10g, %.10g) m to the origin", by.x, by.y);
     }
     if (box_width(box) < PARAMETER_FARTHEST / 2 && box_height(box) < PARAMETER_FARTHEST / 2)
         return true;
@@ -111,7 +111,7 @@ static void drop_walled_in(HouseBuilder *builder) {
         else
             drop_from_routes(plan, plan->people[p].id);
     }
-    import_report_leave(builder->report, plan->person_count - kept, "people who stand inside something");
+    import_report_leave(builder->report, plan->person_count - kept, "people who stand inside an obstacle");
     plan->person_count = kept;
 }
 
@@ -119,10 +119,10 @@ static void note_what_lacks(HouseBuilder *builder) {
     const Plan *plan = &builder->plan;
     bool empty = !plan->person_count && !plan->crowd_count;
     if (!plan->exit_count)
-        import_report_note(builder->report, "there is no exit yet: add one where people leave%s",
+        import_report_note(builder->report, "the house has no exit yet: add one where people leave%s",
                            empty ? ", and people" : "");
     else if (empty)
-        import_report_note(builder->report, "nobody lives here yet: add people");
+        import_report_note(builder->report, "the house has no people yet: add people");
 }
 
 /* Returns a note about the origin of the plan and its gaps, for later readers; the report has the full list. */
@@ -133,8 +133,7 @@ static const char *house_note(HouseBuilder *builder) {
     Text note = {0};
     text_format(&note, "Imported from %s (%s)", slash ? slash + 1 : builder->path, report->format);
     for (size_t i = 0; i < named; i++)
-        text_format(&note, "%s %s (%zu)", i ? "," : "; not taken over:", report->left_out[i].what,
-                    report->left_out[i].count);
+        text_format(&note, "%s %s (%zu)", i ? "," : "; left out:", report->left_out[i].what, report->left_out[i].count);
     if (named < kinds)
         text_format(&note, " and %zu kinds more", kinds - named);
     text_make_plain(note.text);
@@ -146,7 +145,7 @@ static const char *house_note(HouseBuilder *builder) {
 bool house_finish_plan(HouseBuilder *builder, Plan *plan) {
     builder->line = 1;
     if (!builder->failed && !builder->plan.wall_count)
-        house_builder_fail(builder, "there is nothing that could be a wall");
+        house_builder_fail(builder, "the file has no walls");
     if (builder->failed || !bring_near(builder))
         return false;
     drop_walled_in(builder);

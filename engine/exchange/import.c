@@ -55,7 +55,8 @@ bool import_is_file(const char *path) {
 bool import_read(Plan *plan, const char *path, const ImportOptions *options, ImportReport *report, Fault *fault) {
     const Format *format = find_format(path);
     if (!format) {
-        fault_add(fault, "%s:1:1: of an unknown kind, its name must end in .sh3d, .dxf, .wkt or .scenario", path);
+        fault_add(fault, "%s:1:1: the kind of file is unknown, the name must end in .sh3d, .dxf, .wkt or .scenario",
+                  path);
         return false;
     }
     report->format = format->name;

@@ -88,7 +88,7 @@ static void read_name(Reader *reader, TablePlace place, int index, const char *t
     }
     reader->scale[k] = unit_scale(unit, reader->kinds[k].unit);
     if (reader->column_of[k] >= 0)
-        table_fault(&reader->table, place, "there is a second column", text, ", must be one");
+        table_fault(&reader->table, place, "a second column is named", text, ", must be one");
     else if (reader->scale[k] == 0)
         fault_add(reader->table.fault, "%s:%d:%d: %s is in %s, must be in %s", reader->table.path, place.line,
                   place.column, reader->kinds[k].name, unit, reader->kinds[k].unit);
@@ -183,7 +183,7 @@ bool measured_read(Measured *measured, const char *path, const MeasuredKind *kin
     if (fault->total == before && !reader.head)
         fault_columns(&reader, (TablePlace){1, 1});
     else if (fault->total == before && !reader.measured.count)
-        fault_add(fault, "%s:%d:1: there is no point, must be one or more", path, end.line);
+        fault_add(fault, "%s:%d:1: the table has no points, it must have at least one", path, end.line);
     if (fault->total != before) {
         measured_free(&reader.measured);
         return false;

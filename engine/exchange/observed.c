@@ -64,7 +64,7 @@ static void read_name(Reader *reader, TablePlace place, int index, const char *t
     if (column < 0)
         return;
     if (reader->column_of[column] >= 0)
-        table_fault(&reader->table, place, "there is a second column", text, ", must be one");
+        table_fault(&reader->table, place, "a second column is named", text, ", must be one");
     else if (known[column].unit && *unit && strcmp(unit, known[column].unit) != 0)
         fault_add(reader->table.fault, "%s:%d:%d: %s is in %s, must be in %s", reader->table.path, place.line,
                   place.column, known[column].name, unit, known[column].unit);
@@ -76,7 +76,7 @@ static void end_head(Reader *reader, TablePlace begin, int fields) {
     reader->fields = fields;
     for (int c = 0; c < COLUMN_PERSON; c++)
         if (reader->column_of[c] < 0)
-            table_fault(&reader->table, begin, "there is no column", known[c].name,
+            table_fault(&reader->table, begin, "the heading lacks the column", known[c].name,
                         ", the first row must name time, x and y");
 }
 
@@ -146,7 +146,7 @@ static void sort_rows(Reader *reader) {
     for (size_t r = 1; r < reader->row_count; r++) {
         const Row *row = &reader->rows[r], *before = row - 1;
         if (row->locus == before->locus && row->time == before->time)
-            fault_add(reader->table.fault, "%s:%d:1: time %g s is that of line %d, must be another", reader->table.path,
+            fault_add(reader->table.fault, "%s:%d:1: time %g s repeats line %d, must differ", reader->table.path,
                       row->line, row->time, before->line);
     }
 }
@@ -159,8 +159,8 @@ static void fill_loci(Reader *reader) {
         while (row + count < end && row[count].locus == i)
             count++;
         if (count < 2)
-            fault_add(reader->table.fault, "%s:%d:1: there is one place only of %s, must be two or more",
-                      reader->table.path, observed->line, *observed->person ? observed->person : "this person");
+            fault_add(reader->table.fault, "%s:%d:1: %s has only one place, must have at least two", reader->table.path,
+                      observed->line, *observed->person ? observed->person : "the person");
         observed->locus.points = memory_zeroed(count, sizeof *observed->locus.points);
         observed->locus.times = memory_zeroed(count, sizeof *observed->locus.times);
         for (; observed->locus.count < count; row++) {
@@ -177,9 +177,9 @@ static void check_whole(Reader *reader, size_t before, TablePlace end) {
     if (!reader->head)
         fault_add(table->fault, "%s:1:1: empty, the first row must name time, x and y", table->path);
     else if (!reader->row_count)
-        fault_add(table->fault, "%s:%d:1: there is no place, must be two or more", table->path, end.line);
+        fault_add(table->fault, "%s:%d:1: the table has no places, it must have at least two", table->path, end.line);
     else if (reader->loci.count > MOST_PEOPLE)
-        fault_add(table->fault, "%s:%d:1: there are too many people, must be at most %d", table->path,
+        fault_add(table->fault, "%s:%d:1: the table has too many people, must have at most %d", table->path,
                   reader->loci.loci[MOST_PEOPLE].line, MOST_PEOPLE);
 }
 

@@ -61,15 +61,17 @@ static bool choose_level(Converter *converter) {
     const Home *home = converter->home;
     const char *wanted = converter->builder->options->level;
     if (!home->level_count)
-        return !wanted || house_builder_fail(converter->builder, "the home has no storeys, so none \"%s\"", wanted);
+        return !wanted ||
+               house_builder_fail(converter->builder, "the home has no storeys: leave out --level %s", wanted);
     const HomeLevel *level = wanted ? named_level(home, wanted) : lowest_level(home);
     char *names = level_names(home);
     if (!level)
-        house_builder_fail(converter->builder, "there is no storey \"%s\", there are %s", wanted, names);
+        house_builder_fail(converter->builder, "unknown storey \"%s\", the storeys are %s", wanted, names);
     else if (home->level_count > 1 && !wanted)
-        import_report_note(converter->builder->report,
-                           "the lowest storey, \"%.40s\", is taken; of %s clearance import --level takes another",
-                           level->name, names);
+        import_report_note(
+            converter->builder->report,
+            "the lowest storey, \"%.40s\", is imported; choose another of %s with clearance import --level",
+            level->name, names);
     memory_free(names);
     converter->level = level ? level->id : NULL;
     return level;
@@ -214,9 +216,9 @@ static void add_door(const Converter *converter, const HomePiece *piece) {
     }
     if (door == SIZE_MAX)
         import_report_leave(builder->report, 1, "%s",
-                            found ? "doors for which their walls have no room" : "doors that stand in no wall");
+                            found ? "doors that do not fit into their wall" : "doors that are not in a wall");
     else if (piece->sash_count > 1)
-        import_report_leave(builder->report, 1, "leaves of doors with several: these are openings");
+        import_report_leave(builder->report, 1, "further leaves of doors: such doors became openings");
 }
 
 /* Furniture, rooms ------------------------------------------------------------------------------------------------ */
@@ -298,7 +300,7 @@ static bool convert(Converter *converter) {
     import_report_leave(builder->report, home->dimensions, "dimension lines");
     import_report_leave(builder->report, home->pictures, "background pictures");
     if (builder->plan.door_count)
-        import_report_note(builder->report, "doors stand open: their state can be changed");
+        import_report_note(builder->report, "all doors are open; their state can be edited");
     return !builder->failed;
 }
 

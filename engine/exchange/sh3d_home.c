@@ -247,11 +247,11 @@ static bool unpack(Reader *reader, zip_file_t *entry) {
 /* True if the size that the zip file states for Home.xml is acceptable. */
 static bool check_size(HouseBuilder *builder, const zip_stat_t *status) {
     if (!(status->valid & ZIP_STAT_SIZE) || !(status->valid & ZIP_STAT_COMP_SIZE))
-        return house_builder_fail(builder, "the zip file does not say how large Home.xml is");
+        return house_builder_fail(builder, "the zip file does not state the size of Home.xml");
     if (status->size > LARGEST_XML)
         return house_builder_fail(builder, "Home.xml is larger than %d MB", LARGEST_XML / 1024 / 1024);
     if (status->size > HARMLESS && status->size / MOST_SHRUNK > status->comp_size)
-        return house_builder_fail(builder, "Home.xml shrinks more than %d times, as no home does", MOST_SHRUNK);
+        return house_builder_fail(builder, "Home.xml is compressed more than %d times, unlike any home", MOST_SHRUNK);
     return true;
 }
 
@@ -259,10 +259,10 @@ static bool read_entry(Reader *reader, zip_t *zip) {
     HouseBuilder *builder = reader->builder;
     zip_int64_t index = zip_name_locate(zip, "Home.xml", 0);
     if (index < 0 && zip_name_locate(zip, "Home", 0) >= 0)
-        return house_builder_fail(builder, "without Home.xml, as before Sweet Home 3D 5.3: open it there in 5.3 or "
+        return house_builder_fail(builder, "Home.xml is missing: open the home in Sweet Home 3D 5.3 or "
                                            "newer and save it again");
     if (index < 0)
-        return house_builder_fail(builder, "no home of Sweet Home 3D: it has no Home.xml");
+        return house_builder_fail(builder, "the file is not a Sweet Home 3D home: Home.xml is missing");
     zip_stat_t status;
     if (zip_stat_index(zip, (zip_uint64_t)index, 0, &status))
         return house_builder_fail(builder, "Home.xml cannot be unpacked: %s", zip_strerror(zip));
@@ -287,7 +287,8 @@ bool sh3d_home_read(Home *home, HouseBuilder *builder) {
     if (!zip) {
         zip_error_t error;
         zip_error_init_with_code(&error, code);
-        house_builder_fail(builder, "no zip file, as homes of Sweet Home 3D are: %s", zip_error_strerror(&error));
+        house_builder_fail(builder, "the file is not a zip file, as Sweet Home 3D homes are: %s",
+                           zip_error_strerror(&error));
         zip_error_fini(&error);
         return false;
     }

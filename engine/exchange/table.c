@@ -57,7 +57,7 @@ static void take_field(void *bytes, size_t size, void *context) {
         reading->row_begin = reading->begin;
     reader->take_field(reader->context, reading->begin, reading->field, strlen(text) == size ? text : NULL);
     if (strlen(text) != size)
-        table_fault(reader, reading->begin, "there is a byte 0", NULL, ", must be text");
+        table_fault(reader, reading->begin, "the file contains a zero byte", NULL, ", must be text");
     reading->field++;
     reading->begun = false;
 }
@@ -100,10 +100,10 @@ static void read_text(Reading *reading, const char *text, size_t size) {
             reading->at.column++;
     }
     if (!good)
-        table_fault(reading->reader, reading->at, "not CSV: a quotation mark within a field", NULL,
+        table_fault(reading->reader, reading->at, "the file is not CSV: a quotation mark within a field", NULL,
                     ", must be doubled");
     else if (csv_fini(&parser, take_field, end_row, reading) != 0)
-        table_fault(reading->reader, reading->begin, "not CSV: the quotation mark is not closed", NULL, "");
+        table_fault(reading->reader, reading->begin, "the file is not CSV: the quotation mark is not closed", NULL, "");
     csv_free(&parser);
 }
 

@@ -247,7 +247,8 @@ static void take_target(Reader *reader, const JsonNode *element, const Shape *sh
     if (absorbs(element->value))
         target.exit = add_exit(reader, shape);
     else
-        import_report_leave(reader->builder->report, 1, "targets that take nobody in, but for ways past them");
+        import_report_leave(reader->builder->report, 1,
+                            "non-absorbing targets, except as intermediate points of routes");
     if (json_is_true(json_object_get(waiter, "enabled")) || number(element->value, "waitingTime", 0) > 0)
         import_report_leave(reader->builder->report, 1, "waiting at targets");
     reader->targets[reader->target_count++] = target;
@@ -309,7 +310,7 @@ static void take_source(Reader *reader, const JsonNode *element, const Shape *sh
         return;
     if (spawning.count > count)
         import_report_leave(reader->builder->report, (size_t)fmin(spawning.count - count, 1e9),
-                            "people of sources that have no room for them at once");
+                            "people for whom their source is too small");
     reader->later += spawning.end > spawning.begin;
     if (count > HOUSE_BUILDER_CROWD) {
         fail_at(reader, element, "a source gives more than 20000 people, must give fewer");
@@ -326,7 +327,7 @@ static bool read_people(Reader *reader, const JsonNode *topography) {
         JsonNode element = json_element(&list, i);
         const char *type = json_string_value(json_object_get(element.value, "type"));
         if (type && strcmp(type, "PEDESTRIAN") != 0) {
-            import_report_leave(reader->builder->report, 1, "moving things that are no pedestrians");
+            import_report_leave(reader->builder->report, 1, "moving agents that are not pedestrians");
             continue;
         }
         Vec2 at = point(reader, json_object_get(element.value, "position"));
@@ -368,9 +369,10 @@ static void leave_the_rest(Reader *reader, const JsonNode *topography) {
     for (size_t l = 0; l < sizeof lists / sizeof *lists; l++)
         import_report_leave(report, json_array_size(json_object_get(topography->value, lists[l][0])), "%s",
                             lists[l][1]);
-    import_report_leave(report, reader->later, "sources that go on giving people: those who come first are taken");
+    import_report_leave(report, reader->later, "sources that spawn people later: only the first people are imported");
     if (reader->builder->plan.person_count || reader->builder->plan.crowd_count)
-        import_report_note(report, "people are adults on foot, with our radius and speeds, not with the scenario's");
+        import_report_note(report,
+                           "people are walkers of the profile adult, not with the scenario's radius and speeds");
     if (reader->builder->plan.exit_count)
         import_report_note(report, "an exit is a line across the middle of its target");
 }
@@ -399,7 +401,7 @@ bool vadere_read(HouseBuilder *builder) {
     if (name)
         house_builder_name(builder, name);
     if (release)
-        import_report_note(builder->report, "the scenario is of Vadere %.20s", release);
+        import_report_note(builder->report, "the scenario was written by Vadere %.20s", release);
     bool good = read_topography(&reader, &root);
     json_free(&reader.file);
     arena_clear(&reader.arena);

@@ -293,8 +293,8 @@ char *walkable_wkt(const Plan *plan, Fault *fault) {
     area.geos = area.solids.geos;
     char *text = wkt_of(&area);
     if (!text)
-        fault_add(fault, "%s:1:1: the walkable area cannot be made%s%s", plan->path, *area.solids.message ? ": " : "",
-                  area.solids.message);
+        fault_add(fault, "%s:1:1: the walkable area cannot be computed%s%s", plan->path,
+                  *area.solids.message ? ": " : "", area.solids.message);
     GEOSGeom_destroy_r(area.geos, area.cells);
     GEOSGeom_destroy_r(area.geos, area.lines);
     GEOSGeom_destroy_r(area.geos, area.whole);

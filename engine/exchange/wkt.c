@@ -184,7 +184,7 @@ static char *find_end(HouseBuilder *builder, char *at) {
     }
     house_builder_fail(builder, "%s",
                        *at && depth > 0 ? "a bracket is not closed"
-                                        : "no WKT, must be like POLYGON ((0 0, 4 0, 4 3, 0 0))");
+                                        : "the text is not WKT, must be like POLYGON ((0 0, 4 0, 4 3, 0 0))");
     return NULL;
 }
 
@@ -211,7 +211,8 @@ static bool read_text(Reader *reader, char *text) {
     HouseBuilder *builder = reader->builder;
     char *at = skip_space(builder, text);
     if (!*at)
-        return house_builder_fail(builder, "empty, must hold WKT such as POLYGON ((0 0, 4 0, 4 3, 0 0))");
+        return house_builder_fail(builder,
+                                  "the file is empty, must contain WKT such as POLYGON ((0 0, 4 0, 4 3, 0 0))");
     while (*at) {
         char *end = find_end(builder, at);
         if (!end || !read_one(reader, at, end))
@@ -231,7 +232,7 @@ bool wkt_read(HouseBuilder *builder) {
         return house_builder_fail(builder, "cannot be read: %s", strerror(errno));
     if (memchr(text, 0, size)) {
         memory_free(text);
-        return house_builder_fail(builder, "there is a byte 0, must be text");
+        return house_builder_fail(builder, "the file contains a zero byte, must be text");
     }
     Reader reader = {.builder = builder, .geos = GEOS_init_r(), .unit = 1};
     if (builder->options->unit > 0)

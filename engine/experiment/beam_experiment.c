@@ -89,7 +89,7 @@ static void tell_unknown(const void *given, const char *name, const char *place,
     JsonNode node = json_root(&file);
     const Parameter *row = parameters_find(beam_table(), name);
     if (row)
-        fault_add(fault, "%s%s is no number: %s", place, row->name, row->meaning);
+        fault_add(fault, "%s%s is not a number: %s", place, row->name, row->meaning);
     else
         parameters_fault_unknown(beam_table(), name, &node, fault);
 }
@@ -129,7 +129,7 @@ static void make_case(const Given *given, const char *const *names, size_t name_
             parameters_read_value(row, is_of_start(row) ? (void *)&made->start : (void *)&made->beam, &node, &none,
                                   &fault);
         else
-            fault_add(&fault, "%s is no number of a beam", names[i]);
+            fault_add(&fault, "%s is not a numeric parameter of a beam", names[i]);
         json_decref(file.root);
     }
     if (fault.total || !beam_check(&made->beam, given->beam.name, &fault)) {

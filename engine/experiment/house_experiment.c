@@ -41,7 +41,7 @@ static const Parameter *find_number(const House *house, const char *name, const 
     if (row && row->kind == PARAMETER_POINT)
         fault_add(fault, "%s%s is a point, must be %s.x or %s.y", place, row->name, row->name, row->name);
     else if (row && !number)
-        fault_add(fault, "%s%s is no number", place, row->name);
+        fault_add(fault, "%s%s is not a number", place, row->name);
     return number ? row : NULL;
 }
 
@@ -181,7 +181,7 @@ static bool find_route(const HouseGiven *given, Fault *fault) {
     if (!given->route || plan_find_route(plan, given->route) != SIZE_MAX)
         return true;
     if (!plan->route_count) {
-        fault_add(fault, "%s has no route \"%s\", it has none at all", given->path, given->route);
+        fault_add(fault, "%s has no route \"%s\", since it has no routes", given->path, given->route);
         return false;
     }
     char known[300] = "";

@@ -163,7 +163,7 @@ static bool make_types(Paper *paper, const PaperOptions *options, Fault *fault) 
 /* Checks that the map's range applies: it is in fractions of the clearance. */
 static bool check_beam(const Paper *paper, Fault *fault) {
     if (paper->beam.clearance <= 0)
-        fault_add(fault, "%s: joint.clearance is 0: the paper's map needs one over 0", paper->path);
+        fault_add(fault, "%s: joint.clearance is 0: the paper's map needs a positive clearance", paper->path);
     return paper->beam.clearance > 0;
 }
 

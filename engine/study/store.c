@@ -53,15 +53,14 @@ static void add_database_fault(const Store *store, Fault *fault) {
     int code = sqlite3_errcode(store->database);
     const char *path = store->path;
     if (code == SQLITE_BUSY || code == SQLITE_LOCKED)
-        fault_add(fault, "%s is in use by another program: wait until it has ended, or take another --out", path);
+        fault_add(fault, "%s is in use by another program: wait until it has ended, or choose another --out", path);
     else if (code == SQLITE_NOTADB)
-        fault_add(fault, "%s is no file of studies: move it away, or take another --out", path);
+        fault_add(fault, "%s is not a study database; move it or choose another --out", path);
     else if (code == SQLITE_CANTOPEN || code == SQLITE_READONLY || code == SQLITE_PERM || code == SQLITE_FULL ||
              code == SQLITE_IOERR)
         fault_add(fault, "%s cannot be written: %s", path, sqlite3_errmsg(store->database));
     else
-        fault_add(fault, "%s is damaged (%s): move it away, or take another --out", path,
-                  sqlite3_errmsg(store->database));
+        fault_add(fault, "%s is damaged (%s); move it or choose another --out", path, sqlite3_errmsg(store->database));
 }
 
 /* Creates the tables in a file without tables. */
@@ -81,12 +80,12 @@ static bool prepare_tables(Store *store, Fault *fault) {
         return false;
     }
     if (ask(store, "PRAGMA application_id") != APPLICATION) {
-        fault_add(fault, "%s is another program's database: move it away, or take another --out", store->path);
+        fault_add(fault, "%s is another program's database; move it or choose another --out", store->path);
         return false;
     }
     int64_t version = ask(store, "PRAGMA user_version");
     if (version != FORMAT)
-        fault_add(fault, "%s has format %lld, must be %d: move it away, or take another --out", store->path,
+        fault_add(fault, "%s has format %lld, must be %d; move it or choose another --out", store->path,
                   (long long)version, FORMAT);
     return version == FORMAT;
 }
@@ -143,8 +142,7 @@ static bool read_trials(Store *store, Study *study, StoreFound *found, Fault *fa
         found->done++;
     }
     if (code == SQLITE_OK && !sound)
-        fault_add(fault, "%s is damaged (a row is not what was written): move it away, or take another --out",
-                  store->path);
+        fault_add(fault, "%s is damaged (a row was changed); move it or choose another --out", store->path);
     sqlite3_reset(select);
     if (sound && sqlite3_errcode(store->database) != SQLITE_OK) {
         add_database_fault(store, fault);
@@ -279,7 +277,7 @@ bool store_close(Store *store, Fault *fault) {
         note_failure(store);
     bool good = !*store->reason;
     if (!good)
-        fault_add(fault, "%s cannot be written: %s; what was written before is kept", store->path, store->reason);
+        fault_add(fault, "%s cannot be written: %s; earlier results are kept", store->path, store->reason);
     free_store(store);
     return good;
 }

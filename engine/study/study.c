@@ -34,7 +34,7 @@ static const Parameter *check_name(const Study *study, const char *option, const
     if (!parameter && experiment->unknown)
         experiment->unknown(experiment->given, name, place, fault);
     else if (!parameter)
-        fault_add(fault, "%sa %s has no such number", place, experiment->kind);
+        fault_add(fault, "%sunknown parameter of a %s", place, experiment->kind);
     return parameter;
 }
 
@@ -45,10 +45,10 @@ static void check_whole_steps(const StudyAxis *axis, Fault *fault) {
             continue;
         double apart = fabs(axis->to - axis->from);
         if (axis->from == floor(axis->from) && axis->to == floor(axis->to))
-            fault_add(fault, "--vary %s: one of the %zu values is %g, must be whole: %.0f steps would be right",
-                      axis->name, axis->steps, value, apart + 1);
+            fault_add(fault, "--vary %s: one of the %zu values is %g, must be an integer; use %.0f steps", axis->name,
+                      axis->steps, value, apart + 1);
         else
-            fault_add(fault, "--vary %s: one of the values is %g, must be whole", axis->name, value);
+            fault_add(fault, "--vary %s: one of the values is %g, must be an integer", axis->name, value);
         return;
     }
 }
@@ -58,7 +58,7 @@ static void check_axis(const Study *study, size_t a, Fault *fault) {
     const Parameter *parameter = check_name(study, "--vary", axis->name, fault);
     for (size_t k = 0; k < a; k++)
         if (strcmp(study->axes[k].name, axis->name) == 0)
-            fault_add(fault, "--vary %s: is varied already, the second must be another parameter", axis->name);
+            fault_add(fault, "--vary %s: is given twice, the second must be another parameter", axis->name);
     if (axis->steps < 1 || axis->steps > STUDY_STEPS_MOST)
         fault_add(fault, "--vary %s: %zu steps, must be from 1 to %d", axis->name, axis->steps, STUDY_STEPS_MOST);
     else if (axis->steps == 1 && axis->from != axis->to)
@@ -88,17 +88,17 @@ static void check_spread(const Study *study, size_t s, Fault *fault) {
         varied |= strcmp(study->axes[a].name, spread->name) == 0;
     for (size_t k = 0; k < s; k++)
         if (strcmp(study->spreads[k].name, spread->name) == 0)
-            fault_add(fault, "--spread %s: is given already", spread->name);
+            fault_add(fault, "--spread %s: is given twice", spread->name);
     if (!(spread->share > 0 && spread->share <= 1))
-        fault_add(fault, "--spread %s: %g, must be over 0 and at most 1, as a share of the value", spread->name,
-                  spread->share);
+        fault_add(fault, "--spread %s: %g, must be greater than 0 and at most 1, as a fraction of the value",
+                  spread->name, spread->share);
     if (parameter && parameter->kind == PARAMETER_WHOLE)
-        fault_add(fault, "--spread %s: is a whole number, only others have tolerances", spread->name);
+        fault_add(fault, "--spread %s: is an integer, a tolerance needs a real number", spread->name);
     else if (parameter && !varied && experiment->nominal(experiment->given, spread->name) == 0)
-        fault_add(fault, "--spread %s: its value is 0, a share of which is nothing; --set %s=VALUE would be right",
+        fault_add(fault, "--spread %s: the value is 0, so a relative spread has no effect; set it with --set %s=VALUE",
                   spread->name, spread->name);
     if (study->runs < 2)
-        fault_add(fault, "--spread %s: one run tells nothing of it, --runs must be 2 or more", spread->name);
+        fault_add(fault, "--spread %s: a spread needs several runs, --runs must be at least 2", spread->name);
 }
 
 static void check_passes(const Study *study, Fault *fault) {
@@ -110,9 +110,9 @@ static void check_passes(const Study *study, Fault *fault) {
         if (study->passes[p] == STUDY_RESET)
             continue;
         if (!study->experiment->carries)
-            fault_add(fault, "--sweep %s: each run of a %s begins anew, must be reset", name, study->experiment->kind);
+            fault_add(fault, "--sweep %s: runs of a %s always restart, must be reset", name, study->experiment->kind);
         else if (!study->axis_count)
-            fault_add(fault, "--sweep %s: nothing is varied along which to go, --vary would be right", name);
+            fault_add(fault, "--sweep %s: needs --vary", name);
     }
 }
 
@@ -126,7 +126,7 @@ bool study_check(const Study *study, Fault *fault) {
     if (study->runs < 1 || study->runs > STUDY_RUNS_MOST)
         fault_add(fault, "--runs %zu: must be from 1 to %d", study->runs, STUDY_RUNS_MOST);
     if (study->seed > (uint64_t)(INT64_MAX - STUDY_RUNS_MOST))
-        fault_add(fault, "--seed %" PRIu64 ": leaves no room for those of the runs, must be at most %" PRId64,
+        fault_add(fault, "--seed %" PRIu64 ": is too large for the seeds of all runs, must be at most %" PRId64,
                   study->seed, INT64_MAX - STUDY_RUNS_MOST);
     double trials =
         (double)study->pass_count * (double)study->runs * (double)study_steps(study, 0) * (double)study_steps(study, 1);

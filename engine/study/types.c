@@ -314,19 +314,19 @@ static void tell_unknown(const Experiment *experiment, const char *name, Fault *
     if (experiment->unknown)
         experiment->unknown(experiment->given, name, "types: ", fault);
     else
-        fault_add(fault, "types: %s: a %s has no such number", name, experiment->kind);
+        fault_add(fault, "types: %s: unknown parameter of a %s", name, experiment->kind);
 }
 
 bool types_check(const Experiment *experiment, const char *const *names, size_t name_count, Fault *fault) {
     size_t before = fault->total;
     if (name_count > TYPES_PARAMETERS_MOST)
-        fault_add(fault, "types of %zu parameters: at most %d would be right", name_count, TYPES_PARAMETERS_MOST);
+        fault_add(fault, "types: %zu parameters, must be at most %d", name_count, TYPES_PARAMETERS_MOST);
     for (size_t n = 0; n < name_count && fault->total == before; n++) {
         const Parameter *parameter = experiment->parameter(experiment->given, names[n]);
         if (!parameter)
             tell_unknown(experiment, names[n], fault);
         else if (parameter->kind == PARAMETER_WHOLE)
-            fault_add(fault, "types: %s is a whole number, a window of 1 %% has only its centre", names[n]);
+            fault_add(fault, "types: %s is an integer, so a window of 1 %% contains only its centre", names[n]);
         for (size_t m = 0; m < n; m++)
             if (strcmp(names[m], names[n]) == 0)
                 fault_add(fault, "types: %s is named twice", names[n]);

@@ -81,9 +81,9 @@ def check_each_kind():
                                              "<doorOrWindow name='Window' x='300' y='400' width='90' depth='10' height='90' elevation='90'/>"))
     check(answer["format"] == "Sweet Home 3D" and answer["taken"]["walls"] == 1 and answer["taken"]["doors"] == 1, "a home", answer)
     check(left(answer) == {"windows": 1}, "what is left out of a home", answer["left_out"])
-    check(answer["house"]["note"] == "Imported from flat.sh3d (Sweet Home 3D); not taken over: windows (1)", "the house's note")
+    check(answer["house"]["note"] == "Imported from flat.sh3d (Sweet Home 3D); left out: windows (1)", "the house's note")
     answer = import_new(0, "flat.dxf", drawing(FLAT + line("FURN", 0, 0, 1, 1)))
-    check(answer["taken"]["walls"] == 1 and left(answer) == {"open lines on layers of furniture": 1}, "a drawing", answer)
+    check(answer["taken"]["walls"] == 1 and left(answer) == {"open lines on furniture layers": 1}, "a drawing", answer)
     answer = import_new(0, "area.wkt", "POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0))")
     check(answer["house"]["walls"][0]["points"][0] == [0, 0] and answer["notes"], "an area", answer)
     scenario = {"name": "hall", "release": "2.4", "scenario": {"topography": {
@@ -102,7 +102,7 @@ def check_options():
     answer = import_new(0, "flat.dxf", drawing(FLAT), "--unit", "cm")
     check(answer["house"]["walls"][0]["points"][1] == [80, 0], "--unit overrides", answer["house"]["walls"])
     import_new(2, "flat.dxf", drawing(FLAT), "--layers", "walls=WALLS", says='no layer "WALLS", there are 0, A-WALL')
-    import_new(2, "flat.sh3d", home(WALLS), "--level", "Cellar", says='no storeys, so none "Cellar"')
+    import_new(2, "flat.sh3d", home(WALLS), "--level", "Cellar", says='leave out --level Cellar')
     expect(2, "import", new("flat.dxf", drawing(FLAT)), str(folder / "x.json"), "--unit", "mile", says="--unit takes mm|cm|m|inch|ft")
     expect(2, "import", new("flat.dxf", drawing(FLAT)), says="usage: clearance import FILE HOUSE")
 
@@ -166,7 +166,7 @@ def hurt(name, text, code, says=""):
 
 def check_hostile():
     bomb = "<home>" + " " * 60_000_000 + "</home>"
-    hurt("bomb.sh3d", bomb, 2, "shrinks more than 200 times")
+    hurt("bomb.sh3d", bomb, 2, "compressed more than 200 times")
     hurt("large.sh3d", bomb + " " * 10_000_000, 2, "larger than 64 MB")
     laughs = "".join(f"<!ENTITY l{i + 1} '{f'&l{i};' * 10}'>" for i in range(10))
     hurt("laughs.sh3d", f"<!DOCTYPE home [<!ENTITY l0 'ha'>{laughs}]><home>&l9;</home>", 2, "declares the entity")

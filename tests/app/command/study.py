@@ -195,10 +195,10 @@ def check_beams(folder):
     check(all(float(row[rows[0].index("lyapunov [1]")]) < 0 for row in rows[1:]), f"exponents over a range {rows}")
     expect(2, "study", house("straight-corridor"), "--runs", "2", "--thorough", says="--thorough is for beams")
     expect(2, "study", beam, "--vary", "drive.frequenzy=1:2:3", says='did you mean "drive.frequency"?')
-    expect(2, "study", beam, "--vary", "joint.release=1:2:3", says="joint.release is no number")
+    expect(2, "study", beam, "--vary", "joint.release=1:2:3", says="joint.release is not a number")
     expect(2, "study", beam, "--vary", "drive.frequency=0:20:3", says="0 is out of range, must be from 1 to 100000 Hz")
     expect(2, "study", beam, "--runs", "2", "--route", "A", says="--route is for houses")
-    expect(2, "study", beam, "--types", "beam.modes", says="beam.modes is a whole number")
+    expect(2, "study", beam, "--types", "beam.modes", says="beam.modes is an integer")
 
 
 def check_paper(folder):
@@ -224,7 +224,7 @@ def check_wrong_stores(folder):
     os.makedirs(out)
     store = pathlib.Path(out, "study.sqlite")
     store.write_text("a letter to keep " * 100)
-    expect(2, "study", flat, *DOOR, "--out", out, says="is no file of studies: move it away, or take another --out")
+    expect(2, "study", flat, *DOOR, "--out", out, says="is not a study database; move it or choose another --out")
     check(store.read_text() == "a letter to keep " * 100, "a foreign file stays as it was")
     other = os.path.join(folder, "run")
     expect(0, "run", house("straight-corridor"), "--out", other)
@@ -240,7 +240,7 @@ def check_wrong_stores(folder):
     check(full.returncode == 2 and "cannot be written" in full.stderr, "a full disk", full.stderr)
     late = run("study", flat, "--vary", "person.p1.delay=0:4:2000", "--until", "0.01", "--out",
                os.path.join(folder, "late"), limit=40000)
-    check(late.returncode == 2 and "what was written before is kept" in late.stderr and "not out throughout" in
+    check(late.returncode == 2 and "earlier results are kept" in late.stderr and "not out throughout" in
           late.stdout, "a disk that fills up leaves the answer", late.stderr)
     expect(2, "study", flat, *DOOR, "--out", "/proc/nowhere", says="cannot be written")
 
@@ -253,7 +253,7 @@ def check_wrong_use(folder):
         ("--vary", "door.d2.width=1:2:3"): '--vary door.d2.width: there is no door "d2"',
         ("--vary", "door.d1.widht=1:2:3"): 'did you mean "width"?',
         ("--vary", "person.p1.at=1:2:3"): "at is a point, must be at.x or at.y",
-        ("--vary", "door.d1.state=1:2:3"): "state is no number",
+        ("--vary", "door.d1.state=1:2:3"): "state is not a number",
         ("--vary", f"{delay}=1:2"): "--vary takes NAME=FROM:TO:STEPS",
         ("--vary", f"{delay}=1:2:3:4"): "--vary takes NAME=FROM:TO:STEPS",
         ("--vary", f"{delay}=a:2:3"): "--vary takes NAME=FROM:TO:STEPS",
@@ -266,8 +266,8 @@ def check_wrong_use(folder):
         ("--vary", f"{delay}=-1:2:3"): "-1 is out of range, must be from 0 to 1e+06 s",
         ("--vary", f"{delay}=nan:2:3"): "nan is out of range",
         ("--vary", f"{delay}=1:inf:3"): "inf is out of range",
-        ("--vary", "run.reversals=0:5:3"): "is 2.5, must be whole: 6 steps would be right",
-        ("--vary", f"{delay}=1:2:3", "--vary", f"{delay}=1:2:4"): "is varied already",
+        ("--vary", "run.reversals=0:5:3"): "is 2.5, must be an integer; use 6 steps",
+        ("--vary", f"{delay}=1:2:3", "--vary", f"{delay}=1:2:4"): "is given twice",
         ("--vary", f"{delay}=1:2:3", "--vary", "run.dt=1:2:3", "--vary", "run.cell=1:2:3"): "(at most twice)",
         ("--vary", f"{delay}=1:2:100000", "--runs", "100000"): "the study has 10000000000 runs",
         ("--paper", "--vary", f"{delay}=1:2:3"): "--vary has no effect with --paper, must be left out",
@@ -279,11 +279,11 @@ def check_wrong_use(folder):
         ("--types", f"{delay},{delay}"): f"types: {delay} is named twice",
         ("--runs", "0"): "--runs takes N",
         ("--runs", "many"): "--runs takes N",
-        ("--runs", "3", "--spread", f"{delay}=0.1"): "its value is 0",
-        ("--runs", "3", "--spread", "run.until=nan"): "must be over 0 and at most 1",
+        ("--runs", "3", "--spread", f"{delay}=0.1"): "the value is 0",
+        ("--runs", "3", "--spread", "run.until=nan"): "must be greater than 0 and at most 1",
         ("--runs", "3", "--spread", "run.until"): "--spread takes NAME=SHARE",
-        ("--vary", f"{delay}=1:2:3", "--spread", "run.until=0.1"): "--runs must be 2 or more",
-        ("--vary", f"{delay}=1:2:3", "--sweep", "up"): "each run of a house begins anew, must be reset",
+        ("--vary", f"{delay}=1:2:3", "--spread", "run.until=0.1"): "--runs must be at least 2",
+        ("--vary", f"{delay}=1:2:3", "--sweep", "up"): "runs of a house always restart, must be reset",
         ("--vary", f"{delay}=1:2:3", "--sweep", "sideways"): "--sweep takes reset,up,down",
         ("--vary", f"{delay}=1:2:3", "--route", "A"): 'has no route "A"',
         ("--vary", f"{delay}=1:2:3", "--movie", "x.mp4"): "unknown option",

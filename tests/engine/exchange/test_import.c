@@ -125,7 +125,7 @@ TEST(walls_that_meet_end_to_end_are_one_and_centimetres_down_the_screen_become_m
                               "0.1, 'height': 2.5},\n"
                               "    {'id': 'w2', 'points': [[4, 0], [4, -4]], 'thickness': 0.075}\n"
                               "  ]\n}\n");
-    CHECK(is_noted(&import, "there is no exit yet"));
+    CHECK(is_noted(&import, "the house has no exit yet"));
     CHECK(strstr(import.plan.note, ".sh3d (Sweet Home 3D)"));
     end(&import, true);
 }
@@ -193,14 +193,15 @@ TEST(one_storey_is_taken_the_lowest_or_the_one_that_is_named) {
     Import import = import_home(storeys, (ImportOptions){0});
     CHECK(import.plan.wall_count == 1 && import.plan.room_count == 1);
     CHECK(import.good && import.plan.walls[0].points.at[1].x == 7);
-    CHECK(is_noted(&import, "\"Ground\", is taken; of \"Upper\", \"Ground\""));
+    CHECK(is_noted(&import, "\"Ground\", is imported; choose another of \"Upper\", \"Ground\""));
     end(&import, true);
     import = import_home(storeys, (ImportOptions){.level = "Upper"});
     CHECK(import.good && import.plan.walls[0].points.at[1].x == 5);
     CHECK(is_left(&import, "walls, rooms and furniture on other storeys", 2));
     end(&import, true);
     import = import_home(storeys, (ImportOptions){.level = "Cellar"});
-    CHECK(import.fault.count && strstr(import.fault.lines[0], "no storey \"Cellar\", there are \"Upper\", \"Ground\""));
+    CHECK(import.fault.count &&
+          strstr(import.fault.lines[0], "unknown storey \"Cellar\", the storeys are \"Upper\", \"Ground\""));
     end(&import, false);
 }
 
@@ -228,7 +229,7 @@ TEST(a_zip_that_unpacks_to_too_much_is_refused_before_it_does) {
     memcpy(blank, "<home>", 6);
     write_zip(new_path(path, ".sh3d"), "Home.xml", blank);
     Import import = import_file(path, (ImportOptions){0});
-    CHECK(import.fault.count && strstr(import.fault.lines[0], "shrinks more than 200 times"));
+    CHECK(import.fault.count && strstr(import.fault.lines[0], "compressed more than 200 times"));
     end(&import, false);
     memory_free(blank);
 }
@@ -319,7 +320,7 @@ TEST(an_arc_on_a_layer_of_doors_hangs_a_door_in_its_wall_or_in_its_gap) {
                 "    {'id': 'd1', 'wall': 'w4', 'at': 0.45, 'width': 0.9, 'kind': 'hinged'},\n"
                 "    {'id': 'd2', 'wall': 'w1', 'at': 1.45, 'width': 0.9, 'kind': 'hinged', 'hinge': 'end'}\n"
                 "  ]\n}\n");
-    CHECK(is_left(&import, "arcs on layers of doors that are no swing of a door", 1));
+    CHECK(is_left(&import, "arcs on door layers that are not door swings", 1));
     end(&import, true);
     memory_free(entities.text);
 }
@@ -340,7 +341,7 @@ TEST(blocks_in_blocks_are_scaled_turned_and_moved_and_furniture_is_their_box) {
                               "  'furniture': [\n"
                               "    {'id': 'f1', 'name': 'BED', 'centre': [0.55, 2], 'size': [1, 0.9], 'angle': 90}\n"
                               "  ]\n}\n");
-    CHECK(is_left(&import, "blocks that are not in the file", 1));
+    CHECK(is_left(&import, "blocks missing from the file", 1));
     end(&import, true);
     memory_free(entities.text);
 }
@@ -398,7 +399,7 @@ TEST(a_plan_in_the_coordinates_of_a_survey_is_brought_to_its_origin) {
         "9 $INSUNITS 70 6", "", "0 LINE 8 WALL 10 3500100.25 20 5600200 11 3500110.25 21 5600200", (ImportOptions){0});
     check_lists(&import.plan,
                 "  'walls': [\n    {'id': 'w1', 'points': [[0.25, 0], [10.25, 0]], 'thickness': 0}\n  ]\n}\n");
-    CHECK(is_noted(&import, "all is moved by (-3500100, -5600200) m, to the origin"));
+    CHECK(is_noted(&import, "the plan was moved by (-3500100, -5600200) m to the origin"));
     end(&import, true);
 }
 
@@ -552,7 +553,7 @@ TEST(a_scenario_says_the_same_in_the_words_of_old_and_new_releases) {
                "'y': 1.5, 'width': 5, 'height': 2}, 'targetIds': [2, 1], 'spawner': {'constraintsTimeStart': 5, "
                "'constraintsTimeEnd': 5, 'eventElementCount': 18}}]");
     check_lists(&import.plan, corner);
-    CHECK(is_left(&import, "stairs", 2) && is_left(&import, "people who stand inside something", 1));
+    CHECK(is_left(&import, "stairs", 2) && is_left(&import, "people who stand inside an obstacle", 1));
     CHECK_TEXT(import.plan.name, "corner");
     end(&import, true);
     import = import_scenario(
@@ -573,7 +574,7 @@ TEST(a_source_gives_no_more_people_than_it_has_room_for) {
         "{'x': 10, 'y': 10}}, 'spawner': {'eventElementCount': 50}}]");
     CHECK(import.plan.exit_count == 1 && import.plan.crowd_count == 1);
     CHECK(import.good && import.plan.crowds[0].count == 2 && import.plan.crowds[0].area.count == 24);
-    CHECK(is_left(&import, "people of sources that have no room for them at once", 48));
+    CHECK(is_left(&import, "people for whom their source is too small", 48));
     end(&import, true);
 }
 

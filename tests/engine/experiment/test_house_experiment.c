@@ -197,13 +197,13 @@ TEST(what_cannot_be_varied_is_told_with_what_would_be_right) {
     static const char *const wrong[][2] = {
         {"door.d2.width", "there is no door \"d2\""},
         {"door.d1.widht", "door has no parameter \"widht\", did you mean \"width\"?"},
-        {"door.d1.state", "state is no number"},
+        {"door.d1.state", "state is not a number"},
         {"person.p1.at", "at is a point, must be at.x or at.y"},
         {"furniture.f1.x", "furniture parameter \"x\" must be centre.x or size.x"},
-        {"wall.west.points", "points is no number"},
+        {"wall.west.points", "points is not a number"},
         {"profile.adult.width", "no person has the profile \"adult\""},
         {"profile.manual-chair.widht", "profile has no parameter \"widht\", did you mean \"width\"?"},
-        {"profile.manual-chair.driving", "driving is no number"},
+        {"profile.manual-chair.driving", "driving is not a number"},
         {"profile.manual-chair.time_gap", "drive.time_gap has no meaning for manual-chair, who drives"},
         {"crowds", "\"crowds\" is no parameter's name: run.NAME, or KIND.ID.NAME such as door.d1.width or "
                    "profile.manual-chair.width"},

@@ -341,7 +341,7 @@ TEST(names_that_are_no_parameters_are_a_fault) {
     Fault fault = {0};
     CHECK(!types_classify(&types, &task, &fault));
     CHECK(fault.count == 1);
-    CHECK_TEXT(fault.lines[0], "types: c: a beam has no such number");
+    CHECK_TEXT(fault.lines[0], "types: c: unknown parameter of a beam");
     fault_clear(&fault);
     const char *twice[] = {"b", "b"};
     task.names = twice;
