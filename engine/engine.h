@@ -18,6 +18,7 @@
 #include "mechanics/clock.h"
 #include "mechanics/trace.h"
 #include "plan/plan.h"
+#include "plan/plan_geometry.h"
 #include "plan/profile.h"
 #include "mechanics/broadphase.h"
 #include "space/outline.h"

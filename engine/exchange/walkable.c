@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "plan/plan_geometry.h"
 #include "space/solids.h"
 
 static const double MARGIN = 1; /* m, around the plan: allows paths past an open door */
@@ -149,7 +150,7 @@ static bool is_inhabited(const Area *area, const GEOSGeometry *shape) {
     }
     for (size_t d = 0; d < plan->door_count && !found; d++) {
         Vec2 from, to;
-        plan_door_ends(plan, &plan->doors[d], &from, &to);
+        plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
         found = plan->doors[d].state != DOOR_LOCKED && holds(area, shape, vec2_scale(vec2_add(from, to), 0.5));
     }
     return found;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "plan/plan_geometry.h"
 
 /* m: a piece farther than this beyond the width that a stopped person needs is not the cause. */
 static const double BESIDE = 0.05;
@@ -55,7 +56,7 @@ static size_t party_of(const Plan *plan, const char *id) {
 
 static double distance_of(const Furniture *piece, Vec2 at) {
     Vec2 corners[4];
-    plan_furniture_corners(piece, corners);
+    plan_geometry_corners(piece, corners);
     double nearest = HUGE_VAL;
     bool inside = true;
     for (int i = 0; i < 4; i++) {

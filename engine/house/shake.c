@@ -8,6 +8,7 @@
 #include "base/random.h"
 #include "base/rectangle.h"
 #include "base/text.h"
+#include "plan/plan_geometry.h"
 
 /* m: a body that is touched by less is not caught, as rounding decides there. */
 static const double GRAZED = 1e-3;
@@ -51,7 +52,7 @@ const Furniture *shake_catches(const Plan *plan, const bool *topples, const Inha
         Furniture lying = plan->furniture[f];
         lying.toppled = true;
         Vec2 corners[4];
-        plan_furniture_corners(&lying, corners);
+        plan_geometry_corners(&lying, corners);
         bool rectangle = person->profile->driving == DRIVING_DRIVER;
         if (rectangle ? catches_rectangle(corners, person)
                       : catches_disc(corners, person->at, person->profile->width / 2))

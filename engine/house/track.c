@@ -1,5 +1,6 @@
 #include "house/track.h"
 
+#include "plan/plan_geometry.h"
 #include "space/passage.h"
 
 /* m/s, assumed: how slowly somebody edges through a gap hardly wider than the body. */
@@ -87,7 +88,7 @@ typedef struct DoorWay {
 
 static DoorWay door_way(const Plan *plan, const Door *door) {
     DoorWay way = {.swings_left = door->swing == SWING_LEFT};
-    plan_door_ends(plan, door, &way.from, &way.to);
+    plan_geometry_door_ends(plan, door, &way.from, &way.to);
     Vec2 along = vec2_sub(way.to, way.from);
     for (int k = 0; k < DOOR_SAMPLES; k++)
         way.leaf[k] = vec2_along(way.from, (double)k / (DOOR_SAMPLES - 1), along);

@@ -21,6 +21,7 @@
 #include "house/observation.h"
 #include "house/phase.h"
 #include "house/world.h"
+#include "plan/plan_geometry.h"
 
 /* All of these are assumed. */
 
@@ -223,7 +224,7 @@ static int door_ahead(const World *world, Vec2 at, Vec2 way, double reach) {
     const Plan *plan = &world->house->plan;
     for (size_t d = 0; world->shut_doors && d < plan->door_count; d++) {
         Vec2 from, to;
-        plan_door_ends(plan, &plan->doors[d], &from, &to);
+        plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
         if (!world->door_open[d] && leads_across(at, way, reach, from, to))
             return (int)d;
     }

@@ -9,6 +9,7 @@
 #include "house/run.h"
 #include "inquiry/suggest_change.h"
 #include "inquiry/suggest_search.h"
+#include "plan/plan_geometry.h"
 
 enum { TOGETHER_MOST = 6 /* changes proposed together */ };
 
@@ -42,7 +43,7 @@ static void add_doors(Elements *elements, const Plan *plan, Vec2 stuck, SuggestL
     for (size_t d = 0; d < plan->door_count; d++) {
         const Door *door = &plan->doors[d];
         Vec2 from, to;
-        plan_door_ends(plan, door, &from, &to);
+        plan_geometry_door_ends(plan, door, &from, &to);
         Change widest;
         if (door->state == DOOR_LOCKED)
             add_note(list, text_in_arena(&list->arena, "door %s is locked and stays so", door->id));

@@ -4,6 +4,7 @@
 
 #include "base/rectangle.h"
 #include "base/text.h"
+#include "plan/plan_geometry.h"
 #include "space/outline.h"
 #include "space/solids.h"
 
@@ -104,10 +105,10 @@ bool suggest_change_stands_free(const Plan *plan, const Change *change) {
     const Furniture *piece = &plan->furniture[change->index];
     Furniture moved = changed_piece(plan, change);
     Vec2 before[4], after[4], solid[4];
-    plan_furniture_corners(piece, before);
-    plan_furniture_corners(&moved, after);
+    plan_geometry_corners(piece, before);
+    plan_geometry_corners(&moved, after);
     for (size_t f = 0; f < plan->furniture_count; f++) {
-        plan_furniture_corners(&plan->furniture[f], solid);
+        plan_geometry_corners(&plan->furniture[f], solid);
         if (f != change->index && !no_deeper(before, after, solid))
             return false;
     }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "plan/plan_geometry.h"
 
 /* How far two rectangles overlap along the sides of the first, the shorter of both ways; at most 0: they are apart. */
 static double overlap(const Vec2 a[4], const Vec2 b[4]) {
@@ -44,7 +45,7 @@ static double depth_in_segment(const Plan *plan, const Vec2 corners[4], const Wa
     double deepest = 0;
     for (size_t d = 0; d < count; d++) {
         Vec2 begin, end;
-        plan_door_ends(plan, doors[d], &begin, &end);
+        plan_geometry_door_ends(plan, doors[d], &begin, &end);
         deepest = fmax(deepest, depth_in(corners, from, begin, wall->thickness));
         from = end;
     }
@@ -62,7 +63,7 @@ static bool is_near(const Vec2 corners[4], Vec2 from, Vec2 to, double thickness)
 
 double overlap_depth(const Plan *plan, const Furniture *piece, size_t *wall) {
     Vec2 corners[4];
-    plan_furniture_corners(piece, corners);
+    plan_geometry_corners(piece, corners);
     const Door **doors = memory_zeroed(plan->door_count + 1, sizeof *doors);
     double deepest = 0;
     for (size_t w = 0; w < plan->wall_count; w++)

@@ -190,12 +190,6 @@ void plan_free(Plan *plan);
 /* JSON Schema (2020-12) of a house file, made from the tables. New; json_decref it. */
 json_t *plan_schema(void);
 
-/* The end points of a door in its wall's centre line, from the wall's start to its end. */
-void plan_door_ends(const Plan *plan, const Door *door, Vec2 *from, Vec2 *to);
-
-/* The four corners of a piece of furniture as it stands or lies, counter-clockwise. */
-void plan_furniture_corners(const Furniture *piece, Vec2 corners[4]);
-
 /* The place of an id among the people, or SIZE_MAX; and so on. */
 size_t plan_find_person(const Plan *plan, const char *id);
 size_t plan_find_route(const Plan *plan, const char *id);

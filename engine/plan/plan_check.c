@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "mechanics/broadphase.h"
+#include "plan/plan_geometry.h"
 
 static const double ROUNDING = 1e-9;        /* m: a door may fill its wall to the last bit */
 static const double WALL_SHORTEST = 1e-6;   /* m, of a segment: what the outline's grid still resolves */
@@ -231,7 +232,7 @@ static Solids solids_create(const Plan *plan, const Doorway *doorways, size_t do
     solids.segments = memory_zeroed(count, sizeof *solids.segments);
     for (size_t f = 0; f < plan->furniture_count; f++) {
         Vec2 corners[4];
-        plan_furniture_corners(&plan->furniture[f], corners);
+        plan_geometry_corners(&plan->furniture[f], corners);
         broadphase_insert(solids.near, box_of(corners, 4, 0), (int)f);
     }
     for (size_t w = 0; w < plan->wall_count; w++) {
@@ -273,7 +274,7 @@ static bool in_doorway(const Solids *solids, size_t wall, size_t segment, double
 /* Not in what lies: that has fallen on them, which is no mistake in the plan. */
 static bool in_furniture(const Furniture *piece, Vec2 p) {
     Vec2 corners[4];
-    plan_furniture_corners(piece, corners);
+    plan_geometry_corners(piece, corners);
     return !piece->toppled && inside_corners(p, corners, 4);
 }
 
@@ -341,7 +342,8 @@ static void check_route(const PlanCheck *check, size_t r) {
     }
     for (size_t i = 0; i < route->people.count; i++) {
         const char *id = route->people.at[i];
-        size_t p = plan_find_person(plan, id), c = plan_tables_find(plan, &plan_tables_lists[LIST_CROWDS], id);
+        size_t p = plan_tables_find(plan, &plan_tables_lists[LIST_PEOPLE], id),
+               c = plan_tables_find(plan, &plan_tables_lists[LIST_CROWDS], id);
         size_t *taken = p != SIZE_MAX ? &plan->people[p].route : c != SIZE_MAX ? &plan->crowds[c].route : NULL;
         if (!taken)
             add_fault(check, LIST_ROUTES, r, "people", "route %.40s: there is no person or crowd \"%.40s\"", route->id,

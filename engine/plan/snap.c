@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "plan/plan_geometry.h"
+
 enum { LINES_MOST = 24 /* near a hand, at once: more are not looked at */ };
 
 /* A line that can be snapped to. */
@@ -95,13 +97,13 @@ static void offer_points(Search *search) {
     }
     for (size_t d = 0; ask->doors && d < plan->door_count; d++) {
         Vec2 from, to;
-        plan_door_ends(plan, &plan->doors[d], &from, &to);
+        plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
         offer_point(search, tidy(from), "edge of ", plan->doors[d].id);
         offer_point(search, tidy(to), "edge of ", plan->doors[d].id);
     }
     for (size_t f = 0; ask->faces && f < plan->furniture_count; f++) {
         Vec2 corners[4];
-        plan_furniture_corners(&plan->furniture[f], corners);
+        plan_geometry_corners(&plan->furniture[f], corners);
         for (int i = 0; i < 4 && !is_without(ask, plan->furniture[f].id); i++)
             offer_point(search, tidy(corners[i]), "corner of ", plan->furniture[f].id);
     }
@@ -224,7 +226,7 @@ static void offer_lines(Search *search) {
             offer_wall(search, &plan->walls[w]);
     for (size_t f = 0; ask->faces && f < plan->furniture_count; f++) {
         Vec2 corners[4];
-        plan_furniture_corners(&plan->furniture[f], corners);
+        plan_geometry_corners(&plan->furniture[f], corners);
         for (int i = 0; i < 4 && !is_without(ask, plan->furniture[f].id); i++)
             offer_segment(search, corners[i], corners[(i + 1) % 4], plan->furniture[f].id);
     }

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "plan/plan_geometry.h"
+
 static const double PARALLEL = 0.002; /* 1: the sine of the angle up to which a side lies along a face */
 static const double NEAR_WALL = 0.15; /* m: a back that is so near to a wall is put against it */
 static const double TOUCHING = 1e-9;  /* m: a face that begins here is not in the way */
@@ -42,7 +44,7 @@ static void visit_faces(const Plan *plan, const SnapAsk *ask, FaceVisit visit, v
     for (size_t f = 0; f < plan->furniture_count; f++) {
         const Furniture *piece = &plan->furniture[f];
         Vec2 corners[4];
-        plan_furniture_corners(piece, corners);
+        plan_geometry_corners(piece, corners);
         for (int i = 0; i < 4 && !is_without(piece->id, ask->without, ask->without_count); i++)
             visit(context, &(SideFace){corners[i], corners[(i + 1) % 4], piece->id});
     }
@@ -105,7 +107,7 @@ Snap snap_piece_place(const Plan *plan, const Furniture *piece, const SnapAsk *a
     if (ask->free)
         return snap;
     Touch touching = {.reach = ask->reach, .move = {HUGE_VAL, HUGE_VAL}};
-    plan_furniture_corners(&moved, touching.corners);
+    plan_geometry_corners(&moved, touching.corners);
     visit_faces(plan, ask, touch, &touching);
     if (!touching.ids[0] && !touching.ids[1])
         return snap;

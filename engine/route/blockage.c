@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "base/memory.h"
+#include "plan/plan_geometry.h"
 #include "space/outline.h"
 
 /* A passage's width is the shortest chord from obstacle to obstacle across the body: through a point of its long axis,
@@ -126,7 +127,7 @@ static void mark_locked(Breach *breach) {
         if (plan->doors[d].state != DOOR_LOCKED)
             continue;
         Vec2 from, to;
-        plan_door_ends(plan, &plan->doors[d], &from, &to);
+        plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
         double reach = plan->walls[plan->doors[d].wall_index].thickness / 2 + space->cell;
         freespace_mark(space, box_expand(box_include(box_include(box_empty(), from), to), reach), breach->locked);
     }

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "base/memory.h"
+#include "plan/plan_geometry.h"
 #include "space/outline.h"
 
 /* The grid rounds a disc's place by up to this many cells, so it is let through passages that much narrower. */
@@ -45,7 +46,7 @@ static void mark_doors(Ground *ground) {
         if (!outline_door_moves(door))
             continue;
         DoorLine *line = &ground->lines[ground->line_count++];
-        plan_door_ends(ground->plan, door, &line->from, &line->to);
+        plan_geometry_door_ends(ground->plan, door, &line->from, &line->to);
         line->delay = door->opening_time;
         freespace_mark(space,
                        box_expand(box_include(box_include(box_empty(), line->from), line->to), DOOR_BAND * space->cell),

@@ -3,6 +3,7 @@
 #include <stdint.h>
 
 #include "base/memory.h"
+#include "plan/plan_geometry.h"
 #include "route/fast_marching.h"
 #include "space/outline.h"
 
@@ -125,7 +126,7 @@ static void slow_at_doors(const FloorField *field, FastMarching *front, const Pl
         if (!outline_door_moves(&plan->doors[d]))
             continue;
         Vec2 from, to;
-        plan_door_ends(plan, &plan->doors[d], &from, &to);
+        plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
         Range range = range_about(field, from, to, band);
         for (int j = range.first_y; j <= range.last_y; j++)
             for (int i = range.first_x; i <= range.last_x; i++) {

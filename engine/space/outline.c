@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "plan/plan_geometry.h"
 #include "space/solids.h"
 
 /* 1: the sine of the angle below which a ray runs along a face rather than into it. */
@@ -103,7 +104,7 @@ static void add_moving_leaf(Builder *builder, size_t d) {
     const Plan *plan = builder->plan;
     const Door *door = &plan->doors[d];
     Vec2 from, to, corners[4];
-    plan_door_ends(plan, door, &from, &to);
+    plan_geometry_door_ends(plan, door, &from, &to);
     solids_strip(from, to, OUTLINE_LEAF_THICKNESS / 2, OUTLINE_LEAF_THICKNESS / 2, corners);
     Face face = {.owner = OWNER_DOOR, .index = (int)d, .door = (int)d, .presence = PRESENT_SHUT};
     for (int side = 0; side < 4; side += 2) {
@@ -309,7 +310,7 @@ void outline_place_name(const Outline *outline, const Plan *plan, Vec2 at, char 
     const double beside_door = 0.35; /* m: a body's middle is this near to a door's line while it passes */
     for (size_t d = 0; d < plan->door_count; d++) {
         Vec2 from, to;
-        plan_door_ends(plan, &plan->doors[d], &from, &to);
+        plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
         if (vec2_distance(at, vec2_nearest_on_segment(at, from, to)) < beside_door) {
             outline_name(plan, OWNER_DOOR, (int)d, name, size);
             return;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "plan/plan_geometry.h"
 
 /* m: how near an edge's middle must be to a solid to belong to it, a few steps of the grid. */
 static const double OWNER_TOLERANCE = 1e-5;
@@ -169,7 +170,7 @@ static GEOSGeometry *openings_of(Solids *solids, size_t w) {
         if (door->state == DOOR_LOCKED)
             continue;
         Vec2 from, to, corners[4];
-        plan_door_ends(plan, door, &from, &to);
+        plan_geometry_door_ends(plan, door, &from, &to);
         solids_strip(from, to, half, half, corners);
         holes = memory_reserve(holes, &capacity, count + 1, sizeof *holes);
         holes[count++] = polygon_of(solids, corners);
@@ -235,7 +236,7 @@ static void add_wall(Solids *solids, size_t w, size_t solid) {
 
 void solids_open_leaf(const Plan *plan, const Door *door, double from_wall, Vec2 corners[4]) {
     Vec2 from, to;
-    plan_door_ends(plan, door, &from, &to);
+    plan_geometry_door_ends(plan, door, &from, &to);
     Vec2 along = vec2_unit(vec2_sub(to, from));
     Vec2 out = door->swing == SWING_LEFT ? vec2_left(along) : vec2_scale(vec2_left(along), -1);
     Vec2 hinge = door->hinge == HINGE_START ? from : to;
@@ -250,7 +251,7 @@ static void add_standing_solids(Solids *solids) {
     const Plan *plan = solids->plan;
     Vec2 corners[4];
     for (size_t f = 0; f < plan->furniture_count; f++) {
-        plan_furniture_corners(&plan->furniture[f], corners);
+        plan_geometry_corners(&plan->furniture[f], corners);
         add_solid(solids, corners, 0, OWNER_FURNITURE, f);
     }
     for (size_t d = 0; d < plan->door_count; d++) {

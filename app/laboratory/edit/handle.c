@@ -1,6 +1,7 @@
 /* What can be taken up of what is selected: points, edges, corners, what turns it. */
 
 #include "laboratory/house/session_parts.h"
+#include "plan/plan_geometry.h"
 
 static const double ARM = 0.45; /* m, of the handle that turns, beyond the piece or from the person */
 
@@ -36,7 +37,7 @@ static void add_wall(Handles *handles, const Wall *wall) {
 
 static void add_door(Handles *handles, const Plan *plan, const Door *door) {
     Vec2 from, to;
-    plan_door_ends(plan, door, &from, &to);
+    plan_geometry_door_ends(plan, door, &from, &to);
     add(handles, GRIP_MIDDLE, 0, middle(from, to));
     add(handles, GRIP_EDGE, 0, from);
     add(handles, GRIP_EDGE, 1, to);
@@ -46,7 +47,7 @@ static void add_piece(Handles *handles, const Furniture *piece) {
     Furniture standing = *piece;
     standing.toppled = false;
     Vec2 corners[4];
-    plan_furniture_corners(&standing, corners);
+    plan_geometry_corners(&standing, corners);
     add(handles, GRIP_MIDDLE, 0, piece->centre);
     for (size_t i = 0; i < 4; i++)
         add(handles, GRIP_CORNER, i, corners[i]);

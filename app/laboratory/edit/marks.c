@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "laboratory/house/session_parts.h"
+#include "plan/plan_geometry.h"
 
 static const double FARTHEST_GAP = 5.0; /* m: what is farther from a piece is not told */
 static const double LEAST_TOLD = 0.005; /* m: shorter lengths are not */
@@ -44,7 +45,7 @@ void edit_marks_length(HouseSession *live, Vec2 from, Vec2 to) {
 void edit_marks_door(HouseSession *live, const Plan *plan, const Door *door) {
     const Vec2 *ends = plan->walls[door->wall_index].points.at + door->segment;
     Vec2 from, to;
-    plan_door_ends(plan, door, &from, &to);
+    plan_geometry_door_ends(plan, door, &from, &to);
     edit_marks_line(live, from, to);
     edit_marks_length(live, ends[0], from);
     edit_marks_length(live, from, to);
@@ -55,7 +56,7 @@ void edit_marks_door(HouseSession *live, const Plan *plan, const Door *door) {
 
 void edit_marks_piece(HouseSession *live, const Furniture *piece) {
     Vec2 corners[4];
-    plan_furniture_corners(piece, corners);
+    plan_geometry_corners(piece, corners);
     edit_marks_outline(live, corners, 4);
     for (int i = 0; i < 4; i++) {
         Vec2 a = corners[i], b = corners[(i + 1) % 4], out = vec2_scale(vec2_left(vec2_unit(vec2_sub(b, a))), -1);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "laboratory/house/session_parts.h"
+#include "plan/plan_geometry.h"
 
 double edit_measure_chair(const HouseSession *live) {
     double width = HUGE_VAL;
@@ -48,7 +49,7 @@ bool edit_measure_side(HouseSession *live) {
         }
     for (size_t f = 0; f < plan->furniture_count; f++) {
         Vec2 corners[4];
-        plan_furniture_corners(&plan->furniture[f], corners);
+        plan_geometry_corners(&plan->furniture[f], corners);
         for (int i = 0; i < 4; i++)
             offer(&side, edit->hand.at, corners[i], corners[(i + 1) % 4]);
     }

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "laboratory/house/session_parts.h"
+#include "plan/plan_geometry.h"
 
 /* Things and ids --------------------------------------------------------------------------------------------------- */
 
@@ -148,11 +149,11 @@ static bool find_box(const Plan *plan, DraftList list, size_t i, Box *box) {
         *box = box_of(plan->walls[i].points.at, plan->walls[i].points.count);
         return true;
     case DRAFT_DOORS:
-        plan_door_ends(plan, &plan->doors[i], &corners[0], &corners[1]);
+        plan_geometry_door_ends(plan, &plan->doors[i], &corners[0], &corners[1]);
         *box = box_of(corners, 2);
         return true;
     case DRAFT_FURNITURE:
-        plan_furniture_corners(&plan->furniture[i], corners);
+        plan_geometry_corners(&plan->furniture[i], corners);
         *box = box_of(corners, 4);
         return true;
     case DRAFT_ROOMS:
@@ -215,7 +216,7 @@ static const char *find_at(const HouseSession *live, Vec2 at) {
             if (!find_box(plan, order[k], i - 1, &box) || !box_holds(box_expand(box, live->edit.hand.reach), at))
                 continue;
             if (order[k] == DRAFT_FURNITURE)
-                plan_furniture_corners(&plan->furniture[i - 1], corners);
+                plan_geometry_corners(&plan->furniture[i - 1], corners);
             if (order[k] == DRAFT_FURNITURE && !holds(&(Points){corners, 4}, at))
                 continue;
             return json_string_value(json_object_get(draft_at(live->draft, order[k], i - 1), "id"));

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "laboratory/house/session_parts.h"
+#include "plan/plan_geometry.h"
 
 /* The wall that is selected; NULL: another thing, or more. */
 static const Wall *selected_wall(const HouseSession *live, size_t *index) {
@@ -127,7 +128,7 @@ static void keep_doors(HouseSession *live, const Points *points, size_t point, c
             draft_remove(live->draft, door->id);
         } else {
             Vec2 from, to, a = points->at[point - 1], b = points->at[point + 1];
-            plan_door_ends(plan, door, &from, &to);
+            plan_geometry_door_ends(plan, door, &from, &to);
             Vec2 middle = vec2_scale(vec2_add(from, to), 0.5);
             put_door(live, door, point - 1, vec2_dot(vec2_sub(middle, a), vec2_unit(vec2_sub(b, a))));
         }

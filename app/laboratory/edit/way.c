@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "laboratory/house/session_parts.h"
+#include "plan/plan_geometry.h"
 
 static json_t *point(Vec2 at) {
     return json_pack("[o, o]", json_number(at.x), json_number(at.y));
@@ -33,7 +34,7 @@ void edit_way_make_exit(HouseSession *live) {
 static const Door *door_at(const Plan *plan, Vec2 at, double reach) {
     for (size_t d = 0; d < plan->door_count; d++) {
         Vec2 from, to;
-        plan_door_ends(plan, &plan->doors[d], &from, &to);
+        plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);
         double half = plan->walls[plan->doors[d].wall_index].thickness / 2;
         Vec2 foot = vec2_nearest_on_segment(at, from, to);
         bool beside = vec2_distance(foot, from) < reach || vec2_distance(foot, to) < reach;
@@ -51,7 +52,7 @@ bool edit_way_across(HouseSession *live) {
         return false;
     Vec2 from, to;
     char name[EDIT_NAME];
-    plan_door_ends(plan, door, &from, &to);
+    plan_geometry_door_ends(plan, door, &from, &to);
     snprintf(name, sizeof name, "Place exit across door %.60s", door->id);
     edit_gesture_open(live, name);
     add(live, DRAFT_EXITS,

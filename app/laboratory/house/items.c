@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "plan/plan_geometry.h"
 #include "visual/house/blockage_scene.h"
 #include "visual/house/silhouette.h"
 
@@ -149,10 +150,10 @@ size_t house_item_outline(const HouseScenery *scenery, Item thing, double time, 
             return 0;
         return outline_circle(scenery->observation->people[thing.index].blockage.at, STOP_SHOWN, points);
     case HOUSE_DOOR:
-        plan_door_ends(plan, &plan->doors[thing.index], &from, &to);
+        plan_geometry_door_ends(plan, &plan->doors[thing.index], &from, &to);
         return outline_strip(from, to, plan->walls[plan->doors[thing.index].wall_index].thickness, points);
     case HOUSE_FURNITURE:
-        plan_furniture_corners(&plan->furniture[thing.index], points);
+        plan_geometry_corners(&plan->furniture[thing.index], points);
         return 4;
     case HOUSE_WALL:
         return outline_wall(&plan->walls[thing.index], points);

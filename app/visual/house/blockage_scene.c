@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "plan/plan_geometry.h"
 #include "visual/house/silhouette.h"
 
 /* Design points. */
@@ -46,7 +47,7 @@ static Pose pose_before(const Plan *plan, const Inhabitant *person, const Blocka
     const Door *door = named_door(plan, blockage->what);
     if (door) {
         Vec2 from, to;
-        plan_door_ends(plan, door, &from, &to);
+        plan_geometry_door_ends(plan, door, &from, &to);
         Vec2 across = vec2_left(vec2_sub(to, from));
         way = vec2_dot(across, way) < 0 ? vec2_scale(across, -1) : across;
     }
@@ -74,7 +75,7 @@ static void add_cross(Scene *scene, Vec2 at) {
 /* The door's width, clear of the body that stands in it. */
 static void add_width(Scene *scene, const Plan *plan, const Door *door, const Profile *profile, double heading) {
     Vec2 from, to, ahead = vec2_scale(vec2_heading(heading), profile->length / 2 + AHEAD);
-    plan_door_ends(plan, door, &from, &to);
+    plan_geometry_door_ends(plan, door, &from, &to);
     scene_add_dimension(scene, ROLE_ERROR, DIMENSION_WIDTH, vec2_add(from, ahead), vec2_add(to, ahead))->keep_clear =
         KEEP_SIGN;
 }

@@ -4,6 +4,7 @@
 
 #include "base/digest.h"
 #include "base/random.h"
+#include "plan/plan_geometry.h"
 
 void furniture_fall_move(FurnitureFall *fall, double seconds) {
     double late = fmin(fall->delay, seconds), part = (seconds - late) / FURNITURE_FALL_SECONDS;
@@ -23,7 +24,7 @@ void furniture_fall_corners(const Furniture *piece, double share, Vec2 corners[4
     Furniture leaning = *piece;
     leaning.toppled = share > 0;
     leaning.height *= share;
-    plan_furniture_corners(&leaning, corners);
+    plan_geometry_corners(&leaning, corners);
 }
 
 static double depth_of(const Furniture *piece) {

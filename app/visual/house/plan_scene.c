@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "plan/plan_geometry.h"
+
 /* Design points. */
 #define WALL_EDGE 1.5 /* keeps thin walls of large plans visible */
 #define THIN_WALL 3.0 /* walls without thickness */
@@ -117,7 +119,7 @@ static void add_leaning(Scene *scene, const Furniture *piece, double share) {
         furniture_fall_cut(piece, share, (i + 0.5) * thickness, &from, &to);
         Furniture part = part_beyond(piece, from, to);
         Vec2 corners[4];
-        plan_furniture_corners(&part, corners);
+        plan_geometry_corners(&part, corners);
         Primitive *slice = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
         slice->edge_opacity = 0; /* no edges between them */
         slice->width = FURNITURE_EDGE;
@@ -141,7 +143,7 @@ void plan_scene_falling(Scene *scene, const FurnitureFall *fall, bool raised) {
 
 void plan_scene_place(Scene *scene, const Furniture *piece) {
     Vec2 corners[4];
-    plan_furniture_corners(piece, corners);
+    plan_geometry_corners(piece, corners);
     Primitive *place = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
     place->fill_opacity = 0;
     place->keep_clear = KEEP_FURNITURE;
@@ -157,7 +159,7 @@ typedef struct Opening {
 
 static Opening opening_of(const Plan *plan, const Door *door) {
     Vec2 from, to;
-    plan_door_ends(plan, door, &from, &to);
+    plan_geometry_door_ends(plan, door, &from, &to);
     Vec2 left = vec2_left(vec2_unit(vec2_sub(to, from)));
     bool at_start = door->hinge == HINGE_START;
     Opening opening = {.hinge = at_start ? from : to, .latch = at_start ? to : from};
@@ -282,7 +284,7 @@ static Primitive *add_tag(Scene *scene, Role fill, Vec2 at, const char *text) {
 
 static void bind_to_furniture(Scene *scene, Primitive *label, const Furniture *piece) {
     Vec2 corners[4];
-    plan_furniture_corners(piece, corners);
+    plan_geometry_corners(piece, corners);
     scene_bind_label(scene, label, corners, 4);
 }
 

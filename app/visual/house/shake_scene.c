@@ -1,5 +1,6 @@
 #include "visual/house/shake_scene.h"
 
+#include "plan/plan_geometry.h"
 #include "visual/house/census.h"
 #include "visual/house/house_scene.h"
 #include "visual/house/people_scene.h"
@@ -40,7 +41,7 @@ static void add_falls(Scene *scene, const ShakeFindings *findings) {
             continue;
         lying.toppled = true;
         Vec2 corners[4];
-        plan_furniture_corners(&lying, corners);
+        plan_geometry_corners(&lying, corners);
         Primitive *fall = scene_add_polygon(scene, ROLE_FURNITURE, corners, 4);
         fall->fill_opacity = 0;
         fall->edge = ROLE_FURNITURE_LINE;
@@ -56,7 +57,7 @@ static void add_pieces(Scene *scene, const ShakeFindings *findings) {
         if (!piece->stops.good)
             continue;
         Vec2 corners[4];
-        plan_furniture_corners(piece_of(findings, piece), corners);
+        plan_geometry_corners(piece_of(findings, piece), corners);
         Primitive *body = scene_add_polygon(scene, danger_of(piece->stops.value), corners, 4);
         body->edge = ROLE_WALL;
         body->width = PIECE_EDGE;

@@ -8,6 +8,7 @@
 #include "check.h"
 #include "scratch.h"
 #include "house/house.h"
+#include "plan/plan_geometry.h"
 
 static const char *const room = "'walls': [{'id': 'w1', 'points': [[0, 0], [4, 0], [4, 3]]}], "
                                 "'doors': [{'id': 'd1', 'wall': 'w1', 'at': 1.2, 'width': 0.8}], "
@@ -433,12 +434,12 @@ TEST(a_door_has_its_ends_on_its_wall) {
                         "'doors': [{'id': 'd1', 'wall': 'w1', 'at': 2.5, 'width': 1}, "
                         "{'id': 'd2', 'wall': 'w1', 'segment': 1, 'at': 0.4, 'width': 0.8}]");
     Vec2 from = {7, 7}, to = {7, 7};
-    plan_door_ends(&plan, &plan.doors[0], &from, &to);
+    plan_geometry_door_ends(&plan, &plan.doors[0], &from, &to);
     CHECK_NEAR(from.x, 1.2, 1e-12);
     CHECK_NEAR(from.y, 1.6, 1e-12);
     CHECK_NEAR(to.x, 1.8, 1e-12);
     CHECK_NEAR(to.y, 2.4, 1e-12);
-    plan_door_ends(&plan, &plan.doors[1], &from, &to);
+    plan_geometry_door_ends(&plan, &plan.doors[1], &from, &to);
     CHECK_NEAR(from.y, 4, 1e-12);
     CHECK_NEAR(to.y, 4.8, 1e-12);
     plan_free(&plan);
@@ -453,7 +454,7 @@ TEST(what_topples_grows_by_its_height_towards_its_face) {
             Box box = box_empty();
             double area = 0;
             piece.toppled = lies;
-            plan_furniture_corners(&piece, corners);
+            plan_geometry_corners(&piece, corners);
             for (int i = 0; i < 4; i++) {
                 area += vec2_cross(corners[i], corners[(i + 1) % 4]) / 2;
                 box = box_include(box, vec2_unturn(vec2_sub(corners[i], piece.centre), vec2(0, 1)));

@@ -15,6 +15,7 @@
 #include "house/shake.h"
 #include "laboratory/edit/editor.h"
 #include "laboratory/house/session.h"
+#include "plan/plan_geometry.h"
 
 static const Laboratory *const kind = &house_laboratory;
 static const EditorFunctions *const editor = &house_editor;
@@ -33,7 +34,7 @@ TEST(a_falling_piece_begins_as_it_stands_and_ends_as_it_lies) {
             Furniture piece = piece_to(face);
             furniture_fall_corners(&piece, lies, corners);
             piece.toppled = lies;
-            plan_furniture_corners(&piece, expected);
+            plan_geometry_corners(&piece, expected);
             for (int i = 0; i < 4; i++)
                 CHECK_NEAR(vec2_distance(corners[i], expected[i]), 0, 1e-12);
         }

@@ -1,0 +1,22 @@
+#include "plan/plan_geometry.h"
+
+void plan_geometry_door_ends(const Plan *plan, const Door *door, Vec2 *from, Vec2 *to) {
+    const Vec2 *points = plan->walls[door->wall_index].points.at + door->segment;
+    Vec2 along = vec2_unit(vec2_sub(points[1], points[0]));
+    *from = vec2_along(points[0], door->at - door->width / 2, along);
+    *to = vec2_along(points[0], door->at + door->width / 2, along);
+}
+
+void plan_geometry_corners(const Furniture *piece, Vec2 corners[4]) {
+    double left = -piece->size.x / 2, right = -left, front = -piece->size.y / 2, back = -front;
+    if (piece->toppled) {
+        left -= piece->topples == TOPPLE_LEFT ? piece->height : 0;
+        right += piece->topples == TOPPLE_RIGHT ? piece->height : 0;
+        front -= piece->topples == TOPPLE_FRONT ? piece->height : 0;
+        back += piece->topples == TOPPLE_BACK ? piece->height : 0;
+    }
+    Vec2 axis = vec2_heading(radians(piece->angle));
+    Vec2 own[4] = {{left, front}, {right, front}, {right, back}, {left, back}};
+    for (int i = 0; i < 4; i++)
+        corners[i] = vec2_add(piece->centre, vec2_turn(own[i], axis));
+}
