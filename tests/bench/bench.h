@@ -1,15 +1,14 @@
-/* Measuring: medians of several turns, beside a reference of the same process, since machines are shared and their
- * speed drifts. */
+/* Measures medians of several turns and a reference in the same process, since shared machines change their speed. */
 #pragma once
 
-/* s of processor time of this thread, since some moment. */
+/* Returns the processor time of this thread, s. */
 double bench_now(void);
 
-/* s by the clock, since some moment: for what takes several threads. */
+/* Returns the clock time, s, for work of several threads. */
 double bench_clock(void);
 
-/* A fixed piece of arithmetic and memory work, the reference: its seconds are what a bench's ratios are made with. */
+/* Runs a fixed piece of arithmetic and memory work and returns its time, s: the reference of all ratios. */
 double bench_reference(void);
 
-/* The middle one of `count` values, which are sorted. */
+/* Sorts `count` values and returns the middle one. */
 double bench_median(double *values, int count);

@@ -1,5 +1,5 @@
-/* The impact beam: cycles of the drive per second of one core, with 4 and 12 modes, alone and in lanes; an orbit
- * diagram and a map on all. */
+/* Measures the impact beam: cycles of the drive per second on one core, with 4 and 12 modes, alone and in lanes; an
+ * orbit diagram and a map on all cores. */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -46,7 +46,7 @@ static void measure(const char *source, const char *modes, double frequency) {
     rig_clear(&rig);
 }
 
-/* Runs that are shared out to threads by the batch. */
+/* Runs that are distributed to threads in batches. */
 typedef struct Batches {
     const Rig *rig;
     LanesRun *runs;

@@ -1,5 +1,5 @@
-/* The impact beam of 4 modes on one core, swept from 20 to 320 Hz in lanes, and by CVODE (Adams, root-finding) at the
- * same model, from the same starts, at every thirtieth of the frequencies, in one process. */
+/* Compares the impact beam with 4 modes on one core, swept from 20 to 320 Hz in lanes, with CVODE (Adams, root-
+ * finding) on the same model and initial states at every thirtieth frequency, in one process. */
 
 #include <stdio.h>
 
@@ -14,7 +14,7 @@ static double frequency_of(size_t i) {
     return 20 + (double)i;
 }
 
-/* Cycles per second. */
+/* Returns cycles per second. */
 static double measure_lanes(const Rig *rig) {
     LanesRun *runs = memory_zeroed(SWEEP, sizeof *runs);
     double seconds[TURNS];
@@ -33,7 +33,7 @@ static double measure_lanes(const Rig *rig) {
     return SWEEP * CYCLES / bench_median(seconds, TURNS);
 }
 
-/* Each frequency takes its share of the time, as in the sweep: cycles per second of all of them. */
+/* Returns cycles per second over all frequencies, each weighted by its time as in the sweep. */
 static void measure_peer(const Rig *rig, double tolerance, double exact) {
     double start[8] = {0}, seconds = 0;
     size_t cycles = 0;

@@ -1,6 +1,6 @@
-/* Many people at once: agent-steps per second of one core for people on foot and in chairs, what observing adds, what a
- * second thread brings, and the memory each takes. Discs are in each other's personal space at every step; the step is
- * 1 ms, lists of neighbours are exact to WALKERS_SKIN, nothing is left out beyond. */
+/* Measures crowds: agent-steps per second on one core for people on foot and in chairs, the cost of observing, the
+ * gain of a second thread, and memory per person. Discs overlap personal spaces at every step; the step is 1 ms, and
+ * neighbour lists are exact to WALKERS_SKIN. */
 
 #include <malloc.h>
 #include <stdio.h>
@@ -32,7 +32,7 @@ static size_t memory_used(void) {
     return info.uordblks + info.hblkhd;
 }
 
-/* Steps of everybody who is there, in one turn. */
+/* Returns the steps of all present people in one turn. */
 static double walk_on(World *world, int steps, Observer *observer) {
     double agents = 0;
     for (int step = 0; step < steps; step++) {
@@ -50,7 +50,7 @@ static void measure(const Scene *scene, const char *source) {
     Journeys journeys = journey_plan_all(&house, NULL, parallel_processors(), NULL);
     size_t before = memory_used();
     World world = world_create(&house, journeys.of, NULL);
-    walk_on(&world, 1000, NULL); /* until everybody is under way */
+    walk_on(&world, 1000, NULL); /* until all people move */
     double memory = (double)(memory_used() - before) / (double)house.person_count;
     double alone[TURNS], watched[TURNS], together[TURNS], single[TURNS], reference[TURNS];
     ParallelTeam *team = parallel_team_create(2);

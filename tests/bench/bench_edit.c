@@ -1,6 +1,6 @@
-/* From an edit to the whole new answer, with two threads: the wardrobe of the ube house is dragged along a line, and
- * after each step the house is read from its text and everybody's run made anew; then, in a house with a door that is
- * too narrow, how long it takes to say so, briefly and in full. */
+/* Measures the time from an edit to the complete answer with two threads: the wardrobe of the ube house is dragged
+ * along a line, and after each step the house is read from its text and simulated; then the time to report a door
+ * that is too narrow, briefly and in full. */
 
 #include <stdint.h>
 #include <stdio.h>
@@ -11,7 +11,7 @@
 
 enum { STEPS = 200, TURNS = 3, PARTS = 3 };
 
-/* m: of the wardrobe's middle, at the beginning and at the end of the drag. */
+/* m: the wardrobe's centre at the beginning and the end of the drag. */
 static const double FROM = 8.4, TO = 9.6;
 
 static const char *const part_names[PARTS] = {"whole", "read", "run"};
@@ -60,7 +60,7 @@ static void one_step(Drag *drag, int step, double seconds[PARTS]) {
     memory_free(text);
 }
 
-/* Median seconds until it is said that a chair cannot pass a door. */
+/* Returns the median time until a chair is known not to pass a door, s. */
 static double say_no(const char *source, bool brief) {
     static const char *const settings[] = {"door.d1.width=0.6"};
     char path[4096], profiles[4096];
@@ -88,7 +88,7 @@ int main(int argc, char **argv) {
     Drag drag;
     double parts[PARTS][STEPS], reference[TURNS];
     begin_drag(&drag, source);
-    for (int turn = 0; turn < TURNS; turn++) { /* by the clock, as the rest */
+    for (int turn = 0; turn < TURNS; turn++) { /* clock time, as the rest */
         double begin = bench_clock();
         bench_reference();
         reference[turn] = bench_clock() - begin;

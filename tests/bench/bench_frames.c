@@ -1,6 +1,6 @@
-/* Films: frames per second by the clock, of drawing alone (static layer, what moves, words, and the pixels read back),
- * with making the scene and its layout, and with writing PNG files too: a house with four chairs, a hall of 1,000; and
- * a beam with its plots. */
+/* Measures films in frames per second of clock time: drawing alone (static layer, moving layer, text, reading pixels
+ * back), with scene and layout, and with PNG files: a house with four chairs, a hall of 1,000, and a beam with
+ * plots. */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,7 +26,7 @@ typedef struct Show {
     Observation observation;
 } Show;
 
-/* One picture on its way. */
+/* A picture being made. */
 typedef struct Screen {
     Film *film;
     PaintGl *paint;
@@ -34,7 +34,7 @@ typedef struct Screen {
     unsigned char *pixels;
 } Screen;
 
-/* Seconds of making a frame and of drawing it. */
+/* Measures the times of making and of drawing a frame, s. */
 static void show_frame(Screen *screen, double time, double *making, double *drawing) {
     double begin = bench_clock();
     film_show(screen->film, time);
@@ -48,7 +48,7 @@ static void show_frame(Screen *screen, double time, double *making, double *draw
     *drawing += bench_clock() - made;
 }
 
-/* Seconds a frame, from the scene to its PNG file in a directory. */
+/* Measures the time per frame from the scene to a PNG file, s. */
 static double write_frames(Screen *screen, const char *directory, int width, int height, double first, double step) {
     char path[64];
     unsigned char *own = screen->pixels;
@@ -120,7 +120,7 @@ static size_t beam_until(const void *owner, size_t plot, size_t series, double t
     return beam_film_until(owner, plot, series, time);
 }
 
-/* A film of a beam with its plots, whose parts are not told apart. */
+/* Measures a film of a beam with plots as a whole. */
 static void film_beam(const StudioFilm *filmed, double last, const Options *options) {
     double drawn[TURNS], written[TURNS], step = last / (2 * TURNS * FRAMES);
     char directory[] = "/tmp/clearance-frames-XXXXXX", path[64];

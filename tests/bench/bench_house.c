@@ -1,5 +1,5 @@
-/* One chair in the ube house, on one core: simulated seconds per second of the step alone, and from file to answer with
- * the share of each part. */
+/* Measures one chair in the ube house on one core: simulated seconds per second of the step alone, and the time from
+ * file to answer with the fraction of each part. */
 
 #include <stdio.h>
 #include <string.h>
@@ -22,7 +22,7 @@ static const bool *only(const House *house, const char *route) {
     return part;
 }
 
-/* The part of the whole that each takes, s; returns the simulated time. */
+/* Measures the time of each part, s; returns the simulated time. */
 static double one_turn(const char *source, const char *route, double seconds[PARTS]) {
     House house = {.seed = 0};
     double begin = bench_now();

@@ -1,4 +1,4 @@
-/* Houses that are measured; `source` is the project's directory. house_free releases them. */
+/* Houses for measurements; `source` is the project's directory. house_free releases them. */
 #pragma once
 
 #include "house/house.h"
@@ -6,6 +6,6 @@
 /* The default house: four routes. */
 void houses_read_ube(House *house, const char *source);
 
-/* A square hall full of people, a 2 m exit in the middle of each side: `side` m, `density` people per m2, all of one
+/* Returns a square hall with a 2 m exit in the middle of each side: `side` m, `density` people per m2, all of one
  * profile. */
 void houses_read_hall(House *house, const char *source, const char *profile, double side, double density);

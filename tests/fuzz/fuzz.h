@@ -1,4 +1,5 @@
-/* What the fuzz targets share. A target fails by stopping: the sanitizers, libFuzzer's limits and fuzz_expect do so. */
+/* The common part of the fuzz targets. A target fails by stopping: through the sanitizers, libFuzzer's limits or
+ * fuzz_expect. */
 #pragma once
 
 #include <stdbool.h>
@@ -7,15 +8,15 @@
 
 #include "base/fault.h"
 
-/* libFuzzer calls this with one input after the other. */
+/* Called by libFuzzer with one input after another. */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* The path of a file in memory that holds the input; the next call writes over it. */
+/* Returns the path of a file in memory that holds the input; the next call overwrites it. */
 const char *fuzz_file(const uint8_t *data, size_t size);
 
-/* Stops the program, and says so, unless `good`. */
+/* Stops the program with a message unless `good`. */
 void fuzz_expect(bool good, const char *what);
 
-/* A reader says true and adds no fault, or false and at least one; each fault is one line of UTF-8 that begins with
- * `place` ("" : any) and, after a file's, with a line and a column. The faults are cleared. */
+/* Checks that a reader returns true without errors, or false with at least one; each error is a line of UTF-8 that
+ * begins with `place` ("": any) and, for files, a line and a column. Clears the errors. */
 void fuzz_expect_faults(bool good, Fault *fault, const char *place);

@@ -1,10 +1,10 @@
-/* The input is a beam file: read, and made into modes. */
+/* The input is a beam file: it is read, and its modes are computed. */
 #include <math.h>
 
 #include "beam/modes.h"
 #include "fuzz.h"
 
-/* Larger ones take longer than a fuzzer has. */
+/* Larger models take too long for fuzzing. */
 enum { ELEMENTS_MOST = 40 };
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -1,8 +1,7 @@
-/* What the fuzz targets of the importers share. */
+/* The common part of the importers' fuzz targets. */
 #pragma once
 
 #include "exchange/house_builder.h"
 
-/* Reads the file with an importer. What it takes is a plan that survives writing; of a small one the walkable area is
- * made, too. */
+/* Imports the file. A resulting plan must survive writing; for a small plan the walkable area is computed, too. */
 void fuzz_import(const char *path, bool (*read)(HouseBuilder *builder));

@@ -1,4 +1,4 @@
-/* The input is one JSON value: read as every row of every table, and as every table. */
+/* The input is one JSON value, read as every row of every table and as every table. */
 #include <stddef.h>
 #include <string.h>
 
@@ -6,7 +6,7 @@
 #include "plan/plan_tables.h"
 #include "plan/profile.h"
 
-/* One row of each kind, to be sure of all. */
+/* One row of each kind. */
 typedef struct Every {
     double number;
     int whole, choice;
@@ -89,7 +89,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         return 0;
     Arena arena = {0};
     JsonNode root = json_root(&file), member = json_member(&root, "value");
-    const JsonNode *node = member.value ? &member : &root; /* a file holds an object or a list, a row also others */
+    const JsonNode *node =
+        member.value ? &member : &root; /* a file holds an object or a list, a row also other values */
     read_table(&every, node, &arena);
     read_table(profile_table(), node, &arena);
     read_table(&plan_tables_run, node, &arena);

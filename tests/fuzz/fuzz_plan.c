@@ -1,4 +1,4 @@
-/* The input is a house file: read, written and read again, and, when it is small, built. */
+/* The input is a house file: read, written, read again and, if small, built. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,7 +12,7 @@
 #include "plan/plan.h"
 
 enum { LARGEST_FILE = 1 << 24, MOST_POINTS = 500 };
-static const double MOST_CELLS = 3e5; /* 1, of the grid: what takes some ms */
+static const double MOST_CELLS = 3e5; /* 1, of the grid: a few ms of work */
 
 static char *written(const Plan *plan) {
     char path[64];

@@ -1,4 +1,4 @@
-/* Each line of the input is the NAME=VALUE of a --set; they change a shipped house and its profile. */
+/* Each line of the input is the NAME=VALUE of a --set, applied to a shipped house and its profile. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

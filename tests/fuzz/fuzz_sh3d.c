@@ -1,4 +1,4 @@
-/* The input is a zip file when it begins like one; otherwise it is the Home.xml in one. */
+/* The input is a zip file if it begins like one, otherwise the Home.xml of one. */
 #include <stdlib.h>
 #include <string.h>
 #include <zip.h>
@@ -7,7 +7,7 @@
 #include "fuzz.h"
 #include "fuzz_import.h"
 
-/* A zip file in memory that holds the input, not packed. */
+/* Returns a zip file in memory that holds the input uncompressed. */
 static zip_source_t *zip_of(const uint8_t *data, size_t size) {
     zip_source_t *whole = zip_source_buffer_create(NULL, 0, 0, NULL);
     fuzz_expect(whole, "there is memory for a zip file");

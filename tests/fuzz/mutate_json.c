@@ -1,6 +1,6 @@
-/* Changes JSON as JSON: numbers for other numbers, values for other values of the same file, members and elements that
- * come twice, go or change places. Bytes are changed too, by libFuzzer's own mutations: those find what is wrong with
- * the parser, these what is wrong behind it. */
+/* Mutates JSON structurally: replaces numbers by numbers and values by other values of the same file, repeats,
+ * removes and swaps members and elements. libFuzzer's own byte mutations test the parser, these test the code behind
+ * it. */
 #include <jansson.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -12,10 +12,10 @@
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t most);
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned seed);
 
-/* Where a value hangs. */
+/* The place of a value in the document. */
 typedef struct Slot {
     json_t *parent;
-    const char *key; /* in an object, NULL in an array */
+    const char *key; /* key in an object, NULL in an array */
     size_t index;
 } Slot;
 
@@ -76,7 +76,7 @@ static void change(const Slots *slots, unsigned *state) {
     const Slot *slot = &slots->at[draw(state, slots->count)], *other = &slots->at[draw(state, slots->count)];
     json_t *value = value_of(slot), *from = value_of(other);
     if (!value || !from)
-        return; /* an earlier change has taken it away */
+        return; /* an earlier mutation removed it */
     switch (draw(state, 8)) {
     case 0:
         put(slot, json_deep_copy(from));
@@ -99,7 +99,7 @@ static void change(const Slots *slots, unsigned *state) {
         if (other->key && json_is_object(value))
             json_object_set_new(value, other->key, json_deep_copy(from));
         break;
-    default: /* most of a file is numbers */
+    default: /* most values of a file are numbers */
         if (json_is_number(value))
             put(slot, other_number(state, json_number_value(value)));
         else if (json_typeof(value) == json_typeof(from))

@@ -1,4 +1,4 @@
-/* Houses for tests: shipped ones, and ones made of a few numbers. */
+/* Houses for tests: shipped ones, and synthetic ones made from a few numbers. */
 #pragma once
 
 #include <jansson.h>
@@ -6,21 +6,21 @@
 #include "house/house.h"
 #include "house/observation.h"
 
-/* Reads houses/NAME.json with the shipped profiles; `driving` as in HouseOptions; settings end with NULL. A fault fails
- * the test. house_free releases it. */
+/* Reads houses/NAME.json with the shipped profiles; `driving` as in HouseOptions; settings end with NULL. An error
+ * fails the test. house_free releases the house. */
 void case_house(House *house, const char *name, int driving, const char *const *settings);
 
-/* The same of a house made in memory; the JSON is released. */
+/* Reads a house made in memory in the same way; releases the JSON. */
 void case_made(House *house, json_t *plan, int driving, const char *const *settings);
 
-/* The JSON of a shipped house; json_decref it. */
+/* Returns the JSON of a shipped house; json_decref it. */
 json_t *case_plan(const char *name);
 
-/* Runs everybody with `jobs` threads. observation_free releases it. */
+/* Runs all people with `jobs` threads. observation_free releases the result. */
 Observation case_run(const House *house, int jobs);
 
-/* A straight corridor along x, `width` m clear and 20 m long, its faces at y = -width / 2 and width / 2, walls 0.2 m
- * thick, an exit across x = 18; nobody in it. New. */
+/* Returns a straight corridor along x, `width` m clear and 20 m long, with faces at y = -width / 2 and width / 2,
+ * walls 0.2 m thick, an exit across x = 18, and no people. */
 json_t *case_corridor(double width);
 
 /* Adds a person p<n> at (x, y). */

@@ -8,7 +8,7 @@
 static CheckTest *first;
 static int failures, checks;
 
-/* A test that fails everywhere is not printed to the end. */
+/* A test with very many failures is cut short in the output. */
 enum { PRINTED_MOST = 10 };
 static int printed;
 

@@ -1,5 +1,5 @@
-/* A test is a sentence: TEST(a_closed_gap_never_pulls) { ... }. Checks print both values; a test goes on after a failed
- * check. tests/check.c runs all tests of the program it is linked into. */
+/* A test is a sentence: TEST(a_closed_gap_never_pulls) { ... }. Checks print both values, and a test continues after
+ * a failed check. tests/support/check.c runs all tests of the program it is linked into. */
 #pragma once
 
 #include <stdbool.h>
@@ -21,10 +21,10 @@ void check_text(const char *got, const char *expected, const char *what, const c
 /* Prints faults, and clears them. */
 void check_say(Fault *fault);
 
-/* This machine has not what the tests need: says why and ends with 77, which meson counts as skipped. */
+/* Skips the tests: prints what this machine lacks and exits with 77, which meson counts as skipped. */
 void check_skip(const char *why) __attribute__((noreturn));
 
-/* The project's source directory, for houses/, assets/ and tests/data/. */
+/* Returns the project's source directory, for houses/, assets/ and tests/data/. */
 const char *check_source(void);
 
 #define TEST(name_)                                                                                                    \

@@ -1,12 +1,12 @@
-/* A home for tests of what a window remembers and writes: a temporary folder that HOME and the XDG variables name. */
+/* A temporary home folder for tests of stored settings and files, named by HOME and the XDG variables. */
 #pragma once
 
-/* Makes it, empty, and forgets the one before; the working directory is within. */
+/* Creates it empty, discarding the previous one; it becomes the working directory. */
 const char *desk_make(void);
 
-/* A path in it; overwritten by the call after the next. */
+/* Returns a path in it; overwritten by the call after the next. */
 const char *desk_path(const char *name);
 
-/* Writes a file there, with the folders above it. */
+/* Writes a file there and creates the folders above it. */
 void desk_write(const char *name, const char *text);
 void desk_remove(void);

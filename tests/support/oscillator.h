@@ -13,9 +13,9 @@ typedef struct Oscillator {
 
 Rig oscillator_rig(const Oscillator *oscillator);
 
-/* assets/beams/NAME.json with the setting (or NULL), which must be good. */
+/* Reads assets/beams/NAME.json with the setting (or NULL), which must be valid. */
 Beam oscillator_beam(const char *name, const char *setting);
 Rig oscillator_beam_rig(const char *name, const char *setting);
 
-/* A start for a rig: `which` 0 is at rest, others have some of every mode. */
+/* Returns an initial state: `which` 0 is rest, others excite every mode. */
 void oscillator_start(const Rig *rig, unsigned which, double *state);

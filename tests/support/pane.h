@@ -1,4 +1,4 @@
-/* A window without a window: the widgets of a small laboratory, and what a person does with them. */
+/* The widgets of a small laboratory without a window, and simulated input. */
 #pragma once
 
 #include "paint/offscreen.h"
@@ -37,9 +37,9 @@ void pane_move(Pane *pane, Vec2 to);
 void pane_down(Pane *pane, Vec2 at);
 void pane_up(Pane *pane, Vec2 at);
 
-/* A key and a frame; returns whether the key was used. pane_type types, and Enter follows. */
+/* Sends a key and a frame; returns whether the key was used. pane_type types, followed by Enter. */
 bool pane_key(Pane *pane, UiKey key);
 void pane_type(Pane *pane, const char *words);
 
-/* The focus goes on until it is in that pane, so many stops behind its first. */
+/* Moves the focus until it is in that pane, the given number of stops behind its first. */
 void pane_go(Pane *pane, const char *name, int stops);

@@ -30,7 +30,7 @@ static double wall_of(MotionPlace place) {
     return place == MOTION_UPPER || place == MOTION_UPPER_LEAVING ? 1 : -1;
 }
 
-/* How deep the tip is in the wall of the place, m, and the force that the law would have there, N. */
+/* Returns the tip's depth in the wall, m, and the contact law's force there, N. */
 static double push_of(const Peer *peer, const double *x, double *depth) {
     const Rig *rig = peer->rig;
     size_t n = rig->modes.count;
@@ -60,7 +60,7 @@ static int rates(realtype time, N_Vector state, N_Vector rate, void *data) {
     return 0;
 }
 
-/* Each rises through 0 at a switch; released at zero force. */
+/* Each function rises through 0 at a switch; released at zero force. */
 static int roots(realtype time, N_Vector state, realtype *out, void *data) {
     (void)time;
     const Peer *peer = data;

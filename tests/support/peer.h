@@ -1,5 +1,4 @@
-/* The same reduced beam, integrated step by step by CVODE with root-finding: what the exact motion is measured against.
- */
+/* Integrates the same reduced beam step by step by CVODE with root-finding, as a reference for the exact motion. */
 #pragma once
 
 #include <stddef.h>
@@ -8,15 +7,16 @@
 
 typedef struct Peer Peer;
 
-/* From a state (omega q, q') at phase 0, outside the walls; Adams' method, `tolerance` relative. peer_destroy it. */
+/* Starts at a state (omega q, q') at phase 0, outside the walls; Adams' method, relative `tolerance`. peer_destroy
+ * releases the result. */
 Peer *peer_create(const Rig *rig, const double *state, double tolerance);
 void peer_destroy(Peer *peer);
 
-/* Goes on to the end of the cycle. */
+/* Advances to the end of the cycle. */
 void peer_cycle(Peer *peer);
 
 /* (2 n) sqrt(J) */
 const double *peer_state(const Peer *peer);
 
-/* Switches since the start. */
+/* Returns the number of switches since the start. */
 size_t peer_switches(const Peer *peer);

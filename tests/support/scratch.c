@@ -77,7 +77,7 @@ char *scratch_read(const char *path) {
 }
 
 void scratch_check_faults(const char *directory, void (*read)(const char *path, Fault *fault)) {
-    CHECK(chdir(check_source()) == 0); /* the expected lines name files from there */
+    CHECK(chdir(check_source()) == 0); /* the expected lines name files relative to it */
     size_t count, size = strlen(directory) + sizeof "/expected.txt";
     char **paths = scratch_list(directory, &count), *list = memory_zeroed(size, 1);
     snprintf(list, size, "%s/expected.txt", directory);

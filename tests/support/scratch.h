@@ -1,4 +1,4 @@
-/* Files for tests: houses and the like written as text into a temporary file, and lists of the files of a directory. */
+/* Temporary files for tests (houses and others, written as text) and lists of the files of a directory. */
 #pragma once
 
 #include <stdbool.h>
@@ -10,19 +10,19 @@
 enum { SCRATCH_PATH = 64 };
 void scratch_write(char path[SCRATCH_PATH], const char *text);
 
-/* Reads a house of `members` besides format and version, in the same way. Faults are printed and fail the test. */
+/* Reads a house from `members`, without format and version, in the same way. Errors are printed and fail the test. */
 void scratch_plan(Plan *plan, const char *members);
 
-/* The paths of the data files of a directory below the project's (.json, .csv, .script, .dxf and so on), sorted;
+/* Returns the sorted paths of the data files in a directory of the project (.json, .csv, .script, .dxf and so on);
  * scratch_free_list releases them. */
 char **scratch_list(const char *directory, size_t *count);
 void scratch_free_list(char **paths, size_t count);
 
-/* The project's `path` as one that can be opened; overwritten by the next call. */
+/* Returns the absolute name of a path in the project; overwritten by the next call. */
 const char *scratch_source(const char *path);
 
-/* The whole file, "" if there is none; memory_free it. */
+/* Returns the whole file, or "" if there is none; memory_free it. */
 char *scratch_read(const char *path);
 
-/* Reads every file of a directory; what is wrong with them must be its expected.txt, no line more or less. */
+/* Reads every file of a directory and compares the errors with its expected.txt, line by line. */
 void scratch_check_faults(const char *directory, void (*read)(const char *path, Fault *fault));

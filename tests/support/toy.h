@@ -1,4 +1,4 @@
-/* An experiment for tests of studies whose answers have closed forms: no laboratory. */
+/* A synthetic experiment with closed-form results, for tests of studies. */
 #pragma once
 
 #include "study/experiment.h"
@@ -9,7 +9,7 @@
 enum { TOY_REGULAR, TOY_SUM, TOY_MEMORY, TOY_OBSERVABLES };
 
 typedef struct Toy {
-    int interrupted_after; /* trials, then it behaves as if Ctrl-C had come; 0: never */
+    int interrupted_after; /* number of trials after which it behaves like an interruption by Ctrl-C; 0: never */
     int run;               /* trials so far */
     volatile sig_atomic_t stop;
 } Toy;

@@ -1,4 +1,4 @@
-/* Random numbers, words, memory and threads. */
+/* Tests random numbers, texts, memory and threads. */
 
 #include <math.h>
 #include <stdint.h>

@@ -7,7 +7,7 @@
 #include "plan/plan.h"
 #include "plan/profile.h"
 
-/* As `clearance schema KIND` prints it. */
+/* Returns the schema as `clearance schema KIND` prints it. */
 static void check_file(const char *path, json_t *schema) {
     char *made = json_dumps(schema, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
     char *shipped = scratch_read(scratch_source(path));

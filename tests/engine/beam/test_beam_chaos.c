@@ -41,7 +41,7 @@ TEST(the_exponent_of_the_logistic_map_at_four_is_the_logarithm_of_two) {
 
 enum { LORENZ = 3, LORENZ_ALL = LORENZ * (1 + LORENZ) /* the state, then tangents */ };
 
-/* x' = 10 (y - x), y' = x (28 - z) - y, z' = x y - 8/3 z, and what that does to the tangents. */
+/* Computes x' = 10 (y - x), y' = x (28 - z) - y, z' = x y - 8/3 z, and the derivatives of the tangents. */
 static void lorenz_rates(const double *at, double *rate) {
     double x = at[0], y = at[1], z = at[2];
     rate[0] = 10 * (y - x);
@@ -54,7 +54,7 @@ static void lorenz_rates(const double *at, double *rate) {
     }
 }
 
-/* A step of Runge and Kutta's fourth order. */
+/* Makes a fourth-order Runge-Kutta step. */
 static void lorenz_step(double *at, double step) {
     static const double part[] = {0, 0.5, 0.5, 1}, weight[] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
     double rate[LORENZ_ALL] = {0}, begin[LORENZ_ALL], probe[LORENZ_ALL];
@@ -69,7 +69,7 @@ static void lorenz_step(double *at, double step) {
     }
 }
 
-/* A motion of two modes lends its tangents' room, of four numbers each: the last stays 0. */
+/* A motion with two modes lends the memory of its tangents, four numbers each; the last stays 0. */
 static void renew_lorenz(Motion *room, double *at, double *growth) {
     for (int t = 0; t < LORENZ; t++) {
         double tangent[LORENZ + 1] = {at[LORENZ * (1 + t)], at[LORENZ * (1 + t) + 1], at[LORENZ * (1 + t) + 2], 0};
@@ -85,12 +85,12 @@ static void renew_lorenz(Motion *room, double *at, double *growth) {
 }
 
 TEST(lorenzs_equations_have_their_exponents) {
-    enum { COUNT = 10000, STEPS = 400 /* of 0.0025 s, in a renewal */ };
+    enum { COUNT = 10000, STEPS = 400 /* steps of 0.0025 s per renewal */ };
     static double largest[COUNT];
     double at[LORENZ_ALL] = {1, 1, 20, 1, 0, 0, 0, 1, 0, 0, 0, 1}, growth[LORENZ] = {0};
     Rig rig = oscillator_beam_rig("ibs", "beam.modes=2");
     Motion room = motion_create(&rig, LORENZ);
-    for (int i = -50; i < COUNT; i++) { /* the first are the way to the attractor */
+    for (int i = -50; i < COUNT; i++) { /* the first renewals approach the attractor */
         double before = growth[0];
         for (int s = 0; s < STEPS; s++)
             lorenz_step(at, 0.0025);
@@ -111,7 +111,7 @@ TEST(lorenzs_equations_have_their_exponents) {
 
 /* Beams ----------------------------------------------------------------------------------------------------------- */
 
-/* In half a swing of its own the mode turns every tangent round and shrinks it by exp(-zeta omega T). */
+/* In half its own period the mode reverses every tangent and shrinks it by exp(-zeta omega T). */
 TEST(a_damped_mode_has_exactly_the_exponent_minus_zeta_omega) {
     static const double ratios[] = {0, 0.001, 0.07, 0.5, 0.9};
     for (int k = 0; k < 5; k++) {
@@ -151,8 +151,8 @@ TEST(the_exponents_of_both_directions_of_a_mode_add_up_to_its_damping) {
     rig_clear(&rig);
 }
 
-/* The sum of all exponents, 1/s, over 200 cycles, and the share of the time in contact. The fastest direction shrinks
- * by e^20 in a cycle: all are renewed eight times in each. */
+/* Returns the sum of all exponents, 1/s, over 200 cycles, and the fraction of time in contact. The fastest direction
+ * shrinks by e^20 per cycle, so tangents are renewed eight times per cycle. */
 static double exponent_sum(const Rig *rig, double *contact_share) {
     const int cycles = 200;
     size_t states = rig->free.states;

@@ -26,8 +26,8 @@ static Rig rig_of(Beam *beam) {
 
 /* Critical damping ------------------------------------------------------------------------------------------------ */
 
-/* A mass of 1 kg in contact, x'' + 4 (1 + off) x' + (1 + 3) x = 3 g: but for `off`, which moves it by some `off` of its
- * way, x - 3 g / 4 = (g / 4 + (v + g / 2) t) exp(-2 t) from x = g. */
+/* A mass of 1 kg in contact, x'' + 4 (1 + off) x' + (1 + 3) x = 3 g: for off = 0, x - 3 g / 4 = (g / 4 + (v + g / 2)
+ * t) exp(-2 t) from x = g; `off` changes x by about `off` of its path. */
 static void check_critical(double off, int release) {
     const double gap = 0.1, velocity = 0.3;
     Oscillator mass = {.omega = 1, .clearance = gap, .stiffness = 3, .damping = 4 * (1 + off), .release = release};
@@ -81,7 +81,7 @@ TEST(an_undamped_mode_driven_near_its_own_frequency_grows_and_at_it_diverges) {
 
 /* Sharing --------------------------------------------------------------------------------------------------------- */
 
-/* How far the last states are apart, of their length, of a rig made for `frequency` and of one made for 1 Hz and
+/* Returns the relative distance of the last states of a rig built for `frequency` and of one built for 1 Hz and
  * shared. */
 static double shared_apart(const char *const *settings, size_t count, double frequency) {
     Beam slow = changed(settings, count), fast = changed(settings, count);
@@ -116,7 +116,7 @@ TEST(runs_of_a_rig_that_was_made_for_a_slower_drive_are_as_exact) {
 
 /* Steps ----------------------------------------------------------------------------------------------------------- */
 
-/* A cycle in steps of a small part of a cell, and of a still smaller one after a switch. */
+/* Simulates a cycle in steps of a small part of a cell, smaller after a switch. */
 static void fine_cycle(Motion *motion) {
     const double longest = motion->rig->cell / 37, shortest = motion->rig->cell / 1e4;
     double step = shortest, period = motion->rig->period;
@@ -128,7 +128,7 @@ static void fine_cycle(Motion *motion) {
     motion_cycle(motion);
 }
 
-/* The largest differences in a cycle, of their size, of state and peaks. */
+/* Returns the largest relative differences of state and peaks in a cycle. */
 typedef struct Apart {
     double state, peak;
 } Apart;
@@ -147,7 +147,7 @@ static void compare(const Motion *motion, const Motion *fine, Apart *apart) {
             apart->peak = fmax(apart->peak, fabs(motion->peak[side] / fine->peak[side] - 1));
 }
 
-/* 40 cycles from rest, each beside the same one in fine steps. */
+/* Compares 40 cycles from rest with the same cycles in fine steps. */
 static Apart step_apart(const char *const *settings, size_t count) {
     Beam beam = changed(settings, count);
     Rig rig = rig_of(&beam);
@@ -181,7 +181,7 @@ TEST(no_switch_and_no_peak_depends_on_the_length_of_the_steps) {
         check_steps((const char *const[]){modes[i / 8], damping[i / 2 % 4], releases[i % 2]}, 3);
 }
 
-/* What such a damper does is over long before the shortest period of a mode. */
+/* The damper's effect ends long before the shortest period of a mode. */
 TEST(a_contact_damped_far_beyond_the_critical_has_its_peaks_and_switches) {
     static const char *const soft[] = {"joint.release=gap",   "beam.modes=1",         "joint.damping=3000",
                                        "joint.stiffness=1e5", "joint.clearance=2e-7", "drive.frequency=150",
@@ -191,7 +191,7 @@ TEST(a_contact_damped_far_beyond_the_critical_has_its_peaks_and_switches) {
     check_steps(hard, sizeof hard / sizeof *hard);
 }
 
-/* It lets go, at next to no speed, and is back at the wall within half a cell. */
+/* The tip leaves at nearly zero speed and returns to the wall within half a cell. */
 TEST(a_tip_that_is_back_at_the_wall_within_a_cell_has_left_it) {
     static const char *const settings[] = {"beam.length=0.383953795",
                                            "beam.thickness=0.00689654632",
@@ -213,7 +213,8 @@ TEST(a_tip_that_is_back_at_the_wall_within_a_cell_has_left_it) {
     check_steps(settings, sizeof settings / sizeof *settings);
 }
 
-/* At the wall to the last bit, in: it touches once and, held back by the base's spring, lets go within a cell. */
+/* The tip starts exactly at the wall and moves in: it touches once and, held by the spring of the base, leaves
+ * within a cell. */
 TEST(a_touch_exactly_at_the_wall_is_one_touch) {
     Oscillator mass = {.omega = 1, .clearance = 0.5, .damping = 100, .release = RELEASE_GAP};
     Rig rig = oscillator_rig(&mass);
@@ -229,8 +230,8 @@ TEST(a_touch_exactly_at_the_wall_is_one_touch) {
 
 /* Places ---------------------------------------------------------------------------------------------------------- */
 
-/* How far the tip is where its place says that it is not, of the clearance: outside the walls where it touches or
- * leaves, inside them where it is open. */
+/* Returns the largest violation of the tip's place, as a fraction of the clearance: outside the walls while touching
+ * or leaving, inside them while open. */
 static double misplaced(const char *const *settings, size_t count, int cycles) {
     Beam beam = changed(settings, count);
     Rig rig = rig_of(&beam);
@@ -252,7 +253,7 @@ static double misplaced(const char *const *settings, size_t count, int cycles) {
     return worst / clearance;
 }
 
-/* With much damping the tip leaves the wall at next to no speed, and may leave it and be back within a cell. */
+/* With much damping the tip leaves the wall at nearly zero speed, and may return within a cell. */
 TEST(the_tip_is_where_its_place_says) {
     static const char *const settings[][4] = {
         {"joint.damping=200", "joint.stiffness=1.5e7", "joint.release=force", "beam.modes=12"},
@@ -321,7 +322,7 @@ TEST(a_beam_without_a_force_rests_between_walls_that_touch_it) {
     }
 }
 
-/* 9e8 cells in a cycle of the drive: an hour for ten cycles, in which nothing can stop it. */
+/* With 9e8 cells per cycle of the drive ten cycles take an hour, without a chance to interrupt. */
 TEST(vibrations_too_fast_to_follow_through_a_cycle_of_the_drive_are_a_fault) {
     static const char *const settings[] = {"beam.length=0.02", "shaker.position=0.01", "drive.frequency=1",
                                            "beam.modes=64", "beam.elements=200"};

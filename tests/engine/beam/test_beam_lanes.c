@@ -7,7 +7,7 @@
 
 enum { RUNS = 21, TRANSIENT = 30, CYCLES = 20 };
 
-/* What comes of a run by a motion alone. */
+/* Returns the results of a run by a single motion. */
 static void run_alone(const Rig *rig, LanesRun *run) {
     Rig own = rig_share(rig, run->frequency, run->force, run->clearance);
     Motion motion = motion_create(&own, 0);

@@ -10,7 +10,7 @@ static void unit_beam(ElementMesh *mesh, size_t elements) {
     element_build(mesh, 1, 1, 1, elements, NULL, 0);
 }
 
-/* Takes a freedom out of the mesh: it is held. */
+/* Removes a freedom from the mesh, which clamps it. */
 static void hold(ElementMesh *mesh, size_t freedom) {
     double *const matrices[] = {mesh->mass, mesh->stiffness, mesh->damping};
     for (size_t m = 0; m < 3; m++) {
@@ -22,7 +22,7 @@ static void hold(ElementMesh *mesh, size_t freedom) {
     mesh->freedoms--;
 }
 
-/* All modes of the mesh, without reduction. */
+/* Returns all modes of the mesh without reduction. */
 static Modes all_modes(const ElementMesh *mesh) {
     Modes modes;
     CHECK(modes_reduce(&modes, mesh, NULL, 0, mesh->freedoms, mesh->freedoms));
@@ -39,7 +39,7 @@ TEST(a_cantilever_and_a_pinned_beam_have_their_natural_frequencies) {
         if (!is_pinned)
             hold(&mesh, 0);
         Modes modes = all_modes(&mesh);
-        for (int i = 0; i < 3; i++) { /* with what the elements are known to be off by */
+        for (int i = 0; i < 3; i++) { /* including the known error of the elements */
             double expected = is_pinned ? pinned[i] : cantilever[i], off = pow(expected / 40, 4) / 1440;
             CHECK_NEAR(sqrt(modes.frequency[i + is_pinned] / (1 + off)), expected, 1e-8 * expected);
         }
@@ -50,7 +50,8 @@ TEST(a_cantilever_and_a_pinned_beam_have_their_natural_frequencies) {
     }
 }
 
-/* (beta L / N)^4 / 1440, a pinned-free beam's third frequency: not so high that higher orders show. */
+/* Checks the error (beta L / N)^4 / 1440 on a pinned-free beam's third frequency, low enough that higher orders are
+ * negligible. */
 TEST(the_error_of_a_frequency_falls_as_the_fourth_power_of_the_element) {
     const double exact = 10.2101761228;
     for (size_t elements = 8; elements <= 32; elements *= 2) {
@@ -161,7 +162,7 @@ TEST(modes_and_elements_converge) {
     beam_free(&fine_beam);
 }
 
-/* The shaker as near to the tip as a beam may have it: its short element costs little of the others' precision. */
+/* The shaker is as near to the tip as allowed: its short element costs the others little precision. */
 TEST(a_shaker_close_to_the_tip_leaves_the_modes_what_they_are) {
     Beam beam = shipped(20, 12), fine_beam = shipped(200, 12);
     beam.shaker_position = fine_beam.shaker_position = beam.length * (1 - 1.01e-3);

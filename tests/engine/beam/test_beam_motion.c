@@ -7,7 +7,8 @@
 
 enum { STATES_MOST = 128 };
 
-/* Velocity at release over that at touch, and the time between, of a mass that flies at the upper wall. */
+/* Returns the ratio of the velocities at release and touch, and the contact time, of a mass that flies to the upper
+ * wall. */
 static double collide(double ratio, int release, double *time) {
     Oscillator mass = {.omega = 1e-5, .clearance = 1, .stiffness = 1, .damping = 2 * ratio, .release = release};
     Rig rig = oscillator_rig(&mass);
@@ -119,7 +120,7 @@ TEST(an_orbit_that_grazes_is_counted) {
     rig_clear(&rig);
 }
 
-/* The mirror image: deflections and force with the other sign. Not even the last bit may tell them apart. */
+/* Compares a motion with its mirror image, deflections and force with the opposite sign, to the last bit. */
 TEST(the_mirror_image_of_a_motion_is_a_motion) {
     for (int release = RELEASE_FORCE; release <= RELEASE_GAP; release++) {
         Rig rig = oscillator_beam_rig("ibs", release == RELEASE_GAP ? "joint.release=gap" : NULL);
@@ -151,8 +152,8 @@ TEST(the_mirror_image_of_a_motion_is_a_motion) {
     }
 }
 
-/* How far the motion that begins at the mirror image of the state of half a period before is from the mirror image of
- * the motion, after some cycles, of the state's length. */
+/* Returns the relative distance between the motion from the mirrored state of half a period earlier and the mirror
+ * image of the motion, after some cycles. */
 static double apart_by_half_a_period(const char *setting, int release, int cycles) {
     Rig rig = oscillator_beam_rig("ibs", setting);
     rig.release = release;
@@ -185,7 +186,7 @@ static double apart_by_half_a_period(const char *setting, int release, int cycle
     return sqrt(apart / length);
 }
 
-/* The drive is its own mirror image half a period later. In chaos rounding grows by exp(0.9) a cycle. */
+/* The drive half a period later is its own mirror image. In chaos rounding errors grow by exp(0.9) per cycle. */
 TEST(the_mirror_image_half_a_period_later_is_a_motion) {
     for (int release = RELEASE_FORCE; release <= RELEASE_GAP; release++) {
         CHECK_NEAR(apart_by_half_a_period("drive.frequency=190", release, 100), 0, 1e-11);
@@ -196,13 +197,13 @@ TEST(the_mirror_image_half_a_period_later_is_a_motion) {
     }
 }
 
-/* What the contact's spring holds, where the tip is, if the place is one of contact. */
+/* Returns the energy in the contact's spring, if the place is one of contact. */
 static double spring_energy(const Motion *motion, MotionPlace place) {
     double depth = fabs(motion_deflection(motion)) - motion->rig->clearance;
     return motion_in_contact(place) ? motion->rig->stiffness * depth * depth / 2 : 0;
 }
 
-/* What is stored: the beam's energy and, in contact, the spring's. */
+/* Returns the stored energy: of the beam and, in contact, of the spring. */
 static double stored_energy(const Motion *motion, double *state) {
     double energy = spring_energy(motion, motion->place);
     motion_state(motion, state);
@@ -211,7 +212,7 @@ static double stored_energy(const Motion *motion, double *state) {
     return energy;
 }
 
-/* The power that goes in, W, and that the dashpots take. */
+/* Returns the input power, W, and the power of the dashpots. */
 static double power_in(const Motion *motion, double *taken) {
     const Rig *rig = motion->rig;
     size_t n = rig->modes.count;
@@ -227,7 +228,7 @@ static double power_in(const Motion *motion, double *taken) {
     return rig->force * sin(rig->omega * motion->phase) * shaker;
 }
 
-/* Adds work and losses of a step that begins where `motion` is, by Gauss and Legendre's rule of eight points. */
+/* Adds work and losses of a step that begins at `motion`, by the eight-point Gauss-Legendre rule. */
 static void integrate(const Motion *motion, Motion *probe, double step, double *work, double *lost) {
     static const double at[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
     static const double weight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
@@ -253,7 +254,7 @@ static void check_energy(const char *setting, int release) {
             size_t switches = motion.switches;
             double step = motion_step(&motion, rig.period - motion.phase);
             integrate(&before, &probe, step, &work, &lost);
-            if (motion.switches != switches) /* a spring that is let go of before it has recovered takes what it has */
+            if (motion.switches != switches) /* a spring released before it has recovered keeps its energy */
                 lost += spring_energy(&motion, before.place) - spring_energy(&motion, motion.place);
         }
         CHECK(motion_cycle(&motion) == MOTION_GOOD);

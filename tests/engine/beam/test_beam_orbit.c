@@ -8,7 +8,7 @@
 
 enum { STATES_MOST = 128 };
 
-/* The derivative of three cycles in one direction, by tangents and by central differences. */
+/* Compares the derivative of three cycles in one direction by tangents and by central differences. */
 static void check_derivative(const char *setting, int release) {
     Rig rig = oscillator_beam_rig("ibs", setting);
     rig.release = release;
@@ -74,7 +74,7 @@ TEST(a_search_that_is_stopped_finds_nothing) {
     rig_clear(&rig);
 }
 
-/* The slowest multiplier is also what a deviation shrinks by in a cycle. */
+/* The slowest multiplier is also the factor by which a deviation shrinks per cycle. */
 TEST(the_largest_multiplier_is_how_fast_the_orbit_is_approached) {
     Rig rig = oscillator_beam_rig("ibs", "drive.frequency=20");
     double state[STATES_MOST] = {0};
@@ -91,7 +91,7 @@ TEST(the_largest_multiplier_is_how_fast_the_orbit_is_approached) {
     rig_clear(&rig);
 }
 
-/* A beam's response, from a start. */
+/* Runs a beam from an initial state. */
 static Response respond(const char *name, const char *setting, unsigned start) {
     Beam beam = oscillator_beam(name, setting);
     Rig rig = oscillator_beam_rig(name, setting);
@@ -161,7 +161,7 @@ TEST(the_trace_holds_the_peaks_force_and_no_force_inside_the_clearance) {
     response_clear(&response);
 }
 
-/* From a start that only decays, where nothing drives it and nothing is touched. */
+/* Runs from a state that only decays, without drive and contact. */
 TEST(a_beam_that_comes_to_rest_is_periodic) {
     Beam beam = oscillator_beam("ibs", "drive.force=0");
     Rig rig = oscillator_beam_rig("ibs", "drive.force=0");

@@ -4,7 +4,7 @@
 #include "oscillator.h"
 #include "peer.h"
 
-/* The largest difference of the two states after some cycles, of the state's length. */
+/* Returns the largest relative difference of the two states after some cycles. */
 static double apart_after(const char *setting, double frequency, int cycles, double tolerance) {
     Rig rig = oscillator_beam_rig("ibs", setting);
     rig_drive(&rig, frequency, rig.force);

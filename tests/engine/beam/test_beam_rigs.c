@@ -16,7 +16,7 @@ typedef struct Claim {
     const char *beam;
     double frequency, length; /* Hz, m; 0: the set's own */
     ResponseVerdict verdict;
-    double min, max; /* N, of the peaks; 0: nothing is said of them */
+    double min, max; /* N, of the peaks; 0: not stated */
 } Claim;
 
 static const Claim claims[] = {
@@ -86,7 +86,7 @@ TEST(the_identified_sets_do_what_they_were_identified_by_from_every_start) {
     }
 }
 
-/* Period 1 at 759 N beside chaos: from some starts the one, from some the other, after the same transient. */
+/* From some initial states period 1 at 759 N, from others chaos, after the same transient. */
 TEST(what_set_r_does_at_290_hz_depends_on_the_start) {
     Beam beam = oscillator_beam("ibs-r", NULL);
     beam.frequency = 290;
@@ -108,7 +108,7 @@ TEST(what_set_r_does_at_290_hz_depends_on_the_start) {
     beam_free(&beam);
 }
 
-/* The largest and the smallest peak of the next cycles. */
+/* Returns the largest and the smallest peak of the next cycles. */
 static SectionPeaks watch_peaks(Motion *motion, int cycles) {
     Section section = {0};
     motion->peak[0] = motion->peak[1] = 0;
@@ -119,7 +119,7 @@ static SectionPeaks watch_peaks(Motion *motion, int cycles) {
     return peaks;
 }
 
-/* 389 to 920 N for some thousand cycles, as the design says; then, from every start, it is over. */
+/* 389 to 920 N for some thousand cycles, as the design says; then the transient ends from every initial state. */
 TEST(the_chaos_of_set_r_at_284_mm_and_290_hz_is_a_transient_of_thousands_of_cycles) {
     Beam beam = oscillator_beam("ibs-r", "beam.length=0.284");
     beam.frequency = 290;
@@ -147,7 +147,7 @@ TEST(the_chaos_of_set_r_at_284_mm_and_290_hz_is_a_transient_of_thousands_of_cycl
     beam_free(&beam);
 }
 
-/* A misfit of set R that is to be shown: the paper's response is periodic. */
+/* A known disagreement of set R: the paper's response is periodic. */
 TEST(set_r_is_weakly_chaotic_at_190_hz) {
     Beam beam = oscillator_beam("ibs-r", NULL);
     beam.frequency = 190;
@@ -160,7 +160,7 @@ TEST(set_r_is_weakly_chaotic_at_190_hz) {
     beam_free(&beam);
 }
 
-/* Verdict and peaks from rest with so many modes and elements. */
+/* Returns the verdict and the peaks from rest with the given modes and elements. */
 static Response converge(const Claim *claim, int modes, int elements) {
     Beam beam = beam_of(claim);
     beam.modes = modes;
@@ -185,7 +185,7 @@ TEST(verdicts_and_peaks_converge_with_modes) {
                 CHECK(response.verdict == claims[c].verdict);
                 if (claims[c].max > 0)
                     CHECK_NEAR(response.peaks.max, claims[c].max, (periodic ? margin : MAX_MARGIN) * claims[c].max);
-            } else if (periodic) { /* four modes are too stiff for the contact: peaks are a tenth too high and more */
+            } else if (periodic) { /* four modes are too stiff for the contact: peaks are at least 10 % too high */
                 CHECK(response.peaks.max > 1.1 * claims[c].max);
             }
             response_clear(&response);

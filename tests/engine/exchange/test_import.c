@@ -12,7 +12,7 @@
 
 enum { PATH_SIZE = 80 };
 
-/* A new name below /tmp with that ending; nothing is there. */
+/* Returns a new file name below /tmp with that ending; no such file exists. */
 static const char *new_path(char path[PATH_SIZE], const char *ending) {
     char base[SCRATCH_PATH];
     scratch_write(base, "");
@@ -25,7 +25,7 @@ static void write_text(const char *path, const char *text) {
     CHECK(text_write_quickly(path, text, strlen(text)) == 0);
 }
 
-/* A zip file of one text. */
+/* Writes a zip file with one text. */
 static void write_zip(const char *path, const char *name, const char *text) {
     int error = 0;
     zip_t *zip = zip_open(path, ZIP_CREATE | ZIP_EXCL, &error);
@@ -50,7 +50,7 @@ static Import import_file(const char *path, ImportOptions options) {
     return import;
 }
 
-/* What is printed of a failure is of use only when it was not wanted. */
+/* Prints an error only if it was not expected. */
 static void end(Import *import, bool wanted) {
     CHECK(import->good == wanted);
     for (size_t i = 0; i < import->fault.count && wanted; i++)
@@ -76,7 +76,7 @@ static Import import_home(const char *elements, ImportOptions options) {
     return import_file(path, options);
 }
 
-/* The lists of the house file, from "walls" on: names and notes hold the file's. */
+/* Returns the lists of the house file from "walls" on, since names and notes contain the file's name. */
 static void check_lists(const Plan *plan, const char *expected) {
     char *text = plan_text(plan), *walls = strstr(text, "  \"walls\"");
     for (char *c = text; *c; c++)
@@ -236,7 +236,7 @@ TEST(a_zip_that_unpacks_to_too_much_is_refused_before_it_does) {
 
 /* Drawings -------------------------------------------------------------------------------------------------------- */
 
-/* Groups of a drawing, "0 LINE 8 WALL 10 0 ...", turned into lines. */
+/* Turns groups of a drawing, "0 LINE 8 WALL 10 0 ...", into lines. */
 static Import import_drawing(const char *header, const char *blocks, const char *entities, ImportOptions options) {
     Text text = {0};
     text_format(&text,
@@ -421,7 +421,7 @@ TEST(areas_side_by_side_are_one_and_holes_are_obstacles) {
     end(&import, true);
 }
 
-/* Twice the area of the rings of one POLYGON, outer less inner ones. */
+/* Returns twice the area of the rings of a POLYGON, outer minus inner ones. */
 static double area_of(const char *wkt) {
     double area = 0, ring = 0, x, y, last_x = 0, last_y = 0;
     bool first = true, outer = true;
@@ -501,7 +501,7 @@ TEST(a_locked_door_keeps_the_outside_out_and_an_open_one_lets_it_in) {
 
 /* Vadere ---------------------------------------------------------------------------------------------------------- */
 
-/* A scenario of a topography besides its frame; ' stands for quotation marks. */
+/* Writes a scenario from a topography without its frame; ' stands for quotation marks. */
 static Import import_scenario(const char *release, const char *topography) {
     Text text = {0};
     text_format(

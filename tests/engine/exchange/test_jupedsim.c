@@ -1,4 +1,4 @@
-/* The record as other programs read it. */
+/* Reads the record as other programs do. */
 
 #include "exchange/jupedsim.h"
 
@@ -47,7 +47,7 @@ TEST(the_record_is_jupedsims_version_2_with_heading) {
     house_free(&house);
 }
 
-/* Everybody walks in the walkable area, and the walls are not in it. */
+/* All people walk in the walkable area, which excludes the walls. */
 TEST(the_geometry_is_where_people_are) {
     char path[] = "/tmp/clearance-record-XXXXXX";
     close(mkstemp(path));

@@ -8,7 +8,7 @@
 
 enum { TRIALS = 24, NAMES_MOST = 3 };
 
-/* Trials and the room of their numbers. */
+/* Trials with the memory of their numbers. */
 typedef struct Batch {
     Trial trials[TRIALS];
     double at[TRIALS][NAMES_MOST];
@@ -75,7 +75,7 @@ TEST(the_beam_of_set_b_is_told_as_it_is_known) {
     beam_experiment_close(&experiment);
 }
 
-/* Of one beam and of others, with starts and by chance. */
+/* Trials of one beam and of others, with given and random initial states. */
 static void fill(Batch *batch) {
     batch_init(batch);
     for (size_t i = 0; i < TRIALS; i++) {
@@ -117,7 +117,7 @@ TEST(seeds_are_other_starts_and_the_same_each_time) {
     beam_experiment_close(&experiment);
 }
 
-/* Without a drive, a beam at rest stays there, and one bent into the wall or pushed touches it. */
+/* Without a drive, a beam at rest stays at rest, and a beam bent into the wall or pushed touches it. */
 TEST(a_start_is_the_tips) {
     Experiment experiment = open_beam("ibs", "run.transient_cycles=0");
     const char *names[] = {"start.deflection", "start.velocity", "drive.force"};
@@ -174,7 +174,7 @@ TEST(values_that_do_not_fit_are_the_trials_fault) {
     Batch batch;
     batch_init(&batch);
     batch.at[0][0] = -1;
-    batch.at[1][0] = 0.1; /* the shaker is beyond its end */
+    batch.at[1][0] = 0.1; /* the shaker lies beyond the beam's end */
     batch.at[2][0] = NAN;
     experiment.run(experiment.given, names, 1, batch.trials, 3, false, NULL);
     for (size_t i = 0; i < 3; i++) {
@@ -230,7 +230,7 @@ TEST(numbers_of_a_beam_and_its_start_are_parameters) {
     beam_experiment_close(&experiment);
 }
 
-/* A thorough trial of a quick one's beam agrees with it, and says more. */
+/* A thorough trial agrees with the quick one and has more results. */
 TEST(a_thorough_trial_tells_exponents) {
     Experiment quick = open_beam("ibs", NULL), thorough = {0};
     Beam beam = {0};

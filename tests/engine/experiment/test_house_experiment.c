@@ -11,7 +11,8 @@
 #include "study/study.h"
 #include "study/summary.h"
 
-/* A corridor of 6 m, 1.2 m clear, a door across its middle, a cupboard behind the person, the exit at its end. */
+/* A corridor of 6 m, 1.2 m clear, with a door across its middle, a cupboard behind the person and the exit at its
+ * end. */
 static const char corridor[] = "{'format': 'clearance-house', 'version': 1, 'name': 'corridor', 'walls': ["
                                "{'id': 'south', 'points': [[0, -0.05], [6, -0.05]], 'thickness': 0.1},"
                                "{'id': 'north', 'points': [[0, 1.25], [6, 1.25]], 'thickness': 0.1},"
@@ -71,7 +72,7 @@ static void run_study(Study *study, int jobs) {
     CHECK(study_done(study) == study->trial_count);
 }
 
-/* The same by the way that `run --set` goes. */
+/* Runs the same as `run --set`. */
 static Observation run_alone(const Case *made, House *house, const char *setting, uint64_t seed) {
     HouseOptions options = options_of(made);
     Fault fault = {0};

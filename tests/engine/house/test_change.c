@@ -1,4 +1,4 @@
-/* Runs in which the plan changes: who goes on, who gets out, and that nothing breaks whatever is edited. */
+/* Tests runs in which the plan changes: paths continue, people leave, and no edit breaks an invariant. */
 
 #include "house/change.h"
 
@@ -13,10 +13,10 @@
 
 enum { HOUSES = 5 };
 
-/* The house, and what it becomes when. */
+/* The house and its later versions. */
 typedef struct Story {
     House houses[HOUSES];
-    double times[HOUSES]; /* s; of the first one 0 */
+    double times[HOUSES]; /* s; 0 for the first */
     size_t count;
 } Story;
 
@@ -49,7 +49,7 @@ static void add_made(Story *story, double time, json_t *plan, const char *const 
     story->times[story->count++] = time;
 }
 
-/* Of the trace only the rows up to `time`; of those of both runs each bit is the same. */
+/* Compares the rows of the traces up to `time`, bit by bit. */
 static void check_prefix(const Observation *changed, const Observation *unchanged, double time) {
     size_t a = 0, b = 0, same = 0;
     for (;;) {
@@ -146,7 +146,7 @@ TEST(a_door_that_was_opened_stays_open) {
     end_story(&story, &mixed);
 }
 
-/* Closed at its beginning. */
+/* Returns the plan with its door closed. */
 static json_t *corridor_with(const char *profile, double width, bool dropped, double x, double y, double sx,
                              double sy) {
     json_t *plan = case_corridor(width);
@@ -163,7 +163,7 @@ static json_t *corridor_with(const char *profile, double width, bool dropped, do
 static const char *const movers[] = {"manual-chair", "miura-chair", "adult"};
 
 TEST(a_wardrobe_on_the_way_is_driven_round) {
-    for (int m = 0; m < 3; m += 2) { /* the paper's disc sticks there in a plan that does not change, too */
+    for (int m = 0; m < 3; m += 2) { /* the paper's disc also sticks there in a constant plan */
         Story story = {0};
         add_made(&story, 0, corridor_with(movers[m], 2.6, false, 0, 0, 0, 0), NULL);
         add_made(&story, 3, corridor_with(movers[m], 2.6, true, 9, 0.6, 0.6, 1.2), NULL);
@@ -193,7 +193,7 @@ TEST(a_wardrobe_across_the_way_is_reported) {
     end_story(&story, &mixed);
 }
 
-/* Where person 0 is at a time, m along the corridor. */
+/* Returns the place of person 0 at a time, m along the corridor. */
 static double place_at(const Observation *observation, double time) {
     double x = 0;
     for (size_t r = 0; r < observation->trace.rows; r++)
@@ -311,7 +311,7 @@ TEST(people_come_and_go) {
     end_story(&story, &mixed);
 }
 
-/* Its pieces, put together, tell of everybody in terms of the house that they name. */
+/* The joined parts name all people of the house that they refer to. */
 typedef struct Pieces {
     const Story *story;
     size_t rows[HOUSES];
@@ -349,7 +349,7 @@ TEST(pieces_of_a_record_say_of_which_house_they_are) {
     size_t early = 0;
     for (size_t r = 0; r < observation.trace.rows; r++)
         early += trace_row(&observation.trace, r)[TRACE_TIME] <= story.times[1];
-    CHECK(pieces.over && pieces.rows[0] > early && early > 0); /* who went is not told of at last */
+    CHECK(pieces.over && pieces.rows[0] > early && early > 0); /* people who have left are not in the last part */
     CHECK(pieces.rows[1] == observation.trace.rows - early);
     CHECK_NEAR(observation.mixed[0], 2.001, 1e-9);
     end_story(&story, &observation);
@@ -376,7 +376,7 @@ TEST(a_crowd_goes_on_whatever_the_number_of_jobs) {
     Observation alone = case_run(&story.houses[0], 4), one = run_story(&story, 1), four = run_story(&story, 4);
     CHECK(one.digest == four.digest && one.trace.rows == four.trace.rows && one.mixed_count == 1);
     CHECK(one.people[7].path_length > 0 && one.wall_crossings == 0);
-    size_t held = 0; /* nobody who is only pressed against a wall is taken to be in it */
+    size_t held = 0; /* a person pressed against a wall is not counted as inside it */
     for (size_t i = 0; i < one.person_count; i++)
         held += one.people[i].reason == REASON_CANNOT_PASS && alone.people[i].reason != REASON_CANNOT_PASS;
     CHECK(held == 0);
@@ -470,7 +470,7 @@ static void edit(Random *random, json_t *plan, int n) {
     }
 }
 
-/* False: the plan is not one. */
+/* False: the plan is invalid. */
 static bool add_edited(Story *story, double time, const json_t *plan) {
     char *text = json_dumps(plan, JSON_REAL_PRECISION(17)), profiles[4096];
     snprintf(profiles, sizeof profiles, "%s/assets/profiles", check_source());
@@ -493,7 +493,7 @@ TEST(no_edit_breaks_a_run) {
         add_to(plan, "people", json_pack("{s:s, s:s, s:[f,f]}", "id", "p2", "profile", "adult", "at", 3.0, 2.2));
         add_to(plan, "people", json_pack("{s:s, s:s, s:[f,f]}", "id", "p3", "profile", "miura-chair", "at", 2.7, 1.4));
         json_object_set_new(plan, "run", json_pack("{s:f, s:f}", "until", 8.0, "patience", 3.0));
-        if (s % 4) /* with a chair that plans its way there are only a few: to find no way takes it long */
+        if (s % 4) /* few edits with a chair that plans its route, since an impossible route takes long */
             json_object_set_new(json_array_get(json_object_get(plan, "people"), 0), "profile", json_string("elderly"));
         Story story = {0};
         add_edited(&story, 0, plan);
@@ -512,7 +512,7 @@ TEST(no_edit_breaks_a_run) {
         Observation alone = case_run(&story.houses[0], 1), mixed = run_story(&story, 1), again = run_story(&story, 2);
         CHECK(mixed.digest == again.digest && mixed.trace.rows == again.trace.rows);
         check_numbers(&mixed);
-        bool same = mixed.person_count == alone.person_count; /* otherwise people have other numbers */
+        bool same = mixed.person_count == alone.person_count; /* people would have other indices otherwise */
         for (size_t i = 0; same && i < mixed.person_count; i++)
             same = strcmp(story.houses[0].people[i].id, story.houses[story.count - 1].people[i].id) == 0;
         if (same && mixed.mixed_count)

@@ -1,4 +1,4 @@
-/* What the paper found, and what must not depend on where a house stands or how it is turned. */
+/* Tests the paper's findings, and that results do not depend on the position and orientation of a house. */
 
 #include <stdio.h>
 #include <string.h>
@@ -60,7 +60,7 @@ static json_t *placed_plan(const char *name, const Placement *placement) {
                 place_angle(element, "angle", placement);
             if (strcmp(key, "people") == 0)
                 place_angle(element, "heading", placement);
-            if (placement->mirror) { /* a mirrored piece turned about its own x: its front is where its back was */
+            if (placement->mirror) { /* a mirrored piece is turned about its own x axis: front and back change places */
                 swap_words(element, "swing", "left", "right");
                 swap_words(element, "topples", "front", "back");
             }
@@ -141,7 +141,7 @@ static double greatest_distance(const House *houses, const Observation *observat
                                  vec2_heading(row[TRACE_HEADING]));
         double least = distance_to_locus(miura, middle);
         const double *last = trace_row(miura, miura->rows - 1);
-        if (vec2_distance(middle, vec2(last[TRACE_X], last[TRACE_Y])) > 0.6) /* past the end there is no locus */
+        if (vec2_distance(middle, vec2(last[TRACE_X], last[TRACE_Y])) > 0.6) /* the locus ends there */
             greatest = fmax(greatest, least);
     }
     return greatest;
@@ -169,7 +169,7 @@ TEST(the_loci_of_both_ways_of_driving_part_as_the_corner_widens) {
     }
 }
 
-/* v^2 - v_min^2 = 2 a_d L before the corner, v_min through it, a_0 after it. */
+/* Checks v^2 - v_min^2 = 2 a_d L before the corner, v_min in it, a_0 after it. */
 TEST(the_paper_s_chair_slows_before_the_corner_holds_v_min_and_speeds_up) {
     House house;
     case_house(&house, "corner-1.50-1.50", DRIVING_MIURA, NULL);
@@ -183,7 +183,7 @@ TEST(the_paper_s_chair_slows_before_the_corner_holds_v_min_and_speeds_up) {
     World world = world_create(&house, journeys.of, NULL);
     double length = (profile->free_speed * profile->free_speed - profile->minimum_speed * profile->minimum_speed) /
                     (2 * profile->deceleration);
-    double slack = 0.1; /* m: the answer of the drive, 0.1 s at these speeds */
+    double slack = 0.1; /* m: response of the drive, 0.1 s at these speeds */
     while (phase_any_active(&world)) {
         double s = world.drive[0].s, v = vec2_length(world.velocity[0]);
         if (s > 2.2 && s < corner->from - length - slack)
@@ -200,7 +200,7 @@ TEST(the_paper_s_chair_slows_before_the_corner_holds_v_min_and_speeds_up) {
     house_free(&house);
 }
 
-/* Every shipped house is run to its end; the world asserts at every step that nobody enters a wall. */
+/* Runs every shipped house to its end; the world asserts at every step that nobody enters a wall. */
 TEST(every_shipped_house_runs_to_an_answer) {
     static const char *const names[] = {"straight-corridor",  "ube-techno-house",         "flat-0.910-module",
                                         "flat-0.910-widened", "bedroom-after-earthquake", "two-chairs-corridor",

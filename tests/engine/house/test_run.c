@@ -1,4 +1,4 @@
-/* Whole runs: delays, doors, exits, people who stand in the way, and what is observed of them. */
+/* Tests whole runs: delays, doors, exits, people in the way, and their observation. */
 
 #include "house/run.h"
 
@@ -83,7 +83,7 @@ TEST(two_who_meet_swerve_and_pass) {
     house_free(&house);
 }
 
-/* Somebody parked behind a wall is neither seen nor felt: the run is the same to the bit. */
+/* A person parked behind a wall has no effect: the run is the same to the last bit. */
 TEST(nobody_is_minded_through_a_wall) {
     double times[2], narrowest[2];
     for (int parked = 0; parked < 2; parked++) {
@@ -111,7 +111,7 @@ TEST(nobody_is_minded_through_a_wall) {
     CHECK(narrowest[0] == narrowest[1]);
 }
 
-/* Far beyond what a chair can do: into a thin wall at 5 m/s, pushed with 2 kN. */
+/* A chair far beyond its limits: into a thin wall at 5 m/s, pushed with 2 kN. */
 TEST(nobody_is_driven_through_a_wall) {
     static const double thicknesses[] = {0, 0.04, 0.12};
     for (int t = 0; t < 3; t++) {
@@ -149,7 +149,7 @@ TEST(numbers_that_diverge_stop_the_run_and_name_the_person) {
     size_t who = SIZE_MAX;
     CHECK(step_world(&world, &who) == STEP_DIVERGED);
     CHECK(who == 0 && world.phase[0] == PHASE_STUCK && world.reason[0] == REASON_DIVERGED);
-    CHECK(world.centre[0].x == good.x && world.centre[0].y == good.y); /* the last good state */
+    CHECK(world.centre[0].x == good.x && world.centre[0].y == good.y); /* the last valid state */
     world_destroy(&world);
     journey_free_all(&journeys);
     house_free(&house);
@@ -187,7 +187,7 @@ TEST(routes_alone_do_not_meet) {
     house_free(&house);
 }
 
-/* A touch of some milliseconds between two rows of the trace is in it all the same. */
+/* A contact of a few milliseconds between two rows of the trace is recorded. */
 TEST(the_trace_loses_no_extremes) {
     House house;
     case_house(&house, "corner-0.90-0.90", -1, (const char *[]){"run.sample=0.5", NULL});
@@ -226,12 +226,12 @@ TEST(it_is_known_when_a_door_was_opened) {
     house_free(&house);
 }
 
-/* What a run has handed over, group by group. */
+/* The parts that a run has handed over. */
 typedef struct Handed {
     Trace traces[8];
     double time[8];
     bool over[8];
-    size_t pieces, early; /* `early`: rows later than the piece says */
+    size_t pieces, early; /* `early`: rows later than the part states */
     pthread_mutex_t mutex;
 } Handed;
 
@@ -253,7 +253,7 @@ static void take_piece(void *context, const RunPiece *piece) {
     pthread_mutex_unlock(&handed->mutex);
 }
 
-/* Its pieces, put together, are the trace of the run; and the run is the one that nobody watches. */
+/* The joined parts are the trace of the run, which equals the run without an observer. */
 TEST(a_record_comes_in_pieces) {
     static const char *const names[] = {"ube-techno-house", "two-chairs-corridor"};
     for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
@@ -283,7 +283,7 @@ TEST(a_record_comes_in_pieces) {
     }
 }
 
-/* Whoever waits for the answer gets it soon, and the same but for the width that driving needs beyond carrying. */
+/* A brief answer comes soon and equals the full one, except for the width needed to drive rather than to be carried. */
 TEST(a_brief_answer_differs_only_in_what_is_needed_to_pass) {
     static const char *const settings[][2] = {{"door.d1.width=0.5", NULL}, {"door.d1.width=0.9", NULL}};
     for (size_t s = 0; s < 2; s++) {

@@ -8,8 +8,8 @@
 #include "scratch.h"
 #include "house/run.h"
 
-/* A room of 6 m by 4 m with its exit to the right; a wardrobe in the middle falls upwards, a shelf by the wall
- * downwards, a table never. */
+/* A room of 6 m by 4 m with its exit on the right; a wardrobe in the middle falls upwards, a shelf at the wall falls
+ * downwards, a table never falls. */
 #define ROOM                                                                                                           \
     "{'format': 'clearance-house', 'version': 1, 'name': 'room', 'walls': ["                                           \
     "{'id': 'w1', 'points': [[0, 0], [6, 0], [6, 4], [0, 4], [0, 0]], 'thickness': 0.1}],"                             \
@@ -78,7 +78,7 @@ TEST(one_piece_more_changes_nothing_for_the_others) {
         CHECK(one[0] == two[2] && one[1] == two[0]);
         different += one[0] != one[1];
     }
-    CHECK(different > 25 && different < 75); /* and two pieces do not fall together */
+    CHECK(different > 25 && different < 75); /* and two pieces fall independently */
 }
 
 TEST(what_lies_already_cannot_fall_again) {
@@ -120,7 +120,7 @@ TEST(a_shaken_house_is_the_one_that_its_settings_make) {
     arena_clear(&arena);
 }
 
-/* The wardrobe comes to lie from y = 0.25 to 2.55 between x = 2.5 and 3.5. */
+/* The fallen wardrobe lies from y = 0.25 to 2.55 and from x = 2.5 to 3.5. */
 TEST(whoever_stands_where_a_piece_falls_is_caught_under_it) {
     static const char *const profiles[] = {"manual-chair", "adult"};
     for (int p = 0; p < 2; p++) {

@@ -1,4 +1,4 @@
-/* People on foot: lists, forces, decisions, threads, and what becomes of those whose exit closes. */
+/* Tests people on foot: lists, forces, decisions, threads, and the effect of closing an exit. */
 
 #include "house/walkers.h"
 
@@ -12,14 +12,14 @@
 #include "house/step.h"
 #include "house/world.h"
 
-/* A closed hall from (0, 0) to (width, height), its walls 0.2 m thick. */
+/* Returns a closed hall from (0, 0) to (width, height) with walls 0.2 m thick. */
 static json_t *closed_hall(double width, double height) {
     return json_pack("{s:s, s:i, s:s, s:[{s:s, s:[[i,i],[f,i],[f,f],[i,f],[i,i]], s:f}], s:[], s:[], s:[], s:[]}",
                      "format", "clearance-house", "version", 1, "name", "hall", "walls", "id", "w", "points", 0, 0,
                      width, 0, width, height, 0, height, 0, 0, "thickness", 0.2, "doors", "exits", "crowds", "people");
 }
 
-/* A door in the middle of the hall's side (0: bottom, 1: right, 2: top, 3: left) and the exit in it. */
+/* Adds a door in the middle of a side (0: bottom, 1: right, 2: top, 3: left) and the exit in it. */
 static void add_door(json_t *plan, int side, double at, double width, const char *exit, double closes) {
     json_t *points = json_object_get(json_array_get(json_object_get(plan, "walls"), 0), "points");
     double end[2][2];
@@ -47,7 +47,7 @@ static void add_crowd(json_t *plan, const char *id, const char *profile, int cou
                                     "count", count, "area", x0, y0, x1, y0, x1, y1, x0, y1));
 }
 
-/* A thousand people of all kinds, twenty of them in chairs, in a hall with three doors. */
+/* Returns a hall with three doors and a thousand people of all kinds, twenty of them in chairs. */
 static json_t *mixed_hall(void) {
     json_t *plan = closed_hall(36, 30);
     add_door(plan, 1, 15, 1.6, "east", 0);
@@ -80,7 +80,8 @@ TEST(a_thousand_people_and_chairs_have_the_same_digest_with_one_two_and_four_thr
     CHECK(digests[2] == digests[0]);
 }
 
-/* At a long step people decide often while others leave: whoever looks at what is being written would see it differ. */
+/* With a long step people decide often while others leave: reading data that another thread writes would change the
+ * result. */
 TEST(leaving_people_do_not_change_what_others_decide_in_the_same_step) {
     uint64_t digests[4];
     for (int k = 0; k < 4; k++) {
@@ -143,7 +144,7 @@ TEST(momentum_between_walkers_is_conserved_to_rounding) {
     Random random = random_seed(7, 7);
     for (size_t i = 0; i < world.count; i++)
         world.velocity[i] = vec2(random_normal(&random, 0, 0.8), random_normal(&random, 0, 0.8));
-    world.walkers.doors = -1; /* the slots take the velocities up */
+    world.walkers.doors = -1; /* the slots receive the velocities */
     Vec2 momentum[2] = {{0, 0}, {0, 0}};
     double hardest = 0;
     for (int end = 0; end < 2; end++) {
@@ -163,7 +164,7 @@ TEST(momentum_between_walkers_is_conserved_to_rounding) {
     house_free(&house);
 }
 
-/* Momentum of a chair pushed by walkers and of them: equal and opposite. */
+/* Momentum of a chair and of the walkers that push it: equal and opposite. */
 TEST(momentum_between_walkers_and_chairs_is_conserved_to_rounding) {
     json_t *plan = closed_hall(40, 40);
     add_crowd(plan, "a", "manual-chair", 10, 15, 15, 25, 25);
@@ -220,7 +221,7 @@ TEST(lists_hold_everybody_who_can_be_felt_at_every_step) {
     }
     CHECK(found > 1000);
     CHECK(missing == 0);
-    CHECK(made < 60); /* they live for many steps */
+    CHECK(made < 60); /* they stay for many steps */
     world_destroy(&world);
     journey_free_all(&journeys);
     house_free(&house);

@@ -1,4 +1,4 @@
-/* The closed forms of a moving body, and what must hold of every world. */
+/* Tests closed forms of a moving body and invariants of every world. */
 
 #include "house/step.h"
 #include "house/world.h"
@@ -10,11 +10,11 @@
 #include "case.h"
 #include "check.h"
 
-/* Nobody drives: bodies move by forces alone. */
+/* Without driving: bodies move by forces alone. */
 #define FREE(profile_)                                                                                                 \
     "profile." profile_ ".push=0", "profile." profile_ ".turning_moment=0", "profile." profile_ ".side_friction=0"
 
-/* A world whose people have no route to follow: they only feel forces. */
+/* Returns a world whose people have no route and only feel forces. */
 typedef struct Still {
     House house;
     Journeys journeys;
@@ -127,7 +127,7 @@ TEST(a_chair_that_rolls_has_no_side_slip) {
         Vec2 axis = vec2_heading(s.world.heading[0] - s.world.turn[0] * s.world.clock.dt); /* that of the impulse */
         double slip =
             vec2_dot(s.world.velocity[0], vec2_left(axis)) - s.house.people[0].profile->mass_centre * s.world.turn[0];
-        if (step > 300) /* the friction limit first takes away what it was started with */
+        if (step > 300) /* the friction limit first removes the initial velocity */
             CHECK_NEAR(slip, 0, 1e-12);
     }
     still_free(&s);
@@ -150,7 +150,7 @@ TEST(a_chair_pushed_against_a_wall_rests_where_its_spring_says) {
         s.world.velocity[0].x += push / profile->mass * s.world.clock.dt;
         step_world(&s.world, NULL);
     }
-    /* At rest; the dashpot takes what one step's push and the brakes give. */
+    /* At rest: the dashpot takes the push and the braking of one step. */
     double force = s.world.sense[0].body_force, slack = 2 * push / 80 * 1e-3 * profile->contact.normal_damping;
     CHECK_NEAR(force, push, 0.05);
     CHECK_NEAR(-s.world.sense[0].clearance * profile->contact.normal_stiffness, push, slack);

@@ -1,4 +1,4 @@
-/* Measures of made-up observations whose answers are known. */
+/* Tests measures of synthetic observations with known answers. */
 
 #include <math.h>
 
@@ -11,7 +11,7 @@ enum { PEOPLE = 10 };
 
 static const TraceColumn columns[TRACE_COLUMNS] = {{"time", "s"}};
 
-/* Ten people of a corridor 2 m wide along x, p01 to p10, in which nothing has happened. */
+/* Ten people in a corridor 2 m wide along x, p01 to p10, at rest. */
 static void corridor(House *house, Observation *observation) {
     json_t *plan = case_corridor(2), *people = json_object_get(plan, "people");
     for (int i = 0; i < PEOPLE; i++) {
@@ -43,7 +43,7 @@ static void add_row(Observation *observation, double time, int person, double x,
               (double[TRACE_COLUMNS]){[TRACE_TIME] = time, [TRACE_PERSON] = person, [TRACE_X] = x, [TRACE_Y] = y});
 }
 
-/* Everybody walks along x from where they stand, from `from` to `until`, person i at speed + i * step. */
+/* All people walk along x from their place, from `from` to `until`, person i at speed + i * step. */
 static void walk(const House *house, Observation *observation, double speed, double step, int from, int until) {
     for (int t = 0; t <= until; t++)
         for (int i = 0; i < PEOPLE; i++)

@@ -42,7 +42,7 @@ static void find(SuggestList *list, const Case *made, int jobs) {
     check_say(&fault);
 }
 
-/* Does everybody get out with these settings, and when? */
+/* True if all people leave with these settings; returns the time. */
 static bool all_out(const Case *made, const char *const *settings, size_t count, double *time) {
     House house = {0};
     Fault fault = {0};
@@ -62,7 +62,7 @@ static bool all_out(const Case *made, const char *const *settings, size_t count,
     return good;
 }
 
-/* Each one is enough, in the time that it says. */
+/* Each suggestion alone is sufficient, with the stated time. */
 static void check_all(const Case *made, const SuggestList *list) {
     for (size_t i = 0; i < list->count; i++) {
         const Suggestion *one = &list->list[i];
@@ -73,7 +73,7 @@ static void check_all(const Case *made, const SuggestList *list) {
     }
 }
 
-/* The first suggestion whose words contain this, or NULL. */
+/* Returns the first suggestion whose text contains this, or NULL. */
 static const Suggestion *with_words(const SuggestList *list, const char *words) {
     for (size_t i = 0; i < list->count; i++)
         if (strstr(list->list[i].words, words))
@@ -97,7 +97,7 @@ TEST(a_narrow_door_is_widened_to_what_the_chair_needs) {
     open_case(&made, CORRIDOR DOORS("0.6", "0.9") "}");
     find(&list, &made, 1);
     CHECK(!list.out_already && list.count == 1);
-    CHECK_TEXT(list.list[0].settings[0], "door.d1.width=0.64"); /* 0.63 m leaves no room to plan in */
+    CHECK_TEXT(list.list[0].settings[0], "door.d1.width=0.64"); /* a corridor of 0.63 m has no space for planning */
     CHECK_TEXT(list.list[0].words, "Widen door d1 from 0.60 m to 0.64 m");
     CHECK_NEAR(list.list[0].size, 0.04, 1e-9);
     check_all(&made, &list);
@@ -154,7 +154,7 @@ TEST(a_wardrobe_in_a_corridor_is_moved_as_far_as_it_must_by_any_number_of_thread
     unlink(made.path);
 }
 
-/* A wardrobe in a niche has fallen across the corridor, and can be moved neither sideways nor back. */
+/* A wardrobe in a niche has fallen across the corridor and can move neither sideways nor back. */
 TEST(what_has_toppled_may_be_stood_up) {
     Case made;
     SuggestList list;
@@ -216,7 +216,7 @@ TEST(a_door_is_widened_only_where_its_wall_is_free) {
                         "{'id': 'd2', 'wall': 'w', 'at': 3, 'width': 0.8}]");
     double low, high;
     suggest_change_room(&plan, 0, &low, &high);
-    CHECK_NEAR(low, 1.1, 1e-9); /* beside the other wall's face */
+    CHECK_NEAR(low, 1.1, 1e-9); /* next to the other wall's face */
     CHECK_NEAR(high, 2.6, 1e-9);
     Change change = suggest_change_widen(&plan, 0, 0.8);
     CHECK_NEAR(change.at, 1.5, 1e-9);

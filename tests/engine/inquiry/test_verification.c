@@ -1,4 +1,4 @@
-/* Case files: what is read, what is wrong with bad ones, and that verdicts follow from values. */
+/* Tests case files: valid and invalid ones, and that verdicts follow from values. */
 
 #include <math.h>
 #include <stdio.h>

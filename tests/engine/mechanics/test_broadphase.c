@@ -21,7 +21,7 @@ static bool boxes_meet(Box a, Box b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
-/* A tree of BOXES boxes, every third of which is removed again (its box then holds nothing). */
+/* Returns a tree of BOXES boxes, with every third removed again (its box then holds nothing). */
 static Broadphase *grow(Random *random, Box boxes[BOXES]) {
     Broadphase *tree = broadphase_create();
     int handles[BOXES];
@@ -58,7 +58,7 @@ TEST(a_query_finds_every_box_that_meets_it_and_none_beyond_the_margin) {
             complete &= listed || !boxes_meet(box, boxes[i]);
             close &= !listed || boxes_meet(box_expand(box, FAT), boxes[i]);
         }
-        CHECK(next == found); /* in rising order, each once */
+        CHECK(next == found); /* ascending, each once */
         CHECK(same);
         CHECK(complete);
         CHECK(close);
@@ -94,13 +94,13 @@ TEST(a_visit_ends_when_it_is_told_to) {
     broadphase_destroy(tree);
 }
 
-/* The segments of a ray test, one diagonal of each box. */
+/* Tests the ray against one diagonal of each box. */
 typedef struct Fence {
     const Box *boxes;
     int calls;
 } Fence;
 
-/* The fraction of from-to at which it meets the diagonal, or `best`. */
+/* Returns the fraction of from-to at which the ray meets the diagonal, or `best`. */
 static double meet(const Box *box, Vec2 from, Vec2 to, double best) {
     Vec2 along = vec2_sub(to, from), side = vec2_sub(box->high, box->low), offset = vec2_sub(box->low, from);
     double turn = vec2_cross(along, side), t = vec2_cross(offset, side) / turn, s = vec2_cross(offset, along) / turn;
@@ -132,7 +132,7 @@ TEST(a_ray_meets_what_trying_everything_finds) {
         calls += fence.calls;
     }
     CHECK(met > QUERIES / 4);
-    CHECK(calls < QUERIES * BOXES / 4); /* it is there to save work */
+    CHECK(calls < QUERIES * BOXES / 4); /* the tree must save work */
     broadphase_destroy(tree);
 }
 

@@ -47,7 +47,7 @@ TEST(friction_opposes_sliding_and_stays_within_its_limit) {
         previous = force;
     }
     CHECK_NEAR(previous, -30, 1e-9);
-    /* Turned round, a slipped spring gives way at once instead of unwinding first. */
+    /* After a reversal, a slipped spring yields at once instead of unwinding first. */
     double force = contact_tangential(&law, 100, -0.2, 1e-3, &slip);
     CHECK(force > -30);
 }

@@ -8,9 +8,9 @@ enum { CYCLES = 96, SAMPLES = 200, COUNT = CYCLES * SAMPLES };
 
 #define FREQUENCY 300.0 /* Hz */
 
-static double samples[COUNT][2]; /* beside something else */
+static double samples[COUNT][2]; /* besides another one */
 
-/* offset + amplitude sin(2 pi share FREQUENCY t + 0.7) */
+/* Offset + amplitude sin(2 pi share FREQUENCY t + 0.7). */
 static Spectrum spectrum_of(double offset, double amplitude, double share) {
     for (int i = 0; i < COUNT; i++) {
         samples[i][0] = offset + amplitude * sin(2 * M_PI * share * i / SAMPLES + 0.7);

@@ -1,4 +1,4 @@
-/* Furniture to be placed: every shipped piece has a size, a place that it comes from, and fits through the reader. */
+/* Tests the catalogue: every shipped piece has a size and a source, and can be read. */
 
 #include "plan/catalogue.h"
 
@@ -22,7 +22,7 @@ TEST(every_shipped_piece_says_how_large_it_is_and_where_that_comes_from) {
         CHECK(*item->name && *item->group && sourced);
         CHECK(item->size.x >= 0.3 && item->size.x <= 2.5 && item->size.y >= 0.2 && item->size.y <= 2.5);
         CHECK(item->height > 0 && item->height < 2.5);
-        CHECK(item->topples == TOPPLE_NO || item->height > item->size.y); /* what is low does not fall */
+        CHECK(item->topples == TOPPLE_NO || item->height > item->size.y); /* low pieces do not fall */
         for (size_t k = 0; k < i; k++)
             CHECK(strcmp(catalogue.items[k].name, item->name) != 0 ||
                   strcmp(catalogue.items[k].group, item->group) != 0);

@@ -12,7 +12,7 @@
 #include "plan/draft_parameter.h"
 #include "scratch.h"
 
-enum { EDITS = 10000, ELEMENTS = 40 /* beyond so many, some are removed */ };
+enum { EDITS = 10000, ELEMENTS = 40 /* beyond this number some are removed */ };
 
 static Draft *read_house(const char *name) {
     char path[256];

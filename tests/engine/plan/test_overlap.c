@@ -1,4 +1,4 @@
-/* Furniture that stands in a wall is remarked, how deep; in a doorway it is not. */
+/* Tests that furniture in a wall is reported with its depth, and furniture in a doorway is not. */
 #include "plan/overlap.h"
 
 #include "check.h"

@@ -15,7 +15,7 @@ static const char *const room = "'walls': [{'id': 'w1', 'points': [[0, 0], [4, 0
                                 "'exits': [{'id': 'e1', 'from': [1, -1], 'to': [2, -1]}], "
                                 "'people': [{'id': 'p1', 'profile': 'manual-chair', 'at': [2, 1.5]}]";
 
-/* Reads a draft with settings, ended by NULL; the first fault is kept in `*first`, to be freed. */
+/* Reads a draft with settings, ended by NULL; `*first` receives the first error, released by the caller. */
 static bool read_with(Plan *plan, const char *members, const char *const *settings, char **first) {
     size_t size = strlen(members) + 64, count = 0;
     char *text = memory_zeroed(size, 1), path[SCRATCH_PATH];
@@ -38,7 +38,7 @@ static bool read_with(Plan *plan, const char *members, const char *const *settin
     return good;
 }
 
-/* Writes the plan, reads it, writes that again: the same bytes twice, which are returned; memory_free them. */
+/* Writes the plan, reads it and writes it again: returns the bytes, which must be equal; memory_free them. */
 static char *round_trip(const Plan *plan) {
     char first[SCRATCH_PATH], second[SCRATCH_PATH];
     Plan again = {0};
@@ -120,7 +120,7 @@ TEST(every_shipped_house_says_that_its_plan_is_assumed) {
         CHECK(*plan.name);
         CHECK(strncmp(plan.note, "assumed plan: ", strlen("assumed plan: ")) == 0);
         for (size_t r = 0; r < plan.route_count; r++)
-            CHECK(plan.routes[r].observed.mean == 0); /* nobody has measured them */
+            CHECK(plan.routes[r].observed.mean == 0); /* not measured */
         fault_clear(&fault);
         plan_free(&plan);
     }
@@ -359,7 +359,7 @@ TEST(a_file_that_is_wrong_everywhere_is_not_listed_to_the_end) {
     free(first);
 }
 
-/* The faults of one bad file, one line each. */
+/* Returns the errors of a bad file, one per line. */
 static char *faults_of(const char *path) {
     Fault fault = {0};
     if (strstr(path, "/profiles/")) {
@@ -388,7 +388,7 @@ static char *faults_of(const char *path) {
     return lines;
 }
 
-/* The lines of tests/data/bad/expected.txt that begin with the path. */
+/* Returns the lines of tests/data/bad/expected.txt that begin with the path. */
 static char *expected_of(const char *path, const char *expected) {
     char *lines = memory_zeroed(strlen(expected) + 1, 1);
     for (const char *line = expected; *line;) {
@@ -401,7 +401,7 @@ static char *expected_of(const char *path, const char *expected) {
 }
 
 TEST(every_bad_file_gives_exactly_its_faults_and_leaves_its_target_as_it_was) {
-    CHECK(chdir(check_source()) == 0); /* the expected lines name files from there */
+    CHECK(chdir(check_source()) == 0); /* the expected lines name files relative to it */
     char *expected = scratch_read("tests/data/bad/expected.txt");
     const char *const directories[] = {"tests/data/bad/houses", "tests/data/bad/profiles"};
     size_t lines = 0, files = 0;

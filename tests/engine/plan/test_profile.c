@@ -6,7 +6,7 @@
 #include "scratch.h"
 #include "plan/profile.h"
 
-/* Reads assets/profiles/NAME.json, which must be good. */
+/* Reads assets/profiles/NAME.json, which must be valid. */
 static Profile shipped(const char *name) {
     char path[100];
     Profile profile = {0};

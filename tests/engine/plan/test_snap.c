@@ -1,4 +1,4 @@
-/* Where a hand means to point: what is nearest within its reach, and nothing beyond it. */
+/* Tests snapping: the nearest target within reach, and none beyond. */
 
 #include "plan/snap_piece.h"
 

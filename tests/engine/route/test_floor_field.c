@@ -7,10 +7,10 @@
 #include "case.h"
 #include "route/floor_field.h"
 
-#define RADIUS 0.23 /* m, of somebody on foot */
+#define RADIUS 0.23 /* m, of a walker */
 #define SPEED 1.34  /* m/s */
 
-/* A plan of a few walls and what is on the way through it. */
+/* A plan of a few walls and the obstacles on the path. */
 typedef struct Fixture {
     Vec2 points[16];
     Wall walls[4];
@@ -23,7 +23,7 @@ typedef struct Fixture {
     FloorField field;
 } Fixture;
 
-/* After the plan's parts are in place. */
+/* Called once the plan's parts are in place. */
 static bool fixture_build(Fixture *fixture, double cell) {
     Fault fault = {0};
     CHECK(outline_build(&fixture->outline, &fixture->plan, &fault));
@@ -52,7 +52,7 @@ static void fixture_point(Fixture *fixture) {
     fixture->plan.exits = fixture->exits;
 }
 
-/* A closed corridor, 20 m by 2 m, the exit's line across x = 18, turned by an angle about the origin. */
+/* Returns a closed corridor, 20 m by 2 m, with the exit's line across x = 18, turned about the origin. */
 static void corridor_make(Fixture *fixture, double angle) {
     const Vec2 points[5] = {{0, 0}, {20, 0}, {20, 2}, {0, 2}, {0, 0}};
     Vec2 axis = vec2_heading(angle);
@@ -65,8 +65,8 @@ static void corridor_make(Fixture *fixture, double angle) {
     fixture_point(fixture);
 }
 
-/* Two closed rooms, each 5 m by 4 m, a gap between them at the height 2 m, and an exit's line across x = 9. Turned and
- * shifted, so that the gap lies anyhow to the grid. */
+/* Two closed rooms, each 5 m by 4 m, with a gap between them at height 2 m and an exit's line across x = 9, turned
+ * and shifted so that the gap has no relation to the grid. */
 static void rooms_make(Fixture *fixture, double gap, double angle, double thickness) {
     const Vec2 points[9] = {{0, 0}, {10, 0},          {10, 4},          {0, 4}, {0, 0},
                             {5, 0}, {5, 2 - gap / 2}, {5, 2 + gap / 2}, {5, 4}};
@@ -99,7 +99,7 @@ typedef struct Walk {
     Vec2 end;       /* m */
 } Walk;
 
-/* Follows the directions by small steps until `beyond` m after an exit or the goal's place. */
+/* Follows the directions in small steps to `beyond` m after an exit or the goal. */
 static Walk follow(const FloorField *field, const Plan *plan, Vec2 at, double beyond) {
     const double step = 0.02;
     Walk walk = {.nearest = HUGE_VAL, .end = at};
@@ -139,7 +139,7 @@ TEST(a_straight_corridor_takes_its_length_over_the_speed) {
     }
 }
 
-/* The way of a taut string from one place to another about a circle round `middle`. */
+/* Returns the shortest path between two places around a circle about `middle`. */
 static double string_length(Vec2 from, Vec2 middle, Vec2 to, double radius) {
     Vec2 one = vec2_sub(from, middle), other = vec2_sub(to, middle);
     double a = vec2_length(one), b = vec2_length(other), angle = 2 * M_PI - acos(vec2_dot(one, other) / (a * b));
@@ -163,7 +163,7 @@ TEST(the_time_round_a_corner_is_that_of_a_taut_string_and_converges) {
         CHECK_NEAR(times[c], least, (cells[c] > 0.06 ? 0.025 : 0.02) * least);
         fixture_free(&fixture);
     }
-    CHECK(times[3] > least); /* it keeps off the corner */
+    CHECK(times[3] > least); /* the path keeps off the corner */
     CHECK(fabs(times[1] - times[3]) < fmax(fabs(times[0] - times[3]), 0.001));
     CHECK_NEAR(times[2], times[3], 0.002 * least);
     CHECK_NEAR(times[1], times[3], 0.005 * least);
@@ -272,7 +272,7 @@ TEST(an_exits_line_is_crossed_from_either_side) {
             for (int side = -1; side <= 1; side += 2) {
                 Vec2 start = vec2_turn(vec2(10 + 3 * side, y), axis);
                 CHECK(follow(&fixture.field, &fixture.plan, start, 0).out);
-                /* However near to the line, it is crossed. */
+                /* The line is crossed from any distance. */
                 Vec2 close = vec2_turn(vec2(10 + 0.15 * y + 1e-3 * side, y), axis);
                 Vec2 there = vec2_unturn(floor_field_direction(&fixture.field, close), axis);
                 CHECK(there.x * side < -0.9);
@@ -350,11 +350,11 @@ TEST(directions_lead_out_of_every_shipped_house_past_everything) {
                 continue;
             tried++;
             Walk walk = follow(&field, &house.plan, at, 0);
-            /* Who starts outside is led to where the others come out. */
+            /* A person who starts outside is led to the others' exit. */
             stuck += !walk.out && floor_field_time(&field, walk.end) > (FLOOR_FIELD_BEYOND + 0.1) / SPEED;
             inside += walk.out;
             grazed += walk.nearest < RADIUS - field.cell;
-            slow += walk.out && walk.length / SPEED > time + 0.2; /* discomfort and doors only add */
+            slow += walk.out && walk.length / SPEED > time + 0.2; /* discomfort and doors can only increase it */
         }
         CHECK(tried > 50 && inside > 20);
         CHECK_NEAR(stuck, 0, 0);
@@ -371,7 +371,7 @@ TEST(a_thinned_grid_finds_through_a_door) {
         double angle = 2 * M_PI * random_uniform(&random);
         Fixture fixture;
         rooms_make(&fixture, 0.8, angle, 0.1);
-        /* Far away corners make the grid large. */
+        /* Distant corners make the grid large. */
         fixture.points[9] = vec2(-60, -60);
         fixture.points[10] = vec2(-60, -59);
         fixture.walls[3] = (Wall){.id = "w4", .points = {fixture.points + 9, 2}, .thickness = 0.1};

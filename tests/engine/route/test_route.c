@@ -37,7 +37,7 @@ static Profile chair(double length, double width) {
                      .reversing_time = 1};
 }
 
-/* After the plan's parts are in place. */
+/* Called once the plan's parts are in place. */
 static void fixture_build(Fixture *fixture) {
     Fault fault = {0};
     CHECK(outline_build(&fixture->outline, &fixture->plan, &fault));
@@ -106,7 +106,7 @@ static void rooms_make(Fixture *fixture, double width, double door, int state) {
     fixture_build(fixture);
 }
 
-/* The longest rectangle of a width that turns from W1 into W2. */
+/* Returns the longest rectangle of a width that turns from W1 into W2. */
 static double longest(double width, double w1, double w2) {
     double least = HUGE_VAL;
     for (int i = 1; i < 4000; i++) {
@@ -116,7 +116,7 @@ static double longest(double width, double w1, double w2) {
     return least;
 }
 
-/* Every pose is free, and every motion between two poses is along the heading or a turn on the spot. */
+/* Checks that every pose is free, and every motion between poses is along the heading or a turn on the spot. */
 static void check_path(const Fixture *fixture, const Route *route) {
     const Profile *profile = &fixture->profile;
     double least = HUGE_VAL, slip = 0, farthest = 0, turned = 0, length = 0;
@@ -256,7 +256,7 @@ TEST(a_door_narrower_than_the_body_is_named_with_its_widths) {
     route_free(&route);
     CHECK_NEAR(route_fits_margin(&fixture.query, NULL), -0.015, 0.002);
     fixture_free(&fixture);
-    rooms_make(&fixture, 0.63, needs, DOOR_OPEN); /* made as wide as that, it is driven through */
+    rooms_make(&fixture, 0.63, needs, DOOR_OPEN); /* widened to this width, the passage can be driven */
     route = route_drive(&fixture.query);
     CHECK(route.answer == ROUTE_FOUND);
     route_free(&route);
@@ -385,7 +385,7 @@ TEST(no_more_reversals_are_driven_than_allowed) {
     }
 }
 
-/* A string from one place to another, taut about a circle round `middle`. */
+/* Returns the length of the shortest path between two places around a circle about `middle`. */
 static double string_length(Vec2 from, Vec2 middle, Vec2 to, double radius) {
     Vec2 one = vec2_sub(from, middle), other = vec2_sub(to, middle);
     double a = vec2_length(one), b = vec2_length(other), angle = 2 * M_PI - acos(vec2_dot(one, other) / (a * b));
@@ -433,7 +433,7 @@ TEST(a_disc_passes_a_door_a_centimetre_wider_and_no_narrower_one) {
     fixture_free(&fixture);
 }
 
-/* Queries that several threads ask, and their answers. */
+/* Questions asked by several threads, and their answers. */
 typedef struct Asked {
     const RouteQuery *queries; /* (count) */
     Route *routes;             /* (count) */
@@ -558,7 +558,7 @@ TEST(an_exit_that_opens_later_is_left_out_only_if_another_is_open) {
     for (int open_first = 0; open_first < 2; open_first++)
         for (int n = 0; n < 3; n++) {
             fixture.exits[1].opens = n == 1 ? 60 : 0;   /* neither is open */
-            fixture.query.exit = n == 2 ? 0 : SIZE_MAX; /* only that one counts */
+            fixture.query.exit = n == 2 ? 0 : SIZE_MAX; /* only the first counts */
             fixture.query.open_first = open_first;
             Route route = route_drive(&fixture.query);
             CHECK(route.answer == ROUTE_FOUND && route.exit == expected[open_first][n]);
@@ -591,7 +591,7 @@ TEST(a_chair_that_presses_on_a_wall_is_planned_from_beside_it) {
     Fixture fixture;
     rooms_make(&fixture, 0.63, 0.9, DOOR_OPEN);
     const double deep = 0.008;
-    /* Into the corner of the two walls' faces at 0.06, tail first. */
+    /* A pose in the corner of the two walls' faces at 0.06, tail first. */
     fixture.query.at = vec2(0.06 + 0.28 - deep, 0.06 + 0.315 - deep);
     Route route = route_drive(&fixture.query);
     CHECK(route.answer == ROUTE_CANNOT_PASS);

@@ -7,7 +7,7 @@
 #include "space/freespace.h"
 #include "plan/plan.h"
 
-/* A room of 6 m by 5 m with a wall of no thickness, a thick one, and turned furniture. */
+/* A room of 6 m by 5 m with a wall of zero thickness, a thick one, and turned furniture. */
 typedef struct Fixture {
     Wall walls[3];
     Vec2 points[9];
@@ -53,7 +53,7 @@ static double brute_distance(const Outline *outline, Vec2 at) {
     return nearest;
 }
 
-/* Even-odd over the solids' rings, by the angle that each edge is seen under. */
+/* Returns the even-odd rule over the solids' rings, by the angle that each edge subtends. */
 static bool brute_inside(const Outline *outline, Vec2 at) {
     double turns = 0;
     for (size_t r = 0; r < outline->rings.count; r++)
@@ -65,7 +65,7 @@ static bool brute_inside(const Outline *outline, Vec2 at) {
     return (int64_t)llround(turns) % 2 != 0;
 }
 
-/* The distance of a rectangle's outline from all faces, by points a millimetre apart. */
+/* Returns the distance of a rectangle's outline from all faces, by points 1 mm apart. */
 static double brute_clearance(const Outline *outline, Vec2 centre, Vec2 axis, double half_length, double half_width) {
     double nearest = HUGE_VAL;
     for (int side = 0; side < 4; side++) {
@@ -201,7 +201,7 @@ TEST(clearance_beside_before_and_across_a_wall_has_closed_forms) {
                1e-12);
     CHECK_NEAR(freespace_clearance(space, vec2(1.0, 0.5), vec2_heading(M_PI / 4), 0.4, 0.3, 0.5, &face), 0.4 - corner,
                1e-12);
-    /* It is a long way to anything outside, and nothing is nearer than asked for. */
+    /* Obstacles are far away, and none is nearer than asked for. */
     CHECK_NEAR(freespace_clearance(space, vec2(50, 50), vec2(1, 0), 0.4, 0.3, 0.5, &face), 0.5, 0);
     CHECK(face == -1);
     fixture_free(&fixture);

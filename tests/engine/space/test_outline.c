@@ -8,7 +8,7 @@
 #include "scratch.h"
 #include "space/outline.h"
 
-/* m: the grid on which walls are united, and its rounding */
+/* m: the grid on which walls are united, and its rounding. */
 static const double GRID = 2e-6;
 
 typedef struct Drawn {
@@ -30,7 +30,7 @@ static void wipe(Drawn *drawn) {
     plan_free(&drawn->plan);
 }
 
-/* How many faces run from a to b, the solid to their left. */
+/* Counts the faces that run from a to b with the solid on their left. */
 static int faces_between(const Outline *outline, double ax, double ay, double bx, double by) {
     int count = 0;
     for (size_t i = 0; i < outline->face_count; i++)
@@ -67,7 +67,7 @@ static double area(const Outline *outline) {
     return rings_area(&outline->rings);
 }
 
-/* Every normal is a unit vector to the right of its face, every corner's faces turn to the left there. */
+/* Checks that every normal is a unit vector to the right of its face, and every corner turns left. */
 static void check_sense(const Outline *outline) {
     for (size_t i = 0; i < outline->face_count; i++) {
         const Face *face = &outline->faces[i];
@@ -97,7 +97,7 @@ static void check_l(const Drawn *drawn) {
     CHECK(faces_between(outline, 0, 0.1, 0, -0.1) == 1);
     CHECK(outline->face_count == 6);
     CHECK(corners_at(outline, 4.1, -0.1) == 1);
-    CHECK(corners_at(outline, 3.9, 0.1) == 0); /* the inner one is not convex */
+    CHECK(corners_at(outline, 3.9, 0.1) == 0); /* the inner corner is not convex */
     CHECK(outline->corner_count == 5);
     CHECK_NEAR(area(outline), 4.1 * 0.2 + 2.9 * 0.2, 1e-5);
     check_sense(outline);
@@ -331,7 +331,7 @@ TEST(a_ray_that_meets_nothing_reaches_as_far_as_it_was_asked) {
     wipe(&drawn);
 }
 
-/* Is p inside a closed ring of the outline (even number of crossings: no)? */
+/* True if p is inside a closed ring of the outline (odd number of crossings). */
 static bool inside_rings(const Outline *outline, Vec2 p) {
     bool inside = false;
     for (size_t r = 0; r < outline->rings.count; r++)
@@ -443,7 +443,7 @@ static double walls_area(const Plan *plan, double low, double high) {
     return sum;
 }
 
-/* A wall of 2.4 m with a door in it, a rail of 0.9 m that goes on from it, and a wardrobe against them. */
+/* A wall of 2.4 m with a door, a rail of 0.9 m that continues it, and a wardrobe against both. */
 TEST(walls_alone_are_without_furniture_and_sorted_by_height) {
     Drawn drawn = draw("'walls': [{'id': 'w1', 'points': [[0, 0], [4, 0]], 'thickness': 0.2}, "
                        "{'id': 'w2', 'points': [[4, 0], [6, 0]], 'thickness': 0.2, 'height': 0.9}], "

@@ -17,7 +17,7 @@
 #include "study/summary.h"
 #include "toy.h"
 
-/* All there is: two axes, three passes, three seeds, a tolerance. */
+/* A study with all features: two axes, three passes, three seeds, a tolerance. */
 static Study whole_study(const Experiment *experiment) {
     return (Study){.experiment = experiment,
                    .axes = {{"x", 0, 3, 7}, {"y", 1, 2, 3}},
@@ -114,7 +114,7 @@ TEST(values_that_cannot_be_run_are_faults_of_their_runs_alone) {
     study_clear(&study);
 }
 
-/* Runs with interruptions, each time with a new store, until it is whole. Returns how often it was begun. */
+/* Runs with interruptions, each time with a new store, until complete. Returns the number of starts. */
 static int run_in_pieces(Study *study, Toy *toy, const char *path, int piece, int jobs) {
     int begun = 0;
     for (size_t done = 0; done < study->trial_count || !begun; begun++) {
@@ -156,7 +156,7 @@ TEST(a_finished_study_is_read_back_without_a_run) {
     new_path(path);
     Toy toy = {0};
     Experiment experiment = toy_experiment(&toy);
-    Study study = sweep(&experiment, 30, 60, 16); /* some of them faults */
+    Study study = sweep(&experiment, 30, 60, 16); /* some of them invalid */
     study_begin(&study);
     CHECK(run_in_pieces(&study, &toy, path, 0, 1) == 1);
     uint64_t expected = summary_digest(&study);
@@ -366,7 +366,7 @@ TEST(a_tolerance_is_normal_and_the_same_at_every_point) {
     CHECK_NEAR(of_x.deviation, 0.02, 4 * 0.02 / sqrt(2 * (double)study.runs));
     CHECK_NEAR(of_y.deviation, 0.2, 4 * 0.2 / sqrt(2 * (double)study.runs));
     CHECK_NEAR(of_x.high, 1 + 1.6449 * 0.02, 0.002);
-    CHECK_NEAR(product, 0, 4 * 0.02 * 0.2 / sqrt((double)study.runs)); /* one is off whatever the other is */
+    CHECK_NEAR(product, 0, 4 * 0.02 * 0.2 / sqrt((double)study.runs)); /* one deviates independently of the other */
     memory_free(x);
     memory_free(y);
     study_clear(&study);

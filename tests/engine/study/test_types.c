@@ -5,14 +5,14 @@
 
 #include "check.h"
 
-/* Made-up experiments: what comes of a run is a formula of two parameters and the seed. */
+/* Tests types on synthetic experiments, whose results are formulas of two parameters and the seed. */
 typedef struct Told {
     double regular, outcome, measure;
 } Told;
 
 typedef struct Made {
     Told (*tell)(double a, double b, uint64_t seed);
-    double farthest; /* a beyond it is a fault */
+    double farthest; /* a larger a is invalid */
 } Made;
 
 static const Parameter rows[] = {{.name = "a", .unit = "1", .low = 0, .high = 10},
@@ -235,7 +235,7 @@ TEST(where_values_are_out_of_range_the_search_ends_and_says_how_far_it_came) {
     CHECK(!types.parameters[0].above.found);
     CHECK_NEAR(types.parameters[0].above.reached, 0.12, 1e-12);
     CHECK_NEAR(types.parameters[0].below.reached, 0.2, 1e-12);
-    types = tell_with(power, NULL, 2.01, 1); /* the window's own end is out of range: nothing is said of it */
+    types = tell_with(power, NULL, 2.01, 1); /* the end of the window is out of range and is ignored */
     CHECK(types.kind == TYPES_I && !types.points[2].possible && types.runs == 4 * TYPES_STARTS);
     types = tell_with(power, NULL, 1, 1); /* and here the centre */
     CHECK(types.kind == TYPES_UNRESOLVED);
@@ -252,7 +252,7 @@ static Told never(double a, double b, uint64_t seed) {
 
 TEST(what_is_not_quickly_told_regular_is_told_thoroughly) {
     Types types = tell_with(hasty, power, 10, 2);
-    CHECK(types.kind == TYPES_II && types.thorough == 10); /* regular all of them, but another answer */
+    CHECK(types.kind == TYPES_II && types.thorough == 10); /* all regular, but with another response */
     types = tell_with(hasty, hasty, 10, 2);
     CHECK(types.kind == TYPES_III && types.thorough == 2 && types.worst == 0);
     types = tell_with(hasty, never, 10, 2);
