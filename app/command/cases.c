@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "command/answer.h"
 #include "command/cases_html.h"
-#include "command/cases_table.h"
+#include "command/cases_text.h"
 #include "command/command.h"
 #include "command/house_file.h"
 #include "command/output.h"
@@ -93,11 +93,11 @@ static void run_cases(Verification *cases, size_t count, const Options *options,
     Progress progress = {.begin = time(NULL)};
     bool show = progress_is_shown(options);
     CaseRunOptions trial = {.profiles = shipped_places()->profiles,
-                          .seed = options->seed,
-                          .jobs = options->jobs,
-                          .stop = &progress_interrupted,
-                          .progress = show ? show_progress : NULL,
-                          .context = &progress};
+                            .seed = options->seed,
+                            .jobs = options->jobs,
+                            .stop = &progress_interrupted,
+                            .progress = show ? show_progress : NULL,
+                            .context = &progress};
     case_run_all(cases, count, &trial, fault);
     if (progress.shown)
         fprintf(stderr, "\r                         \r");
@@ -106,7 +106,7 @@ static void run_cases(Verification *cases, size_t count, const Options *options,
 /* Writing -----------------------------------------------------------------------------------------------------------*/
 
 static void add_json(Text *text, const Verification *cases, size_t count, uint64_t seed) {
-    json_t *answer = cases_table_json(cases, count, seed);
+    json_t *answer = cases_text_json(cases, count, seed);
     char *dump = json_dumps(answer, JSON_INDENT(2) | JSON_REAL_PRECISION(12));
     text_add(text, dump);
     text_add(text, "\n");
@@ -118,7 +118,7 @@ static bool write_tables(const Verification *cases, size_t count, const Options 
     static const struct {
         const char *name;
         void (*add)(Text *text, const Verification *cases, size_t count, uint64_t seed);
-    } files[] = {{"cases.html", cases_html_add}, {"cases.md", cases_table_markdown}, {"cases.json", add_json}};
+    } files[] = {{"cases.html", cases_html_add}, {"cases.md", cases_text_markdown}, {"cases.json", add_json}};
     char path[OUTPUT_PATH];
     int error = 0;
     for (size_t f = 0; f < sizeof files / sizeof *files && !error; f++) {
@@ -147,9 +147,9 @@ static int answer(const Verification *cases, size_t count, const Options *option
         fprintf(stderr, "clearance: interrupted; tests that had been run are kept\n");
     bool written = !options->out || write_tables(cases, count, options);
     if (options->json)
-        answer_print(cases_table_json(cases, count, options->seed));
+        answer_print(cases_text_json(cases, count, options->seed));
     else
-        cases_table_print(cases, count);
+        cases_text_print(cases, count);
     if (fault->total)
         return house_file_report(fault);
     if (options->out && written && !options->json)

@@ -2,7 +2,7 @@
 
 #include <inttypes.h>
 
-#include "command/cases_words.h"
+#include "command/cases_text.h"
 #include "document/html.h"
 
 /* The colours are the palette's: blue for what passed, orange-brown for what did not; 4.5:1 and more on their ground.
@@ -55,7 +55,7 @@ static void add_sign(Text *text, Verdict verdict) {
     text_format(
         text,
         "<span class=\"verdict %s\"><svg class=\"sign\" viewBox=\"0 0 24 24\" aria-hidden=\"true\">%s</svg>%s</span>",
-        verdict_class(verdict), signs[verdict], cases_words_verdict(verdict));
+        verdict_class(verdict), signs[verdict], cases_text_verdict(verdict));
 }
 
 /* The allowed band and the value on one line, drawn from `from` to `to` in the unit of the check. */
@@ -94,23 +94,23 @@ static void add_ruler(Text *text, const VerificationCheck *check) {
 }
 
 static void add_check(Text *text, const VerificationCheck *check) {
-    char words[CASES_WORDS_SIZE], why[3 * CASES_WORDS_SIZE];
+    char words[CASES_TEXT_SIZE], why[3 * CASES_TEXT_SIZE];
     text_add(text, "<tr><td>");
-    cases_words_question(check, words);
+    cases_text_question(check, words);
     html_add_escaped(text, words);
     if (check->seeds > 1)
         text_format(text, " <span class=\"note\">(mean of %d seeds)</span>", check->seeds);
     if (check->verdict == VERDICT_FAILED) {
-        cases_words_why(check, why);
+        cases_text_why(check, why);
         text_add(text, "<div class=\"why\">");
         html_add_escaped(text, why);
         text_add(text, "</div>");
     }
     text_add(text, "</td><td>");
-    cases_words_limits(check, words);
+    cases_text_limits(check, words);
     html_add_escaped(text, words);
     text_add(text, "</td><td class=\"ours\">");
-    cases_words_value(check, words);
+    cases_text_value(check, words);
     html_add_escaped(text, words);
     text_add(text, "</td><td class=\"wide\">");
     if (isfinite(check->value))
@@ -153,9 +153,9 @@ static void add_not_applying(Text *text, const Verification *cases, size_t count
 }
 
 void cases_html_add(Text *text, const Verification *cases, size_t count, uint64_t seed) {
-    char summary[CASES_WORDS_SIZE];
+    char summary[CASES_TEXT_SIZE];
     bool some_do_not_apply = false;
-    cases_words_summary(cases, count, summary);
+    cases_text_summary(cases, count, summary);
     text_add(text, head);
     text_format(text, "<h1>%s</h1>\n", summary);
     text_format(

@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "command/study_words.h"
+#include "command/study_number.h"
 
 enum { ROWS_MOST = 20 };
 
@@ -32,8 +32,8 @@ static void print_answer(const ShakeFindings *findings) {
 }
 
 static void print_number(double number) {
-    char word[STUDY_WORDS_WORD];
-    study_words_number(number, word);
+    char word[STUDY_NUMBER];
+    study_number_observed(number, word);
     printf(" %8s", word);
 }
 

@@ -17,7 +17,7 @@
 #include "command/study_answer.h"
 #include "command/study_laboratory.h"
 #include "command/study_types.h"
-#include "command/study_words.h"
+#include "command/study_text.h"
 #include "study/study_csv.h"
 #include "study/store.h"
 #include "visual/study/study_plots.h"
@@ -268,7 +268,7 @@ static void print_words(const StudyJob *job) {
     if (job->findings)
         shake_words_print(job->findings, file);
     else
-        study_words_print(&job->study, job->laboratory, file);
+        study_text_print(&job->study, job->laboratory, file);
 }
 
 /* Prints and writes the answer; the exit code. */

@@ -1,4 +1,4 @@
-#include "command/study_words.h"
+#include "command/study_text.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -6,71 +6,18 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "command/study_table.h"
+#include "command/study_number.h"
 #include "study/montecarlo.h"
 #include "study/summary.h"
 
-enum { WORD = STUDY_WORDS_WORD, RANGES_MOST = 6 /* told one by one */ };
-
-/* Numbers -------------------------------------------------------------------------------------------------------- */
-
-static bool is_multiple(double value, int decimals) {
-    double scaled = value * pow(10, decimals);
-    return fabs(scaled - round(scaled)) < 1e-6;
-}
-
-/* How an axis is shown: small lengths and times in mm and ms. */
-typedef struct Shown {
-    const char *unit; /* "" for pure numbers */
-    double factor;    /* 1, of the values */
-} Shown;
-
-static Shown shown_axis(const Study *study, size_t a) {
-    const StudyAxis *axis = &study->axes[a];
-    const char *unit = study->experiment->parameter(study->experiment->given, axis->name)->unit;
-    bool small = fmax(fabs(axis->from), fabs(axis->to)) < 0.01;
-    if (small && strcmp(unit, "m") == 0)
-        return (Shown){"mm", 1000};
-    if (small && strcmp(unit, "s") == 0)
-        return (Shown){"ms", 1000};
-    return (Shown){strcmp(unit, "1") == 0 ? "" : unit, 1};
-}
-
-const char *study_words_axis_unit(const Study *study, size_t axis) {
-    return shown_axis(study, axis).unit;
-}
-
-/* A value of an axis, with as many digits as tell it from its neighbours. */
-static void say_value(const Study *study, size_t a, double value, bool with_unit, char word[WORD]) {
-    const StudyAxis *axis = &study->axes[a];
-    Shown shown = shown_axis(study, a);
-    double from = axis->from * shown.factor, to = axis->to * shown.factor, most = fmax(fabs(from), fabs(to));
-    double step = axis->steps > 1 ? fabs(to - from) / (double)(axis->steps - 1) : fabs(from);
-    int decimals = 0;
-    while (decimals < 6 && (!is_multiple(from, decimals) || !is_multiple(step, decimals)))
-        decimals++;
-    int length =
-        most < 1e-3 || most >= 1e7 || decimals == 6
-            ? snprintf(word, WORD, "%.*g", (int)fmax(3, fmin(9, ceil(log10(most / step)) + 2)), value * shown.factor)
-            : snprintf(word, WORD, "%.*f", decimals, value * shown.factor);
-    if (with_unit && *shown.unit)
-        snprintf(word + length, WORD - (size_t)length, " %.15s", shown.unit);
-}
-
-void study_words_step(const Study *study, size_t axis, size_t i, bool with_unit, char word[WORD]) {
-    say_value(study, axis, study_value(&study->axes[axis], i), with_unit, word);
-}
-
-void study_words_number(double number, char word[WORD]) {
-    if (isnan(number))
-        snprintf(word, WORD, "-");
-    else
-        snprintf(word, WORD, fabs(number) >= 1000 && fabs(number) < 1e7 ? "%.0f" : "%.4g", number);
-}
-
-const char *study_words_unit(const Observable *observable) {
-    return strcmp(observable->unit, "1") == 0 ? "" : observable->unit;
-}
+enum {
+    WORD = STUDY_NUMBER,
+    RANGES_MOST = 6,  /* told one by one */
+    ROWS_MOST = 12,   /* of the table */
+    CHANGES_MOST = 5, /* whose both sides are among them */
+    MAP_COLUMNS = 72, /* of a map in letters */
+    MAP_ROWS = 24,
+};
 
 /* Sentences ------------------------------------------------------------------------------------------------------ */
 
@@ -78,8 +25,8 @@ static void print_title(const Study *study, const char *file) {
     printf("%s", file);
     for (size_t a = 0; a < study->axis_count; a++) {
         char from[WORD], to[WORD];
-        study_words_step(study, a, 0, false, from);
-        study_words_step(study, a, study->axes[a].steps - 1, true, to);
+        study_number_step(study, a, 0, false, from);
+        study_number_step(study, a, study->axes[a].steps - 1, true, to);
         printf("%s %s from %s to %s in %zu step%s", a ? "," : ":", study->axes[a].name, from, to, study->axes[a].steps,
                study->axes[a].steps == 1 ? "" : "s");
     }
@@ -91,7 +38,7 @@ static void print_title(const Study *study, const char *file) {
     printf("\n");
 }
 
-const char *study_words_state(const StudyLaboratory *laboratory, SummaryState state) {
+static const char *state_text(const StudyLaboratory *laboratory, SummaryState state) {
     switch (state) {
     case SUMMARY_REGULAR:
         return laboratory->regular;
@@ -111,9 +58,9 @@ const char *study_words_state(const StudyLaboratory *laboratory, SummaryState st
 static void print_range(const Study *study, const StudyLaboratory *laboratory, size_t axis, const SummaryRange *range) {
     size_t last = study->axes[axis].steps - 1;
     char from[WORD], to[WORD];
-    study_words_step(study, axis, range->first, range->first == range->last || range->last == last, from);
-    study_words_step(study, axis, range->last, true, to);
-    printf("%s ", study_words_state(laboratory, range->state));
+    study_number_step(study, axis, range->first, range->first == range->last || range->last == last, from);
+    study_number_step(study, axis, range->last, true, to);
+    printf("%s ", state_text(laboratory, range->state));
     if (range->first == 0 && range->last == last)
         printf("throughout");
     else if (range->first == 0 && range->last > 0)
@@ -206,8 +153,8 @@ static Course follow_course(const Study *study, size_t pass) {
 
 /* "31.2 s" of the measure at a step */
 static void say_measure(const Study *study, size_t pass, size_t i, bool with_unit, char word[WORD]) {
-    const char *unit = study_words_unit(&study->experiment->observables[study->experiment->measure]);
-    study_words_number(mean_measure(study, pass, i), word);
+    const char *unit = study_number_unit(&study->experiment->observables[study->experiment->measure]);
+    study_number_observed(mean_measure(study, pass, i), word);
     if (with_unit && *unit)
         snprintf(word + strlen(word), WORD - strlen(word), " %.15s", unit);
 }
@@ -231,7 +178,7 @@ static void print_course(const Study *study, size_t pass) {
         if (i == course.first || i == course.last)
             continue;
         say_measure(study, pass, i, true, value);
-        study_words_step(study, 0, i, true, at);
+        study_number_step(study, 0, i, true, at);
         printf(", %s %s at %s", greatest ? "greatest" : "least", value, at);
     }
 }
@@ -243,14 +190,14 @@ static void print_extreme(const Study *study, bool greatest) {
     const Observable *measure = &study->experiment->observables[study->experiment->measure];
     const Trial *trial = &study->trials[index];
     char number[WORD];
-    study_words_number(trial->observed[study->experiment->measure], number);
+    study_number_observed(trial->observed[study->experiment->measure], number);
     if (greatest)
-        printf("; greatest, %s %s, at", number, study_words_unit(measure));
+        printf("; greatest, %s %s, at", number, study_number_unit(measure));
     else
-        printf("the %s is least, %s %s, at", measure->meaning, number, study_words_unit(measure));
+        printf("the %s is least, %s %s, at", measure->meaning, number, study_number_unit(measure));
     for (size_t a = 0; a < study->axis_count; a++) {
         char value[WORD];
-        say_value(study, a, trial->at[a], true, value);
+        study_number_value(study, a, trial->at[a], true, value);
         printf("%s %s %s", a ? "," : "", study->axes[a].name, value);
     }
     printf("%s", greatest ? "\n" : "");
@@ -265,10 +212,176 @@ static void print_differences(const Study *study) {
             first = i;
         }
     char at[WORD];
-    study_words_step(study, 0, first, true, at);
+    study_number_step(study, 0, first, true, at);
     if (count)
         printf("at %zu of %zu values, the first %s, the passes end in different answers: it depends on the past\n",
                count, study_steps(study, 0), at);
+}
+
+/* Tables --------------------------------------------------------------------------------------------------------- */
+
+/* The rows to show: both ends, both sides of each change while there is room, and others evenly between. */
+static void choose_rows(const Study *study, bool *chosen) {
+    size_t steps = study_steps(study, 0), most = ROWS_MOST / (study->pass_count + 1) * 2, count;
+    size_t rows = steps < most ? steps : most;
+    for (size_t r = 0; r < rows; r++)
+        chosen[rows > 1 ? r * (steps - 1) / (rows - 1) : 0] = true;
+    SummaryRange *ranges = summary_ranges(study, 0, 0, &count);
+    for (size_t r = 1; r < count && count <= CHANGES_MOST + 1 && study->pass_count == 1; r++)
+        chosen[ranges[r].first] = chosen[ranges[r].first - 1] = true;
+    memory_free(ranges);
+}
+
+static void print_cell(const char *text, size_t width) {
+    printf("  %*s", (int)width, text);
+}
+
+static size_t head_width(const char *name, const char *unit) {
+    size_t width = strlen(name) + (*unit ? 1 + strlen(unit) : 0);
+    return width < 8 ? 8 : width;
+}
+
+static void print_head(const char *name, const char *unit) {
+    char head[2 * WORD];
+    snprintf(head, sizeof head, "%.60s%s%.20s", name, *unit ? " " : "", unit);
+    print_cell(head, head_width(name, unit));
+}
+
+/* What a table of single runs shows besides the answer: whatever any of them has. */
+static bool is_shown(const Study *study, const StudyLaboratory *laboratory, size_t observable) {
+    const Experiment *experiment = study->experiment;
+    if (observable == experiment->regular || strcmp(experiment->observables[observable].name, laboratory->hidden) == 0)
+        return false;
+    bool any = false;
+    for (size_t t = 0; t < study->trial_count && !any; t++)
+        any = !isnan(study->trials[t].observed[observable]);
+    return any;
+}
+
+static void print_runs_row(const Study *study, const StudyLaboratory *laboratory, size_t pass, size_t i) {
+    const Experiment *experiment = study->experiment;
+    const Trial *trial = study_trial(study, pass, 0, 0, i);
+    for (size_t o = 0; o < experiment->observable_count; o++) {
+        const Observable *observable = &experiment->observables[o];
+        char word[WORD];
+        study_number_observed(trial->observed[o], word);
+        if (is_shown(study, laboratory, o))
+            print_cell(word, head_width(observable->name, study_number_unit(observable)));
+    }
+}
+
+/* With many runs: how many are regular, and the measure as a distribution. */
+static void print_point_row(const Study *study, size_t pass, size_t i) {
+    MontecarloPoint point = montecarlo_point(study, pass, 0, i);
+    const Distribution *d = &point.of[study->experiment->measure];
+    const double numbers[] = {d->mean, d->deviation, d->low, d->median, d->high};
+    char word[WORD] = "-";
+    if (point.decided)
+        snprintf(word, sizeof word, "%.0f %%", 100 * point.share);
+    print_cell(word, 8);
+    for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
+        study_number_observed(numbers[k], word);
+        print_cell(word, 9);
+    }
+    montecarlo_clear(&point);
+}
+
+static void print_table_head(const Study *study, const StudyLaboratory *laboratory) {
+    const Experiment *experiment = study->experiment;
+    printf("\n");
+    if (study->pass_count > 1)
+        printf("  pass ");
+    print_head(study->axes[0].name, study_number_axis_unit(study, 0));
+    if (study->runs > 1) {
+        static const char *const heads[] = {"mean", "deviation", "5 %", "50 %", "95 %"};
+        print_cell(laboratory->regular, 8);
+        for (size_t k = 0; k < sizeof heads / sizeof *heads; k++)
+            print_cell(heads[k], 9);
+        const Observable *measure = &experiment->observables[experiment->measure];
+        printf("  of %s %s\n", measure->name, study_number_unit(measure));
+        return;
+    }
+    print_cell("answer", 14);
+    for (size_t o = 0; o < experiment->observable_count; o++)
+        if (is_shown(study, laboratory, o))
+            print_head(experiment->observables[o].name, study_number_unit(&experiment->observables[o]));
+    printf("\n");
+}
+
+static void print_table(const Study *study, const StudyLaboratory *laboratory) {
+    bool *chosen = memory_zeroed(study_steps(study, 0), sizeof *chosen);
+    choose_rows(study, chosen);
+    print_table_head(study, laboratory);
+    for (size_t i = 0; i < study_steps(study, 0); i++)
+        for (size_t pass = 0; pass < study->pass_count && chosen[i]; pass++) {
+            char value[WORD];
+            study_number_step(study, 0, i, false, value);
+            if (study->pass_count > 1)
+                printf("  %-5s", study_pass_name(study->passes[pass]));
+            print_cell(value, head_width(study->axes[0].name, study_number_axis_unit(study, 0)));
+            if (study->runs > 1) {
+                print_point_row(study, pass, i);
+            } else {
+                print_cell(state_text(laboratory, summary_point(study, pass, 0, i)), 14);
+                print_runs_row(study, laboratory, pass, i);
+            }
+            printf("\n");
+        }
+    memory_free(chosen);
+}
+
+static void print_map(const Study *study, const StudyLaboratory *laboratory, size_t pass) {
+    static const char letters[] = {[SUMMARY_NOTHING] = ' ',
+                                   [SUMMARY_REGULAR] = '#',
+                                   [SUMMARY_IRREGULAR] = '.',
+                                   [SUMMARY_MIXED] = '+',
+                                   [SUMMARY_UNDECIDED] = '?'};
+    size_t steps0 = study_steps(study, 0), steps1 = study_steps(study, 1);
+    size_t columns = steps0 < MAP_COLUMNS ? steps0 : MAP_COLUMNS, rows = steps1 < MAP_ROWS ? steps1 : MAP_ROWS;
+    SummaryCount count = summary_count(study);
+    printf("\n# %s, . %s%s%s%s; to the right %s, upwards %s\n", laboratory->regular, laboratory->irregular,
+           study->runs > 1 ? ", + sometimes" : "", count.undecided ? ", ? cannot be told" : "",
+           count.faults || count.done < count.trials ? ", blank not run" : "", study->axes[0].name,
+           study->axes[1].name);
+    for (size_t r = rows; r-- > 0;) {
+        size_t i1 = rows > 1 ? r * (steps1 - 1) / (rows - 1) : 0;
+        char value[WORD];
+        study_number_step(study, 1, i1, false, value);
+        printf("%10s ", value);
+        for (size_t c = 0; c < columns; c++)
+            putchar(letters[summary_point(study, pass, i1, columns > 1 ? c * (steps0 - 1) / (columns - 1) : 0)]);
+        printf("\n");
+    }
+    char from[WORD], to[WORD];
+    study_number_step(study, 0, 0, false, from);
+    study_number_step(study, 0, steps0 - 1, true, to);
+    printf("%10s %s to %s\n", "", from, to);
+}
+
+static void print_distributions(const Study *study, const StudyLaboratory *laboratory) {
+    static const char *const heads[] = {"mean", "deviation", "std error", "5 %", "50 %", "95 %"};
+    const Experiment *experiment = study->experiment;
+    MontecarloPoint point = montecarlo_point(study, 0, 0, 0);
+    printf("\n%-20s", "");
+    for (size_t k = 0; k < sizeof heads / sizeof *heads; k++)
+        print_cell(heads[k], 10);
+    printf("\n");
+    for (size_t o = 0; o < point.observables; o++) {
+        if (!is_shown(study, laboratory, o))
+            continue;
+        const Distribution *d = &point.of[o];
+        const double numbers[] = {d->mean, d->deviation, d->error, d->low, d->median, d->high};
+        char word[WORD];
+        snprintf(word, sizeof word, "%.30s %.10s", experiment->observables[o].name,
+                 study_number_unit(&experiment->observables[o]));
+        printf("%-20s", word);
+        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
+            study_number_observed(numbers[k], word);
+            print_cell(word, 10);
+        }
+        printf("\n");
+    }
+    montecarlo_clear(&point);
 }
 
 /* The whole ------------------------------------------------------------------------------------------------------ */
@@ -299,7 +412,7 @@ static void print_count(const StudyLaboratory *laboratory, const SummaryCount *c
     printf("\n");
 }
 
-void study_words_print(const Study *study, const StudyLaboratory *laboratory, const char *file) {
+void study_text_print(const Study *study, const StudyLaboratory *laboratory, const char *file) {
     SummaryCount count = summary_count(study);
     print_title(study, file);
     if (study->axis_count == 0)
@@ -323,11 +436,11 @@ void study_words_print(const Study *study, const StudyLaboratory *laboratory, co
         print_extreme(study, false);
         print_extreme(study, true);
         for (size_t pass = 0; pass < study->pass_count; pass++)
-            study_table_map(study, laboratory, pass);
+            print_map(study, laboratory, pass);
     } else if (study->axis_count == 1) {
-        study_table_print(study, laboratory);
+        print_table(study, laboratory);
     } else {
-        study_table_distributions(study, laboratory);
+        print_distributions(study, laboratory);
     }
     print_faults(study, count.faults);
 }

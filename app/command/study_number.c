@@ -1,0 +1,63 @@
+#include "command/study_number.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static bool is_multiple(double value, int decimals) {
+    double scaled = value * pow(10, decimals);
+    return fabs(scaled - round(scaled)) < 1e-6;
+}
+
+/* How an axis is shown: small lengths and times in mm and ms. */
+typedef struct Shown {
+    const char *unit; /* "" for pure numbers */
+    double factor;    /* 1, of the values */
+} Shown;
+
+static Shown shown_axis(const Study *study, size_t a) {
+    const StudyAxis *axis = &study->axes[a];
+    const char *unit = study->experiment->parameter(study->experiment->given, axis->name)->unit;
+    bool small = fmax(fabs(axis->from), fabs(axis->to)) < 0.01;
+    if (small && strcmp(unit, "m") == 0)
+        return (Shown){"mm", 1000};
+    if (small && strcmp(unit, "s") == 0)
+        return (Shown){"ms", 1000};
+    return (Shown){strcmp(unit, "1") == 0 ? "" : unit, 1};
+}
+
+const char *study_number_axis_unit(const Study *study, size_t axis) {
+    return shown_axis(study, axis).unit;
+}
+
+/* A value of an axis, with as many digits as tell it from its neighbours. */
+void study_number_value(const Study *study, size_t a, double value, bool with_unit, char word[STUDY_NUMBER]) {
+    const StudyAxis *axis = &study->axes[a];
+    Shown shown = shown_axis(study, a);
+    double from = axis->from * shown.factor, to = axis->to * shown.factor, most = fmax(fabs(from), fabs(to));
+    double step = axis->steps > 1 ? fabs(to - from) / (double)(axis->steps - 1) : fabs(from);
+    int decimals = 0;
+    while (decimals < 6 && (!is_multiple(from, decimals) || !is_multiple(step, decimals)))
+        decimals++;
+    int length = most < 1e-3 || most >= 1e7 || decimals == 6
+                     ? snprintf(word, STUDY_NUMBER, "%.*g", (int)fmax(3, fmin(9, ceil(log10(most / step)) + 2)),
+                                value * shown.factor)
+                     : snprintf(word, STUDY_NUMBER, "%.*f", decimals, value * shown.factor);
+    if (with_unit && *shown.unit)
+        snprintf(word + length, STUDY_NUMBER - (size_t)length, " %.15s", shown.unit);
+}
+
+void study_number_step(const Study *study, size_t axis, size_t i, bool with_unit, char word[STUDY_NUMBER]) {
+    study_number_value(study, axis, study_value(&study->axes[axis], i), with_unit, word);
+}
+
+void study_number_observed(double number, char word[STUDY_NUMBER]) {
+    if (isnan(number))
+        snprintf(word, STUDY_NUMBER, "-");
+    else
+        snprintf(word, STUDY_NUMBER, fabs(number) >= 1000 && fabs(number) < 1e7 ? "%.0f" : "%.4g", number);
+}
+
+const char *study_number_unit(const Observable *observable) {
+    return strcmp(observable->unit, "1") == 0 ? "" : observable->unit;
+}
