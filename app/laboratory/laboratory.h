@@ -121,6 +121,9 @@ typedef struct LaboratoryPlot {
     double tail;                  /* s: the end of the lines that is drawn thick */
 } LaboratoryPlot;
 
+/* Edits what a laboratory shows: see edit/editor.h. */
+typedef struct Editor Editor;
+
 /* Something among a few: which ghost, which route, which pass of a sweep. */
 typedef struct PanelChoice {
     const char *name;         /* "Ghost" */
@@ -162,7 +165,7 @@ typedef struct Laboratory {
 
     /* Is what show would bring now to the pixel what it brought last? NULL: that cannot be told. */
     bool (*rests)(const void *live, double time);
-    const Scene *(*still)(const void *live);
+    const Scene *(*still)(void *live);
     const Scene *(*added)(const void *live);
     const Scene *(*moving)(const void *live);
 
@@ -175,16 +178,16 @@ typedef struct Laboratory {
     LaboratoryPlot (*plot)(const void *live, size_t index);
     size_t (*until)(const void *live, size_t plot, size_t series, double time);
 
-    Result (*answer)(const void *live);
+    Result (*answer)(void *live);
 
     /* "7.3 s", "cycle 481, 1.604 s": good until the next call. */
-    const char *(*clock)(const void *live, double time);
+    const char *(*clock)(void *live, double time);
 
     /* What must be said wherever it is shown: "assumed plan: not measured"; "". */
-    const char *(*note)(const void *live);
+    const char *(*note)(void *live);
     const char *(*title)(const void *live); /* of what is shown: its name */
     const PanelRow *(*rows)(const void *live, size_t *count);
-    const TimelineMark *(*ticks)(const void *live, size_t *count);
+    const TimelineMark *(*ticks)(void *live, size_t *count);
 
     /* What last went wrong, with cause and cure, and since when (s; NAN: at no moment of what is shown); NULL: nothing.
      * The last good state stays. */
@@ -196,10 +199,15 @@ typedef struct Laboratory {
     bool (*set)(void *live, const char *name, double value, Fault *fault);
     void (*reset)(void *live); /* all of them as in the file */
 
+    /* A slider that is dragged: all changes that `set` makes until `settle` are one step of undo, and the clock must be
+     * held. NULL: there are no steps. */
+    void (*hold)(void *live, const char *name);
+    void (*settle)(void *live);
+
     const Preset *(*presets)(const void *live, size_t *count);
     void (*prefer)(void *live, size_t preset);
 
-    const PanelChoice *(*choices)(const void *live, size_t *count);
+    const PanelChoice *(*choices)(void *live, size_t *count);
     void (*choose)(void *live, size_t choice, size_t word);
 
     /* Begins anew with the same parameters; keeps what is shown as "before" (false: there is nothing to keep yet);
@@ -212,23 +220,30 @@ typedef struct Laboratory {
     Item (*pick)(const void *live, Vec2 at, double time, Item below);
     Item (*next)(const void *live, Item thing, int step); /* round, in a fixed order */
     void (*select)(void *live, Item thing);
-    Item (*selected)(const void *live);
-    const char *(*name_thing)(const void *live, Item thing); /* "door d2" */
+    Item (*selected)(void *live);
+    const char *(*name_thing)(void *live, Item thing); /* "door d2" */
 
     /* Its outline at a time (m): how many points, at most LABORATORY_OUTLINE_MOST; 0: it is nowhere then. */
     size_t (*outline)(const void *live, Item thing, double time, Vec2 *points);
 
     /* The words behind "clearance" that make what is shown: "run", FILE, "--set", ... (count) */
-    const char *const *(*command)(const void *live, size_t *count);
+    const char *const *(*command)(void *live, size_t *count);
 
     /* Writes what is shown, with its changed numbers, as a file that can be opened again; false: a fault says why not.
      */
-    bool (*save)(const void *live, const char *path, Fault *fault);
+    bool (*save)(void *live, const char *path, Fault *fault);
+
+    /* An edit may set something moving in the picture alone, as furniture that falls: moves it on by s of real time.
+     * Where this is never called, everything is at once in its last place. `animation`: words for what moves, "shaking
+     * (seed 3)", or ""; NULL: all rests. Both NULL: nothing ever moves so. */
+    void (*animate)(void *live, double seconds);
+    const char *(*animation)(void *live);
 
     /* Fills mono samples, -1 to 1, of the stretch from one time to another; false: it is silent. */
-    bool (*sound)(const void *live, double from, double to, float *samples, size_t count);
+    bool (*sound)(void *live, double from, double to, float *samples, size_t count);
 
-    const struct EditorFunctions *editor; /* see editing.h; NULL: nothing can be edited */
+    /* The editor of what is open; NULL: nothing can be edited. */
+    Editor *(*editor)(void *live);
 } Laboratory;
 
 /* The laboratories; laboratory_of tells whose a file is, by what is in it (a house's when nothing can be told). */

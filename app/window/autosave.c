@@ -15,20 +15,20 @@ Tab *autosave_tab(Window *window) {
 }
 
 /* Another number after every edit, every undoing and every saving. */
-static uint64_t state_of(const Tab *tab, const EditorFunctions *editor) {
-    const char *undo = editor->undo_name(tab->live);
+static uint64_t state_of(Editor *editor) {
+    const char *undo = editor_undo_name(editor);
     uint64_t state = digest_text(DIGEST_START, undo ? undo : "");
-    const char *redo = editor->redo_name(tab->live);
+    const char *redo = editor_redo_name(editor);
     state = digest_text(state, redo ? redo : "");
-    return digest_bytes(state, &(size_t){editor->edits(tab->live)}, sizeof(size_t));
+    return digest_bytes(state, &(size_t){editor_edit_count(editor)}, sizeof(size_t));
 }
 
-static void write_recovery(Window *window, const Tab *tab, const EditorFunctions *editor) {
+static void write_recovery(Window *window, const Tab *tab, Editor *editor) {
     RecoveryAbout about = {.origin = tab->origin ? tab->origin : tab->path,
                            .name = tab->kind->title(tab->live),
-                           .edits = editor->edits(tab->live),
+                           .edits = editor_edit_count(editor),
                            .when = (int64_t)time(NULL)};
-    int error = recovery_write(window->recovery, editor->text(tab->live), &about);
+    int error = recovery_write(window->recovery, editor_text(editor), &about);
     window->watch.written |= !error;
     if (error && !window->watch.failed)
         notice_post(window, "what is edited cannot be kept in %s for the case of a crash: %s",
@@ -39,7 +39,7 @@ static void write_recovery(Window *window, const Tab *tab, const EditorFunctions
 const char *const *autosave_command(Window *window, size_t *count) {
     enum { FILE_WORD = 1 };
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     const char *const *arguments = tab->kind->command(tab->live, count);
     if (*arguments[FILE_WORD] || !editor || !window->recovery)
         return arguments;
@@ -52,11 +52,11 @@ const char *const *autosave_command(Window *window, size_t *count) {
 
 void autosave_update(Window *window) {
     Tab *tab = autosave_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     Watch *watch = &window->watch;
     if (!editor || !window->recovery)
         return;
-    uint64_t state = state_of(tab, editor);
+    uint64_t state = state_of(editor);
     if (state != watch->state) {
         watch->state = state;
         watch->since = clock_now();
@@ -74,7 +74,7 @@ void autosave_update(Window *window) {
 }
 
 void autosave_restart(Window *window, Tab *tab) {
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     tab->mark = NULL;
     memory_free(tab->origin);
     tab->origin = NULL;
@@ -82,7 +82,7 @@ void autosave_restart(Window *window, Tab *tab) {
         return;
     if (window->recovery && window->watch.written)
         recovery_remove(window->recovery);
-    window->watch = (Watch){.state = editor ? state_of(tab, editor) : 0};
+    window->watch = (Watch){.state = editor ? state_of(editor) : 0};
 }
 
 void autosave_drop(Window *window) {

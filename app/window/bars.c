@@ -56,7 +56,7 @@ static double show_menus(Window *window, Box bar) {
         return left;
     }
     for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++) {
-        if (menu == MENU_TOOLS && !plan_input_of(window_tab(window)))
+        if (menu == MENU_TOOLS && !tab_editor(window_tab(window)))
             continue;
         UiButton button = {
             .label = keys_menus[menu], .plain = true, .chosen = window->dialog == DIALOG_MENU && window->menu == menu};
@@ -193,10 +193,10 @@ static void show_export(Window *window, Box box) {
 /* What the hand does, where there is no strip; and why it cannot be put down so. */
 static bool show_gesture(Window *window, Box box) {
     const Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     if (!editor || !plan_input_listens(window))
         return false;
-    const GestureView *gesture = editor->gesture(tab->live);
+    const GestureView *gesture = editor_gesture(editor);
     if (!gesture->refusal && box_height(window->frame.strip) > 0)
         return false;
     ui_pane_begin(window->ui, &(UiPane){.name = "gesture", .box = box, .ground = ROLE_PANEL});
@@ -265,10 +265,10 @@ static const char *place_text(Window *window, Tab *tab) {
 /* What the hand does, or can do next, while a tool is in it. */
 static double show_doing(Window *window, double left, double right, double y) {
     const Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     if (!editor || !plan_input_listens(window))
         return left;
-    const char *text = editor->gesture(tab->live)->doing;
+    const char *text = editor_gesture(editor)->doing;
     double end = fmin(right, left + ui_extent(window->ui, UI_BOLD, text).x + 1);
     show_text(window, UI_BOLD, ROLE_TEXT, left, end, y, text);
     return end + GAP;
@@ -287,7 +287,7 @@ void bars_show_strip(Window *window) {
     left = show_doing(window, left, right, y);
     for (size_t i = 0; i < keys_count; i++) {
         const KeyRow *row = &keys_table[i];
-        if (row->strip && (row->place != KEY_PLAN || plan_input_of(tab)) && left + key_width(window, row) < right)
+        if (row->strip && (row->place != KEY_PLAN || tab_editor(tab)) && left + key_width(window, row) < right)
             left = show_key(window, left, y, row);
     }
     ui_pane_end(window->ui);

@@ -130,7 +130,7 @@ static void use_mouse(Window *window, Tab *tab) {
     if (grab.hovered && pans && (grab.delta.x != 0 || grab.delta.y != 0)) {
         tab_pan(tab, vec2_sub(floor_at(window, tab, vec2_sub(grab.at, grab.delta)), floor_at(window, tab, grab.at)));
     }
-    if (plan_input_of(tab))
+    if (tab_editor(tab))
         plan_input_mouse(window, &grab);
     else if (grab.pressed)
         pick(window, tab, grab.at);

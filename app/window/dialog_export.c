@@ -126,7 +126,7 @@ void dialog_export_show(Window *window) {
     show_now(window);
     ui_heading(window->ui, "From the run, in the background");
     for (size_t i = 0; i < MAKINGS && window->dialog == DIALOG_EXPORT; i++) {
-        if (makings[i].ending && !plan_input_of(tab))
+        if (makings[i].ending && !tab_editor(tab))
             continue;
         const char *label = text_in_arena(&window->arena, "%s: %s", makings[i].label, makings[i].meaning);
         if (ui_list_row(window->ui,

@@ -15,8 +15,8 @@
 
 void dialog_leave_show(Window *window) {
     const Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
-    size_t edits = editor ? editor->edits(tab->live) : 0;
+    Editor *editor = tab_editor(tab);
+    size_t edits = editor ? editor_edit_count(editor) : 0;
     dialog_pane_begin(window, dialog_pane_centred(window, WIDTH, HEIGHT, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save before closing?");
     ui_text(window->ui, UI_BODY, ROLE_TEXT,

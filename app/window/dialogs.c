@@ -24,14 +24,14 @@
 static double menu_left(Window *window) {
     double left = 2;
     for (KeyMenu menu = MENU_FILE; menu < window->menu && !window->frame.compact; menu++)
-        if (menu != MENU_TOOLS || plan_input_of(window_tab(window)))
+        if (menu != MENU_TOOLS || tab_editor(window_tab(window)))
             left += ui_extent(window->ui, UI_BODY, keys_menus[menu]).x + 20;
     return left;
 }
 
 /* Rows of the plan are there only where one can be edited. */
 static bool is_there(Window *window, const KeyRow *row, KeyMenu menu) {
-    return row->menu == menu && row->name && (row->place != KEY_PLAN || plan_input_of(window_tab(window)));
+    return row->menu == menu && row->name && (row->place != KEY_PLAN || tab_editor(window_tab(window)));
 }
 
 /* Does its key mean it while the view has the focus? */
@@ -41,15 +41,15 @@ static bool is_meant(Window *window, const KeyRow *row) {
     keys_read(row->key, &key, &mods);
     if (row->place != KEY_CANVAS)
         return true;
-    return keys_find(key, mods, plan_input_of(window_tab(window)) ? KEY_PLAN : KEY_VIEW, true)->action == row->action;
+    return keys_find(key, mods, tab_editor(window_tab(window)) ? KEY_PLAN : KEY_VIEW, true)->action == row->action;
 }
 
 /* True: the sheet is another one now. */
 static bool show_menu_row(Window *window, const KeyRow *row) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     bool undoes = row->action == ACTION_UNDO, steps = undoes || row->action == ACTION_REDO;
-    bool can = !steps || (editor && (undoes ? editor->undo_name(tab->live) : editor->redo_name(tab->live)));
+    bool can = !steps || (editor && (undoes ? editor_undo_name(editor) : editor_redo_name(editor)));
     UiRow shown = {.id = row->name,
                    .shape = ROW_PLAIN,
                    .cells = {steps ? plan_input_step_label(window, row->action) : row->name,
@@ -94,7 +94,7 @@ static void show_menu(Window *window) {
     double height = fmin((double)(rows + 1) * MENU_ROW + 34, window->frame.page.y - top);
     Box box = {{left, top}, {fmin(left + MENU_WIDTH, window->frame.page.x), top + height}};
     dialog_pane_begin(window, box);
-    bool edits = plan_input_of(window_tab(window));
+    bool edits = tab_editor(window_tab(window));
     ui_row(window->ui, MENUS - MENU_FILE - !edits);
     for (KeyMenu menu = MENU_FILE; menu < MENUS; menu++)
         if ((menu != MENU_TOOLS || edits) &&

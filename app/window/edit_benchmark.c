@@ -22,7 +22,7 @@ static const char *piece_name(Tab *tab, Item thing) {
     static const char begin[] = "furniture.", end[] = ".name";
     size_t count;
     tab_select(tab, thing);
-    const EditText *texts = plan_input_of(tab)->texts(tab->live, &count);
+    const EditText *texts = editor_texts(tab_editor(tab), &count);
     for (size_t i = 0; i < count; i++) {
         size_t length = strlen(texts[i].name);
         if (strncmp(texts[i].name, begin, sizeof begin - 1) == 0 && length >= sizeof end &&
@@ -70,7 +70,7 @@ static void push(Window *window, Vec2 floor, SdlWindowKind kind, bool down) {
 static bool begin(Window *window) {
     EditBenchmark *benchmark = &window->edit_benchmark;
     Tab *tab = window_tab(window);
-    if (!plan_input_of(tab) || !find_middle(tab, &benchmark->middle))
+    if (!tab_editor(tab) || !find_middle(tab, &benchmark->middle))
         return false;
     push(window, benchmark->middle, SDL_WINDOW_EVENT_MOUSE, false);
     push(window, benchmark->middle, SDL_WINDOW_EVENT_BUTTON, true);

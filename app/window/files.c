@@ -46,9 +46,9 @@ static void note_saved(Window *window, Tab *tab, const char *path) {
 
 static bool save(Window *window, const char *path) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     Fault fault = {0};
-    bool saved = editor ? editor->save(tab->live, path, &fault) : tab->kind->save(tab->live, path, &fault);
+    bool saved = editor ? editor_save(editor, path, &fault) : tab->kind->save(tab->live, path, &fault);
     notice_fault(window, &fault, NAN);
     if (saved && editor)
         note_saved(window, tab, path);
@@ -61,7 +61,7 @@ static bool save(Window *window, const char *path) {
 
 void files_save(Window *window) {
     Tab *tab = window_tab(window);
-    bool own = plan_input_of(tab) && tab->path && !tab->mark && !is_shipped(tab->path) && access(tab->path, W_OK) == 0;
+    bool own = tab_editor(tab) && tab->path && !tab->mark && !is_shipped(tab->path) && access(tab->path, W_OK) == 0;
     if (!own)
         files_ask_name(window);
     else if (save(window, text_in_arena(&window->arena, "%s", tab->path)) && window->leave)

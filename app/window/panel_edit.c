@@ -12,9 +12,9 @@ enum { TEXT_MOST = 4096 + 1 /* bytes: what the editor takes, and its end */ };
 
 /* What the tool places --------------------------------------------------------------------------------------------- */
 
-static void show_items(Window *window, Tab *tab, const EditorFunctions *editor) {
-    size_t count, chosen = editor->item(tab->live);
-    const CatalogueRow *items = editor->items(tab->live, &count);
+static void show_items(Window *window, Editor *editor) {
+    size_t count, chosen = editor_item(editor);
+    const CatalogueRow *items = editor_items(editor, &count);
     const char *group = "";
     for (size_t i = 0; i < count; i++) {
         if (strcmp(group, items[i].group) != 0)
@@ -27,7 +27,7 @@ static void show_items(Window *window, Tab *tab, const EditorFunctions *editor) 
                      .selected = i == chosen,
                      .usable = true};
         if (ui_list_row(window->ui, &row)) {
-            editor->choose(tab->live, i);
+            editor_choose_item(editor, i);
             ui_focus(window->ui, "view");
             window->dirty = true;
             return;
@@ -40,7 +40,7 @@ static void show_items(Window *window, Tab *tab, const EditorFunctions *editor) 
 /* Words of what is selected ---------------------------------------------------------------------------------------- */
 
 /* True: it was changed, and what there is may be other texts now. */
-static bool show_text(Window *window, Tab *tab, const EditorFunctions *editor, const EditText *text) {
+static bool show_text(Window *window, Editor *editor, const EditText *text) {
     char typed[TEXT_MOST];
     Fault fault = {0};
     snprintf(typed, sizeof typed, "%s", text->value);
@@ -48,16 +48,16 @@ static bool show_text(Window *window, Tab *tab, const EditorFunctions *editor, c
     const char *name = text_in_arena(&window->arena, "%s", text->name);
     if (!ui_field(window->ui, name, text->label, help, typed, sizeof typed) || strcmp(typed, text->value) == 0)
         return false;
-    editor->set_text(tab->live, name, typed, &fault);
+    editor_set_text(editor, name, typed, &fault);
     notice_fault(window, &fault, NAN);
     return true;
 }
 
 /* Those of the house itself, or all the others. */
-static void show_texts(Window *window, Tab *tab, const EditorFunctions *editor, bool of_house) {
+static void show_texts(Window *window, Editor *editor, bool of_house) {
     static const char house[] = "house.";
     size_t count;
-    const EditText *texts = editor->texts(tab->live, &count);
+    const EditText *texts = editor_texts(editor, &count);
     const char *group = "";
     for (size_t i = 0; i < count; i++) {
         if ((strncmp(texts[i].name, house, sizeof house - 1) == 0) != of_house)
@@ -65,7 +65,7 @@ static void show_texts(Window *window, Tab *tab, const EditorFunctions *editor, 
         if (strcmp(group, texts[i].group) != 0)
             ui_heading(window->ui, texts[i].group);
         group = texts[i].group;
-        if (show_text(window, tab, editor, &texts[i]))
+        if (show_text(window, editor, &texts[i]))
             return;
     }
 }
@@ -73,15 +73,15 @@ static void show_texts(Window *window, Tab *tab, const EditorFunctions *editor, 
 /* The picture ------------------------------------------------------------------------------------------------------ */
 
 /* A path that is typed, and how strongly the picture is seen. */
-static void show_image(Window *window, Tab *tab, const EditorFunctions *editor) {
-    TraceImage image = editor->image(tab->live);
+static void show_image(Window *window, Editor *editor) {
+    TraceImage image = editor_image(editor);
     char path[WINDOW_PATH];
     Fault fault = {0};
     ui_heading(window->ui, "Picture to trace over");
     snprintf(path, sizeof path, "%s", image.path ? image.path : "");
     if (ui_field(window->ui, "image path", "PNG file", "PNG file: its path; Return takes it, an empty one puts it away",
                  path, sizeof path)) {
-        editor->set_image(tab->live, *path ? path : NULL, &fault);
+        editor_set_image(editor, *path ? path : NULL, &fault);
         notice_fault(window, &fault, NAN);
         return;
     }
@@ -96,15 +96,15 @@ static void show_image(Window *window, Tab *tab, const EditorFunctions *editor) 
                        .high = 100,
                        .most = 100};
     if (ui_slider(window->ui, &slider) != UI_SAME)
-        editor->fade(tab->live, slider.value / 100);
+        editor_fade_image(editor, slider.value / 100);
 }
 
 /* What would let everybody out ------------------------------------------------------------------------------------- */
 
-static void show_proposals(Window *window, Tab *tab, const EditorFunctions *editor) {
+static void show_proposals(Window *window, Editor *editor) {
     size_t count;
     const char *doing = NULL;
-    const Proposal *proposals = editor->proposals(tab->live, &count, &doing);
+    const Proposal *proposals = editor_proposals(editor, &count, &doing);
     Fault fault = {0};
     for (size_t i = 0; i < count; i++) {
         ui_text(window->ui, UI_BODY, ROLE_TEXT,
@@ -113,7 +113,7 @@ static void show_proposals(Window *window, Tab *tab, const EditorFunctions *edit
                            .label = "Do it",
                            .help = "Do it: changes the house so; it can be undone"};
         if (ui_button(window->ui, &button)) {
-            editor->accept(tab->live, i, &fault);
+            editor_accept(editor, i, &fault);
             notice_fault(window, &fault, NAN);
             return;
         }
@@ -122,13 +122,11 @@ static void show_proposals(Window *window, Tab *tab, const EditorFunctions *edit
         ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, doing);
 }
 
-static void show_way_out(Window *window, Tab *tab, const EditorFunctions *editor) {
+static void show_way_out(Window *window, Tab *tab, Editor *editor) {
     size_t count;
     const char *doing = NULL;
-    if (!editor->proposals)
-        return;
     Result answer = tab->kind->answer(tab->live);
-    bool asked = editor->proposals(tab->live, &count, &doing) && count > 0;
+    bool asked = editor_proposals(editor, &count, &doing) && count > 0;
     if (answer.role != ROLE_ERROR && !asked && !doing)
         return;
     ui_heading(window->ui, answer.title);
@@ -140,31 +138,31 @@ static void show_way_out(Window *window, Tab *tab, const EditorFunctions *editor
     if (!doing && ui_button(window->ui, &(UiButton){.label = "Smallest change",
                                                     .help = "Smallest change: what lets everybody out; tries wider "
                                                             "doors and moved furniture, each by simulation"}))
-        editor->ask(tab->live);
-    show_proposals(window, tab, editor);
+        editor_ask_proposals(editor);
+    show_proposals(window, editor);
 }
 
 void panel_edit_show(Window *window) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     if (!editor)
         return;
-    show_items(window, tab, editor);
-    if (editor->tool(tab->live) == TOOL_IMAGE || editor->image(tab->live).path)
-        show_image(window, tab, editor);
+    show_items(window, editor);
+    if (editor_tool(editor) == TOOL_IMAGE || editor_image(editor).path)
+        show_image(window, editor);
     show_way_out(window, tab, editor);
 }
 
 void panel_edit_show_texts(Window *window) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     if (editor)
-        show_texts(window, tab, editor, false);
+        show_texts(window, editor, false);
 }
 
 void panel_edit_show_house(Window *window) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     if (editor)
-        show_texts(window, tab, editor, true);
+        show_texts(window, editor, true);
 }

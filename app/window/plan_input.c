@@ -15,10 +15,6 @@
 #define TURN 15.0
 #define TURN_LITTLE 1.0
 
-const EditorFunctions *plan_input_of(const Tab *tab) {
-    return tab->live ? tab->kind->editor : NULL;
-}
-
 /* Has a handle the focus of the keys? Then Enter, or a number, takes it up. */
 static bool has_handle(const GestureView *gesture) {
     bool held = false;
@@ -29,10 +25,10 @@ static bool has_handle(const GestureView *gesture) {
 
 bool plan_input_listens(const Window *window) {
     const Tab *tab = &window->tabs[window->current];
-    const EditorFunctions *editor = plan_input_of(tab);
-    if (!editor || editor->tool(tab->live) != TOOL_SELECT)
+    Editor *editor = tab_editor(tab);
+    if (!editor || editor_tool(editor) != TOOL_SELECT)
         return editor;
-    const GestureView *gesture = editor->gesture(tab->live);
+    const GestureView *gesture = editor_gesture(editor);
     return gesture->active || has_handle(gesture);
 }
 
@@ -64,7 +60,7 @@ static void send_pointer(Window *window, Tab *tab, const Pointer *pointer) {
         return;
     window->plan_input.pointer = *pointer;
     window->plan_input.pointer_known = true;
-    plan_input_of(tab)->point(tab->live, pointer);
+    editor_point(tab_editor(tab), pointer);
     window->dirty = true;
 }
 
@@ -84,46 +80,46 @@ static void send_pointer_now(Window *window, Tab *tab) {
 
 void plan_input_mouse(Window *window, const UiGrab *grab) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     if (!grab->hovered && !grab->held && !grab->released)
         return;
     Pointer pointer = pointer_at(window, tab, grab->at);
     send_pointer(window, tab, &pointer);
     if (grab->pressed) {
         ui_focus(window->ui, "view");
-        editor->press(tab->live, &pointer, grab->twice);
+        editor_press(editor, &pointer, grab->twice);
     }
     if (grab->released)
-        editor->release(tab->live, &pointer);
+        editor_release(editor, &pointer);
     window->dirty |= grab->pressed || grab->released;
 }
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
 
 /* Lets go what is in the hand, then the tool. */
-static bool escape(const EditorFunctions *editor, void *live) {
-    if (editor->escape(live))
+static bool escape(Editor *editor) {
+    if (editor_escape(editor))
         return true;
-    bool tool = editor->tool(live) != TOOL_SELECT;
+    bool tool = editor_tool(editor) != TOOL_SELECT;
     if (tool)
-        editor->take(live, TOOL_SELECT);
+        editor_set_tool(editor, TOOL_SELECT);
     return tool;
 }
 
 bool plan_input_key(Window *window, const SdlWindowEvent *event) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     int32_t key = event->key;
     if (!plan_input_listens(window) || event->mods & (SDL_WINDOW_EVENT_CONTROL | SDL_WINDOW_EVENT_ALT))
         return false;
     send_pointer_now(window, tab);
     if (key == sdl_window_key("Return") || key == sdl_window_key("Keypad Enter"))
-        return editor->enter(tab->live);
+        return editor_enter(editor);
     if (key == sdl_window_key("Backspace"))
-        return editor->back(tab->live);
+        return editor_back(editor);
     if (key == sdl_window_key("Tab"))
-        return editor->tab(tab->live, event->mods & SDL_WINDOW_EVENT_SHIFT ? -1 : 1);
-    return key == sdl_window_key("Escape") && escape(editor, tab->live);
+        return editor_tab(editor, event->mods & SDL_WINDOW_EVENT_SHIFT ? -1 : 1);
+    return key == sdl_window_key("Escape") && escape(editor);
 }
 
 static bool types_something(const SdlWindowEvent *event) {
@@ -146,19 +142,19 @@ bool plan_input_store_key(Window *window, const SdlWindowEvent *event) {
 
 bool plan_input_apply_text(Window *window, const char *text) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     const char own[] = {(char)window->plan_input.key.key, 0};
     window->plan_input.waits = false;
     if (!text && window->plan_input.key.key < 0x7f && !window->plan_input.key.mods)
         text = own;
-    return text && editor && *text != ' ' && editor->type(tab->live, text);
+    return text && editor && *text != ' ' && editor_type(editor, text);
 }
 
 bool plan_input_type(Window *window, const char *text) {
     Tab *tab = window_tab(window);
     bool used = plan_input_listens(window);
     for (const char *at = text; used && *at; at++)
-        used = plan_input_of(tab)->type(tab->live, (const char[]){*at, 0});
+        used = editor_type(tab_editor(tab), (const char[]){*at, 0});
     return used;
 }
 
@@ -166,7 +162,7 @@ bool plan_input_type(Window *window, const char *text) {
 
 static bool is_selected(const Tab *tab) {
     size_t count;
-    return tab->kind->editor->selection(tab->live, &count) && count > 0;
+    return editor_selection(tab_editor(tab), &count) && count > 0;
 }
 
 /* What cannot be done says why, or that there is nothing to do it to. */
@@ -176,8 +172,8 @@ static void report_result(Window *window, bool done, const char *what, Fault *fa
     notice_fault(window, fault, NAN);
 }
 
-static void copy(Window *window, Tab *tab) {
-    char *text = tab->kind->editor->copy(tab->live);
+static void copy(Window *window, Editor *editor) {
+    char *text = editor_copy(editor);
     if (!text)
         return;
     sdl_window_set_clipboard(window->sdl_window, text);
@@ -186,20 +182,20 @@ static void copy(Window *window, Tab *tab) {
 }
 
 static bool do_clipboard(Window *window, Tab *tab, Action action) {
-    const EditorFunctions *editor = tab->kind->editor;
+    Editor *editor = tab_editor(tab);
     Fault fault = {0};
     switch (action) {
     case ACTION_COPY:
         if (is_selected(tab))
-            copy(window, tab);
+            copy(window, editor);
         return is_selected(tab);
     case ACTION_CUT:
-        copy(window, tab);
-        report_result(window, editor->remove(tab->live, &fault), "Cut", &fault);
+        copy(window, editor);
+        report_result(window, editor_remove(editor, &fault), "Cut", &fault);
         return true;
     case ACTION_PASTE:
         send_pointer_now(window, tab);
-        if (!editor->paste(tab->live, sdl_window_clipboard(window->sdl_window), &fault) && !fault.count)
+        if (!editor_paste(editor, sdl_window_clipboard(window->sdl_window), &fault) && !fault.count)
             notice_post(window, "there is nothing in the clipboard that could be put here");
         notice_fault(window, &fault, NAN);
         return true;
@@ -212,25 +208,21 @@ static bool do_clipboard(Window *window, Tab *tab, Action action) {
 static bool do_pieces(Window *window, Tab *tab, Action action) {
     static const struct {
         Action action;
-        size_t member;
-    } known[] = {{ACTION_DELETE, offsetof(EditorFunctions, remove)},
-                 {ACTION_DUPLICATE, offsetof(EditorFunctions, duplicate)},
-                 {ACTION_SPLIT, offsetof(EditorFunctions, split)},
-                 {ACTION_TOPPLE, offsetof(EditorFunctions, topple)},
-                 {ACTION_SHAKE, offsetof(EditorFunctions, shake)}};
+        bool (*done)(Editor *editor, Fault *fault);
+    } known[] = {{ACTION_DELETE, editor_remove},
+                 {ACTION_DUPLICATE, editor_duplicate},
+                 {ACTION_SPLIT, editor_split},
+                 {ACTION_TOPPLE, editor_topple},
+                 {ACTION_SHAKE, editor_shake}};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         if (known[i].action != action)
             continue;
-        bool (*done)(void *, Fault *);
-        memcpy(&done, (const char *)tab->kind->editor + known[i].member, sizeof done);
         Fault fault = {0};
         send_pointer_now(window, tab);
-        if (!done)
-            return true;
-        bool good = done(tab->live, &fault);
+        bool good = known[i].done(tab_editor(tab), &fault);
         report_result(window, good, keys_row(action)->name, &fault);
         if (good && action == ACTION_SHAKE)
-            notice_post(window, "%s", tab->kind->editor->shaken(tab->live));
+            notice_post(window, "%s", editor_shake_result(tab_editor(tab)));
         return true;
     }
     return false;
@@ -244,7 +236,7 @@ static bool nudge(Window *window, Tab *tab, Action action, int mods) {
     Fault fault = {0};
     if (!is_selected(tab))
         return false;
-    report_result(window, tab->kind->editor->nudge(tab->live, vec2_scale(ways[way], far), &fault), "Nudge", &fault);
+    report_result(window, editor_nudge(tab_editor(tab), vec2_scale(ways[way], far), &fault), "Nudge", &fault);
     return true;
 }
 
@@ -253,16 +245,16 @@ static bool turn(Window *window, Tab *tab, double degrees) {
     Fault fault = {0};
     if (!is_selected(tab))
         return fabs(degrees) < TURN;
-    report_result(window, tab->kind->editor->turn(tab->live, degrees, &fault), "Turn", &fault);
+    report_result(window, editor_turn(tab_editor(tab), degrees, &fault), "Turn", &fault);
     return true;
 }
 
 static void step(Window *window, Tab *tab, Action action) {
-    const EditorFunctions *editor = tab->kind->editor;
+    Editor *editor = tab_editor(tab);
     bool undoes = action == ACTION_UNDO;
-    const char *name = undoes ? editor->undo_name(tab->live) : editor->redo_name(tab->live);
+    const char *name = undoes ? editor_undo_name(editor) : editor_redo_name(editor);
     name = text_in_arena(&window->arena, "%s", name ? name : "");
-    bool done = undoes ? editor->undo(tab->live) : editor->redo(tab->live);
+    bool done = undoes ? editor_undo(editor) : editor_redo(editor);
     const char *word = undoes ? "undone" : "done again";
     if (done)
         notice_post(window, "%s: %s", word, name);
@@ -276,21 +268,21 @@ static void toggle_snapping(Window *window) {
 }
 
 static bool do_selection(Window *window, Tab *tab, Action action, int mods) {
-    const EditorFunctions *editor = tab->kind->editor;
+    Editor *editor = tab_editor(tab);
     switch (action) {
     case ACTION_UNDO:
     case ACTION_REDO:
         step(window, tab, action);
         return true;
     case ACTION_SELECT_ALL:
-        editor->select_all(tab->live);
+        editor_select_all(editor);
         return true;
     case ACTION_SNAP:
         toggle_snapping(window);
         return true;
     case ACTION_HANDLE:
     case ACTION_HANDLE_BACK:
-        editor->handle(tab->live, action == ACTION_HANDLE ? 1 : -1);
+        editor_focus_handle(editor, action == ACTION_HANDLE ? 1 : -1);
         return true;
     case ACTION_NUDGE_LEFT:
     case ACTION_NUDGE_RIGHT:
@@ -310,12 +302,12 @@ static bool do_selection(Window *window, Tab *tab, Action action, int mods) {
 
 bool plan_input_do(Window *window, Action action, int mods) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     if (!editor)
         return false;
     if (action >= ACTION_TOOL_SELECT && action <= ACTION_TOOL_IMAGE) {
-        editor->take(tab->live, (EditTool)(action - ACTION_TOOL_SELECT));
-        bool asks = action == ACTION_TOOL_IMAGE && !editor->image(tab->live).path;
+        editor_set_tool(editor, (EditTool)(action - ACTION_TOOL_SELECT));
+        bool asks = action == ACTION_TOOL_IMAGE && !editor_image(editor).path;
         window->panel |= asks;
         window->drawer |= asks;
         ui_focus(window->ui, asks ? "panel" : "view");
@@ -327,9 +319,9 @@ bool plan_input_do(Window *window, Action action, int mods) {
 
 const char *plan_input_step_label(Window *window, Action action) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     bool undoes = action == ACTION_UNDO;
-    const char *name = !editor ? NULL : undoes ? editor->undo_name(tab->live) : editor->redo_name(tab->live);
+    const char *name = !editor ? NULL : undoes ? editor_undo_name(editor) : editor_redo_name(editor);
     if (!name)
         return undoes ? "Can't undo" : "Can't redo";
     return text_in_arena(&window->arena, "%s: %s", undoes ? "Undo" : "Redo", name);
@@ -339,24 +331,23 @@ const char *plan_input_step_label(Window *window, Action action) {
 
 void plan_input_hold_number(Window *window, const char *name) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
-    if (!editor || window->plan_input.number)
+    if (!tab->live || !tab->kind->hold || window->plan_input.number)
         return;
     window->plan_input.number = true;
-    editor->hold(tab->live, name);
+    tab->kind->hold(tab->live, name);
 }
 
 void plan_input_hold_clock(Window *window) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     PlanInput *input = &window->plan_input;
     if (!editor)
         return;
     if (input->number && !window->input.down[SDL_WINDOW_EVENT_LEFT]) {
         input->number = false;
-        editor->settle(tab->live);
+        tab->kind->settle(tab->live);
     }
-    bool hold = input->number || editor->gesture(tab->live)->active;
+    bool hold = input->number || editor_gesture(editor)->active;
     if (hold && !input->holds)
         input->plays_on = tab->player.playing;
     if (hold)
@@ -370,27 +361,25 @@ void plan_input_hold_clock(Window *window) {
 
 void plan_input_animate(Window *window, double seconds) {
     const Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
     bool unseen = window->options->script && !sdl_window_is_seen(window->sdl_window);
-    if (!editor || window->reduced)
+    if (!tab->live || !tab->kind->animate || window->reduced)
         return;
-    window->dirty |= editor->animation(tab->live) != NULL; /* it may come to its end now */
-    editor->animate(tab->live, unseen ? 1 / FRAME_TIMER_RATE : seconds);
+    window->dirty |= tab->kind->animation(tab->live) != NULL; /* it may come to its end now */
+    tab->kind->animate(tab->live, unseen ? 1 / FRAME_TIMER_RATE : seconds);
 }
 
 const char *plan_input_animation(const Tab *tab) {
-    const EditorFunctions *editor = plan_input_of(tab);
-    return editor ? editor->animation(tab->live) : NULL;
+    return tab->live && tab->kind->animation ? tab->kind->animation(tab->live) : NULL;
 }
 
 void plan_input_reset(Window *window) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     if (!editor)
         return;
     if (window->plan_input.number)
-        editor->settle(tab->live);
-    editor->take(tab->live, TOOL_SELECT);
+        tab->kind->settle(tab->live);
+    editor_set_tool(editor, TOOL_SELECT);
     if (window->plan_input.holds)
         tab->player.playing = window->plan_input.plays_on;
     window->plan_input = (PlanInput){.free = window->plan_input.free};

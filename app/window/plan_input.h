@@ -1,11 +1,8 @@
-/* What is done by mouse and keys to what can be edited: they become calls of its EditorFunctions. */
+/* What is done by mouse and keys to what can be edited: they become calls of its editor. */
 #pragma once
 
-#include "laboratory/editing.h"
+#include "laboratory/edit/editor.h"
 #include "window/window_state.h"
-
-/* The editor of what is shown; NULL: it cannot be edited, or nothing is open. */
-const EditorFunctions *plan_input_of(const Tab *tab);
 
 /* Is something in the hand, or a tool other than the one that selects? Then letters and digits are the editor's. */
 bool plan_input_listens(const Window *window);

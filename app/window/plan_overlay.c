@@ -229,10 +229,10 @@ static void frame_thing(Window *window, Tab *tab, Item thing) {
 }
 
 static void show_selection(Window *window, Tab *tab) {
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     Item last = tab->kind->selected(tab->live);
     size_t count = 0;
-    const Item *things = editor ? editor->selection(tab->live, &count) : NULL;
+    const Item *things = editor ? editor_selection(editor, &count) : NULL;
     bool framed = false;
     for (size_t i = 0; i < count; i++) {
         framed |= item_same(things[i], last);
@@ -302,12 +302,12 @@ static void show_read_out(Window *window, const GestureView *gesture, Labels *la
 
 void plan_overlay_show(Window *window) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     Labels labels = {.count = 0};
     show_selection(window, tab);
     if (!editor)
         return;
-    const GestureView *gesture = editor->gesture(tab->live);
+    const GestureView *gesture = editor_gesture(editor);
     show_read_out(window, gesture, &labels); /* keeps its place free of text */
     show_marks(window, tab, gesture, &labels);
     show_read_out(window, gesture, &labels); /* and lies over what crosses it */

@@ -128,10 +128,10 @@ static json_t *gesture_state(const GestureView *gesture) {
     return state;
 }
 
-static json_t *selection_state(const Tab *tab, const EditorFunctions *editor) {
+static json_t *selection_state(const Tab *tab, Editor *editor) {
     json_t *state = json_array();
     size_t count;
-    const Item *things = editor->selection(tab->live, &count);
+    const Item *things = editor_selection(editor, &count);
     for (size_t i = 0; i < count; i++)
         json_array_append_new(state, json_string(tab->kind->name_thing(tab->live, things[i])));
     return state;
@@ -142,26 +142,24 @@ static json_t *text_or_null(const char *text) {
 }
 
 static void add_editor(json_t *state, Window *window, const Tab *tab) {
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     if (!editor)
         return;
     size_t count;
     const char *doing = NULL;
-    json_object_set_new(state, "tool", json_string(editor->tools[editor->tool(tab->live)].name));
-    json_object_set_new(state, "gesture", gesture_state(editor->gesture(tab->live)));
+    json_object_set_new(state, "tool", json_string(editor_tool_row(editor_tool(editor))->name));
+    json_object_set_new(state, "gesture", gesture_state(editor_gesture(editor)));
     json_object_set_new(state, "selection", selection_state(tab, editor));
-    json_object_set_new(state, "undo_name", text_or_null(editor->undo_name(tab->live)));
-    json_object_set_new(state, "redo_name", text_or_null(editor->redo_name(tab->live)));
-    json_object_set_new(state, "edits", json_integer((json_int_t)editor->edits(tab->live)));
-    json_object_set_new(state, "changed", json_boolean(editor->changed(tab->live)));
+    json_object_set_new(state, "undo_name", text_or_null(editor_undo_name(editor)));
+    json_object_set_new(state, "redo_name", text_or_null(editor_redo_name(editor)));
+    json_object_set_new(state, "edits", json_integer((json_int_t)editor_edit_count(editor)));
+    json_object_set_new(state, "changed", json_boolean(editor_is_changed(editor)));
     json_object_set_new(state, "unsaved", json_boolean(tab_unsaved(tab)));
     json_object_set_new(state, "shown_title", json_string(tab_title(tab, &window->arena)));
     json_object_set_new(state, "snaps", json_boolean(!window->plan_input.free));
     json_object_set_new(state, "held", json_boolean(window->plan_input.holds));
     json_object_set_new(state, "animation", text_or_null(plan_input_animation(tab)));
-    if (!editor->proposals)
-        return;
-    editor->proposals(tab->live, &count, &doing);
+    editor_proposals(editor, &count, &doing);
     json_object_set_new(state, "proposals", json_integer((json_int_t)count));
     json_object_set_new(state, "proposing", text_or_null(doing));
 }

@@ -5,7 +5,7 @@
 
 #include "base/clock.h"
 #include "base/text.h"
-#include "laboratory/editing.h"
+#include "laboratory/edit/editor.h"
 
 #define LEAST_SEEN 8.0 /* m, of what can be edited: a house begins with nothing */
 #define ASPECT 1.5     /* of what has no size */
@@ -112,11 +112,15 @@ static Vec2 middle_of(Box box) {
     return vec2_scale(vec2_add(box.low, box.high), 0.5);
 }
 
+Editor *tab_editor(const Tab *tab) {
+    return tab->live && tab->kind->editor ? tab->kind->editor(tab->live) : NULL;
+}
+
 /* A plan that becomes larger or smaller under the hand does not move before the eye. */
 static void keep_eye(Tab *tab) {
     Box box = tab->kind->still(tab->live)->box, shape = tab->shape;
-    const EditorFunctions *editor = tab->kind->editor;
-    tab->handled |= editor && (editor->edits(tab->live) > 0 || editor->gesture(tab->live)->active);
+    Editor *editor = tab_editor(tab);
+    tab->handled |= editor && (editor_edit_count(editor) > 0 || editor_gesture(editor)->active);
     if (!tab->handled) {
         if (tab->fits)
             fit(tab);
@@ -247,11 +251,11 @@ void tab_seek(Tab *tab, double time) {
 /* Files ------------------------------------------------------------------------------------------------------------ */
 
 bool tab_unsaved(const Tab *tab) {
-    const EditorFunctions *editor = tab->live ? tab->kind->editor : NULL;
+    Editor *editor = tab_editor(tab);
     if (!editor)
         return false;
-    bool something = tab->path || editor->edits(tab->live) > 0;
-    return tab->mark || (something && editor->changed(tab->live));
+    bool something = tab->path || editor_edit_count(editor) > 0;
+    return tab->mark || (something && editor_is_changed(editor));
 }
 
 const char *tab_title(const Tab *tab, Arena *arena) {

@@ -62,6 +62,9 @@ void tab_seek(Tab *tab, double time);
 /* True if closing it would lose edits. */
 bool tab_unsaved(const Tab *tab);
 
+/* The editor of what is open; NULL: nothing is open, or it cannot be edited. */
+Editor *tab_editor(const Tab *tab);
+
 /* Returns its title with its mark in the arena: "L corridor (edited)", "L corridor [Recovered]". */
 const char *tab_title(const Tab *tab, Arena *arena);
 

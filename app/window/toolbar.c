@@ -17,15 +17,15 @@ static Box box_of(const Frame *frame, size_t tool) {
 
 void toolbar_show(Window *window) {
     Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
+    Editor *editor = tab_editor(tab);
     const Frame *frame = &window->frame;
     if (!editor || box_width(frame->toolbar) <= 0)
         return;
     ui_pane_begin(window->ui, &(UiPane){.name = "rail", .box = frame->toolbar, .ground = ROLE_SHADE});
-    EditTool taken = editor->tool(tab->live);
+    EditTool taken = editor_tool(editor);
     for (size_t tool = 0; tool < EDIT_TOOLS; tool++) {
         Action action = ACTION_TOOL_SELECT + (Action)tool;
-        const EditToolRow *row = &editor->tools[tool];
+        const EditToolRow *row = editor_tool_row((EditTool)tool);
         const char *key = keys_row(action)->key;
         UiButton button = {.id = row->name,
                            .label = frame->tool_labels ? text_in_arena(&window->arena, "%s\n%s", key, row->name) : key,

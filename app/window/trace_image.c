@@ -73,8 +73,8 @@ void trace_image_clear(Window *window) {
 
 void trace_image_show(Window *window) {
     const Tab *tab = window_tab(window);
-    const EditorFunctions *editor = plan_input_of(tab);
-    TraceImage image = editor ? editor->image(tab->live) : (TraceImage){.path = NULL};
+    Editor *editor = tab_editor(tab);
+    TraceImage image = editor ? editor_image(editor) : (TraceImage){.path = NULL};
     if (!image.path)
         return;
     if (!window->trace_image_path || strcmp(window->trace_image_path, image.path) != 0) {

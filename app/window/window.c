@@ -46,7 +46,7 @@ static KeyPlace place_of(const Window *window) {
         return KEY_TIMELINE;
     if (*pane && strcmp(pane, "view") != 0)
         return KEY_ANYWHERE;
-    return plan_input_of(&window->tabs[window->current]) ? KEY_PLAN : KEY_VIEW;
+    return tab_editor(&window->tabs[window->current]) ? KEY_PLAN : KEY_VIEW;
 }
 
 typedef struct WidgetKey {
@@ -216,7 +216,7 @@ static void make_frame(Window *window) {
                       .plot_count = tab->plot_panes_stale && tab->live && !tab->panes.count
                                         ? tab->kind->plot_count(tab->live)
                                         : tab->panes.count,
-                      .tool_count = plan_input_of(tab) ? EDIT_TOOLS : 0,
+                      .tool_count = tab_editor(tab) ? EDIT_TOOLS : 0,
                       .aspect = tab->aspect};
     Vec2 page = {window->width / window->unit, window->height / window->unit};
     window->frame = frame_make(page, &wish);

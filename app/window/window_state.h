@@ -1,7 +1,7 @@
 /* All that the window is made of; its parts, each in a file of its own, are functions of it. */
 #pragma once
 
-#include "laboratory/editing.h"
+#include "laboratory/edit/editor.h"
 #include "platform/export.h"
 #include "window/frame.h"
 #include "platform/folder.h"

@@ -40,12 +40,12 @@ app/visual/study    exchange plot study
 app/visual/house    draw experiment house plan plot route space study visual/study
 app/visual/beam     beam draw exchange mechanics plot visual/house visual/study
 app/laboratory            beam draw exchange house plot visual/beam visual/house
+app/laboratory/edit       house inquiry laboratory plan
 app/laboratory/house      draw house laboratory laboratory/edit plan visual/house
-app/laboratory/edit       house inquiry laboratory laboratory/house plan
 app/laboratory/beam       beam experiment laboratory mechanics plot study visual/beam visual/study
 app/widgets         draw paint
 app/platform        draw paint plot
-app/window          draw laboratory laboratory/house paint platform plot widgets
+app/window          draw laboratory laboratory/edit laboratory/house paint platform plot widgets
 app/report          document exchange experiment house plan plot visual/
 app/options         draw exchange study visual/beam visual/house
 app/command         beam document draw exchange experiment house inquiry laboratory options paint plan platform plot report study visual/ window

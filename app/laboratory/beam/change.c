@@ -80,7 +80,7 @@ void beam_change_prefer(void *context, size_t preset) {
     fault_clear(&none);
 }
 
-const PanelChoice *beam_change_choices(const void *context, size_t *count) {
+const PanelChoice *beam_change_choices(void *context, size_t *count) {
     *count = CHOICES;
     return ((const BeamSession *)context)->choices;
 }
@@ -124,8 +124,8 @@ void beam_change_clear(void *context, double time) {
     beam_traces_show(&live->traces, &live->tape, time);
 }
 
-const char *const *beam_change_command(const void *context, size_t *count) {
-    BeamSession *live = (BeamSession *)context;
+const char *const *beam_change_command(void *context, size_t *count) {
+    BeamSession *live = context;
     size_t used = 0;
     arena_clear(&live->command_words);
     live->command[used++] = "run";

@@ -14,9 +14,9 @@ bool beam_change_set(void *context, const char *name, double value, Fault *fault
 void beam_change_reset(void *context);
 const Preset *beam_change_presets(const void *context, size_t *count);
 void beam_change_prefer(void *context, size_t preset);
-const PanelChoice *beam_change_choices(const void *context, size_t *count);
+const PanelChoice *beam_change_choices(void *context, size_t *count);
 void beam_change_choose(void *context, size_t choice, size_t word);
 void beam_change_again(void *context);
 bool beam_change_keep(void *context, double time);
 void beam_change_clear(void *context, double time);
-const char *const *beam_change_command(const void *context, size_t *count);
+const char *const *beam_change_command(void *context, size_t *count);

@@ -187,7 +187,7 @@ static unsigned update(void *context, double time) {
     return changed;
 }
 
-static Result answer(const void *context) {
+static Result answer(void *context) {
     return ((const BeamSession *)context)->answer.live;
 }
 
@@ -197,15 +197,15 @@ static const PanelRow *rows(const void *context, size_t *count) {
     return live->answer.rows;
 }
 
-static const char *clock_words(const void *context, double time) {
-    BeamSession *live = (BeamSession *)context;
+static const char *clock_words(void *context, double time) {
+    BeamSession *live = context;
     double phase;
     size_t cycle = beam_tape_cycle_at(&live->tape, time, &phase);
     snprintf(live->clock, sizeof live->clock, "cycle %zu, %.3f s", cycle + 1, time);
     return live->clock;
 }
 
-static const char *note(const void *context) {
+static const char *note(void *context) {
     const BeamSession *live = context;
     for (int i = 0; i < BEAM_VALUES; i++)
         if (live->opened.provenance[i] && strstr(live->opened.provenance[i], "not published"))
@@ -217,8 +217,8 @@ static const char *title(const void *context) {
     return ((const BeamSession *)context)->opened.name;
 }
 
-static const TimelineMark *ticks(const void *context, size_t *count) {
-    BeamSession *live = (BeamSession *)context;
+static const TimelineMark *ticks(void *context, size_t *count) {
+    BeamSession *live = context;
     const BeamTape *tape = &live->tape;
     *count = 0;
     for (size_t p = 1; p < tape->part_count; p++)
@@ -255,12 +255,12 @@ static void select_thing(void *context, Item thing) {
     (void)context, (void)thing;
 }
 
-static Item selected(const void *context) {
+static Item selected(void *context) {
     (void)context;
     return (Item){0};
 }
 
-static const char *name_thing(const void *context, Item thing) {
+static const char *name_thing(void *context, Item thing) {
     (void)context, (void)thing;
     return "";
 }
@@ -270,7 +270,7 @@ static size_t outline(const void *context, Item thing, double time, Vec2 *points
     return 0;
 }
 
-static bool save(const void *context, const char *path, Fault *fault) {
+static bool save(void *context, const char *path, Fault *fault) {
     size_t count;
     const char *const *words = beam_change_command(context, &count);
     return save_file_beam(words, count, path, fault);

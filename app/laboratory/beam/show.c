@@ -17,7 +17,7 @@ void beam_show_reveal(void *context, unsigned layers) {
     live->news |= LABORATORY_VIEW;
 }
 
-const Scene *beam_show_still(const void *context) {
+const Scene *beam_show_still(void *context) {
     return &((const BeamSession *)context)->view.still;
 }
 
@@ -72,8 +72,8 @@ size_t beam_show_until(const void *context, size_t index, size_t series, double 
                                 : beam_traces_until(&live->traces, index, series, time);
 }
 
-bool beam_show_sound(const void *context, double from, double to, float *samples, size_t count) {
-    BeamSession *live = (BeamSession *)context;
+bool beam_show_sound(void *context, double from, double to, float *samples, size_t count) {
+    BeamSession *live = context;
     const BeamTape *tape = &live->tape;
     double loudest = live->traces.seen.speed;
     if (from < beam_tape_begin(tape, tape->first) || to > tape->front_time || !(to > from) || !(loudest > 0))

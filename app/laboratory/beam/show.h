@@ -5,10 +5,10 @@
 
 void beam_show_look(void *context, Camera camera);
 void beam_show_reveal(void *context, unsigned layers);
-const Scene *beam_show_still(const void *context);
+const Scene *beam_show_still(void *context);
 const Scene *beam_show_added(const void *context);
 const Scene *beam_show_moving(const void *context);
 size_t beam_show_plot_count(const void *context);
 LaboratoryPlot beam_show_plot(const void *context, size_t index);
 size_t beam_show_until(const void *context, size_t index, size_t series, double time);
-bool beam_show_sound(const void *context, double from, double to, float *samples, size_t count);
+bool beam_show_sound(void *context, double from, double to, float *samples, size_t count);

@@ -1,7 +1,7 @@
 /* Points one after another: walls, exits, outlines of rooms, routes, distances. */
 #include <math.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 static const double SAME = 1e-6; /* m: points that are the same */
 
@@ -27,8 +27,8 @@ static const ChainKind kinds[EDIT_TOOLS] = {
     [TOOL_MEASURE] = {.what = "distance", .name = "", .least = 2, .most = 2, .faces = true, .gesture = &measure},
 };
 
-static const ChainKind *kind_of(const HouseSession *live) {
-    return &kinds[live->edit.tool];
+static const ChainKind *kind_of(const Editor *edit) {
+    return &kinds[edit->tool];
 }
 
 enum { FIELD_LENGTH, FIELD_ANGLE, FIELD_THICKNESS };
@@ -37,39 +37,39 @@ enum { FIELD_X, FIELD_Y };
 static const char *const place_names[] = {"x", "y"}, *const place_units[] = {"m", "m"};
 static const char *const line_names[] = {"length", "angle", "thickness"}, *const line_units[] = {"m", "degree", "m"};
 
-static bool is_placed(const HouseSession *live) {
-    return !live->edit.chain.count || kind_of(live)->places;
+static bool is_placed(const Editor *edit) {
+    return !edit->chain.count || kind_of(edit)->places;
 }
 
-static Vec2 last_point(const HouseSession *live) {
-    return live->edit.chain.points[live->edit.chain.count - 1];
+static Vec2 last_point(const Editor *edit) {
+    return edit->chain.points[edit->chain.count - 1];
 }
 
 /* The direction of the last piece, degree; NAN: there is none. */
-static double last_angle(const HouseSession *live) {
-    const EditChain *chain = &live->edit.chain;
+static double last_angle(const Editor *edit) {
+    const EditChain *chain = &edit->chain;
     if (chain->count < 2)
         return NAN;
     return snap_angle(vec2_sub(chain->points[chain->count - 1], chain->points[chain->count - 2]));
 }
 
-static void list_fields(HouseSession *live) {
-    if (is_placed(live))
-        edit_field_list(live, place_names, place_units, 2);
+static void list_fields(Editor *edit) {
+    if (is_placed(edit))
+        edit_field_list(edit, place_names, place_units, 2);
     else
-        edit_field_list(live, line_names, line_units, kind_of(live)->thick ? 3 : 2);
+        edit_field_list(edit, line_names, line_units, kind_of(edit)->thick ? 3 : 2);
 }
 
-void edit_chain_begin(HouseSession *live, bool keys) {
-    const ChainKind *kind = kind_of(live);
-    edit_gesture_begin(live, kind->gesture, kind->name, keys);
-    live->edit.now.amount = live->edit.wall_thickness;
-    list_fields(live);
-    edit_gesture_follow(live);
+void edit_chain_begin(Editor *edit, bool keys) {
+    const ChainKind *kind = kind_of(edit);
+    edit_gesture_begin(edit, kind->gesture, kind->name, keys);
+    edit->now.amount = edit->wall_thickness;
+    list_fields(edit);
+    edit_gesture_follow(edit);
 }
 
-void edit_chain_clear(HouseSession *live) {
-    EditChain *chain = &live->edit.chain;
+void edit_chain_clear(Editor *edit) {
+    EditChain *chain = &edit->chain;
     memory_free(chain->points);
     memory_free(chain->amount);
     *chain = (EditChain){0};
@@ -77,128 +77,122 @@ void edit_chain_clear(HouseSession *live) {
 
 /* Following ------------------------------------------------------------------------------------------------------- */
 
-static void follow_place(HouseSession *live) {
-    Editor *edit = &live->edit;
-    Vec2 from = edit->chain.count ? last_point(live) : edit->hand.at;
-    Vec2 at = edit_gesture_snap(live, (SnapAsk){.along = NAN,
-                                                .faces = kind_of(live)->faces,
-                                                .doors = kind_of(live)->doors,
+static void follow_place(Editor *edit) {
+    Vec2 from = edit->chain.count ? last_point(edit) : edit->hand.at;
+    Vec2 at = edit_gesture_snap(edit, (SnapAsk){.along = NAN,
+                                                .faces = kind_of(edit)->faces,
+                                                .doors = kind_of(edit)->doors,
                                                 .from = edit->chain.count ? &from : NULL});
-    edit_field_typed(live, FIELD_X, &at.x);
-    edit_field_typed(live, FIELD_Y, &at.y);
-    edit_field_show(live, FIELD_X, at.x);
-    edit_field_show(live, FIELD_Y, at.y);
+    edit_field_typed(edit, FIELD_X, &at.x);
+    edit_field_typed(edit, FIELD_Y, &at.y);
+    edit_field_show(edit, FIELD_X, at.x);
+    edit_field_show(edit, FIELD_Y, at.y);
     edit->now.at = at;
 }
 
 /* Where a hand puts the next point. */
-static Vec2 hand_point(HouseSession *live) {
-    Vec2 from = last_point(live);
-    return edit_gesture_snap(live, (SnapAsk){.from = &from,
-                                             .along = last_angle(live),
-                                             .own = live->edit.chain.points,
-                                             .own_count = live->edit.chain.count,
-                                             .closes = kind_of(live)->closes,
-                                             .faces = kind_of(live)->faces,
-                                             .doors = kind_of(live)->doors});
+static Vec2 hand_point(Editor *edit) {
+    Vec2 from = last_point(edit);
+    return edit_gesture_snap(edit, (SnapAsk){.from = &from,
+                                             .along = last_angle(edit),
+                                             .own = edit->chain.points,
+                                             .own_count = edit->chain.count,
+                                             .closes = kind_of(edit)->closes,
+                                             .faces = kind_of(edit)->faces,
+                                             .doors = kind_of(edit)->doors});
 }
 
-static void follow_line(HouseSession *live) {
-    Editor *edit = &live->edit;
-    Vec2 from = last_point(live), at = hand_point(live);
+static void follow_line(Editor *edit) {
+    Vec2 from = last_point(edit), at = hand_point(edit);
     double length = vec2_distance(from, at), angle = snap_angle(vec2_sub(at, from));
     if (length < SAME || edit->keys)
-        angle = isfinite(last_angle(live)) ? last_angle(live) : 0;
+        angle = isfinite(last_angle(edit)) ? last_angle(edit) : 0;
     if (edit->chain.proposed) {
         length = edit->fields[FIELD_LENGTH].value;
         angle = edit->fields[FIELD_ANGLE].value;
-    } else if (edit->keys && !edit_field_any(live)) {
+    } else if (edit->keys && !edit_field_any(edit)) {
         length = 0;
     }
-    bool typed = edit_field_typed(live, FIELD_LENGTH, &length);
-    typed |= edit_field_typed(live, FIELD_ANGLE, &angle);
-    edit_field_typed(live, FIELD_THICKNESS, &edit->now.amount);
+    bool typed = edit_field_typed(edit, FIELD_LENGTH, &length);
+    typed |= edit_field_typed(edit, FIELD_ANGLE, &angle);
+    edit_field_typed(edit, FIELD_THICKNESS, &edit->now.amount);
     if (typed || edit->chain.proposed || edit->keys) {
         at = vec2_along(from, length, snap_heading(angle));
         at = vec2(snap_tidy(at.x), snap_tidy(at.y));
-        if (kind_of(live)->closes && vec2_distance(at, edit->chain.points[0]) < SAME)
+        if (kind_of(edit)->closes && vec2_distance(at, edit->chain.points[0]) < SAME)
             at = edit->chain.points[0]; /* to the last bit */
         edit->snap = (Snap){.at = at};
     }
     edit->now.at = at;
-    edit_field_show(live, FIELD_LENGTH, length);
-    edit_field_show(live, FIELD_ANGLE, angle);
-    edit_field_show(live, FIELD_THICKNESS, edit->now.amount);
+    edit_field_show(edit, FIELD_LENGTH, length);
+    edit_field_show(edit, FIELD_ANGLE, angle);
+    edit_field_show(edit, FIELD_THICKNESS, edit->now.amount);
 }
 
-static void follow(HouseSession *live) {
-    Editor *edit = &live->edit;
+static void follow(Editor *edit) {
     if (edit->chain.proposed && !edit->keys && vec2_distance(edit->hand.at, edit->chain.proposed_at) > edit->hand.reach)
         edit->chain.proposed = false;
-    if (is_placed(live))
-        follow_place(live);
+    if (is_placed(edit))
+        follow_place(edit);
     else
-        follow_line(live);
+        follow_line(edit);
     if (edit->tool == TOOL_ROUTE)
-        edit_way_find_exit(live);
-    edit->chain.floating = !edit->chain.count || vec2_distance(edit->now.at, last_point(live)) >= SAME;
+        edit_way_find_exit(edit);
+    edit->chain.floating = !edit->chain.count || vec2_distance(edit->now.at, last_point(edit)) >= SAME;
 }
 
 /* Putting down ---------------------------------------------------------------------------------------------------- */
 
 /* Ends with the points that were put down. */
-static bool finish(HouseSession *live) {
-    Editor *edit = &live->edit;
-    const ChainKind *kind = kind_of(live);
+static bool finish(Editor *edit) {
+    const ChainKind *kind = kind_of(edit);
     if (edit->chain.count < kind->least && !*edit->chain.exit) {
-        edit_gesture_drop(live);
+        edit_gesture_drop(edit);
         return true;
     }
     edit->chain.floating = false;
     if (!edit->gesture->make) {
-        edit_measure_keep(live, edit->chain.points[0], edit->chain.points[1]);
-        edit_gesture_drop(live);
+        edit_measure_keep(edit, edit->chain.points[0], edit->chain.points[1]);
+        edit_gesture_drop(edit);
         return true;
     }
     *edit->made = 0;
-    if (!edit_gesture_end(live))
+    if (!edit_gesture_end(edit))
         return false;
     if (edit->tool != TOOL_ROUTE && *edit->made)
-        edit_select_only(live, edit->made);
+        edit_select_only(edit, edit->made);
     return true;
 }
 
-static void add_point(HouseSession *live) {
-    EditChain *chain = &live->edit.chain;
+static void add_point(Editor *edit) {
+    EditChain *chain = &edit->chain;
     chain->points = memory_reserve(chain->points, &chain->capacity, chain->count + 1, sizeof *chain->points);
     chain->amount = memory_reserve(chain->amount, &chain->amount_capacity, chain->count + 1, sizeof *chain->amount);
-    chain->points[chain->count] = live->edit.now.at;
-    chain->amount[chain->count++] = live->edit.now.amount;
+    chain->points[chain->count] = edit->now.at;
+    chain->amount[chain->count++] = edit->now.amount;
 }
 
 /* The same length again, a quarter to the right. */
-static void propose(HouseSession *live, bool keys) {
-    Editor *edit = &live->edit;
-    double length = vec2_distance(edit->chain.points[edit->chain.count - 2], last_point(live));
-    double angle = remainder(last_angle(live) - 90, 360);
-    list_fields(live);
+static void propose(Editor *edit, bool keys) {
+    double length = vec2_distance(edit->chain.points[edit->chain.count - 2], last_point(edit));
+    double angle = remainder(last_angle(edit) - 90, 360);
+    list_fields(edit);
     edit->chain.proposed = keys;
     edit->chain.proposed_at = edit->hand.at;
     edit->fields[FIELD_LENGTH].value = snap_tidy(length);
     edit->fields[FIELD_ANGLE].value = angle <= -180 ? 180 : snap_tidy(angle);
 }
 
-static bool put(HouseSession *live, bool keys) {
-    Editor *edit = &live->edit;
-    const ChainKind *kind = kind_of(live);
-    bool empty = keys && !edit_field_any(live) && !edit->chain.proposed && edit->chain.count;
+static bool put(Editor *edit, bool keys) {
+    const ChainKind *kind = kind_of(edit);
+    bool empty = keys && !edit_field_any(edit) && !edit->chain.proposed && edit->chain.count;
     if (empty)
         *edit->chain.exit = 0;
     if (empty || !edit->chain.floating || (*edit->chain.exit && !edit->refusal))
-        return finish(live);
+        return finish(edit);
     if (edit->refusal)
         return false;
-    add_point(live);
+    add_point(edit);
     if (kind->thick)
         edit->wall_thickness = edit->now.amount;
     size_t count = edit->chain.count;
@@ -206,43 +200,42 @@ static bool put(HouseSession *live, bool keys) {
     if (closed && edit->tool == TOOL_AREA)
         edit->chain.count--;
     if (closed || count == kind->most)
-        return finish(live);
+        return finish(edit);
     if (count > 1 && !kind->places)
-        propose(live, keys);
+        propose(edit, keys);
     else
-        list_fields(live);
-    edit_gesture_follow(live);
+        list_fields(edit);
+    edit_gesture_follow(edit);
     return true;
 }
 
-static bool back(HouseSession *live) {
-    EditChain *chain = &live->edit.chain;
+static bool back(Editor *edit) {
+    EditChain *chain = &edit->chain;
     if (chain->count <= 1) {
-        edit_gesture_drop(live);
+        edit_gesture_drop(edit);
         return true;
     }
     chain->count--;
     chain->proposed = false;
-    list_fields(live);
-    edit_gesture_follow(live);
+    list_fields(edit);
+    edit_gesture_follow(edit);
     return true;
 }
 
-static bool escape(HouseSession *live) {
-    *live->edit.chain.exit = 0;
-    return finish(live) || (edit_gesture_drop(live), true);
+static bool escape(Editor *edit) {
+    *edit->chain.exit = 0;
+    return finish(edit) || (edit_gesture_drop(edit), true);
 }
 
-static void release(HouseSession *live, bool moved) {
+static void release(Editor *edit, bool moved) {
     if (moved)
-        put(live, false);
+        put(edit, false);
 }
 
 /* Words and marks -------------------------------------------------------------------------------------------------- */
 
-static void say(HouseSession *live, Text *words) {
-    Editor *edit = &live->edit;
-    const ChainKind *kind = kind_of(live);
+static void say(Editor *edit, Text *words) {
+    const ChainKind *kind = kind_of(edit);
     if (!edit->chain.count) {
         text_format(words, "%s begins at x %.2f, y %.2f m: Enter puts it there", kind->what, edit->now.at.x,
                     edit->now.at.y);
@@ -253,7 +246,7 @@ static void say(HouseSession *live, Text *words) {
                     edit->chain.count);
         return;
     }
-    text_format(words, "%s %.2f m, %g degrees: %s", kind->what, vec2_distance(last_point(live), edit->now.at),
+    text_format(words, "%s %.2f m, %g degrees: %s", kind->what, vec2_distance(last_point(edit), edit->now.at),
                 edit->fields[FIELD_ANGLE].value,
                 edit->chain.proposed ? "Enter draws it, a number changes it, Escape ends"
                 : kind->most         ? "click the other end, or type the length"
@@ -262,23 +255,22 @@ static void say(HouseSession *live, Text *words) {
                     : "click, or type the length; Enter or Escape ends, Backspace takes back");
 }
 
-static void show(HouseSession *live) {
-    const Editor *edit = &live->edit;
-    const ChainKind *kind = kind_of(live);
+static void show(Editor *edit) {
+    const ChainKind *kind = kind_of(edit);
     for (size_t i = 0; i + 1 < edit->chain.count; i++)
-        edit_marks_line(live, edit->chain.points[i], edit->chain.points[i + 1]);
+        edit_marks_line(edit, edit->chain.points[i], edit->chain.points[i + 1]);
     if (edit->chain.count && edit->chain.floating) {
-        edit_marks_line(live, last_point(live), edit->now.at);
-        edit_marks_length(live, last_point(live), edit->now.at);
+        edit_marks_line(edit, last_point(edit), edit->now.at);
+        edit_marks_length(edit, last_point(edit), edit->now.at);
     }
     if (kind->closes && edit->chain.count > 2)
-        edit_marks_length(live, edit->chain.points[edit->chain.count - 2], last_point(live));
+        edit_marks_length(edit, edit->chain.points[edit->chain.count - 2], last_point(edit));
 }
 
 #define CHAIN(make_)                                                                                                   \
     {                                                                                                                  \
         .follow = follow, .make = make_, .put = put, .back = back, .escape = escape, .release = release, .say = say,   \
-        .show = show                                                                                                   \
+        .show = show, .end = edit_chain_clear,                                                                         \
     }
 static const EditGesture wall = CHAIN(edit_wall_make), leave = CHAIN(edit_way_make_exit),
                          room = CHAIN(edit_way_make_room), route = CHAIN(edit_way_make_route), measure = CHAIN(NULL);

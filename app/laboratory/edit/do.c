@@ -5,31 +5,30 @@
 
 #include "base/digest.h"
 #include "plan/draft_clip.h"
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 static const double APART = 0.30; /* m, to the right and below: where a copy goes that no pointer leads */
 
-static bool is_anything(const HouseSession *live, Fault *fault) {
-    if (live->edit.id_count)
+static bool is_anything(const Editor *edit, Fault *fault) {
+    if (edit->id_count)
         return true;
     fault_add(fault, "nothing is selected: click on something, or Tab goes to the next");
     return false;
 }
 
 /* Opens a step called "VERB THINGS". */
-static void open_step(HouseSession *live, const char *verb) {
+static void open_step(Editor *edit, const char *verb) {
     char name[EDIT_NAME], things[EDIT_NAME];
-    edit_select_names(live, things);
+    edit_select_names(edit, things);
     snprintf(name, sizeof name, "%.20s %.100s", verb, things);
-    edit_gesture_open(live, name);
+    edit_gesture_open(edit, name);
 }
 
 /* Moving and turning ------------------------------------------------------------------------------------------------
  */
 
 /* Of a handle: the numbers that say where it is are typed for the hand. */
-static void nudge_fields(HouseSession *live, Vec2 by) {
-    Editor *edit = &live->edit;
+static void nudge_fields(Editor *edit, Vec2 by) {
     EditField *fields = edit->fields;
     const EditHandle *grip = &edit->grip;
     size_t x = grip->grip == GRIP_POINT && edit->field_count == 4 ? 2 : 0;
@@ -59,77 +58,74 @@ static void nudge_fields(HouseSession *live, Vec2 by) {
     }
 }
 
-static bool nudge_handle(HouseSession *live, Vec2 by, Fault *fault) {
-    Editor *edit = &live->edit;
+static bool nudge_handle(Editor *edit, Vec2 by, Fault *fault) {
     EditHandle handles[EDIT_HANDLES];
-    size_t count = edit_handle_list(live, draft_plan(live->draft), handles);
+    size_t count = edit_handle_list(edit, draft_plan(edit->draft), handles);
     int kept = edit->handle;
     if ((size_t)kept >= count)
         return false;
-    edit_drag_begin(live, &handles[kept], HOLD_KEYS);
-    nudge_fields(live, by);
-    edit_gesture_follow(live);
+    edit_drag_begin(edit, &handles[kept], HOLD_KEYS);
+    nudge_fields(edit, by);
+    edit_gesture_follow(edit);
     snprintf(edit->name, sizeof edit->name, "Nudge");
-    bool good = !edit->refusal && edit_gesture_settle(live);
+    bool good = !edit->refusal && edit_gesture_settle(edit);
     if (!good) {
         fault_add(fault, "%s", edit->refusal ? edit->refusal : "it cannot go there");
-        edit_gesture_drop(live);
+        edit_gesture_drop(edit);
     }
     edit->handle = kept;
     return good;
 }
 
-bool edit_do_nudge(HouseSession *live, Vec2 by, Fault *fault) {
-    if (!is_anything(live, fault))
+bool edit_do_nudge(Editor *edit, Vec2 by, Fault *fault) {
+    if (!is_anything(edit, fault))
         return false;
-    if (live->edit.handle >= 0)
-        return nudge_handle(live, by, fault);
-    uint64_t before = draft_revision(live->draft);
-    edit_gesture_open(live, "Nudge");
-    edit_shape_move(live, draft_plan(live->draft), by);
-    if (!edit_gesture_close(live, fault))
+    if (edit->handle >= 0)
+        return nudge_handle(edit, by, fault);
+    uint64_t before = draft_revision(edit->draft);
+    edit_gesture_open(edit, "Nudge");
+    edit_shape_move(edit, draft_plan(edit->draft), by);
+    if (!edit_gesture_close(edit, fault))
         return false;
-    if (draft_revision(live->draft) != before)
+    if (draft_revision(edit->draft) != before)
         return true;
     fault_add(fault, "a door moves along its wall only");
     return false;
 }
 
-bool edit_do_turn(HouseSession *live, double by, Fault *fault) {
-    const Editor *edit = &live->edit;
+bool edit_do_turn(Editor *edit, double by, Fault *fault) {
     size_t index, turned = 0;
-    if (!is_anything(live, fault))
+    if (!is_anything(edit, fault))
         return false;
-    open_step(live, "Turn");
+    open_step(edit, "Turn");
     for (size_t i = 0; i < edit->id_count; i++) {
-        DraftList list = draft_find(live->draft, edit->ids[i], &index);
+        DraftList list = draft_find(edit->draft, edit->ids[i], &index);
         const char *member = list == DRAFT_FURNITURE ? "angle" : list == DRAFT_PEOPLE ? "heading" : NULL;
         if (!member)
             continue;
-        double is = json_number_value(json_object_get(draft_element(live->draft, edit->ids[i]), member));
+        double is = json_number_value(json_object_get(draft_element(edit->draft, edit->ids[i]), member));
         double angle = snap_tidy(remainder(is + by, 360));
-        draft_set_number(live->draft, edit->ids[i], member, angle <= -180 ? 180 : angle);
+        draft_set_number(edit->draft, edit->ids[i], member, angle <= -180 ? 180 : angle);
         turned++;
     }
     if (!turned)
         fault_add(fault, "only furniture and people can be turned");
-    return edit_gesture_close(live, fault) && turned;
+    return edit_gesture_close(edit, fault) && turned;
 }
 
 /* Toppling --------------------------------------------------------------------------------------------------------- */
 
-static bool may_topple(HouseSession *live, Fault *fault) {
-    const Editor *edit = &live->edit;
-    const Plan *plan = draft_plan(live->draft);
+static bool may_topple(Editor *edit, Fault *fault) {
+    const Plan *plan = draft_plan(edit->draft);
     size_t index, count = 0;
     char name[EDIT_NAME];
     for (size_t i = 0; i < edit->id_count; i++) {
-        if (draft_find(live->draft, edit->ids[i], &index) != DRAFT_FURNITURE)
+        if (draft_find(edit->draft, edit->ids[i], &index) != DRAFT_FURNITURE)
             continue;
         count += plan->furniture[index].topples != TOPPLE_NO;
         if (plan->furniture[index].topples != TOPPLE_NO)
             continue;
-        edit_select_name(live, edit->ids[i], name);
+        edit_select_name(edit, edit->ids[i], name);
         fault_add(fault, "%s does not topple: choose the face that it falls to", name);
     }
     if (!count && !fault->count)
@@ -137,81 +133,78 @@ static bool may_topple(HouseSession *live, Fault *fault) {
     return count;
 }
 
-bool edit_do_topple(HouseSession *live, Fault *fault) {
-    const Editor *edit = &live->edit;
-    const Plan *plan = draft_plan(live->draft);
+bool edit_do_topple(Editor *edit, Fault *fault) {
+    const Plan *plan = draft_plan(edit->draft);
     size_t index;
-    if (!is_anything(live, fault) || !may_topple(live, fault))
+    if (!is_anything(edit, fault) || !may_topple(edit, fault))
         return false;
     bool lies = true;
     for (size_t i = 0; i < edit->id_count; i++)
-        if (draft_find(live->draft, edit->ids[i], &index) == DRAFT_FURNITURE &&
+        if (draft_find(edit->draft, edit->ids[i], &index) == DRAFT_FURNITURE &&
             plan->furniture[index].topples != TOPPLE_NO)
             lies &= plan->furniture[index].toppled;
-    open_step(live, lies ? "Stand up" : "Topple");
+    open_step(edit, lies ? "Stand up" : "Topple");
     for (size_t i = 0; i < edit->id_count; i++)
-        if (draft_find(live->draft, edit->ids[i], &index) == DRAFT_FURNITURE &&
+        if (draft_find(edit->draft, edit->ids[i], &index) == DRAFT_FURNITURE &&
             plan->furniture[index].topples != TOPPLE_NO)
-            draft_set(live->draft, edit->ids[i], "toppled", json_boolean(!lies));
-    return edit_gesture_close(live, fault);
+            draft_set(edit->draft, edit->ids[i], "toppled", json_boolean(!lies));
+    return edit_gesture_close(edit, fault);
 }
 
 /* Removing --------------------------------------------------------------------------------------------------------- */
 
-bool edit_do_remove(HouseSession *live, Fault *fault) {
-    Editor *edit = &live->edit;
+bool edit_do_remove(Editor *edit, Fault *fault) {
     if (!edit->id_count && edit->measure_count) {
         edit->measure_count = 0;
         return true;
     }
-    if (!is_anything(live, fault))
+    if (!is_anything(edit, fault))
         return false;
-    if (edit->handle >= 0 && edit_split_can_join(live))
-        return edit_split_join(live, fault);
-    open_step(live, "Remove");
+    if (edit->handle >= 0 && edit_split_can_join(edit))
+        return edit_split_join(edit, fault);
+    open_step(edit, "Remove");
     for (size_t i = 0; i < edit->id_count; i++)
-        draft_remove(live->draft, edit->ids[i]);
-    return edit_gesture_close(live, fault);
+        draft_remove(edit->draft, edit->ids[i]);
+    return edit_gesture_close(edit, fault);
 }
 
 /* Copies ----------------------------------------------------------------------------------------------------------- */
 
-char *edit_do_copy(const HouseSession *live) {
-    const Editor *edit = &live->edit;
-    return edit->id_count ? draft_clip_copy(live->draft, (const char *const *)edit->ids, edit->id_count) : NULL;
+char *edit_do_copy(const Editor *edit) {
+    return edit->id_count ? draft_clip_copy(edit->draft, (const char *const *)edit->ids, edit->id_count) : NULL;
 }
 
-static bool paste(HouseSession *live, const char *name, const char *text, Vec2 by, Fault *fault) {
+static bool paste(Editor *edit, const char *name, const char *text, Vec2 by, Fault *fault) {
     const char **ids = NULL;
     size_t count = 0;
-    edit_gesture_open(live, name);
-    if (!draft_clip_paste(live->draft, text, by, &ids, &count, fault)) {
-        draft_cancel(live->draft);
+    edit_gesture_open(edit, name);
+    if (!draft_clip_paste(edit->draft, text, by, &ids, &count, fault)) {
+        draft_cancel(edit->draft);
         return false;
     }
     Fault own = {0};
-    bool good = edit_gesture_close(live, &own);
+    bool good = edit_gesture_close(edit, &own);
     for (size_t i = 0; i < own.count; i++)
         fault_add(fault, "what is pasted cannot be put here: %s", own.lines[i]);
     fault_clear(&own);
     for (size_t i = 0; good && i < count; i++) {
         if (i == 0)
-            edit_select_only(live, ids[i]);
+            edit_select_only(edit, ids[i]);
         else
-            edit_select_toggle(live, ids[i]);
+            edit_select_toggle(edit, ids[i]);
     }
     memory_free(ids);
     return good;
 }
 
-bool edit_do_duplicate(HouseSession *live, Fault *fault) {
+bool edit_do_duplicate(Editor *edit, Fault *fault) {
     char name[EDIT_NAME], things[EDIT_NAME];
-    if (!is_anything(live, fault))
+    if (!is_anything(edit, fault))
         return false;
-    edit_select_names(live, things);
+    edit_select_names(edit, things);
     snprintf(name, sizeof name, "Duplicate %.100s", things);
-    char *text = edit_do_copy(live);
-    bool good = text && paste(live, name, text, vec2(APART, -APART), fault);
+    char *text = edit_do_copy(edit);
+    bool good = text && paste(edit, name, text, vec2(APART, -APART), fault);
     memory_free(text);
     return good;
 }
@@ -246,10 +239,10 @@ static Vec2 paste_by(Editor *edit, const char *text, Box box) {
     return vec2(edit->copies * APART, -edit->copies * APART);
 }
 
-bool edit_do_paste(HouseSession *live, const char *text, Fault *fault) {
+bool edit_do_paste(Editor *edit, const char *text, Fault *fault) {
     json_t *pieces = json_loads(text, 0, NULL);
     Box box = include_places(box_empty(), pieces);
-    Vec2 by = box.low.x <= box.high.x ? paste_by(&live->edit, text, box) : vec2(0, 0);
+    Vec2 by = box.low.x <= box.high.x ? paste_by(edit, text, box) : vec2(0, 0);
     json_decref(pieces);
-    return paste(live, "Paste", text, by, fault);
+    return paste(edit, "Paste", text, by, fault);
 }

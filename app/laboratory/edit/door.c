@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 static const double LEAST_WIDTH = 0.10; /* m, of a door whose edge is dragged */
 
@@ -12,28 +12,27 @@ static const char *const door_kinds[] = {"hinged", "opening", "sliding"};
 /* The fields of a new door. */
 enum { FIELD_X, FIELD_Y, FIELD_WIDTH, FIELD_AT };
 
-static double to_grid(const HouseSession *live, double along) {
-    double grid = live->edit.hand.free ? SNAP_FREE_GRID : SNAP_GRID;
+static double to_grid(const Editor *edit, double along) {
+    double grid = edit->hand.free ? SNAP_FREE_GRID : SNAP_GRID;
     return snap_tidy(round(along / grid) * grid);
 }
 
 /* Where on a wall a place means a door to be. False: there is no wall. */
-static bool find_wall(HouseSession *live, Vec2 at) {
-    EditTarget *now = &live->edit.now;
+static bool find_wall(Editor *edit, Vec2 at) {
+    EditTarget *now = &edit->now;
     SnapWall wall;
     now->wall = SIZE_MAX;
-    if (!snap_wall(&live->edit.begun, at, &wall))
+    if (!snap_wall(&edit->begun, at, &wall))
         return false;
     now->wall = wall.wall;
     now->segment = wall.segment;
-    now->along = to_grid(live, wall.along);
-    snprintf(live->edit.snap.words, SNAP_WORDS, "on %.40s", live->edit.begun.walls[wall.wall].id);
+    now->along = to_grid(edit, wall.along);
+    snprintf(edit->snap.words, SNAP_WORDS, "on %.40s", edit->begun.walls[wall.wall].id);
     return true;
 }
 
 /* The middle of a segment attracts a door, as a wall's end does. */
-static void snap_middle(HouseSession *live) {
-    Editor *edit = &live->edit;
+static void snap_middle(Editor *edit) {
     const Vec2 *ends = edit->begun.walls[edit->now.wall].points.at + edit->now.segment;
     double middle = vec2_distance(ends[0], ends[1]) / 2;
     if (edit->hand.free || fabs(edit->now.along - middle) > edit->hand.reach)
@@ -42,43 +41,40 @@ static void snap_middle(HouseSession *live) {
     snprintf(edit->snap.words, SNAP_WORDS, "middle of %.40s", edit->begun.walls[edit->now.wall].id);
 }
 
-static Vec2 place_on_wall(const HouseSession *live) {
-    const EditTarget *now = &live->edit.now;
-    const Vec2 *ends = live->edit.begun.walls[now->wall].points.at + now->segment;
+static Vec2 place_on_wall(const Editor *edit) {
+    const EditTarget *now = &edit->now;
+    const Vec2 *ends = edit->begun.walls[now->wall].points.at + now->segment;
     return vec2_along(ends[0], now->along, vec2_unit(vec2_sub(ends[1], ends[0])));
 }
 
-void edit_door_follow(HouseSession *live) {
-    Editor *edit = &live->edit;
+void edit_door_follow(Editor *edit) {
     Vec2 at = edit->hand.at;
-    bool placed = edit_field_typed(live, FIELD_X, &at.x);
-    placed |= edit_field_typed(live, FIELD_Y, &at.y);
-    edit_field_show(live, FIELD_X, at.x);
-    edit_field_show(live, FIELD_Y, at.y);
-    edit_field_typed(live, FIELD_WIDTH, &edit->now.amount);
-    edit_field_show(live, FIELD_WIDTH, edit->now.amount);
-    if (!find_wall(live, at))
+    bool placed = edit_field_typed(edit, FIELD_X, &at.x);
+    placed |= edit_field_typed(edit, FIELD_Y, &at.y);
+    edit_field_show(edit, FIELD_X, at.x);
+    edit_field_show(edit, FIELD_Y, at.y);
+    edit_field_typed(edit, FIELD_WIDTH, &edit->now.amount);
+    edit_field_show(edit, FIELD_WIDTH, edit->now.amount);
+    if (!find_wall(edit, at))
         return;
     if (!placed)
-        snap_middle(live);
-    edit_field_typed(live, FIELD_AT, &edit->now.along);
-    edit_field_show(live, FIELD_AT, edit->now.along);
-    edit->now.at = edit->snap.at = place_on_wall(live);
+        snap_middle(edit);
+    edit_field_typed(edit, FIELD_AT, &edit->now.along);
+    edit_field_show(edit, FIELD_AT, edit->now.along);
+    edit->now.at = edit->snap.at = place_on_wall(edit);
 }
 
-void edit_door_make(HouseSession *live) {
-    const Editor *edit = &live->edit;
+void edit_door_make(Editor *edit) {
     const EditTarget *now = &edit->now;
     const char *kind = door_kinds[edit->items[TOOL_DOOR]];
     const char *wall = now->wall < edit->begun.wall_count ? edit->begun.walls[now->wall].id : "";
     json_t *element = json_pack("{s:s, s:I, s:o, s:o, s:s}", "wall", wall, "segment", (json_int_t)now->segment, "at",
                                 json_number(now->along), "width", json_number(now->amount), "kind", kind);
-    snprintf(live->edit.made, EDIT_NAME, "%s", draft_add(live->draft, DRAFT_DOORS, element));
+    snprintf(edit->made, EDIT_NAME, "%s", draft_add(edit->draft, DRAFT_DOORS, element));
 }
 
 /* Keeps a door within its segment and beside the others; false: it is that already, or cannot be. */
-static bool keep_within(HouseSession *live, const char *self) {
-    Editor *edit = &live->edit;
+static bool keep_within(Editor *edit, const char *self) {
     EditTarget *now = &edit->now;
     if (now->wall >= edit->begun.wall_count)
         return false;
@@ -97,79 +93,76 @@ static bool keep_within(HouseSession *live, const char *self) {
     if (low > high)
         return false;
     now->along = snap_tidy(real_clamp(now->along, low, high));
-    now->at = edit->snap.at = place_on_wall(live);
+    now->at = edit->snap.at = place_on_wall(edit);
     return now->along != before;
 }
 
 /* What is typed is meant as it is. */
-bool edit_door_limit(HouseSession *live) {
+bool edit_door_limit(Editor *edit) {
     double typed;
-    bool placed = edit_field_typed(live, FIELD_X, &typed) || edit_field_typed(live, FIELD_Y, &typed) ||
-                  edit_field_typed(live, FIELD_AT, &typed);
-    return !placed && keep_within(live, "");
+    bool placed = edit_field_typed(edit, FIELD_X, &typed) || edit_field_typed(edit, FIELD_Y, &typed) ||
+                  edit_field_typed(edit, FIELD_AT, &typed);
+    return !placed && keep_within(edit, "");
 }
 
 /* Sliding --------------------------------------------------------------------------------------------------------- */
 
 enum { SLIDE_AT, SLIDE_WIDTH };
 
-static const Door *held_door(const HouseSession *live) {
-    const Plan *plan = &live->edit.begun;
+static const Door *held_door(const Editor *edit) {
+    const Plan *plan = &edit->begun;
     for (size_t d = 0; d < plan->door_count; d++)
-        if (strcmp(plan->doors[d].id, live->edit.held) == 0)
+        if (strcmp(plan->doors[d].id, edit->held) == 0)
             return &plan->doors[d];
     return NULL;
 }
 
 /* Where along the door's own segment the hand is, m. */
-static double hand_along(const HouseSession *live, const Door *door) {
-    const Vec2 *ends = live->edit.begun.walls[door->wall_index].points.at + door->segment;
-    Vec2 hand = vec2_add(live->edit.hand.at, live->edit.offset);
+static double hand_along(const Editor *edit, const Door *door) {
+    const Vec2 *ends = edit->begun.walls[door->wall_index].points.at + door->segment;
+    Vec2 hand = vec2_add(edit->hand.at, edit->offset);
     return vec2_dot(vec2_sub(hand, ends[0]), vec2_unit(vec2_sub(ends[1], ends[0])));
 }
 
 /* An edge goes with the hand, the other one stays. */
-static void follow_edge(HouseSession *live, const Door *door) {
-    Editor *edit = &live->edit;
+static void follow_edge(Editor *edit, const Door *door) {
     bool last = edit->grip.index == 1;
-    double fixed = door->at + (last ? -0.5 : 0.5) * door->width, edge = to_grid(live, hand_along(live, door));
+    double fixed = door->at + (last ? -0.5 : 0.5) * door->width, edge = to_grid(edit, hand_along(edit, door));
     double width = fmax(last ? edge - fixed : fixed - edge, LEAST_WIDTH);
     if (edit->keys)
         width = door->width;
-    edit_field_typed(live, SLIDE_WIDTH, &width);
+    edit_field_typed(edit, SLIDE_WIDTH, &width);
     edit->now.amount = snap_tidy(width);
     edit->now.along = snap_tidy(fixed + (last ? 0.5 : -0.5) * width);
 }
 
-void edit_door_slide_follow(HouseSession *live) {
-    Editor *edit = &live->edit;
-    const Door *door = held_door(live);
+void edit_door_slide_follow(Editor *edit) {
+    const Door *door = held_door(edit);
     edit->now.wall = door->wall_index;
     edit->now.segment = (size_t)door->segment;
     edit->now.amount = door->width;
     edit->now.along = door->at;
     if (edit->grip.grip == GRIP_EDGE) {
-        follow_edge(live, door);
+        follow_edge(edit, door);
     } else if (!edit->keys) {
-        find_wall(live, vec2_add(edit->hand.at, edit->offset));
-        snap_middle(live);
+        find_wall(edit, vec2_add(edit->hand.at, edit->offset));
+        snap_middle(edit);
     }
-    edit_field_typed(live, SLIDE_AT, &edit->now.along);
-    edit_field_typed(live, SLIDE_WIDTH, &edit->now.amount);
-    edit_field_show(live, SLIDE_AT, edit->now.along);
-    edit_field_show(live, SLIDE_WIDTH, edit->now.amount);
-    edit->now.at = edit->snap.at = place_on_wall(live);
+    edit_field_typed(edit, SLIDE_AT, &edit->now.along);
+    edit_field_typed(edit, SLIDE_WIDTH, &edit->now.amount);
+    edit_field_show(edit, SLIDE_AT, edit->now.along);
+    edit_field_show(edit, SLIDE_WIDTH, edit->now.amount);
+    edit->now.at = edit->snap.at = place_on_wall(edit);
 }
 
-void edit_door_slide_make(HouseSession *live) {
-    const Editor *edit = &live->edit;
+void edit_door_slide_make(Editor *edit) {
     const EditTarget *now = &edit->now;
-    draft_set_text(live->draft, edit->held, "wall", edit->begun.walls[now->wall].id);
-    draft_set(live->draft, edit->held, "segment", json_integer((json_int_t)now->segment));
-    draft_set_number(live->draft, edit->held, "at", now->along);
-    draft_set_number(live->draft, edit->held, "width", now->amount);
+    draft_set_text(edit->draft, edit->held, "wall", edit->begun.walls[now->wall].id);
+    draft_set(edit->draft, edit->held, "segment", json_integer((json_int_t)now->segment));
+    draft_set_number(edit->draft, edit->held, "at", now->along);
+    draft_set_number(edit->draft, edit->held, "width", now->amount);
 }
 
-bool edit_door_slide_limit(HouseSession *live) {
-    return live->edit.grip.grip != GRIP_EDGE && !edit_field_any(live) && keep_within(live, live->edit.held);
+bool edit_door_slide_limit(Editor *edit) {
+    return edit->grip.grip != GRIP_EDGE && !edit_field_any(edit) && keep_within(edit, edit->held);
 }

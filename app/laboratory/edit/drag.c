@@ -4,14 +4,13 @@
 #include <string.h>
 
 #include "plan/overlap.h"
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 static const EditGesture shape, body, slide, whole, box;
 
 /* Handles --------------------------------------------------------------------------------------------------------- */
 
-static void hold(HouseSession *live, const EditHandle *handle) {
-    Editor *edit = &live->edit;
+static void hold(Editor *edit, const EditHandle *handle) {
     Text copy = {0};
     text_add(&copy, handle->id);
     memory_free(edit->held);
@@ -20,7 +19,7 @@ static void hold(HouseSession *live, const EditHandle *handle) {
     edit->grip.id = edit->held;
 }
 
-static void name_step(const HouseSession *live, const EditHandle *handle, char name[EDIT_NAME]) {
+static void name_step(const Editor *edit, const EditHandle *handle, char name[EDIT_NAME]) {
     static const char *const verbs[] = {[GRIP_POINT] = "Move point of",
                                         [GRIP_SEGMENT] = "Move piece of",
                                         [GRIP_EDGE] = "Change width of",
@@ -29,28 +28,28 @@ static void name_step(const HouseSession *live, const EditHandle *handle, char n
                                         [GRIP_MIDDLE] = "Move",
                                         [GRIP_WHOLE] = "Move"};
     char thing[EDIT_NAME];
-    edit_select_name(live, handle->id, thing);
+    edit_select_name(edit, handle->id, thing);
     bool end = handle->grip == GRIP_POINT && handle->list == DRAFT_EXITS;
     snprintf(name, EDIT_NAME, "%s %.100s", end ? "Move end of" : verbs[handle->grip], thing);
 }
 
-static void list_fields(HouseSession *live, const EditHandle *handle) {
+static void list_fields(Editor *edit, const EditHandle *handle) {
     static const char *const place[] = {"x", "y"}, *const metres[] = {"m", "m", "m", "m"};
     static const char *const point[] = {"length", "angle", "x", "y"}, *const point_units[] = {"m", "degree", "m", "m"};
     static const char *const door[] = {"at", "width"}, *const size[] = {"width", "depth"};
     static const char *const angle[] = {"angle"}, *const degree[] = {"degree"};
     if (handle->grip == GRIP_TURN)
-        edit_field_list(live, angle, degree, 1);
+        edit_field_list(edit, angle, degree, 1);
     else if (handle->grip == GRIP_CORNER)
-        edit_field_list(live, size, metres, 2);
+        edit_field_list(edit, size, metres, 2);
     else if (handle->list == DRAFT_DOORS)
-        edit_field_list(live, door, metres, 2);
+        edit_field_list(edit, door, metres, 2);
     else if (handle->grip == GRIP_POINT && handle->list != DRAFT_ROUTES)
-        edit_field_list(live, point, point_units, 4);
+        edit_field_list(edit, point, point_units, 4);
     else
-        edit_field_list(live, place, metres, 2);
+        edit_field_list(edit, place, metres, 2);
     if (handle->grip == GRIP_EDGE)
-        live->edit.field = 1;
+        edit->field = 1;
 }
 
 static const EditGesture *gesture_of(const EditHandle *handle) {
@@ -61,67 +60,64 @@ static const EditGesture *gesture_of(const EditHandle *handle) {
     return &shape;
 }
 
-void edit_drag_begin(HouseSession *live, const EditHandle *handle, EditHold how) {
-    Editor *edit = &live->edit;
+void edit_drag_begin(Editor *edit, const EditHandle *handle, EditHold how) {
     char name[EDIT_NAME], *id = text_copy(handle->id);
     EditHandle copy = *handle;
     copy.id = id;
-    edit_gesture_drop(live);
-    name_step(live, &copy, name);
-    hold(live, &copy);
-    edit_gesture_begin(live, gesture_of(&edit->grip), name, how != HOLD_DRAG);
+    edit_gesture_drop(edit);
+    name_step(edit, &copy, name);
+    hold(edit, &copy);
+    edit_gesture_begin(edit, gesture_of(&edit->grip), name, how != HOLD_DRAG);
     edit->offset = vec2_sub(copy.at, how == HOLD_KEYS ? edit->hand.at : edit->pressed);
     edit->taken = how != HOLD_DRAG;
     edit->clicked = how == HOLD_CLICK;
-    list_fields(live, &edit->grip);
-    edit_gesture_follow(live);
+    list_fields(edit, &edit->grip);
+    edit_gesture_follow(edit);
     memory_free(id);
 }
 
-static bool put(HouseSession *live, bool keys) {
-    Editor *edit = &live->edit;
+static bool put(Editor *edit, bool keys) {
     if (edit->refusal && keys && !edit->limited)
         return false;
-    if (!edit_gesture_settle(live)) {
-        edit_gesture_drop(live);
+    if (!edit_gesture_settle(edit)) {
+        edit_gesture_drop(edit);
         return false;
     }
     return true;
 }
 
 /* A click takes it up, and the next one puts it down. */
-static void release(HouseSession *live, bool moved) {
-    if (moved || live->edit.taken)
-        put(live, false);
+static void release(Editor *edit, bool moved) {
+    if (moved || edit->taken)
+        put(edit, false);
     else
-        live->edit.taken = true;
+        edit->taken = true;
 }
 
 /* Remarks a piece that is held in a wall. */
-static void say_overlap(const HouseSession *live, Text *words) {
-    const Plan *plan = draft_plan(live->draft);
+static void say_overlap(const Editor *edit, Text *words) {
+    const Plan *plan = draft_plan(edit->draft);
     size_t index, wall = 0;
-    if (draft_find(live->draft, live->edit.held, &index) != DRAFT_FURNITURE || index >= plan->furniture_count)
+    if (draft_find(edit->draft, edit->held, &index) != DRAFT_FURNITURE || index >= plan->furniture_count)
         return;
     double depth = overlap_depth(plan, &plan->furniture[index], &wall);
     if (depth >= OVERLAP_LEAST)
         text_format(words, "; stands %.0f cm in wall %s", 100 * depth, plan->walls[wall].id);
 }
 
-static void say(HouseSession *live, Text *words) {
-    const Editor *edit = &live->edit;
+static void say(Editor *edit, Text *words) {
     char thing[EDIT_NAME];
-    edit_select_name(live, edit->held, thing);
+    edit_select_name(edit, edit->held, thing);
     text_format(words, "%s:", thing);
     for (size_t i = 0; i < edit->field_count; i++)
         text_format(words, "%s %s %.*f%s", i ? "," : "", edit->fields[i].name,
                     strcmp(edit->fields[i].unit, "degree") == 0 ? 1 : 2, edit->fields[i].value,
                     strcmp(edit->fields[i].unit, "degree") == 0 ? " degrees" : " m");
-    say_overlap(live, words);
+    say_overlap(edit, words);
 }
 
-static void show(HouseSession *live) {
-    edit_marks_held(live);
+static void show(Editor *edit) {
+    edit_marks_held(edit);
 }
 
 #define DRAG(follow_, make_, limit_)                                                                                   \
@@ -132,8 +128,7 @@ static const EditGesture shape = DRAG(edit_shape_follow, edit_shape_make, NULL),
 
 /* All that is selected --------------------------------------------------------------------------------------------- */
 
-static void follow_whole(HouseSession *live) {
-    Editor *edit = &live->edit;
+static void follow_whole(Editor *edit) {
     Vec2 by = vec2_sub(edit->hand.at, edit->pressed);
     if (edit->hand.straight && fabs(by.x) >= fabs(by.y))
         by.y = 0;
@@ -142,105 +137,102 @@ static void follow_whole(HouseSession *live) {
     double grid = edit->hand.free ? SNAP_FREE_GRID : SNAP_GRID;
     edit->now.at = vec2(snap_tidy(round(by.x / grid) * grid), snap_tidy(round(by.y / grid) * grid));
     edit->snap = (Snap){.at = edit->hand.at};
-    edit_field_typed(live, 0, &edit->now.at.x);
-    edit_field_typed(live, 1, &edit->now.at.y);
-    edit_field_show(live, 0, edit->now.at.x);
-    edit_field_show(live, 1, edit->now.at.y);
+    edit_field_typed(edit, 0, &edit->now.at.x);
+    edit_field_typed(edit, 1, &edit->now.at.y);
+    edit_field_show(edit, 0, edit->now.at.x);
+    edit_field_show(edit, 1, edit->now.at.y);
 }
 
-static void make_whole(HouseSession *live) {
-    const Editor *edit = &live->edit;
-    edit_shape_move(live, &edit->begun, edit->now.at);
+static void make_whole(Editor *edit) {
+    edit_shape_move(edit, &edit->begun, edit->now.at);
 }
 
-static void say_whole(HouseSession *live, Text *words) {
+static void say_whole(Editor *edit, Text *words) {
     char things[EDIT_NAME];
-    edit_select_names(live, things);
-    text_format(words, "%s moved by %.2f, %.2f m", things, live->edit.now.at.x, live->edit.now.at.y);
+    edit_select_names(edit, things);
+    text_format(words, "%s moved by %.2f, %.2f m", things, edit->now.at.x, edit->now.at.y);
 }
 
-static void show_whole(HouseSession *live) {
-    const Editor *edit = &live->edit;
+static void show_whole(Editor *edit) {
     if (vec2_length(edit->now.at) > 0)
-        edit_marks_length(live, edit->pressed, vec2_add(edit->pressed, edit->now.at));
+        edit_marks_length(edit, edit->pressed, vec2_add(edit->pressed, edit->now.at));
 }
 
 static const EditGesture whole = {
     .follow = follow_whole, .make = make_whole, .put = put, .release = release, .say = say_whole, .show = show_whole};
 
 /* From where the button went down to a piece of a wall, m. */
-static double distance_to_piece(const HouseSession *live, const EditHandle *handle) {
-    const Plan *plan = draft_plan(live->draft);
+static double distance_to_piece(const Editor *edit, const EditHandle *handle) {
+    const Plan *plan = draft_plan(edit->draft);
     size_t w = 0;
     while (w < plan->wall_count && strcmp(plan->walls[w].id, handle->id) != 0)
         w++;
     if (w == plan->wall_count)
         return HUGE_VAL;
     const Vec2 *ends = plan->walls[w].points.at + handle->index;
-    return vec2_distance(live->edit.pressed, vec2_nearest_on_segment(live->edit.pressed, ends[0], ends[1]));
+    return vec2_distance(edit->pressed, vec2_nearest_on_segment(edit->pressed, ends[0], ends[1]));
 }
 
-void edit_drag_whole(HouseSession *live) {
+void edit_drag_whole(Editor *edit) {
     static const char *const names[] = {"along x", "along y"}, *const units[] = {"m", "m"};
     char name[EDIT_NAME], things[EDIT_NAME];
     EditHandle handles[EDIT_HANDLES];
-    size_t count = edit_handle_list(live, draft_plan(live->draft), handles);
+    size_t count = edit_handle_list(edit, draft_plan(edit->draft), handles);
     const EditHandle *meant = NULL; /* the middle, or the nearest piece of a wall: they snap, as their handles do */
     double nearest = HUGE_VAL;
     for (size_t i = 0; i < count; i++) {
         double distance = handles[i].grip == GRIP_MIDDLE    ? 0
-                          : handles[i].grip == GRIP_SEGMENT ? distance_to_piece(live, &handles[i])
+                          : handles[i].grip == GRIP_SEGMENT ? distance_to_piece(edit, &handles[i])
                                                             : HUGE_VAL;
         meant = distance < nearest ? &handles[i] : meant;
         nearest = fmin(nearest, distance);
     }
     if (meant) {
-        edit_drag_begin(live, meant, HOLD_DRAG);
+        edit_drag_begin(edit, meant, HOLD_DRAG);
         return;
     }
-    edit_select_names(live, things);
+    edit_select_names(edit, things);
     snprintf(name, sizeof name, "Move %.100s", things);
-    edit_gesture_begin(live, &whole, name, false);
-    edit_field_list(live, names, units, 2);
-    edit_gesture_follow(live);
+    edit_gesture_begin(edit, &whole, name, false);
+    edit_field_list(edit, names, units, 2);
+    edit_gesture_follow(edit);
 }
 
 /* The rectangle that selects ----------------------------------------------------------------------------------------
  */
 
-static void follow_box(HouseSession *live) {
-    live->edit.now.at = live->edit.hand.at;
+static void follow_box(Editor *edit) {
+    edit->now.at = edit->hand.at;
 }
 
-static bool put_box(HouseSession *live, bool keys) {
-    Editor *edit = &live->edit;
+static bool put_box(Editor *edit, bool keys) {
     Box within = box_include(box_include(box_empty(), edit->pressed), edit->now.at);
     bool more = edit->hand.more;
     (void)keys;
-    edit_gesture_drop(live);
-    edit_select_within(live, within, more);
+    edit_gesture_drop(edit);
+    edit_select_within(edit, within, more);
     return true;
 }
 
-static void release_box(HouseSession *live, bool moved) {
+static void release_box(Editor *edit, bool moved) {
     (void)moved;
-    put_box(live, false);
+    put_box(edit, false);
 }
 
-static void say_box(HouseSession *live, Text *words) {
-    (void)live;
+static void say_box(Editor *edit, Text *words) {
+    (void)edit;
     text_add(words, "what lies within is selected");
 }
 
-static void show_box(HouseSession *live) {
-    Vec2 a = live->edit.pressed, b = live->edit.now.at;
-    edit_marks_outline(live, (Vec2[]){a, vec2(b.x, a.y), b, vec2(a.x, b.y)}, 4);
+static void show_box(Editor *edit) {
+    Vec2 a = edit->pressed, b = edit->now.at;
+    edit_marks_outline(edit, (Vec2[]){a, vec2(b.x, a.y), b, vec2(a.x, b.y)}, 4);
 }
 
 static const EditGesture box = {
     .follow = follow_box, .put = put_box, .release = release_box, .say = say_box, .show = show_box};
 
-void edit_drag_box(HouseSession *live) {
-    edit_gesture_begin(live, &box, "", false);
-    edit_gesture_follow(live);
+void edit_drag_box(Editor *edit) {
+    edit_gesture_begin(edit, &box, "", false);
+    edit_gesture_follow(edit);
 }

@@ -1,9 +1,7 @@
 #include "laboratory/edit/editor.h"
 
-#include <stdio.h>
-
 #include "plan/draft_file.h"
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 static const EditToolRow tools[EDIT_TOOLS] = {
     [TOOL_SELECT] = {"select", "Selects what is clicked on, and moves it by its handles.",
@@ -26,287 +24,27 @@ static const EditToolRow tools[EDIT_TOOLS] = {
                     "click two points a known distance apart, then type it"},
 };
 
-/* Tools, hand and keys -------------------------------------------------------------------------------------------- */
-
-/* A number that is in the hand is put down before something else is done. */
-static HouseSession *settled(void *context) {
-    HouseSession *live = context;
-    if (live->held)
-        house_change_settle(live);
-    return live;
+const EditToolRow *editor_tool_row(EditTool tool) {
+    return &tools[tool];
 }
 
-static void take(void *context, EditTool tool) {
-    edit_pointer_take(settled(context), tool);
+Editor *editor_create(Draft *draft, const EditorOptions *options) {
+    Editor *edit = memory_zeroed(1, sizeof *edit);
+    edit->draft = draft;
+    edit->options = *options;
+    edit->options.path = arena_text(&edit->kept, options->path);
+    edit->options.profiles = arena_text(&edit->kept, options->profiles);
+    edit->handle = -1;
+    edit->door_width = 0.8;
+    edit->wall_thickness = 0.12;
+    return edit;
 }
 
-static EditTool tool(const void *context) {
-    return ((const HouseSession *)context)->edit.tool;
-}
-
-static void point(void *context, const Pointer *hand) {
-    edit_pointer_point(context, hand);
-}
-
-static void press(void *context, const Pointer *hand, bool twice) {
-    edit_pointer_press(settled(context), hand, twice);
-}
-
-static void release(void *context, const Pointer *hand) {
-    edit_pointer_release(context, hand);
-}
-
-static bool type(void *context, const char *letters) {
-    return edit_pointer_type(settled(context), letters);
-}
-
-static bool enter(void *context) {
-    return edit_pointer_enter(settled(context));
-}
-
-static bool back(void *context) {
-    return edit_pointer_back(settled(context));
-}
-
-static bool tab(void *context, int step) {
-    return edit_field_tab(context, step);
-}
-
-static bool escape(void *context) {
-    return edit_pointer_escape(settled(context));
-}
-
-static const GestureView *gesture(const void *context) {
-    return edit_marks_make((HouseSession *)context);
-}
-
-/* Selection ------------------------------------------------------------------------------------------------------- */
-
-static const Item *selection(const void *context, size_t *count) {
-    HouseSession *live = (HouseSession *)context;
-    Editor *edit = &live->edit;
-    edit_select_meet(live);
-    *count = 0;
-    edit->things = memory_reserve(edit->things, &edit->thing_capacity, edit->id_count, sizeof *edit->things);
-    for (size_t i = 0; i < edit->id_count; i++) {
-        Item thing = edit_select_thing(live, edit->ids[i]);
-        if (thing.kind)
-            edit->things[(*count)++] = thing;
-    }
-    return edit->things;
-}
-
-static void add(void *context, Item thing) {
-    HouseSession *live = context;
-    edit_select_meet(live);
-    const char *id = edit_select_id(live, thing);
-    if (*id)
-        edit_select_toggle(live, id);
-}
-
-static void select_all(void *context) {
-    edit_gesture_drop(context);
-    edit_select_all(context);
-}
-
-static void handle(void *context, int step) {
-    HouseSession *live = context;
-    EditHandle handles[EDIT_HANDLES];
-    edit_select_meet(live);
-    int count = (int)edit_handle_list(live, draft_plan(live->draft), handles) + 1; /* and none of them */
-    live->edit.handle = step ? (live->edit.handle + 1 + count + step % count) % count - 1 : -1;
-}
-
-/* What is selected is as it is when something is done to it. */
-static HouseSession *ready(void *context) {
-    HouseSession *live = settled(context);
-    edit_gesture_drop(live);
-    edit_select_meet(live);
-    return live;
-}
-
-static bool nudge(void *context, Vec2 by, Fault *fault) {
-    return edit_do_nudge(ready(context), by, fault);
-}
-
-static bool turn(void *context, double degrees, Fault *fault) {
-    return edit_do_turn(ready(context), degrees, fault);
-}
-
-static bool topple(void *context, Fault *fault) {
-    return edit_do_topple(ready(context), fault);
-}
-
-static bool split(void *context, Fault *fault) {
-    return edit_split_wall(ready(context), fault);
-}
-
-static bool remove_selected(void *context, Fault *fault) {
-    return edit_do_remove(ready(context), fault);
-}
-
-static bool duplicate(void *context, Fault *fault) {
-    return edit_do_duplicate(ready(context), fault);
-}
-
-static char *copy(const void *context) {
-    HouseSession *live = (HouseSession *)context;
-    edit_select_meet(live);
-    return edit_do_copy(live);
-}
-
-static bool paste(void *context, const char *text, Fault *fault) {
-    return edit_do_paste(ready(context), text, fault);
-}
-
-/* Steps ----------------------------------------------------------------------------------------------------------- */
-
-static bool step(void *context, bool (*go)(Draft *draft)) {
-    HouseSession *live = settled(context);
-    if (live->edit.gesture) {
-        edit_gesture_drop(live);
-        return true;
-    }
-    if (!go(live->draft))
-        return false;
-    edit_select_known(live);
-    house_follow_edited(live);
-    return true;
-}
-
-static bool undo(void *context) {
-    return step(context, draft_undo);
-}
-
-static bool redo(void *context) {
-    return step(context, draft_redo);
-}
-
-static const char *undo_name(const void *context) {
-    return draft_undo_name(((const HouseSession *)context)->draft);
-}
-
-static const char *redo_name(const void *context) {
-    return draft_redo_name(((const HouseSession *)context)->draft);
-}
-
-static void hold(void *context, const char *name) {
-    HouseSession *live = ready(context);
-    size_t row = house_value_find(&live->values, name);
-    char step[2 * EDIT_NAME] = "Change a number";
-    if (row != SIZE_MAX)
-        snprintf(step, sizeof step, "%s: %s", live->values.rows[row].group, live->values.rows[row].label);
-    house_change_hold(live, step);
-}
-
-static void settle(void *context) {
-    settled(context);
-}
-
-/* Texts, items, files -----------------------------------------------------------------------------------------------
- */
-
-static const EditText *texts(const void *context, size_t *count) {
-    HouseSession *live = (HouseSession *)context;
-    edit_select_meet(live);
-    return edit_text_list(live, count);
-}
-
-static bool set_text(void *context, const char *name, const char *value, Fault *fault) {
-    return edit_text_set(ready(context), name, value, fault);
-}
-
-static const CatalogueRow *items(const void *context, size_t *count) {
-    return edit_items_list((HouseSession *)context, count);
-}
-
-static size_t item(const void *context) {
-    const Editor *edit = &((const HouseSession *)context)->edit;
-    return edit->items[edit->tool];
-}
-
-static void choose(void *context, size_t item) {
-    HouseSession *live = context;
-    size_t count;
-    edit_items_list(live, &count);
-    edit_gesture_drop(live);
-    if (item < count)
-        live->edit.items[live->edit.tool] = item;
-}
-
-static void ask(void *context) {
-    edit_propose_ask(ready(context));
-}
-
-static const Proposal *proposals(const void *context, size_t *count, const char **doing) {
-    return edit_propose_list((HouseSession *)context, count, doing);
-}
-
-static bool accept(void *context, size_t proposal, Fault *fault) {
-    return edit_propose_accept(ready(context), proposal, fault);
-}
-
-static bool shake(void *context, Fault *fault) {
-    return edit_shake_do(ready(context), fault);
-}
-
-static const char *shaken(const void *context) {
-    return ((const HouseSession *)context)->edit.shaken;
-}
-
-static void animate(void *context, double seconds) {
-    house_fall_move(context, seconds);
-}
-
-static const char *animation(const void *context) {
-    return house_fall_words(context);
-}
-
-static bool set_image(void *context, const char *path, Fault *fault) {
-    return edit_image_set(ready(context), path, fault);
-}
-
-static void fade(void *context, double opacity) {
-    edit_image_fade(context, opacity);
-}
-
-static TraceImage image(const void *context) {
-    return edit_image_get((HouseSession *)context);
-}
-
-static size_t edits(const void *context) {
-    const HouseSession *live = context;
-    size_t steps = draft_step_count(live->draft), saved = live->edit.saved_steps;
-    return steps > saved ? steps - saved : saved - steps;
-}
-
-static bool changed(const void *context) {
-    return draft_file_is_changed(((const HouseSession *)context)->draft);
-}
-
-static const char *text(const void *context) {
-    return draft_text(((const HouseSession *)context)->draft);
-}
-
-static bool save(void *context, const char *path, Fault *fault) {
-    HouseSession *live = ready(context);
-    if (!draft_file_save(live->draft, path, fault))
-        return false;
-    live->edit.saved_steps = draft_step_count(live->draft);
-    live->wish.path = arena_text(&live->arena, path);
-    return true;
-}
-
-void editor_begin(HouseSession *live) {
-    live->edit = (Editor){.handle = -1, .door_width = 0.8, .wall_thickness = 0.12};
-}
-
-void editor_clear(HouseSession *live) {
-    Editor *edit = &live->edit;
-    edit_gesture_drop(live);
-    edit_propose_end(live);
-    edit_shake_clear(live);
-    edit_items_clear(live);
+void editor_destroy(Editor *edit) {
+    edit_gesture_drop(edit);
+    edit_propose_end(edit);
+    edit_shake_clear(edit);
+    edit_items_clear(edit);
     for (size_t i = 0; i < edit->id_count; i++)
         memory_free(edit->ids[i]);
     memory_free(edit->ids);
@@ -316,57 +54,343 @@ void editor_clear(HouseSession *live) {
     arena_clear(&edit->text_arena);
     memory_free(edit->marks);
     arena_clear(&edit->words);
+    arena_clear(&edit->kept);
     memory_free(edit->doing.text);
+    memory_free(edit);
 }
 
-const EditorFunctions house_editor = {
-    .tools = tools,
-    .take = take,
-    .tool = tool,
-    .point = point,
-    .press = press,
-    .release = release,
-    .type = type,
-    .enter = enter,
-    .back = back,
-    .tab = tab,
-    .escape = escape,
-    .gesture = gesture,
-    .selection = selection,
-    .add = add,
-    .select_all = select_all,
-    .handle = handle,
-    .nudge = nudge,
-    .turn = turn,
-    .topple = topple,
-    .split = split,
-    .remove = remove_selected,
-    .duplicate = duplicate,
-    .copy = copy,
-    .paste = paste,
-    .undo = undo,
-    .redo = redo,
-    .undo_name = undo_name,
-    .redo_name = redo_name,
-    .hold = hold,
-    .settle = settle,
-    .texts = texts,
-    .set_text = set_text,
-    .items = items,
-    .item = item,
-    .choose = choose,
-    .shake = shake,
-    .shaken = shaken,
-    .animate = animate,
-    .animation = animation,
-    .ask = ask,
-    .proposals = proposals,
-    .accept = accept,
-    .set_image = set_image,
-    .fade = fade,
-    .image = image,
-    .edits = edits,
-    .changed = changed,
-    .text = text,
-    .save = save,
-};
+/* The owner -------------------------------------------------------------------------------------------------------- */
+
+void editor_set_scene(Editor *edit, const EditorScene *scene) {
+    edit->scene = *scene;
+}
+
+void editor_set_driving(Editor *edit, int driving) {
+    edit->options.driving = driving;
+}
+
+const char *editor_path(const Editor *edit) {
+    return edit->options.path;
+}
+
+bool editor_next_change(Editor *edit) {
+    bool changed = edit->changed;
+    edit->changed = false;
+    return changed;
+}
+
+bool editor_next_shake(Editor *edit, EditorShake *shake) {
+    bool shook = edit->shook;
+    edit->shook = false;
+    if (shook) {
+        const EditShake *last = &edit->shakes[edit->shake_count - 1];
+        *shake = (EditorShake){edit->seed, last->ids, last->count};
+    }
+    return shook;
+}
+
+Item editor_selected(const Editor *edit) {
+    return edit->selected;
+}
+
+void editor_set_selected(Editor *edit, Item item) {
+    edit->selected = item;
+}
+
+void editor_settle(Editor *edit) {
+    Fault none = {0}; /* a value that was refused was reported when it was set */
+    if (!edit->number_held)
+        return;
+    edit->number_held = false;
+    draft_end(edit->draft, &none);
+    fault_clear(&none);
+    edit->changed = true;
+}
+
+/* Cancels the gesture and completes the number that is dragged, before another thing is done to the selection. */
+static void prepare(Editor *edit) {
+    editor_settle(edit);
+    edit_gesture_drop(edit);
+    edit_select_meet(edit);
+}
+
+void editor_hold_number(Editor *edit, const char *step) {
+    prepare(edit);
+    draft_begin(edit->draft, step);
+    edit->number_held = true;
+}
+
+bool editor_holds_number(Editor *edit) {
+    edit->number_held = edit->number_held && draft_is_open(edit->draft); /* the end of the step releases its numbers */
+    return edit->number_held;
+}
+
+void editor_reset(Editor *edit, const char *step) {
+    edit_gesture_drop(edit);
+    edit->number_held = false;
+    draft_file_reset(edit->draft, step);
+}
+
+const char *editor_image_trouble(Editor *edit) {
+    return edit_image_trouble(edit);
+}
+
+/* Tools, pointer and keys ------------------------------------------------------------------------------------------ */
+
+void editor_set_tool(Editor *edit, EditTool tool) {
+    editor_settle(edit);
+    edit_pointer_take(edit, tool);
+}
+
+EditTool editor_tool(const Editor *edit) {
+    return edit->tool;
+}
+
+void editor_point(Editor *edit, const Pointer *pointer) {
+    edit_pointer_point(edit, pointer);
+}
+
+void editor_press(Editor *edit, const Pointer *pointer, bool twice) {
+    editor_settle(edit);
+    edit_pointer_press(edit, pointer, twice);
+}
+
+void editor_release(Editor *edit, const Pointer *pointer) {
+    edit_pointer_release(edit, pointer);
+}
+
+bool editor_type(Editor *edit, const char *letters) {
+    editor_settle(edit);
+    return edit_pointer_type(edit, letters);
+}
+
+bool editor_enter(Editor *edit) {
+    editor_settle(edit);
+    return edit_pointer_enter(edit);
+}
+
+bool editor_back(Editor *edit) {
+    editor_settle(edit);
+    return edit_pointer_back(edit);
+}
+
+bool editor_tab(Editor *edit, int step) {
+    return edit_field_tab(edit, step);
+}
+
+bool editor_escape(Editor *edit) {
+    editor_settle(edit);
+    return edit_pointer_escape(edit);
+}
+
+/* The text of the tool's strip while there is no gesture. */
+static const char *strip_text(Editor *edit) {
+    const Plan *plan = draft_plan(edit->draft);
+    const char *trouble = edit->tool == TOOL_IMAGE ? edit_image_trouble(edit) : NULL;
+    if (trouble)
+        return trouble;
+    if (edit->tool == TOOL_IMAGE && !plan->background.image)
+        return "name the picture's file first, in the panel";
+    if (edit->tool == TOOL_ROUTE && !edit_way_person(edit))
+        return "place somebody first, whose route it is";
+    if (edit->tool == TOOL_DOOR && !plan->wall_count)
+        return "draw a wall first, for the door to be in";
+    return tools[edit->tool].strip;
+}
+
+const GestureView *editor_gesture(Editor *edit) {
+    return edit_marks_make(edit, edit->gesture ? "" : strip_text(edit));
+}
+
+/* Selection -------------------------------------------------------------------------------------------------------- */
+
+const Item *editor_selection(Editor *edit, size_t *count) {
+    edit_select_meet(edit);
+    *count = 0;
+    edit->things = memory_reserve(edit->things, &edit->thing_capacity, edit->id_count, sizeof *edit->things);
+    for (size_t i = 0; i < edit->id_count; i++) {
+        Item thing = edit_select_thing(edit, edit->ids[i]);
+        if (thing.kind)
+            edit->things[(*count)++] = thing;
+    }
+    return edit->things;
+}
+
+void editor_toggle(Editor *edit, Item item) {
+    edit_select_meet(edit);
+    const char *id = edit_select_id(edit, item);
+    if (*id)
+        edit_select_toggle(edit, id);
+}
+
+void editor_select_all(Editor *edit) {
+    edit_gesture_drop(edit);
+    edit_select_all(edit);
+}
+
+void editor_focus_handle(Editor *edit, int step) {
+    EditHandle handles[EDIT_HANDLES];
+    edit_select_meet(edit);
+    int count = (int)edit_handle_list(edit, draft_plan(edit->draft), handles) + 1; /* and none of them */
+    edit->handle = step ? (edit->handle + 1 + count + step % count) % count - 1 : -1;
+}
+
+bool editor_nudge(Editor *edit, Vec2 by, Fault *fault) {
+    prepare(edit);
+    return edit_do_nudge(edit, by, fault);
+}
+
+bool editor_turn(Editor *edit, double degrees, Fault *fault) {
+    prepare(edit);
+    return edit_do_turn(edit, degrees, fault);
+}
+
+bool editor_topple(Editor *edit, Fault *fault) {
+    prepare(edit);
+    return edit_do_topple(edit, fault);
+}
+
+bool editor_split(Editor *edit, Fault *fault) {
+    prepare(edit);
+    return edit_split_wall(edit, fault);
+}
+
+bool editor_remove(Editor *edit, Fault *fault) {
+    prepare(edit);
+    return edit_do_remove(edit, fault);
+}
+
+bool editor_duplicate(Editor *edit, Fault *fault) {
+    prepare(edit);
+    return edit_do_duplicate(edit, fault);
+}
+
+char *editor_copy(Editor *edit) {
+    edit_select_meet(edit);
+    return edit_do_copy(edit);
+}
+
+bool editor_paste(Editor *edit, const char *text, Fault *fault) {
+    prepare(edit);
+    return edit_do_paste(edit, text, fault);
+}
+
+bool editor_shake(Editor *edit, Fault *fault) {
+    prepare(edit);
+    return edit_shake_do(edit, fault);
+}
+
+const char *editor_shake_result(const Editor *edit) {
+    return edit->shaken;
+}
+
+/* Steps ------------------------------------------------------------------------------------------------------------ */
+
+static bool step(Editor *edit, bool (*go)(Draft *draft)) {
+    editor_settle(edit);
+    if (edit->gesture) {
+        edit_gesture_drop(edit);
+        return true;
+    }
+    if (!go(edit->draft))
+        return false;
+    edit_select_known(edit);
+    edit->changed = true;
+    return true;
+}
+
+bool editor_undo(Editor *edit) {
+    return step(edit, draft_undo);
+}
+
+bool editor_redo(Editor *edit) {
+    return step(edit, draft_redo);
+}
+
+const char *editor_undo_name(const Editor *edit) {
+    return draft_undo_name(edit->draft);
+}
+
+const char *editor_redo_name(const Editor *edit) {
+    return draft_redo_name(edit->draft);
+}
+
+/* Texts, catalogue, proposals, picture ------------------------------------------------------------------------------
+ */
+
+const EditText *editor_texts(Editor *edit, size_t *count) {
+    edit_select_meet(edit);
+    return edit_text_list(edit, count);
+}
+
+bool editor_set_text(Editor *edit, const char *name, const char *value, Fault *fault) {
+    prepare(edit);
+    return edit_text_set(edit, name, value, fault);
+}
+
+const CatalogueRow *editor_items(Editor *edit, size_t *count) {
+    return edit_items_list(edit, count);
+}
+
+size_t editor_item(const Editor *edit) {
+    return edit->items[edit->tool];
+}
+
+void editor_choose_item(Editor *edit, size_t item) {
+    size_t count;
+    edit_items_list(edit, &count);
+    edit_gesture_drop(edit);
+    if (item < count)
+        edit->items[edit->tool] = item;
+}
+
+void editor_ask_proposals(Editor *edit) {
+    prepare(edit);
+    edit_propose_ask(edit);
+}
+
+const Proposal *editor_proposals(Editor *edit, size_t *count, const char **doing) {
+    return edit_propose_list(edit, count, doing);
+}
+
+bool editor_accept(Editor *edit, size_t proposal, Fault *fault) {
+    prepare(edit);
+    return edit_propose_accept(edit, proposal, fault);
+}
+
+bool editor_set_image(Editor *edit, const char *path, Fault *fault) {
+    prepare(edit);
+    return edit_image_set(edit, path, fault);
+}
+
+void editor_fade_image(Editor *edit, double opacity) {
+    edit_image_fade(edit, opacity);
+}
+
+TraceImage editor_image(Editor *edit) {
+    return edit_image_get(edit);
+}
+
+/* Files ------------------------------------------------------------------------------------------------------------ */
+
+size_t editor_edit_count(const Editor *edit) {
+    size_t steps = draft_step_count(edit->draft), saved = edit->saved_steps;
+    return steps > saved ? steps - saved : saved - steps;
+}
+
+bool editor_is_changed(const Editor *edit) {
+    return draft_file_is_changed(edit->draft);
+}
+
+const char *editor_text(const Editor *edit) {
+    return draft_text(edit->draft);
+}
+
+bool editor_save(Editor *edit, const char *path, Fault *fault) {
+    prepare(edit);
+    if (!draft_file_save(edit->draft, path, fault))
+        return false;
+    edit->saved_steps = draft_step_count(edit->draft);
+    edit->options.path = arena_text(&edit->kept, path);
+    return true;
+}

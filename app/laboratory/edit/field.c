@@ -4,10 +4,9 @@
 #include <string.h>
 
 #include "base/quantity.h"
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
-void edit_field_list(HouseSession *live, const char *const *names, const char *const *units, size_t count) {
-    Editor *edit = &live->edit;
+void edit_field_list(Editor *edit, const char *const *names, const char *const *units, size_t count) {
     for (size_t i = 0; i < count; i++)
         edit->fields[i] = (EditField){.name = names[i], .unit = units[i]};
     edit->field_count = count;
@@ -15,22 +14,22 @@ void edit_field_list(HouseSession *live, const char *const *names, const char *c
     *edit->typed = *edit->wrong = 0;
 }
 
-bool edit_field_typed(const HouseSession *live, size_t field, double *value) {
-    const EditField *is = &live->edit.fields[field];
-    if (field >= live->edit.field_count || !is->typed)
+bool edit_field_typed(const Editor *edit, size_t field, double *value) {
+    const EditField *is = &edit->fields[field];
+    if (field >= edit->field_count || !is->typed)
         return false;
     *value = is->value;
     return true;
 }
 
-void edit_field_show(HouseSession *live, size_t field, double value) {
-    if (field < live->edit.field_count && !live->edit.fields[field].typed)
-        live->edit.fields[field].value = value;
+void edit_field_show(Editor *edit, size_t field, double value) {
+    if (field < edit->field_count && !edit->fields[field].typed)
+        edit->fields[field].value = value;
 }
 
-bool edit_field_any(const HouseSession *live) {
-    for (size_t i = 0; i < live->edit.field_count; i++)
-        if (live->edit.fields[i].typed)
+bool edit_field_any(const Editor *edit) {
+    for (size_t i = 0; i < edit->field_count; i++)
+        if (edit->fields[i].typed)
             return true;
     return false;
 }
@@ -48,8 +47,7 @@ static bool goes_on(const char *letters) {
 }
 
 /* What is typed is read; while it is no number, the last one stays. */
-static void read_typed(HouseSession *live) {
-    Editor *edit = &live->edit;
+static void read_typed(Editor *edit) {
     EditField *field = &edit->fields[edit->field];
     char reason[QUANTITY_REASON];
     double value;
@@ -68,33 +66,28 @@ static void read_typed(HouseSession *live) {
         field->value = value;
 }
 
-bool edit_field_type(HouseSession *live, const char *letters) {
-    Editor *edit = &live->edit;
+bool edit_field_type(Editor *edit, const char *letters) {
     size_t used = strlen(edit->typed);
     bool fits = *edit->typed ? goes_on(letters) : edit_field_begins(letters) && goes_on(letters);
     if (!edit->gesture || !edit->field_count || !fits)
         return false;
     snprintf(edit->typed + used, sizeof edit->typed - used, "%s", letters);
-    read_typed(live);
-    edit_gesture_follow(live);
+    read_typed(edit);
     return true;
 }
 
-bool edit_field_back(HouseSession *live) {
-    Editor *edit = &live->edit;
+bool edit_field_back(Editor *edit) {
     size_t used = strlen(edit->typed);
     if (!used)
         return false;
     while (used > 1 && ((unsigned char)edit->typed[used - 1] & 0xC0) == 0x80)
         used--; /* the bytes that go on with a letter */
     edit->typed[used - 1] = 0;
-    read_typed(live);
-    edit_gesture_follow(live);
+    read_typed(edit);
     return true;
 }
 
-bool edit_field_tab(HouseSession *live, int step) {
-    Editor *edit = &live->edit;
+bool edit_field_tab(Editor *edit, int step) {
     if (!edit->gesture || !edit->field_count)
         return false;
     if (*edit->wrong)

@@ -1,7 +1,7 @@
 /* What all gestures have in common: a step that is made anew with each movement, tried, and put down or let go. */
 #include <stdio.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 static void forget_refusal(Editor *edit) {
     memory_free(edit->refusal);
@@ -15,136 +15,131 @@ static void keep_refusal(Editor *edit, const Fault *fault) {
     edit->refusal = text.text;
 }
 
-static void keep_begun(HouseSession *live) {
+static void keep_begun(Editor *edit) {
     Fault none = {0};
-    plan_read_text(&live->edit.begun, "", draft_text(live->draft), NULL, 0, &none);
+    plan_read_text(&edit->begun, "", draft_text(edit->draft), NULL, 0, &none);
     fault_clear(&none);
 }
 
-void edit_gesture_open(HouseSession *live, const char *name) {
-    edit_gesture_drop(live);
-    draft_begin(live->draft, name);
+void edit_gesture_open(Editor *edit, const char *name) {
+    edit_gesture_drop(edit);
+    draft_begin(edit->draft, name);
 }
 
-bool edit_gesture_close(HouseSession *live, Fault *fault) {
-    if (!draft_end(live->draft, fault))
+bool edit_gesture_close(Editor *edit, Fault *fault) {
+    if (!draft_end(edit->draft, fault))
         return false;
-    edit_select_known(live);
-    house_follow_edited(live);
+    edit_select_known(edit);
+    edit->changed = true;
     return true;
 }
 
-void edit_gesture_begin(HouseSession *live, const EditGesture *gesture, const char *name, bool keys) {
-    Editor *edit = &live->edit;
-    edit_gesture_drop(live);
+void edit_gesture_begin(Editor *edit, const EditGesture *gesture, const char *name, bool keys) {
+    edit_gesture_drop(edit);
     edit->gesture = gesture;
     edit->keys = keys;
     edit->keys_at = edit->hand.at;
     edit->now = edit->good = (EditTarget){.at = edit->hand.at};
     edit->has_good = edit->limited = false;
     snprintf(edit->name, sizeof edit->name, "%s", name);
-    keep_begun(live);
+    keep_begun(edit);
     if (gesture->make)
-        draft_begin(live->draft, name);
+        draft_begin(edit->draft, name);
 }
 
 /* Makes the target in the draft and tries it. */
-static bool try_now(HouseSession *live, Fault *fault) {
-    uint64_t before = draft_revision(live->draft);
-    draft_rewind(live->draft);
-    live->edit.gesture->make(live);
-    if (!draft_try(live->draft, fault))
+static bool try_now(Editor *edit, Fault *fault) {
+    uint64_t before = draft_revision(edit->draft);
+    draft_rewind(edit->draft);
+    edit->gesture->make(edit);
+    if (!draft_try(edit->draft, fault))
         return false;
-    if (draft_revision(live->draft) != before)
-        house_follow_edited(live);
-    live->edit.good = live->edit.now;
-    live->edit.has_good = true;
+    if (draft_revision(edit->draft) != before)
+        edit->changed = true;
+    edit->good = edit->now;
+    edit->has_good = true;
     return true;
 }
 
-void edit_gesture_follow(HouseSession *live) {
-    Editor *edit = &live->edit;
+void edit_gesture_follow(Editor *edit) {
     Fault fault = {0}, again = {0};
     if (!edit->gesture)
         return;
-    if (edit->gesture->make && !draft_is_open(live->draft)) { /* a number was set meanwhile: a step of its own */
-        keep_begun(live);
-        draft_begin(live->draft, edit->name);
+    if (edit->gesture->make && !draft_is_open(edit->draft)) { /* a number was set meanwhile: a step of its own */
+        keep_begun(edit);
+        draft_begin(edit->draft, edit->name);
     }
     edit->snap = (Snap){.at = edit->hand.at};
     edit->limited = false;
-    edit->gesture->follow(live);
+    edit->gesture->follow(edit);
     forget_refusal(edit);
-    if (edit->gesture->make && !try_now(live, &fault)) {
+    if (edit->gesture->make && !try_now(edit, &fault)) {
         keep_refusal(edit, &fault);
-        if (edit->gesture->limit && edit->gesture->limit(live))
-            edit->limited = try_now(live, &again);
+        if (edit->gesture->limit && edit->gesture->limit(edit))
+            edit->limited = try_now(edit, &again);
     }
     fault_clear(&fault);
     fault_clear(&again);
 }
 
 /* Nothing is in the hand any more. */
-static void empty_hand(HouseSession *live) {
-    Editor *edit = &live->edit;
+static void empty_hand(Editor *edit) {
+    if (edit->gesture->end)
+        edit->gesture->end(edit);
     edit->gesture = NULL;
     edit->taken = edit->sizing = edit->keys = edit->clicked = false;
     edit->offset = vec2(0, 0);
     edit->snap = (Snap){.guide_count = 0};
-    edit_field_list(live, NULL, NULL, 0);
-    edit_chain_clear(live);
+    edit_field_list(edit, NULL, NULL, 0);
     forget_refusal(edit);
     memory_free(edit->held);
     edit->held = NULL;
     plan_free(&edit->begun);
 }
 
-void edit_gesture_drop(HouseSession *live) {
-    if (!live->edit.gesture)
+void edit_gesture_drop(Editor *edit) {
+    if (!edit->gesture)
         return;
-    bool made = live->edit.gesture->make;
-    uint64_t before = draft_revision(live->draft);
-    empty_hand(live);
+    bool made = edit->gesture->make;
+    uint64_t before = draft_revision(edit->draft);
+    empty_hand(edit);
     if (made)
-        draft_cancel(live->draft);
-    edit_select_known(live);
-    if (draft_revision(live->draft) != before)
-        house_follow_edited(live);
+        draft_cancel(edit->draft);
+    edit_select_known(edit);
+    if (draft_revision(edit->draft) != before)
+        edit->changed = true;
 }
 
-bool edit_gesture_end(HouseSession *live) {
-    Editor *edit = &live->edit;
+bool edit_gesture_end(Editor *edit) {
     Fault fault = {0};
-    draft_begin(live->draft, edit->name);
-    edit->gesture->make(live);
-    bool good = draft_end(live->draft, &fault);
+    draft_begin(edit->draft, edit->name);
+    edit->gesture->make(edit);
+    bool good = draft_end(edit->draft, &fault);
     if (good) {
-        empty_hand(live);
-        edit_select_known(live);
+        empty_hand(edit);
+        edit_select_known(edit);
     } else {
         keep_refusal(edit, &fault);
-        draft_begin(live->draft, edit->name);
+        draft_begin(edit->draft, edit->name);
     }
-    house_follow_edited(live);
+    edit->changed = true;
     fault_clear(&fault);
     return good;
 }
 
-bool edit_gesture_settle(HouseSession *live) {
-    Editor *edit = &live->edit;
+bool edit_gesture_settle(Editor *edit) {
     if (!edit->has_good) {
         return false;
     }
     edit->now = edit->good;
-    return edit_gesture_end(live);
+    return edit_gesture_end(edit);
 }
 
-Vec2 edit_gesture_snap(HouseSession *live, SnapAsk ask) {
-    Editor *edit = &live->edit;
+Vec2 edit_gesture_snap(Editor *edit, SnapAsk ask) {
     ask.at = vec2_add(edit->hand.at, edit->offset);
     ask.reach = edit->hand.reach;
     ask.free = edit->hand.free;
     ask.straight = edit->hand.straight;
-    edit->snap = snap_point(edit->gesture ? &edit->begun : draft_plan(live->draft), &ask);
+    edit->snap = snap_point(edit->gesture ? &edit->begun : draft_plan(edit->draft), &ask);
     return edit->snap.at;
 }

@@ -1,6 +1,6 @@
 /* What can be taken up of what is selected: points, edges, corners, what turns it. */
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 #include "plan/plan_geometry.h"
 
 static const double ARM = 0.45; /* m, of the handle that turns, beyond the piece or from the person */
@@ -71,13 +71,13 @@ static void add_exit(Handles *handles, const Exit *exit) {
     add(handles, GRIP_MIDDLE, 0, middle(exit->from, exit->to));
 }
 
-size_t edit_handle_list(const HouseSession *live, const Plan *plan, EditHandle *handles) {
+size_t edit_handle_list(const Editor *edit, const Plan *plan, EditHandle *handles) {
     Handles made = {.list = handles};
     size_t index;
-    if (live->edit.id_count != 1)
+    if (edit->id_count != 1)
         return 0;
-    made.id = live->edit.ids[0];
-    made.of = draft_find(live->draft, made.id, &index);
+    made.id = edit->ids[0];
+    made.of = draft_find(edit->draft, made.id, &index);
     switch (made.of) {
     case DRAFT_WALLS:
         if (index < plan->wall_count)
@@ -109,9 +109,9 @@ size_t edit_handle_list(const HouseSession *live, const Plan *plan, EditHandle *
     return made.count;
 }
 
-bool edit_handle_at(const HouseSession *live, const Pointer *hand, EditHandle *handle) {
+bool edit_handle_at(const Editor *edit, const Pointer *hand, EditHandle *handle) {
     EditHandle handles[EDIT_HANDLES];
-    size_t count = edit_handle_list(live, draft_plan(live->draft), handles);
+    size_t count = edit_handle_list(edit, draft_plan(edit->draft), handles);
     double nearest = hand->reach;
     for (size_t i = 0; i < count; i++) {
         double distance = vec2_distance(handles[i].at, hand->at);

@@ -9,7 +9,7 @@
 #include "base/digest.h"
 #include "base/text.h"
 #include "plan/draft_file.h"
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 static const double FIRST_WIDTH = 10; /* m, before its scale is known */
 static const double FIRST_OPACITY = 0.5;
@@ -49,8 +49,8 @@ static bool look_at(const char *path, double *shape, char digest[17]) {
 }
 
 /* The folder of the house's file with its "/"; memory_free it. "": it has no file. */
-static char *folder_of(const HouseSession *live) {
-    const char *path = live->wish.path;
+static char *folder_of(const Editor *edit) {
+    const char *path = edit->options.path;
     char whole[PATH_MAX];
     Text folder = {0};
     text_add(&folder, "");
@@ -62,8 +62,8 @@ static char *folder_of(const HouseSession *live) {
 }
 
 /* As it stands in the house file: from its folder on where it is within it. memory_free it. */
-static char *as_written(const HouseSession *live, const char *path) {
-    char whole[PATH_MAX], *folder = folder_of(live);
+static char *as_written(const Editor *edit, const char *path) {
+    char whole[PATH_MAX], *folder = folder_of(edit);
     size_t length = strlen(folder);
     Text text = {0};
     const char *found = realpath(path, whole) ? whole : path;
@@ -73,8 +73,8 @@ static char *as_written(const HouseSession *live, const char *path) {
 }
 
 /* The other way round. */
-static char *as_found(const HouseSession *live, const char *image) {
-    char *folder = *image == '/' ? NULL : folder_of(live);
+static char *as_found(const Editor *edit, const char *image) {
+    char *folder = *image == '/' ? NULL : folder_of(edit);
     Text text = {0};
     text_format(&text, "%s%s", folder ? folder : "", image);
     memory_free(folder);
@@ -82,10 +82,9 @@ static char *as_found(const HouseSession *live, const char *image) {
 }
 
 /* Looks for the picture again when it is another one. */
-static void find(HouseSession *live) {
-    Editor *edit = &live->edit;
-    const Background *background = &draft_plan(live->draft)->background;
-    char *path = background->image ? as_found(live, background->image) : NULL;
+static void find(Editor *edit) {
+    const Background *background = &draft_plan(edit->draft)->background;
+    char *path = background->image ? as_found(edit, background->image) : NULL;
     if (edit->image && path && strcmp(edit->image, path) == 0) {
         memory_free(path);
         return;
@@ -99,9 +98,8 @@ static void find(HouseSession *live) {
         edit->image_other = *background->digest && strcmp(digest, background->digest) != 0;
 }
 
-const char *edit_image_trouble(HouseSession *live) {
-    find(live);
-    const Editor *edit = &live->edit;
+const char *edit_image_trouble(Editor *edit) {
+    find(edit);
     if (!edit->image)
         return NULL;
     return !edit->image_shape  ? "the picture to trace over is not there"
@@ -118,100 +116,99 @@ static json_t *element_of(const Background *background) {
                      json_number(background->opacity), "digest", background->digest);
 }
 
-static bool remove_image(HouseSession *live, Fault *fault) {
-    edit_gesture_open(live, "Remove picture");
-    draft_set_house(live->draft, "background", NULL);
-    return edit_gesture_close(live, fault);
+static bool remove_image(Editor *edit, Fault *fault) {
+    edit_gesture_open(edit, "Remove picture");
+    draft_set_house(edit->draft, "background", NULL);
+    return edit_gesture_close(edit, fault);
 }
 
-bool edit_image_set(HouseSession *live, const char *path, Fault *fault) {
+bool edit_image_set(Editor *edit, const char *path, Fault *fault) {
     char digest[17] = "";
     double shape;
     if (!path || !*path)
-        return remove_image(live, fault);
+        return remove_image(edit, fault);
     if (!look_at(path, &shape, digest)) {
         fault_add(fault, "%s: %s", path,
                   errno ? strerror(errno) : "is no PNG picture, which is what can be traced over");
         return false;
     }
-    char *image = as_written(live, path);
+    char *image = as_written(edit, path);
     Background background = {.image = image, .width = FIRST_WIDTH, .opacity = FIRST_OPACITY, .digest = digest};
-    edit_gesture_open(live, "Trace over a picture");
-    draft_set_house(live->draft, "background", element_of(&background));
+    edit_gesture_open(edit, "Trace over a picture");
+    draft_set_house(edit->draft, "background", element_of(&background));
     memory_free(image);
-    live->edit.items[TOOL_IMAGE] = ITEM_SCALE;
-    memory_free(live->edit.image); /* it is looked at again */
-    live->edit.image = NULL;
-    return edit_gesture_close(live, fault);
+    edit->items[TOOL_IMAGE] = ITEM_SCALE;
+    memory_free(edit->image); /* it is looked at again */
+    edit->image = NULL;
+    return edit_gesture_close(edit, fault);
 }
 
-void edit_image_fade(HouseSession *live, double opacity) {
+void edit_image_fade(Editor *edit, double opacity) {
     Fault none = {0};
-    if (!draft_plan(live->draft)->background.image)
+    if (!draft_plan(edit->draft)->background.image)
         return;
-    Background background = draft_plan(live->draft)->background;
+    Background background = draft_plan(edit->draft)->background;
     char *image = text_copy(background.image), *digest = text_copy(background.digest);
     background.image = image;
     background.digest = digest;
     background.opacity = real_clamp(opacity, 0, 1);
-    const char *last = draft_undo_name(live->draft);
-    edit_gesture_drop(live);
+    const char *last = draft_undo_name(edit->draft);
+    edit_gesture_drop(edit);
     if (last && strcmp(last, FADE) == 0)
-        draft_undo(live->draft); /* one step, however often a slider says where it is */
-    edit_gesture_open(live, FADE);
-    draft_set_house(live->draft, "background", element_of(&background));
-    edit_gesture_close(live, &none);
+        draft_undo(edit->draft); /* one step, however often a slider says where it is */
+    edit_gesture_open(edit, FADE);
+    draft_set_house(edit->draft, "background", element_of(&background));
+    edit_gesture_close(edit, &none);
     fault_clear(&none);
     memory_free(image);
     memory_free(digest);
 }
 
-TraceImage edit_image_get(HouseSession *live) {
-    const Background *background = &draft_plan(live->draft)->background;
-    find(live);
-    if (!background->image || !live->edit.image_shape)
+TraceImage edit_image_get(Editor *edit) {
+    const Background *background = &draft_plan(edit->draft)->background;
+    find(edit);
+    if (!background->image || !edit->image_shape)
         return (TraceImage){.path = NULL};
     Vec2 axis = snap_heading(background->angle), along = vec2_scale(axis, background->width);
-    Vec2 up = vec2_scale(vec2_left(axis), background->width * live->edit.image_shape);
+    Vec2 up = vec2_scale(vec2_left(axis), background->width * edit->image_shape);
     Vec2 at = background->at;
-    return (TraceImage){.path = live->edit.image,
+    return (TraceImage){.path = edit->image,
                         .corners = {at, vec2_add(at, along), vec2_add(vec2_add(at, along), up), vec2_add(at, up)},
                         .opacity = background->opacity};
 }
 
 /* The tool --------------------------------------------------------------------------------------------------------- */
 
-static bool levels(const HouseSession *live) {
-    return live->edit.items[TOOL_IMAGE] == ITEM_LEVEL;
+static bool levels(const Editor *edit) {
+    return edit->items[TOOL_IMAGE] == ITEM_LEVEL;
 }
 
-static void list_fields(HouseSession *live) {
+static void list_fields(Editor *edit) {
     static const char *const place[] = {"x", "y"}, *const length[] = {"real length"}, *const metres[] = {"m", "m"};
-    bool both = live->edit.chain.count == 2;
-    edit_field_list(live, both ? length : place, metres, both ? 1 : 2);
+    bool both = edit->chain.count == 2;
+    edit_field_list(edit, both ? length : place, metres, both ? 1 : 2);
 }
 
-void edit_image_begin(HouseSession *live, bool keys) {
-    edit_gesture_begin(live, &edit_image_gesture, levels(live) ? "Level picture" : "Scale picture", keys);
-    list_fields(live);
-    edit_gesture_follow(live);
+void edit_image_begin(Editor *edit, bool keys) {
+    edit_gesture_begin(edit, &edit_image_gesture, levels(edit) ? "Level picture" : "Scale picture", keys);
+    list_fields(edit);
+    edit_gesture_follow(edit);
 }
 
-static void follow(HouseSession *live) {
-    Editor *edit = &live->edit;
+static void follow(Editor *edit) {
     EditTarget *now = &edit->now;
     if (edit->chain.count == 2) {
         now->amount = vec2_distance(edit->chain.points[0], edit->chain.points[1]);
-        edit_field_typed(live, 0, &now->amount);
-        edit_field_show(live, 0, now->amount);
+        edit_field_typed(edit, 0, &now->amount);
+        edit_field_show(edit, 0, now->amount);
         return;
     }
     if (!edit->keys)
         now->at = edit->hand.at;
-    edit_field_typed(live, 0, &now->at.x);
-    edit_field_typed(live, 1, &now->at.y);
-    edit_field_show(live, 0, now->at.x);
-    edit_field_show(live, 1, now->at.y);
+    edit_field_typed(edit, 0, &now->at.x);
+    edit_field_typed(edit, 1, &now->at.y);
+    edit_field_show(edit, 0, now->at.x);
+    edit_field_show(edit, 1, now->at.y);
 }
 
 /* What lies at a point stays there, while the picture is turned and made larger about it. */
@@ -223,72 +220,75 @@ static void turn_about(Background *background, Vec2 point, double angle, double 
     background->width = snap_tidy(background->width * factor);
 }
 
-static void make(HouseSession *live) {
-    const Editor *edit = &live->edit;
+static void make(Editor *edit) {
     Background background = edit->begun.background;
     if (edit->chain.count < 2 || !background.image)
         return;
     Vec2 a = edit->chain.points[0], along = vec2_sub(edit->chain.points[1], a);
     double angle = snap_angle(along);
-    if (levels(live))
+    if (levels(edit))
         turn_about(&background, a, snap_tidy(round(angle / 90) * 90 - angle), 1);
     else
         turn_about(&background, a, 0, edit->now.amount / vec2_length(along));
-    draft_set_house(live->draft, "background", element_of(&background));
+    draft_set_house(edit->draft, "background", element_of(&background));
 }
 
-static bool finish(HouseSession *live) {
-    bool levelled = levels(live);
-    if (live->edit.refusal || !edit_gesture_end(live))
+static bool finish(Editor *edit) {
+    bool levelled = levels(edit);
+    if (edit->refusal || !edit_gesture_end(edit))
         return false;
-    live->edit.items[TOOL_IMAGE] = levelled ? ITEM_SCALE : ITEM_LEVEL;
+    edit->items[TOOL_IMAGE] = levelled ? ITEM_SCALE : ITEM_LEVEL;
     return true;
 }
 
-static bool put(HouseSession *live, bool keys) {
-    Editor *edit = &live->edit;
+static bool put(Editor *edit, bool keys) {
     EditChain *chain = &edit->chain;
     (void)keys;
     if (chain->count == 2)
-        return finish(live);
+        return finish(edit);
     if (chain->count == 1 && vec2_distance(chain->points[0], edit->now.at) < LEAST_APART)
         return false;
     chain->points = memory_reserve(chain->points, &chain->capacity, chain->count + 1, sizeof *chain->points);
     chain->points[chain->count++] = edit->now.at;
-    list_fields(live);
-    edit_gesture_follow(live);
-    return chain->count == 2 && levels(live) ? finish(live) : true;
+    list_fields(edit);
+    edit_gesture_follow(edit);
+    return chain->count == 2 && levels(edit) ? finish(edit) : true;
 }
 
-static bool back(HouseSession *live) {
-    if (live->edit.chain.count <= 1) {
-        edit_gesture_drop(live);
+static bool back(Editor *edit) {
+    if (edit->chain.count <= 1) {
+        edit_gesture_drop(edit);
         return true;
     }
-    live->edit.chain.count--;
-    list_fields(live);
-    edit_gesture_follow(live);
+    edit->chain.count--;
+    list_fields(edit);
+    edit_gesture_follow(edit);
     return true;
 }
 
-static void release(HouseSession *live, bool moved) {
-    if (moved && live->edit.chain.count < 2)
-        put(live, false);
+static void release(Editor *edit, bool moved) {
+    if (moved && edit->chain.count < 2)
+        put(edit, false);
 }
 
-static void say(HouseSession *live, Text *words) {
-    if (live->edit.chain.count == 2)
+static void say(Editor *edit, Text *words) {
+    if (edit->chain.count == 2)
         text_add(words, "type how long this really is, and Enter");
     else
-        text_add(words, levels(live) ? "click another point that is level with the first, or straight above it"
+        text_add(words, levels(edit) ? "click another point that is level with the first, or straight above it"
                                      : "click another point whose distance to the first is known");
 }
 
-static void show(HouseSession *live) {
-    const Editor *edit = &live->edit;
+static void show(Editor *edit) {
     if (edit->chain.count)
-        edit_marks_line(live, edit->chain.points[0], edit->chain.count == 2 ? edit->chain.points[1] : edit->now.at);
+        edit_marks_line(edit, edit->chain.points[0], edit->chain.count == 2 ? edit->chain.points[1] : edit->now.at);
 }
 
-const EditGesture edit_image_gesture = {
-    .follow = follow, .make = make, .put = put, .back = back, .release = release, .say = say, .show = show};
+const EditGesture edit_image_gesture = {.follow = follow,
+                                        .make = make,
+                                        .put = put,
+                                        .back = back,
+                                        .release = release,
+                                        .say = say,
+                                        .show = show,
+                                        .end = edit_chain_clear};

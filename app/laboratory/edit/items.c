@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 #include "laboratory/shipped.h"
 
 #define USUAL_PROFILE "manual-chair" /* that is placed unless another one is chosen */
@@ -13,10 +13,9 @@ static int is_json(const struct dirent *entry) {
     return length > 5 && strcmp(entry->d_name + length - 5, ".json") == 0;
 }
 
-static void stock_profiles(HouseSession *live) {
-    Editor *edit = &live->edit;
+static void stock_profiles(Editor *edit) {
     struct dirent **entries;
-    int count = scandir(live->wish.profiles, &entries, is_json, alphasort);
+    int count = scandir(edit->options.profiles, &entries, is_json, alphasort);
     if (count < 0)
         return;
     edit->profiles = memory_zeroed((size_t)count, sizeof *edit->profiles);
@@ -31,18 +30,17 @@ static void stock_profiles(HouseSession *live) {
     free(entries);
 }
 
-void edit_items_stock(HouseSession *live) {
-    if (live->edit.stocked)
+void edit_items_stock(Editor *edit) {
+    if (edit->stocked)
         return;
-    live->edit.stocked = true;
+    edit->stocked = true;
     Fault none = {0}; /* what is wrong with a shipped file is seen by its test */
-    catalogue_read_folder(&live->edit.catalogue, shipped_places()->furniture, &none);
+    catalogue_read_folder(&edit->catalogue, shipped_places()->furniture, &none);
     fault_clear(&none);
-    stock_profiles(live);
+    stock_profiles(edit);
 }
 
-void edit_items_clear(HouseSession *live) {
-    Editor *edit = &live->edit;
+void edit_items_clear(Editor *edit) {
     for (size_t i = 0; i < edit->profile_count; i++)
         memory_free(edit->profiles[i]);
     memory_free(edit->profiles);
@@ -67,10 +65,9 @@ static void list_furniture(Editor *edit, size_t *count) {
     }
 }
 
-const CatalogueRow *edit_items_list(HouseSession *live, size_t *count) {
-    Editor *edit = &live->edit;
+const CatalogueRow *edit_items_list(Editor *edit, size_t *count) {
     *count = 0;
-    edit_items_stock(live);
+    edit_items_stock(edit);
     arena_clear(&edit->item_words);
     if (edit->tool == TOOL_FURNITURE) {
         list_furniture(edit, count);

@@ -2,13 +2,14 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 #include "plan/plan_geometry.h"
 
-double edit_measure_chair(const HouseSession *live) {
+double edit_measure_chair(const Editor *edit) {
     double width = HUGE_VAL;
-    for (size_t i = 0; live->shown && i < live->shown->house.profile_count; i++) {
-        const Profile *profile = &live->shown->house.profiles[i];
+    const House *house = edit->scene.scenery.house;
+    for (size_t i = 0; house && i < house->profile_count; i++) {
+        const Profile *profile = &house->profiles[i];
         if (profile->driving != DRIVING_WALKER)
             width = fmin(width, profile->width);
     }
@@ -36,9 +37,8 @@ static void offer(Side *side, Vec2 at, Vec2 from, Vec2 to) {
         *side = (Side){from, to, distance};
 }
 
-bool edit_measure_side(HouseSession *live) {
-    Editor *edit = &live->edit;
-    const Plan *plan = draft_plan(live->draft);
+bool edit_measure_side(Editor *edit) {
+    const Plan *plan = draft_plan(edit->draft);
     Side side = {.distance = edit->hand.reach};
     for (size_t w = 0; w < plan->wall_count; w++)
         for (size_t s = 0; s + 1 < plan->walls[w].points.count; s++) {
@@ -55,12 +55,11 @@ bool edit_measure_side(HouseSession *live) {
     }
     if (!(side.distance < edit->hand.reach))
         return false;
-    edit_measure_keep(live, side.from, side.to);
+    edit_measure_keep(edit, side.from, side.to);
     return true;
 }
 
-void edit_measure_keep(HouseSession *live, Vec2 from, Vec2 to) {
-    Editor *edit = &live->edit;
+void edit_measure_keep(Editor *edit, Vec2 from, Vec2 to) {
     if (edit->measure_count == EDIT_MEASURES) {
         for (size_t i = 1; i < EDIT_MEASURES; i++)
             edit->measures[i - 1] = edit->measures[i];

@@ -2,42 +2,39 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 enum { FIELD_X, FIELD_Y, FIELD_HEADING };
 
 /* While its button is down the hand turns who has been placed, once it is far enough from there. */
-static void turn_to_hand(HouseSession *live) {
-    Editor *edit = &live->edit;
+static void turn_to_hand(Editor *edit) {
     Vec2 to = vec2_sub(edit->hand.at, edit->now.at);
     if (edit->down && edit->moved && vec2_length(to) > edit->hand.reach)
         edit->now.angle = snap_turn(snap_angle(to), edit->hand.free);
 }
 
-void edit_person_follow(HouseSession *live) {
-    Editor *edit = &live->edit;
+void edit_person_follow(Editor *edit) {
     EditTarget *now = &edit->now;
     if (!edit->down)
-        now->at = edit_gesture_snap(live, (SnapAsk){.along = NAN});
+        now->at = edit_gesture_snap(edit, (SnapAsk){.along = NAN});
     else
         now->at = vec2(snap_tidy(round(edit->pressed.x / SNAP_GRID) * SNAP_GRID),
                        snap_tidy(round(edit->pressed.y / SNAP_GRID) * SNAP_GRID));
-    edit_field_typed(live, FIELD_X, &now->at.x);
-    edit_field_typed(live, FIELD_Y, &now->at.y);
-    turn_to_hand(live);
-    edit_field_typed(live, FIELD_HEADING, &now->angle);
-    edit_field_show(live, FIELD_X, now->at.x);
-    edit_field_show(live, FIELD_Y, now->at.y);
-    edit_field_show(live, FIELD_HEADING, now->angle);
+    edit_field_typed(edit, FIELD_X, &now->at.x);
+    edit_field_typed(edit, FIELD_Y, &now->at.y);
+    turn_to_hand(edit);
+    edit_field_typed(edit, FIELD_HEADING, &now->angle);
+    edit_field_show(edit, FIELD_X, now->at.x);
+    edit_field_show(edit, FIELD_Y, now->at.y);
+    edit_field_show(edit, FIELD_HEADING, now->angle);
 }
 
-void edit_person_make(HouseSession *live) {
-    Editor *edit = &live->edit;
+void edit_person_make(Editor *edit) {
     const EditTarget *now = &edit->now;
-    edit_items_stock(live);
+    edit_items_stock(edit);
     size_t item = edit->items[TOOL_PERSON];
     const char *profile = item < edit->profile_count ? edit->profiles[item] : "adult";
     json_t *element = json_pack("{s:s, s:[o, o], s:o}", "profile", profile, "at", json_number(now->at.x),
                                 json_number(now->at.y), "heading", json_number(now->angle));
-    snprintf(edit->made, EDIT_NAME, "%s", draft_add(live->draft, DRAFT_PEOPLE, element));
+    snprintf(edit->made, EDIT_NAME, "%s", draft_add(edit->draft, DRAFT_PEOPLE, element));
 }

@@ -1,7 +1,7 @@
 /* One thing at the hand: a door, a piece of furniture, a person. */
 #include <stdio.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 typedef struct PlaceKind {
     const char *name; /* of the step */
@@ -20,56 +20,53 @@ static const PlaceKind kinds[EDIT_TOOLS] = {
 };
 
 /* "Place wardrobe" */
-static void name_step(HouseSession *live, const PlaceKind *kind, char name[EDIT_NAME]) {
-    size_t count, item = live->edit.items[live->edit.tool];
-    const CatalogueRow *items = edit_items_list(live, &count);
+static void name_step(Editor *edit, const PlaceKind *kind, char name[EDIT_NAME]) {
+    size_t count, item = edit->items[edit->tool];
+    const CatalogueRow *items = edit_items_list(edit, &count);
     snprintf(name, EDIT_NAME, "%s", kind->name);
-    if (live->edit.tool == TOOL_FURNITURE && item < count)
+    if (edit->tool == TOOL_FURNITURE && item < count)
         snprintf(name, EDIT_NAME, "Place %.60s", items[item].name);
 }
 
-void edit_place_begin(HouseSession *live, bool keys) {
-    Editor *edit = &live->edit;
+void edit_place_begin(Editor *edit, bool keys) {
     const PlaceKind *kind = &kinds[edit->tool];
     char name[EDIT_NAME];
-    name_step(live, kind, name);
-    edit_gesture_begin(live, kind->gesture, name, keys);
+    name_step(edit, kind, name);
+    edit_gesture_begin(edit, kind->gesture, name, keys);
     edit->now.amount = edit->door_width;
     edit->now.corner = edit->hand.at;
-    edit_field_list(live, kind->fields, kind->units, kind->field_count);
+    edit_field_list(edit, kind->fields, kind->units, kind->field_count);
     edit->field = keys ? 0 : kind->first;
     if (edit->tool == TOOL_FURNITURE && edit->items[TOOL_FURNITURE] == 0 && !keys) {
         edit->sizing = true;
         edit->field = 3;
-        edit->now.corner = edit_gesture_snap(live, (SnapAsk){.along = NAN, .faces = true});
+        edit->now.corner = edit_gesture_snap(edit, (SnapAsk){.along = NAN, .faces = true});
     }
-    edit_gesture_follow(live);
+    edit_gesture_follow(edit);
 }
 
-static bool put(HouseSession *live, bool keys) {
-    Editor *edit = &live->edit;
+static bool put(Editor *edit, bool keys) {
     if (edit->refusal && (keys || !edit->limited))
         return false;
     if (edit->tool == TOOL_DOOR)
         edit->door_width = edit->now.amount;
     *edit->made = 0;
-    if (!edit_gesture_end(live))
+    if (!edit_gesture_end(edit))
         return false;
     if (*edit->made)
-        edit_select_only(live, edit->made);
+        edit_select_only(edit, edit->made);
     return true;
 }
 
 /* What is dropped where it cannot be is not put anywhere; a rectangle that has only begun goes on. */
-static void release(HouseSession *live, bool moved) {
-    if (live->edit.sizing && !moved)
-        live->edit.taken = true;
-    else if (!put(live, false))
-        live->edit.taken = true; /* it stays in the hand, with the reason, for another press */
+static void release(Editor *edit, bool moved) {
+    if (edit->sizing && !moved)
+        edit->taken = true;
+    else if (!put(edit, false))
+        edit->taken = true; /* it stays in the hand, with the reason, for another press */
 }
 
-static void say(HouseSession *live, Text *words) {
-    const Editor *edit = &live->edit;
+static void say(Editor *edit, Text *words) {
     const EditTarget *now = &edit->now;
     if (edit->tool == TOOL_DOOR && now->wall < edit->begun.wall_count)
         text_format(words, "door %.2f m wide in wall %s, %.2f m from its beginning", now->amount,
@@ -82,17 +79,16 @@ static void say(HouseSession *live, Text *words) {
     text_add(words, edit->keys ? ": Enter puts it there, Tab goes to the next number" : "");
 }
 
-static void show(HouseSession *live) {
-    const Editor *edit = &live->edit;
-    const Plan *plan = draft_plan(live->draft);
+static void show(Editor *edit) {
+    const Plan *plan = draft_plan(edit->draft);
     if (!edit->has_good)
         return;
     if (edit->tool == TOOL_DOOR && plan->door_count) {
-        edit_marks_door(live, plan, &plan->doors[plan->door_count - 1]);
+        edit_marks_door(edit, plan, &plan->doors[plan->door_count - 1]);
     } else if (edit->tool == TOOL_FURNITURE && plan->furniture_count) {
-        edit_marks_piece(live, &plan->furniture[plan->furniture_count - 1]);
+        edit_marks_piece(edit, &plan->furniture[plan->furniture_count - 1]);
     } else if (edit->tool == TOOL_PERSON) {
-        edit_marks_line(live, edit->now.at, vec2_along(edit->now.at, 0.5, snap_heading(edit->now.angle)));
+        edit_marks_line(edit, edit->now.at, vec2_along(edit->now.at, 0.5, snap_heading(edit->now.angle)));
     }
 }
 

@@ -1,6 +1,6 @@
 /* The hand and the keys: which of them begins, follows and ends what. */
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 static const double STIR = 0.4; /* 1, of the reach: a hand that moves less has not moved */
 
@@ -8,38 +8,37 @@ static bool is_chain(EditTool tool) {
     return tool == TOOL_WALL || tool == TOOL_EXIT || tool == TOOL_MEASURE || tool == TOOL_AREA || tool == TOOL_ROUTE;
 }
 
-static void begin(HouseSession *live, bool keys) {
-    if (live->edit.tool == TOOL_IMAGE)
-        edit_image_begin(live, keys);
-    else if (is_chain(live->edit.tool))
-        edit_chain_begin(live, keys);
+static void begin(Editor *edit, bool keys) {
+    if (edit->tool == TOOL_IMAGE)
+        edit_image_begin(edit, keys);
+    else if (is_chain(edit->tool))
+        edit_chain_begin(edit, keys);
     else
-        edit_place_begin(live, keys);
+        edit_place_begin(edit, keys);
 }
 
-static bool can_begin(const HouseSession *live) {
-    if (live->edit.tool == TOOL_IMAGE)
-        return draft_plan(live->draft)->background.image;
-    if (live->edit.tool == TOOL_DOOR)
-        return draft_plan(live->draft)->wall_count;
-    return live->edit.tool != TOOL_ROUTE || edit_way_person(live);
+static bool can_begin(const Editor *edit) {
+    if (edit->tool == TOOL_IMAGE)
+        return draft_plan(edit->draft)->background.image;
+    if (edit->tool == TOOL_DOOR)
+        return draft_plan(edit->draft)->wall_count;
+    return edit->tool != TOOL_ROUTE || edit_way_person(edit);
 }
 
 /* What is drawn so far stays drawn. */
-void edit_pointer_take(HouseSession *live, EditTool tool) {
-    if (live->edit.gesture && live->edit.gesture->escape)
-        live->edit.gesture->escape(live);
-    edit_gesture_drop(live);
-    live->edit.pending = PENDING_NOTHING;
-    live->edit.down = false;
-    live->edit.handle = -1;
-    live->edit.tool = tool < EDIT_TOOLS ? tool : TOOL_SELECT;
+void edit_pointer_take(Editor *edit, EditTool tool) {
+    if (edit->gesture && edit->gesture->escape)
+        edit->gesture->escape(edit);
+    edit_gesture_drop(edit);
+    edit->pending = PENDING_NOTHING;
+    edit->down = false;
+    edit->handle = -1;
+    edit->tool = tool < EDIT_TOOLS ? tool : TOOL_SELECT;
 }
 
 /* The hand -------------------------------------------------------------------------------------------------------- */
 
-static void keep_hand(HouseSession *live, const Pointer *hand) {
-    Editor *edit = &live->edit;
+static void keep_hand(Editor *edit, const Pointer *hand) {
     edit->hand = *hand;
     edit->seen = true;
     if (edit->clicked && vec2_distance(hand->at, edit->keys_at) > STIR * hand->reach)
@@ -47,112 +46,106 @@ static void keep_hand(HouseSession *live, const Pointer *hand) {
 }
 
 /* Of the handle that is now where the button went down: what was there then may be gone. */
-static void begin_handle(HouseSession *live, EditHold how) {
-    Pointer was = live->edit.hand;
+static void begin_handle(Editor *edit, EditHold how) {
+    Pointer was = edit->hand;
     EditHandle handle;
-    was.at = live->edit.pressed;
-    edit_select_meet(live);
-    if (edit_handle_at(live, &was, &handle))
-        edit_drag_begin(live, &handle, how);
+    was.at = edit->pressed;
+    edit_select_meet(edit);
+    if (edit_handle_at(edit, &was, &handle))
+        edit_drag_begin(edit, &handle, how);
 }
 
 /* The button is down and the hand has left the place: what was meant begins. */
-static void begin_pending(HouseSession *live) {
-    Editor *edit = &live->edit;
+static void begin_pending(Editor *edit) {
     EditPending pending = edit->pending;
     edit->pending = PENDING_NOTHING;
     if (pending == PENDING_HANDLE)
-        begin_handle(live, HOLD_DRAG);
+        begin_handle(edit, HOLD_DRAG);
     else if (pending == PENDING_WHOLE)
-        edit_drag_whole(live);
+        edit_drag_whole(edit);
     else if (pending == PENDING_BOX)
-        edit_drag_box(live);
+        edit_drag_box(edit);
 }
 
-void edit_pointer_point(HouseSession *live, const Pointer *hand) {
-    Editor *edit = &live->edit;
-    keep_hand(live, hand);
+void edit_pointer_point(Editor *edit, const Pointer *hand) {
+    keep_hand(edit, hand);
     if (edit->down && !edit->moved && vec2_distance(hand->at, edit->pressed) > STIR * hand->reach) {
         edit->moved = true;
-        begin_pending(live);
+        begin_pending(edit);
     }
-    edit_gesture_follow(live);
+    edit_gesture_follow(edit);
 }
 
-static bool is_room(const HouseSession *live, const char *id) {
+static bool is_room(const Editor *edit, const char *id) {
     size_t index;
-    return draft_find(live->draft, id, &index) == DRAFT_ROOMS;
+    return draft_find(edit->draft, id, &index) == DRAFT_ROOMS;
 }
 
-static void press_select(HouseSession *live) {
-    Editor *edit = &live->edit;
+static void press_select(Editor *edit) {
     EditHandle handle;
     edit->pending = PENDING_BOX;
-    if (!edit->hand.more && edit_handle_at(live, &edit->hand, &handle)) {
+    if (!edit->hand.more && edit_handle_at(edit, &edit->hand, &handle)) {
         edit->pending = PENDING_HANDLE;
         return;
     }
-    const char *id = edit_select_at(live, edit->hand.at);
-    if (!id || is_room(live, id))
+    const char *id = edit_select_at(edit, edit->hand.at);
+    if (!id || is_room(edit, id))
         return; /* a room is selected when the button is up, unless a rectangle is drawn */
     edit->pending = PENDING_NOTHING;
     if (edit->hand.more) {
-        edit_select_toggle(live, id);
+        edit_select_toggle(edit, id);
         return;
     }
-    if (!edit_select_has(live, id))
-        edit_select_only(live, id);
+    if (!edit_select_has(edit, id))
+        edit_select_only(edit, id);
     edit->pending = PENDING_WHOLE;
 }
 
-void edit_pointer_press(HouseSession *live, const Pointer *hand, bool twice) {
-    Editor *edit = &live->edit;
-    edit_select_meet(live);
-    keep_hand(live, hand);
+void edit_pointer_press(Editor *edit, const Pointer *hand, bool twice) {
+    edit_select_meet(edit);
+    keep_hand(edit, hand);
     edit->down = true;
     edit->moved = false;
     edit->pressed = hand->at;
     edit->pending = PENDING_NOTHING;
     edit->keys = edit->clicked = false; /* what was begun by keys goes on by hand */
-    if (edit->gesture && twice && edit->tool == TOOL_MEASURE && edit_measure_side(live)) {
-        edit_gesture_drop(live);
+    if (edit->gesture && twice && edit->tool == TOOL_MEASURE && edit_measure_side(edit)) {
+        edit_gesture_drop(edit);
     } else if (edit->gesture) {
-        edit_gesture_follow(live);
-        edit->gesture->put(live, false);
+        edit_gesture_follow(edit);
+        edit->gesture->put(edit, false);
     } else if (edit->tool == TOOL_SELECT) {
-        press_select(live);
-    } else if (can_begin(live) && !(edit->tool == TOOL_EXIT && edit_way_across(live))) {
-        begin(live, false);
+        press_select(edit);
+    } else if (can_begin(edit) && !(edit->tool == TOOL_EXIT && edit_way_across(edit))) {
+        begin(edit, false);
         if (edit->gesture && (is_chain(edit->tool) || edit->tool == TOOL_IMAGE))
-            edit->gesture->put(live, false);
+            edit->gesture->put(edit, false);
     }
 }
 
 /* A click on a handle takes it up; one beside everything selects the room, or nothing. */
-static void release_pending(HouseSession *live) {
-    Editor *edit = &live->edit;
+static void release_pending(Editor *edit) {
     EditPending pending = edit->pending;
     edit->pending = PENDING_NOTHING;
     if (pending == PENDING_HANDLE) {
-        begin_handle(live, HOLD_CLICK);
+        begin_handle(edit, HOLD_CLICK);
     } else if (pending == PENDING_BOX) {
-        const char *id = edit_select_at(live, edit->hand.at);
+        const char *id = edit_select_at(edit, edit->hand.at);
         if (edit->hand.more && id)
-            edit_select_toggle(live, id);
+            edit_select_toggle(edit, id);
         else if (!edit->hand.more)
-            edit_select_only(live, id);
+            edit_select_only(edit, id);
     }
 }
 
-void edit_pointer_release(HouseSession *live, const Pointer *hand) {
-    Editor *edit = &live->edit;
+void edit_pointer_release(Editor *edit, const Pointer *hand) {
     if (!edit->down)
         return;
-    edit_pointer_point(live, hand);
+    edit_pointer_point(edit, hand);
     if (edit->gesture && edit->gesture->release)
-        edit->gesture->release(live, edit->moved);
+        edit->gesture->release(edit, edit->moved);
     else if (!edit->gesture && !edit->moved)
-        release_pending(live);
+        release_pending(edit);
     edit->down = false;
     edit->pending = PENDING_NOTHING;
 }
@@ -160,64 +153,67 @@ void edit_pointer_release(HouseSession *live, const Pointer *hand) {
 /* Keys ------------------------------------------------------------------------------------------------------------ */
 
 /* Takes up the handle that has the focus of the keys. */
-static bool take_focused(HouseSession *live) {
+static bool take_focused(Editor *edit) {
     EditHandle handles[EDIT_HANDLES];
-    edit_select_meet(live);
-    size_t count = edit_handle_list(live, draft_plan(live->draft), handles);
-    int handle = live->edit.handle;
-    if (live->edit.tool != TOOL_SELECT || handle < 0 || (size_t)handle >= count)
+    edit_select_meet(edit);
+    size_t count = edit_handle_list(edit, draft_plan(edit->draft), handles);
+    int handle = edit->handle;
+    if (edit->tool != TOOL_SELECT || handle < 0 || (size_t)handle >= count)
         return false;
-    edit_drag_begin(live, &handles[handle], HOLD_KEYS);
+    edit_drag_begin(edit, &handles[handle], HOLD_KEYS);
     return true;
 }
 
-bool edit_pointer_type(HouseSession *live, const char *letters) {
-    if (!live->edit.gesture && !(edit_field_begins(letters) && take_focused(live)))
+bool edit_pointer_type(Editor *edit, const char *letters) {
+    if (!edit->gesture && !(edit_field_begins(letters) && take_focused(edit)))
         return false;
-    return edit_field_type(live, letters);
+    if (!edit_field_type(edit, letters))
+        return false;
+    edit_gesture_follow(edit);
+    return true;
 }
 
-bool edit_pointer_enter(HouseSession *live) {
-    Editor *edit = &live->edit;
+bool edit_pointer_enter(Editor *edit) {
     if (edit->gesture) {
         if (!*edit->wrong)
-            edit->gesture->put(live, true);
+            edit->gesture->put(edit, true);
         return true;
     }
     if (edit->tool == TOOL_SELECT)
-        return take_focused(live);
-    if (can_begin(live))
-        begin(live, true);
+        return take_focused(edit);
+    if (can_begin(edit))
+        begin(edit, true);
     return true;
 }
 
-bool edit_pointer_back(HouseSession *live) {
-    const EditGesture *gesture = live->edit.gesture;
+bool edit_pointer_back(Editor *edit) {
+    const EditGesture *gesture = edit->gesture;
     if (!gesture)
         return false;
-    if (edit_field_back(live))
+    if (edit_field_back(edit)) {
+        edit_gesture_follow(edit);
         return true;
+    }
     if (gesture->back)
-        gesture->back(live);
+        gesture->back(edit);
     return true;
 }
 
-bool edit_pointer_escape(HouseSession *live) {
-    Editor *edit = &live->edit;
+bool edit_pointer_escape(Editor *edit) {
     if (*edit->typed) {
         edit->fields[edit->field].typed = false;
         *edit->typed = *edit->wrong = 0;
-        edit_gesture_follow(live);
+        edit_gesture_follow(edit);
     } else if (edit->gesture && edit->gesture->escape) {
-        edit->gesture->escape(live);
+        edit->gesture->escape(edit);
     } else if (edit->gesture) {
-        edit_gesture_drop(live);
+        edit_gesture_drop(edit);
     } else if (edit->tool != TOOL_SELECT) {
-        edit_pointer_take(live, TOOL_SELECT);
+        edit_pointer_take(edit, TOOL_SELECT);
     } else if (edit->handle >= 0) {
         edit->handle = -1;
     } else if (edit->id_count) {
-        edit_select_only(live, NULL);
+        edit_select_only(edit, NULL);
     } else {
         return false;
     }

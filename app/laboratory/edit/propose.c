@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "plan/draft_parameter.h"
 #include "inquiry/suggest.h"
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 /* Somebody has asked. */
 struct EditSearch {
@@ -96,23 +96,22 @@ static void give_up(Editor *edit) {
     edit->search = NULL;
 }
 
-void edit_propose_end(HouseSession *live) {
-    give_up(&live->edit);
-    reap(&live->edit, true);
+void edit_propose_end(Editor *edit) {
+    give_up(edit);
+    reap(edit, true);
 }
 
-void edit_propose_ask(HouseSession *live) {
-    Editor *edit = &live->edit;
+void edit_propose_ask(Editor *edit) {
     give_up(edit);
     reap(edit, false);
     EditSearch *search = memory_zeroed(1, sizeof *search);
-    search->revision = draft_revision(live->draft);
-    search->text = text_copy(draft_text(live->draft));
-    search->path = text_copy(live->wish.path);
-    search->profiles = text_copy(live->wish.profiles);
+    search->revision = draft_revision(edit->draft);
+    search->text = text_copy(draft_text(edit->draft));
+    search->path = text_copy(edit->options.path);
+    search->profiles = text_copy(edit->options.profiles);
     search->options =
-        (HouseOptions){.profiles = search->profiles, .seed = live->wish.seed, .driving = live->wish.driving};
-    search->jobs = live->wish.jobs;
+        (HouseOptions){.profiles = search->profiles, .seed = edit->options.seed, .driving = edit->options.driving};
+    search->jobs = edit->options.jobs;
     pthread_mutex_init(&search->mutex, NULL);
     if (pthread_create(&search->thread, NULL, look, search) == 0) {
         edit->search = search;
@@ -132,12 +131,11 @@ static const char *say_nothing(const SuggestList *list) {
                               : "no change of doors or furniture lets everybody out";
 }
 
-const Proposal *edit_propose_list(HouseSession *live, size_t *count, const char **doing) {
-    Editor *edit = &live->edit;
+const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doing) {
     EditSearch *search = edit->search;
     *count = 0;
     *doing = NULL;
-    if (search && search->revision != draft_revision(live->draft))
+    if (search && search->revision != draft_revision(edit->draft))
         give_up(edit); /* it is about another house */
     reap(edit, false);
     search = edit->search;
@@ -161,29 +159,29 @@ const Proposal *edit_propose_list(HouseSession *live, size_t *count, const char 
 }
 
 /* One NAME=VALUE of a proposal. */
-static bool set(HouseSession *live, const char *setting, Fault *fault) {
+static bool set(Editor *edit, const char *setting, Fault *fault) {
     const char *equals = strchr(setting, '=');
     char name[2 * EDIT_NAME];
     snprintf(name, sizeof name, "%.*s", (int)(equals - setting), setting);
     json_t *value = json_loads(equals + 1, JSON_DECODE_ANY, NULL);
-    return draft_parameter_set(live->draft, name, value ? value : json_string(equals + 1), fault);
+    return draft_parameter_set(edit->draft, name, value ? value : json_string(equals + 1), fault);
 }
 
-bool edit_propose_accept(HouseSession *live, size_t proposal, Fault *fault) {
+bool edit_propose_accept(Editor *edit, size_t proposal, Fault *fault) {
     size_t count;
     const char *doing;
-    edit_propose_list(live, &count, &doing);
+    edit_propose_list(edit, &count, &doing);
     if (proposal >= count) {
         fault_add(fault, "there is no such proposal any more, ask again");
         return false;
     }
-    const Suggestion *chosen = &live->edit.search->list.list[proposal];
+    const Suggestion *chosen = &edit->search->list.list[proposal];
     bool good = true;
-    edit_gesture_open(live, chosen->words);
+    edit_gesture_open(edit, chosen->words);
     for (size_t i = 0; i < chosen->setting_count && good; i++)
-        good = set(live, chosen->settings[i], fault);
+        good = set(edit, chosen->settings[i], fault);
     if (good)
-        return edit_gesture_close(live, fault);
-    draft_cancel(live->draft);
+        return edit_gesture_close(edit, fault);
+    draft_cancel(edit->draft);
     return false;
 }

@@ -2,31 +2,31 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 #include "plan/plan_geometry.h"
 
 /* Things and ids --------------------------------------------------------------------------------------------------- */
 
-const char *edit_select_id(const HouseSession *live, Item thing) {
+const char *edit_select_id(const Editor *edit, Item thing) {
+    const House *house = edit->scene.scenery.house;
     size_t index;
-    if (!live->shown || thing.kind == HOUSE_HAZARD ||
-        thing.index >= house_item_count(&live->shown->house, NULL, thing.kind))
+    if (!house || thing.kind == HOUSE_HAZARD || thing.index >= house_item_count(house, NULL, thing.kind))
         return "";
-    const char *id = house_item_id(&live->shown->house, thing);
-    return draft_find(live->draft, id, &index) < DRAFT_LISTS ? id : ""; /* not somebody of a crowd, nor what is gone */
+    const char *id = house_item_id(house, thing);
+    return draft_find(edit->draft, id, &index) < DRAFT_LISTS ? id : ""; /* not somebody of a crowd, nor what is gone */
 }
 
-Item edit_select_thing(const HouseSession *live, const char *id) {
+Item edit_select_thing(const Editor *edit, const char *id) {
     static const int kinds[DRAFT_LISTS] = {[DRAFT_WALLS] = HOUSE_WALL,
                                            [DRAFT_DOORS] = HOUSE_DOOR,
                                            [DRAFT_FURNITURE] = HOUSE_FURNITURE,
                                            [DRAFT_EXITS] = HOUSE_EXIT,
                                            [DRAFT_PEOPLE] = HOUSE_PERSON};
     size_t index;
-    DraftList list = draft_find(live->draft, id, &index);
-    if (!live->shown || list == DRAFT_LISTS || !kinds[list])
+    DraftList list = draft_find(edit->draft, id, &index);
+    if (!edit->scene.scenery.house || list == DRAFT_LISTS || !kinds[list])
         return (Item){0, 0};
-    return house_item_find(&live->shown->house, kinds[list], id);
+    return house_item_find(edit->scene.scenery.house, kinds[list], id);
 }
 
 /* The list --------------------------------------------------------------------------------------------------------- */
@@ -58,39 +58,36 @@ static void append(Editor *edit, const char *id) {
 }
 
 /* What is selected by itself is the last of them, where the run that is shown has it. */
-static void tell(HouseSession *live) {
-    Editor *edit = &live->edit;
-    edit->told = edit->id_count ? edit_select_thing(live, edit->ids[edit->id_count - 1]) : (Item){0, 0};
-    house_laboratory.select(live, edit->told);
+static void tell(Editor *edit) {
+    edit->told = edit->id_count ? edit_select_thing(edit, edit->ids[edit->id_count - 1]) : (Item){0, 0};
+    edit->selected = edit->told;
 }
 
 /* Forgets what is no longer there; has anything been? */
-static bool forget_gone(HouseSession *live) {
-    Editor *edit = &live->edit;
+static bool forget_gone(Editor *edit) {
     size_t index, before = edit->id_count;
     for (size_t i = edit->id_count; i > 0; i--)
-        if (draft_find(live->draft, edit->ids[i - 1], &index) == DRAFT_LISTS)
+        if (draft_find(edit->draft, edit->ids[i - 1], &index) == DRAFT_LISTS)
             forget(edit, i - 1);
     if (edit->id_count != before)
         edit->handle = -1;
     return edit->id_count != before;
 }
 
-void edit_select_meet(HouseSession *live) {
-    Editor *edit = &live->edit;
-    if (forget_gone(live))
-        tell(live);
-    const char *id = edit_select_id(live, live->selected);
+void edit_select_meet(Editor *edit) {
+    if (forget_gone(edit))
+        tell(edit);
+    const char *id = edit_select_id(edit, edit->selected);
     const char *last = edit->id_count ? edit->ids[edit->id_count - 1] : "";
     if (strcmp(id, last) == 0)
         return;
-    bool shown = edit_select_thing(live, last).kind != HOUSE_NOTHING;
-    if (!live->selected.kind && !shown && *last) {
+    bool shown = edit_select_thing(edit, last).kind != HOUSE_NOTHING;
+    if (!edit->selected.kind && !shown && *last) {
         edit->told = (Item){0, 0}; /* of what is not shown yet, or cannot be selected by itself */
         return;
     }
-    if (!live->selected.kind && shown && !edit->told.kind) {
-        tell(live); /* it is shown now */
+    if (!edit->selected.kind && shown && !edit->told.kind) {
+        tell(edit); /* it is shown now */
         return;
     }
     char *kept = text_copy(id); /* which may be one that is cleared */
@@ -98,38 +95,36 @@ void edit_select_meet(HouseSession *live) {
     if (*kept)
         append(edit, kept);
     memory_free(kept);
-    edit->told = live->selected;
+    edit->told = edit->selected;
 }
 
-void edit_select_only(HouseSession *live, const char *id) {
-    Editor *edit = &live->edit;
+void edit_select_only(Editor *edit, const char *id) {
     char *kept = text_copy(id ? id : "");
     if (edit->id_count != 1 || strcmp(edit->ids[0], kept) != 0)
         clear(edit);
     if (*kept && !edit->id_count)
         append(edit, kept);
     memory_free(kept);
-    tell(live);
+    tell(edit);
 }
 
-void edit_select_toggle(HouseSession *live, const char *id) {
-    Editor *edit = &live->edit;
+void edit_select_toggle(Editor *edit, const char *id) {
     size_t i = find(edit, id);
     edit->handle = -1;
     if (i < edit->id_count)
         forget(edit, i);
     else
         append(edit, id);
-    tell(live);
+    tell(edit);
 }
 
-void edit_select_known(HouseSession *live) {
-    forget_gone(live);
-    tell(live);
+void edit_select_known(Editor *edit) {
+    forget_gone(edit);
+    tell(edit);
 }
 
-bool edit_select_has(const HouseSession *live, const char *id) {
-    return find(&live->edit, id) < live->edit.id_count;
+bool edit_select_has(const Editor *edit, const char *id) {
+    return find(edit, id) < edit->id_count;
 }
 
 /* Many ------------------------------------------------------------------------------------------------------------ */
@@ -173,24 +168,23 @@ static bool find_box(const Plan *plan, DraftList list, size_t i, Box *box) {
     }
 }
 
-void edit_select_within(HouseSession *live, Box within, bool more) {
-    Editor *edit = &live->edit;
-    const Plan *plan = draft_plan(live->draft);
+void edit_select_within(Editor *edit, Box within, bool more) {
+    const Plan *plan = draft_plan(edit->draft);
     Box box;
     if (!more)
         clear(edit);
     for (int l = 0; l < DRAFT_LISTS; l++)
-        for (size_t i = 0; i < draft_count(live->draft, (DraftList)l); i++) {
-            const char *id = json_string_value(json_object_get(draft_at(live->draft, (DraftList)l, i), "id"));
+        for (size_t i = 0; i < draft_count(edit->draft, (DraftList)l); i++) {
+            const char *id = json_string_value(json_object_get(draft_at(edit->draft, (DraftList)l, i), "id"));
             if (find_box(plan, (DraftList)l, i, &box) && box_holds(within, box.low) && box_holds(within, box.high) &&
                 find(edit, id) == edit->id_count)
                 append(edit, id);
         }
-    tell(live);
+    tell(edit);
 }
 
-void edit_select_all(HouseSession *live) {
-    edit_select_within(live, (Box){{-HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL}}, false);
+void edit_select_all(Editor *edit) {
+    edit_select_within(edit, (Box){{-HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL}}, false);
 }
 
 /* Pointing -------------------------------------------------------------------------------------------------------- */
@@ -206,33 +200,33 @@ static bool holds(const Points *points, Vec2 p) {
 }
 
 /* The smallest thing of the draft that lies at a place, walls last; NULL: none. For what no run shows yet. */
-static const char *find_at(const HouseSession *live, Vec2 at) {
+static const char *find_at(const Editor *edit, Vec2 at) {
     static const DraftList order[] = {DRAFT_PEOPLE, DRAFT_DOORS, DRAFT_FURNITURE, DRAFT_EXITS};
-    const Plan *plan = draft_plan(live->draft);
+    const Plan *plan = draft_plan(edit->draft);
     for (size_t k = 0; k < sizeof order / sizeof *order; k++)
-        for (size_t i = draft_count(live->draft, order[k]); i > 0; i--) {
+        for (size_t i = draft_count(edit->draft, order[k]); i > 0; i--) {
             Vec2 corners[4];
             Box box;
-            if (!find_box(plan, order[k], i - 1, &box) || !box_holds(box_expand(box, live->edit.hand.reach), at))
+            if (!find_box(plan, order[k], i - 1, &box) || !box_holds(box_expand(box, edit->hand.reach), at))
                 continue;
             if (order[k] == DRAFT_FURNITURE)
                 plan_geometry_corners(&plan->furniture[i - 1], corners);
             if (order[k] == DRAFT_FURNITURE && !holds(&(Points){corners, 4}, at))
                 continue;
-            return json_string_value(json_object_get(draft_at(live->draft, order[k], i - 1), "id"));
+            return json_string_value(json_object_get(draft_at(edit->draft, order[k], i - 1), "id"));
         }
     SnapWall wall;
-    if (snap_wall(plan, at, &wall) &&
-        wall.distance <= real_max(live->edit.hand.reach, plan->walls[wall.wall].thickness / 2))
+    if (snap_wall(plan, at, &wall) && wall.distance <= real_max(edit->hand.reach, plan->walls[wall.wall].thickness / 2))
         return plan->walls[wall.wall].id;
     return NULL;
 }
 
-const char *edit_select_at(HouseSession *live, Vec2 at) {
-    const Plan *plan = draft_plan(live->draft);
-    bool shown = live->shown && house_run_revision(live->shown) == draft_revision(live->draft);
+const char *edit_select_at(Editor *edit, Vec2 at) {
+    const Plan *plan = draft_plan(edit->draft);
+    const EditorScene *scene = &edit->scene;
+    bool shown = scene->scenery.house && scene->revision == draft_revision(edit->draft);
     const char *id =
-        shown ? edit_select_id(live, house_laboratory.pick(live, at, live->time, (Item){0, 0})) : find_at(live, at);
+        shown ? edit_select_id(edit, house_item_at(&scene->scenery, at, scene->time, (Item){0, 0})) : find_at(edit, at);
     if (id && *id)
         return id;
     for (size_t r = plan->room_count; r > 0; r--)
@@ -243,22 +237,22 @@ const char *edit_select_at(HouseSession *live, Vec2 at) {
 
 /* Names ----------------------------------------------------------------------------------------------------------- */
 
-void edit_select_name(const HouseSession *live, const char *id, char name[EDIT_NAME]) {
+void edit_select_name(const Editor *edit, const char *id, char name[EDIT_NAME]) {
     static const char *const words[DRAFT_LISTS] = {"wall", "door",   "furniture", "room",
                                                    "exit", "person", "crowd",     "route"};
     size_t index;
-    DraftList list = draft_find(live->draft, id, &index);
+    DraftList list = draft_find(edit->draft, id, &index);
     const char *called =
-        list < DRAFT_LISTS ? json_string_value(json_object_get(draft_at(live->draft, list, index), "name")) : NULL;
+        list < DRAFT_LISTS ? json_string_value(json_object_get(draft_at(edit->draft, list, index), "name")) : NULL;
     if (called && *called && strcmp(called, id) != 0)
         snprintf(name, EDIT_NAME, "%.60s (%.40s)", called, id);
     else
         snprintf(name, EDIT_NAME, "%s %.60s", list < DRAFT_LISTS ? words[list] : "", id);
 }
 
-void edit_select_names(const HouseSession *live, char name[EDIT_NAME]) {
-    if (live->edit.id_count == 1)
-        edit_select_name(live, live->edit.ids[0], name);
+void edit_select_names(const Editor *edit, char name[EDIT_NAME]) {
+    if (edit->id_count == 1)
+        edit_select_name(edit, edit->ids[0], name);
     else
-        snprintf(name, EDIT_NAME, "%zu things", live->edit.id_count);
+        snprintf(name, EDIT_NAME, "%zu things", edit->id_count);
 }

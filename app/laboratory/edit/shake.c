@@ -5,12 +5,11 @@
 
 #include "base/memory.h"
 #include "house/shake.h"
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 /* The shake whose outcome the draft still is, or has become again by undoing; NULL: it is of none. */
-static const EditShake *last_shake(const HouseSession *live) {
-    const Editor *edit = &live->edit;
-    uint64_t revision = draft_revision(live->draft);
+static const EditShake *last_shake(const Editor *edit) {
+    uint64_t revision = draft_revision(edit->draft);
     for (size_t i = edit->shake_count; i-- > 0;)
         if (edit->shakes[i].revision == revision)
             return &edit->shakes[i];
@@ -50,17 +49,17 @@ static void say(Editor *edit, size_t fallen, size_t all) {
 }
 
 /* One step from the house as it is to what the seed makes of the house before. */
-static bool make(HouseSession *live, const Furniture *before, const bool *topples, Fault *fault) {
-    const Plan *plan = draft_plan(live->draft);
+static bool make(Editor *edit, const Furniture *before, const bool *topples, Fault *fault) {
+    const Plan *plan = draft_plan(edit->draft);
     char name[EDIT_NAME];
-    snprintf(name, sizeof name, "S%s", live->edit.shaken + 1);
-    edit_gesture_open(live, name);
+    snprintf(name, sizeof name, "S%s", edit->shaken + 1);
+    edit_gesture_open(edit, name);
     for (size_t i = 0; i < plan->furniture_count; i++) {
         bool lies = before[i].toppled || topples[i];
         if (lies != plan->furniture[i].toppled)
-            draft_set(live->draft, plan->furniture[i].id, "toppled", json_boolean(lies));
+            draft_set(edit->draft, plan->furniture[i].id, "toppled", json_boolean(lies));
     }
-    return edit_gesture_close(live, fault);
+    return edit_gesture_close(edit, fault);
 }
 
 static bool can_anything_fall(const Plan *plan) {
@@ -70,10 +69,9 @@ static bool can_anything_fall(const Plan *plan) {
     return false;
 }
 
-bool edit_shake_do(HouseSession *live, Fault *fault) {
-    Editor *edit = &live->edit;
-    Plan before = *draft_plan(live->draft);
-    Furniture *furniture = furniture_before(&before, last_shake(live));
+bool edit_shake_do(Editor *edit, Fault *fault) {
+    Plan before = *draft_plan(edit->draft);
+    Furniture *furniture = furniture_before(&before, last_shake(edit));
     before.furniture = furniture;
     if (!can_anything_fall(&before)) {
         memory_free(furniture);
@@ -87,17 +85,17 @@ bool edit_shake_do(HouseSession *live, Fault *fault) {
         count += topples[i];
     EditShake *shake = keep(edit, &before, topples, count);
     say(edit, count, before.furniture_count);
-    bool good = make(live, furniture, topples, fault);
-    shake->revision = draft_revision(live->draft);
+    bool good = make(edit, furniture, topples, fault);
+    shake->revision = draft_revision(edit->draft);
     edit->shake_count -= !good;
     if (good)
-        house_fall_shake(live, edit->seed, shake->ids, shake->count);
+        edit->shook = true;
     memory_free(topples);
     memory_free(furniture);
     return good;
 }
 
-void edit_shake_clear(HouseSession *live) {
-    memory_free(live->edit.shakes);
-    arena_clear(&live->edit.shake_arena);
+void edit_shake_clear(Editor *edit) {
+    memory_free(edit->shakes);
+    arena_clear(&edit->shake_arena);
 }

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 static const double JOINED = 1e-6; /* m: points of walls that lie so near are one corner */
 
@@ -16,9 +16,9 @@ typedef struct Shift {
 } Shift;
 
 /* The points that the held element had at the beginning; an exit's two ends are `ends`. */
-static Points points_before(const HouseSession *live, Vec2 ends[2]) {
-    const Plan *plan = &live->edit.begun;
-    const char *id = live->edit.held;
+static Points points_before(const Editor *edit, Vec2 ends[2]) {
+    const Plan *plan = &edit->begun;
+    const char *id = edit->held;
     for (size_t i = 0; i < plan->wall_count; i++)
         if (strcmp(plan->walls[i].id, id) == 0)
             return plan->walls[i].points;
@@ -38,57 +38,55 @@ static Points points_before(const HouseSession *live, Vec2 ends[2]) {
 }
 
 /* The point that the held one is drawn from: its neighbour. NULL: it has none. */
-static const Vec2 *neighbour(const HouseSession *live, const Points *points) {
-    size_t i = live->edit.grip.index;
+static const Vec2 *neighbour(const Editor *edit, const Points *points) {
+    size_t i = edit->grip.index;
     if (points->count < 2)
         return NULL;
     if (i > 0)
         return &points->at[i - 1];
-    bool round = live->edit.grip.list == DRAFT_ROOMS;
+    bool round = edit->grip.list == DRAFT_ROOMS;
     return round ? &points->at[points->count - 1] : &points->at[1];
 }
 
-static void follow_typed_line(HouseSession *live, const Vec2 *from) {
-    Editor *edit = &live->edit;
+static void follow_typed_line(Editor *edit, const Vec2 *from) {
     double length = from ? vec2_distance(*from, edit->now.at) : 0;
     double angle = from ? snap_angle(vec2_sub(edit->now.at, *from)) : 0;
-    bool typed = edit_field_typed(live, FIELD_LENGTH, &length);
-    typed |= edit_field_typed(live, FIELD_ANGLE, &angle);
+    bool typed = edit_field_typed(edit, FIELD_LENGTH, &length);
+    typed |= edit_field_typed(edit, FIELD_ANGLE, &angle);
     if (typed && from) {
         Vec2 at = vec2_along(*from, length, snap_heading(angle));
         edit->now.at = vec2(snap_tidy(at.x), snap_tidy(at.y));
     }
-    edit_field_typed(live, FIELD_X, &edit->now.at.x);
-    edit_field_typed(live, FIELD_Y, &edit->now.at.y);
+    edit_field_typed(edit, FIELD_X, &edit->now.at.x);
+    edit_field_typed(edit, FIELD_Y, &edit->now.at.y);
     if (from) {
-        edit_field_show(live, FIELD_LENGTH, vec2_distance(*from, edit->now.at));
-        edit_field_show(live, FIELD_ANGLE, snap_angle(vec2_sub(edit->now.at, *from)));
+        edit_field_show(edit, FIELD_LENGTH, vec2_distance(*from, edit->now.at));
+        edit_field_show(edit, FIELD_ANGLE, snap_angle(vec2_sub(edit->now.at, *from)));
     }
-    edit_field_show(live, FIELD_X, edit->now.at.x);
-    edit_field_show(live, FIELD_Y, edit->now.at.y);
+    edit_field_show(edit, FIELD_X, edit->now.at.x);
+    edit_field_show(edit, FIELD_Y, edit->now.at.y);
 }
 
-static void follow_point(HouseSession *live) {
-    Editor *edit = &live->edit;
+static void follow_point(Editor *edit) {
     Vec2 ends[2];
-    Points points = points_before(live, ends);
-    const Vec2 *from = neighbour(live, &points);
+    Points points = points_before(edit, ends);
+    const Vec2 *from = neighbour(edit, &points);
     const char *without[] = {edit->held};
     edit->now.at = edit->keys ? edit->grip.at
-                              : edit_gesture_snap(live, (SnapAsk){.from = from,
+                              : edit_gesture_snap(edit, (SnapAsk){.from = from,
                                                                   .along = NAN,
                                                                   .faces = edit->grip.list == DRAFT_ROOMS,
                                                                   .doors = edit->grip.list == DRAFT_EXITS,
                                                                   .without = without,
                                                                   .without_count = 1});
     if (edit->field_count > FIELD_Y) {
-        follow_typed_line(live, from);
+        follow_typed_line(edit, from);
         return;
     }
-    edit_field_typed(live, 0, &edit->now.at.x);
-    edit_field_typed(live, 1, &edit->now.at.y);
-    edit_field_show(live, 0, edit->now.at.x);
-    edit_field_show(live, 1, edit->now.at.y);
+    edit_field_typed(edit, 0, &edit->now.at.x);
+    edit_field_typed(edit, 1, &edit->now.at.y);
+    edit_field_show(edit, 0, edit->now.at.x);
+    edit_field_show(edit, 1, edit->now.at.y);
 }
 
 /* Is a place a point of any wall but this one's own segment? */
@@ -105,18 +103,17 @@ static bool is_joined(const Plan *plan, const char *id, size_t segment, Vec2 at)
 }
 
 /* A piece of a wall, or an exit, goes with the hand; what is joined to others only to its sides. */
-static void follow_piece(HouseSession *live) {
-    Editor *edit = &live->edit;
+static void follow_piece(Editor *edit) {
     Vec2 ends[2];
-    Points points = points_before(live, ends);
+    Points points = points_before(edit, ends);
     const Vec2 *piece = points.at + edit->grip.index;
     const char *without[] = {edit->held};
     Vec2 at = edit->keys
                   ? edit->grip.at
                   : edit_gesture_snap(
-                        live, (SnapAsk){.along = NAN, .from = &edit->grip.at, .without = without, .without_count = 1});
-    edit_field_typed(live, 0, &at.x);
-    edit_field_typed(live, 1, &at.y);
+                        edit, (SnapAsk){.along = NAN, .from = &edit->grip.at, .without = without, .without_count = 1});
+    edit_field_typed(edit, 0, &at.x);
+    edit_field_typed(edit, 1, &at.y);
     bool joined = edit->grip.grip == GRIP_SEGMENT && (is_joined(&edit->begun, edit->held, edit->grip.index, piece[0]) ||
                                                       is_joined(&edit->begun, edit->held, edit->grip.index, piece[1]));
     if (joined) {
@@ -125,21 +122,21 @@ static void follow_piece(HouseSession *live) {
         edit->snap.guide_count = 0;
     }
     edit->now.at = edit->snap.at = vec2(snap_tidy(at.x), snap_tidy(at.y));
-    edit_field_show(live, 0, edit->now.at.x);
-    edit_field_show(live, 1, edit->now.at.y);
+    edit_field_show(edit, 0, edit->now.at.x);
+    edit_field_show(edit, 1, edit->now.at.y);
 }
 
-void edit_shape_follow(HouseSession *live) {
-    if (live->edit.grip.grip == GRIP_POINT)
-        follow_point(live);
+void edit_shape_follow(Editor *edit) {
+    if (edit->grip.grip == GRIP_POINT)
+        follow_point(edit);
     else
-        follow_piece(live);
+        follow_piece(edit);
 }
 
 /* Making ---------------------------------------------------------------------------------------------------------- */
 
 /* Doors stay where they are on a segment whose beginning moves: as far from its other end. */
-static void keep_doors(HouseSession *live, const Plan *plan, size_t w, const Vec2 *moved) {
+static void keep_doors(Editor *edit, const Plan *plan, size_t w, const Vec2 *moved) {
     const Vec2 *before = plan->walls[w].points.at;
     for (size_t d = 0; d < plan->door_count; d++) {
         const Door *door = &plan->doors[d];
@@ -149,7 +146,7 @@ static void keep_doors(HouseSession *live, const Plan *plan, size_t w, const Vec
         bool begins = vec2_distance(before[s], moved[s]) > 0, ends = vec2_distance(before[s + 1], moved[s + 1]) > 0;
         double grown = vec2_distance(moved[s], moved[s + 1]) - vec2_distance(before[s], before[s + 1]);
         if (begins && !ends)
-            draft_set_number(live->draft, door->id, "at", snap_tidy(door->at + grown));
+            draft_set_number(edit->draft, door->id, "at", snap_tidy(door->at + grown));
     }
 }
 
@@ -160,7 +157,7 @@ static Vec2 shifted(const Shift *shift, Vec2 at) {
     return at;
 }
 
-static void shift_wall(HouseSession *live, const Plan *plan, size_t w, const Shift *shift) {
+static void shift_wall(Editor *edit, const Plan *plan, size_t w, const Shift *shift) {
     const Wall *wall = &plan->walls[w];
     Vec2 *moved = memory_zeroed(wall->points.count, sizeof *moved);
     bool any = false;
@@ -169,16 +166,15 @@ static void shift_wall(HouseSession *live, const Plan *plan, size_t w, const Shi
         any |= vec2_distance(moved[i], wall->points.at[i]) > 0;
     }
     if (any) {
-        draft_set_points(live->draft, wall->id, "points", moved, wall->points.count);
-        keep_doors(live, plan, w, moved);
+        draft_set_points(edit->draft, wall->id, "points", moved, wall->points.count);
+        keep_doors(edit, plan, w, moved);
     }
     memory_free(moved);
 }
 
-void edit_shape_make(HouseSession *live) {
-    const Editor *edit = &live->edit;
+void edit_shape_make(Editor *edit) {
     Vec2 ends[2], by = vec2_sub(edit->now.at, edit->grip.at), from[2], to[2];
-    Points before = points_before(live, ends);
+    Points before = points_before(edit, ends);
     size_t first = edit->grip.index, count = edit->grip.grip == GRIP_POINT ? 1 : 2;
     for (size_t i = 0; i < count; i++) {
         Vec2 goal = count == 1 ? edit->now.at : vec2_add(before.at[first + i], by);
@@ -188,18 +184,18 @@ void edit_shape_make(HouseSession *live) {
     Shift shift = {from, to, count};
     for (size_t w = 0; edit->grip.list == DRAFT_WALLS && w < edit->begun.wall_count; w++)
         if (!edit->hand.free || strcmp(edit->begun.walls[w].id, edit->held) == 0)
-            shift_wall(live, &edit->begun, w, &shift);
+            shift_wall(edit, &edit->begun, w, &shift);
     if (edit->grip.list == DRAFT_WALLS)
         return;
     Vec2 *moved = memory_zeroed(before.count, sizeof *moved);
     for (size_t i = 0; i < before.count; i++)
         moved[i] = i >= first && i < first + count ? to[i - first] : before.at[i];
     if (edit->grip.list == DRAFT_EXITS) {
-        draft_set_point(live->draft, edit->held, "from", moved[0]);
-        draft_set_point(live->draft, edit->held, "to", moved[1]);
+        draft_set_point(edit->draft, edit->held, "from", moved[0]);
+        draft_set_point(edit->draft, edit->held, "to", moved[1]);
     } else {
         const char *member = edit->grip.list == DRAFT_ROOMS ? "outline" : "via";
-        draft_set_points(live->draft, edit->held, member, moved, before.count);
+        draft_set_points(edit->draft, edit->held, member, moved, before.count);
     }
     memory_free(moved);
 }
@@ -207,13 +203,13 @@ void edit_shape_make(HouseSession *live) {
 /* All that is selected --------------------------------------------------------------------------------------------- */
 
 /* The corners of all walls that are selected, and where they go; memory_free both. */
-static Shift shift_of_selected(HouseSession *live, const Plan *plan, Vec2 by) {
+static Shift shift_of_selected(Editor *edit, const Plan *plan, Vec2 by) {
     size_t most = 0, count = 0;
     for (size_t w = 0; w < plan->wall_count; w++)
-        most += edit_select_has(live, plan->walls[w].id) ? plan->walls[w].points.count : 0;
+        most += edit_select_has(edit, plan->walls[w].id) ? plan->walls[w].points.count : 0;
     Shift shift = {memory_zeroed(most, sizeof(Vec2)), memory_zeroed(most, sizeof(Vec2)), most};
     for (size_t w = 0; w < plan->wall_count; w++)
-        for (size_t i = 0; edit_select_has(live, plan->walls[w].id) && i < plan->walls[w].points.count; i++) {
+        for (size_t i = 0; edit_select_has(edit, plan->walls[w].id) && i < plan->walls[w].points.count; i++) {
             Vec2 to = vec2_add(plan->walls[w].points.at[i], by);
             shift.from[count] = plan->walls[w].points.at[i];
             shift.to[count++] = vec2(snap_tidy(to.x), snap_tidy(to.y));
@@ -222,15 +218,15 @@ static Shift shift_of_selected(HouseSession *live, const Plan *plan, Vec2 by) {
 }
 
 /* Along their walls, unless those go too. */
-static void slide_doors(HouseSession *live, const Plan *plan, Vec2 by) {
+static void slide_doors(Editor *edit, const Plan *plan, Vec2 by) {
     for (size_t d = 0; d < plan->door_count; d++) {
         const Door *door = &plan->doors[d];
         const Wall *wall = &plan->walls[door->wall_index];
-        if (!edit_select_has(live, door->id) || edit_select_has(live, wall->id))
+        if (!edit_select_has(edit, door->id) || edit_select_has(edit, wall->id))
             continue;
         const Vec2 *ends = wall->points.at + door->segment;
         double along = vec2_dot(by, vec2_unit(vec2_sub(ends[1], ends[0])));
-        draft_set_number(live->draft, door->id, "at", snap_tidy(door->at + along));
+        draft_set_number(edit->draft, door->id, "at", snap_tidy(door->at + along));
     }
 }
 
@@ -241,32 +237,31 @@ static json_t *tidy_place(const json_t *place, Vec2 by) {
 }
 
 /* Any element but a wall or a door: each of its places. */
-static void move_element(HouseSession *live, const char *id, Vec2 by) {
+static void move_element(Editor *edit, const char *id, Vec2 by) {
     static const char *const members[] = {"centre", "from", "to", "at", "outline", "area", "via"};
     for (size_t m = 0; m < sizeof members / sizeof *members; m++) {
-        const json_t *value = json_object_get(draft_element(live->draft, id), members[m]);
+        const json_t *value = json_object_get(draft_element(edit->draft, id), members[m]);
         if (!json_is_array(value) || !json_array_size(value))
             continue;
         json_t *moved = json_is_number(json_array_get(value, 0)) ? tidy_place(value, by) : json_array();
         for (size_t i = 0; i < json_array_size(value) && json_is_array(json_array_get(value, i)); i++)
             json_array_append_new(moved, tidy_place(json_array_get(value, i), by));
-        draft_set(live->draft, id, members[m], moved);
+        draft_set(edit->draft, id, members[m], moved);
     }
 }
 
-void edit_shape_move(HouseSession *live, const Plan *plan, Vec2 by) {
-    const Editor *edit = &live->edit;
+void edit_shape_move(Editor *edit, const Plan *plan, Vec2 by) {
     size_t index;
-    Shift shift = shift_of_selected(live, plan, by);
+    Shift shift = shift_of_selected(edit, plan, by);
     for (size_t w = 0; shift.count && w < plan->wall_count; w++)
-        if (!edit->hand.free || edit_select_has(live, plan->walls[w].id))
-            shift_wall(live, plan, w, &shift);
+        if (!edit->hand.free || edit_select_has(edit, plan->walls[w].id))
+            shift_wall(edit, plan, w, &shift);
     memory_free(shift.from);
     memory_free(shift.to);
-    slide_doors(live, plan, by);
+    slide_doors(edit, plan, by);
     for (size_t i = 0; i < edit->id_count; i++) {
-        DraftList list = draft_find(live->draft, edit->ids[i], &index);
+        DraftList list = draft_find(edit->draft, edit->ids[i], &index);
         if (list != DRAFT_WALLS && list != DRAFT_DOORS)
-            move_element(live, edit->ids[i], by);
+            move_element(edit, edit->ids[i], by);
     }
 }

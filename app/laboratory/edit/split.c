@@ -3,31 +3,29 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 #include "plan/plan_geometry.h"
 
 /* The wall that is selected; NULL: another thing, or more. */
-static const Wall *selected_wall(const HouseSession *live, size_t *index) {
-    const Editor *edit = &live->edit;
-    const Plan *plan = draft_plan(live->draft);
-    if (edit->id_count != 1 || draft_find(live->draft, edit->ids[0], index) != DRAFT_WALLS)
+static const Wall *selected_wall(const Editor *edit, size_t *index) {
+    const Plan *plan = draft_plan(edit->draft);
+    if (edit->id_count != 1 || draft_find(edit->draft, edit->ids[0], index) != DRAFT_WALLS)
         return NULL;
     return &plan->walls[*index];
 }
 
 /* Another place on the wall for a door. */
-static void put_door(HouseSession *live, const Door *door, size_t segment, double at) {
-    draft_set(live->draft, door->id, "segment", json_integer((json_int_t)segment));
-    draft_set_number(live->draft, door->id, "at", snap_tidy(at));
+static void put_door(Editor *edit, const Door *door, size_t segment, double at) {
+    draft_set(edit->draft, door->id, "segment", json_integer((json_int_t)segment));
+    draft_set_number(edit->draft, door->id, "at", snap_tidy(at));
 }
 
-static size_t nearest_segment(const HouseSession *live, const Wall *wall) {
+static size_t nearest_segment(const Editor *edit, const Wall *wall) {
     size_t nearest = 0;
     double least = HUGE_VAL;
     for (size_t s = 0; s + 1 < wall->points.count; s++) {
         const Vec2 *ends = wall->points.at + s;
-        double distance =
-            vec2_distance(live->edit.hand.at, vec2_nearest_on_segment(live->edit.hand.at, ends[0], ends[1]));
+        double distance = vec2_distance(edit->hand.at, vec2_nearest_on_segment(edit->hand.at, ends[0], ends[1]));
         if (distance >= least)
             continue;
         least = distance;
@@ -36,8 +34,8 @@ static size_t nearest_segment(const HouseSession *live, const Wall *wall) {
     return nearest;
 }
 
-static void split_at(HouseSession *live, const Wall *wall, size_t index, size_t segment) {
-    const Plan *plan = draft_plan(live->draft);
+static void split_at(Editor *edit, const Wall *wall, size_t index, size_t segment) {
+    const Plan *plan = draft_plan(edit->draft);
     const Vec2 *at = wall->points.at;
     size_t count = wall->points.count;
     Vec2 *points = memory_zeroed(count + 1, sizeof *points);
@@ -50,21 +48,21 @@ static void split_at(HouseSession *live, const Wall *wall, size_t index, size_t 
         const Door *door = &plan->doors[d];
         bool beyond = (size_t)door->segment == segment && door->at > half;
         if (door->wall_index == index && (beyond || (size_t)door->segment > segment))
-            put_door(live, door, (size_t)door->segment + 1, beyond ? door->at - half : door->at);
+            put_door(edit, door, (size_t)door->segment + 1, beyond ? door->at - half : door->at);
     }
-    draft_set_points(live->draft, wall->id, "points", points, count + 1);
+    draft_set_points(edit->draft, wall->id, "points", points, count + 1);
     memory_free(points);
 }
 
-bool edit_split_wall(HouseSession *live, Fault *fault) {
-    const Plan *plan = draft_plan(live->draft);
+bool edit_split_wall(Editor *edit, Fault *fault) {
+    const Plan *plan = draft_plan(edit->draft);
     size_t index;
-    const Wall *wall = selected_wall(live, &index);
+    const Wall *wall = selected_wall(edit, &index);
     if (!wall) {
         fault_add(fault, "select one wall to split it");
         return false;
     }
-    size_t segment = nearest_segment(live, wall);
+    size_t segment = nearest_segment(edit, wall);
     double half = vec2_distance(wall->points.at[segment], wall->points.at[segment + 1]) / 2;
     for (size_t d = 0; d < plan->door_count; d++) {
         const Door *door = &plan->doors[d];
@@ -76,21 +74,21 @@ bool edit_split_wall(HouseSession *live, Fault *fault) {
     }
     char name[EDIT_NAME];
     snprintf(name, sizeof name, "Split wall %.60s", wall->id);
-    edit_gesture_open(live, name);
-    split_at(live, wall, index, segment);
-    return edit_gesture_close(live, fault);
+    edit_gesture_open(edit, name);
+    split_at(edit, wall, index, segment);
+    return edit_gesture_close(edit, fault);
 }
 
 /* Taking a point out ------------------------------------------------------------------------------------------------
  */
 
 /* The handle that has the focus of the keys; false: none. */
-static bool focused(const HouseSession *live, EditHandle *handle) {
+static bool focused(const Editor *edit, EditHandle *handle) {
     EditHandle handles[EDIT_HANDLES];
-    size_t count = edit_handle_list(live, draft_plan(live->draft), handles);
-    if (live->edit.handle < 0 || (size_t)live->edit.handle >= count)
+    size_t count = edit_handle_list(edit, draft_plan(edit->draft), handles);
+    if (edit->handle < 0 || (size_t)edit->handle >= count)
         return false;
-    *handle = handles[live->edit.handle];
+    *handle = handles[edit->handle];
     return handle->grip == GRIP_POINT;
 }
 
@@ -106,16 +104,16 @@ static Points points_of(const Plan *plan, const EditHandle *handle) {
     return route != SIZE_MAX ? plan->routes[route].via : (Points){.count = 0};
 }
 
-bool edit_split_can_join(const HouseSession *live) {
+bool edit_split_can_join(const Editor *edit) {
     static const size_t least[DRAFT_LISTS] = {[DRAFT_WALLS] = 2, [DRAFT_ROOMS] = 3, [DRAFT_ROUTES] = 0};
     EditHandle handle;
-    return focused(live, &handle) && points_of(draft_plan(live->draft), &handle).count > least[handle.list];
+    return focused(edit, &handle) && points_of(draft_plan(edit->draft), &handle).count > least[handle.list];
 }
 
 /* Doors of the pieces beside a point that goes: where they are nearest to on the piece that comes instead; at an end of
  * the wall they go with their piece. */
-static void keep_doors(HouseSession *live, const Points *points, size_t point, const char *wall) {
-    const Plan *plan = draft_plan(live->draft);
+static void keep_doors(Editor *edit, const Points *points, size_t point, const char *wall) {
+    const Plan *plan = draft_plan(edit->draft);
     bool end = point == 0 || point + 1 == points->count;
     for (size_t d = 0; d < plan->door_count; d++) {
         const Door *door = &plan->doors[d];
@@ -123,23 +121,23 @@ static void keep_doors(HouseSession *live, const Points *points, size_t point, c
         if (strcmp(door->wall, wall) != 0 || segment + 1 < point)
             continue;
         if (segment > point) {
-            put_door(live, door, segment - 1, door->at);
+            put_door(edit, door, segment - 1, door->at);
         } else if (end) {
-            draft_remove(live->draft, door->id);
+            draft_remove(edit->draft, door->id);
         } else {
             Vec2 from, to, a = points->at[point - 1], b = points->at[point + 1];
             plan_geometry_door_ends(plan, door, &from, &to);
             Vec2 middle = vec2_scale(vec2_add(from, to), 0.5);
-            put_door(live, door, point - 1, vec2_dot(vec2_sub(middle, a), vec2_unit(vec2_sub(b, a))));
+            put_door(edit, door, point - 1, vec2_dot(vec2_sub(middle, a), vec2_unit(vec2_sub(b, a))));
         }
     }
 }
 
-bool edit_split_join(HouseSession *live, Fault *fault) {
-    const Plan *plan = draft_plan(live->draft);
+bool edit_split_join(Editor *edit, Fault *fault) {
+    const Plan *plan = draft_plan(edit->draft);
     char name[EDIT_NAME], thing[EDIT_NAME];
     EditHandle handle;
-    if (!focused(live, &handle))
+    if (!focused(edit, &handle))
         return false;
     Points points = points_of(plan, &handle);
     bool closed = handle.list == DRAFT_WALLS && vec2_distance(points.at[0], points.at[points.count - 1]) < 1e-9;
@@ -152,14 +150,14 @@ bool edit_split_join(HouseSession *live, Fault *fault) {
     for (size_t i = 0; i < points.count; i++)
         if (i != handle.index)
             rest[count++] = points.at[i];
-    edit_select_name(live, handle.id, thing);
+    edit_select_name(edit, handle.id, thing);
     snprintf(name, sizeof name, "Remove point of %.80s", thing);
-    edit_gesture_open(live, name);
+    edit_gesture_open(edit, name);
     if (handle.list == DRAFT_WALLS)
-        keep_doors(live, &points, handle.index, handle.id);
+        keep_doors(edit, &points, handle.index, handle.id);
     const char *member = handle.list == DRAFT_WALLS ? "points" : handle.list == DRAFT_ROOMS ? "outline" : "via";
-    draft_set_points(live->draft, handle.id, member, rest, count);
+    draft_set_points(edit->draft, handle.id, member, rest, count);
     memory_free(rest);
-    live->edit.handle = -1;
-    return edit_gesture_close(live, fault);
+    edit->handle = -1;
+    return edit_gesture_close(edit, fault);
 }

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 static const char *const words[DRAFT_LISTS] = {"wall", "door", "furniture", "room", "exit", "person", "crowd", "route"};
 
@@ -16,22 +16,21 @@ static bool is_named(DraftList list) {
     return list == DRAFT_FURNITURE || list == DRAFT_ROOMS;
 }
 
-static const char *group_of(HouseSession *live, const char *id) {
+static const char *group_of(Editor *edit, const char *id) {
     char name[EDIT_NAME];
-    edit_select_name(live, id, name);
+    edit_select_name(edit, id, name);
     *name = (char)toupper((unsigned char)*name);
-    return arena_text(&live->edit.text_arena, name);
+    return arena_text(&edit->text_arena, name);
 }
 
-static void add_selected(HouseSession *live, size_t *count) {
-    Editor *edit = &live->edit;
+static void add_selected(Editor *edit, size_t *count) {
     const char *id = edit->ids[edit->id_count - 1];
     size_t index;
-    DraftList list = draft_find(live->draft, id, &index);
+    DraftList list = draft_find(edit->draft, id, &index);
     if (list == DRAFT_LISTS)
         return;
-    const char *group = group_of(live, id);
-    const char *name = json_string_value(json_object_get(draft_at(live->draft, list, index), "name"));
+    const char *group = group_of(edit, id);
+    const char *name = json_string_value(json_object_get(draft_at(edit->draft, list, index), "name"));
     if (is_named(list))
         add(edit, count,
             (EditText){text_in_arena(&edit->text_arena, "%s.%s.name", words[list], id), group, "name",
@@ -41,13 +40,12 @@ static void add_selected(HouseSession *live, size_t *count) {
                    arena_text(&edit->text_arena, id), "Its short name in the file, for references and settings."});
 }
 
-const EditText *edit_text_list(HouseSession *live, size_t *count) {
-    Editor *edit = &live->edit;
-    const Plan *plan = draft_plan(live->draft);
+const EditText *edit_text_list(Editor *edit, size_t *count) {
+    const Plan *plan = draft_plan(edit->draft);
     *count = 0;
     arena_clear(&edit->text_arena);
     if (edit->id_count)
-        add_selected(live, count);
+        add_selected(edit, count);
     add(edit, count,
         (EditText){"house.name", "House", "name", arena_text(&edit->text_arena, plan->name),
                    "What the house is called."});
@@ -58,52 +56,52 @@ const EditText *edit_text_list(HouseSession *live, size_t *count) {
 }
 
 /* "KIND.ID.MEMBER" in its parts; false: it is none of an element that is there. */
-static bool split(const HouseSession *live, const char *name, char id[EDIT_NAME], const char **member) {
+static bool split(const Editor *edit, const char *name, char id[EDIT_NAME], const char **member) {
     size_t index, kind = strcspn(name, ".");
     const char *last = strrchr(name, '.');
     if (!name[kind] || last == name + kind || (size_t)(last - name) - kind > EDIT_NAME)
         return false;
     snprintf(id, EDIT_NAME, "%.*s", (int)((size_t)(last - name) - kind - 1), name + kind + 1);
     *member = last + 1;
-    DraftList list = draft_find(live->draft, id, &index);
+    DraftList list = draft_find(edit->draft, id, &index);
     return list < DRAFT_LISTS && strlen(words[list]) == kind && strncmp(words[list], name, kind) == 0 &&
            (strcmp(*member, "id") == 0 || (strcmp(*member, "name") == 0 && is_named(list)));
 }
 
-static bool rename_thing(HouseSession *live, const char *id, const char *to, Fault *fault) {
+static bool rename_thing(Editor *edit, const char *id, const char *to, Fault *fault) {
     char name[EDIT_NAME], thing[EDIT_NAME];
-    bool selected = edit_select_has(live, id);
-    edit_select_name(live, id, thing);
+    bool selected = edit_select_has(edit, id);
+    edit_select_name(edit, id, thing);
     snprintf(name, sizeof name, "Rename %.60s to %.40s", thing, to);
-    edit_gesture_open(live, name);
-    if (!draft_rename(live->draft, id, to, fault)) {
-        draft_cancel(live->draft);
+    edit_gesture_open(edit, name);
+    if (!draft_rename(edit->draft, id, to, fault)) {
+        draft_cancel(edit->draft);
         return false;
     }
-    bool good = edit_gesture_close(live, fault);
+    bool good = edit_gesture_close(edit, fault);
     if (good && selected)
-        edit_select_only(live, to);
+        edit_select_only(edit, to);
     return good;
 }
 
-bool edit_text_set(HouseSession *live, const char *name, const char *value, Fault *fault) {
+bool edit_text_set(Editor *edit, const char *name, const char *value, Fault *fault) {
     char id[EDIT_NAME], step[EDIT_NAME], thing[EDIT_NAME];
     const char *member;
     if (strcmp(name, "house.name") == 0 || strcmp(name, "house.note") == 0) {
         snprintf(step, sizeof step, "Change the house's %s", name + 6);
-        edit_gesture_open(live, step);
-        draft_set_house(live->draft, name + 6, json_string(value));
-        return edit_gesture_close(live, fault);
+        edit_gesture_open(edit, step);
+        draft_set_house(edit->draft, name + 6, json_string(value));
+        return edit_gesture_close(edit, fault);
     }
-    if (!split(live, name, id, &member)) {
+    if (!split(edit, name, id, &member)) {
         fault_add(fault, "there is no text called \"%.100s\"", name);
         return false;
     }
     if (strcmp(member, "id") == 0)
-        return rename_thing(live, id, value, fault);
-    edit_select_name(live, id, thing);
+        return rename_thing(edit, id, value, fault);
+    edit_select_name(edit, id, thing);
     snprintf(step, sizeof step, "Name %.100s", thing);
-    edit_gesture_open(live, step);
-    draft_set_text(live->draft, id, "name", value);
-    return edit_gesture_close(live, fault);
+    edit_gesture_open(edit, step);
+    draft_set_text(edit->draft, id, "name", value);
+    return edit_gesture_close(edit, fault);
 }

@@ -1,7 +1,7 @@
 /* Walls that are drawn: a chain of points becomes a wall for each thickness in it. */
 #include <stdio.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/edit/editor_state.h"
 
 static json_t *points_of(const Vec2 *points, size_t count) {
     json_t *list = json_array();
@@ -10,15 +10,14 @@ static json_t *points_of(const Vec2 *points, size_t count) {
     return list;
 }
 
-static void add_wall(HouseSession *live, const Vec2 *points, size_t count, double thickness) {
+static void add_wall(Editor *edit, const Vec2 *points, size_t count, double thickness) {
     if (count < 2)
         return;
     json_t *element = json_pack("{s:o, s:o}", "points", points_of(points, count), "thickness", json_number(thickness));
-    snprintf(live->edit.made, EDIT_NAME, "%s", draft_add(live->draft, DRAFT_WALLS, element));
+    snprintf(edit->made, EDIT_NAME, "%s", draft_add(edit->draft, DRAFT_WALLS, element));
 }
 
-void edit_wall_make(HouseSession *live) {
-    const Editor *edit = &live->edit;
+void edit_wall_make(Editor *edit) {
     const EditChain *chain = &edit->chain;
     size_t count = chain->count + chain->floating, first = 0;
     Vec2 *points = memory_zeroed(count, sizeof *points);
@@ -29,7 +28,7 @@ void edit_wall_make(HouseSession *live) {
         double next = i + 1 < chain->count ? chain->amount[i + 1] : i + 1 < count ? edit->now.amount : -1;
         if (thickness == next)
             continue;
-        add_wall(live, points + first, i + 1 - first, thickness);
+        add_wall(edit, points + first, i + 1 - first, thickness);
         first = i;
     }
     memory_free(points);

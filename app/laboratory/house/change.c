@@ -12,17 +12,17 @@ const PanelParameter *house_change_parameters(const void *context, size_t *count
     return live->values.listed;
 }
 
-void house_change_hold(HouseSession *live, const char *name) {
-    draft_begin(live->draft, name);
-    live->held = true;
+void house_change_hold(void *context, const char *name) {
+    HouseSession *live = house_session_current(context);
+    size_t row = house_value_find(&live->values, name);
+    char step[2 * HOUSE_THING_NAME] = "Change a number";
+    if (row != SIZE_MAX)
+        snprintf(step, sizeof step, "%s: %s", live->values.rows[row].group, live->values.rows[row].label);
+    editor_hold_number(live->editor, step);
 }
 
-void house_change_settle(HouseSession *live) {
-    Fault none = {0}; /* what did not stand was said when it was set */
-    live->held = false;
-    draft_end(live->draft, &none);
-    fault_clear(&none);
-    house_follow_edited(live);
+void house_change_settle(void *context) {
+    editor_settle(house_session_current(context)->editor);
 }
 
 /* Sets what a row says in the draft: as a step of its own, unless numbers are in the hand. */
@@ -30,13 +30,13 @@ static bool set_in_draft(HouseSession *live, size_t row, Fault *fault) {
     const PanelParameter *value = &live->values.rows[row];
     char name[HOUSE_THING_NAME];
     snprintf(name, sizeof name, "%s: %s", value->group, value->label);
-    live->held = live->held && draft_is_open(live->draft); /* what ends a step lets go of its numbers */
-    if (live->held)
+    bool held = editor_holds_number(live->editor);
+    if (held)
         draft_rewind(live->draft);
     else
         draft_begin(live->draft, name);
     bool known = draft_parameter_set(live->draft, value->name, parameters_number_json(value->row, value->value), fault);
-    if (live->held)
+    if (held)
         return known && draft_try(live->draft, fault);
     if (known)
         return draft_end(live->draft, fault);
@@ -51,7 +51,7 @@ static void put_back(HouseSession *live, size_t row) {
 }
 
 bool house_change_set(void *context, const char *name, double value, Fault *fault) {
-    HouseSession *live = context;
+    HouseSession *live = house_session_current(context);
     size_t row = house_value_find(&live->values, name);
     if (row == SIZE_MAX) {
         fault_add(fault, "there is no number called \"%s\"", name);
@@ -64,7 +64,7 @@ bool house_change_set(void *context, const char *name, double value, Fault *faul
         return true;
     if (!set_in_draft(live, row, fault)) {
         live->values.rows[row].value = before;
-        if (live->held) /* the last that stood, if there was one, is what is put down */
+        if (editor_holds_number(live->editor)) /* the last that stood, if there was one, is what is put down */
             put_back(live, row);
         return false;
     }
@@ -75,11 +75,9 @@ bool house_change_set(void *context, const char *name, double value, Fault *faul
 }
 
 void house_change_reset(void *context) {
-    HouseSession *live = context;
-    edit_gesture_drop(live);
+    HouseSession *live = house_session_current(context);
     uint64_t before = draft_revision(live->draft);
-    live->held = false;
-    draft_file_reset(live->draft, "Reset scene");
+    editor_reset(live->editor, "Reset scene");
     if (draft_revision(live->draft) == before)
         return;
     for (size_t i = 0; i < live->values.count; i++)
@@ -101,25 +99,25 @@ void house_change_prefer(void *context, size_t preset) {
     (void)preset;
 }
 
-const PanelChoice *house_change_choices(const void *context, size_t *count) {
-    return house_choices_list((HouseSession *)context, count);
+const PanelChoice *house_change_choices(void *context, size_t *count) {
+    return house_choices_list(house_session_current(context), count);
 }
 
 void house_change_choose(void *context, size_t choice, size_t word) {
-    house_choices_take(context, choice, word);
+    house_choices_take(house_session_current(context), choice, word);
 }
 
 /* What is recorded is what would come: only a run that was stopped or broke down is made again, or one in which the
  * plan changed. */
 void house_change_again(void *context) {
-    HouseSession *live = context;
+    HouseSession *live = house_session_current(context);
     house_follow_clean(live);
     if (live->trouble.text && !live->latest)
         house_follow_ask(live);
 }
 
 bool house_change_keep(void *context, double time) {
-    HouseSession *live = context;
+    HouseSession *live = house_session_current(context);
     (void)time;
     live->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
     return house_follow_keep(live, false);
@@ -127,5 +125,5 @@ bool house_change_keep(void *context, double time) {
 
 void house_change_clear(void *context, double time) {
     (void)time;
-    house_follow_forget(context);
+    house_follow_forget(house_session_current(context));
 }

@@ -85,6 +85,7 @@ void house_choices_take(HouseSession *live, size_t choice, size_t word) {
         house_follow_ask(live);
     } else {
         live->wish.driving = (int)word - 1;
+        editor_set_driving(live->editor, live->wish.driving);
         house_follow_keep(live, true);
         house_follow_ask(live);
     }

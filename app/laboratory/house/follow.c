@@ -58,6 +58,7 @@ double house_follow_reach(const HouseSession *live) {
 static HouseRun *ask(HouseSession *live, HouseJob job, int driving, bool brief) {
     HouseEpoch now = {0, draft_text(live->draft), draft_revision(live->draft)};
     HouseWish wish = live->wish;
+    wish.path = editor_path(live->editor);
     wish.job = job;
     wish.epochs = job == HOUSE_JOB_MIXED ? live->history.at : &now;
     wish.epoch_count = job == HOUSE_JOB_MIXED ? live->history.count : 1;
@@ -264,6 +265,7 @@ static void turn_back(HouseSession *live, HouseRun *run) {
     if (undone)
         note_history(live);
     live->wish.driving = live->shown->wish.driving;
+    editor_set_driving(live->editor, live->wish.driving);
     house_value_list_again(&live->values, &live->opened, &live->shown->house);
     if ((undone && !is_up_to_date(live)) || (!live->whole && house_run_stage(live->shown) == HOUSE_STOPPED))
         ask_missing(live);
@@ -275,9 +277,11 @@ static void turn_back(HouseSession *live, HouseRun *run) {
 static void select_again(HouseSession *live, const House *before, const House *now) {
     Item thing = live->selected;
     live->selected = (Item){0, 0};
+    editor_set_selected(live->editor, live->selected);
     if (thing.kind == HOUSE_HAZARD || thing.index >= house_item_count(before, NULL, thing.kind))
         return;
     live->selected = house_item_find(now, thing.kind, house_item_id(before, thing));
+    editor_set_selected(live->editor, live->selected);
 }
 
 /* The one shown is over: its own observation takes the place of the one that grew. */
@@ -317,7 +321,8 @@ static void swap_in(HouseSession *live, HouseRun *run) {
     }
     if (!live->opened.count)
         house_value_list(&live->opened, &run->house);
-    if (!live->held && house_run_revision(run) == draft_revision(live->draft)) /* else it is not as the hand has it */
+    if (!editor_holds_number(live->editor) &&
+        house_run_revision(run) == draft_revision(live->draft)) /* else it is not as the hand has it */
         house_value_list_again(&live->values, &live->opened, &run->house);
     live->retell = true;
     live->changed |= LABORATORY_ALL & ~LABORATORY_TROUBLE;

@@ -14,8 +14,43 @@ static size_t rows_recorded(const HouseSession *live) {
     return live->shown ? live->observation->trace.rows : 0;
 }
 
-static unsigned update(void *context, double time) {
+/* The editor ------------------------------------------------------------------------------------------------------- */
+
+/* Tells the editor what is displayed. */
+static void tell_editor(HouseSession *live) {
+    EditorScene scene = {.time = live->time};
+    if (live->shown) {
+        scene.scenery = house_scenery(live);
+        scene.revision = house_run_revision(live->shown);
+    }
+    editor_set_scene(live->editor, &scene);
+}
+
+static void set_selected(HouseSession *live, Item chosen) {
+    if (item_same(chosen, live->selected))
+        return;
+    bool people = chosen.kind == HOUSE_PERSON || live->selected.kind == HOUSE_PERSON;
+    live->selected = chosen;
+    live->changed |= LABORATORY_WORDS | LABORATORY_PARAMETERS | (people ? LABORATORY_PLOTS : 0);
+}
+
+HouseSession *house_session_current(void *context) {
     HouseSession *live = context;
+    EditorShake shake;
+    set_selected(live, editor_selected(live->editor));
+    if (editor_next_change(live->editor))
+        house_follow_edited(live);
+    if (editor_next_shake(live->editor, &shake))
+        house_fall_shake(live, shake.seed, shake.ids, shake.count);
+    return live;
+}
+
+static Editor *editor(void *context) {
+    return ((HouseSession *)context)->editor;
+}
+
+static unsigned update(void *context, double time) {
+    HouseSession *live = house_session_current(context);
     size_t rows = rows_recorded(live);
     live->time = time;
     house_follow_all(live, time);
@@ -38,6 +73,7 @@ static unsigned update(void *context, double time) {
         if (changed & LABORATORY_PARAMETERS)
             house_value_sort(&live->values, &live->shown->house, live->selected);
     }
+    tell_editor(live);
     bool other = house_words_does_other(live) || rows_recorded(live) != rows;
     return changed | (other ? LABORATORY_WORDS : 0);
 }
@@ -91,10 +127,14 @@ static void *open_house(const char *path, const LaboratoryOptions *options, Faul
     }
     HouseSession *live = memory_zeroed(1, sizeof *live);
     live->draft = draft;
-    editor_begin(live);
     live->nothing = (Scene){.box = {{0, 0}, {1, 1}}, .bare = true, .unscaled = true};
     live->layers = house_laboratory.layers_at_first;
     keep_wish(live, options->origin ? options->origin : path ? path : "", options);
+    live->editor = editor_create(draft, &(EditorOptions){.path = live->wish.path,
+                                                         .profiles = live->wish.profiles,
+                                                         .seed = live->wish.seed,
+                                                         .driving = live->wish.driving,
+                                                         .jobs = live->wish.jobs});
     live->worker = worker;
     house_history_begin(&live->history, draft_text(draft), draft_revision(draft));
     house_follow_ask(live);
@@ -103,7 +143,7 @@ static void *open_house(const char *path, const LaboratoryOptions *options, Faul
 
 static void close_house(void *context) {
     HouseSession *live = context;
-    editor_clear(live);
+    editor_destroy(live->editor);
     if (live->film)
         film_destroy(live->film);
     house_follow_end(live);
@@ -138,9 +178,10 @@ static double reach(void *context, double time) {
 }
 
 static bool show(void *context, double time) {
-    HouseSession *live = context;
+    HouseSession *live = house_session_current(context);
     live->time = time;
     house_show_make(live, time);
+    tell_editor(live);
     if (!live->film)
         return false;
     if (live->fresh)
@@ -156,9 +197,9 @@ static bool rests(const void *context, double time) {
            film_is_unchanged(live->film, time);
 }
 
-static const Scene *still(const void *context) {
-    const HouseSession *live = context;
-    house_show_make((HouseSession *)context, live->time); /* if a call since the last update has made it void */
+static const Scene *still(void *context) {
+    HouseSession *live = house_session_current(context);
+    house_show_make(live, live->time); /* if a call since the last update has made it void */
     return live->film ? film_still(live->film) : &live->nothing;
 }
 
@@ -173,7 +214,7 @@ static const Scene *moving(const void *context) {
 }
 
 static void look(void *context, Camera camera) {
-    HouseSession *live = context;
+    HouseSession *live = house_session_current(context);
     if (camera.kind != live->camera.kind)
         house_show_anew(live);
     live->camera = camera;
@@ -203,12 +244,13 @@ static size_t until(const void *context, size_t plot, size_t series, double time
 
 /* Words ----------------------------------------------------------------------------------------------------------- */
 
-static Result answer(const void *context) {
-    return house_words_answer((HouseSession *)context);
+static Result answer(void *context) {
+    return house_words_answer(house_session_current(context));
 }
 
-static const char *say_clock(const void *context, double time) {
-    HouseWords *words = &((HouseSession *)context)->words;
+static const char *say_clock(void *context, double time) {
+    HouseSession *live = context;
+    HouseWords *words = &live->words;
     snprintf(words->clock, sizeof words->clock, "%.1f s", time);
     return words->clock;
 }
@@ -219,10 +261,10 @@ static void add_note(HouseSession *live, const char *more) {
     snprintf(words + used, sizeof live->words.note - used, "%s%s", used ? "; " : "", more);
 }
 
-static const char *note(const void *context) {
-    HouseSession *live = (HouseSession *)context;
+static const char *note(void *context) {
+    HouseSession *live = house_session_current(context);
     const HouseWish *wish = live->shown ? &live->shown->wish : NULL;
-    const char *picture = edit_image_trouble(live);
+    const char *picture = editor_image_trouble(live->editor);
     *live->words.note = 0;
     if (wish && wish->epoch_count > 1) {
         char mixed[64];
@@ -249,7 +291,7 @@ static const PanelRow *rows(const void *context, size_t *count) {
     return live->words.rows;
 }
 
-static const TimelineMark *ticks(const void *context, size_t *count) {
+static const TimelineMark *ticks(void *context, size_t *count) {
     const HouseSession *live = context;
     *count = live->words.tick_count;
     return live->words.ticks;
@@ -276,22 +318,19 @@ static Item next(const void *context, Item thing, int step) {
 }
 
 static void select_thing(void *context, Item thing) {
-    HouseSession *live = context;
+    HouseSession *live = house_session_current(context);
     bool known = live->shown && thing.index < house_item_count(&live->shown->house, live->observation, thing.kind);
     Item chosen = known ? thing : (Item){0, 0};
-    if (item_same(chosen, live->selected))
-        return;
-    bool people = chosen.kind == HOUSE_PERSON || live->selected.kind == HOUSE_PERSON;
-    live->selected = chosen;
-    live->changed |= LABORATORY_WORDS | LABORATORY_PARAMETERS | (people ? LABORATORY_PLOTS : 0);
+    set_selected(live, chosen);
+    editor_set_selected(live->editor, chosen);
 }
 
-static Item selected(const void *context) {
-    return ((const HouseSession *)context)->selected;
+static Item selected(void *context) {
+    return house_session_current(context)->selected;
 }
 
-static const char *name_thing(const void *context, Item thing) {
-    HouseSession *live = (HouseSession *)context;
+static const char *name_thing(void *context, Item thing) {
+    HouseSession *live = context;
     HouseWords *words = &live->words;
     *words->name = 0;
     if (live->shown)
@@ -313,15 +352,23 @@ static size_t outline(const void *context, Item thing, double time, Vec2 *points
     return count;
 }
 
-static const char *const *command(const void *context, size_t *count) {
-    return house_command_words((HouseSession *)context, count);
+static const char *const *command(void *context, size_t *count) {
+    return house_command_words(house_session_current(context), count);
 }
 
-static bool save(const void *context, const char *path, Fault *fault) {
+static void animate(void *context, double seconds) {
+    house_fall_move(house_session_current(context), seconds);
+}
+
+static const char *animation(void *context) {
+    return house_fall_words(house_session_current(context));
+}
+
+static bool save(void *context, const char *path, Fault *fault) {
     return save_file_house(draft_text(((const HouseSession *)context)->draft), path, fault);
 }
 
-static bool sound(const void *context, double from, double to, float *samples, size_t count) {
+static bool sound(void *context, double from, double to, float *samples, size_t count) {
     (void)context;
     (void)from;
     (void)to;
@@ -330,8 +377,8 @@ static bool sound(const void *context, double from, double to, float *samples, s
     return false;
 }
 
-uint64_t house_session_digest(const void *context) {
-    const HouseSession *live = context;
+uint64_t house_session_digest(void *context) {
+    const HouseSession *live = house_session_current(context);
     return live->whole && !live->latest && !live->mixed ? live->observation->digest : 0;
 }
 
@@ -403,5 +450,9 @@ const Laboratory house_laboratory = {
     .command = command,
     .save = save,
     .sound = sound,
-    .editor = &house_editor,
+    .editor = editor,
+    .hold = house_change_hold,
+    .settle = house_change_settle,
+    .animate = animate,
+    .animation = animation,
 };

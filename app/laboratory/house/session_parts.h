@@ -4,10 +4,9 @@
 #include "plan/draft.h"
 #include "visual/house/film.h"
 #include "laboratory/edit/editor.h"
-#include "laboratory/edit/editor_parts.h"
 #include "laboratory/house/session.h"
 #include "laboratory/house/fall.h"
-#include "laboratory/house/items.h"
+#include "laboratory/house_items.h"
 #include "laboratory/house/values.h"
 #include "laboratory/house/worker.h"
 #include "visual/house/house_plots.h"
@@ -57,13 +56,12 @@ typedef struct HouseWords {
 
 typedef struct HouseSession {
     Draft *draft;            /* the house as it stands under the hand */
-    Editor edit;             /* of that */
+    Editor *editor;          /* of that */
     HouseWish wish;          /* without the house; route and driving as they are now */
     LaboratoryOptions given; /* with which it was opened */
     Arena arena;             /* of both */
     HouseHistory history;    /* that is to be shown */
     double time;             /* s, that is shown */
-    bool held;               /* a number is in the hand: what is set is one step until it is settled */
 
     HouseWorker *worker;
     HouseRun *shown;  /* NULL: nothing is read yet */
@@ -106,6 +104,10 @@ typedef struct HouseSession {
     const char **command; /* of house_command_words */
     Arena command_arena;
 } HouseSession;
+
+/* The session of a laboratory's context, with what was edited since the last call: every function that is called from
+ * outside and depends on the draft or on the selection begins with it. */
+HouseSession *house_session_current(void *context);
 
 /* What can be pointed at. Something is shown. */
 static inline HouseScenery house_scenery(const HouseSession *live) {
@@ -181,15 +183,15 @@ bool house_change_set(void *context, const char *name, double value, Fault *faul
 void house_change_reset(void *context);
 const Preset *house_change_presets(const void *context, size_t *count);
 void house_change_prefer(void *context, size_t preset);
-const PanelChoice *house_change_choices(const void *context, size_t *count);
+const PanelChoice *house_change_choices(void *context, size_t *count);
 void house_change_choose(void *context, size_t choice, size_t word);
 void house_change_again(void *context);
 bool house_change_keep(void *context, double time);
 void house_change_clear(void *context, double time);
 
-/* Numbers are taken into the hand, under the name that their step will have, and put down. */
-void house_change_hold(HouseSession *live, const char *name);
-void house_change_settle(HouseSession *live);
+/* Numbers are dragged: as in Laboratory. */
+void house_change_hold(void *context, const char *name);
+void house_change_settle(void *context);
 
 /* The words behind "clearance" that make what is shown; the file is "" where none has it. */
 const char *const *house_command_words(HouseSession *live, size_t *count);

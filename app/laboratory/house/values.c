@@ -5,7 +5,7 @@
 
 #include "base/choice.h"
 #include "base/parameters_number.h"
-#include "laboratory/house/items.h"
+#include "laboratory/house_items.h"
 
 /* Which parameters of the plan are offered, and the useful part of their ranges. */
 typedef struct Offer {

@@ -16,7 +16,6 @@
 #include "laboratory/house/session.h"
 
 static const Laboratory *const kind = &house_laboratory;
-static const EditorFunctions *const editor = &house_editor;
 
 enum { LONGEST = 65536 };
 
@@ -39,19 +38,19 @@ static Pointer hand(double x, double y) {
 
 static void move_to(void *live, double x, double y) {
     Pointer at = hand(x, y);
-    editor->point(live, &at);
+    editor_point(kind->editor(live), &at);
 }
 
 static void press(void *live, double x, double y) {
     Pointer at = hand(x, y);
-    editor->point(live, &at);
-    editor->press(live, &at, false);
+    editor_point(kind->editor(live), &at);
+    editor_press(kind->editor(live), &at, false);
 }
 
 static void release(void *live, double x, double y) {
     Pointer at = hand(x, y);
-    editor->point(live, &at);
-    editor->release(live, &at);
+    editor_point(kind->editor(live), &at);
+    editor_release(kind->editor(live), &at);
 }
 
 static void click(void *live, double x, double y) {
@@ -70,38 +69,38 @@ static void keys(void *live, const char *text) {
     for (; *text; text++) {
         char letter[2] = {*text, 0};
         if (*text == '|')
-            CHECK(editor->enter(live));
+            CHECK(editor_enter(kind->editor(live)));
         else if (*text == '>')
-            CHECK(editor->tab(live, 1));
+            CHECK(editor_tab(kind->editor(live), 1));
         else if (*text == '<')
-            CHECK(editor->back(live));
+            CHECK(editor_back(kind->editor(live)));
         else if (*text == '~')
-            CHECK(editor->escape(live));
-        else if (!editor->type(live, letter))
+            CHECK(editor_escape(kind->editor(live)));
+        else if (!editor_type(kind->editor(live), letter))
             CHECK_TEXT(letter, "a letter that is taken");
     }
 }
 
 /* Enough to tell one text from another. */
 static char *keep_text(void *live) {
-    return text_copy(editor->text(live));
+    return text_copy(editor_text(kind->editor(live)));
 }
 
 /* Back to the text that was kept, and the end of it. */
 static void undo_all(void *live, char *before) {
-    while (editor->undo(live))
+    while (editor_undo(kind->editor(live)))
         ;
-    CHECK_TEXT(editor->text(live), before);
+    CHECK_TEXT(editor_text(kind->editor(live)), before);
     memory_free(before);
     kind->close(live);
 }
 
 static void choose(void *live, const char *group, const char *name) {
     size_t count;
-    const CatalogueRow *items = editor->items(live, &count);
+    const CatalogueRow *items = editor_items(kind->editor(live), &count);
     for (size_t i = 0; i < count; i++)
         if (strcmp(items[i].name, name) == 0 && strcmp(items[i].group, group) == 0) {
-            editor->choose(live, i);
+            editor_choose_item(kind->editor(live), i);
             return;
         }
     CHECK_TEXT(name, "an item");
@@ -109,7 +108,7 @@ static void choose(void *live, const char *group, const char *name) {
 
 /* A four-room flat: 8 m by 6 m, walls that cross in the middle, doors between, somebody and a wardrobe. */
 static void draw_by_hand(void *live) {
-    editor->take(live, TOOL_WALL);
+    editor_set_tool(kind->editor(live), TOOL_WALL);
     click(live, 0.003, 0.004);
     click(live, 8.004, 0.02);
     click(live, 8.02, 6.004);
@@ -119,38 +118,38 @@ static void draw_by_hand(void *live) {
     click(live, 4.01, 6.01);
     click(live, 4.01, 6.01);
     drag(live, 0.01, 3.004, 8.01, 3.01);
-    editor->escape(live);
-    editor->take(live, TOOL_DOOR);
+    editor_escape(kind->editor(live));
+    editor_set_tool(kind->editor(live), TOOL_DOOR);
     click(live, 4.02, 1.5);
     click(live, 4.02, 4.503);
     click(live, 2.0, 3.02);
     click(live, 8.02, 1.5);
-    editor->take(live, TOOL_EXIT);
+    editor_set_tool(kind->editor(live), TOOL_EXIT);
     click(live, 8.02, 1.5);
-    editor->take(live, TOOL_PERSON);
+    editor_set_tool(kind->editor(live), TOOL_PERSON);
     choose(live, "", "manual-chair");
     click(live, 2.0, 4.5);
-    editor->take(live, TOOL_FURNITURE);
+    editor_set_tool(kind->editor(live), TOOL_FURNITURE);
     choose(live, "European", "wardrobe");
     click(live, 1.0, 5.5);
 }
 
 static void type_all(void *live) {
-    editor->take(live, TOOL_WALL);
+    editor_set_tool(kind->editor(live), TOOL_WALL);
     keys(live, "|0>0|8>0|6>90|800cm>180|2400mm+3.6m>-90|");
     keys(live, "|4>0|6>90|~");
     keys(live, "|0>3|8|~");
-    editor->take(live, TOOL_DOOR);
+    editor_set_tool(kind->editor(live), TOOL_DOOR);
     keys(live, "|4>1.5|");
     keys(live, "|4>4.5|");
     keys(live, "|2>3|");
     keys(live, "|8>1.5|");
-    editor->take(live, TOOL_EXIT);
+    editor_set_tool(kind->editor(live), TOOL_EXIT);
     keys(live, "|8>1.1|0.8>90|");
-    editor->take(live, TOOL_PERSON);
+    editor_set_tool(kind->editor(live), TOOL_PERSON);
     choose(live, "", "manual-chair");
     keys(live, "|2>4.5|");
-    editor->take(live, TOOL_FURNITURE);
+    editor_set_tool(kind->editor(live), TOOL_FURNITURE);
     choose(live, "European", "wardrobe");
     keys(live, "|1>5,64|");
 }
@@ -159,7 +158,7 @@ TEST(a_flat_drawn_by_hand_and_one_that_is_typed_are_the_same) {
     void *by_hand = open_live(NULL), *typed = open_live(NULL);
     draw_by_hand(by_hand);
     type_all(typed);
-    CHECK_TEXT(editor->text(typed), editor->text(by_hand));
+    CHECK_TEXT(editor_text(kind->editor(typed)), editor_text(kind->editor(by_hand)));
     kind->close(by_hand);
     kind->close(typed);
 }
@@ -169,16 +168,16 @@ TEST(a_flat_is_undone_to_the_empty_plan_and_redone_to_the_same_bytes) {
     char *empty = keep_text(live);
     draw_by_hand(live);
     char *drawn = keep_text(live);
-    size_t steps = editor->edits(live), undone = 0, redone = 0;
-    while (editor->undo(live))
+    size_t steps = editor_edit_count(kind->editor(live)), undone = 0, redone = 0;
+    while (editor_undo(kind->editor(live)))
         undone++;
     CHECK_NEAR((double)undone, (double)steps, 0);
-    CHECK_TEXT(editor->text(live), empty);
-    CHECK(!editor->undo_name(live));
-    while (editor->redo(live))
+    CHECK_TEXT(editor_text(kind->editor(live)), empty);
+    CHECK(!editor_undo_name(kind->editor(live)));
+    while (editor_redo(kind->editor(live)))
         redone++;
     CHECK_NEAR((double)redone, (double)steps, 0);
-    CHECK_TEXT(editor->text(live), drawn);
+    CHECK_TEXT(editor_text(kind->editor(live)), drawn);
     memory_free(empty);
     memory_free(drawn);
     kind->close(live);
@@ -256,18 +255,19 @@ TEST(a_handle_that_is_clicked_twice_does_what_dragging_does) {
         drag(dragged, held->from.x, held->from.y, held->to.x, held->to.y);
         click(clicked, held->at.x, held->at.y);
         click(clicked, held->from.x, held->from.y);
-        CHECK(editor->gesture(clicked)->active);
+        CHECK(editor_gesture(kind->editor(clicked))->active);
         move_to(clicked, held->to.x, held->to.y);
         click(clicked, held->to.x, held->to.y);
-        CHECK(!editor->gesture(clicked)->active);
-        CHECK_TEXT(editor->text(clicked), editor->text(dragged));
-        if (!strstr(editor->text(dragged), held->member)) {
+        CHECK(!editor_gesture(kind->editor(clicked))->active);
+        CHECK_TEXT(editor_text(kind->editor(clicked)), editor_text(kind->editor(dragged)));
+        if (!strstr(editor_text(kind->editor(dragged)), held->member)) {
             CHECK_TEXT(held->what, "as expected");
-            printf("%s\n%s", editor->undo_name(dragged) ? editor->undo_name(dragged) : "nothing done",
-                   editor->text(dragged));
+            printf("%s\n%s",
+                   editor_undo_name(kind->editor(dragged)) ? editor_undo_name(kind->editor(dragged)) : "nothing done",
+                   editor_text(kind->editor(dragged)));
         }
-        CHECK(editor->undo(dragged) && !editor->undo(dragged));
-        CHECK_TEXT(editor->text(dragged), before);
+        CHECK(editor_undo(kind->editor(dragged)) && !editor_undo(kind->editor(dragged)));
+        CHECK_TEXT(editor_text(kind->editor(dragged)), before);
         memory_free(before);
         kind->close(dragged);
         kind->close(clicked);
@@ -283,12 +283,12 @@ TEST(escape_leaves_exactly_what_was_before) {
         click(live, held->at.x, held->at.y);
         press(live, held->from.x, held->from.y);
         move_to(live, held->to.x, held->to.y);
-        CHECK(editor->gesture(live)->active);
-        CHECK(strcmp(editor->text(live), before) != 0);
-        CHECK(editor->escape(live));
+        CHECK(editor_gesture(kind->editor(live))->active);
+        CHECK(strcmp(editor_text(kind->editor(live)), before) != 0);
+        CHECK(editor_escape(kind->editor(live)));
         release(live, held->to.x, held->to.y);
-        CHECK_TEXT(editor->text(live), before);
-        CHECK(!editor->undo_name(live));
+        CHECK_TEXT(editor_text(kind->editor(live)), before);
+        CHECK(!editor_undo_name(kind->editor(live)));
     }
     memory_free(before);
     kind->close(live);
@@ -298,7 +298,7 @@ TEST(escape_leaves_exactly_what_was_before) {
 
 /* What the hand is snapped to, "": nothing. */
 static const char *snapped(void *live) {
-    const GestureView *gesture = editor->gesture(live);
+    const GestureView *gesture = editor_gesture(kind->editor(live));
     for (size_t i = 0; i < gesture->mark_count; i++)
         if (gesture->marks[i].kind == MARK_SNAP)
             return gesture->marks[i].words;
@@ -307,7 +307,7 @@ static const char *snapped(void *live) {
 
 TEST(what_is_snapped_to_has_a_name) {
     void *live = open_text(small_house);
-    editor->take(live, TOOL_WALL);
+    editor_set_tool(kind->editor(live), TOOL_WALL);
     move_to(live, 6.97, 3.02);
     CHECK_TEXT(snapped(live), "end of w2");
     move_to(live, 2.0, 0.03);
@@ -318,19 +318,19 @@ TEST(what_is_snapped_to_has_a_name) {
     CHECK_TEXT(snapped(live), "");
     Pointer free = hand(6.97, 3.02);
     free.free = true;
-    editor->point(live, &free);
+    editor_point(kind->editor(live), &free);
     CHECK_TEXT(snapped(live), "");
     click(live, 5.0, 5.0);
     move_to(live, 5.02, 6.5);
     CHECK_TEXT(snapped(live), "90 degrees");
     Pointer straight = hand(6.8, 5.6);
     straight.straight = true;
-    editor->point(live, &straight);
+    editor_point(kind->editor(live), &straight);
     CHECK_TEXT(snapped(live), "straight across");
-    editor->press(live, &straight, false);
-    editor->release(live, &straight);
-    editor->escape(live);
-    CHECK(strstr(editor->text(live), "\"points\": [[5, 5], [6.8, 5]]"));
+    editor_press(kind->editor(live), &straight, false);
+    editor_release(kind->editor(live), &straight);
+    editor_escape(kind->editor(live));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"points\": [[5, 5], [6.8, 5]]"));
     kind->close(live);
 }
 
@@ -338,32 +338,33 @@ TEST(a_length_is_typed_in_any_way_that_people_write_it) {
     static const char *const lengths[] = {"2.5", "2,5", "250cm", "2500 mm", "1.2+1.3", "8ft 2.4251968504in"};
     for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
         void *live = open_live(NULL);
-        editor->take(live, TOOL_WALL);
+        editor_set_tool(kind->editor(live), TOOL_WALL);
         click(live, 1, 1);
         move_to(live, 3.1, 1.02);
         keys(live, lengths[i]);
         keys(live, "|~");
-        CHECK(strstr(editor->text(live), "\"points\": [[1, 1], [3.5, 1]]"));
+        CHECK(strstr(editor_text(kind->editor(live)), "\"points\": [[1, 1], [3.5, 1]]"));
         kind->close(live);
     }
 }
 
 TEST(backspace_takes_back_letters_and_then_points) {
     void *live = open_live(NULL);
-    editor->take(live, TOOL_WALL);
+    editor_set_tool(kind->editor(live), TOOL_WALL);
     click(live, 0, 0);
     click(live, 3, 0);
     click(live, 3, 2);
     keys(live, "4°<<<|");
-    CHECK(!strstr(editor->text(live), "[[0, 0], [3, 0], [3, 2]]") || !editor->gesture(live)->active);
-    editor->undo(live);
+    CHECK(!strstr(editor_text(kind->editor(live)), "[[0, 0], [3, 0], [3, 2]]") ||
+          !editor_gesture(kind->editor(live))->active);
+    editor_undo(kind->editor(live));
     click(live, 0, 0);
     click(live, 3, 0);
     click(live, 3, 2);
     keys(live, "<");
     click(live, 5, 0);
     keys(live, "~");
-    CHECK(strstr(editor->text(live), "[[0, 0], [3, 0], [5, 0]]"));
+    CHECK(strstr(editor_text(kind->editor(live)), "[[0, 0], [3, 0], [5, 0]]"));
     kind->close(live);
 }
 
@@ -373,22 +374,23 @@ TEST(a_door_stops_at_the_end_of_its_wall_and_says_why) {
     press(live, 2, 0);
     move_to(live, 3, 0);
     move_to(live, 3.9, 0);
-    CHECK(editor->gesture(live)->refusal && strstr(editor->gesture(live)->refusal, "past the end of wall w1"));
+    CHECK(editor_gesture(kind->editor(live))->refusal &&
+          strstr(editor_gesture(kind->editor(live))->refusal, "past the end of wall w1"));
     release(live, 3.9, 0);
-    CHECK(strstr(editor->text(live), "\"at\": 3.55, \"width\": 0.9"));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"at\": 3.55, \"width\": 0.9"));
     Fault fault = {0};
     CHECK(!kind->set(live, "door.d1.width", 9, &fault));
     CHECK(fault.count && strstr(fault.lines[0], "must be at most 4 m in wall w1"));
-    CHECK(strstr(editor->text(live), "\"at\": 3.55, \"width\": 0.9"));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"at\": 3.55, \"width\": 0.9"));
     fault_clear(&fault);
     click(live, 3.55, 0); /* its handle is taken up */
     keys(live, ">9|");
-    CHECK(editor->gesture(live)->active && editor->gesture(live)->refusal);
+    CHECK(editor_gesture(kind->editor(live))->active && editor_gesture(kind->editor(live))->refusal);
     keys(live, "<1.2|");
-    CHECK(editor->gesture(live)->active); /* it would go past the end */
+    CHECK(editor_gesture(kind->editor(live))->active); /* it would go past the end */
     keys(live, ">2|");
-    CHECK(!editor->gesture(live)->active);
-    CHECK(strstr(editor->text(live), "\"at\": 2, \"width\": 1.2"));
+    CHECK(!editor_gesture(kind->editor(live))->active);
+    CHECK(strstr(editor_text(kind->editor(live)), "\"at\": 2, \"width\": 1.2"));
     kind->close(live);
 }
 
@@ -403,15 +405,16 @@ static bool set(void *live, const char *name, double value) {
 TEST(a_slider_that_is_refused_is_put_down_where_it_stood_last) {
     void *live = open_text(small_house);
     char *before = keep_text(live);
-    editor->hold(live, "door.d1.width");
+    kind->hold(live, "door.d1.width");
     CHECK(set(live, "door.d1.width", 1.1) && set(live, "door.d1.width", 1.2) && !set(live, "door.d1.width", 9));
-    editor->settle(live);
-    CHECK(strstr(editor->text(live), "\"at\": 2, \"width\": 1.2"));
-    CHECK(set(live, "door.d1.width", 1.1) && editor->undo(live) && editor->undo(live) && !editor->undo(live));
-    CHECK_TEXT(editor->text(live), before);
-    editor->hold(live, "door.d1.width");
+    kind->settle(live);
+    CHECK(strstr(editor_text(kind->editor(live)), "\"at\": 2, \"width\": 1.2"));
+    CHECK(set(live, "door.d1.width", 1.1) && editor_undo(kind->editor(live)) && editor_undo(kind->editor(live)) &&
+          !editor_undo(kind->editor(live)));
+    CHECK_TEXT(editor_text(kind->editor(live)), before);
+    kind->hold(live, "door.d1.width");
     CHECK(!set(live, "door.d1.width", 9));
-    editor->settle(live);
+    kind->settle(live);
     undo_all(live, before);
 }
 
@@ -420,18 +423,18 @@ TEST(keys_while_a_slider_is_held_put_it_down_first) {
     char *before = keep_text(live);
     Fault fault = {0};
     click(live, 2, 0);
-    editor->hold(live, "door.d1.width");
-    CHECK(set(live, "door.d1.width", 1.2) && editor->undo(live));
-    CHECK_TEXT(editor->text(live), before);
+    kind->hold(live, "door.d1.width");
+    CHECK(set(live, "door.d1.width", 1.2) && editor_undo(kind->editor(live)));
+    CHECK_TEXT(editor_text(kind->editor(live)), before);
     CHECK(set(live, "door.d1.width", 1.1)); /* a step of its own */
-    editor->settle(live);
-    CHECK(editor->undo(live));
-    CHECK_TEXT(editor->text(live), before);
+    kind->settle(live);
+    CHECK(editor_undo(kind->editor(live)));
+    CHECK_TEXT(editor_text(kind->editor(live)), before);
     click(live, 5.5, 3);
-    editor->hold(live, "door.d1.width");
-    CHECK(set(live, "door.d1.width", 1.2) && editor->split(live, &fault));
-    editor->settle(live);
-    CHECK(editor->undo(live) && editor->undo(live) && !editor->undo(live));
+    kind->hold(live, "door.d1.width");
+    CHECK(set(live, "door.d1.width", 1.2) && editor_split(kind->editor(live), &fault));
+    kind->settle(live);
+    CHECK(editor_undo(kind->editor(live)) && editor_undo(kind->editor(live)) && !editor_undo(kind->editor(live)));
     undo_all(live, before);
 }
 
@@ -440,10 +443,10 @@ TEST(a_number_that_is_typed_while_a_handle_is_held_stays) {
     char *before = keep_text(live);
     click(live, 2, 0);
     click(live, 2, 0); /* its middle is taken up */
-    CHECK(editor->gesture(live)->active && set(live, "door.d1.width", 1.2));
+    CHECK(editor_gesture(kind->editor(live))->active && set(live, "door.d1.width", 1.2));
     move_to(live, 2.5, 0);
     click(live, 2.5, 0);
-    CHECK(strstr(editor->text(live), "\"at\": 2.5, \"width\": 1.2"));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"at\": 2.5, \"width\": 1.2"));
     undo_all(live, before);
 }
 
@@ -453,10 +456,10 @@ TEST(what_is_removed_under_the_button_is_not_moved) {
     Fault fault = {0};
     click(live, 2, 0);
     press(live, 2.45, 0);
-    CHECK(editor->remove(live, &fault));
+    CHECK(editor_remove(kind->editor(live), &fault));
     move_to(live, 2.6, 0);
     release(live, 2.7, 0);
-    CHECK(!strstr(editor->text(live), "d1"));
+    CHECK(!strstr(editor_text(kind->editor(live)), "d1"));
     undo_all(live, before);
 }
 
@@ -471,32 +474,32 @@ TEST(an_id_may_be_as_long_as_it_likes) {
     char *before = keep_text(live);
     click(live, 2, 0);
     drag(live, 2, 0, 2.5, 0);
-    CHECK(strstr(editor->text(live), "\"at\": 2.5"));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"at\": 2.5"));
     memory_free(text.text);
     text = (Text){0};
     text_format(&text, "door.%s.width", id);
-    CHECK(set(live, text.text, 1.2) && strstr(editor->text(live), "\"at\": 2.5, \"width\": 1.2"));
+    CHECK(set(live, text.text, 1.2) && strstr(editor_text(kind->editor(live)), "\"at\": 2.5, \"width\": 1.2"));
     memory_free(text.text);
     undo_all(live, before);
 }
 
 TEST(what_overlaps_is_refused) {
     void *live = open_text(small_house);
-    editor->take(live, TOOL_DOOR);
+    editor_set_tool(kind->editor(live), TOOL_DOOR);
     keys(live, "|2.2>0|");
-    const GestureView *gesture = editor->gesture(live);
+    const GestureView *gesture = editor_gesture(kind->editor(live));
     CHECK(gesture->active && gesture->refusal && strstr(gesture->refusal, "overlaps door d1"));
     keys(live, "~");
-    editor->take(live, TOOL_PERSON);
+    editor_set_tool(kind->editor(live), TOOL_PERSON);
     keys(live, "|1>2.6|");
-    gesture = editor->gesture(live);
+    gesture = editor_gesture(kind->editor(live));
     CHECK(gesture->active && gesture->refusal && strstr(gesture->refusal, "stands inside wardrobe (f1)"));
     keys(live, "~");
-    CHECK(!editor->undo_name(live));
-    editor->take(live, TOOL_WALL);
+    CHECK(!editor_undo_name(kind->editor(live)));
+    editor_set_tool(kind->editor(live), TOOL_WALL);
     keys(live, "|1>1|");
     keys(live, "|");
-    CHECK(!editor->undo_name(live));
+    CHECK(!editor_undo_name(kind->editor(live)));
     kind->close(live);
 }
 
@@ -512,30 +515,30 @@ TEST(what_is_selected_is_nudged_turned_toppled_copied_and_removed_by_steps_with_
     char *before = keep_text(live);
     Fault fault = {0};
     click(live, 1, 2.6);
-    CHECK(succeeds(editor->nudge(live, vec2(0.01, -0.1), &fault), &fault));
-    CHECK_TEXT(editor->undo_name(live), "Nudge");
-    CHECK(strstr(editor->text(live), "\"centre\": [1.01, 2.5]"));
-    CHECK(succeeds(editor->turn(live, 15, &fault), &fault));
-    CHECK_TEXT(editor->undo_name(live), "Turn wardrobe (f1)");
+    CHECK(succeeds(editor_nudge(kind->editor(live), vec2(0.01, -0.1), &fault), &fault));
+    CHECK_TEXT(editor_undo_name(kind->editor(live)), "Nudge");
+    CHECK(strstr(editor_text(kind->editor(live)), "\"centre\": [1.01, 2.5]"));
+    CHECK(succeeds(editor_turn(kind->editor(live), 15, &fault), &fault));
+    CHECK_TEXT(editor_undo_name(kind->editor(live)), "Turn wardrobe (f1)");
     for (int i = 0; i < 5; i++)
-        CHECK(succeeds(editor->turn(live, 15, &fault), &fault));
-    CHECK(strstr(editor->text(live), "\"angle\": 90"));
-    CHECK(succeeds(editor->topple(live, &fault), &fault));
-    CHECK_TEXT(editor->undo_name(live), "Topple wardrobe (f1)");
-    CHECK(strstr(editor->text(live), "\"toppled\": true"));
-    CHECK(succeeds(editor->topple(live, &fault), &fault));
-    CHECK_TEXT(editor->undo_name(live), "Stand up wardrobe (f1)");
-    CHECK(succeeds(editor->duplicate(live, &fault), &fault));
-    CHECK(strstr(editor->text(live), "\"id\": \"f2\""));
-    char *pieces = editor->copy(live);
+        CHECK(succeeds(editor_turn(kind->editor(live), 15, &fault), &fault));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"angle\": 90"));
+    CHECK(succeeds(editor_topple(kind->editor(live), &fault), &fault));
+    CHECK_TEXT(editor_undo_name(kind->editor(live)), "Topple wardrobe (f1)");
+    CHECK(strstr(editor_text(kind->editor(live)), "\"toppled\": true"));
+    CHECK(succeeds(editor_topple(kind->editor(live), &fault), &fault));
+    CHECK_TEXT(editor_undo_name(kind->editor(live)), "Stand up wardrobe (f1)");
+    CHECK(succeeds(editor_duplicate(kind->editor(live), &fault), &fault));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"id\": \"f2\""));
+    char *pieces = editor_copy(kind->editor(live));
     CHECK(pieces && strstr(pieces, "clearance-pieces"));
     move_to(live, 3, 2);
-    CHECK(succeeds(editor->paste(live, pieces, &fault), &fault));
-    CHECK(strstr(editor->text(live), "\"id\": \"f3\", \"name\": \"wardrobe\", \"centre\": [3, 2]"));
+    CHECK(succeeds(editor_paste(kind->editor(live), pieces, &fault), &fault));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"id\": \"f3\", \"name\": \"wardrobe\", \"centre\": [3, 2]"));
     memory_free(pieces);
-    CHECK(succeeds(editor->remove(live, &fault), &fault));
-    CHECK_TEXT(editor->undo_name(live), "Remove wardrobe (f3)");
-    CHECK(!editor->remove(live, &fault) && fault.count);
+    CHECK(succeeds(editor_remove(kind->editor(live), &fault), &fault));
+    CHECK_TEXT(editor_undo_name(kind->editor(live)), "Remove wardrobe (f3)");
+    CHECK(!editor_remove(kind->editor(live), &fault) && fault.count);
     fault_clear(&fault);
     undo_all(live, before);
 }
@@ -545,16 +548,17 @@ TEST(what_is_pasted_without_a_pointer_lies_beside_what_it_was_copied_from) {
     Fault fault = {0};
     Pointer nowhere = {.at = {4, 3}, .reach = REACH, .nowhere = true};
     click(live, 1, 2.5);
-    char *pieces = editor->copy(live);
-    editor->point(live, &nowhere);
-    CHECK(succeeds(editor->paste(live, pieces, &fault), &fault));
-    CHECK(strstr(editor->text(live), "\"id\": \"f2\", \"name\": \"wardrobe\", \"centre\": [1.3, 2.3]"));
-    CHECK(succeeds(editor->paste(live, pieces, &fault), &fault));
-    CHECK(strstr(editor->text(live), "\"id\": \"f3\", \"name\": \"wardrobe\", \"centre\": [1.6, 2]"));
-    CHECK(!editor->paste(live, "{\"format\": \"clearance-pieces\",\n \"walls\": [", &fault));
+    char *pieces = editor_copy(kind->editor(live));
+    editor_point(kind->editor(live), &nowhere);
+    CHECK(succeeds(editor_paste(kind->editor(live), pieces, &fault), &fault));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"id\": \"f2\", \"name\": \"wardrobe\", \"centre\": [1.3, 2.3]"));
+    CHECK(succeeds(editor_paste(kind->editor(live), pieces, &fault), &fault));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"id\": \"f3\", \"name\": \"wardrobe\", \"centre\": [1.6, 2]"));
+    CHECK(!editor_paste(kind->editor(live), "{\"format\": \"clearance-pieces\",\n \"walls\": [", &fault));
     CHECK(fault.count == 1 && strstr(fault.lines[0], "the pasted text is broken at its line 2"));
     fault_clear(&fault);
-    CHECK(!editor->paste(live, "{\"format\": \"clearance-pieces\", \"walls\": [{\"id\": \"w9\"}]}", &fault));
+    CHECK(
+        !editor_paste(kind->editor(live), "{\"format\": \"clearance-pieces\", \"walls\": [{\"id\": \"w9\"}]}", &fault));
     CHECK(fault.count && strstr(fault.lines[0], "what is pasted cannot be put here: "));
     fault_clear(&fault);
     memory_free(pieces);
@@ -565,15 +569,15 @@ TEST(a_handle_with_the_focus_of_the_keys_is_nudged_and_typed) {
     void *live = open_text(small_house);
     Fault fault = {0};
     click(live, 5.5, 3);
-    editor->handle(live, 1);
-    editor->handle(live, 1);
-    CHECK(succeeds(editor->nudge(live, vec2(0.1, 0.5), &fault), &fault));
-    CHECK(strstr(editor->text(live), "\"points\": [[4, 3], [7.1, 3.5]]"));
-    CHECK(editor->enter(live));
+    editor_focus_handle(kind->editor(live), 1);
+    editor_focus_handle(kind->editor(live), 1);
+    CHECK(succeeds(editor_nudge(kind->editor(live), vec2(0.1, 0.5), &fault), &fault));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"points\": [[4, 3], [7.1, 3.5]]"));
+    CHECK(editor_enter(kind->editor(live)));
     keys(live, "2.5>0|");
-    CHECK(strstr(editor->text(live), "\"points\": [[4, 3], [6.5, 3]]"));
-    editor->handle(live, 0);
-    CHECK(!editor->enter(live));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"points\": [[4, 3], [6.5, 3]]"));
+    editor_focus_handle(kind->editor(live), 0);
+    CHECK(!editor_enter(kind->editor(live)));
     kind->close(live);
 }
 
@@ -582,17 +586,17 @@ TEST(a_wall_is_split_and_a_point_taken_out_and_doors_stay_where_they_are) {
     char *before = keep_text(live);
     Fault fault = {0};
     click(live, 3.5, 0);
-    CHECK(!editor->split(live, &fault) && strstr(fault.lines[0], "door d1 lies in the middle"));
+    CHECK(!editor_split(kind->editor(live), &fault) && strstr(fault.lines[0], "door d1 lies in the middle"));
     fault_clear(&fault);
     CHECK(kind->set(live, "door.d1.at", 3, &fault));
-    CHECK(succeeds(editor->split(live, &fault), &fault));
-    CHECK(strstr(editor->text(live), "[[0, 0], [2, 0], [4, 0], [4, 3], [0, 3], [0, 0]]"));
-    CHECK(strstr(editor->text(live), "\"segment\": 1, \"at\": 1, \"width\": 0.9"));
-    editor->handle(live, 1);
-    editor->handle(live, 1);
-    CHECK(succeeds(editor->remove(live, &fault), &fault));
-    CHECK(strstr(editor->text(live), "[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]"));
-    CHECK(strstr(editor->text(live), "\"at\": 3, \"width\": 0.9"));
+    CHECK(succeeds(editor_split(kind->editor(live), &fault), &fault));
+    CHECK(strstr(editor_text(kind->editor(live)), "[[0, 0], [2, 0], [4, 0], [4, 3], [0, 3], [0, 0]]"));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"segment\": 1, \"at\": 1, \"width\": 0.9"));
+    editor_focus_handle(kind->editor(live), 1);
+    editor_focus_handle(kind->editor(live), 1);
+    CHECK(succeeds(editor_remove(kind->editor(live), &fault), &fault));
+    CHECK(strstr(editor_text(kind->editor(live)), "[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]"));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"at\": 3, \"width\": 0.9"));
     undo_all(live, before);
 }
 
@@ -600,16 +604,17 @@ TEST(a_rectangle_on_empty_floor_selects_what_lies_within) {
     void *live = open_text(small_house);
     size_t count;
     drag(live, 0.7, 2.0, 3.5, 2.93);
-    editor->selection(live, &count);
+    editor_selection(kind->editor(live), &count);
     CHECK_NEAR((double)count, 0, 0); /* not wholly */
     drag(live, 0.2, 1.0, 3.5, 2.93);
-    editor->selection(live, &count);
+    editor_selection(kind->editor(live), &count);
     CHECK_NEAR((double)count, 2, 0);
     drag(live, 1.0, 2.5, 1.2, 2.3); /* on the wardrobe: both move */
-    CHECK_TEXT(editor->undo_name(live), "Move 2 things");
-    CHECK(strstr(editor->text(live), "\"centre\": [1.2, 2.4]") && strstr(editor->text(live), "\"at\": [3.2, 1.3]"));
-    editor->select_all(live);
-    editor->selection(live, &count);
+    CHECK_TEXT(editor_undo_name(kind->editor(live)), "Move 2 things");
+    CHECK(strstr(editor_text(kind->editor(live)), "\"centre\": [1.2, 2.4]") &&
+          strstr(editor_text(kind->editor(live)), "\"at\": [3.2, 1.3]"));
+    editor_select_all(kind->editor(live));
+    editor_selection(kind->editor(live), &count);
     CHECK_NEAR((double)count, 6, 0);
     kind->close(live);
 }
@@ -619,44 +624,45 @@ TEST(texts_are_changed_and_things_renamed_everywhere) {
     Fault fault = {0};
     size_t count;
     click(live, 3, 1.5);
-    const EditText *texts = editor->texts(live, &count);
+    const EditText *texts = editor_texts(kind->editor(live), &count);
     CHECK(count == 3 && strcmp(texts[0].name, "person.p1.id") == 0);
-    CHECK(succeeds(editor->set_text(live, "person.p1.id", "anna", &fault), &fault));
-    CHECK(strstr(editor->text(live), "\"people\": [\"anna\"]"));
-    CHECK(!editor->set_text(live, "person.anna.id", "w1", &fault));
-    CHECK(!editor->set_text(live, "person.anna.id", "no spaces", &fault));
-    CHECK(!editor->set_text(live, "person.nobody.id", "x", &fault));
+    CHECK(succeeds(editor_set_text(kind->editor(live), "person.p1.id", "anna", &fault), &fault));
+    CHECK(strstr(editor_text(kind->editor(live)), "\"people\": [\"anna\"]"));
+    CHECK(!editor_set_text(kind->editor(live), "person.anna.id", "w1", &fault));
+    CHECK(!editor_set_text(kind->editor(live), "person.anna.id", "no spaces", &fault));
+    CHECK(!editor_set_text(kind->editor(live), "person.nobody.id", "x", &fault));
     CHECK_NEAR((double)fault.count, 3, 0);
     fault_clear(&fault);
-    CHECK(succeeds(editor->set_text(live, "house.name", "Ube \"1\"", &fault), &fault));
+    CHECK(succeeds(editor_set_text(kind->editor(live), "house.name", "Ube \"1\"", &fault), &fault));
     CHECK_TEXT(kind->title(live), "Ube \"1\"");
-    CHECK(succeeds(editor->set_text(live, "furniture.f1.name", "tall one", &fault), &fault));
-    CHECK_TEXT(editor->undo_name(live), "Name wardrobe (f1)");
+    CHECK(succeeds(editor_set_text(kind->editor(live), "furniture.f1.name", "tall one", &fault), &fault));
+    CHECK_TEXT(editor_undo_name(kind->editor(live)), "Name wardrobe (f1)");
     kind->close(live);
 }
 
 TEST(a_route_goes_by_the_points_that_are_clicked_to_the_exit) {
     void *live = open_text(small_house);
     click(live, 3, 1.5);
-    editor->take(live, TOOL_ROUTE);
+    editor_set_tool(kind->editor(live), TOOL_ROUTE);
     click(live, 3, 0.5);
     click(live, 2, 0.5);
     click(live, 2.01, -1);
-    CHECK(!editor->gesture(live)->active);
-    CHECK(strstr(editor->text(live), "\"people\": [\"p1\"], \"via\": [[3, 0.5], [2, 0.5]], \"exit\": \"e1\""));
+    CHECK(!editor_gesture(kind->editor(live))->active);
+    CHECK(strstr(editor_text(kind->editor(live)),
+                 "\"people\": [\"p1\"], \"via\": [[3, 0.5], [2, 0.5]], \"exit\": \"e1\""));
     kind->close(live);
 }
 
 TEST(what_is_measured_stays_until_it_is_deleted) {
     void *live = open_text(small_house);
     Fault fault = {0};
-    editor->take(live, TOOL_MEASURE);
+    editor_set_tool(kind->editor(live), TOOL_MEASURE);
     click(live, 1, 1);
     click(live, 1, 1.78);
-    const GestureView *gesture = editor->gesture(live);
+    const GestureView *gesture = editor_gesture(kind->editor(live));
     CHECK(!gesture->active && gesture->mark_count && strcmp(gesture->marks[0].words, "0.78 m") == 0);
-    CHECK(!editor->undo_name(live));
-    CHECK(succeeds(editor->remove(live, &fault), &fault));
+    CHECK(!editor_undo_name(kind->editor(live)));
+    CHECK(succeeds(editor_remove(kind->editor(live), &fault), &fault));
     kind->close(live);
 }
 
@@ -670,18 +676,18 @@ TEST(a_shake_topples_what_its_seed_draws_and_is_one_step) {
     int toppled = 0;
     for (int i = 0; i < 20; i++) {
         char words[64];
-        CHECK(succeeds(editor->shake(live, &fault), &fault));
-        bool falls = strstr(editor->text(live), "\"toppled\": true");
+        CHECK(succeeds(editor_shake(kind->editor(live), &fault), &fault));
+        bool falls = strstr(editor_text(kind->editor(live)), "\"toppled\": true");
         snprintf(words, sizeof words, "hake %d: %s of 1 piece fell", i + 1, falls ? "1" : "none");
-        CHECK_TEXT(editor->shaken(live) + 1, words);
+        CHECK_TEXT(editor_shake_result(kind->editor(live)) + 1, words);
         toppled += falls;
         if (!falls) {
-            CHECK(!editor->undo_name(live)); /* nothing has changed */
+            CHECK(!editor_undo_name(kind->editor(live))); /* nothing has changed */
             continue;
         }
-        CHECK_TEXT(editor->undo_name(live) + 1, words);
-        CHECK(editor->undo(live));
-        CHECK_TEXT(editor->text(live), before);
+        CHECK_TEXT(editor_undo_name(kind->editor(live)) + 1, words);
+        CHECK(editor_undo(kind->editor(live)));
+        CHECK_TEXT(editor_text(kind->editor(live)), before);
     }
     CHECK(toppled > 2 && toppled < 18);
     memory_free(before);
@@ -699,23 +705,23 @@ TEST(a_change_that_lets_everybody_out_is_proposed_and_taken) {
     Fault fault = {0};
     size_t count = 0;
     const char *doing = "";
-    editor->ask(live);
-    const Proposal *proposals = editor->proposals(live, &count, &doing);
+    editor_ask_proposals(kind->editor(live));
+    const Proposal *proposals = editor_proposals(kind->editor(live), &count, &doing);
     for (int i = 0; i < 20000 && doing && !count; i++) {
         nanosleep(&(struct timespec){.tv_nsec = 2000000}, NULL);
-        proposals = editor->proposals(live, &count, &doing);
+        proposals = editor_proposals(kind->editor(live), &count, &doing);
     }
     CHECK(count > 0 && !doing);
     CHECK(count && strstr(proposals[0].words, "Widen door d1") && strstr(proposals[0].answer, "everybody out in"));
-    CHECK(succeeds(editor->accept(live, 0, &fault), &fault));
-    CHECK(!strstr(editor->text(live), "\"width\": 0.5"));
-    CHECK(strstr(editor->undo_name(live), "Widen door d1"));
-    editor->proposals(live, &count, &doing);
+    CHECK(succeeds(editor_accept(kind->editor(live), 0, &fault), &fault));
+    CHECK(!strstr(editor_text(kind->editor(live)), "\"width\": 0.5"));
+    CHECK(strstr(editor_undo_name(kind->editor(live)), "Widen door d1"));
+    editor_proposals(kind->editor(live), &count, &doing);
     CHECK(count == 0 && !doing); /* they were about another house */
-    CHECK(!editor->accept(live, 0, &fault) && fault.count == 1);
+    CHECK(!editor_accept(kind->editor(live), 0, &fault) && fault.count == 1);
     fault_clear(&fault);
-    editor->ask(live);
-    editor->ask(live);
+    editor_ask_proposals(kind->editor(live));
+    editor_ask_proposals(kind->editor(live));
     kind->close(live); /* with two under way */
 }
 
@@ -734,41 +740,41 @@ TEST(a_picture_to_trace_over_gets_its_scale_and_is_made_level) {
     Fault fault = {0};
     char path[64];
     write_picture(path);
-    CHECK(!editor->set_image(live, "/nowhere/at-all.png", &fault) && fault.count == 1);
-    CHECK(!editor->set_image(live, check_source(), &fault) && fault.count == 2);
+    CHECK(!editor_set_image(kind->editor(live), "/nowhere/at-all.png", &fault) && fault.count == 1);
+    CHECK(!editor_set_image(kind->editor(live), check_source(), &fault) && fault.count == 2);
     fault_clear(&fault);
-    CHECK(succeeds(editor->set_image(live, path, &fault), &fault));
-    TraceImage image = editor->image(live);
+    CHECK(succeeds(editor_set_image(kind->editor(live), path, &fault), &fault));
+    TraceImage image = editor_image(kind->editor(live));
     CHECK_TEXT(image.path, path);
     CHECK_NEAR(image.corners[2].x, 10, 1e-12);
     CHECK_NEAR(image.corners[2].y, 5, 1e-12);
-    editor->take(live, TOOL_IMAGE);
+    editor_set_tool(kind->editor(live), TOOL_IMAGE);
     click(live, 1, 1);
     click(live, 3, 1);
     keys(live, "4|");
-    image = editor->image(live);
+    image = editor_image(kind->editor(live));
     CHECK_NEAR(image.corners[0].x, -1, 1e-12);
     CHECK_NEAR(image.corners[1].x, 19, 1e-12);
     click(live, 0, 0);
     click(live, 1, 0.1);
-    image = editor->image(live);
+    image = editor_image(kind->editor(live));
     CHECK_NEAR(degrees(atan2(image.corners[1].y - image.corners[0].y, image.corners[1].x - image.corners[0].x)),
                -degrees(atan(0.1)), 1e-9);
-    CHECK_TEXT(editor->undo_name(live), "Level picture");
-    editor->fade(live, 0.25);
-    CHECK_NEAR(editor->image(live).opacity, 0.25, 0);
+    CHECK_TEXT(editor_undo_name(kind->editor(live)), "Level picture");
+    editor_fade_image(kind->editor(live), 0.25);
+    CHECK_NEAR(editor_image(kind->editor(live)).opacity, 0.25, 0);
     char *text = keep_text(live);
     void *again = open_text(text);
-    CHECK_TEXT(editor->text(again), text);
+    CHECK_TEXT(editor_text(kind->editor(again)), text);
     CHECK_TEXT(kind->note(again), "");
     kind->close(again);
     unlink(path);
     again = open_text(text);
     CHECK_TEXT(kind->note(again), "the picture to trace over is not there");
-    CHECK(!editor->image(again).path);
+    CHECK(!editor_image(kind->editor(again)).path);
     kind->close(again);
-    CHECK(succeeds(editor->set_image(live, NULL, &fault), &fault));
-    CHECK(!editor->image(live).path);
+    CHECK(succeeds(editor_set_image(kind->editor(live), NULL, &fault), &fault));
+    CHECK(!editor_image(kind->editor(live)).path);
     memory_free(text);
     kind->close(live);
 }
@@ -797,77 +803,77 @@ static void act_at_random(void *live) {
     size_t count;
     switch ((int)any(0, 29)) {
     case 0:
-        editor->take(live, (EditTool)any(0, EDIT_TOOLS));
+        editor_set_tool(kind->editor(live), (EditTool)any(0, EDIT_TOOLS));
         break;
     case 1 ... 5:
-        editor->point(live, &at);
+        editor_point(kind->editor(live), &at);
         break;
     case 6 ... 8:
-        editor->press(live, &at, any(0, 1) < 0.2);
+        editor_press(kind->editor(live), &at, any(0, 1) < 0.2);
         break;
     case 9 ... 11:
-        editor->release(live, &at);
+        editor_release(kind->editor(live), &at);
         break;
     case 12 ... 13:
-        editor->type(live, letters[(int)any(0, 10)]);
+        editor_type(kind->editor(live), letters[(int)any(0, 10)]);
         break;
     case 14:
-        editor->enter(live);
+        editor_enter(kind->editor(live));
         break;
     case 15:
-        editor->tab(live, any(0, 1) < 0.5 ? 1 : -1);
+        editor_tab(kind->editor(live), any(0, 1) < 0.5 ? 1 : -1);
         break;
     case 16:
-        editor->back(live);
+        editor_back(kind->editor(live));
         break;
     case 17:
         if (any(0, 1) < 0.3)
-            editor->escape(live);
-        editor->handle(live, (int)any(-2, 3));
+            editor_escape(kind->editor(live));
+        editor_focus_handle(kind->editor(live), (int)any(-2, 3));
         break;
     case 18:
-        editor->nudge(live, vec2(any(-0.2, 0.2), any(-0.2, 0.2)), &fault);
+        editor_nudge(kind->editor(live), vec2(any(-0.2, 0.2), any(-0.2, 0.2)), &fault);
         break;
     case 19:
-        editor->turn(live, any(-90, 90), &fault);
-        editor->topple(live, &fault);
+        editor_turn(kind->editor(live), any(-90, 90), &fault);
+        editor_topple(kind->editor(live), &fault);
         break;
     case 20:
         if (any(0, 1) < 0.3)
-            editor->remove(live, &fault);
+            editor_remove(kind->editor(live), &fault);
         else
-            editor->split(live, &fault);
+            editor_split(kind->editor(live), &fault);
         break;
     case 21:
         if (any(0, 1) < 0.2)
-            editor->duplicate(live, &fault);
+            editor_duplicate(kind->editor(live), &fault);
         break;
     case 22:
-        editor->undo(live);
+        editor_undo(kind->editor(live));
         break;
     case 23:
-        editor->redo(live);
+        editor_redo(kind->editor(live));
         break;
     case 24:
-        editor->items(live, &count);
+        editor_items(kind->editor(live), &count);
         if (count)
-            editor->choose(live, (size_t)any(0, (double)count));
+            editor_choose_item(kind->editor(live), (size_t)any(0, (double)count));
         if (any(0, 1) < 0.02)
-            editor->select_all(live);
+            editor_select_all(kind->editor(live));
         break;
     case 25:
-        editor->gesture(live);
-        editor->selection(live, &count);
-        editor->texts(live, &count);
+        editor_gesture(kind->editor(live));
+        editor_selection(kind->editor(live), &count);
+        editor_texts(kind->editor(live), &count);
         break;
     case 26:
-        editor->hold(live, "door.d1.width");
+        kind->hold(live, "door.d1.width");
         break;
     case 27:
         kind->set(live, any(0, 1) < 0.5 ? "door.d1.width" : "furniture.f1.height", any(0.3, 3), &fault);
         break;
     case 28:
-        editor->settle(live);
+        kind->settle(live);
         if (any(0, 1) < 0.1)
             kind->reset(live);
         break;
@@ -878,7 +884,7 @@ static void act_at_random(void *live) {
 static void check_reads(void *live) {
     Plan plan = {0};
     Fault fault = {0};
-    CHECK(plan_read_text(&plan, "edited", editor->text(live), NULL, 0, &fault));
+    CHECK(plan_read_text(&plan, "edited", editor_text(kind->editor(live)), NULL, 0, &fault));
     for (size_t i = 0; i < fault.count; i++)
         printf("%s\n", fault.lines[i]);
     plan_free(&plan);
@@ -895,19 +901,19 @@ TEST(any_calls_keep_the_plan_good_and_are_undone_to_the_first_bytes) {
         if (i % 100 == 0)
             check_reads(live);
     }
-    editor->take(live, TOOL_SELECT);
-    while (editor->escape(live))
+    editor_set_tool(kind->editor(live), TOOL_SELECT);
+    while (editor_escape(kind->editor(live)))
         ;
     check_reads(live);
-    while (editor->redo(live))
+    while (editor_redo(kind->editor(live)))
         ;
     char *after = keep_text(live);
-    while (editor->undo(live))
+    while (editor_undo(kind->editor(live)))
         ;
-    CHECK_TEXT(editor->text(live), before);
-    while (editor->redo(live))
+    CHECK_TEXT(editor_text(kind->editor(live)), before);
+    while (editor_redo(kind->editor(live)))
         ;
-    CHECK_TEXT(editor->text(live), after);
+    CHECK_TEXT(editor_text(kind->editor(live)), after);
     memory_free(before);
     memory_free(after);
     kind->close(live);

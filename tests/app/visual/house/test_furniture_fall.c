@@ -18,7 +18,6 @@
 #include "plan/plan_geometry.h"
 
 static const Laboratory *const kind = &house_laboratory;
-static const EditorFunctions *const editor = &house_editor;
 
 static Furniture piece_to(int face) {
     return (Furniture){
@@ -232,7 +231,7 @@ static void topple(void *live, Vec2 at) {
     Fault fault = {0};
     Item none = {0};
     kind->select(live, kind->pick(live, at, 0, none));
-    CHECK(editor->topple(live, &fault));
+    CHECK(editor_topple(kind->editor(live), &fault));
     for (size_t i = 0; i < fault.count; i++)
         printf("%s\n", fault.lines[i]);
     fault_clear(&fault);
@@ -250,29 +249,29 @@ TEST(what_has_fallen_is_the_picture_that_it_is_where_nothing_moves) {
     settle(still);
     char *before = picture_of(still);
     check_same_picture(moved, before, true);
-    editor->animate(moved, 0);
+    kind->animate(moved, 0);
     topple(moved, vec2(1, 5.7));
     topple(still, vec2(1, 5.7));
     settle(moved);
     settle(still);
     char *after = picture_of(still);
-    CHECK(!editor->animation(still));
-    CHECK_TEXT(editor->animation(moved), "");
+    CHECK(!kind->animation(still));
+    CHECK_TEXT(kind->animation(moved), "");
     check_same_picture(moved, after, false);
     CHECK(!kind->rests(moved, 0) && kind->rests(still, 0));
-    editor->animate(moved, 0.3);
+    kind->animate(moved, 0.3);
     kind->update(moved, 0);
     check_same_picture(moved, after, false);
-    editor->animate(moved, 0.31);
-    CHECK(!editor->animation(moved));
+    kind->animate(moved, 0.31);
+    CHECK(!kind->animation(moved));
     CHECK(kind->update(moved, 0) & LABORATORY_VIEW);
     check_same_picture(moved, after, true);
     CHECK(kind->rests(moved, 0));
-    CHECK(editor->undo(moved));
+    CHECK(editor_undo(kind->editor(moved)));
     settle(moved);
-    CHECK(editor->animation(moved));
+    CHECK(kind->animation(moved));
     check_same_picture(moved, before, false);
-    editor->animate(moved, 1);
+    kind->animate(moved, 1);
     kind->update(moved, 0);
     check_same_picture(moved, before, true);
     memory_free(before);
@@ -286,20 +285,20 @@ TEST(a_piece_that_is_removed_while_it_falls_is_gone) {
     void *live = open_house();
     Fault fault = {0};
     settle(live);
-    editor->animate(live, 0);
+    kind->animate(live, 0);
     topple(live, vec2(1, 5.7));
     kind->update(live, 0);
-    CHECK(editor->animation(live));
-    editor->animate(live, 0.2);
-    CHECK(editor->remove(live, &fault));
+    CHECK(kind->animation(live));
+    kind->animate(live, 0.2);
+    CHECK(editor_remove(kind->editor(live), &fault));
     kind->update(live, 0);
-    CHECK(!editor->animation(live));
+    CHECK(!kind->animation(live));
     settle(live);
     char *gone = picture_of(live);
-    CHECK(editor->undo(live) && editor->undo(live));
+    CHECK(editor_undo(kind->editor(live)) && editor_undo(kind->editor(live)));
     settle(live);
-    editor->animate(live, 1);
-    CHECK(editor->redo(live) && editor->redo(live));
+    kind->animate(live, 1);
+    CHECK(editor_redo(kind->editor(live)) && editor_redo(kind->editor(live)));
     settle(live);
     check_same_picture(live, gone, true);
     memory_free(gone);
@@ -319,23 +318,23 @@ static void act_at_random(void *live, unsigned action, double y) {
     kind->select(live, kind->pick(live, vec2(places[action % 3], y), 0, (Item){0}));
     switch (action / 3) {
     case 0:
-        editor->topple(live, &fault);
+        editor_topple(kind->editor(live), &fault);
         break;
     case 1:
-        editor->shake(live, &fault);
+        editor_shake(kind->editor(live), &fault);
         break;
     case 2:
-        editor->undo(live);
+        editor_undo(kind->editor(live));
         break;
     case 3:
-        editor->redo(live);
+        editor_redo(kind->editor(live));
         break;
     case 4:
-        editor->nudge(live, vec2(0.01, 0), &fault);
+        editor_nudge(kind->editor(live), vec2(0.01, 0), &fault);
         break;
     default:
-        editor->remove(live, &fault);
-        editor->undo(live);
+        editor_remove(kind->editor(live), &fault);
+        editor_undo(kind->editor(live));
     }
     fault_clear(&fault);
 }
@@ -344,7 +343,7 @@ TEST(whatever_is_done_in_whatever_haste_it_rests_as_where_nothing_moves) {
     void *moved = open_house(), *still = open_house();
     settle(moved);
     settle(still);
-    editor->animate(moved, 0);
+    kind->animate(moved, 0);
     for (int i = 0; i < 20; i++) {
         for (int k = 0; k < 6; k++) {
             unsigned action = any_below(18);
@@ -352,7 +351,7 @@ TEST(whatever_is_done_in_whatever_haste_it_rests_as_where_nothing_moves) {
             act_at_random(moved, action, y);
             act_at_random(still, action, y);
             for (unsigned n = any_below(4); n-- > 0;) {
-                editor->animate(moved, 0.01 * any_below(20));
+                kind->animate(moved, 0.01 * any_below(20));
                 kind->update(moved, 0);
                 kind->show(moved, 0);
             }
@@ -361,9 +360,9 @@ TEST(whatever_is_done_in_whatever_haste_it_rests_as_where_nothing_moves) {
             settle(moved); /* what is picked is what is shown */
             settle(still);
         }
-        editor->animate(moved, 2);
+        kind->animate(moved, 2);
         settle(moved);
-        CHECK_TEXT(editor->text(moved), editor->text(still));
+        CHECK_TEXT(editor_text(kind->editor(moved)), editor_text(kind->editor(still)));
         char *expected = picture_of(still);
         check_same_picture(moved, expected, true);
         memory_free(expected);
@@ -378,7 +377,7 @@ TEST(whatever_is_done_in_whatever_haste_it_rests_as_where_nothing_moves) {
 static void lying(void *live, char *ids) {
     Plan plan = {0};
     Fault fault = {0};
-    CHECK(plan_read_text(&plan, "", editor->text(live), NULL, 0, &fault));
+    CHECK(plan_read_text(&plan, "", editor_text(kind->editor(live)), NULL, 0, &fault));
     for (size_t i = 0; i < plan.furniture_count; i++)
         if (plan.furniture[i].toppled)
             *ids++ = *plan.furniture[i].id;
@@ -403,7 +402,7 @@ static void drawn(uint64_t seed, char *ids) {
 
 static void shake(void *live) {
     Fault fault = {0};
-    CHECK(editor->shake(live, &fault) && !fault.count);
+    CHECK(editor_shake(kind->editor(live), &fault) && !fault.count);
     fault_clear(&fault);
 }
 
@@ -422,9 +421,9 @@ TEST(each_shake_is_of_the_house_as_it_stood_before_the_last_one) {
                  : fell == 2 ? "2"
                  : fell == 3 ? "3"
                              : "4");
-        CHECK_TEXT(editor->shaken(live), words);
+        CHECK_TEXT(editor_shake_result(kind->editor(live)), words);
     }
-    while (editor->undo(live))
+    while (editor_undo(kind->editor(live)))
         continue;
     lying(live, now);
     CHECK_TEXT(now, "e");
@@ -439,10 +438,10 @@ TEST(a_shake_is_a_step_and_after_another_edit_what_lies_stays) {
     shake(live);
     lying(live, second);
     CHECK(strcmp(first, second) != 0);
-    CHECK(editor->undo(live));
+    CHECK(editor_undo(kind->editor(live)));
     lying(live, now);
     CHECK_TEXT(now, first);
-    CHECK(editor->redo(live));
+    CHECK(editor_redo(kind->editor(live)));
     lying(live, now);
     CHECK_TEXT(now, second);
     settle(live);
@@ -457,7 +456,7 @@ TEST(a_shake_is_a_step_and_after_another_edit_what_lies_stays) {
 TEST(a_shake_lasts_about_a_second_and_says_its_seed) {
     void *live = open_house();
     settle(live);
-    editor->animate(live, 0);
+    kind->animate(live, 0);
     char expected[16];
     for (uint64_t seed = 1; seed <= 6; seed++) {
         char words[64];
@@ -466,13 +465,13 @@ TEST(a_shake_lasts_about_a_second_and_says_its_seed) {
         bool falls = strlen(expected) > 1;
         snprintf(words, sizeof words, "shaking (seed %d)", (int)seed);
         if (falls)
-            CHECK_TEXT(editor->animation(live), words);
+            CHECK_TEXT(kind->animation(live), words);
         else
-            CHECK(!editor->animation(live));
-        editor->animate(live, 0.59);
-        CHECK(!falls || editor->animation(live));
-        editor->animate(live, FURNITURE_FALL_SPREAD + 0.02);
-        CHECK(!editor->animation(live));
+            CHECK(!kind->animation(live));
+        kind->animate(live, 0.59);
+        CHECK(!falls || kind->animation(live));
+        kind->animate(live, FURNITURE_FALL_SPREAD + 0.02);
+        CHECK(!kind->animation(live));
         settle(live);
     }
     kind->close(live);
@@ -487,7 +486,7 @@ TEST(where_nothing_can_fall_a_shake_says_so) {
         settle(live);
         CHECK(kind->set(live, name, TOPPLE_NO, &fault));
     }
-    CHECK(!editor->shake(live, &fault) && fault.count == 1 && strstr(fault.lines[0], "can fall"));
+    CHECK(!editor_shake(kind->editor(live), &fault) && fault.count == 1 && strstr(fault.lines[0], "can fall"));
     fault_clear(&fault);
     kind->close(live);
 }

@@ -4,8 +4,21 @@
 
 #include "house/house.h"
 #include "house/observation.h"
-#include "laboratory/house/session.h"
+#include "laboratory/laboratory.h"
 #include "visual/house/trail.h"
+
+/* What can be selected, in the order in which they follow one another. */
+typedef enum HouseItem {
+    HOUSE_NOTHING,
+    HOUSE_PERSON,
+    HOUSE_HAZARD,
+    HOUSE_DOOR,
+    HOUSE_FURNITURE,
+    HOUSE_WALL,
+    HOUSE_EXIT,
+    HOUSE_STOP, /* where a person is stopped; not among those that follow one another */
+    HOUSE_THINGS,
+} HouseItem;
 
 enum { HOUSE_THING_NAME = 128 /* room for a name */ };
 

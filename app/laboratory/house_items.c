@@ -1,4 +1,4 @@
-#include "laboratory/house/items.h"
+#include "laboratory/house_items.h"
 
 #include <stdio.h>
 #include <stdlib.h>

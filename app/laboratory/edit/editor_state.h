@@ -1,4 +1,4 @@
-/* What editing a house consists of: for the files editor*.c.
+/* The state of an editor, for the files of this folder only.
  *
  * A gesture is a row of functions. `follow` turns the hand and what is typed into a target; `make` turns the target
  * into changes of the draft. Both are done anew whenever the hand moves: the step is rewound, made, and tried.
@@ -14,9 +14,8 @@
 #include "plan/catalogue.h"
 #include "plan/draft.h"
 #include "plan/snap_piece.h"
-#include "laboratory/editing.h"
+#include "laboratory/edit/editor.h"
 
-typedef struct HouseSession HouseSession;
 typedef struct EditSearch EditSearch;
 
 enum {
@@ -39,15 +38,16 @@ typedef struct EditTarget {
 } EditTarget;
 
 typedef struct EditGesture {
-    void (*follow)(HouseSession *live);
-    void (*make)(HouseSession *live);  /* NULL: the draft is not changed by it */
-    bool (*limit)(HouseSession *live); /* brings a refused target to where it may stand; NULL or false: nowhere */
-    bool (*put)(HouseSession *live, bool keys);      /* a press, or Enter */
-    bool (*back)(HouseSession *live);                /* Backspace; NULL: lets go */
-    bool (*escape)(HouseSession *live);              /* NULL: lets go */
-    void (*release)(HouseSession *live, bool moved); /* of the press that began it, or came later */
-    void (*say)(HouseSession *live, Text *words);
-    void (*show)(HouseSession *live); /* adds marks */
+    void (*follow)(Editor *edit);
+    void (*make)(Editor *edit);           /* NULL: the draft is not changed by it */
+    bool (*limit)(Editor *edit);          /* brings a refused target to where it may stand; NULL or false: nowhere */
+    bool (*put)(Editor *edit, bool keys); /* a press, or Enter */
+    bool (*back)(Editor *edit);           /* Backspace; NULL: lets go */
+    bool (*escape)(Editor *edit);         /* NULL: lets go */
+    void (*release)(Editor *edit, bool moved); /* of the press that began it, or came later */
+    void (*say)(Editor *edit, Text *words);
+    void (*show)(Editor *edit); /* adds marks */
+    void (*end)(Editor *edit);  /* forgets what the gesture has collected; NULL: nothing */
 } EditGesture;
 
 /* What can be taken up of a thing. */
@@ -95,7 +95,16 @@ typedef struct EditShake {
     size_t count;
 } EditShake;
 
-typedef struct Editor {
+struct Editor {
+    Draft *draft; /* the house as it is edited; the owner's */
+    Arena kept;   /* holds the texts of the options */
+    EditorOptions options;
+    EditorScene scene; /* that is displayed */
+    bool changed;      /* the draft, since the owner asked last */
+    bool shook;        /* an earthquake was made since the owner asked last */
+    bool number_held;  /* a number is being dragged: its step is open */
+    Item selected;     /* the last of the selection, in the displayed house */
+
     EditTool tool;
     Pointer hand; /* the last one */
     bool down;    /* its button */
@@ -173,161 +182,158 @@ typedef struct Editor {
     size_t saved_steps; /* that could be undone when it was saved */
     Text doing;
     GestureView shown;
-} Editor;
-
-void editor_begin(HouseSession *live);
-void editor_clear(HouseSession *live); /* releases all; what is in the hand is let go */
+};
 
 /* Gestures -------------------------------------------------------------------------------------------------------- */
 
 /* Begins one; `name` is of its step. `keys`: the hand has no part in it yet. */
-void edit_gesture_begin(HouseSession *live, const EditGesture *gesture, const char *name, bool keys);
+void edit_gesture_begin(Editor *edit, const EditGesture *gesture, const char *name, bool keys);
 
 /* Does it anew, as the hand and the fields are. */
-void edit_gesture_follow(HouseSession *live);
+void edit_gesture_follow(Editor *edit);
 
 /* Ends it as a step that stands, or lets it go; false: it does not stand, and is still in the hand. */
-bool edit_gesture_end(HouseSession *live);
-void edit_gesture_drop(HouseSession *live);
+bool edit_gesture_end(Editor *edit);
+void edit_gesture_drop(Editor *edit);
 
 /* Puts the last good target down, where there is one. False: refused, and nothing has happened. */
-bool edit_gesture_settle(HouseSession *live);
+bool edit_gesture_settle(Editor *edit);
 
 /* A step of its own: begins it; ends it, and has it followed. False: a fault says why it cannot be. */
-void edit_gesture_open(HouseSession *live, const char *name);
-bool edit_gesture_close(HouseSession *live, Fault *fault);
+void edit_gesture_open(Editor *edit, const char *name);
+bool edit_gesture_close(Editor *edit, Fault *fault);
 
 /* Fields: sets how they are called, and what the hand gives; is it typed? then `*value` is what is typed. */
-void edit_field_list(HouseSession *live, const char *const *names, const char *const *units, size_t count);
-bool edit_field_typed(const HouseSession *live, size_t field, double *value);
-void edit_field_show(HouseSession *live, size_t field, double value);
-bool edit_field_any(const HouseSession *live);
-bool edit_field_type(HouseSession *live, const char *letters);
-bool edit_field_back(HouseSession *live);
-bool edit_field_tab(HouseSession *live, int step);
+void edit_field_list(Editor *edit, const char *const *names, const char *const *units, size_t count);
+bool edit_field_typed(const Editor *edit, size_t field, double *value);
+void edit_field_show(Editor *edit, size_t field, double value);
+bool edit_field_any(const Editor *edit);
+bool edit_field_type(Editor *edit, const char *letters);
+bool edit_field_back(Editor *edit);
+bool edit_field_tab(Editor *edit, int step);
 bool edit_field_begins(const char *letters);
 
 /* Where the hand points, with snapping; `ask` as far as it is special. Keeps the snap. */
-Vec2 edit_gesture_snap(HouseSession *live, SnapAsk ask);
+Vec2 edit_gesture_snap(Editor *edit, SnapAsk ask);
 
 /* Tools ----------------------------------------------------------------------------------------------------------- */
 
-void edit_chain_begin(HouseSession *live, bool keys);
-void edit_chain_clear(HouseSession *live);
-void edit_wall_make(HouseSession *live);
-void edit_way_make_exit(HouseSession *live);
-void edit_way_make_room(HouseSession *live);
-void edit_way_make_route(HouseSession *live);
-void edit_way_find_exit(HouseSession *live);
-const char *edit_way_person(const HouseSession *live); /* whose route is drawn; NULL: there is nobody */
-bool edit_way_across(HouseSession *live);              /* an exit across the door at the hand */
-void edit_place_begin(HouseSession *live, bool keys);
-void edit_door_follow(HouseSession *live);
-void edit_door_make(HouseSession *live);
-bool edit_door_limit(HouseSession *live);
-void edit_piece_follow(HouseSession *live);
-void edit_piece_make(HouseSession *live);
-void edit_person_follow(HouseSession *live);
-void edit_person_make(HouseSession *live);
+void edit_chain_begin(Editor *edit, bool keys);
+void edit_chain_clear(Editor *edit);
+void edit_wall_make(Editor *edit);
+void edit_way_make_exit(Editor *edit);
+void edit_way_make_room(Editor *edit);
+void edit_way_make_route(Editor *edit);
+void edit_way_find_exit(Editor *edit);
+const char *edit_way_person(const Editor *edit); /* whose route is drawn; NULL: there is nobody */
+bool edit_way_across(Editor *edit);              /* an exit across the door at the hand */
+void edit_place_begin(Editor *edit, bool keys);
+void edit_door_follow(Editor *edit);
+void edit_door_make(Editor *edit);
+bool edit_door_limit(Editor *edit);
+void edit_piece_follow(Editor *edit);
+void edit_piece_make(Editor *edit);
+void edit_person_follow(Editor *edit);
+void edit_person_make(Editor *edit);
 
 /* The hand and the keys, as editing.h has them. */
-void edit_pointer_take(HouseSession *live, EditTool tool);
-void edit_pointer_point(HouseSession *live, const Pointer *hand);
-void edit_pointer_press(HouseSession *live, const Pointer *hand, bool twice);
-void edit_pointer_release(HouseSession *live, const Pointer *hand);
-bool edit_pointer_type(HouseSession *live, const char *letters);
-bool edit_pointer_enter(HouseSession *live);
-bool edit_pointer_back(HouseSession *live);
-bool edit_pointer_escape(HouseSession *live);
+void edit_pointer_take(Editor *edit, EditTool tool);
+void edit_pointer_point(Editor *edit, const Pointer *hand);
+void edit_pointer_press(Editor *edit, const Pointer *hand, bool twice);
+void edit_pointer_release(Editor *edit, const Pointer *hand);
+bool edit_pointer_type(Editor *edit, const char *letters);
+bool edit_pointer_enter(Editor *edit);
+bool edit_pointer_back(Editor *edit);
+bool edit_pointer_escape(Editor *edit);
 
 /* What can be placed: reads the catalogue and the names of the profiles once. */
-void edit_items_stock(HouseSession *live);
-void edit_items_clear(HouseSession *live);
-const CatalogueRow *edit_items_list(HouseSession *live, size_t *count);
+void edit_items_stock(Editor *edit);
+void edit_items_clear(Editor *edit);
+const CatalogueRow *edit_items_list(Editor *edit, size_t *count);
 
 /* Selection ------------------------------------------------------------------------------------------------------- */
 
-/* What is selected by itself, live->selected, and what the editor has are brought together. */
-void edit_select_meet(HouseSession *live);
-void edit_select_only(HouseSession *live, const char *id); /* NULL: nothing */
-void edit_select_toggle(HouseSession *live, const char *id);
-void edit_select_known(HouseSession *live); /* forgets what is no longer there */
-bool edit_select_has(const HouseSession *live, const char *id);
-void edit_select_within(HouseSession *live, Box box, bool more);
-void edit_select_all(HouseSession *live);
-const char *edit_select_id(const HouseSession *live, Item thing); /* "": it has none */
-Item edit_select_thing(const HouseSession *live, const char *id);
-const char *edit_select_at(HouseSession *live, Vec2 at); /* what lies there, NULL: nothing */
+/* What is selected by itself, edit->selected, and what the editor has are brought together. */
+void edit_select_meet(Editor *edit);
+void edit_select_only(Editor *edit, const char *id); /* NULL: nothing */
+void edit_select_toggle(Editor *edit, const char *id);
+void edit_select_known(Editor *edit); /* forgets what is no longer there */
+bool edit_select_has(const Editor *edit, const char *id);
+void edit_select_within(Editor *edit, Box box, bool more);
+void edit_select_all(Editor *edit);
+const char *edit_select_id(const Editor *edit, Item thing); /* "": it has none */
+Item edit_select_thing(const Editor *edit, const char *id);
+const char *edit_select_at(Editor *edit, Vec2 at); /* what lies there, NULL: nothing */
 
 /* "door d2", "wardrobe (f3)" */
-void edit_select_name(const HouseSession *live, const char *id, char name[EDIT_NAME]);
+void edit_select_name(const Editor *edit, const char *id, char name[EDIT_NAME]);
 /* The same, or "5 things". */
-void edit_select_names(const HouseSession *live, char name[EDIT_NAME]);
+void edit_select_names(const Editor *edit, char name[EDIT_NAME]);
 
 /* The handles of what is selected in a plan (EDIT_HANDLES); how many. */
-size_t edit_handle_list(const HouseSession *live, const Plan *plan, EditHandle *handles);
+size_t edit_handle_list(const Editor *edit, const Plan *plan, EditHandle *handles);
 /* The nearest one within reach; false: none. */
-bool edit_handle_at(const HouseSession *live, const Pointer *hand, EditHandle *handle);
+bool edit_handle_at(const Editor *edit, const Pointer *hand, EditHandle *handle);
 
 /* Marks of the gesture, for what it shows. */
-void edit_marks_line(HouseSession *live, Vec2 from, Vec2 to);
-void edit_marks_outline(HouseSession *live, const Vec2 *points, size_t count);
-void edit_marks_length(HouseSession *live, Vec2 from, Vec2 to);
-void edit_marks_piece(HouseSession *live, const Furniture *piece); /* and the room that it leaves */
-void edit_marks_door(HouseSession *live, const Plan *plan, const Door *door);
-void edit_marks_held(HouseSession *live);
-const GestureView *edit_marks_make(HouseSession *live);
+void edit_marks_line(Editor *edit, Vec2 from, Vec2 to);
+void edit_marks_outline(Editor *edit, const Vec2 *points, size_t count);
+void edit_marks_length(Editor *edit, Vec2 from, Vec2 to);
+void edit_marks_piece(Editor *edit, const Furniture *piece); /* and the room that it leaves */
+void edit_marks_door(Editor *edit, const Plan *plan, const Door *door);
+void edit_marks_held(Editor *edit);
+const GestureView *edit_marks_make(Editor *edit, const char *idle); /* `idle`: the text without a gesture */
 
 /* Takes a handle up. */
 typedef enum EditHold { HOLD_DRAG, HOLD_CLICK, HOLD_KEYS } EditHold;
-void edit_drag_begin(HouseSession *live, const EditHandle *handle, EditHold how);
-void edit_drag_whole(HouseSession *live);
-void edit_drag_box(HouseSession *live);
-void edit_shape_follow(HouseSession *live); /* points, segments, rectangles: of walls, rooms, exits, routes */
-void edit_shape_make(HouseSession *live);
+void edit_drag_begin(Editor *edit, const EditHandle *handle, EditHold how);
+void edit_drag_whole(Editor *edit);
+void edit_drag_box(Editor *edit);
+void edit_shape_follow(Editor *edit); /* points, segments, rectangles: of walls, rooms, exits, routes */
+void edit_shape_make(Editor *edit);
 /* Moves all that is selected in the open step: walls with the corners of others that lie on theirs, doors along their
  * walls. The plan is what it was before. */
-void edit_shape_move(HouseSession *live, const Plan *plan, Vec2 by);
-void edit_body_follow(HouseSession *live); /* furniture and people */
-void edit_body_make(HouseSession *live);
-void edit_door_slide_follow(HouseSession *live); /* doors */
-void edit_door_slide_make(HouseSession *live);
-bool edit_door_slide_limit(HouseSession *live);
+void edit_shape_move(Editor *edit, const Plan *plan, Vec2 by);
+void edit_body_follow(Editor *edit); /* furniture and people */
+void edit_body_make(Editor *edit);
+void edit_door_slide_follow(Editor *edit); /* doors */
+void edit_door_slide_make(Editor *edit);
+bool edit_door_slide_limit(Editor *edit);
 
 /* What is done to the selection ------------------------------------------------------------------------------------ */
 
-bool edit_do_nudge(HouseSession *live, Vec2 by, Fault *fault);
-bool edit_do_turn(HouseSession *live, double by, Fault *fault);
-bool edit_do_topple(HouseSession *live, Fault *fault);
-bool edit_do_remove(HouseSession *live, Fault *fault);
-char *edit_do_copy(const HouseSession *live);
-bool edit_do_duplicate(HouseSession *live, Fault *fault);
-bool edit_do_paste(HouseSession *live, const char *text, Fault *fault);
-bool edit_split_wall(HouseSession *live, Fault *fault);
-bool edit_split_can_join(const HouseSession *live); /* the point that has the focus of the keys can be taken out */
-bool edit_split_join(HouseSession *live, Fault *fault);
+bool edit_do_nudge(Editor *edit, Vec2 by, Fault *fault);
+bool edit_do_turn(Editor *edit, double by, Fault *fault);
+bool edit_do_topple(Editor *edit, Fault *fault);
+bool edit_do_remove(Editor *edit, Fault *fault);
+char *edit_do_copy(const Editor *edit);
+bool edit_do_duplicate(Editor *edit, Fault *fault);
+bool edit_do_paste(Editor *edit, const char *text, Fault *fault);
+bool edit_split_wall(Editor *edit, Fault *fault);
+bool edit_split_can_join(const Editor *edit); /* the point that has the focus of the keys can be taken out */
+bool edit_split_join(Editor *edit, Fault *fault);
 
 extern const EditGesture edit_image_gesture;
-void edit_image_begin(HouseSession *live, bool keys);
-bool edit_image_set(HouseSession *live, const char *path, Fault *fault);
-void edit_image_fade(HouseSession *live, double opacity);
-TraceImage edit_image_get(HouseSession *live);
+void edit_image_begin(Editor *edit, bool keys);
+bool edit_image_set(Editor *edit, const char *path, Fault *fault);
+void edit_image_fade(Editor *edit, double opacity);
+TraceImage edit_image_get(Editor *edit);
 /* Why the picture is not as it was, in a line; NULL: it is, or there is none. */
-const char *edit_image_trouble(HouseSession *live);
+const char *edit_image_trouble(Editor *edit);
 
-void edit_propose_ask(HouseSession *live);
-const Proposal *edit_propose_list(HouseSession *live, size_t *count, const char **doing);
-bool edit_propose_accept(HouseSession *live, size_t proposal, Fault *fault);
-void edit_propose_end(HouseSession *live);
+void edit_propose_ask(Editor *edit);
+const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doing);
+bool edit_propose_accept(Editor *edit, size_t proposal, Fault *fault);
+void edit_propose_end(Editor *edit);
 
-bool edit_shake_do(HouseSession *live, Fault *fault);
-void edit_shake_clear(HouseSession *live);
+bool edit_shake_do(Editor *edit, Fault *fault);
+void edit_shake_clear(Editor *edit);
 
-const EditText *edit_text_list(HouseSession *live, size_t *count);
-bool edit_text_set(HouseSession *live, const char *name, const char *value, Fault *fault);
+const EditText *edit_text_list(Editor *edit, size_t *count);
+bool edit_text_set(Editor *edit, const char *name, const char *value, Fault *fault);
 
 /* m, of the narrowest chair in the house; infinite: there is none. */
-double edit_measure_chair(const HouseSession *live);
+double edit_measure_chair(const Editor *edit);
 void edit_measure_say(double length, double chair, char *words, size_t size);
-void edit_measure_keep(HouseSession *live, Vec2 from, Vec2 to);
-bool edit_measure_side(HouseSession *live); /* the side at the hand; false: there is none */
+void edit_measure_keep(Editor *edit, Vec2 from, Vec2 to);
+bool edit_measure_side(Editor *edit); /* the side at the hand; false: there is none */
