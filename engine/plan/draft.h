@@ -40,6 +40,9 @@ typedef enum DraftList {
 /* A house without anything in it, called `name`. draft_destroy releases it. */
 Draft *draft_create(const char *name);
 
+/* A draft of `plan`, which it takes; nothing of it is saved. */
+Draft *draft_of_plan(Plan *plan);
+
 /* The house of a text, the way a file would have it; `path` stands in faults, and is where the house's profiles may be.
  */
 Draft *draft_read_text(const char *path, const char *text, Fault *fault);

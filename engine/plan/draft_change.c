@@ -1,6 +1,6 @@
-/* What an open step changes, so that it can be taken back and done again. */
+#include "plan/draft_change.h"
+
 #include "base/text.h"
-#include "plan/draft_parts.h"
 
 static void put(Draft *draft, const DraftChange *change, json_t *before, json_t *after) {
     json_t *list = change->list < DRAFT_LISTS ? draft->lists[change->list] : NULL;
@@ -33,7 +33,7 @@ void draft_change_make(Draft *draft, DraftList list, size_t index, const char *m
 }
 
 void draft_change_element(Draft *draft, DraftList list, size_t index, json_t *after) {
-    draft_change_make(draft, list, index, NULL, draft_at(draft, list, index), after);
+    draft_change_make(draft, list, index, NULL, json_array_get(draft->lists[list], index), after);
 }
 
 void draft_change_redo(Draft *draft, const DraftStep *step) {

@@ -4,7 +4,7 @@
 
 #include "base/json.h"
 #include "base/text.h"
-#include "plan/draft_parts.h"
+#include "plan/draft_change.h"
 #include "plan/plan_json.h"
 #include "plan/plan_tables.h"
 
