@@ -35,7 +35,7 @@ void caption_shape(Caption *caption, LabelShape shape, Role fill) {
         caption->extent.x = caption->extent.y = 2 * fmax(DISC_LEAST, caption->extent.x / 2 + TAG_PADDING);
 }
 
-/* Of UTF-8: does no character begin with this byte? */
+/* True if no character of UTF-8 begins with this byte. */
 static bool is_within_character(char byte) {
     return ((unsigned char)byte & 0xC0) == 0x80;
 }

@@ -4,24 +4,24 @@
 #include "draw/mask.h"
 #include "draw/text.h"
 
-#define GAP 9.0           /* design points, between a point and a label beside it: half a line's width and air */
-#define WIDEST 480.0      /* design points: longer words are shortened */
-#define AIR 3.0           /* design points, kept around a label, also within what it names */
+#define GAP 9.0           /* design points, between a point and a label next to it: half a line's width and some air */
+#define WIDEST 480.0      /* design points: longer texts are shortened */
+#define AIR 3.0           /* design points, left free around a label, also within the outline of its object */
 #define RING_STEP 12.0    /* design points, from one ring of candidate places to the next */
-#define LABEL_WEIGHT 10.0 /* two labels on each other are worse than anything but leaving the page */
-#define DISTANCE_COST 4.0 /* design points squared a design point: going 20 away is as bad as hiding 80 of a locus */
-#define TURNED_COST 200.0 /* words that lie are read with the head aside */
+#define LABEL_WEIGHT 10.0 /* overlapping labels are worse than anything but leaving the page */
+#define DISTANCE_COST 4.0 /* design points: a distance of 20 costs as much as hiding 80 of a locus */
+#define TURNED_COST 200.0 /* turned text is harder to read */
 #define SMALLER_COST 40.0
-#define CROSSING_COST 6.0  /* a design point of wall between a label and its point */
-#define OPTIONAL_MOST 0.35 /* mean weight under an optional label; more, and it is left out */
+#define CROSSING_COST 6.0  /* per design point of wall between a label and its point */
+#define OPTIONAL_MOST 0.35 /* mean weight under an optional label; above it the label is left out */
 
 enum {
-    RINGS = 9,       /* of candidate places: out to some 100 design points */
-    DIRECTIONS = 16, /* on each */
-    RASTER = 12,     /* candidate places each way inside an outline */
+    RINGS = 9,       /* of candidate places: out to about 100 design points */
+    DIRECTIONS = 16, /* per ring */
+    RASTER = 12,     /* candidate places per side inside an outline */
 };
 
-/* The points of a primitive at its highest. */
+/* Returns the points of a primitive at its top, on the page. */
 static Vec2 *to_page(const Layout *layout, const Primitive *primitive) {
     Vec2 *page = memory_zeroed(primitive->count, sizeof *page);
     for (size_t i = 0; i < primitive->count; i++)
@@ -54,7 +54,7 @@ static void mark_primitive(Mask *mask, const Layout *layout, const Primitive *pr
     memory_free(points);
 }
 
-/* Even-odd. */
+/* True if the outline contains the point, even-odd. */
 static bool outline_holds(const Vec2 *outline, size_t count, Vec2 p) {
     bool inside = false;
     for (size_t i = 0, j = count - 1; i < count; j = i++) {
@@ -79,7 +79,7 @@ typedef struct Choice {
     double cost;
 } Choice;
 
-/* `extra` alone may be too much: what lies there need not be looked at then. */
+/* Skips the mask if `extra` alone exceeds the best cost. */
 static void consider(Choice *best, const Mask *mask, Caption caption, double extra) {
     if (extra >= best->cost)
         return;
@@ -88,7 +88,7 @@ static void consider(Choice *best, const Mask *mask, Caption caption, double ext
         *best = (Choice){caption, cost};
 }
 
-/* Places inside the outline, lying or standing; nearest to `at` first among equals. */
+/* Considers places inside the outline, horizontal or turned; among equals the one nearest to `at` wins. */
 static void consider_inside(Choice *best, const Mask *mask, Caption caption, const Vec2 *outline, size_t count, Vec2 at,
                             double extra) {
     Box box = box_empty();
@@ -106,7 +106,7 @@ static void consider_inside(Choice *best, const Mask *mask, Caption caption, con
         }
 }
 
-/* Places on the point itself and on so many rings around it. */
+/* Considers the point itself and the places on the rings around it. */
 static void consider_around(Choice *best, const Mask *mask, Caption caption, Vec2 at, bool on_it, int rings) {
     caption.centre = at;
     if (on_it)
@@ -140,7 +140,7 @@ static Caption label_caption(Layout *layout, const Primitive *label, Vec2 at, do
     return caption;
 }
 
-/* Inside its outline if it has one, as large as may be, otherwise around its point. */
+/* Chooses the best place: inside the label's outline, as large as possible, otherwise around its point. */
 static Choice choose_place(const Mask *mask, Layout *layout, const Primitive *label) {
     Choice best = {.cost = HUGE_VAL};
     Vec2 *points = to_page(layout, label);
@@ -159,12 +159,12 @@ static Choice choose_place(const Mask *mask, Layout *layout, const Primitive *la
     return best;
 }
 
-/* Of something that is not in the picture, as when one looks at a part of the house. */
+/* True if the labelled point lies outside the picture, as when the view shows a part of the house. */
 static bool is_away(const Layout *layout, const Primitive *label) {
     return !box_holds(layout->frame, layout_point(layout, label->points[0]));
 }
 
-/* Moves words into a box. */
+/* Moves a caption into a box. */
 static void clamp_within(Caption *caption, Box room) {
     Box box = caption_box(caption);
     Vec2 half = vec2_scale(vec2_sub(box.high, box.low), 0.5);
@@ -189,7 +189,7 @@ static void place_label(Mask *mask, Layout *layout, const Primitive *label) {
     *caption = best.caption;
 }
 
-/* On its point or beside it, but neither over the frame's edge nor over the words above the plan. */
+/* Places a label on its point or next to it, within the frame and below the texts above the plan. */
 static void place_fixed(Layout *layout, const Primitive *label) {
     if (is_away(layout, label))
         return;

@@ -7,14 +7,14 @@
 #include "draw/labels.h"
 #include "draw/text.h"
 
-/* Design points. The sizes of letters are those that are read from six picture heights away: the answer at eight. */
+/* Design points. The text sizes are legible from six picture heights away, that of the answer from eight. */
 #define MARGIN 16.0
 #define TITLE_TEXT 40.0
 #define DETAIL_TEXT 22.0
 #define NAME_TEXT 17.0
 #define CLOCK_TEXT 26.0
 #define BAND_HEIGHT 64.0
-#define DETAIL_HEIGHT 32.0 /* of its line when it stands below the answer */
+#define DETAIL_HEIGHT 32.0 /* of the detail's line when it stands below the answer */
 #define NOTE_HEIGHT 32.0
 #define FOOT_HEIGHT 44.0
 #define LIST_WIDTH 356.0
@@ -27,17 +27,17 @@
 #define ROW_TEXT 17.0
 #define ROW_HEIGHT 30.0
 #define CELL_GAP 14.0
-#define DISC_WIDTH 40.0   /* kept for a disc before a row's words */
-#define LINE_WIDTH 54.0   /* and for a piece of line */
-#define SYMBOL_WIDTH 46.0 /* and for one with a symbol on it */
-#define LINE_SHOWN 14.0   /* of the line, and of the tag's own edge, on either side of the tag's words */
+#define DISC_WIDTH 40.0   /* kept for a disc before a row's text */
+#define LINE_WIDTH 54.0   /* kept for a line sample */
+#define SYMBOL_WIDTH 46.0 /* kept for a line sample with a symbol */
+#define LINE_SHOWN 14.0   /* of the line, and of the tag's own edge, on either side of the tag's text */
 #define DISC_TEXT 16.0
 #define BAR_SHORTEST 64.0 /* of the scale bar: room for "10 m" */
 #define BAR_WIDTH 5.0
-#define BAR_RIM 3.0       /* of paper round it: it may lie on something */
-#define GRID_CLOSEST 14.0 /* closer lines are a grey */
+#define BAR_RIM 3.0       /* of paper around the bar: it may lie on something */
+#define GRID_CLOSEST 14.0 /* design points: closer lines would look like a grey area */
 
-/* A list below the plan is only worth its unusual place when the plan becomes larger by this factor. */
+/* A list goes below the plan only if that enlarges the plan by this factor. */
 #define BELOW_GAIN 1.15
 
 #define DESIGN_WIDTH 1280.0
@@ -49,7 +49,7 @@ double layout_unit(int width, int height) {
 
 static const double steps[] = {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000};
 
-/* The first of 1, 2, 5, 10 ... that makes `unit` at least `least`. */
+/* Returns the first of 1, 2, 5, 10 ... that makes `unit` at least `least`. */
 static double round_step(double unit, double least) {
     size_t i = 0;
     while (i + 1 < sizeof steps / sizeof *steps && steps[i] * unit < least)
@@ -63,7 +63,7 @@ void layout_add_sample(Layout *layout, Sample sample) {
     layout->samples[layout->sample_count++] = sample;
 }
 
-/* Words from `left` on, as far as `right`; where they end. */
+/* Adds a text from `left`, shortened at `right`; returns the end of the text. */
 static double add_text(Layout *layout, Role role, const char *text, double size, bool bold, double left, double right,
                        double y) {
     const char *label = caption_shortened(layout, text, size, bold, right - left);
@@ -73,7 +73,7 @@ static double add_text(Layout *layout, Role role, const char *text, double size,
     return left + caption->extent.x;
 }
 
-/* The answer and, beside it or else below, its detail. */
+/* Places the answer and its detail, which stands next to the answer or, without room there, below it. */
 static void place_band(Layout *layout, const Scene *scene) {
     layout->band = (Box){{0, 0}, {layout->page.x, 0}};
     if (scene->bare || !scene->title)
@@ -90,7 +90,7 @@ static void place_band(Layout *layout, const Scene *scene) {
              beside ? BAND_HEIGHT / 2 + 4 : BAND_HEIGHT + DETAIL_HEIGHT / 2 - 8);
 }
 
-/* The row behind the section that begins at `row`. */
+/* Returns the row behind the section that begins at `row`. */
 static size_t section_end(const Scene *scene, size_t row) {
     do
         row++;
@@ -109,7 +109,7 @@ static double rows_height(const Scene *scene, size_t first, size_t end) {
     return height;
 }
 
-/* How much a row keeps for what it begins with: a disc, or a piece of line that shows on both sides of its tag. */
+/* Returns the width of a row's mark: a disc, or a line sample that shows on both sides of its tag. */
 static double mark_width(const SceneRow *row) {
     if (row->kind == ROW_DISC)
         return DISC_WIDTH;
@@ -121,7 +121,7 @@ static double mark_width(const SceneRow *row) {
     return fmax(LINE_WIDTH, tag + CELL_GAP);
 }
 
-/* Draws what a row begins with, `width` wide; where its words begin. */
+/* Draws the mark of a row, `width` wide; returns the begin of the row's text. */
 static double place_mark(Layout *layout, const SceneRow *row, double left, double width, double y) {
     if (row->kind != ROW_DISC && row->kind != ROW_LINE)
         return left;
@@ -135,7 +135,8 @@ static double place_mark(Layout *layout, const SceneRow *row, double left, doubl
     return end;
 }
 
-/* A row's mark, as wide as widths[0] says, and its cells: those behind the first end at the right of their columns. */
+/* Places the mark of a row, widths[0] wide, and its cells; all cells but the first are aligned right in their columns.
+ */
 static void place_row(Layout *layout, const SceneRow *row, Box column, const double *widths, double y) {
     double left = place_mark(layout, row, column.low.x, widths[0], y), right = column.high.x;
     for (size_t c = ROW_CELLS; c-- > 1;) {
@@ -148,7 +149,7 @@ static void place_row(Layout *layout, const SceneRow *row, Box column, const dou
     add_text(layout, ROLE_TEXT, row->cells[0], ROW_TEXT, false, left, right, y);
 }
 
-/* One section's rows in a column of the page; `pitch` presses them together. */
+/* Places the rows of one section in a column of the page; `pitch` scales the row heights. */
 static void place_section(Layout *layout, const Scene *scene, size_t first, size_t end, Box column, double pitch) {
     double widths[ROW_CELLS] = {0};
     for (size_t i = first; i < end; i++) {
@@ -168,7 +169,7 @@ static void place_section(Layout *layout, const Scene *scene, size_t first, size
     }
 }
 
-/* The sections below each other, pressed together when there are too many rows. */
+/* Places the sections below each other, compressed when there are too many rows. */
 static void place_list_beside(Layout *layout, const Scene *scene) {
     double height = rows_height(scene, 0, scene->row_count);
     double pitch = fmin(1, (box_height(layout->list) - MARGIN) / height);
@@ -212,7 +213,7 @@ static double metre_that_fits(const Scene *scene, Box plan) {
     return fmin(box_width(plan) / box_width(scene->box), box_height(plan) / box_height(scene->box));
 }
 
-/* Where the plan may lie when the name stands above and the clock and the scale below it. */
+/* Returns the room of the plan when the name stands above and the clock and the scale below it. */
 static Box plan_within(const Scene *scene, Box frame) {
     if (scene->bare)
         return box_expand(frame, -BARE_MARGIN);
@@ -220,14 +221,15 @@ static Box plan_within(const Scene *scene, Box frame) {
                  {frame.high.x - MARGIN, frame.high.y - FOOT_HEIGHT}};
 }
 
-/* Of panels below the plan: what the scene asks for, or all that a plan as wide as the page leaves, up to squares. */
+/* Returns the height of panels below the plan: the scene's wish, or all the height that a plan of full page width
+ * leaves, at most squares. */
 static double panels_height(const Scene *scene, Box frame) {
     Box plan = plan_within(scene, frame);
     double left = box_height(plan) - box_width(plan) * box_height(scene->box) / box_width(scene->box);
     return fmax(scene->panel_height, fmin(left, box_width(frame) / scene->panels));
 }
 
-/* Divides the page below the band between the plan and what is beside it; true when that is below. */
+/* Divides the page below the band between the plan and the list or panels; true if these go below the plan. */
 static bool divide_page(Layout *layout, const Scene *scene) {
     Box frame = {{0, layout->band.high.y}, layout->page};
     layout->frame = frame;
@@ -249,7 +251,7 @@ static bool divide_page(Layout *layout, const Scene *scene) {
     return below;
 }
 
-/* The panels share their place evenly, one below the other or, below the plan, side by side. */
+/* Shares the place evenly among the panels: one below the other or, below the plan, side by side. */
 static void place_panels(Layout *layout, const Scene *scene, bool below) {
     Box place = box_expand(layout->list, -PANEL_GAP);
     double room = below ? box_width(place) : box_height(place);
@@ -287,7 +289,7 @@ void layout_add_grid_line(Layout *layout, Vec2 from, Vec2 to) {
     layout->grid_count++;
 }
 
-/* Of a line from `part[0]` to `part[1]`, 0 to 1, what lies on the side where `at` + part x `way` is more than `low`. */
+/* Cuts a line from `part[0]` to `part[1]`, 0 to 1, to the side where `at` + part x `way` exceeds `low`. */
 static void cut_part(double part[2], double at, double way, double low) {
     double meets = (low - at) / way;
     if (way > 0)
@@ -298,7 +300,7 @@ static void cut_part(double part[2], double at, double way, double low) {
         part[1] = -1;
 }
 
-/* As much of it as lies within the frame. */
+/* Adds the part of a line that lies within the frame. */
 static void add_metre_line(Layout *layout, Vec2 from, Vec2 to) {
     Box frame = layout->frame;
     Vec2 at = layout_point(layout, from), way = vec2_sub(layout_point(layout, to), at);
@@ -311,12 +313,12 @@ static void add_metre_line(Layout *layout, Vec2 from, Vec2 to) {
         layout_add_grid_line(layout, vec2_along(at, part[0], way), vec2_along(at, part[1], way));
 }
 
-/* m, from line to line. */
+/* Returns the distance between grid lines, m. */
 static double grid_step(const Layout *layout, const Scene *scene) {
     return scene->grid * round_step(scene->grid * layout->metre, GRID_CLOSEST);
 }
 
-/* On whole multiples of the scene's grid; over all of the frame, or over the floor of a raised view. */
+/* Adds lines at whole multiples of the scene's grid: over all of the frame, or over the floor of a raised view. */
 static void place_grid(Layout *layout, const Scene *scene) {
     if (scene->grid <= 0)
         return;
@@ -335,7 +337,8 @@ static void place_grid(Layout *layout, const Scene *scene) {
         add_metre_line(layout, vec2(box.low.x, y), vec2(box.high.x, y));
 }
 
-/* At the lower right; in perspective no length holds everywhere, and the grid has to do. */
+/* Adds the scale bar at the lower right; a raised view has no single scale and shows the size of the grid's squares
+ * instead. */
 static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
     double right = layout->plan.high.x, length = round_step(layout->metre, BAR_SHORTEST);
     double left = right - length * layout->metre;
@@ -361,7 +364,7 @@ static void place_scale_bar(Layout *layout, const Scene *scene, double foot) {
     caption->fill = ROLE_PAPER;
 }
 
-/* Gives the words from `first` on a rim: a picture that is looked at from near may reach below them. */
+/* Gives the captions from `first` on a rim: a picture seen from near may reach below them. */
 static void rim_captions(Layout *layout, size_t first) {
     for (size_t i = first; i < layout->caption_count; i++) {
         layout->captions[i].halo = true;
@@ -377,7 +380,7 @@ static void place_clock(Layout *layout, const Layout *under, const char *clock) 
     rim_captions(layout, first);
 }
 
-/* The name and the note above the plan, the clock and the scale below. */
+/* Places the name and the note above the plan, the clock and the scale below. */
 static void place_margins(Layout *layout, const Scene *scene) {
     size_t first = layout->caption_count;
     double right = layout->plan.high.x, y = layout->plan.low.y - NOTE_HEIGHT / 2, end = MARGIN;

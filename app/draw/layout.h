@@ -1,6 +1,7 @@
-/* Where everything on a picture is: the answer across the top, the plan, the list beside or below it, whichever leaves
- * the plan larger, and a place for each label on which it hides nothing. All in design points, y down, so that a larger
- * picture of the same shape is the same picture. Knows no cairo: every painter draws the same layout.
+/* Places all parts of a picture: the answer across the top, the plan, the list next to it or below it, whichever
+ * leaves the plan larger, and each label where it hides nothing. All lengths are design points, y down, so that a
+ * larger picture of the same shape is the same picture. The layout does not know cairo: every painter draws the same
+ * layout.
  *
  *        +------------------------------------------------+
  *        | title  detail                                  |
@@ -15,23 +16,23 @@
 
 #include "draw/scene.h"
 
-/* Words with a place. */
+/* A text with its place. */
 typedef struct Caption {
     const char *text;
     Vec2 centre;
-    Vec2 extent; /* width and height of the box that holds the words, before turning */
-    double size; /* of the letters */
+    Vec2 extent; /* width and height of the box around the text, before turning */
+    double size; /* of the text */
     bool bold;
-    bool turned; /* a quarter, read from below */
-    bool halo;   /* bare words on the plan: a rim keeps the lines away */
-    Role role;   /* of bare words */
+    bool turned; /* by a quarter, read from below */
+    bool halo;   /* bare text on the plan: a rim keeps lines away */
+    Role role;   /* of bare text */
     LabelShape shape;
     Role fill;   /* of the tag, disc or halo */
-    bool leader; /* a thin line goes from `pointed` to it */
+    bool leader; /* draws a thin line from `pointed` to the caption */
     Vec2 pointed;
 } Caption;
 
-/* A piece of line in the list, as it looks on the plan. */
+/* A line sample of the list, drawn as the line on the plan. */
 typedef struct Sample {
     Vec2 from, to;
     Role role;
@@ -43,44 +44,44 @@ typedef struct Sample {
 typedef struct Layout {
     Vec2 page;
     Box band, list; /* empty when the scene has no answer, no rows and no panels */
-    Box frame;      /* what is left; nothing of the scene is seen outside it */
-    Box plan;       /* within the frame, what holds the scene's box */
+    Box frame;      /* the rest of the page; clips the scene */
+    Box plan;       /* within the frame, around the scene's box */
     View view;
-    double metre;             /* design points a metre of the plan; of the raised view, in its middle */
+    double metre;             /* design points per metre of the plan; in a raised view, at its middle */
     Box panels[SCENE_PANELS]; /* (scene.panels) */
     Vec2 *grid;               /* (2 grid_count) ends of the faint lines */
     Caption *captions;        /* (caption_count) */
-    Sample *samples;          /* (sample_count) the list's, and the scale bar of a plan */
+    Sample *samples;          /* (sample_count) of the list, and the scale bar of a plan */
     size_t grid_count, grid_capacity, caption_count, caption_capacity, sample_count, sample_capacity;
-    Arena arena; /* holds shortened words */
+    Arena arena; /* holds shortened texts */
 } Layout;
 
-/* A scene and where everything of it is on the page: painters are given one or several, one over the other. Captions of
- * all layers are above all else. */
+/* A scene and its layout on the page: painters draw one layer, or several over each other. The captions of all layers
+ * are on top. */
 typedef struct Layer {
     const Scene *scene;
     const Layout *layout;
 } Layer;
 
-/* Pixels a design point of a page of this size: letters and widths grow with the smaller of its sides. */
+/* Returns the pixels of a design point on a page of this size: texts and widths grow with its smaller side. */
 double layout_unit(int width, int height);
 
-/* The smallest letters on a picture: their capitals are 11 pixels high at 1280 x 720. */
+/* The smallest text on a picture: its capitals are 11 pixels high at 1280 x 720. */
 #define LAYOUT_SMALLEST_TEXT 15
 
 /* Lays out a scene, which must outlive the layout, on a page of that size. layout_clear releases it. */
 void layout_make(Layout *layout, const Scene *scene, Vec2 page);
 void layout_clear(Layout *layout);
 
-/* Lays out a layer over another one: its clock and its labels, which are all fixed. Zero is an empty layout; one that
- * has been used is used again. */
+/* Lays out a layer over another one: its clock and its labels, which are all fixed. A zeroed layout is empty; a used
+ * one is reused. */
 void layout_make_over(Layout *layout, const Layout *under, const Scene *scene);
 
-/* A piece of line among the words, and one of the faint lines; all on the page. */
+/* Adds a line sample, and one of the faint lines; all on the page. */
 void layout_add_sample(Layout *layout, Sample sample);
 void layout_add_grid_line(Layout *layout, Vec2 from, Vec2 to);
 
-/* A place on the floor, or so many m above it, on the page. */
+/* Returns the page point of a place on the floor, and of one `height` m above it. */
 static inline Vec2 layout_point(const Layout *layout, Vec2 metres) {
     return view_point(&layout->view, metres, 0);
 }

@@ -6,7 +6,7 @@
 #include "base/memory.h"
 #include "base/order.h"
 
-#define CELL 4.0 /* design points: a quarter of the smallest letters */
+#define CELL 4.0 /* design points: a quarter of the smallest text */
 
 void mask_init(Mask *mask, Box box) {
     mask->box = box;
@@ -20,7 +20,7 @@ void mask_clear(Mask *mask) {
     *mask = (Mask){0};
 }
 
-/* The cell that holds a coordinate, at least `least`, at most `most`. */
+/* Returns the cell that contains a coordinate, clamped to `least` and `most`. */
 static int cell_of(double coordinate, double low, int least, int most) {
     double cell = floor((coordinate - low) / CELL);
     return cell < least ? least : cell > most ? most : (int)cell;
@@ -53,7 +53,7 @@ void mask_mark_line(Mask *mask, Vec2 from, Vec2 to, double width, double weight)
     }
 }
 
-/* Where the horizontal line at `y` crosses the rings, in rising order. */
+/* Lists where the horizontal line at `y` crosses the rings, in rising order. */
 static size_t crossings_at(double y, const Vec2 *points, const size_t *starts, size_t ring_count, double *crossings) {
     size_t count = 0;
     for (size_t r = 0; r < ring_count; r++)
@@ -82,7 +82,7 @@ static double weight_at(const Mask *mask, int x, int y) {
     return inside ? (double)mask->weights[(size_t)y * (size_t)mask->nx + (size_t)x] : MASK_OUTSIDE;
 }
 
-/* How much of cell `i` lies between two coordinates that are counted in cells. */
+/* Returns the share of cell `i` that lies between two coordinates counted in cells. */
 static double overlap(int i, double from, double to) {
     return fmin(to, i + 1) - fmax(from, i);
 }

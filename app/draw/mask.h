@@ -1,4 +1,4 @@
-/* A coarse picture of how much each place of a box is needed: what labels avoid to cover. */
+/* A coarse weight map of a box: labels avoid covering heavy cells. */
 #pragma once
 
 #include <stddef.h>
@@ -14,17 +14,17 @@ typedef struct Mask {
 void mask_init(Mask *mask, Box box);
 void mask_clear(Mask *mask);
 
-/* Each raises the weights of the cells it covers to at least `weight`. */
+/* Each raises the weights of the covered cells to at least `weight`. */
 void mask_mark_box(Mask *mask, Box box, double weight);
 void mask_mark_line(Mask *mask, Vec2 from, Vec2 to, double width, double weight);
 
-/* The inside, even-odd, of rings (starts: ring_count + 1). */
+/* Marks the inside, even-odd, of rings (starts: ring_count + 1). */
 void mask_mark_rings(Mask *mask, const Vec2 *points, const size_t *starts, size_t ring_count, double weight);
 
-/* The sum of weight times area over a box; what lies outside the mask counts MASK_OUTSIDE. */
+/* Returns the sum of weight times area over a box; the part outside the mask counts MASK_OUTSIDE. */
 double mask_cost(const Mask *mask, Box box);
 
-/* The sum of weight times length along a line. */
+/* Returns the sum of weight times length along a line. */
 double mask_line_cost(const Mask *mask, Vec2 from, Vec2 to);
 
 #define MASK_OUTSIDE 50.0

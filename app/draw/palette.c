@@ -24,7 +24,7 @@ static const unsigned palette[ROLE_COUNT][THEME_COUNT] = {
     [ROLE_TYPE_SECOND] = {0xFFD166, 0xFFD166},    [ROLE_TYPE_THIRD] = {0x8C0F1F, 0x8C0F1F},
 };
 
-/* From light to dark, without red. */
+/* Ordered from light to dark, without red. */
 static const unsigned shades[] = {0xFFF8DA, 0xC4DFCF, 0x7DB5C6, 0x3C7EB2, 0x1D4C8C, 0x0E2450};
 enum { SHADES = sizeof shades / sizeof *shades };
 

@@ -1,6 +1,6 @@
-/* Which colour a role has, in two themes. Okabe and Ito's colours on the dark board, darker kin of them on paper, so
- * that every line has a contrast of 3 to its ground and every text of 4.5, also without red, green or any hue at all;
- * no role is told by its colour alone. */
+/* The colour of each role, in two themes: Okabe and Ito's colours on the dark board, darker relatives of them on
+ * paper, so that every line has a contrast of 3 to its ground and every text of 4.5, also without red, green or any
+ * hue; no role depends on its colour alone. */
 #pragma once
 
 #include "draw/scene.h"
@@ -15,12 +15,13 @@ typedef struct Colour {
 
 Colour palette_colour(Theme theme, Role role);
 
-/* The colour of a quantity: from nearest to the paper (part 0) to farthest from it (1), in brightness first. */
+/* Returns the colour of a quantity, from nearest to the paper (part 0) to farthest from it (1), ordered by brightness.
+ */
 Colour palette_shade(Theme theme, double part);
 
-/* Black or white, whichever is better read on the role. */
+/* Returns black or white, whichever is more legible on the role or ground. */
 Colour palette_ink(Theme theme, Role role);
 Colour palette_ink_on(Colour ground);
 
-/* The contrast of two colours, 1 to 21, as WCAG 2 defines it. */
+/* Returns the contrast of two colours, 1 to 21, as WCAG 2 defines it. */
 double palette_contrast(Colour a, Colour b);

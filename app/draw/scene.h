@@ -1,10 +1,9 @@
-/* What is to be seen, as data: a list of plain primitives in metres, in painting order, and the words around them. A
- * laboratory makes it from an observation, a painter consumes it, a test reads it. It knows no file, no window and no
- * pixel: widths of lines and sizes of letters are in design points, 1 = a pixel at 1280 x 720, and grow with the
- * picture.
+/* A picture as data: a list of plain primitives in metres, in painting order, and the texts around them. A laboratory
+ * makes a scene from an observation, a painter draws it, a test reads it. A scene knows no file, no window and no
+ * pixel: line widths and text sizes are in design points, 1 = a pixel at 1280 x 720, and grow with the picture.
  *
- * A still picture is one scene. A moving one has layers, painted one over the other in the first one's view: what
- * stays, what comes and stays (loci), and what moves. */
+ * A still picture is one scene. A moving one has layers, painted over each other in the view of the first: the fixed
+ * part, the growing part (loci) and the moving part. */
 #pragma once
 
 #include <stdbool.h>
@@ -14,7 +13,7 @@
 #include "base/vec2.h"
 #include "draw/view.h"
 
-/* What a thing is decides how it looks: see palette.h. */
+/* The role of an object decides its look: see palette.h. */
 typedef enum Role {
     ROLE_PAPER,
     ROLE_PANEL,
@@ -62,52 +61,52 @@ typedef enum PrimitiveKind {
     PRIMITIVE_LINE,      /* from point to point; with a height, an upright sheet */
     PRIMITIVE_DISC,      /* of `radius` round each point; with a height, an upright cylinder */
     PRIMITIVE_WHEEL,     /* an upright disc of `radius` on an axle from points[0] to points[1], at `base` */
-    PRIMITIVE_BALL,      /* of `radius` round each point, its middle at `base` */
+    PRIMITIVE_BALL,      /* of `radius` round each point, centred at `base` */
     PRIMITIVE_TICK,      /* a short line through points[0], across the direction to points[1] */
-    PRIMITIVE_DIMENSION, /* arrow heads at points[0] and points[1]; from outside where there is no room between */
-    PRIMITIVE_LABEL,     /* words near points[0]: the painter looks for a place where they hide nothing */
+    PRIMITIVE_DIMENSION, /* arrow heads at points[0] and points[1], from outside where they have no room between */
+    PRIMITIVE_LABEL,     /* a text near points[0]: the painter looks for a place where it hides nothing */
 } PrimitiveKind;
 
-/* Words on a tag or a disc take the ink that is best read on its fill. */
+/* Text on a tag or a disc is black or white, whichever is more legible on the fill. */
 typedef enum LabelShape { LABEL_BARE, LABEL_TAG, LABEL_DISC } LabelShape;
 
 typedef struct Primitive {
     PrimitiveKind kind;
-    Role fill;           /* of the inside, of a tag or disc, of the rim around bare words */
-    Role edge;           /* of lines and bare words */
+    Role fill;           /* of the inside, of a tag or disc, of the rim around bare text */
+    Role edge;           /* of lines and bare text */
     double fill_opacity; /* 0 to 1; 0: not filled */
     double edge_opacity; /* 0 to 1 */
     double width;        /* design points, of the edge; 0: none */
-    double base, height; /* m: from where it rises, and how far; seen in the raised view only */
+    double base, height; /* m: the lower end and the extent upwards; visible in the raised view only */
     double radius;       /* m, of discs, wheels and balls */
     LineStyle style;     /* of the edge */
-    double begun;        /* m, of a line that another one goes on from: its dashes go on, too */
+    double begun;        /* m, length of the line that this one continues: its dashes continue, too */
     bool hatched;        /* polygons: thin lines in `edge` over the fill */
-    bool united;         /* polygons: overlapping rings unite; otherwise even-odd, a ring within a ring is a hole */
-    const Vec2 *points; /* (count) m; behind a label's first point, if any, the outline of what it names and stays in */
+    bool united;         /* polygons: overlapping rings unite; otherwise even-odd: a ring within a ring is a hole */
+    const Vec2 *points;  /* (count) m; behind a label's first point, if any, the outline that it names and stays in */
     size_t count;
     const size_t *starts; /* (ring_count + 1) of a polygon's rings in `points` */
     size_t ring_count;
-    double size;       /* design points: a label's letters, a tick's length */
-    double keep_clear; /* 1, how much labels avoid to cover it; 0: they may */
+    double size;       /* design points: a label's text size, a tick's length */
+    double keep_clear; /* 1, weight against being covered by labels; 0: may be covered */
     LabelShape shape;
     bool bold;
-    bool fixed; /* labels: exactly on their point, or beside it towards points[1], whatever they hide: what moves must
-                   not jump */
-    bool optional; /* labels: better left out than put over something */
-    bool close;    /* labels: left out where there is no room within the outline, or right beside the point */
+    bool fixed;    /* labels: exactly on their point, or next to it towards points[1], whatever they hide: moving labels
+                      must not jump */
+    bool optional; /* labels: left out rather than put over something */
+    bool close;    /* labels: left out where there is no room within the outline, or right next to the point */
     bool leader;   /* labels: a thin line to points[0] when they have to move away */
     const char *text;
 } Primitive;
 
-/* A sign in the middle of a row's piece of line, of the row's role: told apart by their shapes. */
+/* A symbol in the middle of a row's line sample, in the row's role; symbols differ by shape. */
 typedef enum Symbol { SYMBOL_NONE, SYMBOL_DISC, SYMBOL_BOX, SYMBOL_DIAMOND, SYMBOL_TRIANGLE, SYMBOLS } Symbol;
 
-/* One row of the list beside the picture. */
+/* A row of the list next to the picture. */
 typedef enum RowKind {
     ROW_HEADING, /* begins a section */
     ROW_DISC,    /* begins with a disc of `role`, `mark` on it */
-    ROW_LINE,    /* begins with a piece of line of `role`, `style` and `width`, `mark` on it */
+    ROW_LINE,    /* begins with a line sample of `role`, `style` and `width`, `mark` on it */
     ROW_PLAIN,
 } RowKind;
 
@@ -119,42 +118,43 @@ typedef struct SceneRow {
     LineStyle style;
     double width; /* design points; 0: only the symbol */
     Symbol symbol;
-    const char *mark; /* or NULL */
-    const char
-        *cells[ROW_CELLS]; /* or NULL; the first to the left and shortened where needed, the others to the right */
+    const char *mark;             /* or NULL */
+    const char *cells[ROW_CELLS]; /* or NULL; the first aligned left, shortened if needed, the others right */
 } SceneRow;
 
 enum { SCENE_PANELS = 6 };
 
 /* Zero is an empty scene; scene_clear releases it. */
 typedef struct Scene {
-    Primitive *primitives; /* (count) in painting order; among labels the earlier choose their places first */
+    Primitive *primitives; /* (count) in painting order; earlier labels choose their places first */
     size_t count, capacity;
     SceneRow *rows; /* (row_count) */
     size_t row_count, row_capacity;
-    Box box;             /* m, what must be seen */
-    double top;          /* m, up to what height, in the raised view */
-    Camera camera;       /* from where; zero: the plan */
-    bool bare;           /* nothing round it but the scale: a detail of another picture */
-    bool unscaled;       /* no scale bar: it says how large it is */
-    int panels;          /* pictures beside it, for instance plots, in place of the rows; at most SCENE_PANELS */
-    double panel_height; /* design points, at least, of panels that stand below it; 0: where they leave it larger */
+    Box box;             /* m, the part that must be visible */
+    double top;          /* m, the height up to which the raised view must show */
+    Camera camera;       /* the viewpoint; zero: the plan */
+    bool bare;           /* only the scale around it: a detail of another picture */
+    bool unscaled;       /* without a scale bar: the picture states its own size */
+    int panels;          /* pictures next to it, for instance plots, instead of the rows; at most SCENE_PANELS */
+    double panel_height; /* design points, the least height of panels below the plan; 0: the place that leaves the plan
+                            larger */
     double grid;         /* m, between the faint lines; 0: none */
-    const char *title;   /* the answer: the eye finds it first */
-    Role title_role;     /* ROLE_TEXT, or ROLE_ERROR when the answer is no */
-    const char *detail;  /* one line more about it */
-    const char *name;    /* of what is shown; texts that are NULL are not there */
-    const char *note;    /* what must be said wherever it is shown, or "" */
-    const char *clock;   /* the time, or the span of time, that is shown */
+    const char *title;   /* the answer, in the largest text */
+    Role title_role;     /* ROLE_TEXT, or ROLE_ERROR for a negative answer */
+    const char *detail;  /* one more line about the answer */
+    const char *name;    /* of the displayed object; NULL texts are left out */
+    const char *note;    /* a caveat that every picture must show, or "" */
+    const char *clock;   /* the displayed time or span of time */
     Arena arena;         /* holds points and texts */
 } Scene;
 
 void scene_clear(Scene *scene);
 
-/* Empties a scene but keeps what memory it has: for layers that are made anew for every frame. */
+/* Empties a scene but keeps its memory: for layers that are remade for every frame. */
 void scene_reset(Scene *scene);
 
-/* Each adds a copy of what it is given and returns the addition, to be adorned; good until the next one. */
+/* Each adds a copy of its arguments and returns the new primitive, to be adjusted; the pointer is valid until the next
+ * addition. */
 Primitive *scene_add_polygon(Scene *scene, Role fill, const Vec2 *points, size_t count);
 Primitive *scene_add_rings(Scene *scene, Role fill, const Vec2 *points, const size_t *starts, size_t ring_count);
 Primitive *scene_add_line(Scene *scene, Role edge, double width, const Vec2 *points, size_t count);
@@ -167,11 +167,11 @@ Primitive *scene_add_dimension(Scene *scene, Role edge, double width, Vec2 from,
 Primitive *scene_add_label(Scene *scene, Role role, double size, Vec2 at, const char *text);
 SceneRow *scene_add_row(Scene *scene, RowKind kind, const char *first);
 
-/* Adds a copy of all that another one shows. */
+/* Adds a copy of all primitives of another scene. */
 void scene_add_all(Scene *scene, const Scene *other);
 
-/* Gives a label the outline of what it names. */
+/* Gives a label the outline of its object. */
 void scene_bind_label(Scene *scene, Primitive *label, const Vec2 *outline, size_t count);
 
-/* A text made as by printf, as long as the scene lives. */
+/* Returns a text formatted as by printf; it lives as long as the scene. */
 const char *scene_text(Scene *scene, const char *format, ...) __attribute__((format(printf, 2, 3), nonnull));

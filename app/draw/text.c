@@ -64,7 +64,7 @@ Vec2 text_extent(const char *text, double size, bool bold) {
     return extent;
 }
 
-/* A layout of the words, the cairo context's current point where it begins. */
+/* Returns a layout of the text that begins at the current point of the cairo context. */
 static PangoLayout *text_begin(cairo_t *cairo, const char *text, double size, bool bold, Vec2 centre) {
     PangoLayout *layout = line_of(text, size, bold);
     Vec2 extent = layout_extent(layout);

@@ -1,27 +1,28 @@
-/* TextStyle: how large words are, and how they are drawn. DejaVu Sans without hinting, so that a picture twice as large
- * is the same picture. */
+/* Text: its size and how it is drawn. DejaVu Sans without hinting, so that a picture twice as large is the same
+ * picture. */
 #pragma once
 
 #include <stdbool.h>
 
 #include "base/vec2.h"
 
-/* The words with a sign of replacement for each code that neither XML nor a page has a place for: control characters
- * but the end of a line, and codes that are none. New; memory_free it. */
+/* Returns a copy of the text with a replacement character for each code that neither XML nor a page can show: control
+ * characters except newline, and invalid codes. The caller frees it with memory_free. */
 char *text_plain(const char *text);
 
 struct _PangoLayout; /* pango's own name of PangoLayout */
 
-/* An empty layout for letters of that size and weight, `typed`: of one width; g_object_unref releases it. */
+/* Returns an empty layout for text of that size and weight; `typed`: in a fixed-width font; g_object_unref releases
+ * it. */
 struct _PangoLayout *text_layout(double size, bool bold, bool typed);
 
-/* Width and height of one line of words with letters of `size`, in the unit of `size`. */
+/* Returns width and height of one line of text of `size`, in the unit of `size`. */
 Vec2 text_extent(const char *text, double size, bool bold);
 
 struct _cairo; /* cairo's own name of cairo_t */
 
-/* Draws the words in the current colour, their middle at `centre`. */
+/* Draws the text in the current colour, centred at `centre`. */
 void text_show(struct _cairo *cairo, const char *text, double size, bool bold, Vec2 centre);
 
-/* Adds the letters' outlines to the current path. */
+/* Adds the outlines of the glyphs to the current path. */
 void text_path(struct _cairo *cairo, const char *text, double size, bool bold, Vec2 centre);

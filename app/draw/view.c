@@ -1,10 +1,10 @@
 #include "draw/view.h"
 
-#define DISTANCE 1.5 /* of the camera, in diagonals of the house: nearer is more dramatic, farther flatter */
-#define NEAREST 0.1  /* m before the camera: what is nearer is not seen */
+#define DISTANCE 1.5 /* of the camera, in diagonals of the house: nearer looks more dramatic, farther flatter */
+#define NEAREST 0.1  /* m before the camera: nearer points are clipped */
 
 View view_plan(double metre, Vec2 origin) {
-    const double depth = 1e-3; /* per m: what is higher is nearer */
+    const double depth = 1e-3; /* per m: higher points are nearer */
     return (View){.rows = {{metre, 0, 0, origin.x}, {0, -metre, 0, origin.y}, {0, 0, -depth, 0}, {0, 0, 0, 1}}};
 }
 
@@ -19,7 +19,7 @@ static void set_row(double row[4], double scale, Direction way, double offset) {
     row[3] = offset;
 }
 
-/* The view of a page whose origin is where the camera looks at, F = 1. */
+/* Returns the view of a page whose origin is the point that the camera looks at, F = 1. */
 static View look_at(Camera camera, Box box, double top) {
     double turn = radians(camera.azimuth), rise = radians(camera.elevation);
     Direction right = {cos(turn), sin(turn), 0};
@@ -97,7 +97,7 @@ double view_scale(const View *view, Vec2 at, double height) {
     const double *x = view->rows[0], *y = view->rows[1], *depth = view->rows[3];
     if (!view->raised)
         return x[0] / w;
-    /* across the line of sight W does not change */
+    /* W is constant across the line of sight */
     Vec2 right = vec2_left(vec2_unit(vec2(depth[0], depth[1])));
     if (vec2_dot(right, right) < 0.5)
         right = vec2(1, 0); /* straight from above */

@@ -1,12 +1,12 @@
-/* From where a scene is looked at, and where that puts each of its points on the page.
+/* The viewpoint of a scene, and the page position of each of its points.
  *
- * The plan is looked at from above: a metre is as long everywhere. The raised view is a mild perspective,
+ * The plan is seen from above: a metre has the same length everywhere. The raised view is a mild perspective,
  *
  *     X = F (p . right) / d        d = D - p . back
  *     Y = -F (p . up) / d
  *
  * of a camera that looks at the middle of the house from the distance D; F is chosen so that the house fills its place.
- * Both are one matrix in homogeneous coordinates, so that a painter, a label and a test compute the same. */
+ * Both views are one matrix in homogeneous coordinates, so that painters, labels and tests compute the same. */
 #pragma once
 
 #include <stdbool.h>
@@ -23,10 +23,10 @@ typedef struct Camera {
     double azimuth;   /* degrees, of the raised view: 0 looks up the plan, along +y; 90 from the right, along -x */
     double elevation; /* degrees above the floor, more than 0, at most 90 */
     double zoom;      /* 1: as large as fits; 0 counts as 1 */
-    Vec2 pan;         /* m, from the middle of what must be seen to what stands in the middle of the picture */
+    Vec2 pan;         /* m, from the middle of the scene's box to the middle of the picture */
 } Camera;
 
-/* Of the raised view, where nobody asks for another. */
+/* Defaults of the raised view. */
 #define VIEW_AZIMUTH 10.0
 #define VIEW_ELEVATION 60.0
 
@@ -37,20 +37,20 @@ typedef struct View {
 
 View view_plan(double metre, Vec2 origin);
 
-/* Fits what stands in `box`, up to `top` m, into a place on the page. */
+/* Fits the content of `box`, up to `top` m, into a place on the page. */
 View view_raised(Camera camera, Box box, double top, Box place);
 
-/* The page's point of one in the house, `height` m above the floor. */
+/* Returns the page position of a point of the house, `height` m above the floor. */
 Vec2 view_point(const View *view, Vec2 at, double height);
 
-/* The place on the floor, m, that is seen at a point of the page. */
+/* Returns the place on the floor, m, under a point of the page. */
 Vec2 view_floor(const View *view, Vec2 page);
 
-/* How near the point is, from -1, near, to 1. */
+/* Returns the depth of the point, from -1, near, to 1. */
 double view_depth(const View *view, Vec2 at, double height);
 
-/* Is all before the camera that stands on these points, up to `height` m? */
+/* True if everything over these points, up to `height` m, lies before the camera. */
 bool view_sees(const View *view, const Vec2 *points, size_t count, double height);
 
-/* How long a metre across is there, in design points. */
+/* Returns the length of a horizontal metre at that point, in design points. */
 double view_scale(const View *view, Vec2 at, double height);
