@@ -1,11 +1,11 @@
-/* Bytes that come piece by piece: what a library writes, kept in memory until all of it is there. */
+/* Bytes that arrive piece by piece: the output of a library, kept in memory until it is complete. */
 #pragma once
 
 #include <stddef.h>
 
 /* Zero is empty; memory_free(bytes.at) releases it. */
 typedef struct Bytes {
-    char *at; /* (size), and a 0 behind it */
+    char *at; /* (size), followed by a 0 */
     size_t size, capacity;
 } Bytes;
 

@@ -13,7 +13,7 @@ static cairo_status_t store_bytes(void *context, const unsigned char *data, unsi
     return CAIRO_STATUS_SUCCESS;
 }
 
-/* cairo names a page by how many surfaces the process has made. */
+/* cairo numbers its pages by the surfaces that the process has made. */
 static void remove_surface_number(Bytes *bytes) {
     static const char name[] = "<g id=\"surface";
     char *found = bytes->size ? strstr(bytes->at, name) : NULL;
@@ -46,7 +46,7 @@ static int status_error(cairo_status_t status) {
     return status == CAIRO_STATUS_SUCCESS ? 0 : status == CAIRO_STATUS_NO_MEMORY ? ENOMEM : EINVAL;
 }
 
-/* Paints, and makes cairo write all that it has. */
+/* Paints, and makes cairo write all of its output. */
 static int paint_surface(CairoFileKind kind, cairo_surface_t *surface, Bytes *bytes, Vec2 page, double unit,
                          CairoFilePaint *paint, const void *what) {
     cairo_t *cairo = cairo_create(surface);

@@ -1,5 +1,5 @@
-/* Pictures as files, whatever paints them with cairo. The same painting gives the same bytes: what cairo writes of the
- * clock and of how many pictures were made before is taken out. Files are written beside and renamed. */
+/* Picture files from any painting with cairo. The same painting gives the same bytes: the clock and the count of
+ * earlier pictures are taken out of cairo's output. Files are written to a temporary file, then renamed. */
 #pragma once
 
 #include "base/vec2.h"
@@ -11,14 +11,14 @@ enum { CAIRO_FILE_LARGEST = 16384 /* pixels a side: cairo's coordinates end at t
 
 struct _cairo; /* cairo's own name of cairo_t */
 
-/* Paints on a page of that size in design points, which are the unit of the context. */
+/* Paints on a page of that size in design points, the unit of the context. */
 typedef void CairoFilePaint(struct _cairo *cairo, Vec2 page, const void *what);
 
-/* A picture of `width` x `height` pixels, of 1/72 inch for a PDF; `unit` of them are a design point. 0, or errno:
- * EINVAL for sizes that no picture has. */
+/* Writes a picture of `width` x `height` pixels, of 1/72 inch in a PDF; `unit` of them are a design point. Returns 0,
+ * or errno: EINVAL for invalid sizes. */
 int cairo_file_write(CairoFileKind kind, const char *path, int width, int height, double unit, CairoFilePaint *paint,
                      const void *what);
 
-/* The same into empty bytes. */
+/* Does the same into empty bytes. */
 int cairo_file_bytes(CairoFileKind kind, Bytes *bytes, int width, int height, double unit, CairoFilePaint *paint,
                      const void *what);

@@ -23,7 +23,7 @@ void drawing_reset(Drawing *drawing) {
 
 /* Flat things -------------------------------------------------------------------------------------------------------*/
 
-/* One primitive on its way. */
+/* A primitive that is being added. */
 typedef struct Sheet {
     Drawing *drawing;
     const Layout *layout;
@@ -47,7 +47,7 @@ static InkPen sheet_pen(const Sheet *sheet) {
     return pen;
 }
 
-/* Room for the points of a line. */
+/* Returns room for the points of a line. */
 static InkPoint *line_room(const Sheet *sheet, size_t count) {
     Drawing *drawing = sheet->drawing;
     drawing->line = memory_reserve(drawing->line, &drawing->line_capacity, count, sizeof *drawing->line);
@@ -63,7 +63,7 @@ static void stroke(const Sheet *sheet, const Vec2 *points, size_t count, bool cl
     ink_add_line(sheet->ink, line, count, closed, sheet_pen(sheet));
 }
 
-/* An opaque line round a filling hides its edge: then that need not be smooth. */
+/* True if an opaque line covers the edge of the filling, which then need not be smooth. */
 static bool edge_is_hidden(const Sheet *sheet) {
     const Primitive *primitive = sheet->primitive;
     return primitive->edge_opacity >= 1 && primitive->style == LINE_SOLID &&
@@ -84,7 +84,7 @@ static void cover(const Sheet *sheet, InkColour colour, const InkHatch *hatch, b
     }
 }
 
-/* As paint_cairo.c counts them: from the upper left corner of the outline's box. */
+/* Counts as paint_cairo.c does: from the upper left corner of the outline's box. */
 static InkHatch hatch_of(const Sheet *sheet) {
     Box box = box_empty();
     for (size_t i = 0; i < sheet->primitive->count; i++)
@@ -166,7 +166,7 @@ static void add_dimension(const Sheet *sheet) {
 
 /* Discs -------------------------------------------------------------------------------------------------------------*/
 
-/* Circles as rings of corners: where they are ellipses, unite, or have dashes. */
+/* Adds circles as rings of corners: where they are ellipses, unite, or have dashes. */
 static void add_discs_by_corners(const Sheet *sheet) {
     const Primitive *discs = sheet->primitive;
     size_t corners = drawing_pen_circle(discs->radius * sheet->layout->metre * sheet->drawing->unit);

@@ -10,7 +10,7 @@ static void add_tag(Drawing *drawing, Ink *ink, const Caption *caption) {
     InkPoint corners[] = {drawing_pen_page(drawing, box.low), drawing_pen_page(drawing, vec2(box.high.x, box.low.y)),
                           drawing_pen_page(drawing, box.high), drawing_pen_page(drawing, vec2(box.low.x, box.high.y))};
     ink_add_box(ink, drawing_pen_box(drawing, box), fill);
-    /* round joints round the corners */
+    /* round joints at the corners */
     ink_add_line(ink, corners, 4, true, drawing_pen(drawing, fill, LINE_SOLID, PAINT_TAG_ROUNDING));
 }
 

@@ -1,4 +1,4 @@
-/* What stands around words: tags, discs, leaders, and the list's pieces of line. */
+/* The shapes around texts: tags, discs, leaders, and the list's line samples. */
 #pragma once
 
 #include "paint/drawing.h"
@@ -7,5 +7,5 @@ void drawing_caption_add_shape(Drawing *drawing, Ink *ink, const Caption *captio
 void drawing_caption_add_leader(Drawing *drawing, Ink *ink, const Caption *caption);
 void drawing_caption_add_sample(Drawing *drawing, Ink *ink, const Sample *sample);
 
-/* The colour of a caption's words. */
+/* Returns the colour of a caption's text. */
 Colour drawing_caption_ink(const Drawing *drawing, const Caption *caption);

@@ -2,7 +2,7 @@
 
 #include "paint/paint_sizes.h"
 
-#define CIRCLE_ERROR 0.2 /* pixels that a polygon may miss of its circle */
+#define CIRCLE_ERROR 0.2 /* pixels, the largest distance between the polygon and its circle */
 
 enum { CIRCLE_FEWEST = 8 /* corners */ };
 

@@ -5,30 +5,31 @@
 #include "paint/drawing_pen.h"
 #include "paint/paint_sizes.h"
 
-/* Towards the light, along the floor to the left and to the viewer; the rest of the unit vector, 0.79, is up. */
+/* The direction of the light, along the floor from the left and from the viewer; the rest of the unit vector, 0.79, is
+ * up. */
 #define LIGHT_LEFT 0.50
 #define LIGHT_NEAR 0.36
 
-const float drawing_solid_light[3] = {-0.50f, -0.08f, 0.86f}; /* the same at the usual elevation, 60 degrees */
+const float drawing_solid_light[3] = {-0.50f, -0.08f, 0.86f}; /* seen at the usual elevation, 60 degrees */
 
 #define DARK 0.05         /* relative luminance: darker sides are lightened */
-#define DARK_LEAST 0.18   /* how far, from no light */
-#define DARK_GAIN 0.42    /* to full light */
-#define BRIGHT_LEAST 0.52 /* what is left of others without light */
+#define DARK_LEAST 0.18   /* the share without light */
+#define DARK_GAIN 0.42    /* the gain up to full light */
+#define BRIGHT_LEAST 0.52 /* the share that brighter colours keep without light */
 #define BRIGHT_GAIN 0.40
 
 #define SHADOW_OPACITY 0.13
-#define SHADOW_LENGTH 0.35 /* m for a metre of height: long ones would darken rooms */
-#define EDGE_WIDTH 1.0     /* design points, of edges that the primitive does not ask for */
-#define EDGE_SHADE 0.62    /* of the face, for them */
-#define EDGE_NEARER 1e-3   /* of the depth: lines are seen on the faces that they bound */
+#define SHADOW_LENGTH 0.35 /* m per metre of height: long ones would darken rooms */
+#define EDGE_WIDTH 1.0     /* design points, of edges without a width of their own */
+#define EDGE_SHADE 0.62    /* share of the face's colour, for such edges */
+#define EDGE_NEARER 1e-3   /* of the depth: makes lines visible on the faces that they bound */
 #define SHARP 0.5          /* rad: rounder corners have no edge */
 
 typedef struct Solid {
     Drawing *drawing;
     const Layout *layout;
     const Primitive *primitive;
-    Vec2 ahead, right; /* on the floor, unit, as the camera looks */
+    Vec2 ahead, right; /* on the floor, unit, relative to the camera */
 } Solid;
 
 static InkPoint solid_point(const Solid *solid, Vec2 at, double height) {
@@ -46,7 +47,7 @@ static Colour mixed(Colour from, Colour to, double part) {
                     from.blue + part * (to.blue - from.blue)};
 }
 
-/* What the colour becomes on a face that gets so much of the light, 0 to 1. */
+/* Returns the colour of a face that receives this share of the light, 0 to 1. */
 static Colour lit(Colour colour, double light) {
     const Colour black = {0, 0, 0}, white = {1, 1, 1};
     if (palette_contrast(colour, black) < (DARK + 0.05) / 0.05)
@@ -54,7 +55,7 @@ static Colour lit(Colour colour, double light) {
     return mixed(black, colour, BRIGHT_LEAST + BRIGHT_GAIN * light);
 }
 
-/* The light on an upright face with that unit normal. */
+/* Returns the light on an upright face with that unit normal. */
 static double side_light(const Solid *solid, Vec2 normal) {
     return fmax(0, -LIGHT_LEFT * vec2_dot(normal, solid->right) - LIGHT_NEAR * vec2_dot(normal, solid->ahead)) /
            hypot(LIGHT_LEFT, LIGHT_NEAR);
@@ -83,7 +84,7 @@ static InkPen thin_pen(const Solid *solid) {
     return pen;
 }
 
-/* Where the shadow of a point at that height falls. */
+/* Returns where the shadow of a point at that height falls. */
 static InkPoint shadow_point(const Solid *solid, Vec2 at, double height) {
     double length = SHADOW_LENGTH * height / hypot(LIGHT_LEFT, LIGHT_NEAR);
     return solid_point(
@@ -96,7 +97,7 @@ static InkColour shadow_colour(const Solid *solid) {
 
 /* Faces and edges ---------------------------------------------------------------------------------------------------*/
 
-/* Does a face with these corners, in turn as seen from outside, show its outside? */
+/* True if a face with these corners, in order as seen from outside, shows its outside. */
 static bool faces_viewer(const InkPoint corners[3]) {
     return vec2_cross(vec2_sub(corners[1].at, corners[0].at), vec2_sub(corners[2].at, corners[0].at)) < 0;
 }
@@ -110,7 +111,7 @@ static void add_edge(const Solid *solid, const InkPoint *points, size_t count, b
     ink_add_line(&drawing->over, line, count, closed, pen);
 }
 
-/* An upright face over a -> b, its outside to the right. */
+/* Adds an upright face over a -> b, its outside to the right. */
 static void add_side(const Solid *solid, Vec2 a, Vec2 b, double base, double top, bool both) {
     InkPoint corners[] = {solid_point(solid, a, base), solid_point(solid, b, base), solid_point(solid, b, top),
                           solid_point(solid, a, top)};
@@ -154,7 +155,7 @@ static void add_hatch(const Solid *solid, const Triangle *triangle, double heigh
                      drawing_pen_colour(solid->drawing, primitive->edge, 1), &hatch);
 }
 
-/* The upright edges of a ring's sharp corners. */
+/* Adds the upright edges at a ring's sharp corners. */
 static void add_upright_edges(const Solid *solid, const Vec2 *ring, size_t count) {
     InkPen pen = thin_pen(solid);
     for (size_t i = 0; i < count; i++) {
@@ -232,7 +233,7 @@ static double page_length(const Solid *solid, Vec2 at, double height, double met
     return metres * view_scale(&solid->layout->view, at, height) * solid->drawing->unit;
 }
 
-/* The shadow of what is round and upright: as wide as it is, as long as it is high. */
+/* Adds the shadow of a round upright primitive: as wide as the primitive, as long as it is high. */
 static void add_round_shadow(const Solid *solid, Vec2 at) {
     InkPoint line[] = {shadow_point(solid, at, solid->primitive->base), shadow_point(solid, at, solid_top(solid))};
     double width = 2 * page_length(solid, at, 0, solid->primitive->radius);
@@ -265,7 +266,7 @@ static void add_cylinders(const Solid *solid) {
         add_cylinder(solid, solid->primitive->points[i]);
 }
 
-/* They are heads: their shadows would lie in the bodies'. */
+/* Adds heads without shadows: these would lie in the shadows of the bodies. */
 static void add_balls(const Solid *solid) {
     const Primitive *balls = solid->primitive;
     Colour bright = mixed(fill_colour(solid), (Colour){1, 1, 1}, 0.15), dark = lit(fill_colour(solid), 0);
@@ -275,7 +276,7 @@ static void add_balls(const Solid *solid) {
     }
 }
 
-/* The corners of one of the wheel's sides: counter-clockwise as seen from where the axle points to. */
+/* Lists the corners of one side of the wheel, counter-clockwise as seen from the end of the axle. */
 static void wheel_side(const Solid *solid, Vec2 centre, Vec2 along, InkPoint *rim, size_t count) {
     const Primitive *wheel = solid->primitive;
     for (size_t i = 0; i < count; i++) {
@@ -285,7 +286,7 @@ static void wheel_side(const Solid *solid, Vec2 centre, Vec2 along, InkPoint *ri
     }
 }
 
-/* The tread between the rims, darker than the sides. */
+/* Adds the tread between the rims, darker than the sides. */
 static void add_tread(const Solid *solid, const InkPoint *left, const InkPoint *right, size_t count) {
     InkColour colour = {lit(fill_colour(solid), 0.5), 1};
     for (size_t i = 0; i < count; i++) {

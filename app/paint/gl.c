@@ -10,7 +10,7 @@ bool gl_load(Gl *gl, GlGetFunction get) {
     GL_FUNCTIONS(GL_LOAD)
     if (false GL_FUNCTIONS(GL_MISSES))
         return false;
-    /* a library gives an address for any name: only the version tells whether there is a function behind it */
+    /* a library gives an address for any name: only the version tells whether the function exists */
     GLint major = 0, minor = 0;
     gl->GetIntegerv(GL_MAJOR_VERSION, &major);
     gl->GetIntegerv(GL_MINOR_VERSION, &minor);

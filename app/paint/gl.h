@@ -1,10 +1,11 @@
-/* OpenGL 3.3 core: its functions, asked for one by one from whatever made the context, so that the program is linked
- * with no GL library and the same painter works in a window and without one. */
+/* The functions of OpenGL 3.3 core, looked up one by one in the library that made the context, so that the program is
+ * linked with no GL library and the same painter works with and without a window. */
 #pragma once
 
 #include <stdbool.h>
 
-#define GL_GLEXT_PROTOTYPES /* the table below takes the types of its entries from them; none is linked */
+#define GL_GLEXT_PROTOTYPES /* the table below takes the types of its entries from these declarations; none is linked  \
+                             */
 #include <GL/glcorearb.h>
 
 #define GL_FUNCTIONS(X)                                                                                                \
@@ -83,9 +84,9 @@ typedef struct Gl {
 typedef void (*GlFunction)(void);
 typedef GlFunction (*GlGetFunction)(const char *name);
 
-/* Asks for all functions of the current context; false when it is none of OpenGL 3.3 or newer. */
+/* Looks up all functions of the current context; false if it is older than OpenGL 3.3. */
 bool gl_load(Gl *gl, GlGetFunction get);
 
-/* A program of two shaders, which are ours: an error in them is a mistake of ours. Attributes have the locations in
- * which they are named; NULL ends their list. */
+/* Links a program of two shaders of this project; an error in a shader is a bug. Attributes get locations in the order
+ * of their names; NULL ends the list. */
 GLuint gl_program(const Gl *gl, const char *vertex, const char *fragment, const char *const *attributes);

@@ -8,10 +8,10 @@
 #include "paint/paint_sizes.h"
 
 #define FAR_INSIDE 1e4 /* pixels: no edge is near */
-#define FRINGE 0.5     /* pixels that a smooth edge reaches out */
-#define REACH 0.51     /* pixels that a rectangle is larger than its shape: middles of pixels that have a part of it */
-#define LEAST_STEP 0.3 /* pixels: nearer points of a line are one */
-#define LEAST_APART 1e-3 /* pixels: and of its ends */
+#define FRINGE 0.5     /* pixels of a smooth edge outside the shape */
+#define REACH 0.51     /* pixels by which a rectangle exceeds its shape: includes every pixel that is partly covered */
+#define LEAST_STEP 0.3 /* pixels: nearer points of a line count as one */
+#define LEAST_APART 1e-3 /* pixels, for the ends of a line */
 
 void ink_clear(Ink *ink) {
     memory_free(ink->vertices);
@@ -35,7 +35,7 @@ static void set_place(InkVertex *vertex, InkPoint point) {
     vertex->at[2] = (float)point.depth;
 }
 
-/* Room for more vertices and triangles; the index of the first new vertex. */
+/* Reserves room for more vertices and triangles; returns the index of the first new vertex. */
 static unsigned reserve(Ink *ink, size_t vertices, size_t indices) {
     ink->vertices = memory_reserve(ink->vertices, &ink->capacity, ink->count + vertices, sizeof *ink->vertices);
     ink->indices = memory_reserve(ink->indices, &ink->index_capacity, ink->index_count + indices, sizeof *ink->indices);
@@ -50,7 +50,7 @@ static void add_corners(Ink *ink, const InkVertex corners[3]) {
         ink->indices[ink->index_count++] = first + i;
 }
 
-/* Four corners, in turn round the rectangle. */
+/* Adds four corners, in order round the rectangle. */
 static void add_quad(Ink *ink, const InkVertex corners[4]) {
     static const unsigned order[] = {0, 1, 2, 0, 2, 3};
     unsigned first = reserve(ink, 4, 6);
@@ -76,7 +76,7 @@ static InkVertex fill_vertex(InkColour colour, const InkHatch *hatch) {
 
 void ink_add_face(Ink *ink, const InkPoint *corners, size_t count, InkColour colour) {
     if (colour.opacity <= 0)
-        return; /* it would hide others all the same */
+        return; /* a transparent face would still hide others by depth */
     unsigned first = reserve(ink, count, 3 * count);
     for (size_t i = 0; i < count; i++) {
         ink->vertices[ink->count] = fill_vertex(colour, NULL);
@@ -89,7 +89,7 @@ void ink_add_face(Ink *ink, const InkPoint *corners, size_t count, InkColour col
     }
 }
 
-/* The half pixel outside an edge; `out` is the unit direction there. */
+/* Adds the half pixel outside an edge; `out` is the unit direction there. */
 static void add_fringe(Ink *ink, InkPoint a, InkPoint b, Vec2 out, InkVertex vertex) {
     InkVertex quad[4] = {vertex, vertex, vertex, vertex};
     InkPoint outer[2] = {{vec2_along(b.at, FRINGE, out), b.depth}, {vec2_along(a.at, FRINGE, out), a.depth}};
@@ -134,7 +134,7 @@ static void set_pair(float pair[2], Vec2 at) {
     pair[1] = (float)at.y;
 }
 
-/* A rectangle round the segment; depth goes on beyond its ends as between them. */
+/* Adds a rectangle round the segment; the depth beyond the ends is extrapolated. */
 static void add_segment(Ink *ink, InkPoint a, InkPoint b, InkVertex vertex) {
     Vec2 along = vec2_unit(vec2_sub(b.at, a.at));
     double length = vec2_distance(a.at, b.at), reach = vertex.size[0] + vertex.size[1] + REACH;
@@ -153,7 +153,7 @@ static void add_segment(Ink *ink, InkPoint a, InkPoint b, InkVertex vertex) {
     add_quad(ink, quad);
 }
 
-/* The index of the next point that is not too near; `count` when there is none. The last point always counts. */
+/* Returns the index of the next point that is not too near; `count` if there is none. The last point always counts. */
 static size_t next_point(const InkPoint *points, size_t count, size_t i) {
     for (size_t k = i + 1; k < count; k++)
         if (vec2_distance(points[k].at, points[i].at) >= (k + 1 < count ? LEAST_STEP : LEAST_APART))
@@ -167,7 +167,7 @@ typedef struct Walk {
     bool closed;
 } Walk;
 
-/* The point behind `i`; of an open line's last one, SIZE_MAX. */
+/* Returns the point behind `i`; SIZE_MAX behind the last point of an open line. */
 static size_t walk_next(const Walk *walk, size_t i) {
     size_t next = next_point(walk->points, walk->count, i);
     if (next < walk->count)
@@ -175,7 +175,7 @@ static size_t walk_next(const Walk *walk, size_t i) {
     return walk->closed && i > 0 ? 0 : SIZE_MAX;
 }
 
-/* The last point that a closed line joins with its first. */
+/* Returns the last point that a closed line joins with its first. */
 static size_t walk_last(const Walk *walk) {
     size_t last = 0;
     for (size_t next = walk_next(walk, 0); next != SIZE_MAX && next != 0; next = walk_next(walk, next))

@@ -1,6 +1,6 @@
-/* Shapes as a graphics card draws them: triangles, and rectangles in whose pixels a shader measures how far they are
- * from a line or a disc, so that edges are smooth without samples. Lengths are pixels of the page, y down. One list is
- * one call of the card and is drawn in its order. Knows no GL. */
+/* Shapes as a graphics card draws them: triangles, and rectangles in whose pixels a shader measures the distance to a
+ * line or a disc, so that edges are smooth without multisampling. Lengths are pixels of the page, y down. A list is
+ * one draw call and is drawn in its order. This file does not know GL. */
 #pragma once
 
 #include <stdbool.h>
@@ -8,24 +8,24 @@
 
 #include "draw/palette.h"
 
-/* What the shader makes of a vertex: see shaders.c. */
+/* The input of the shader for a vertex: see shaders.c. */
 enum { INK_FILL, INK_STROKE, INK_BALL };
 enum { INK_PREVIOUS = 1, INK_NEXT = 2, INK_ROUND_BEGIN = 4, INK_ROUND_END = 8 };
 
 typedef struct InkVertex {
     float at[3];           /* pixels, and depth from -1, near, to 1 */
-    unsigned char rgba[4]; /* not multiplied by the opacity */
-    float shape[4];        /* strokes: both ends; fills: pixels inwards from up to three edges */
-    float beside[4];       /* strokes: the points before and behind them; balls: their dark side's colour */
+    unsigned char rgba[4]; /* not premultiplied */
+    float shape[4];        /* strokes: both ends; fills: pixels inwards from at most three edges */
+    float beside[4];       /* strokes: the points before and behind them; balls: the colour of the dark side */
     float size[4]; /* strokes: half width, radius, length before, dashes' scale; fills: half width, gap, begin of a
                       hatch */
-    unsigned char kind[4]; /* which of INK_, INK_PREVIOUS and so on, the line's style, and nothing */
+    unsigned char kind[4]; /* one of INK_, INK_PREVIOUS and so on, the line's style, and unused */
 } InkVertex;
 
 /* Zero is empty; ink_clear releases it. */
 typedef struct Ink {
     InkVertex *vertices; /* (count) */
-    unsigned *indices;   /* (index_count) three a triangle */
+    unsigned *indices;   /* (index_count) three per triangle */
     size_t count, capacity, index_count, index_capacity;
 } Ink;
 
@@ -43,11 +43,11 @@ typedef struct InkPen {
     InkColour colour;
     double width;
     LineStyle style;
-    double dash;  /* pixels that a unit of the style's pattern is long, see paint_sizes.h */
-    double begun; /* pixels of the line that have been drawn: its dashes go on */
+    double dash;  /* pixels per unit of the style's pattern, see paint_sizes.h */
+    double begun; /* pixels of the line that are drawn already: its dashes continue */
 } InkPen;
 
-/* Thin lines over a fill, from the lower left to the upper right. */
+/* Thin lines over a fill, rising to the right. */
 typedef struct InkHatch {
     double width, gap; /* across the line; along x from line to line */
     double begin;      /* x + y of one of them */
@@ -55,26 +55,28 @@ typedef struct InkHatch {
 
 void ink_clear(Ink *ink);
 
-/* A convex face without smooth edges. */
+/* Adds a convex face without smooth edges. */
 void ink_add_face(Ink *ink, const InkPoint *corners, size_t count, InkColour colour);
 
-/* A triangle, those of its edges smooth that are borders; the smooth edge reaches half a pixel out of it. */
+/* Adds a triangle, smooth at those of its edges that are borders; a smooth edge reaches half a pixel out of the
+ * triangle. */
 void ink_add_triangle(Ink *ink, const InkPoint corners[3], const bool border[3], InkColour colour,
                       const InkHatch *hatch);
 
-/* An upright rectangle, its edges smooth. */
+/* Adds an upright rectangle with smooth edges. */
 void ink_add_box(Ink *ink, Box box, InkColour colour);
 
-/* A line through points: ends cut off square, or round like the dashes of its style; round joints. A closed one joins
- * its last point with its first. One that goes on from another, `begun`, begins round, so that it covers the joint. */
+/* Adds a line through points: ends cut off square, or round like the dashes of its style; round joints. A closed line
+ * joins its last point with its first. A line that continues another one, `begun`, starts round, so that it covers the
+ * joint. */
 void ink_add_line(Ink *ink, const InkPoint *points, size_t count, bool closed, InkPen pen);
 
-/* A disc, or the ring of that width whose middle is a circle. */
+/* Adds a disc, or a ring of that width along a circle. */
 void ink_add_disc(Ink *ink, InkPoint centre, double radius, InkColour colour);
 void ink_add_ring(Ink *ink, InkPoint centre, double radius, double width, InkColour colour);
 
-/* A single line with round ends. */
+/* Adds a single line with round ends. */
 void ink_add_capsule(Ink *ink, const InkPoint ends[2], InkPen pen);
 
-/* A disc shaded like a ball from the colour to the dark side's. */
+/* Adds a disc shaded like a ball, from the colour to that of the dark side. */
 void ink_add_ball(Ink *ink, InkPoint centre, double radius, Colour bright, Colour dark);

@@ -16,7 +16,7 @@
 #define EGL_LIBRARY "libEGL.so.1"
 #define OFFSCREEN_VARIABLE "CLEARANCE_GL"
 
-/* The functions of each library, by the names of its header; they are found when the program runs. */
+/* The functions of each library, by their names in its header; looked up at run time. */
 #define OSMESA_FUNCTIONS(X)                                                                                            \
     X(OSMesaCreateContextAttribs)                                                                                      \
     X(OSMesaDestroyContext)                                                                                            \
@@ -40,7 +40,7 @@ struct Offscreen {
     struct {
         OSMESA_FUNCTIONS(OFFSCREEN_MEMBER)
         OSMesaContext context;
-        unsigned char pixel[4]; /* OSMesa wants a buffer; painters have a framebuffer of their own */
+        unsigned char pixel[4]; /* OSMesa needs a buffer; painters have a framebuffer of their own */
     } osmesa;
     struct {
         EGL_FUNCTIONS(OFFSCREEN_MEMBER)
@@ -49,7 +49,7 @@ struct Offscreen {
     } egl;
 };
 
-/* A driver does not survive that its library is closed: it stays open. */
+/* Keeps a driver's library open: drivers do not survive being closed. */
 static void *library_open(const char *name) {
     return dlopen(name, RTLD_NOW | RTLD_LOCAL);
 }
@@ -106,7 +106,7 @@ static bool egl_load(Offscreen *offscreen) {
     return found;
 }
 
-/* The display is the process's own and stays open: closing it unloads the driver, whose threads may still run. */
+/* The display belongs to the process and stays open: closing it unloads the driver, whose threads may still run. */
 static void egl_end(Offscreen *offscreen) {
     if (!offscreen->egl.display)
         return;
@@ -140,7 +140,8 @@ static bool egl_begin(Offscreen *offscreen) {
     return false;
 }
 
-/* What the environment asks for, in place of any; false: it is none of them. */
+/* Reads the kind that the environment asks for, which overrides the caller's; false if the environment names an
+ * unknown kind. */
 static bool choose_kind(OffscreenKind *kind, const char *name) {
     static const char *const names[] = {[OFFSCREEN_OSMESA] = "osmesa", [OFFSCREEN_EGL] = "egl"};
     if (*kind != OFFSCREEN_ANY || !name)

@@ -79,7 +79,7 @@ static void hatch(const Painter *painter, Role role) {
     cairo_path_destroy(outline);
 }
 
-/* Fills and strokes the current path as the primitive says, and forgets it. */
+/* Fills and strokes the current path by the primitive's style, and clears the path. */
 static void finish_path(const Painter *painter, const Primitive *primitive) {
     if (primitive->fill_opacity > 0) {
         use_role(painter, primitive->fill, primitive->fill_opacity);
@@ -180,7 +180,7 @@ static void paint_tag(const Painter *painter, const Caption *caption) {
     path_box(painter, (Box){low, vec2_scale(low, -1)});
     use_role(painter, caption->fill, 1);
     cairo_fill_preserve(painter->cairo);
-    use_line(painter, LINE_SOLID, PAINT_TAG_ROUNDING); /* round joins round the corners */
+    use_line(painter, LINE_SOLID, PAINT_TAG_ROUNDING); /* round joins at the corners */
     cairo_stroke(painter->cairo);
 }
 

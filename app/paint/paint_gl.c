@@ -11,25 +11,28 @@
 #include "paint/paint_sizes.h"
 #include "paint/shaders.h"
 
-enum { SAMPLES = 4 /* of a pixel of the static layer where faces meet; more take longer than they show */ };
+enum {
+    SAMPLES = 4 /* samples per pixel of the static layer where faces meet; more cost time without a visible gain */
+};
 
 struct PaintGl {
     const Gl *gl;
     int width, height;
-    PaintGlTarget ground, still, frame; /* ground: the static layer as it was at first, when something was added */
+    PaintGlTarget ground, still,
+        frame; /* ground: the first state of the static layer, stored when something is added */
     GLuint shapes_program, faces_program, array, buffers[2];
-    Drawing drawing; /* used again for each layer */
-    Ink shapes;      /* around words */
+    Drawing drawing; /* reused for each layer */
+    Ink shapes;      /* around texts */
     PaintGlText *text;
-    Box inside; /* of the page: nothing of a scene is seen outside it */
+    Box inside; /* of the page: clips the scene */
     Box panels[SCENE_PANELS];
     bool raised;
-    Caption *captions; /* (caption_count) of the static layer that moving things may hide: drawn in each frame */
+    Caption *captions; /* (caption_count) of the static layer that the moving layer may hide: drawn in each frame */
     Sample *samples;   /* (sample_count) */
     size_t caption_count, caption_capacity, sample_count, sample_capacity;
-    size_t first_captions, first_samples; /* of them those that the static layer had at first */
-    bool added;                           /* something has been added since */
-    Arena arena;                          /* holds their words */
+    size_t first_captions, first_samples; /* the number of them in the first state of the static layer */
+    bool added;                           /* something was added since */
+    Arena arena;                          /* holds their texts */
 };
 
 /* Making ----------------------------------------------------------------------------------------------------------- */
@@ -57,7 +60,7 @@ static void make_buffers(PaintGl *paint) {
     gl->EnableVertexAttribArray(5);
 }
 
-/* The program is the current one afterwards. */
+/* Makes the program current. */
 static void set_canvas(const PaintGl *paint, GLuint program) {
     paint->gl->UseProgram(program);
     paint->gl->Uniform2f(paint->gl->GetUniformLocation(program, "canvas"), (GLfloat)paint->width,
@@ -94,7 +97,7 @@ PaintGl *paint_gl_create(const Gl *gl, int width, int height, double unit, Theme
     if (good && gl->GetError() == GL_NO_ERROR)
         return paint;
     paint_gl_destroy(paint);
-    while (gl->GetError() != GL_NO_ERROR) /* the next painter begins without */
+    while (gl->GetError() != GL_NO_ERROR) /* the next painter starts without a program */
         continue;
     return NULL;
 }
@@ -151,7 +154,7 @@ static void confine(const PaintGl *paint) {
     paint->gl->Scissor(left, top, right - left, bottom - top);
 }
 
-/* Draws a layer's primitives within the frame: see Drawing. */
+/* Draws the primitives of a layer within the frame: see Drawing. */
 static void draw_layer(PaintGl *paint, Layer layer) {
     const Gl *gl = paint->gl;
     drawing_reset(&paint->drawing);
@@ -232,7 +235,7 @@ static void forget_captions(PaintGl *paint) {
     arena_clear(&paint->arena);
 }
 
-/* Keeps the captions and samples that moving things may hide, or the others. */
+/* Stores the captions and samples that the moving layer may hide, or the others. */
 static void select_captions(PaintGl *paint, const Layout *layout, bool inside) {
     for (size_t i = 0; i < layout->caption_count; i++) {
         paint->captions = memory_reserve(paint->captions, &paint->caption_capacity, paint->caption_count + 1,
@@ -250,7 +253,7 @@ static void select_captions(PaintGl *paint, const Layout *layout, bool inside) {
     }
 }
 
-/* The static layer's drawing, on the target or, where faces meet, by several samples a pixel. */
+/* Draws the static layer on the target; where faces meet, with several samples per pixel. */
 static void draw_still(PaintGl *paint, Layer ground) {
     const Gl *gl = paint->gl;
     PaintGlTarget fine = {0};
@@ -282,7 +285,7 @@ void paint_gl_still(PaintGl *paint, Layer ground) {
     assert(paint->gl->GetError() == GL_NO_ERROR);
 }
 
-/* Before the first addition. */
+/* Stores the first state of the static layer before the first addition. */
 static void store_ground(PaintGl *paint) {
     if (!paint->added)
         paint_gl_target_copy(&paint->still, &paint->ground, paint->gl, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -1,6 +1,6 @@
-/* Moving pictures: scenes by OpenGL. What stays is drawn once, smooth, and copied into each frame; over it comes what
- * moves, and over all of it the words. Draws into a framebuffer of its own with row 0 at the top, so that it needs
- * nothing but a current context; every call must find that context current. The same calls give the same bytes.
+/* Moving pictures: scenes by OpenGL. The static layer is drawn once, smooth, and copied into each frame; over it comes
+ * the moving layer, and over both the texts. The painter draws into a framebuffer of its own with row 0 at the top, so
+ * that it needs only a current context; every call must find that context current. The same calls give the same bytes.
  *
  *     paint_gl_still    ground, grid, list, primitives, words: the static layer
  *     paint_gl_add      more for it, as loci grow
@@ -16,31 +16,31 @@
 
 typedef struct PaintGl PaintGl;
 
-/* For pictures of width x height pixels, `unit` of them a design point, with the functions of the current context,
- * which must outlive it; NULL when it has no room for such a picture. Layouts of its layers are made for a page of that
- * size over the unit. */
+/* Makes a painter for pictures of width x height pixels, `unit` of them a design point, with the functions of the
+ * current context, which must outlive the painter; NULL if the context has no room for such a picture. Layouts of the
+ * layers must be made for a page of that size over the unit. */
 PaintGl *paint_gl_create(const Gl *gl, int width, int height, double unit, Theme theme);
 void paint_gl_destroy(PaintGl *paint);
 
-/* Draws the static layer anew; panels are empty then. The layer may go. */
+/* Redraws the static layer, with empty panels. The layer may be freed afterwards. */
 void paint_gl_still(PaintGl *paint, Layer ground);
 
-/* Adds a layer made by layout_make_over to the static one, over it. Its solids have no shadows. */
+/* Adds a layer made by layout_make_over on top of the static one. Its solids have no shadows. */
 void paint_gl_add(PaintGl *paint, Layer more);
 
-/* Takes back all that paint_gl_add and paint_gl_panel have put onto the static layer. */
+/* Removes all that paint_gl_add and paint_gl_panel have added to the static layer. */
 void paint_gl_rewind(PaintGl *paint);
 
-/* Copies the part x, y, w, h of a picture of layout->panels[index], which has changed. The picture is cairo's RGB24 or
- * opaque ARGB32, width x height pixels, a pixel of it a pixel of the page. */
+/* Copies the changed part x, y, w, h of a picture to layout->panels[index]. The picture is cairo's RGB24 or opaque
+ * ARGB32, width x height pixels, one pixel per pixel of the page. */
 void paint_gl_panel(PaintGl *paint, int index, const unsigned char *pixels, int width, int height, int stride, int x,
                     int y, int w, int h);
 
 /* Draws a frame: the static layer, a layer made by layout_make_over, and all captions. */
 void paint_gl_frame(PaintGl *paint, Layer moving);
 
-/* The last frame: width x height pixels of 4 bytes, blue, green, red and 255, rows from the top. */
+/* Reads the last frame: width x height pixels of 4 bytes, blue, green, red and 255, rows from the top. */
 void paint_gl_read(PaintGl *paint, unsigned char *pixels);
 
-/* The framebuffer that holds the last frame, row 0 at the top, and its size in pixels. */
+/* Returns the framebuffer that holds the last frame, row 0 at the top, and its size in pixels. */
 GLuint paint_gl_framebuffer(const PaintGl *paint, int *width, int *height);

@@ -12,8 +12,8 @@ struct PaintGlScreen {
     const Gl *gl;
     int width, height;  /* of the frame */
     bool windowless;    /* draws on `own` */
-    PaintGlTarget own;  /* as a window has it: row 0 at the bottom */
-    GLuint framebuffer; /* the window's or that of `own` */
+    PaintGlTarget own;  /* row 0 at the bottom, as in a window */
+    GLuint framebuffer; /* of the window or of `own` */
     GLuint program, array, buffers[2];
     GLint canvas;
 };
@@ -141,7 +141,7 @@ void paint_gl_screen_fill(PaintGlScreen *screen, ScreenTexture *texture, const u
     gl->PixelStorei(GL_UNPACK_ROW_LENGTH, stride / 4);
     if (!texture->name || texture->width != width || texture->height != height) {
         make_texture(gl, texture, width, height, GL_LINEAR);
-        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_A, GL_ONE); /* RGB24 leaves its fourth byte to chance */
+        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_A, GL_ONE); /* RGB24 leaves its fourth byte undefined */
         gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels);
     } else if (w > 0 && h > 0) {
         gl->BindTexture(GL_TEXTURE_2D, texture->name);

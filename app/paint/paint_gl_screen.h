@@ -1,6 +1,6 @@
-/* What a window needs of OpenGL besides the painter of scenes: pictures as textures, and triangles for what lies over
- * them. Draws on the window's own framebuffer, whose row 0 is at the bottom; places are pixels, y down. Every call must
- * find the context current. */
+/* The OpenGL of a window besides the painter of scenes: pictures as textures, and triangles for what lies over them.
+ * Draws on the window's own framebuffer, whose row 0 is at the bottom; places are pixels, y down. Every call must find
+ * the context current. */
 #pragma once
 
 #include <stddef.h>
@@ -14,33 +14,33 @@ typedef struct PaintGlScreen PaintGlScreen;
 PaintGlScreen *paint_gl_screen_create(const Gl *gl);
 void paint_gl_screen_destroy(PaintGlScreen *screen);
 
-/* Where there is no window, as in tests: from now on it draws on a picture of its own. */
+/* Draws on a picture of its own from now on: for tests, which have no window. */
 void paint_gl_screen_leave_window(PaintGlScreen *screen);
 
-/* Begins a frame of width x height pixels, all of one colour. */
+/* Begins a frame of width x height pixels, filled with one colour. */
 void paint_gl_screen_begin(PaintGlScreen *screen, int width, int height, Colour ground);
 
-/* Copies a painter's last frame, with its upper left corner at x, y. */
+/* Copies the last frame of a painter to x, y (its upper left corner). */
 void paint_gl_screen_show(PaintGlScreen *screen, const PaintGl *paint, int x, int y);
 
-/* A part of the window in one colour: quicker than triangles. */
+/* Fills a part of the window with one colour: quicker than triangles. */
 void paint_gl_screen_box(PaintGlScreen *screen, Colour colour, int left, int top, int width, int height);
 
-/* The window's pixels as they are now: width x height of 4 bytes, blue, green, red and 255, rows from the top. */
+/* Reads the pixels of the window: width x height of 4 bytes, blue, green, red and 255, rows from the top. */
 void paint_gl_screen_read(PaintGlScreen *screen, unsigned char *pixels);
 
-/* A picture in the graphics card's memory. Zero is none. */
+/* A picture in the memory of the graphics card. Zero is none. */
 typedef struct ScreenTexture {
     GLuint name;
     int width, height; /* pixels */
 } ScreenTexture;
 
-/* Makes the part x, y, w, h of a texture that of a picture of cairo's RGB24 (width x height pixels, `stride` bytes a
- * row); a texture of another size is made anew, whole. */
+/* Copies the part x, y, w, h of a picture in cairo's RGB24 (width x height pixels, `stride` bytes a row) to a texture;
+ * a texture of another size is remade, whole. */
 void paint_gl_screen_fill(PaintGlScreen *screen, ScreenTexture *texture, const unsigned char *pixels, int width,
                           int height, int stride, int x, int y, int w, int h);
 
-/* The same of one byte a pixel, how opaque it is: for letters. */
+/* Does the same for one byte per pixel, its opacity: for glyphs. */
 void paint_gl_screen_fill_mask(PaintGlScreen *screen, ScreenTexture *texture, const unsigned char *pixels, int width,
                                int height);
 void paint_gl_screen_release(PaintGlScreen *screen, ScreenTexture *texture);

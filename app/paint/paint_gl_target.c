@@ -13,7 +13,7 @@ static void make_colour(PaintGlTarget *target, const Gl *gl) {
     gl->GenTextures(1, &target->colour);
     gl->BindTexture(GL_TEXTURE_2D, target->colour);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    /* the order of bytes in which pixels are read again: then reading copies rows */
+    /* the byte order in which pixels are read back: reading then copies rows */
     gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, target->width, target->height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
                    NULL);
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->colour, 0);

@@ -1,4 +1,4 @@
-/* A framebuffer to draw on, of the size of the picture. */
+/* A framebuffer of the size of the picture. */
 #pragma once
 
 #include "paint/gl.h"
@@ -8,9 +8,9 @@ typedef struct PaintGlTarget {
     int width, height, samples; /* samples 0: colour is a texture; otherwise both are renderbuffers */
 } PaintGlTarget;
 
-/* False when the context has no room for it. */
+/* Returns false if the context has no room for it. */
 bool paint_gl_target_make(PaintGlTarget *target, const Gl *gl, int width, int height, int samples);
 void paint_gl_target_clear(PaintGlTarget *target, const Gl *gl);
 
-/* Copies `buffers`, colour or depth or both; samples are averaged. */
+/* Copies `buffers`, colour or depth or both; averages samples. */
 void paint_gl_target_copy(const PaintGlTarget *from, const PaintGlTarget *to, const Gl *gl, GLbitfield buffers);

@@ -11,12 +11,12 @@
 #include "draw/text.h"
 
 enum {
-    MARGIN = 2, /* texels round words: letters reach out of their extent a little */
+    MARGIN = 2, /* texels round a text: glyphs reach a little out of their extent */
     SMALLEST = 512,
 };
 
 typedef struct Stamp {
-    uint64_t key; /* of the text, its size, weight and halo: 64 bits, two words never have the same */
+    uint64_t key; /* of the text, its size, weight and halo: 64 bits, so that no two texts share a key */
     int x, y, width, height;
 } Stamp;
 
@@ -29,7 +29,7 @@ struct PaintGlText {
     const Gl *gl;
     double unit;
     int width, height; /* of the atlas, texels */
-    int x, y, row;     /* where the next word goes, and how high its row is */
+    int x, y, row;     /* where the next text goes, and the height of its row */
     Stamp *stamps;     /* (count) */
     size_t count, capacity;
     Corner *corners; /* (4 quad_count) */
@@ -113,7 +113,7 @@ static uint64_t stamp_key(const Caption *caption, bool halo) {
     return digest_mix(key, 0);
 }
 
-/* Finds room for a word; false when the atlas is full. */
+/* Finds room for a text; false if the atlas is full. */
 static bool place_stamp(PaintGlText *text, Stamp *stamp) {
     if (text->x + stamp->width > text->width) {
         text->x = 0;
@@ -135,7 +135,7 @@ static void begin_atlas(PaintGlText *text) {
     text->x = text->y = text->row = 0;
 }
 
-/* Draws the words, or a line round their letters, in the middle of a picture of the word's size. */
+/* Draws the text, or a line round its glyphs, in the middle of a picture of the text's size. */
 static void upload_stamp(const PaintGlText *text, const Stamp *stamp, const Caption *caption, bool halo) {
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, stamp->width, stamp->height);
     cairo_t *cairo = cairo_create(surface);
@@ -191,7 +191,7 @@ static void add_stamp(PaintGlText *text, const Caption *caption, bool halo, Colo
         memory_reserve(text->indices, &text->index_capacity, 6 * (text->quad_count + 1), sizeof *text->indices);
     float width = (float)(caption->turned ? stamp->height : stamp->width);
     float height = (float)(caption->turned ? stamp->width : stamp->height);
-    /* on whole pixels: letters stay crisp */
+    /* on whole pixels: keeps glyphs crisp */
     float left = roundf((float)(caption->centre.x * text->unit) - width / 2);
     float top = roundf((float)(caption->centre.y * text->unit) - height / 2);
     for (int i = 0; i < 4; i++) {

@@ -1,5 +1,5 @@
-/* Words on a graphics card: each is drawn once, by pango, into a picture that holds many of them, the atlas, and copied
- * from there. When the atlas is full it starts anew, so that memory stays as it is however often the words change. */
+/* Texts on a graphics card: pango draws each one once into the atlas, a picture that holds many of them, and it is
+ * copied from there. A full atlas is emptied, so that memory stays constant however often the texts change. */
 #pragma once
 
 #include "paint/gl.h"
@@ -8,14 +8,13 @@
 
 typedef struct PaintGlText PaintGlText;
 
-/* For a canvas of that many pixels, `unit` a design point; the context must outlive it. */
+/* Makes texts for a canvas of that many pixels, `unit` per design point; the context must outlive them. */
 PaintGlText *paint_gl_text_create(const Gl *gl, int width, int height, double unit);
 void paint_gl_text_destroy(PaintGlText *text);
 
-/* Adds a caption's words, or the halo around them, to what paint_gl_text_draw draws; draws by itself when the atlas is
- * full. */
+/* Adds the text of a caption, or the halo around it, for paint_gl_text_draw; draws at once if the atlas is full. */
 void paint_gl_text_add(PaintGlText *text, const Caption *caption, Colour colour);
 void paint_gl_text_add_halo(PaintGlText *text, const Caption *caption, Colour colour);
 
-/* Draws what was added, on the current framebuffer. */
+/* Draws the added texts on the current framebuffer. */
 void paint_gl_text_draw(PaintGlText *text);

@@ -15,7 +15,7 @@ enum { SLOTS_PER_THREAD = 2, PATH_ROOM = 4096 };
 typedef struct Slot {
     unsigned char *pixels;
     char path[PATH_ROOM];
-    bool filled; /* to be written */
+    bool filled; /* waiting to be written */
     bool busy;   /* being written */
 } Slot;
 
@@ -28,7 +28,7 @@ struct PngWriter {
     pthread_mutex_t lock;
     pthread_cond_t changed;
     bool closing;
-    int error; /* errno of the first file that could not be written */
+    int error; /* errno of the first file that failed */
 };
 
 static void store_bytes(png_structp png, png_bytep data, png_size_t size) {
@@ -127,7 +127,7 @@ unsigned char *png_writer_room(PngWriter *writer) {
 void png_writer_put(PngWriter *writer, const char *path) {
     Slot *slot = &writer->slots[writer->next];
     snprintf(slot->path, sizeof slot->path, "%s", path);
-    if (writer->thread_count == 0) { /* a machine that has no threads to give */
+    if (writer->thread_count == 0) { /* the system gives no more threads */
         writer->error = writer->error ? writer->error : png_write(path, slot->pixels, writer->width, writer->height);
         return;
     }

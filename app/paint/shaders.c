@@ -18,8 +18,8 @@ const char shaders_ink_vertex[] = //
     "    kind_of = kind;\n"
     "}\n";
 
-/* A pixel near a joint belongs to the segment that is nearest to it, so that no place is covered twice. The points of a
- * joint are the same numbers in both segments: neither claims what the other does. */
+/* A pixel near a joint belongs to the nearest segment, so that no place is covered twice. The points of a joint are
+ * the same numbers in both segments: no pixel is claimed by both. */
 const char shaders_ink_fragment[] = //
     "#version 330 core\n"
     "uniform vec3 light;\n"
@@ -36,7 +36,7 @@ const char shaders_ink_fragment[] = //
     "    float along = along_of(p, a, b);\n"
     "    return distance(p, along <= 0.0 ? a : along >= 1.0 ? b : mix(a, b, along));\n"
     "}\n"
-    /* how much of a pixel that far from the middle of a band is in it */
+    /* share of a pixel at that distance from the middle of a band that the band covers */
     "float in_band(float apart, float half_width) {\n"
     "    return clamp(min(half_width, apart + 0.5) - max(-half_width, apart - 0.5), 0.0, 1.0);\n"
     "}\n"

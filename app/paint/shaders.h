@@ -5,11 +5,11 @@
  * towards the light, of balls: x to the right, y down, z out of the page. */
 extern const char shaders_ink_vertex[], shaders_ink_fragment[];
 
-/* Shapes that are nothing but triangles of one colour: with less to compute in every pixel. Uniform: `canvas`. */
+/* Plain triangles of one colour: less work per pixel. Uniform: `canvas`. */
 extern const char shaders_face_vertex[], shaders_face_fragment[];
 
-/* Words: rectangles out of a picture of them; their colour is the corner's, their opacity the picture's. Uniforms:
- * `canvas` and `atlas`, sizes in pixels. */
+/* Texts: rectangles out of the atlas; the colour is the corner's, the opacity the picture's. Uniforms: `canvas` and
+ * `atlas`, sizes in pixels. */
 extern const char shaders_text_vertex[], shaders_text_fragment[];
 
 /* Triangles over a window: place in pixels, y down; the corner's colour times the picture's. Uniform: `canvas`. */

@@ -23,7 +23,7 @@ static void add_triangle(Tessellation *tessellation, Vec2 a, Vec2 b, Vec2 c, boo
 
 /* Fans --------------------------------------------------------------------------------------------------------------*/
 
-/* To one side all the way, and once round? */
+/* True if the ring turns to one side all the way, and once round. */
 static bool is_convex(const Vec2 *points, size_t count) {
     int left = 0, right = 0, turns = 0;
     double last = 0;
@@ -38,7 +38,7 @@ static bool is_convex(const Vec2 *points, size_t count) {
     return !(left && right) && turns <= 2;
 }
 
-/* Each triangle has one edge of the outline. */
+/* Makes a fan: each triangle has one edge of the outline. */
 static void add_fan(Tessellation *tessellation, const Vec2 *points, size_t count) {
     Vec2 middle = {0, 0};
     for (size_t i = 0; i < count; i++)
@@ -46,7 +46,7 @@ static void add_fan(Tessellation *tessellation, const Vec2 *points, size_t count
     for (size_t i = 0; i < count; i++) {
         add_triangle(tessellation, points[i], points[(i + 1) % count], middle, false);
         Triangle *triangle = &tessellation->triangles[tessellation->count - 1];
-        /* turned clockwise ones run from the next point to the middle */
+        /* clockwise ones run from the next point to the middle */
         bool turned = triangle->corners[1].x == middle.x && triangle->corners[1].y == middle.y;
         triangle->border[turned ? 2 : 0] = true;
     }
@@ -66,7 +66,7 @@ static GEOSGeometry *ring_area(GEOSContextHandle_t geos, const Vec2 *points, siz
     return sound;
 }
 
-/* The areas as one, each given away: pairs, then pairs of pairs, so that each is combined with its like. */
+/* Unites the areas, freeing each: pairs, then pairs of pairs, so that areas of similar size are combined. */
 static GEOSGeometry *combined(GEOSContextHandle_t geos, GEOSGeometry **areas, size_t count, bool united) {
     if (count < 2)
         return count ? areas[0] : NULL;
@@ -101,7 +101,7 @@ static void add_geometry(Tessellation *tessellation, const GEOSGeometry *geometr
 /* Borders: the edges that only one triangle has ---------------------------------------------------------------------*/
 
 typedef struct Edge {
-    Vec2 low, high; /* its ends in the order of their coordinates */
+    Vec2 low, high; /* ends in the order of their coordinates */
     size_t triangle;
     int side;
 } Edge;

@@ -1,7 +1,7 @@
-/* Polygons as triangles: what a graphics card fills. One convex ring is a fan round its middle; anything else goes
- * through GEOS, rings that overlap united or cancelled first, then a constrained Delaunay triangulation. Triangles
- * rather than a stencil, since their edges are known: which of them are the outline's is what smooth edges, upright
- * sides and drawn edges need. */
+/* Polygons as triangles: the shapes that a graphics card fills. A convex ring is a fan round its middle; anything else
+ * goes through GEOS: overlapping rings are united or cancelled, then a constrained Delaunay triangulation follows.
+ * Triangles are used rather than a stencil, since their edges are known: smooth edges, upright sides and drawn edges
+ * need to know which edges belong to the outline. */
 #pragma once
 
 #include <stdbool.h>
@@ -11,14 +11,14 @@
 
 typedef struct Triangle {
     Vec2 corners[3]; /* counter-clockwise */
-    bool border[3];  /* is the edge from corner i to the next one of the outline? */
+    bool border[3];  /* true if the edge from corner i to the next one belongs to the outline */
 } Triangle;
 
 /* Zero is empty; tessellation_clear releases it. */
 typedef struct Tessellation {
     Triangle *triangles; /* (count) */
     size_t count, capacity;
-    void *geos;   /* GEOS's context, made when it is needed */
+    void *geos;   /* GEOS's context, made when needed */
     void *sorted; /* edges, while they are matched */
     size_t sorted_capacity;
 } Tessellation;
