@@ -1,4 +1,5 @@
-/* A still picture of a moving one: what stays, what is there at one moment, and plots in the panels beside it. */
+/* A still picture of a moving one: the fixed part, one moment of the moving part, and plots in the panels next to it.
+ */
 #pragma once
 
 #include "paint/cairo_file.h"
@@ -12,8 +13,8 @@ typedef struct Plate {
     Theme theme;
 } Plate;
 
-/* For cairo_file_write: `plate` is a Plate. */
+/* Paints for cairo_file_write: `plate` is a Plate. */
 void plate_paint(struct _cairo *cairo, Vec2 page, const void *plate);
 
-/* As paint_cairo_file. */
+/* Writes a picture as paint_cairo_file does. */
 int plate_write(CairoFileKind kind, const Plate *plate, const char *path, int width, int height);

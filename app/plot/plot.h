@@ -1,6 +1,6 @@
-/* What a plot shows, as data: series of numbers over two axes as lines, marks or stems, areas between curves, a map of
- * cells, and lines and bands across that say what a number means. It knows arrays and roles only. plot_canvas.h draws
- * it bit by bit, plot_write.h makes files of it.
+/* A plot as data: series of numbers over two axes as lines, marks or stems, areas between curves, a map of cells, and
+ * lines and bands across that mark the meaning of a number. A plot knows arrays and roles only. plot_canvas.h draws it
+ * bit by bit, plot_write.h writes it to files.
  *
  *        force, N   - A  -.- B               names of the series, when there are several and no room beside the lines
  *          |         .
@@ -19,11 +19,11 @@
 typedef struct PlotAxis {
     const char *title;
     const char *unit; /* "1" or NULL: a pure number */
-    double low, high; /* low == high: as far as the series and guides reach, and on to a round number */
-    bool logarithmic; /* 0 and below are not on it */
+    double low, high; /* low == high: fitted to the series and guides and widened to a round number */
+    bool logarithmic; /* 0 and negative values are left out */
 } PlotAxis;
 
-/* Points (x[i * stride], y[i * stride]). What is not finite breaks the line. */
+/* Points (x[i * stride], y[i * stride]). A point that is not finite breaks the line. */
 typedef struct PlotSeries {
     const char *name;    /* or NULL: not named */
     const char *heading; /* in a table; NULL: the name */
@@ -36,20 +36,20 @@ typedef struct PlotSeries {
     Symbol symbol; /* at each point */
     double size;   /* design points, across a symbol */
     bool open;     /* symbols are outlines */
-    bool stems;    /* the lines go up to each point from the foot of the plot, not from point to point */
+    bool stems;    /* lines from the foot of the plot up to each point instead of from point to point */
 } PlotSeries;
 
 /* A line across the whole plot, or a band. */
 typedef struct PlotGuide {
     bool upright; /* at a value of x; otherwise of y */
-    bool band;    /* all from `at` to `to`, which may be infinite: then as far as the plot goes */
+    bool band;    /* covers `at` to `to`, which may be infinite: up to the edge of the plot */
     double at, to;
     const char *name; /* or NULL */
     Role role;
     LineStyle style;
 } PlotGuide;
 
-/* What lies between two curves. */
+/* The area between two curves. */
 typedef struct PlotArea {
     const char *name;             /* or NULL: not named */
     const double *x, *low, *high; /* (count) */
@@ -57,7 +57,7 @@ typedef struct PlotArea {
     Role role; /* of the inside */
 } PlotArea;
 
-/* Over a colour, so that classes are told apart without it. */
+/* A pattern over a colour, so that classes differ without colour. */
 typedef enum PlotPattern {
     PLOT_PATTERN_PLAIN,
     PLOT_PATTERN_RISING, /* thin lines */
@@ -70,7 +70,7 @@ typedef enum PlotPattern {
 
 typedef struct PlotClass {
     const char *name; /* in the legend */
-    const char *mark; /* a letter or two, where the class has room for it; or NULL */
+    const char *mark; /* one or two characters, shown where the class has room for them; or NULL */
     Role role;
     PlotPattern pattern;
 } PlotClass;
@@ -80,14 +80,14 @@ typedef struct PlotRaster {
     Box box; /* values of x and y at its edges */
     size_t columns, rows;
     const double *values;     /* (rows x columns) from the lowest x and y on; NAN: an empty cell */
-    const PlotClass *classes; /* (class_count) a value is an index of them; NULL: a quantity, from light to dark */
+    const PlotClass *classes; /* (class_count) a value is an index into them; NULL: a quantity, from light to dark */
     size_t class_count;
     PlotAxis value; /* of the quantity */
 } PlotRaster;
 
 typedef struct Plot {
-    const char *title; /* or NULL: the y axis' title stands in its place */
-    const char *note;  /* what must be said beside it, or NULL */
+    const char *title; /* or NULL: the title of the y axis replaces it */
+    const char *note;  /* a caveat next to the title, or NULL */
     PlotAxis x, y;
     PlotSeries *series; /* (series_count) in painting order */
     PlotGuide *guides;  /* (guide_count), below the series */
@@ -95,7 +95,7 @@ typedef struct Plot {
     PlotArea *areas; /* (area_count), below everything */
     size_t area_count;
     const PlotRaster *raster; /* or NULL */
-    PlotAxis right;           /* a second axis for y, which shows `right_factor` times its value */
+    PlotAxis right;           /* a second axis for y, which shows `right_factor` times the value */
     double right_factor;      /* 0: none */
 } Plot;
 
@@ -106,5 +106,5 @@ static inline Vec2 plot_value(const PlotSeries *series, size_t index) {
 
 struct _cairo; /* cairo's own name of cairo_t */
 
-/* The whole plot, from the origin of the context on, whose unit is the design point. */
+/* Paints the whole plot from the origin of the context, whose unit is the design point. */
 void plot_paint(const Plot *plot, struct _cairo *cairo, Vec2 size, Theme theme);

@@ -10,22 +10,22 @@
 #include "plot/plot_ground.h"
 #include "plot/plot_pen.h"
 
-/* A new piece of a line is drawn on an empty sheet. Its ink is joined to the series' ink by the larger of the two,
- * since ink over ink would blacken the blurred edges wherever pieces meet; then the pixels that it touches are put
- * together anew, from the ground upwards. */
+/* A new piece of a line is drawn on an empty sheet. Its ink is joined to the ink of its series by the larger of the
+ * two, since ink over ink would blacken the blurred edges where pieces meet; then the touched pixels are composed
+ * again, from the ground upwards. */
 struct PlotCanvas {
     const Plot *plot;
     PlotLayout layout;
-    PlotPen *pens; /* (pen_count) one a series */
+    PlotPen *pens; /* (pen_count) one per series */
     size_t pen_count;
     double unit;
     Theme theme;
     int width, height;
-    cairo_surface_t *sheet; /* 8 bit a pixel, empty between two drawings */
+    cairo_surface_t *sheet; /* 8 bits per pixel, empty between two drawings */
     cairo_t *cairo;         /* on the sheet */
     unsigned char *ink;     /* (pen_count x height x width) */
     uint32_t *ground;       /* (height x width) */
-    uint32_t *text;         /* (height x width) above all; multiplied by how opaque they are, the highest byte */
+    uint32_t *text;         /* (height x width) on top; premultiplied by the opacity, which is the highest byte */
     uint32_t *pixels;       /* (height x width) */
 };
 
@@ -33,7 +33,7 @@ static size_t pixel_count(const PlotCanvas *canvas) {
     return (size_t)canvas->width * (size_t)canvas->height;
 }
 
-/* A context on pixels of the canvas. */
+/* Returns a context that paints on pixels of the canvas. */
 static cairo_t *begin_painting(const PlotCanvas *canvas, uint32_t *pixels, cairo_format_t format) {
     cairo_surface_t *surface = cairo_image_surface_create_for_data((unsigned char *)pixels, format, canvas->width,
                                                                    canvas->height, plot_canvas_stride(canvas));
@@ -85,7 +85,7 @@ void plot_canvas_destroy(PlotCanvas *canvas) {
     memory_free(canvas);
 }
 
-/* The whole pixels of the canvas that a box in design points touches. */
+/* Returns the whole pixels of the canvas that a box in design points touches. */
 static PlotPixels to_pixels(const PlotCanvas *canvas, Box box) {
     double left = floor(fmax(0, box.low.x * canvas->unit)), top = floor(fmax(0, box.low.y * canvas->unit));
     double right = ceil(fmin(canvas->width, box.high.x * canvas->unit));
@@ -95,7 +95,7 @@ static PlotPixels to_pixels(const PlotCanvas *canvas, Box box) {
     return (PlotPixels){(int)left, (int)top, (int)(right - left), (int)(bottom - top)};
 }
 
-/* Takes the ink off the sheet. */
+/* Clears the ink from the sheet. */
 static void join_ink(PlotCanvas *canvas, size_t series, PlotPixels part) {
     int stride = cairo_image_surface_get_stride(canvas->sheet);
     cairo_surface_flush(canvas->sheet);
@@ -110,7 +110,7 @@ static void join_ink(PlotCanvas *canvas, size_t series, PlotPixels part) {
     cairo_surface_mark_dirty(canvas->sheet);
 }
 
-/* `ink` of 255 of one colour on another, channel by channel. */
+/* Returns one colour with `ink` of 255 of another over it, channel by channel. */
 static uint32_t mixed(uint32_t under, uint32_t over, uint32_t ink) {
     uint32_t result = 0;
     for (int shift = 0; shift < 24; shift += 8)
@@ -199,7 +199,7 @@ Box plot_canvas_frame(const PlotCanvas *canvas) {
     return (Box){vec2_scale(frame.low, canvas->unit), vec2_scale(frame.high, canvas->unit)};
 }
 
-/* The value so far along an axis, 0 to 1. */
+/* Returns the value at this share of an axis, 0 to 1. */
 static double value_along(const PlotTicks *ticks, double part) {
     if (ticks->logarithmic)
         return ticks->low * pow(ticks->high / ticks->low, part);

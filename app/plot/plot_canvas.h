@@ -1,39 +1,42 @@
-/* A plot that is drawn bit by bit, in pixels: the live strip beside a film. What stays is painted once; a new segment
- * costs microseconds. What comes in pieces looks as if drawn at once, but for single pixels at the edges of a line. */
+/* A plot that is drawn bit by bit, in pixels: the live strip next to a film. The fixed part is painted once; a new
+ * segment costs microseconds. A plot drawn in pieces looks as if drawn at once, except for single pixels at the edges
+ * of a line. */
 #pragma once
 
 #include "plot/plot.h"
 
 typedef struct PlotCanvas PlotCanvas;
 
-/* A part of a canvas, in whole pixels from its upper left corner; nothing when the width is 0. */
+/* A part of a canvas, in whole pixels from its upper left corner; empty if the width is 0. */
 typedef struct PlotPixels {
     int x, y, width, height;
 } PlotPixels;
 
-/* A canvas of width x height pixels, `unit` of them a design point, with the axes fitted to what the series hold now;
- * nothing of them is drawn. The plot must outlive it; its series may get more points, and other arrays, later.
- * plot_canvas_destroy releases it. */
+/* Makes a canvas of width x height pixels, `unit` of them a design point, with axes fitted to the present values of
+ * the series, none of which is drawn yet. The plot must outlive the canvas; its series may get more points, and other
+ * arrays, later. plot_canvas_destroy releases it. */
 PlotCanvas *plot_canvas_create(const Plot *plot, int width, int height, double unit, Theme theme);
 void plot_canvas_destroy(PlotCanvas *canvas);
 
-/* Draws the first `count` points of a series, as far as that has not been done; fewer than before change nothing. What
- * ends within a half pixel across may wait for the next points. Returns the pixels that may have changed. */
+/* Draws the first `count` points of a series, as far as they are not drawn yet; fewer than before change nothing. The
+ * end of the line may wait for the next points if it is within half a pixel across. Returns the pixels that may have
+ * changed. */
 PlotPixels plot_canvas_advance(PlotCanvas *canvas, size_t series, size_t count);
 
-/* Back to nothing drawn. */
+/* Erases all series. */
 void plot_canvas_restart(PlotCanvas *canvas);
 
-/* All of it. */
+/* Returns the whole canvas. */
 PlotPixels plot_canvas_all(const PlotCanvas *canvas);
 
-/* 32-bit words 0x00RRGGBB of this machine's byte order, row after row from the top, `plot_canvas_stride` bytes each. */
+/* Returns 32-bit words 0x00RRGGBB in this machine's byte order, row after row from the top, `plot_canvas_stride` bytes
+ * each. */
 const unsigned char *plot_canvas_pixels(const PlotCanvas *canvas);
 int plot_canvas_stride(const PlotCanvas *canvas);
 
-/* Where a value is, in pixels. */
+/* Returns the place of a value, in pixels. */
 Vec2 plot_canvas_place(const PlotCanvas *canvas, Vec2 value);
 
-/* What the axes enclose, in pixels, y down; and the value that is there. */
+/* Returns the box that the axes enclose, in pixels, y down; and the value at a place. */
 Box plot_canvas_frame(const PlotCanvas *canvas);
 Vec2 plot_canvas_value(const PlotCanvas *canvas, Vec2 place);

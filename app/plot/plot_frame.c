@@ -1,6 +1,6 @@
 #include "plot/plot_frame.h"
 
-#define FAR 1e5 /* of a point beyond the page: cairo's coordinates end at some 8e6 pixels */
+#define FAR 1e5 /* design points, beyond the page: cairo's coordinates end at about 8e6 pixels */
 
 Vec2 plot_frame_point(const PlotLayout *layout, Vec2 value) {
     Box frame = layout->sheet.frame;

@@ -1,4 +1,5 @@
-/* The frame that the axes of a plot enclose: the place of a value, and what of guides and bands lies within. */
+/* The frame that the axes of a plot enclose: the place of a value, and the part of guides and bands within the frame.
+ */
 #pragma once
 
 #include "plot/plot_layout.h"

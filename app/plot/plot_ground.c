@@ -58,7 +58,7 @@ static void paint_band(cairo_t *cairo, const PlotLayout *layout, const PlotGuide
     cairo_fill(cairo);
 }
 
-/* Where a curve is broken, so is the area. */
+/* The area has a gap where a curve has one. */
 static void paint_area(cairo_t *cairo, const PlotLayout *layout, const PlotArea *area, Theme theme) {
     Box frame = layout->sheet.frame;
     cairo_save(cairo);

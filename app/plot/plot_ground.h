@@ -1,5 +1,5 @@
-/* What of a plot stays as it is while its series are drawn: paper, faint lines, guides and axes below them, words
- * above. */
+/* The part of a plot that stays fixed while its series are drawn: paper, faint lines, guides and axes below the
+ * series, texts above them. */
 #pragma once
 
 #include "plot/plot_layout.h"

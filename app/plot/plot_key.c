@@ -26,7 +26,7 @@ static double text_width(const PlotLayout *layout, const Plot *plot) {
     return width;
 }
 
-/* Its own range, or that of what it holds. */
+/* Returns the raster's own range, or that of its values. */
 static PlotTicks make_shades(const PlotRaster *raster, int most) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     const PlotAxis *axis = &raster->value;

@@ -12,18 +12,18 @@
 #define NAME_TEXT 15.0
 #define MARGIN 6.0
 #define ROW_HEIGHT 23.0 /* of titles and names */
-#define ROW_GAP 7.0     /* below them: half of the topmost label */
+#define ROW_GAP 7.0     /* below the titles: half of the topmost label */
 #define LABEL_HEIGHT 18.0
-#define LABEL_GAP 7.0    /* between an axis and its labels: the tick is within */
+#define LABEL_GAP 7.0    /* between an axis and its labels; the tick is within */
 #define LABEL_APART 12.0 /* between the labels of the x axis */
 #define ITEM_GAP 11.0
 #define SAMPLE_LENGTH 26.0
 #define SAMPLE_GAP 5.0
-#define AREA_SAMPLE 14.0   /* the height of a piece of an area */
+#define AREA_SAMPLE 14.0   /* the height of an area's sample */
 #define UPRIGHT_LEAST 33.0 /* from tick to tick of the y axis */
-#define ACROSS_LEAST 34.0  /* and of the x axis */
+#define ACROSS_LEAST 34.0  /* from tick to tick of the x axis */
 #define LOW 200.0          /* a lower plot has its titles in shared rows */
-#define LEAST_FRAME 0.4    /* of the height: where the names leave less to the lines, they are left out */
+#define LEAST_FRAME 0.4    /* share of the height: names that leave less to the lines are left out */
 
 static Box include_shown(Box reach, const Plot *plot, Vec2 value) {
     bool shown = isfinite(value.x) && isfinite(value.y) && (!plot->x.logarithmic || value.x > 0) &&
@@ -41,7 +41,7 @@ static Box include_guide(Box reach, const Plot *plot, const PlotGuide *guide) {
     return reach;
 }
 
-/* What the series and the guides hold; what is not finite, or not on the scale, does not count. */
+/* Returns the range of the series and the guides; ignores values that are not finite or not on the scale. */
 static Box plot_reach(const Plot *plot) {
     Box reach = box_empty();
     for (size_t s = 0; s < plot->series_count; s++)
@@ -58,7 +58,7 @@ static Box plot_reach(const Plot *plot) {
     return reach;
 }
 
-/* A raster fills its axes. */
+/* Returns an axis; a raster fills its axes. */
 static PlotAxis shown_axis(const Plot *plot, bool upright) {
     PlotAxis axis = upright ? plot->y : plot->x;
     if (plot->raster && axis.low == axis.high) {
@@ -85,7 +85,7 @@ static double widest_label(const PlotTicks *ticks) {
     return widest;
 }
 
-/* The most ticks of the x axis whose labels have room between them. */
+/* Returns the most ticks of the x axis whose labels have room between them. */
 static PlotTicks ticks_across(const PlotAxis *axis, Box reach, double width) {
     PlotTicks ticks;
     int most = (int)(fmax(0, width) / ACROSS_LEAST) + 1;
@@ -102,10 +102,10 @@ static Caption *add_text(PlotLayout *layout, const char *text, double size, bool
     return caption_add(sheet, arena_text(&sheet->arena, text), size, bold, centre);
 }
 
-/* Rows of words above the frame, filled from left to right. */
+/* Rows of text above the frame, filled from left to right. */
 typedef struct Rows {
     PlotLayout *layout;
-    double left, middle; /* design points, where the next words begin */
+    double left, middle; /* design points, where the next text begins */
 } Rows;
 
 static void begin_row(Rows *rows) {
@@ -113,7 +113,7 @@ static void begin_row(Rows *rows) {
     rows->middle += ROW_HEIGHT;
 }
 
-/* Adds words, behind `before` of room for something else, in this row or the next. */
+/* Adds a text, `before` design points to its left kept free, to this row or the next. */
 static Caption *add_item(Rows *rows, const char *text, double size, bool bold, double before) {
     Layout *sheet = &rows->layout->sheet;
     double right = sheet->page.x - MARGIN, rounding = 0.5;
@@ -140,7 +140,7 @@ static double names_width(const Plot *plot) {
     return width;
 }
 
-/* A name; where the middle of what it names is to be shown before it. */
+/* Adds a name; returns the middle of the room for its sample. */
 static Vec2 add_name(Rows *rows, const char *name) {
     Caption *caption = add_item(rows, name, NAME_TEXT, false, SAMPLE_LENGTH + SAMPLE_GAP);
     return vec2(caption->centre.x - caption->extent.x / 2 - SAMPLE_GAP - SAMPLE_LENGTH / 2, caption->centre.y);
@@ -159,7 +159,7 @@ static void add_series_name(Rows *rows, const PlotSeries *series) {
         layout->marks[layout->mark_count++] = (PlotMark){series, middle};
 }
 
-/* How much the second axis for y takes. */
+/* Returns the width of the second axis for y. */
 static double right_width(const PlotLayout *layout, const Plot *plot) {
     char title[PLOT_TICKS_TITLE];
     if (plot->right_factor == 0)
@@ -168,7 +168,7 @@ static double right_width(const PlotLayout *layout, const Plot *plot) {
     return fmax(LABEL_GAP + widest_label(&layout->right), text_extent(title, AXIS_TEXT, false).x + LABEL_GAP);
 }
 
-/* At the right end of a row if one holds them all. */
+/* Adds the names at the right end of a row if one row holds them all. */
 static void add_names(Rows *rows, const Plot *plot) {
     Layout *sheet = &rows->layout->sheet;
     double right = sheet->page.x - MARGIN, width = names_width(plot);
@@ -188,7 +188,7 @@ static void add_names(Rows *rows, const Plot *plot) {
             add_series_name(rows, &plot->series[s]);
 }
 
-/* The titles and, if they stand above, the names of the series; returns how far down they reach. */
+/* Adds the titles and, if they stand above, the names of the series; returns how far down they reach. */
 static double add_rows(PlotLayout *layout, const Plot *plot, bool names) {
     char title[PLOT_TICKS_TITLE];
     plot_ticks_title(&layout->y, plot->y.title, plot->y.unit, title);
@@ -232,7 +232,7 @@ static void add_upright_labels(PlotLayout *layout) {
     }
 }
 
-/* In a low plot the title takes the end of the labels' row, and their place where it needs it. */
+/* In a low plot the title takes the end of the labels' row, and replaces labels where it needs their place. */
 static void add_across_labels(PlotLayout *layout, const Plot *plot) {
     char title[PLOT_TICKS_TITLE];
     Layout *sheet = &layout->sheet;
@@ -256,7 +256,7 @@ static void add_across_labels(PlotLayout *layout, const Plot *plot) {
     }
 }
 
-/* The second axis for y. */
+/* Adds the labels of the second axis for y. */
 static void add_right_labels(PlotLayout *layout, const Plot *plot) {
     char title[PLOT_TICKS_TITLE];
     Box frame = layout->sheet.frame;
@@ -274,7 +274,7 @@ static void add_right_labels(PlotLayout *layout, const Plot *plot) {
              vec2(frame.high.x + right_width(layout, plot) / 2, frame.low.y - ROW_GAP - ROW_HEIGHT / 2));
 }
 
-/* The frame between the words around it. */
+/* Places the frame between the texts around it. */
 static void place_frame(PlotLayout *layout, const Plot *plot, Box reach, bool names) {
     Layout *sheet = &layout->sheet;
     bool low = sheet->page.y < LOW;
@@ -291,14 +291,14 @@ static void place_frame(PlotLayout *layout, const Plot *plot, Box reach, bool na
     sheet->frame.high.x -= plot_key_place(layout, plot, most) + right_width(layout, plot);
     sheet->frame.low.x = MARGIN + widest_label(&layout->y) + LABEL_GAP;
     layout->x = ticks_across(&across, reach, box_width(sheet->frame));
-    double half = widest_label(&layout->x) / 2; /* of a label below either end */
+    double half = widest_label(&layout->x) / 2; /* of a label that extends beyond either end */
     sheet->frame.low.x = fmax(sheet->frame.low.x, MARGIN + half);
     double beside = sheet->page.x - MARGIN - sheet->frame.high.x;
     sheet->frame.high.x -= fmax(0, half - beside);
     layout->x = ticks_across(&across, reach, box_width(sheet->frame));
 }
 
-/* Marks and areas have no line to be named at. */
+/* Marks and areas have no line that a name could stand next to. */
 static bool has_lines_only(const Plot *plot) {
     bool lines = !plot->area_count;
     for (size_t s = 0; s < plot->series_count; s++)

@@ -1,31 +1,31 @@
-/* Where everything of a plot is: all in design points, y down. A low plot keeps its height for the lines: its titles
- * share rows with the names of the series and with the labels of the ticks. */
+/* Places all parts of a plot, in design points, y down. A low plot keeps its height for the lines: its titles share
+ * rows with the names of the series and with the labels of the ticks. */
 #pragma once
 
 #include "draw/layout.h"
 #include "plot/plot.h"
 #include "plot/plot_ticks.h"
 
-/* A sign in the list of names, as the series has it. */
+/* A symbol in the list of names, as in the series. */
 typedef struct PlotMark {
     const PlotSeries *series;
     Vec2 at;
 } PlotMark;
 
 typedef struct PlotLayout {
-    Layout sheet; /* its frame is what the axes enclose; words, pieces of line, faint lines */
+    Layout sheet; /* its frame is the box that the axes enclose; texts, line samples, faint lines */
     PlotTicks x, y;
     PlotTicks right;  /* of the second axis for y, if there is one */
-    Box key;          /* beside a raster, what its colours are shown in; empty without one */
+    Box key;          /* next to a raster, the box that shows its colours; empty without a raster */
     PlotTicks shades; /* of a raster's quantity, along the key */
     PlotMark *marks;  /* (mark_count) */
     size_t mark_count;
 } PlotLayout;
 
-/* How names of series find their place. */
+/* Where the names of the series go. */
 typedef enum PlotNames {
-    PLOT_NAMES_BESIDE, /* beside their lines if there is room for all of them, otherwise above the plot */
-    PLOT_NAMES_ABOVE,  /* for lines that are yet to come */
+    PLOT_NAMES_BESIDE, /* next to their lines if there is room for all of them, otherwise above the plot */
+    PLOT_NAMES_ABOVE,  /* above the plot, for lines that come later */
 } PlotNames;
 
 /* Lays out a plot, which must outlive the layout, on a page of that size. plot_layout_clear releases it. */

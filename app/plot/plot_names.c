@@ -7,19 +7,19 @@
 
 /* Design points. */
 #define TEXT_SIZE 15.0
-#define AIR 3.0          /* kept between words and what is round them */
+#define AIR 3.0          /* kept free between a text and its surroundings */
 #define STRIDE 4.0       /* between the points of a series that are marked */
-#define APART 8.0        /* from other series, where a name stands */
-#define PLACE_STRIDE 6.0 /* between the places that are tried along a series */
+#define APART 8.0        /* from other series, next to a name */
+#define PLACE_STRIDE 6.0 /* between candidate places along a series */
 #define MARK_HEIGHT 18.0 /* of a class' mark */
 
 #define SERIES_WEIGHT 1.0
 #define TEXT_WEIGHT 10.0
-#define TEXT_CONTRAST 4.5 /* a name in a paler colour than that cannot be read */
+#define TEXT_CONTRAST 4.5 /* a name in a paler colour would be illegible */
 
-enum { GUIDE_PLACES = 13 /* that are tried along a guide, on either side */ };
+enum { GUIDE_PLACES = 13 /* candidate places along a guide, on either side */ };
 
-/* The points of a series on the page, about STRIDE apart; where it is broken there is a NAN. `*count` of them. */
+/* Returns the points of a series on the page, about STRIDE apart, with a NAN at each gap; `*count` of them. */
 static Vec2 *series_points(const PlotLayout *layout, const PlotSeries *series, size_t *count) {
     Vec2 *points = memory_zeroed(series->count + 1, sizeof *points);
     *count = 0;
@@ -55,7 +55,7 @@ static void mark_guides(Mask *mask, const PlotLayout *layout, const Plot *plot) 
             mask_mark_line(mask, ends[0], ends[1], 1, SERIES_WEIGHT);
 }
 
-/* What must stay visible of the plot. */
+/* Marks the parts of the plot that must stay visible. */
 static void mark_plot(Mask *mask, const PlotLayout *layout, const Plot *plot) {
     mask_init(mask, layout->sheet.frame);
     for (size_t s = 0; s < plot->series_count; s++)
@@ -72,13 +72,13 @@ static Role text_role(Role role) {
     return role;
 }
 
-/* The middle of words beside a point: right of it, above, below, left. */
+/* Returns the middle of a text next to a point: right of it, above, below, left. */
 static Vec2 beside(Vec2 at, Vec2 extent, int side, double gap) {
     static const Vec2 sides[] = {{1, 0}, {0, -1}, {0, 1}, {-1, 0}};
     return vec2(at.x + sides[side].x * (extent.x / 2 + gap), at.y + sides[side].y * (extent.y / 2 + gap));
 }
 
-/* A free place beside the series, the nearer to its end the better, where it runs apart from all others; false: there
+/* Finds a free place next to the series, preferably near its end, where it runs apart from all others; false if there
  * is none. */
 static bool find_place(const Mask *mask, const Mask *others, const PlotLayout *layout, const PlotSeries *series,
                        Vec2 extent, Vec2 *centre) {
@@ -128,8 +128,8 @@ bool plot_names_series(PlotLayout *layout, const Plot *plot) {
     return good;
 }
 
-/* The middle of words on one side of a guide, a part of its length from where it is read first: the right end, or the
- * upper one of an upright guide. */
+/* Returns the middle of a text on one side of a guide, at a share of its length from its first place: the right end,
+ * or the upper end of an upright guide. */
 static Vec2 beside_guide(const PlotLayout *layout, const PlotGuide *guide, Vec2 extent, int side, double part) {
     Box frame = box_expand(layout->sheet.frame, -AIR);
     Vec2 at = plot_frame_point(layout, vec2(guide->at, guide->at)), half = vec2_scale(extent, 0.5);
@@ -154,7 +154,7 @@ static Vec2 best_beside_guide(const Mask *mask, const PlotLayout *layout, const 
     return best;
 }
 
-/* Within a band, in the middle across it. */
+/* Finds the best place within a band, in the middle across it. */
 static Vec2 best_within_band(const Mask *mask, Box band, bool upright, Vec2 extent) {
     Vec2 best = vec2(0, 0), half = vec2_scale(extent, 0.5);
     Vec2 room = vec2(fmax(0, box_width(band) - extent.x - 2 * AIR), fmax(0, box_height(band) - extent.y - 2 * AIR));
@@ -196,12 +196,12 @@ void plot_names_guides(PlotLayout *layout, const Plot *plot) {
     mask_clear(&mask);
 }
 
-/* The largest square of cells of a class: its upper right corner and how many cells a side, 0: none. */
+/* The largest square of cells of a class: its upper right corner and its side in cells, 0: none. */
 typedef struct Square {
     size_t column, row, side;
 } Square;
 
-/* `sides` has room for a row of the raster. */
+/* Finds the square; `sides` has room for a row of the raster. */
 static Square largest_square(const PlotRaster *raster, double class, size_t *sides) {
     Square best = {0, 0, 0};
     for (size_t row = 0; row < raster->rows; row++)

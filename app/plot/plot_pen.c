@@ -11,17 +11,17 @@
 #define EDGE 1.0  /* design points, of blur around a line */
 
 /* Design points. */
-#define OPEN_WIDTH 2.0 /* of a sign's outline */
-#define MARK_LEAST 6.0 /* across a sign that stands alone */
+#define OPEN_WIDTH 2.0 /* of a symbol's outline */
+#define MARK_LEAST 6.0 /* across a symbol that stands alone */
 
-enum { PIECE = 512 /* points a path: strokes of many points that cross each other take cairo long */ };
+enum { PIECE = 512 /* points per path: cairo is slow on strokes of many points that cross each other */ };
 
-/* What is drawn at once. */
+/* The path that is drawn at once. */
 typedef struct Piece {
     PlotPen *pen;
     cairo_t *cairo;
     const PlotSeries *series;
-    double begin; /* design points, of the line where the path begins */
+    double begin; /* design points, length of the line up to the begin of the path */
     size_t points;
     bool first; /* nothing has been drawn yet */
     Box box;    /* design points */
@@ -38,7 +38,8 @@ void plot_pen_clear(PlotPen *pen) {
     pen->taken = NULL;
 }
 
-/* Dashes with round ends, as long as flat ones: a piece that begins within a dash joins the last one without a gap. */
+/* Sets dashes with round ends, as long as flat ones: a piece that begins within a dash joins the previous piece
+ * without a gap. */
 static void use_line(cairo_t *cairo, const PlotSeries *series) {
     paint_cairo_line(cairo, series->style, series->width);
     if (series->style == LINE_DASHED) {
@@ -96,7 +97,7 @@ static void draw_to(Piece *piece, Vec2 to) {
         stroke(piece);
 }
 
-/* Visits what the pen holds in the order in which it came. */
+/* Visits the held points of the pen in the order in which they came. */
 static void draw_held(Piece *piece) {
     PlotPen *pen = piece->pen;
     if (!pen->holds)
@@ -120,7 +121,7 @@ static void hold(PlotPen *pen, PlotHeld point) {
     pen->holds = true;
 }
 
-/* A line of one point is a dot. */
+/* Draws a line of one point as a dot. */
 static void draw_dot(Piece *piece) {
     if (piece->pen->dot && piece->pen->tail_count)
         draw_to(piece, piece->pen->tail[0].at);
@@ -190,7 +191,7 @@ static void path_symbol(cairo_t *cairo, Symbol symbol, Vec2 at, double half) {
     }
 }
 
-/* Takes a place for a symbol; false: it is taken already, or outside of the frame. */
+/* Reserves a place for a symbol; false if the place is taken or outside the frame. */
 static bool claim_place(PlotPen *pen, const Layout *sheet, Vec2 at, double size) {
     Box frame = box_expand(sheet->frame, size);
     Vec2 extent = vec2_sub(frame.high, frame.low);
@@ -207,7 +208,7 @@ static bool claim_place(PlotPen *pen, const Layout *sheet, Vec2 at, double size)
     return free;
 }
 
-/* Their path, filled or as outlines. */
+/* Paints the path of the symbols, filled or as outlines. */
 static void finish_symbols(cairo_t *cairo, const PlotSeries *series) {
     if (series->open) {
         paint_cairo_line(cairo, LINE_SOLID, OPEN_WIDTH);

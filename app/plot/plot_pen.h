@@ -1,7 +1,6 @@
-/* Draws a series bit by bit, as it comes. Of the many points that a narrow strip of the page may hold one after the
- * other, the line visits the first, the least, the greatest and the last: what is drawn is the same, and no extreme is
- * lost; of symbols at the same place one is drawn. Drawn in one go or in pieces, a line is the same line, its dashes
- * too. */
+/* Draws a series bit by bit as its points come. If a narrow strip of the page holds many consecutive points, the line
+ * visits the first, the least, the greatest and the last: the drawing is the same, and no extreme is lost; of symbols
+ * at the same place one is drawn. A line drawn in pieces is the same as a line drawn at once, including its dashes. */
 #pragma once
 
 #include "plot/plot_layout.h"
@@ -16,33 +15,34 @@ typedef struct PlotHeld {
 
 enum { PLOT_PEN_TAIL = 24 /* points: where a line of noise crosses itself within its width */ };
 
-/* A point of the line that has been drawn. */
+/* A point of the line that is drawn already. */
 typedef struct PlotDrawn {
     Vec2 at;          /* design points */
-    double travelled; /* design points, the line's length up to it: where in its dashes it is */
+    double travelled; /* design points, the length of the line up to it: its phase in the dashes */
 } PlotDrawn;
 
 typedef struct PlotPen {
-    double grain;                  /* design points, the width of a strip, and of a place for a symbol */
-    size_t next;                   /* the first value that it has not seen */
+    double grain;                  /* design points, the width of a strip, and of a symbol's place */
+    size_t next;                   /* the first value that was not visited yet */
     PlotDrawn tail[PLOT_PEN_TAIL]; /* (tail_count) the end of the line; none: the next point begins one */
     size_t tail_count;
-    bool dot;     /* the line has one point so far */
-    double strip; /* in which it ends, in grains */
+    bool dot;     /* the line has only one point so far */
+    double strip; /* that holds the end of the line, in grains */
     bool holds;
     PlotHeld least, greatest, last; /* not drawn yet, in the same strip */
-    unsigned char *taken;           /* a bit for each place of the page: has it a symbol? NULL: none has */
+    unsigned char *taken;           /* a bit for each place of the page, set if it has a symbol; NULL: none has */
 } PlotPen;
 
-/* A strip is half a pixel of the context wide. plot_pen_clear releases what drawing makes it keep. */
+/* Makes a pen with strips half a pixel of the context wide. plot_pen_clear releases the memory that drawing allocates.
+ */
 PlotPen plot_pen_make(struct _cairo *cairo);
 void plot_pen_clear(PlotPen *pen);
 
-/* One of the series' signs alone, not too small to be told. */
+/* Draws a single symbol of the series, large enough to be recognised. */
 void plot_pen_mark(struct _cairo *cairo, const PlotSeries *series, Vec2 at, Theme theme);
 
-/* Draws the first `count` points, or what has been added to them since, and all that it holds when that is the whole
- * series. The end of what was drawn is drawn again, so that within the new piece the line crosses itself as it does in
- * the whole. Returns the part of the page that may have changed, in design points. */
+/* Draws the first `count` points, or those added since the last call, and the held points if that completes the
+ * series. The end of the earlier line is drawn again, so that the line crosses itself within the new piece as it does
+ * in the whole. Returns the part of the page that may have changed, in design points. */
 Box plot_pen_draw(PlotPen *pen, struct _cairo *cairo, const PlotLayout *layout, const PlotSeries *series, size_t count,
                   Theme theme);

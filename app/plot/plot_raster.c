@@ -9,17 +9,17 @@
 /* Design points. */
 #define PATTERN_GAP 8.0
 #define PATTERN_WIDTH 1.0
-#define EDGE_WIDTH 1.0 /* round the key's colours */
+#define EDGE_WIDTH 1.0 /* around the colours of the key */
 
 #define PATTERN_OPACITY 0.55
 
-enum { SHADES = 64 /* levels of a quantity: finer than the eye tells, few enough for a small file */ };
+enum { SHADES = 64 /* levels of a quantity: finer than the eye distinguishes, few enough for a small file */ };
 
 static void use_colour(cairo_t *cairo, Colour colour) {
     cairo_set_source_rgb(cairo, colour.red, colour.green, colour.blue);
 }
 
-/* Corner by corner: a width would be rounded, and leave seams between neighbours. */
+/* Adds a cell corner by corner: a rounded width would leave seams between neighbours. */
 static void path_box(cairo_t *cairo, Box box) {
     cairo_move_to(cairo, box.low.x, box.low.y);
     cairo_line_to(cairo, box.high.x, box.low.y);
@@ -28,7 +28,7 @@ static void path_box(cairo_t *cairo, Box box) {
     cairo_close_path(cairo);
 }
 
-/* The class of a cell, or the level of its quantity; -1: it is empty. */
+/* Returns the class of a cell, or the level of its quantity; -1 if the cell is empty. */
 static int cell_level(const PlotLayout *layout, const PlotRaster *raster, double value) {
     if (raster->classes)
         return value >= 0 && value < (double)raster->class_count ? (int)value : -1;
@@ -36,7 +36,7 @@ static int cell_level(const PlotLayout *layout, const PlotRaster *raster, double
     return isfinite(part) ? (int)real_clamp(part * SHADES, 0, SHADES - 1) : -1;
 }
 
-/* Where cells from column `from` up to `to` of a row are. */
+/* Returns the box of the cells of a row from column `from` up to `to`. */
 static Box cells_box(const PlotLayout *layout, const PlotRaster *raster, size_t row, size_t from, size_t to) {
     Vec2 low = raster->box.low;
     double width = box_width(raster->box) / (double)raster->columns;
@@ -46,7 +46,7 @@ static Box cells_box(const PlotLayout *layout, const PlotRaster *raster, size_t 
     return (Box){{first.x, last.y}, {last.x, first.y}};
 }
 
-/* A path of all cells of a level: those beside each other in one piece. */
+/* Makes a path of all cells of a level; neighbours in a row are one piece. */
 static void path_level(cairo_t *cairo, const PlotLayout *layout, const PlotRaster *raster, int level) {
     for (size_t row = 0; row < raster->rows; row++) {
         const double *values = raster->values + row * raster->columns;
@@ -86,7 +86,7 @@ static void path_pattern(cairo_t *cairo, Box box, PlotPattern pattern) {
         path_straight(cairo, box, pattern == PLOT_PATTERN_UPRIGHT);
 }
 
-/* Fills the path with the colour and the pattern of a class, and forgets it. */
+/* Fills the path with the colour and pattern of a class, and clears the path. */
 static void fill_class(cairo_t *cairo, const PlotClass *filled, Box box, Theme theme) {
     Colour ground = palette_colour(theme, filled->role), ink = palette_ink_on(ground);
     cairo_save(cairo);
@@ -109,7 +109,7 @@ static void paint_cells(cairo_t *cairo, const PlotLayout *layout, const PlotRast
     cairo_save(cairo);
     path_box(cairo, frame);
     cairo_clip(cairo);
-    cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE); /* no seams between cells */
+    cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE); /* avoids seams between cells */
     for (int level = 0; level < levels; level++) {
         path_level(cairo, layout, raster, level);
         if (raster->classes) {

@@ -1,4 +1,4 @@
-/* Cells of a raster, and their key, in colours and patterns. */
+/* Paints the cells of a raster, and its key, in colours and patterns. */
 #pragma once
 
 #include "plot/plot_layout.h"

@@ -7,17 +7,17 @@
 
 #include "base/vec2.h"
 
-#define LARGEST 1e100     /* beyond it, and nearer to nought than its inverse, powers of ten would overflow */
+#define LARGEST 1e100     /* powers of ten beyond it, or nearer to 0 than its inverse, would overflow */
 #define FINEST 1e-6       /* of the values: a smaller span is rounding */
-#define NEARLY 1e-9       /* of a step: an end this far beyond a tick is on it */
-#define PLAIN_LARGEST 1e5 /* what labels show without a power of ten, */
+#define NEARLY 1e-9       /* of a step: an end at most this far beyond a tick is on the tick */
+#define PLAIN_LARGEST 1e5 /* the largest and smallest order that labels show without a power of ten: */
 #define PLAIN_LEAST 1e-3  /* five digits before the point or four behind it */
-#define LONGEST_COUNT 4   /* digits that are read without a gap */
+#define LONGEST_COUNT 4   /* digits that are legible without a gap */
 
 #define THIN_SPACE "\u2009"
 #define MINUS "\u2212"
 
-/* multiple x 10^exponent without a rounding more than needed. */
+/* Returns multiple x 10^exponent with the least rounding. */
 static double decimal(double multiple, int exponent) {
     return exponent < 0 ? multiple / pow(10, -exponent) : multiple * pow(10, exponent);
 }
@@ -43,7 +43,7 @@ static void make_range(double *low, double *high) {
     }
 }
 
-/* The ticks of a range with a step of multiple x 10^exponent. */
+/* Returns the ticks of a range with a step of multiple x 10^exponent. */
 static PlotTicks with_step(double low, double high, int multiple, int exponent, bool widened) {
     PlotTicks ticks = {.low = low, .high = high, .multiple = multiple, .exponent = exponent};
     double step = decimal(multiple, exponent);
@@ -56,7 +56,7 @@ static PlotTicks with_step(double low, double high, int multiple, int exponent, 
     return ticks;
 }
 
-/* The multiple of 3 below a number's order, when it has too many digits before or behind the point. */
+/* Returns the multiple of 3 below the order of a number that has too many digits before or behind the point. */
 static int label_power(double largest) {
     if (largest >= PLAIN_LEAST && largest < PLAIN_LARGEST)
         return 0;
@@ -78,7 +78,7 @@ PlotTicks plot_ticks_make(double low, double high, int most, bool widened) {
     return ticks;
 }
 
-/* The tick of a logarithmic axis, counted from that at 1. */
+/* Returns a tick of a logarithmic axis, counted from the tick at 1. */
 static double logarithmic_at(int multiple, double tick) {
     static const double mantissas[] = {1, 2, 5};
     if (multiple)
@@ -87,7 +87,7 @@ static double logarithmic_at(int multiple, double tick) {
     return decimal(mantissas[(int)(tick - 3 * decade)], (int)decade);
 }
 
-/* Steps of `multiple` decades. */
+/* Returns ticks in steps of `multiple` decades. */
 static PlotTicks with_decades(double low, double high, int multiple, bool widened) {
     PlotTicks ticks = {.low = low, .high = high, .multiple = multiple, .logarithmic = true};
     double slack = 1 + NEARLY, per_decade = multiple ? 1.0 / multiple : 3;
@@ -136,7 +136,7 @@ double plot_ticks_at(const PlotTicks *ticks, int index) {
     return decimal((ticks->first + index) * ticks->multiple, ticks->exponent);
 }
 
-/* "10" with the power raised behind it. */
+/* Prints "10" with the power raised behind it. */
 static void raised_power(int power, char text[PLOT_TICKS_LABEL]) {
     static const char *const raised[] = {"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074",
                                          "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};

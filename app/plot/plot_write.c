@@ -13,7 +13,7 @@ static double picture_unit(int width, int height) {
     return fmax(1, 2 * layout_unit(width, height));
 }
 
-/* A plot in its colours, for cairo_file_write. */
+/* A plot and its theme, for cairo_file_write. */
 typedef struct Picture {
     const Plot *plot;
     Theme theme;
@@ -29,13 +29,13 @@ int plot_write_picture(CairoFileKind kind, const Plot *plot, const char *path, i
                             &(Picture){plot, theme});
 }
 
-/* Characters within a quoted field; a quote is doubled. */
+/* Adds characters within a quoted field; doubles a quote. */
 static void add_quoted(Text *text, const char *characters) {
     for (; characters && *characters; characters++)
         text_add(text, *characters == '"' ? "\"\"" : (char[]){*characters, 0});
 }
 
-/* The parts of a field, quoted when something in them would end it. */
+/* Adds the parts of a field, quoted if a character in them would end the field. */
 static void add_field(Text *text, const char *const *parts, size_t count) {
     bool quoted = false;
     for (size_t i = 0; i < count; i++)
@@ -59,7 +59,7 @@ static void add_number(Text *text, double value) {
 /* A column of the table. */
 typedef struct Column {
     const char *name;     /* or NULL */
-    const PlotAxis *axis; /* of a class: its title alone is the heading */
+    const PlotAxis *axis; /* of a class: the heading is its title alone */
     const double *values; /* (count x stride) */
     size_t count, stride;
     const PlotClass *classes; /* (class_count) or NULL: numbers */
@@ -77,7 +77,7 @@ static void add_column(Table *table, const char *name, const PlotAxis *axis, con
     table->columns[table->count++] = (Column){name, axis, values, count, stride ? stride : 1, NULL, 0};
 }
 
-/* The middles of the cells, and what they hold. */
+/* Adds the middles of the cells, and their values. */
 static void add_raster(Table *table, const Plot *plot) {
     const PlotRaster *raster = plot->raster;
     size_t count = raster->columns * raster->rows;
@@ -109,7 +109,7 @@ static void add_area(Table *table, const Plot *plot, const PlotArea *area) {
     add_column(table, joined(table, name, "to"), &plot->y, area->high, area->count, 1);
 }
 
-/* What the plot shows, in columns. */
+/* Returns the content of the plot in columns. */
 static void make_table(Table *table, const Plot *plot) {
     size_t most = 2 * plot->series_count + 3 * plot->area_count + 3;
     table->columns = arena_allocate(&table->arena, most * sizeof *table->columns);
@@ -126,7 +126,7 @@ static void make_table(Table *table, const Plot *plot) {
     }
 }
 
-/* "name axis [unit]". */
+/* Prints "name axis [unit]". */
 static void add_heading(Text *text, const Column *column) {
     const PlotAxis *axis = column->axis;
     const char *name = column->name;
