@@ -35,7 +35,7 @@ static const char *plain(Document *document, const char *text) {
     return copy;
 }
 
-/* Does a unit begin here, and nothing longer? */
+/* True if the text begins with a unit and nothing longer. */
 static bool is_unit(const char *text) {
     static const char *const units[] = {"s", "m", "N", "kg", "%"};
     for (size_t u = 0; u < sizeof units / sizeof *units; u++) {
@@ -46,7 +46,7 @@ static bool is_unit(const char *text) {
     return false;
 }
 
-/* Plain words, in which no line is broken between a number and its unit. */
+/* Returns plain text without a line break between a number and its unit. */
 static const char *prose(Document *document, const char *text) {
     const char *label = plain(document, text);
     char *copy = arena_allocate(&document->arena, 2 * strlen(label) + 1), *to = copy;

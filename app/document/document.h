@@ -1,8 +1,8 @@
-/* A page to be read and handed on, as data: headings, paragraphs, tables and pictures in reading order. Whoever has
- * something to report makes one; html.h and pdf.h write it. It knows neither houses nor files.
+/* A page as data: headings, paragraphs, tables and pictures in reading order. A report is built as a document; html.h
+ * and pdf.h write it. A document knows neither houses nor files.
  *
- * All texts are copied and made plain: what is no UTF-8 or no character is replaced, so that every writer may rely on
- * it; in all but commands, no line is broken between a number and its unit. */
+ * All texts are copied and made plain: invalid UTF-8 and codes that are not characters are replaced, so that every
+ * writer can rely on valid text; except in commands, no line is broken between a number and its unit. */
 #pragma once
 
 #include <stdbool.h>
@@ -19,8 +19,8 @@ typedef enum BlockKind {
     BLOCK_HEADING,
     BLOCK_CONTENTS, /* links to the headings of the second level */
     BLOCK_PARAGRAPH,
-    BLOCK_NOTE,    /* what must not be overlooked */
-    BLOCK_COMMAND, /* what is typed, line by line */
+    BLOCK_NOTE,    /* a caveat that must be noticed */
+    BLOCK_COMMAND, /* a command line, line by line */
     BLOCK_TABLE,
     BLOCK_FIGURES, /* pictures side by side */
 } BlockKind;
@@ -40,16 +40,16 @@ typedef struct Table {
     size_t row_count, capacity;
 } Table;
 
-/* Paints a picture of a size in design points from the origin of the context on, whose unit is the design point. */
+/* Paints a picture of a size in design points from the origin of the context, whose unit is the design point. */
 typedef void DocumentPaint(const void *context, struct _cairo *cairo, Vec2 size, Theme theme);
 
 typedef struct Picture {
     DocumentPaint *paint;
     void *context;
     void (*release)(void *context); /* or NULL */
-    Vec2 size;                      /* design points: its shape, and how large its letters are to it */
+    Vec2 size;                      /* design points: its shape, and the scale of its text */
     const char *caption;            /* or NULL */
-    const char *alternative;        /* what it shows, for those who do not see it */
+    const char *alternative;        /* describes the picture to readers who cannot see it */
 } Picture;
 
 typedef struct Block {
@@ -61,10 +61,10 @@ typedef struct Block {
     size_t picture_count, picture_capacity;
 } Block;
 
-/* document_begin makes an empty one; document_clear releases it and what its pictures hold. */
+/* document_begin makes an empty document; document_clear releases it and the contexts of its pictures. */
 typedef struct Document {
     const char *title;   /* of the window, and of the file's properties */
-    const char *subject; /* what this is: the line above the title, and at the foot of every page */
+    const char *subject; /* the kind of document: the line above the title, and at the foot of every page */
     const char *creator; /* the program and its version */
     Block *blocks;       /* (count) */
     size_t count, capacity;
@@ -74,10 +74,10 @@ typedef struct Document {
 Document document_begin(const char *creator);
 void document_clear(Document *document);
 
-/* A text made as by printf, plain, as long as the document lives. */
+/* Returns a plain text formatted as by printf; it lives as long as the document. */
 const char *document_text(Document *document, const char *format, ...) __attribute__((format(printf, 2, 3), nonnull));
 
-/* The heading of the first level, once, with the subject above it. */
+/* Adds the heading of the first level, once, with the subject above it. */
 void document_add_title(Document *document, const char *subject, const char *title);
 void document_add_heading(Document *document, int level, const char *text);
 void document_add_contents(Document *document);
@@ -85,14 +85,14 @@ void document_add_paragraph(Document *document, const char *text);
 void document_add_note(Document *document, const char *text);
 void document_add_command(Document *document, const char *text);
 
-/* A table, to which rows of as many cells as it has columns are then added. A cell that is NULL is "-". */
+/* Adds a table; rows of as many cells as it has columns are added next. A NULL cell is printed as "-". */
 void document_add_table(Document *document, const char *caption, const Column *columns, size_t count);
 void document_add_row(Document *document, const char *const *cells);
 
-/* A row of pictures, to which pictures are then added. Those of one size are as large as each other on the page. */
+/* Adds a row of pictures; pictures are added next. Pictures of one size have the same size on the page. */
 void document_add_figures(Document *document);
 Picture *document_add_picture(Document *document, DocumentPaint *paint, void *context, Vec2 size, const char *caption,
                               const char *alternative);
 
-/* Takes the scene over and leaves an empty one. */
+/* Takes over the content of the scene, which is empty afterwards. */
 void document_add_scene(Document *document, Scene *scene, Vec2 size, const char *caption, const char *alternative);

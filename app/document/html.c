@@ -5,9 +5,9 @@
 #include "base/text.h"
 #include "document/picture.h"
 
-#define POINTS_A_REM 16.4 /* design points: letters of pictures are as large as those around them */
+#define POINTS_A_REM 16.4 /* design points: makes the text of pictures as large as the text around them */
 
-/* Sizes follow the reader's own letters, so that 200 % is as good as 100 %. */
+/* Sizes follow the reader's own text size, so that 200 % works as well as 100 %. */
 static const char style[] =
     "*{box-sizing:border-box}\n"
     "html{font-size:112.5%}\n"
@@ -119,7 +119,7 @@ static void add_row(Text *text, const Table *table, const char *const *cells) {
     text_add(text, "</tr>\n");
 }
 
-/* A table that is wider than the window is moved in its own box, by the keyboard, too. */
+/* A table wider than the window scrolls in its own box, also by the keyboard. */
 static void add_table(Text *text, const Table *table) {
     text_add(text, "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"");
     add_element(text, "", table->caption ? table->caption : table->columns[0].head, "\"><table>\n");

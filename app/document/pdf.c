@@ -17,11 +17,11 @@
 #define PICTURE_GAP 14.0
 #define CAPTION_GAP 4.0
 #define CAPTION_HIGHEST 200.0
-#define FIGURES_HIGHEST 560.0 /* of the pictures alone: heading and caption have room beside them */
+#define FIGURES_HIGHEST 560.0 /* of the pictures alone: heading and caption have room next to them */
 #define ENTRY_GAP 14.0
 #define ANNOUNCEMENT_HIGHEST 60.0
 
-#define PICTURE_SCALE 0.47 /* pt a design point at most: the smallest letters are as large as those of the text */
+#define PICTURE_SCALE 0.47 /* pt per design point, at most: the smallest text is as large as the page's */
 #define PICTURE_EDGE 0.5
 
 static const TextStyle BODY = {9.4, 1.3, false, false, ROLE_TEXT};
@@ -33,7 +33,7 @@ static const TextStyle HEADINGS[] = {
     {0}, {20, 1.15, true, false, ROLE_TEXT}, {14, 1.15, true, false, ROLE_TEXT}, {10.5, 1.15, true, false, ROLE_TEXT}};
 static const double ABOVE_HEADING[] = {0, 0, 22, 14}, BELOW_HEADING[] = {0, 8, 6, 3};
 
-/* Where headings are: known when all pages have been counted. */
+/* Where the headings are: known once all pages are counted. */
 typedef struct Press {
     const Document *document;
     Sheet sheet;
@@ -55,7 +55,7 @@ static double height_of(const char *text, TextStyle style) {
 
 /* Figures -----------------------------------------------------------------------------------------------------------*/
 
-/* pt a design point, of all pictures of a row. */
+/* Returns the pt per design point of all pictures of a row. */
 static double figures_scale(const Block *block) {
     double width = 0, height = 0, gaps = PICTURE_GAP * (double)(block->picture_count - 1);
     for (size_t p = 0; p < block->picture_count; p++) {
@@ -145,7 +145,7 @@ static void set_panel(Sheet *sheet, const char *text, TextStyle style,
     g_object_unref(layout);
 }
 
-/* One after the other, in as many lines as it takes: "Dangerous points 3". */
+/* Sets the entries one after the other, in as many lines as needed: "Dangerous points 3". */
 static void set_contents(Press *press) {
     Sheet *sheet = &press->sheet;
     double x = SHEET_LEFT, height = 0;
@@ -179,7 +179,7 @@ static void set_contents(Press *press) {
 
 static double least_height(const Document *document, size_t index);
 
-/* A short paragraph announces the table or the pictures below it, a long one may be broken. */
+/* True if a paragraph is short: it then announces the table or the pictures below it and must stay with them. */
 static double paragraph_least(const Document *document, size_t index) {
     double height = height_of(document->blocks[index].text, BODY);
     bool announces = index + 1 < document->count && (document->blocks[index + 1].kind == BLOCK_TABLE ||
@@ -190,7 +190,7 @@ static double paragraph_least(const Document *document, size_t index) {
     return height + least_height(document, index + 1);
 }
 
-/* pt, of a block from `index` on that must stand together: a heading does with what it heads. */
+/* Returns the height, pt, of the blocks from `index` that must stand together: a heading stays with the next block. */
 static double least_height(const Document *document, size_t index) {
     if (index >= document->count)
         return 0;
@@ -312,7 +312,7 @@ static cairo_status_t store_bytes(void *context, const unsigned char *data, unsi
     return CAIRO_STATUS_SUCCESS;
 }
 
-/* The first time pages are counted and headings found, the second time they are painted. */
+/* The first pass counts pages and finds headings, the second one paints. */
 static int paint_pages(Bytes *bytes, const Document *document, time_t created) {
     Press press = {.document = document, .page_of = memory_zeroed(document->count, sizeof *press.page_of)};
     set_all(&press);

@@ -1,10 +1,11 @@
-/* A document as PDF: A4, pictures in vectors, words that can be searched, headings as bookmarks, and tags that say what
- * is a heading, a table or a picture. The same document and time give the same bytes. */
+/* A document as PDF: A4, pictures in vectors, searchable text, headings as bookmarks, and tags for headings, tables
+ * and pictures. The same document and time give the same bytes. */
 #pragma once
 
 #include <time.h>
 
 #include "document/document.h"
 
-/* Writes beside `path` and renames; `created` stands in the file's properties. 0, or errno. */
+/* Writes to a temporary file, then renames it to `path`; `created` is stored in the file's properties. Returns 0, or
+ * errno. */
 int pdf_write(const Document *document, const char *path, time_t created);

@@ -5,10 +5,10 @@
 
 #define CELL_GAP 9.0     /* pt, between columns */
 #define SHORT 62.0       /* pt, of a column */
-#define CELL_PAD 2.6     /* pt, above and below words */
-#define STRETCH_MOST 1.7 /* 1, of columns that need less than the page has */
+#define CELL_PAD 2.6     /* pt, above and below a text */
+#define STRETCH_MOST 1.7 /* 1, the largest factor by which columns that all fit are widened */
 #define CAPTION_GAP 4.0
-#define CELL_HIGHEST 500.0 /* pt: a cell that is higher is cut */
+#define CELL_HIGHEST 500.0 /* pt: a higher cell is cut */
 
 static const TextStyle CAPTION = {8.3, 1.15, false, false, ROLE_DIM_TEXT};
 static const TextStyle HEAD = {8.1, 1.1, true, false, ROLE_TEXT};
@@ -21,7 +21,7 @@ typedef struct Setting {
     double width;   /* pt, of the whole */
 } Setting;
 
-/* The width of words on one line, or of the longest of them. */
+/* Returns the width of a text on one line, or of its longest word. */
 static double natural_width(const char *text, TextStyle style, bool longest_word) {
     PangoLayout *layout = sheet_text(text, style, longest_word ? 0 : SHEET_WIDTH, ALIGN_LEFT, 0);
     if (longest_word)
@@ -36,7 +36,7 @@ static const char *cell_text(const Table *table, size_t row, size_t column) {
     return table->cells[row * table->column_count + column];
 }
 
-/* How wide a column must be for its longest word, and for the longest of its cells on one line. */
+/* Finds the width that a column needs for its longest word, and for its longest cell on one line. */
 static void measure_column(const Table *table, size_t column, double *least, double *most) {
     *least = natural_width(table->columns[column].head, HEAD, true);
     *most = natural_width(table->columns[column].head, HEAD, false);
@@ -46,7 +46,7 @@ static void measure_column(const Table *table, size_t column, double *least, dou
     }
 }
 
-/* Cells of short columns are not broken, unless there are too many of them. */
+/* Keeps the cells of short columns on one line, unless there are too many of these columns. */
 static void protect_short(double *least, const double *most, size_t count, double room) {
     double sum = 0;
     for (size_t c = 0; c < count; c++)
@@ -55,7 +55,7 @@ static void protect_short(double *least, const double *most, size_t count, doubl
         least[c] = most[c] < SHORT ? most[c] : least[c];
 }
 
-/* Where all fit, what is left is shared by need, so far that the eye still follows a row; where not, each has its
+/* If all columns fit, shares the rest by need, so far that the eye still follows a row; otherwise gives each its
  * longest word and a share of the rest. */
 static void set_columns(Setting *setting) {
     const Table *table = setting->table;
@@ -86,7 +86,7 @@ static PangoLayout *cell_layout(const Setting *setting, const char *text, size_t
     return sheet_text(text, style, setting->widths[column], setting->table->columns[column].align, CELL_HIGHEST);
 }
 
-/* A row of the table, or SIZE_MAX: its head. */
+/* Sets a row of the table; SIZE_MAX: its head. */
 static const char *text_at(const Table *table, size_t row, size_t column) {
     return row == SIZE_MAX ? table->columns[column].head : cell_text(table, row, column);
 }

@@ -2,11 +2,11 @@
 
 #include "paint/cairo_file.h"
 
-#define PNG_SCALE 2.0 /* pixels a design point: sharp also where letters are shown at 200 % */
+#define PNG_SCALE 2.0 /* pixels per design point: sharp also at 200 % */
 
-enum { LARGEST_SVG = 1 << 20 /* bytes: many thousand lines, which a browser draws anew at every scroll */ };
+enum { LARGEST_SVG = 1 << 20 /* bytes, thousands of lines: a browser redraws larger files slowly at every scroll */ };
 
-/* A picture in its colours, for cairo_file_bytes. */
+/* A picture and its theme, for cairo_file_bytes. */
 typedef struct Painting {
     const Picture *picture;
     Theme theme;

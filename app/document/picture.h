@@ -9,6 +9,6 @@ typedef struct PictureFile {
     size_t size;
 } PictureFile;
 
-/* As SVG or, where that would be larger than is good for whoever opens it, as PNG. picture_clear releases it. */
+/* Makes an SVG or, where an SVG would be too large for a browser, a PNG. picture_clear releases it. */
 PictureFile picture_file(const Picture *picture, Theme theme);
 void picture_clear(PictureFile *file);

@@ -60,7 +60,7 @@ void sheet_gap(Sheet *sheet, double height) {
 
 PangoLayout *sheet_text(const char *text, TextStyle style, double width, Align align, double height) {
     PangoLayout *layout = text_layout(style.size, style.bold, style.typed);
-    PangoAttrList *attributes = pango_attr_list_new(); /* who reads a page aloud stumbles over ligatures */
+    PangoAttrList *attributes = pango_attr_list_new(); /* ligatures confuse screen readers */
     pango_attr_list_insert(attributes, pango_attr_font_features_new("liga 0, clig 0"));
     pango_layout_set_attributes(layout, attributes);
     pango_attr_list_unref(attributes);
@@ -91,7 +91,7 @@ void sheet_show(const Sheet *sheet, PangoLayout *text, TextStyle style, double x
     cairo_new_path(sheet->cairo);
 }
 
-/* How many lines from `first` on fit on the page, and how high they are. */
+/* Returns how many lines from `first` fit on the page, and their height. */
 static int lines_that_fit(const Sheet *sheet, PangoLayout *text, int first, double *height) {
     int count = pango_layout_get_line_count(text), fit = 0;
     *height = 0;
