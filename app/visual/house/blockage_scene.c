@@ -13,11 +13,11 @@
 #define TEXT_SIZE 17.0
 
 #define BODY_OPACITY 0.15
-#define KEEP_BODY 4.0 /* how much labels avoid them */
+#define KEEP_BODY 4.0 /* weight against being covered by labels */
 #define KEEP_SIGN 6.0
 
 #define CROSS_HALF 0.12 /* m */
-#define AHEAD 0.10      /* m, from the body to the dimension before it */
+#define AHEAD 0.10      /* m, from the body to the dimension in front of it */
 
 bool blockage_scene_has(const PersonObservation *observed) {
     return observed->took_part && !observed->completed && *observed->blockage.what &&
@@ -30,7 +30,7 @@ const char *blockage_scene_widths(Scene *scene, const Blockage *blockage) {
     return scene_text(scene, "%s", widths);
 }
 
-/* The door that a name like "door d2" means, or NULL. */
+/* Returns the door that a text like "door d2" names, or NULL. */
 static const Door *named_door(const Plan *plan, const char *what) {
     for (size_t i = 0; i < plan->door_count; i++) {
         char name[sizeof((Blockage *)0)->what];
@@ -41,7 +41,7 @@ static const Door *named_door(const Plan *plan, const char *what) {
     return NULL;
 }
 
-/* How somebody who does not pass would stand there: across the door's line, otherwise on the way from the start. */
+/* Returns the pose of a person who cannot pass: across the door's line, otherwise on the route from the start. */
 static Pose pose_before(const Plan *plan, const Inhabitant *person, const Blockage *blockage) {
     Vec2 way = vec2_sub(blockage->at, person->at);
     const Door *door = named_door(plan, blockage->what);
@@ -72,7 +72,7 @@ static void add_cross(Scene *scene, Vec2 at) {
     }
 }
 
-/* The door's width, clear of the body that stands in it. */
+/* Returns the door's width that is free of the body in it. */
 static void add_width(Scene *scene, const Plan *plan, const Door *door, const Profile *profile, double heading) {
     Vec2 from, to, ahead = vec2_scale(vec2_heading(heading), profile->length / 2 + AHEAD);
     plan_geometry_door_ends(plan, door, &from, &to);

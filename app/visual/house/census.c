@@ -7,8 +7,8 @@
 
 #include "base/memory.h"
 
-#define TOGETHER 1.5 /* m: who is stopped so near to others is stopped by the same thing */
-#define ALIKE 0.005  /* m: widths that are told alike */
+#define TOGETHER 1.5 /* m: people stopped within this distance of each other count as stopped by the same cause */
+#define ALIKE 0.005  /* m: widths that differ by less are printed alike */
 
 enum { REASONS_SHOWN = 3 };
 
@@ -20,7 +20,7 @@ const char *census_party_name(const House *house, const Party *party) {
     return party->crowd ? party->crowd->id : party->people == 1 ? house->people[party->first].id : "single people";
 }
 
-/* Is this "<crowd>-<number>", the number one of its members'? Nobody else has such a name. */
+/* True if the name is "<crowd>-<number>" with the number of a member; only members have such names. */
 static bool is_member(const Crowd *crowd, const char *id) {
     size_t length = strlen(crowd->id);
     if (strncmp(id, crowd->id, length) != 0 || id[length] != '-')
@@ -31,7 +31,7 @@ static bool is_member(const Crowd *crowd, const char *id) {
     return atoi(digits) <= crowd->count;
 }
 
-/* People are sorted by name, so that the crowd of the one before is the best guess. */
+/* Finds a person's crowd. People are sorted by name, so the crowd of the person before is the best guess. */
 static const Crowd *crowd_of(const Plan *plan, const char *id, const Crowd *guess) {
     if (guess && is_member(guess, id))
         return guess;
@@ -86,7 +86,7 @@ static int severity(const char *what) {
     return strncmp(what, "door ", 5) == 0 ? 2 : strncmp(what, "person ", 7) != 0;
 }
 
-/* Are these two the same? A narrow place is told by its widths, a jam by where it is. */
+/* True if two holds are the same: narrow places are compared by widths, jams by place. */
 static bool holds_agree(const Hold *a, const Hold *b) {
     if (a->reason != b->reason)
         return false;
@@ -114,7 +114,7 @@ static size_t find_hold(const Census *census, const Hold *hold) {
     return h;
 }
 
-/* A hold that has grown may meet others in turn. */
+/* Joins holds: one that has grown may agree with others in turn. */
 static void add_hold(Census *census, Hold hold) {
     for (size_t h; (h = find_hold(census, &hold)) < census->hold_count;) {
         Hold joined = census->holds[h];

@@ -8,9 +8,9 @@
 #define WALKER_WIDTH 1.5
 #define CHAIR_WIDTH 2.5
 #define CHAIR_EDGE 1.2
-#define CHAIR_LEAST 12.0   /* shown length of a chair at least */
-#define CHAIR_LARGE 28.0   /* from here on there is room for its arrow */
-#define DIAMOND_LEAST 2.0  /* half, of many who are not out, at least */
+#define CHAIR_LEAST 12.0   /* shown length of a chair, at least */
+#define CHAIR_LARGE 28.0   /* from this length on an arrow has room */
+#define DIAMOND_LEAST 2.0  /* half, of many people who are not out, at least */
 #define DIAMOND_SINGLE 6.0 /* half, of few */
 #define DOT_LARGEST 8.0    /* radius */
 #define TEXT_SIZE 17.0
@@ -20,30 +20,31 @@
 #define OPACITY_FALL 0.35 /* exponent: ten times as many loci are each 2.2 times fainter */
 #define STUCK_OPACITY 0.85
 
-#define KEEP_STUCK 0.2 /* how much labels avoid them */
+#define KEEP_STUCK 0.2 /* weight against being covered by labels */
 #define KEEP_CHAIR 2.0
 #define KEEP_LOCUS 0.3
 
-/* A walker's locus has a point each 0.3 m at most, all loci together so many: more neither eye nor file needs. */
+/* A walker's locus has a point every 0.3 m at most, all loci together at most this number: neither eye nor file needs
+ * more. */
 #define STEP_LEAST 0.3
 #define POINTS_MOST 60000.0
 
 #define CHAIR_LONG 1.1 /* m, about */
 #define CHAIR_HIGH 0.9 /* m, in the raised view */
 
-/* Design points that a plan has on the page, about: what is smaller than the eye sees is drawn larger. */
+/* Approximate design points of a plan on the page: signs too small to see are drawn larger. */
 #define PLAN_WIDTH 880.0
 #define PLAN_HEIGHT 560.0
 
 enum {
-    FEW = 20,         /* loci do not hide each other yet */
+    FEW = 20,         /* too few loci to hide each other */
     DISC_POINTS = 24, /* of a start */
-    DOT_POINTS = 6,   /* of one of many, where it is some pixels large */
+    DOT_POINTS = 6,   /* of one of many, drawn some pixels large */
     DOTS_FROM = 500,  /* people */
-    STUCK_FEW = 100,  /* signs of so many who are not out are larger than their bodies */
+    STUCK_FEW = 100,  /* from this number on the signs of people who are not out are larger than their bodies */
 };
 
-/* How long a design point is on the plan of what is in a box, m. */
+/* Returns the length of a design point on the plan of a box, m. */
 static double design_point(Box box) {
     Vec2 size = vec2_sub(box.high, box.low);
     return fmax(size.x / PLAN_WIDTH, size.y / PLAN_HEIGHT);
@@ -86,7 +87,7 @@ void crowd_scene_answer(Scene *scene, const House *house, const Observation *obs
     size_t stuck = census->people - census->out;
     if (stuck) {
         char why[512];
-        census_reasons(house, census, census->hold_count == 1, why, sizeof why); /* more would not fit in */
+        census_reasons(house, census, census->hold_count == 1, why, sizeof why); /* longer texts would not fit */
         scene->title_role = ROLE_ERROR;
         scene->title = scene_text(scene, "%zu of %zu not out", stuck, census->people);
         scene->detail = census->out ? scene_text(scene, "%s; the others in %.1f s", why, census->last)
@@ -102,7 +103,7 @@ void crowd_scene_answer(Scene *scene, const House *house, const Observation *obs
 
 /* Ways --------------------------------------------------------------------------------------------------------------*/
 
-/* Points of a trail that are at least `step` apart, and its end; returns how many. */
+/* Lists points of a trail at least `step` apart, and its end; returns their number. */
 static size_t thin_trail(const Trail *trail, double step, Vec2 *points) {
     size_t count = 0;
     for (size_t i = 0; i < trail->count; i++) {
@@ -137,7 +138,7 @@ static void add_walkers_loci(Scene *scene, const House *house, const Observation
             add_locus(scene, &trails[i], crowd_scene_look(house, house->people[i].profile), step, opacity);
 }
 
-/* Many small figures of one look, as one primitive. */
+/* Adds many small figures of one look as one primitive. */
 typedef struct Figures {
     Vec2 *points;
     size_t *starts;
@@ -154,7 +155,7 @@ static void add_figure(Figures *figures, const Vec2 *points, size_t count) {
     figures->starts[++figures->count] = begin + count;
 }
 
-/* A regular polygon round a point: many corners are a disc, four a diamond. */
+/* Adds a regular polygon round a point: many corners make a disc, four a diamond. */
 static void add_polygon(Figures *figures, Vec2 at, double radius, size_t corners) {
     Vec2 points[DISC_POINTS];
     for (size_t i = 0; i < corners; i++)
@@ -223,7 +224,7 @@ static void add_chairs(Scene *scene, const House *house, const Observation *obse
     }
 }
 
-/* A diamond where each of those ended who are not out, on foot or in chairs; a chair keeps its shape round it. */
+/* Adds a diamond at the end of each person who is not out, on foot or in a chair; a chair keeps its shape round it. */
 static void add_stuck(Scene *scene, const House *house, const Observation *observation, const Census *census,
                       const Trail *trails, bool on_foot) {
     size_t stuck = census->people - census->out;
@@ -282,7 +283,7 @@ void crowd_scene_labels(Scene *scene, const Observation *observation, const Cens
     people_scene_hazards(scene, observation);
 }
 
-/* What there is of one profile. */
+/* The primitives of one profile. */
 static Party sum_profile(const Census *census, const Profile *profile) {
     Party sum = {.profile = profile};
     for (size_t p = 0; p < census->party_count; p++) {

@@ -10,8 +10,8 @@
 #include "visual/house/route_scene.h"
 
 /* Design points. */
-#define WAY_WIDTH 44.0 /* about a chair's, where a house fills a screen */
-#define KEEP_WAY 2.0   /* how much labels avoid it */
+#define WAY_WIDTH 44.0 /* about a chair's width, where a house fills a screen */
+#define KEEP_WAY 2.0   /* weight against being covered by labels */
 
 #define STEP_MANY 0.3 /* m, from point to point of a locus among many */
 #define ROUNDING 1e-6 /* samples: times of the record are sums of steps */
@@ -40,7 +40,7 @@ static Vec2 row_place(const double *row) {
 
 /* What stays --------------------------------------------------------------------------------------------------------*/
 
-/* Do people of more than one route take part? */
+/* True if people of more than one route take part. */
 static bool has_several_routes(const Film *film) {
     const PlanRoute *first = NULL;
     bool several = false;
@@ -52,7 +52,7 @@ static bool has_several_routes(const Film *film) {
     return several;
 }
 
-/* Where people will go, with their feet before them, labels would hide them: marked, not seen. */
+/* Marks the future routes of the people, including their feet, against being covered by labels; draws nothing. */
 static void mark_routes(Film *film) {
     for (size_t i = 0; i < film->house->person_count; i++) {
         const Trail *trail = &film->trails[i];
@@ -78,7 +78,7 @@ static bool is_falling(const Film *film, const char *id) {
     return false;
 }
 
-/* The house without the furniture that is drawn with what moves: its places are kept. */
+/* Returns the house without the furniture that the moving layer draws; labels avoid the places of that furniture. */
 static House without_falling(Film *film) {
     House rest = *film->house;
     if (!film->options.falling_count)
@@ -96,7 +96,7 @@ static House without_falling(Film *film) {
     return rest;
 }
 
-/* The bodies that do not pass, and how much is missing. */
+/* Adds the bodies that do not pass, and the missing widths. */
 static void add_blockages(Film *film) {
     const Observation *observation = film->observation;
     for (size_t i = 0; i < film->house->person_count && !film->crowd; i++)
@@ -166,7 +166,7 @@ Film *film_create(const House *house, const Observation *observation, const Film
     return film;
 }
 
-/* Of somebody, from nothing. */
+/* Starts the progress of a person. */
 static void begin_progress(Film *film, size_t i) {
     const Trail *trail = &film->trails[i];
     film->progress[i] = (Progress){.begun = trail->count};
@@ -222,8 +222,8 @@ const Scene *film_moving(const Film *film) {
 
 /* What comes and stays ----------------------------------------------------------------------------------------------*/
 
-/* The locus from the last row that has been added to the last one up to `time`; of many people only when that is some
- * way on. */
+/* Extends the locus from the last added row to the last row up to `time`; among many people only once that is
+ * STEP_MANY long. */
 static void add_locus(Film *film, size_t i, LocusLook look, double time) {
     const Trail *trail = &film->trails[i];
     Progress *progress = &film->progress[i];
@@ -243,7 +243,7 @@ static void add_locus(Film *film, size_t i, LocusLook look, double time) {
     progress->row = last;
 }
 
-/* Bodies at regular times where there is room between them. */
+/* Adds bodies at regular times where they have room. */
 static void add_bodies(Film *film, size_t i, Role role, double time) {
     const Trail *trail = &film->trails[i];
     const Profile *profile = film->house->people[i].profile;
@@ -259,7 +259,7 @@ static void add_bodies(Film *film, size_t i, Role role, double time) {
     }
 }
 
-/* What has come of a person after `before` s, up to `time`. */
+/* Adds a person's locus, bodies and ticks after `before` s, up to `time`. */
 static void add_way(Film *film, size_t i, double before, double time) {
     LocusLook look = film_layers_look(film, i);
     if (!film->crowd && !film_layers_walks(film, i))
@@ -269,8 +269,8 @@ static void add_way(Film *film, size_t i, double before, double time) {
         people_scene_ticks(&film->added, &film->trails[i], look.role, before, time);
 }
 
-/* All that has come since the last time, sample by sample, so that in the end it does not matter at which times the
- * film was looked at. */
+/* Adds everything since the last time, sample by sample, so that the result does not depend on the times at which the
+ * film was shown. */
 static void add_ways(Film *film) {
     double sample = film->observation->sample;
     double until = film->time < film->observation->time ? film->time : film->observation->time + sample;
@@ -282,7 +282,7 @@ static void add_ways(Film *film) {
     }
 }
 
-/* From nothing. */
+/* Restarts the progress of all people. */
 static void begin_again(Film *film) {
     film->samples = 0;
     for (size_t i = 0; i < film->house->person_count; i++)

@@ -1,6 +1,6 @@
-/* An observation as a moving picture, in three layers: what stays (the plan, the answer, the dangerous points), what
- * comes and stays (loci, the bodies that have been somewhere), and what moves. Any time of the run can be shown, in any
- * order; shown in rising order, each time adds only what is new. */
+/* An observation as a moving picture, in three layers: the fixed part (the plan, the answer, the dangerous points),
+ * the growing part (loci, bodies left along them) and the moving part. Any time of the run can be shown, in any order;
+ * shown in rising order, each time adds only the new part. */
 #pragma once
 
 #include "draw/scene.h"
@@ -8,23 +8,24 @@
 #include "visual/house/house_scene.h"
 #include "visual/house/trail.h"
 
-/* What is shown on demand. */
+/* Shown on request. */
 enum {
     FILM_CIRCLES = 1, /* discs that cover the chairs */
-    FILM_ROUTES = 2,  /* the planned ways */
-    FILM_WIDTHS = 4,  /* W1 and W2, the widths before and behind each corner of a way */
+    FILM_ROUTES = 2,  /* the planned routes */
+    FILM_WIDTHS = 4,  /* W1 and W2, the widths before and behind each corner of a route */
 };
 
-/* "circles,routes" and so on as FILM_... added up; -1: *unknown is where a word begins that is none. */
+/* Returns the sum of the FILM_... that a text like "circles,routes" names; -1 on an unknown name, at which *unknown
+ * then points. */
 int film_shown(const char *text, const char **unknown);
 
 #define FILM_SHOWN_NAMES "circles,routes,widths"
 
-/* What is shown unless it is hidden. */
+/* Shown unless hidden. */
 enum {
     FILM_RINGS = 1,  /* personal spaces */
-    FILM_LOCI = 2,   /* ways so far, and the bodies left on them */
-    FILM_GHOST = 4,  /* what was before */
+    FILM_LOCI = 2,   /* loci so far, and the bodies left on them */
+    FILM_GHOST = 4,  /* the comparison */
     FILM_DANGER = 8, /* discs of dangerous points */
     FILM_GRID = 16,
     FILM_NAMES = 32,  /* of people, furniture, rooms and doors */
@@ -34,46 +35,48 @@ enum {
 typedef struct FilmOptions {
     Camera camera;
     bool bare;     /* the house alone, without answer and list */
-    int panels;    /* places for plots beside the plan, in place of the list */
-    int shown;     /* FILM_CIRCLES and so on, added up */
-    int hidden;    /* FILM_RINGS and so on, added up */
-    Before before; /* whose loci are shown as "before" */
-    bool live;     /* for a window: bodies are left as often however long the run becomes, and whoever was before is
-                      seen moving, too */
-    bool ahead;    /* the whole loci, thin, also before anybody has driven them */
-    const House *observed; /* whose observation it is, when that is another plan with the same people and exits; NULL:
-                              the same */
-    const Trail *trails;   /* (person_count) of the observation, where somebody else lists them; otherwise NULL */
-    const Scene *ways;     /* what route_scene_add makes, to be shown with the plan; or NULL */
-    const FurnitureFall *falling; /* (falling_count) furniture on its way, by its id; each frame it is as it is then */
+    int panels;    /* places for plots next to the plan, instead of the list */
+    int shown;     /* sum of FILM_CIRCLES and so on */
+    int hidden;    /* sum of FILM_RINGS and so on */
+    Before before; /* the comparison, whose loci are shown as "before" */
+    bool live;  /* for a window: the interval between bodies does not depend on the length of the run, and the people of
+                   the comparison move, too */
+    bool ahead; /* the whole loci, thin, also before they are driven */
+    const House *observed; /* the house of the observation, if that is another plan with the same people and exits;
+                              NULL: the same house */
+    const Trail *trails;   /* (person_count) of the observation, if the caller has them already; otherwise NULL */
+    const Scene *ways;     /* the result of route_scene_add, shown with the plan; or NULL */
+    const FurnitureFall
+        *falling; /* (falling_count) falling furniture, by id; drawn in its present state in each frame */
     size_t falling_count;
-    Box box; /* m, what must be seen; without a width: the plan and all ways */
+    Box box; /* m, must be visible; without a width: the plan and all loci */
 } FilmOptions;
 
 typedef struct Film Film;
 
-/* House and observation must outlive it. film_destroy releases it. */
+/* Makes a film; house and observation must outlive it. film_destroy releases it. */
 Film *film_create(const House *house, const Observation *observation, const FilmOptions *options);
 void film_destroy(Film *film);
 
-/* The observation has more rows, and `trails` hold them: those it had are the same. */
+/* Announces that the observation and `trails` have more rows; the earlier rows must be unchanged. */
 void film_extend(Film *film);
 
-/* From another place, but in the same kind of view; nothing is made anew. */
+/* Moves the camera within the same kind of view; remakes nothing. */
 void film_look(Film *film, Camera camera);
 
-/* The next film_show begins from nothing: film_added then holds all. */
+/* Makes the next film_show start from nothing: film_added then holds all. */
 void film_restart(Film *film);
 
-/* The layer that stays. */
+/* Returns the fixed layer. */
 const Scene *film_still(const Film *film);
 
-/* Moves to a time, s. False: back in time, what has been added must be forgotten; film_added then holds all. */
+/* Moves to a time, s. False: the time lies before the last one, the caller must clear what was added, and film_added
+ * holds all. */
 bool film_show(Film *film, double time);
 
-/* Would film_show change nothing? */
+/* True if film_show would change nothing. */
 bool film_is_unchanged(const Film *film, double time);
 
-/* What has come since the last film_show, and what is there only now; good until the next. */
+/* Returns what the last film_show has added, and the moving layer; valid until the next film_show. */
 const Scene *film_added(const Film *film);
 const Scene *film_moving(const Film *film);

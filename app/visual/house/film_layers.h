@@ -1,4 +1,4 @@
-/* What a film consists of: for the files that make its layers. */
+/* The parts of a film, for the files that make its layers. */
 #pragma once
 
 #include "visual/house/census.h"
@@ -7,13 +7,13 @@
 #include "visual/house/space_scene.h"
 #include "visual/house/trail.h"
 
-/* How far a person's way has been added. */
+/* How far a person's locus has been added. */
 typedef struct Progress {
-    bool begun;     /* somebody who has rows */
+    bool begun;     /* true if the person has rows */
     size_t row;     /* of the trail, the last one added */
     double length;  /* m, of the locus */
-    double body;    /* s, when the next body is left behind */
-    Pose last_body; /* the last one left */
+    double body;    /* s, of the next body */
+    Pose last_body; /* the last body added */
 } Progress;
 
 struct Film {
@@ -21,20 +21,20 @@ struct Film {
     const Observation *observation;
     FilmOptions options;
     const Trail *trails;   /* (person_count) */
-    Trail *listed;         /* the same, when they are its own */
-    Trail *ghosts;         /* (people of the one before) whose bodies are shown; NULL: none are */
+    Trail *listed;         /* the same, if the film owns them */
+    Trail *ghosts;         /* (people of the comparison) whose bodies are shown; NULL: none are */
     Progress *progress;    /* (person_count) */
-    Standing *standing;    /* (person_count) room for who is there */
+    Standing *standing;    /* (person_count) room for the visible people */
     Pose *poses;           /* (person_count) room for walkers of one profile */
-    bool *door_open;       /* (doors of the plan) at the time that is shown */
-    double *door_opened;   /* (doors) s, when; infinite: never */
-    size_t *door_observed; /* (doors) where it is among those of the observation; SIZE_MAX: nowhere */
+    bool *door_open;       /* (doors of the plan) at the displayed time */
+    double *door_opened;   /* (doors) s, opening time; infinite: never */
+    size_t *door_observed; /* (doors) index among the doors of the observation; SIZE_MAX: not there */
     bool crowd;
     bool several;   /* people of more than one route take part */
-    bool small;     /* a house so large that chairs are signs rather than likenesses */
-    double time;    /* s, shown last; -1: none */
-    bool extended;  /* since then */
-    size_t samples; /* of the record, that have been added */
+    bool small;     /* the house is so large that chairs are signs rather than likenesses */
+    double time;    /* s, displayed last; -1: none */
+    bool extended;  /* film_extend was called since then */
+    size_t samples; /* of the record, added so far */
     Scene still, added, moving;
 };
 

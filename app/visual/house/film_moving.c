@@ -11,12 +11,13 @@
 #define ID_TEXT 15.0
 #define GHOST_EDGE 2.5
 
-#define ID_BESIDE 0.62   /* m, up the plan, of the name from a body's middle */
+#define ID_BESIDE 0.62   /* m, up the plan, from the middle of a body to its name */
 #define ID_HEIGHT 1.45   /* m, in the raised view */
-#define STAY 1.0         /* s: who is out is seen so much longer */
-#define CONTACT_STAY 0.4 /* s, that a touch is seen */
+#define STAY 1.0         /* s, for which people who are out stay visible */
+#define CONTACT_STAY 0.4 /* s, for which a touch stays visible */
 
-/* The star of a contact: its radius, m, at this force, N; it grows with the root of the force, up to this, m. */
+/* The star of a contact: its radius, m, at CONTACT_FORCE, N; it grows with the root of the force up to CONTACT_MOST,
+ * m. */
 #define CONTACT_RADIUS 0.10
 #define CONTACT_FORCE 100.0
 #define CONTACT_MOST 0.25
@@ -24,7 +25,7 @@
 
 #define SPACE_OPACITY 0.13
 
-/* Is the person still, or again, to be seen? The last one out stays: a film ends with somebody in the picture. */
+/* True if the person is visible. The last person out stays: a film ends with a person in the picture. */
 static bool is_there(const Film *film, size_t i) {
     const PersonObservation *observed = &film->observation->people[i];
     if (!observed->took_part || !film->trails[i].count)
@@ -33,7 +34,7 @@ static bool is_there(const Film *film, size_t i) {
     return !observed->completed || last || film->time <= observed->time + (film->crowd ? 0 : STAY);
 }
 
-/* Whoever runs alone: by route. */
+/* Returns a person's group; if people run alone, one group per route. */
 static size_t group_of(const Film *film, size_t i) {
     const Plan *plan = &film->house->plan;
     const PlanRoute *route = film->house->people[i].route;
@@ -103,7 +104,7 @@ static void add_star(Scene *scene, Vec2 at, double force) {
     star->base = CONTACT_HEIGHT;
 }
 
-/* The hardest touch of a person within the last moments; its force stands outside the body. */
+/* Adds the hardest touch of a person within CONTACT_STAY; its force stands outside the body. */
 static void add_contact(Film *film, const Standing *standing) {
     const double *hardest = trail_hardest(&film->trails[standing->person], film->time - CONTACT_STAY, film->time);
     if (!hardest)
@@ -135,14 +136,14 @@ static void add_name(Film *film, const Standing *standing) {
     tag->fixed = tag->bold = true;
 }
 
-/* Of a crowd: how many have left by each exit so far. */
+/* Adds how many people of a crowd have left by each exit so far. */
 static void add_exits(Film *film) {
     const Plan *plan = &film->house->plan;
     size_t *left = memory_zeroed(plan->exit_count, sizeof *left);
     for (size_t i = 0; i < film->house->person_count; i++) {
         const PersonObservation *person = &film->observation->people[i];
         bool out = person->took_part && person->completed && person->time <= film->time;
-        if (out && person->exit < plan->exit_count) /* else by one that is there no more */
+        if (out && person->exit < plan->exit_count) /* otherwise by an exit that no longer exists */
             left[person->exit]++;
     }
     for (size_t e = 0; e < plan->exit_count; e++) {
@@ -152,7 +153,7 @@ static void add_exits(Film *film) {
     memory_free(left);
 }
 
-/* Whoever is shown as a ghost, at the same time. */
+/* Adds the people of the comparison at the same time. */
 static void add_ghosts(Film *film) {
     const Before *before = &film->options.before;
     for (size_t i = 0; film->ghosts && i < before->observation->person_count; i++) {
@@ -193,6 +194,6 @@ void film_moving_make(Film *film) {
         add_exits(film);
     bool alone = film->house->plan.run.routes == ROUTES_ALONE && film->several;
     if (film->options.live)
-        return; /* a window has a clock of its own */
+        return; /* a window has its own clock */
     scene->clock = scene_text(scene, alone ? "%.1f s of separate runs, one over the other" : "%.1f s", film->time);
 }

@@ -1,4 +1,4 @@
-/* A piece of furniture on its way from standing to lying, or back: only before the eye, in a plan it stands or lies.
+/* A piece of furniture while it falls or is set up again: for display only; in a plan a piece stands or lies.
  *
  * It turns about the lower edge of the face to which it falls. Seen from above, its shadow beyond that edge grows with
  * constant acceleration, to share s of its height after sqrt(s) of the time; it leans by arcsin(s) then:
@@ -16,27 +16,27 @@
 
 #include "plan/plan.h"
 
-#define FURNITURE_FALL_SECONDS 0.6 /* that it takes */
-#define FURNITURE_FALL_SPREAD 0.4  /* s, within which pieces begin in a shake */
+#define FURNITURE_FALL_SECONDS 0.6 /* that a fall takes */
+#define FURNITURE_FALL_SPREAD 0.4  /* s, within which pieces begin to fall in a shake */
 
 typedef struct FurnitureFall {
-    Furniture piece; /* as it will be: lying, or upright */
-    double delay;    /* s, until it begins */
-    double way;      /* 0: it stands, to 1: it lies */
+    Furniture piece; /* the final state: lying, or upright */
+    double delay;    /* s, until the fall begins */
+    double way;      /* 0: standing, to 1: lying */
 } FurnitureFall;
 
-/* Moves it on by so many s. */
+/* Advances the fall by this time, s. */
 void furniture_fall_move(FurnitureFall *fall, double seconds);
 bool furniture_fall_is_over(const FurnitureFall *fall);
 double furniture_fall_share(const FurnitureFall *fall);
 
-/* What a piece covers and how high it is, m, at a share: those of a piece that stands at 0, that lies at 1. */
+/* Returns the area that a piece covers and its height, m, at a share: 0 standing, 1 lying. */
 void furniture_fall_corners(const Furniture *piece, double share, Vec2 corners[4]);
 double furniture_fall_height(const Furniture *piece, double share);
 
-/* The leaning piece, cut level at a height, m, below that: from where to where it is, m beyond the edge about which it
- * turns; negative: over where it stood. */
+/* Returns the range, m beyond the edge about which it turns, that the leaning piece covers at a height below its own;
+ * negative: over its standing place. */
 void furniture_fall_cut(const Furniture *piece, double share, double height, double *from, double *to);
 
-/* s, until a piece begins in the shake of a seed: bound to its id, as the draw is. */
+/* Returns the time, s, until a piece begins to fall in the shake of a seed: bound to the piece's id, as the draw is. */
 double furniture_fall_delay(uint64_t seed, const char *id);

@@ -4,7 +4,7 @@
 
 #include "visual/house/census.h"
 
-/* "p1 is blocked at door d2 after 18.4 s" */
+/* Prints "p1 is blocked at door d2 after 18.4 s". */
 static void format_stuck(const House *house, const Observation *observation, size_t i, char *text, size_t size) {
     const PersonObservation *person = &observation->people[i];
     const Blockage *blockage = &person->blockage;

@@ -1,4 +1,4 @@
-/* What is said of a house in the same words wherever it is said: on the terminal, in a report. */
+/* The headline of a run, the same on the terminal and in a report. */
 #pragma once
 
 #include "house/house.h"
@@ -6,5 +6,5 @@
 
 enum { HEADLINE_TEXT = 1024 /* room for a headline */ };
 
-/* "Out in 18.4 s" or what stands against it. */
+/* Prints "Out in 18.4 s", or why people are not out. */
 void headline_text(const House *house, const Observation *observation, char *text, size_t size);

@@ -9,13 +9,13 @@
 
 /* Design points. */
 #define LINE_WIDTH 3.0
-#define THIN_WIDTH 1.6 /* of whoever has somebody else's colour and dashes, of personal spaces, of what was before */
+#define THIN_WIDTH 1.6 /* of people whose colour and dashes repeat, of personal spaces, of the comparison */
 
-#define WARNING_SHOWN 0.5 /* 1, of the warning: a lower peak would be a line at the bottom, were the warning shown */
+#define WARNING_SHOWN 0.5 /* 1, of the warning level: a lower peak would be flattened by the warning */
 
-enum { LOOKS = 4 /* that people_scene_nth_look tells apart */, FEW = 2 /* people: personal spaces have lines too */ };
+enum { LOOKS = 4 /* that people_scene_nth_look distinguishes */, FEW = 2 /* people: personal spaces have lines too */ };
 
-/* Somebody who is shown, and their rows. */
+/* A displayed person, and the rows. */
 typedef struct Subject {
     size_t person; /* index into House.people */
     const char *name;
@@ -28,9 +28,9 @@ typedef struct Subjects {
     const House *house;
     const Observation *observation;
     Subject list[PEOPLE_SCENE_INDIVIDUALS]; /* (count) */
-    size_t count, people;                   /* shown, and who took part */
-    bool alone;                             /* one was asked for */
-    const char *name;                       /* for them, when they are what was before */
+    size_t count, people;                   /* shown, and taking part */
+    bool alone;                             /* one person was requested */
+    const char *name;                       /* of the comparison */
 } Subjects;
 
 typedef struct HousePlot {
@@ -44,13 +44,13 @@ static void add_guide(Plot *plot, PlotGuide guide) {
     plot->guides[plot->guide_count++] = guide;
 }
 
-/* Part of every plot. */
+/* The part that all plots share. */
 static void add_nought(Plot *plot, const Subjects *subjects) {
     (void)subjects;
     add_guide(plot, (PlotGuide){.at = 0, .role = ROLE_ROOM, .style = LINE_SOLID});
 }
 
-/* Where there are no more of them than a look tells apart. */
+/* True if there are at most as many as looks. */
 static void add_speed_guides(Plot *plot, const Subjects *subjects) {
     for (size_t i = 0; i < subjects->count; i++) {
         double speed = subjects->house->people[subjects->list[i].person].speed;
@@ -112,7 +112,7 @@ static void add_subject(Subjects *subjects, const Trail *trail, size_t person, A
     subjects->list[subjects->count++] = (Subject){.person = person, .rows = rows, .count = trail->count};
 }
 
-/* By route where each is on another one, as the plan has it; otherwise by person. */
+/* Returns the look: by route where each person is on another one, as in the plan; otherwise by person. */
 static void name_subjects(Subjects *subjects) {
     const House *house = subjects->house;
     bool by_route = true;
@@ -131,7 +131,7 @@ static void name_subjects(Subjects *subjects) {
     }
 }
 
-/* The people of a run, chairs before walkers, or one of them, each with a copy of their rows. */
+/* Returns the people of a run, chairs before walkers, or one of them, each with a copy of the rows. */
 static Subjects make_subjects(const House *house, const Observation *observation, const Trail *trails, size_t person,
                               Arena *arena) {
     Subjects subjects = {.house = house, .observation = observation, .alone = person != SIZE_MAX};
@@ -159,7 +159,7 @@ static PlotSeries *add_series(Plot *plot, const HousePlot *definition, const Sub
     return series;
 }
 
-/* The same people as they were before, below the others; one name for all of them. */
+/* Adds the same people of the comparison below the others, under one name. */
 static void add_ghosts(Plot *plot, const HousePlot *definition, const Subjects *subjects, const Subjects *ghosts,
                        Arena *arena) {
     for (size_t g = 0; g < ghosts->count; g++)
@@ -202,7 +202,7 @@ static Plot make_plot(const HousePlot *definition, const Subjects *subjects, con
     return plot;
 }
 
-/* Who has the same name in what was before; SIZE_MAX: nobody, or everybody is meant. */
+/* Returns the person of the same name in the comparison; SIZE_MAX: none, or all people are requested. */
 static size_t like_before(const House *house, Before before, size_t person) {
     for (size_t i = 0; person != SIZE_MAX && i < before.house->person_count; i++)
         if (strcmp(before.house->people[i].id, house->people[person].id) == 0)

@@ -1,5 +1,5 @@
-/* What a run shows as curves: plots by name, made from the columns of the trace, one series a person who took part. Of
- * many people the first chairs are shown. A second observation may be shown behind them, as what was before. */
+/* The curves of a run: plots by name, made from the columns of the trace, one series per person who took part. Of many
+ * people the first chairs are shown. A second observation may be shown behind them for comparison. */
 #pragma once
 
 #include "plot/plot.h"
@@ -12,27 +12,27 @@ enum { HOUSE_PLOTS_KNOWN = 5 /* plots */ };
 
 #define HOUSE_PLOTS_NAMES "speed,clearance,force,ring,phase"
 
-/* "speed,clearance" as a choice, see plot_choice.h. */
+/* Reads "speed,clearance" as a choice, see plot_choice.h. */
 bool house_plots_choose(PlotChoice *choice, const char *text, char fault[PLOT_CHOICE_FAULT]);
 
-/* "speed", "clearance" and so on. */
+/* Returns "speed", "clearance" and so on. */
 const char *house_plots_name(size_t index);
 
 typedef struct HousePlots {
     PlotChoice choice;
     Plot plots[HOUSE_PLOTS_KNOWN]; /* (choice.count) */
-    Arena arena;                   /* holds all they show */
+    Arena arena;                   /* holds the data of the plots */
 } HousePlots;
 
-/* The chosen plots; the house and, if there is one, the ghost of it must outlive them, the observations need not.
- * `ghost_house` and `ghost` are NULL when nothing was before. house_plots_free releases them. */
+/* Makes the chosen plots; the house and the house of the comparison must outlive them, the observations need not.
+ * `ghost_house` and `ghost` are NULL without a comparison. house_plots_free releases the plots. */
 HousePlots house_plots_make(const House *house, const Observation *observation, const House *ghost_house,
                             const Observation *ghost, const PlotChoice *choice);
-/* The same of one person (index into House.people; SIZE_MAX: of all) and with what was before under its own word. The
- * trails are the observation's. */
+/* Does the same for one person (index into House.people; SIZE_MAX: all) and with the comparison under its own name.
+ * The trails are those of the observation. */
 HousePlots house_plots_make_of(const House *house, const Observation *observation, const Trail *trails, Before before,
                                size_t person, const PlotChoice *choice);
 void house_plots_free(HousePlots *plots);
 
-/* How many points of a series of a plot (index into `plots`) lie at or before a time, s. */
+/* Returns how many points of a series of a plot (index into `plots`) lie at or before a time, s. */
 size_t house_plots_until(const HousePlots *plots, size_t plot, size_t series, double time);

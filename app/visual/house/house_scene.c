@@ -11,7 +11,7 @@
 #include "visual/house/plan_scene.h"
 #include "visual/house/headline.h"
 
-/* The word that a note holds when its plan was not measured: then it must be read wherever the plan is seen. */
+/* The word in the note of a plan that was not measured: such a note must be shown wherever the plan is. */
 static const char ASSUMED[] = "assumed";
 
 static bool is_crowd(const Census *census) {
@@ -30,7 +30,7 @@ bool house_scene_is_assumed(const Plan *plan) {
     return holds_word(plan->note, ASSUMED);
 }
 
-/* "cannot pass door d2", and so on: why somebody is not out. */
+/* Prints why a person is not out: "cannot pass door d2" and so on. */
 static const char *failure(Scene *scene, const Inhabitant *who, const PersonObservation *person) {
     const char *what = person->blockage.what;
     if (who->under)
@@ -57,7 +57,7 @@ static const char *capitalized(Scene *scene, const char *text) {
     return scene_text(scene, "%c%s", toupper((unsigned char)*text), text + (*text != 0));
 }
 
-/* "narrowest 0.06 m at door d2" and the contacts. */
+/* Prints "narrowest 0.06 m at door d2" and the contacts. */
 static const char *findings(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     size_t narrowest = people_scene_narrowest(house, observation);
     const char *contacts = "no contact";
@@ -78,7 +78,7 @@ static const char *findings(Scene *scene, const House *house, const Observation 
     return scene_text(scene, "narrowest %s at %s, %s", clearance, place, contacts);
 }
 
-/* Routes that are driven alone have no time in common: what they have is that they lead out. */
+/* Routes that are driven alone have no time in common, only that they lead out. */
 static void format_yes(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     scene->title_role = ROLE_TEXT;
     scene->detail = findings(scene, house, observation, census);
@@ -92,7 +92,7 @@ static void format_yes(Scene *scene, const House *house, const Observation *obse
     }
 }
 
-/* The first who is not out says why. */
+/* Names the reason of the first person who is not out. */
 static void format_no(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     const PersonObservation *person = &observation->people[census->stuck];
     const char *why = failure(scene, &house->people[census->stuck], person),
@@ -125,7 +125,7 @@ static void format_answer(Scene *scene, const House *house, const Observation *o
     }
 }
 
-/* How far people in a crowd stay away from something says nothing, and the names need the room. */
+/* Distances mean nothing in a crowd, and the names need the room. */
 static void list_hazards(Scene *scene, const House *house, const Observation *observation, bool crowd) {
     if (!observation->hazard_count)
         return;
@@ -184,7 +184,7 @@ static void list_key(Scene *scene, const House *house, const Observation *observ
     add_key(scene, "personal space, pressed", PEOPLE_SCENE_PRESSED);
 }
 
-/* The plan, and the bodies wherever they have been: out of the door, too. */
+/* Returns the box of the plan and of all bodies during the run, also outside the door. */
 static Box whole_box(const House *house, const Observation *observation) {
     Box box = house->outline.box;
     for (size_t i = 0; i < observation->trace.rows; i++) {
@@ -215,8 +215,8 @@ bool house_scene_add_answer(Scene *scene, const House *house, const Observation 
     return crowd;
 }
 
-/* All that belongs to the plan and to what came of it, without words around it; and what was before, or
- * NULL; with the names of rooms, doors and furniture or without. */
+/* Adds the plan and the results on it without texts around it, and the comparison or NULL; with or without the names
+ * of rooms, doors and furniture. */
 static void add_house(Scene *scene, const House *house, const Observation *observation, const Census *census,
                       const Observation *before, bool names) {
     bool crowd = is_crowd(census);
@@ -282,7 +282,7 @@ static bool is_elsewhere(const Primitive *primitive, Box box) {
     return !boxes_overlap(box_expand(box_of(primitive->points, primitive->count), primitive->radius), box);
 }
 
-/* Of many rings that unite, thousands of bodies or of places along a way, only those that are seen. */
+/* Keeps only the visible rings of a primitive that unites thousands of bodies or places along a route. */
 static void drop_rings(Scene *scene, Primitive *polygon, Box box) {
     Vec2 *points = arena_allocate(&scene->arena, polygon->count * sizeof *points);
     size_t *starts = arena_allocate(&scene->arena, (polygon->ring_count + 1) * sizeof *starts), kept = 0;

@@ -1,5 +1,5 @@
-/* The still picture of a house after a run: the answer in words, the plan, the ways, and the list beside them; or a
- * detail of it, without words around it. */
+/* The still picture of a house after a run: the answer, the plan, the loci, and the list next to them; or a detail of
+ * it without texts around it. */
 #pragma once
 
 #include "draw/scene.h"
@@ -7,38 +7,39 @@
 #include "visual/house/census.h"
 
 #define HOUSE_SCENE_GRID 1.0   /* m, between the faint lines of a plan */
-#define HOUSE_SCENE_MARGIN 0.4 /* m, round walls and ways: room for the exits' bands */
+#define HOUSE_SCENE_MARGIN 0.4 /* m, round walls and loci: room for the bands of the exits */
 
-/* Fills an empty scene; scene_clear releases it. House and observation belong together and may go before the scene. */
+/* Fills an empty scene; scene_clear releases it. House and observation belong together and need not outlive the scene.
+ */
 void house_scene_make(Scene *scene, const House *house, const Observation *observation);
 
-/* Does the plan's note say that it was assumed, not measured? */
+/* True if the note of the plan says that it was assumed, not measured. */
 bool house_scene_is_assumed(const Plan *plan);
 
-/* What was before, in this house or in another one; nothing when `observation` is NULL. */
+/* The comparison, of this house or of another one; none if `observation` is NULL. */
 typedef struct Before {
     const House *house;
     const Observation *observation;
-    const char *name; /* for it, where it is not "before"; or NULL */
+    const char *name; /* its name, if not "before"; or NULL */
 } Before;
 
 static inline const char *house_scene_before_name(Before before) {
     return before.name ? before.name : "before";
 }
 
-/* The same with what was before: its ways behind, its answer beside the own. */
+/* Does the same with a comparison: its loci behind, its answer next to that of the run. */
 void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation, Before before);
 
-/* The same for small pictures: no names but those of people, exits and places. */
+/* Does the same for small pictures: only people, exits and places are named. */
 void house_scene_make_small(Scene *scene, const House *house, const Observation *observation, Before before);
 
-/* Adds that answer to a scene that has been begun. */
+/* Adds the comparison's answer to a scene with an answer. */
 void house_scene_add_before(Scene *scene, Before before);
 
-/* The same as house_scene_make, of a part of the plan (m), without what lies elsewhere, and without answer and list. */
+/* Makes the scene of a part of the plan (m), clipped to it, and without answer and list. */
 void house_scene_make_detail(Scene *scene, const House *house, const Observation *observation, Box box);
 
-/* What stills and films have in common: the answer and the list beside it; and with them what has to be seen. Is it a
- * crowd? */
+/* Adds the part common to stills and films: the answer, the list next to the plan, and the box that must be visible.
+ * True if the people are a crowd. */
 bool house_scene_add_answer(Scene *scene, const House *house, const Observation *observation, const Census *census);
 bool house_scene_begin(Scene *scene, const House *house, const Observation *observation, const Census *census);

@@ -9,7 +9,7 @@
 
 /* Design points. */
 #define LOCUS_WIDTH 4.0
-#define AHEAD_WIDTH 1.5 /* design points, of what is still to come */
+#define AHEAD_WIDTH 1.5 /* design points, of the future locus */
 #define TICK_WIDTH 2.0
 #define TICK_SMALL 11.0
 #define TICK_LARGE 19.0
@@ -25,7 +25,7 @@
 #define GHOST_EDGE_OPACITY 0.55
 #define RING_OPACITY 0.75
 
-/* How much labels avoid them. */
+/* Weights against being covered by labels. */
 #define KEEP_LOCUS 1.5
 #define KEEP_START 4.0
 #define KEEP_GHOST 0.15
@@ -34,12 +34,12 @@
 
 #define NUMBER_SECONDS 5  /* ticks from number to number */
 #define GHOST_SECONDS 2.0 /* from body to body */
-#define GHOSTS_MOST 12    /* bodies on one way */
-#define TICK_APART 0.05   /* m: ticks of somebody who stands still are one */
-#define SWEPT_STEP 0.05   /* m, from hull to hull; the rounding of the corners hides the rest */
+#define GHOSTS_MOST 12    /* bodies on one locus */
+#define TICK_APART 0.05   /* m: ticks of a standing person count as one */
+#define SWEPT_STEP 0.05   /* m, from hull to hull; rounded corners hide the rest */
 #define SWEPT_TURN 0.05   /* rad */
 
-/* Scores, see hazard.h: 1 is no clearance left, or the threshold of force or lost time. */
+/* Scores, see hazard.h: 1 is zero clearance, or the threshold of force or lost time. */
 #define DANGER_MIDDLE 1.0
 #define DANGER_HIGH 3.0
 
@@ -60,11 +60,11 @@ LocusLook people_scene_look(const House *house, size_t person) {
 }
 
 const char *people_scene_clearance(Scene *scene, double clearance) {
-    const double fine = 0.1; /* m: below it millimetres are worth reading */
+    const double fine = 0.1; /* m: below it clearances are given in millimetres */
     if (clearance <= 0)
         return "touches";
     if (isinf(clearance))
-        return "-"; /* nobody was near to anything */
+        return "-"; /* nobody came near to anything */
     return scene_text(scene, clearance < fine ? "%.3f m" : "%.2f m", clearance);
 }
 
@@ -88,7 +88,7 @@ size_t people_scene_narrowest(const House *house, const Observation *observation
     return narrowest;
 }
 
-/* The union of the bodies along the way, as hulls of neighbours that overlap. */
+/* Adds the union of the bodies along the locus, as hulls of overlapping neighbours. */
 static void add_swept(Scene *scene, const Profile *profile, const Trail *trail, Role role) {
     Vec2 *points = memory_zeroed(trail->count * 2 * SILHOUETTE_POINTS, sizeof *points);
     size_t *starts = memory_zeroed(trail->count + 1, sizeof *starts), rings = 0;
@@ -129,7 +129,7 @@ void people_scene_dress_ring(Primitive *ring, bool pressed) {
     ring->width = look.width;
 }
 
-/* As walls and furniture press it in. */
+/* Adds the personal space as walls and furniture press it in. */
 static void add_ring(Scene *scene, const House *house, size_t person, Pose pose, Role role, bool compressed) {
     Standing standing = {.profile = house->people[person].profile, .pose = pose, .person = person};
     Primitive *ring = space_scene_add(scene, house, NULL, &standing, 1, 0);
@@ -149,8 +149,8 @@ double people_scene_interval(const Trail *trail, bool several) {
     return fmax(least, ceil(duration / (GHOSTS_MOST * GHOST_SECONDS)) * GHOST_SECONDS);
 }
 
-/* Bodies at regular times where there is room between them, every second one with its personal space; where several
- * ways overlap, fewer bodies and no personal space. */
+/* Adds bodies at regular times where they have room, every second one with its personal space; where several loci
+ * overlap, fewer bodies and no personal space. */
 static void add_bodies(Scene *scene, const House *house, size_t person, const Trail *trail, Role role, bool several) {
     const Profile *profile = house->people[person].profile;
     double interval = people_scene_interval(trail, several);
@@ -199,7 +199,7 @@ void people_scene_ahead(Scene *scene, const House *house, const Trail *trails) {
     }
 }
 
-/* The whole seconds at which somebody has moved on. */
+/* Adds ticks at the whole seconds at which a person has moved on. */
 typedef struct Tick {
     const Trail *trail;
     Pose pose;
@@ -234,7 +234,7 @@ void people_scene_ticks(Scene *scene, const Trail *trail, Role role, double from
     }
 }
 
-/* An arrow in the front half of a body, leaving the rear for the name. */
+/* Adds an arrow in the front half of a body, leaving the rear for the name. */
 static void add_arrow(Scene *scene, const Profile *profile, const Inhabitant *person) {
     Vec2 axis = vec2_heading(person->heading), middle = silhouette_middle(profile, person->at, person->heading);
     double half = 0.32 * profile->width, front = 0.40 * profile->length, back = 0.06 * profile->length;

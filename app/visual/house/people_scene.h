@@ -1,5 +1,5 @@
-/* The observed of a house with a few people as a scene: where they go and what that takes, the narrowest place, what
- * stops them, and the dangerous points. */
+/* The observation of a house with a few people as a scene: where they go and how long that takes, the narrowest place,
+ * what stops them, and the dangerous points. */
 #pragma once
 
 #include "draw/scene.h"
@@ -8,58 +8,59 @@
 
 enum {
     PEOPLE_SCENE_INDIVIDUALS = 6, /* more people are a crowd, see crowd_scene.h */
-    PEOPLE_SCENE_SEVERAL = 2,     /* more people share the corridors: fewer bodies, no personal spaces or seconds */
+    PEOPLE_SCENE_SEVERAL = 2,     /* more people share the corridors: fewer bodies, no personal spaces or ticks */
     PEOPLE_SCENE_HAZARDS = 5,     /* shown, of those that were found */
 };
 
 #define PEOPLE_SCENE_TICK 1.0        /* s, from tick to tick of a locus */
-#define PEOPLE_SCENE_APART 0.75      /* of a body's length: bodies nearer to one another are a blot */
-#define PEOPLE_SCENE_COMPRESSED 0.02 /* m: a personal space pressed less than this is at rest */
+#define PEOPLE_SCENE_APART 0.75      /* of a body's length: nearer bodies would merge into a blot */
+#define PEOPLE_SCENE_COMPRESSED 0.02 /* m: a personal space pressed less than this counts as at rest */
 
-/* How a person's locus looks: by route where there are routes, otherwise by person. */
+/* The look of a person's locus: by route where there are routes, otherwise by person. */
 typedef struct LocusLook {
     Role role;
     LineStyle style;
     double width; /* design points */
 } LocusLook;
 
-/* The edge of a personal space, at rest and pressed. */
+/* Sets the edge of a personal space, at rest or pressed. */
 extern const LocusLook PEOPLE_SCENE_SPACE, PEOPLE_SCENE_PRESSED;
 void people_scene_dress_ring(Primitive *ring, bool pressed);
 
 LocusLook people_scene_look(const House *house, size_t person);
 LocusLook people_scene_nth_look(size_t index);
 
-/* "0.26 m", "0.064 m" below a decimetre, or "touches" from nought down. */
+/* Prints "0.26 m", "0.064 m" below a decimetre, or "touches" from 0 down. */
 const char *people_scene_clearance(Scene *scene, double clearance);
 
 Role people_scene_danger(const Hazard *hazard);
 
-/* Who came nearest to something; SIZE_MAX when nothing came into anybody's personal space. */
+/* Returns the person with the least clearance; SIZE_MAX if nothing entered any personal space. */
 size_t people_scene_narrowest(const House *house, const Observation *observation);
 
-/* The body of somebody at the start, with an arrow where it is a chair. */
+/* Adds the body of a person at the start, with an arrow for a chair. */
 void people_scene_start(Scene *scene, const Inhabitant *person, Role role);
 
-/* A body that has been somewhere: faint. */
+/* Adds a past body: faint. */
 void people_scene_body(Scene *scene, const Profile *profile, Pose pose, Role role);
 
-/* From one body shown to the next, s: a multiple of 2 s that leaves the way to be seen; `several` ways overlap. */
+/* Returns the interval between shown bodies, s: a multiple of 2 s that leaves the locus visible; `several` loci
+ * overlap. */
 double people_scene_interval(const Trail *trail, bool several);
 double people_scene_least_interval(bool several);
 
-/* The loci of an observation that is not the one shown: dashed, with a word such as "before". */
+/* Adds the loci of a comparison: dashed, with a name such as "before". */
 void people_scene_ghost(Scene *scene, const Observation *before, const char *name);
 
-/* The whole loci (trails, a person each), thin: where everybody will have been. */
+/* Adds the whole future loci (one trail per person), thin. */
 void people_scene_ahead(Scene *scene, const House *house, const Trail *trails);
 
-/* The ticks of a locus after `from` s and up to `to` s. */
+/* Adds the ticks of a locus after `from` s and up to `to` s. */
 void people_scene_ticks(Scene *scene, const Trail *trail, Role role, double from, double to);
 
-/* The discs of the worst dangerous points. */
+/* Adds the discs of the worst dangerous points. */
 void people_scene_hazards(Scene *scene, const Observation *observation);
 
-/* In painting order; the labels of the second belong behind all other primitives. */
+/* In painting order; the labels of the second function must be added behind all other primitives. */
 void people_scene_ways(Scene *scene, const House *house, const Observation *observation);
 void people_scene_labels(Scene *scene, const House *house, const Observation *observation);

@@ -3,11 +3,11 @@
 #include "visual/house/house_scene.h"
 #include "visual/house/plan_scene.h"
 
-#define PERSON 0.35        /* m, radius of somebody at the start */
+#define PERSON 0.35        /* m, radius of a person at the start */
 #define TEXT_SIZE 12.0     /* design points */
 #define CROWD_OPACITY 0.12 /* of each crowd: several may stand in one place */
 
-/* Everybody where they begin; of a crowd, where it is. */
+/* Adds all people where they begin, and the areas of crowds. */
 static void add_people(Scene *scene, const Plan *plan) {
     for (size_t i = 0; i < plan->crowd_count; i++) {
         const Points *area = &plan->crowds[i].area;

@@ -18,23 +18,23 @@
 #define ROOM_TEXT 18.0
 #define DOOR_TEXT 15.0
 
-/* How much labels avoid them. */
+/* Weights against being covered by labels. */
 #define KEEP_WALL 1.0
 #define KEEP_FURNITURE 0.4
 #define KEEP_DOOR 1.0
 #define KEEP_EXIT 3.0
 
-#define CROSS_HALF 0.11 /* m, of the x on a locked door: within a wall's depth of the opening */
+#define CROSS_HALF 0.11 /* m, of the x on a locked door: within the depth of the wall around the opening */
 
-#define LEAF_SECONDS 0.8 /* that a leaf moves, of the time that a door takes to be opened */
+#define LEAF_SECONDS 0.8 /* share of a door's opening time during which the leaf moves */
 
 enum {
     ARC_PIECES = 16, /* of a quarter circle */
-    RASTER = 24,     /* points each way that are tried for a room's middle */
-    SLICES = 48,     /* of a piece that leans */
+    RASTER = 24,     /* points per side that are tried for the middle of a room */
+    SLICES = 48,     /* of a leaning piece */
 };
 
-/* Walls from so high up to less than `high`, shown as high as `shown`, m. */
+/* Adds walls from height `low` up to less than `high`, shown as high as `shown`, m. */
 static void add_walls_between(Scene *scene, const Plan *plan, double low, double high, double shown) {
     Rings rings;
     if (outline_walls(plan, low, high, &rings) && rings.count) {
@@ -46,7 +46,7 @@ static void add_walls_between(Scene *scene, const Plan *plan, double low, double
     outline_free_rings(&rings);
 }
 
-/* The least height from `low` m on that a wall has, or PLAN_SCENE_CUT. */
+/* Returns the least height of a wall from `low` m on, or PLAN_SCENE_CUT. */
 static double next_height(const Plan *plan, double low) {
     double next = PLAN_SCENE_CUT;
     for (size_t w = 0; w < plan->wall_count; w++)
@@ -72,7 +72,7 @@ static void add_walls(Scene *scene, const House *house) {
     }
 }
 
-/* What a piece covers at a share of its way from standing to lying. */
+/* Returns the area that a piece covers at a share of its fall. */
 static Primitive *add_body(Scene *scene, const Furniture *piece, double share) {
     Vec2 corners[4];
     furniture_fall_corners(piece, share, corners);
@@ -97,7 +97,7 @@ static void add_furniture(Scene *scene, const Furniture *piece) {
     before->style = LINE_DASHED;
 }
 
-/* From so many m beyond the face to which a piece falls to so many, as wide as that. */
+/* Returns a rectangle of the piece's width between two distances, m, beyond the face to which it falls. */
 static Furniture part_beyond(const Furniture *piece, double from, double to) {
     static const Vec2 ways[] = {
         [TOPPLE_FRONT] = {0, -1}, [TOPPLE_BACK] = {0, 1}, [TOPPLE_LEFT] = {-1, 0}, [TOPPLE_RIGHT] = {1, 0}};
@@ -111,7 +111,7 @@ static Furniture part_beyond(const Furniture *piece, double from, double to) {
     return part;
 }
 
-/* Level slices, as nothing else can lean. */
+/* Adds level slices, since primitives cannot lean. */
 static void add_leaning(Scene *scene, const Furniture *piece, double share) {
     double thickness = furniture_fall_height(piece, share) / SLICES;
     for (int i = 0; i < SLICES && (i + 1) * thickness <= PLAN_SCENE_STOREY; i++) {
@@ -149,7 +149,7 @@ void plan_scene_place(Scene *scene, const Furniture *piece) {
     place->keep_clear = KEEP_FURNITURE;
 }
 
-/* A door's opening: its ends, the unit direction between them and the one to which it swings. */
+/* The opening of a door: its ends, the unit direction between them and the direction to which it swings. */
 typedef struct Opening {
     Vec2 hinge, latch;
     Vec2 along; /* from the hinge to the latch */
@@ -176,7 +176,7 @@ static Primitive *add_door_line(Scene *scene, Vec2 from, Vec2 to, double width, 
     return line;
 }
 
-/* A leaf with its free end so far towards open: 0 shut, 1 at a right angle. */
+/* Adds a leaf with its free end at this share of its turn: 0 shut, 1 at a right angle. */
 static void add_leaf(Scene *scene, const Opening *opening, double width, double open) {
     double turn = M_PI / 2 * open;
     Vec2 root = vec2_along(opening->hinge, open * opening->half, opening->out);
@@ -184,7 +184,7 @@ static void add_leaf(Scene *scene, const Opening *opening, double width, double 
     add_door_line(scene, open < 1 ? root : opening->hinge, tip, LEAF, LINE_SOLID)->height = PLAN_SCENE_CUT;
 }
 
-/* The quarter circle on which the leaf's edge goes from shut to open. */
+/* Adds the quarter circle of the leaf's edge from shut to open. */
 static void add_swing(Scene *scene, const Opening *opening, double width, LineStyle style) {
     Vec2 arc[ARC_PIECES + 1], centre = vec2_along(opening->hinge, opening->half, opening->out);
     for (int i = 0; i <= ARC_PIECES; i++) {
@@ -196,7 +196,7 @@ static void add_swing(Scene *scene, const Opening *opening, double width, LineSt
     swing->keep_clear = KEEP_DOOR / 2;
 }
 
-/* A locked door is wall, with a sign on it. */
+/* Adds a locked door as a wall with a sign on it. */
 static void add_locked(Scene *scene, const Opening *opening) {
     Vec2 side = vec2_scale(opening->out, opening->half);
     Vec2 corners[] = {vec2_sub(opening->hinge, side), vec2_sub(opening->latch, side), vec2_add(opening->latch, side),
@@ -213,7 +213,7 @@ static void add_locked(Scene *scene, const Opening *opening) {
     }
 }
 
-/* A leaf slides along its wall, beside the opening. */
+/* Adds a leaf that slides along its wall, next to the opening. */
 static void add_sliding(Scene *scene, const Opening *opening, double width, double open) {
     Vec2 root = vec2_along(opening->hinge, -open * width, opening->along);
     Primitive *leaf = add_door_line(scene, root, vec2_along(root, width, opening->along), open > 0 ? LEAF / 2 : LEAF,
@@ -263,7 +263,7 @@ void plan_scene_still(Scene *scene, const House *house) {
     add_solids(scene, house, false);
 }
 
-/* A leaf has come to its end when its door counts as open. */
+/* A leaf reaches its end when its door counts as open. */
 void plan_scene_moving(Scene *scene, const House *house, const double *door_opened, double time) {
     const Plan *plan = &house->plan;
     for (size_t i = 0; i < plan->door_count; i++) {
@@ -313,7 +313,7 @@ void plan_scene_tags(Scene *scene, const House *house, const size_t *left) {
     add_toppled_tags(scene, plan);
 }
 
-/* At the end that is lower on the page: the names of those who leave stand above them. */
+/* Places the sign at the end that is lower on the page: the names of leaving people stand above them. */
 void plan_scene_sign(Scene *scene, const House *house, const Exit *exit, const char *text) {
     Vec2 middle = vec2_scale(vec2_add(house->outline.box.low, house->outline.box.high), 0.5);
     bool to_is_lower = exit->to.y <= exit->from.y;
@@ -351,7 +351,8 @@ static bool outline_contains(const Points *outline, Vec2 p) {
     return inside;
 }
 
-/* A point of the room that is far from its walls, for an L as for a rectangle: the centroid lies outside an L. */
+/* Returns a point of the room far from its walls, for an L as well as for a rectangle: the centroid of an L may lie
+ * outside. */
 static Vec2 room_middle(const Points *outline) {
     Box box = box_empty();
     for (size_t i = 0; i < outline->count; i++)

@@ -17,7 +17,7 @@ static void add_way(Scene *scene, const Track *track) {
     memory_free(points);
 }
 
-/* From the corner over the passage, as wide as it is. */
+/* Adds the width from the corner over the passage, as wide as the passage. */
 static void add_width(Scene *scene, Vec2 corner, Vec2 towards, double width, const char *name) {
     Vec2 opposite = vec2_along(corner, width, vec2_unit(vec2_sub(towards, corner)));
     scene_add_dimension(scene, ROLE_TEXT, WIDTH_WIDTH, corner, opposite);
@@ -29,7 +29,7 @@ static void add_width(Scene *scene, Vec2 corner, Vec2 towards, double width, con
     tag->leader = true;
 }
 
-/* The place of the track that is `s` along it. */
+/* Returns the place at length `s` of the track. */
 static Vec2 track_place(const Track *track, double s) {
     size_t i = 0;
     while (i + 1 < track->count && track->points[i].s < s)
@@ -37,7 +37,7 @@ static Vec2 track_place(const Track *track, double s) {
     return track->points[i].at;
 }
 
-/* W1 and W2 are the paper's: found on the way of its round body, whoever drives. */
+/* W1 and W2 are the paper's: computed on the route of its round body, for every driving model. */
 static void add_widths(Scene *scene, const House *house, size_t person, const Route *route) {
     Track track = {0};
     track_build_miura(&track, house, &house->people[person], route);

@@ -1,4 +1,4 @@
-/* The planned ways, and the widths of the passages round whose corners they lead. */
+/* The planned routes, and the widths of the passages at their corners. */
 #pragma once
 
 #include <signal.h>
@@ -6,6 +6,6 @@
 #include "draw/scene.h"
 #include "house/observation.h"
 
-/* Plans anew what chairs that took part intended at the start, until `stop` (may be NULL) is set. */
+/* Plans the routes that chairs in the run intended at the start, until `stop` (may be NULL) is set. */
 void route_scene_add(Scene *scene, const House *house, const Observation *observation, bool routes, bool widths,
                      const volatile sig_atomic_t *stop);

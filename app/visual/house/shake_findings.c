@@ -19,7 +19,7 @@ static bool is_made(const Trial *trial) {
     return trial->done && !trial->fault;
 }
 
-/* An observable of all shakes that were made; returns how many. */
+/* Copies an observable of all completed shakes; returns their number. */
 static size_t take(const Making *making, size_t observable) {
     const Study *study = making->findings->study;
     size_t count = 0;
@@ -29,7 +29,7 @@ static size_t take(const Making *making, size_t observable) {
     return count;
 }
 
-/* In how many of them it is above a limit; those in which it is no number are not counted. */
+/* Returns how many of them exceed a limit; ignores those that are not numbers. */
 static Share share_above(const Making *making, size_t observable, double limit) {
     size_t count = take(making, observable), good = 0, all = 0;
     for (size_t i = 0; i < count; i++) {
@@ -106,7 +106,7 @@ static void add_pieces(const Making *making) {
     qsort(findings->pieces, findings->piece_count, sizeof *findings->pieces, compare_pieces);
 }
 
-/* The settings that let its furniture lie as after that shake. */
+/* Prints the settings that leave the furniture as it lies after that shake. */
 static const char *made_by(const Making *making, const Trial *trial, Arena *arena) {
     const Plan *plan = &making->findings->house->plan;
     bool *topples = arena_allocate(arena, plan->furniture_count * sizeof *topples);

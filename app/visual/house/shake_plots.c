@@ -12,9 +12,9 @@
 #define ALL_WIDTH 3.5 /* design points */
 #define ONE_WIDTH 2.0
 
-enum { PEOPLE_MOST = 4 /* have a curve of their own */ };
+enum { PEOPLE_MOST = 4 /* parties with a curve of their own */ };
 
-/* The end of the time axis, s: a little behind the last who gets out. */
+/* Returns the end of the time axis, s: a little behind the last evacuation. */
 static double end_of(const ShakeFindings *findings) {
     double first = HUGE_VAL, last = -HUGE_VAL;
     for (size_t p = 0; p <= findings->party_count; p++) {
@@ -25,7 +25,7 @@ static double end_of(const ShakeFindings *findings) {
     return last + 0.05 * fmax(last - first, 1);
 }
 
-/* A step up at each time, and on to the end. */
+/* Steps up at each time, and continues to the end. */
 static PlotSeries cumulated(const ShakeFindings *findings, size_t observable, Arena *arena) {
     const Study *study = findings->study;
     double *times = arena_allocate(arena, study->trial_count * sizeof *times);

@@ -1,9 +1,9 @@
-/* How long it takes to get out after an earthquake, as a plot: the share of shakes in which everybody, and each of a
- * few people, is out within a time. */
+/* Evacuation times after an earthquake as a plot: the share of shakes in which everybody, and each of a few people, is
+ * out within a time. */
 #pragma once
 
 #include "plot/plot.h"
 #include "visual/house/shake_findings.h"
 
-/* False: nobody ever gets out, there is nothing to be shown. What it shows lives in the arena. */
+/* False if nobody ever leaves: the plot would be empty. Its data lives in the arena. */
 bool shake_plots_times(Plot *plot, const ShakeFindings *findings, Arena *arena);

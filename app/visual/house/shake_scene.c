@@ -11,16 +11,16 @@
 #define FALL_EDGE 2.0
 #define TEXT_SIZE 17.0
 
-/* How much labels avoid them. */
+/* Weights against being covered by labels. */
 #define KEEP_PIECE 2.0
 #define KEEP_FALL 0.2
 
-/* 1, shares of shakes from which on a piece is a middle and a high danger. */
+/* 1, shares of shakes above which a piece is a middle and a high danger. */
 static const double MIDDLE = 0.05, HIGH = 0.2;
 
 enum { ROWS_MOST = 12 /* of pieces, and of people, in the list */ };
 
-/* How bad it is that a piece stops somebody in such a share of shakes. */
+/* Returns the danger of a piece that stops somebody in this share of shakes. */
 static Role danger_of(double share) {
     return share >= HIGH ? ROLE_DANGER_HIGH : share >= MIDDLE ? ROLE_DANGER_MIDDLE : ROLE_DANGER_LOW;
 }
@@ -33,7 +33,7 @@ static const char *name_of(const Furniture *piece) {
     return *piece->name ? piece->name : piece->id;
 }
 
-/* Dashed: where it would lie. */
+/* Adds the place of the fallen piece, dashed. */
 static void add_falls(Scene *scene, const ShakeFindings *findings) {
     for (size_t p = 0; p < findings->piece_count; p++) {
         Furniture lying = *piece_of(findings, &findings->pieces[p]);
@@ -86,7 +86,7 @@ static void add_piece_tags(Scene *scene, const ShakeFindings *findings) {
     }
 }
 
-/* Of the house as it is before a shake. */
+/* Sets the note of the house before a shake. */
 static void add_people(Scene *scene, const House *house) {
     for (size_t i = 0; i < house->person_count; i++)
         people_scene_start(scene, &house->people[i], census_walks(house->people[i].profile) ? ROLE_WALKER : ROLE_CHAIR);

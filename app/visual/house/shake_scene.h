@@ -1,5 +1,5 @@
-/* Many earthquakes as one picture: on the plan each piece of furniture by how often it stops somebody, where it would
- * fall, and everybody with how often they get out. */
+/* Many earthquakes as one picture: each piece of furniture coloured by how often it stops somebody, the place where it
+ * would fall, and for all people how often they leave. */
 #pragma once
 
 #include "draw/scene.h"

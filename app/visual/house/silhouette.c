@@ -37,7 +37,7 @@ static int compare_points(const void *a, const void *b) {
     return x ? x : (first->y > second->y) - (first->y < second->y);
 }
 
-/* Half of Andrew's monotone chain: adds a point behind `least` points, dropping those that would bend inwards. */
+/* Adds a point behind `least` points, dropping those that would bend inwards: half of Andrew's monotone chain. */
 static size_t chain_add(Vec2 *hull, size_t count, size_t least, Vec2 p) {
     while (count > least && vec2_cross(vec2_sub(hull[count - 1], hull[count - 2]), vec2_sub(p, hull[count - 2])) <= 0)
         count--;
@@ -58,7 +58,7 @@ size_t silhouette_hull(const Vec2 first[SILHOUETTE_POINTS], const Vec2 second[SI
     size_t lower = count;
     for (size_t i = COUNT - 1; i-- > 0;)
         count = chain_add(chain, count, lower, points[i]);
-    count--; /* the first point has come again */
+    count--; /* the first point is repeated at the end */
     memcpy(hull, chain, count * sizeof *hull);
     return count;
 }
@@ -73,7 +73,7 @@ Vec2 silhouette_nearest(const Vec2 outline[SILHOUETTE_POINTS], Vec2 to) {
     return best;
 }
 
-/* A quarter of the points round each corner and the side that follows it. */
+/* Divides the edge by corners: a quarter of the points round each corner and along the side that follows it. */
 void silhouette_edge(const Profile *profile, Vec2 at, double heading, EdgePoint edge[SILHOUETTE_EDGE]) {
     enum { QUARTER = SILHOUETTE_EDGE / 4, ARC = QUARTER / 2 };
     bool round = profile->driving != DRIVING_DRIVER;
@@ -107,7 +107,7 @@ double silhouette_ray(const Vec2 *outline, size_t count, Vec2 from, Vec2 way, do
 
 /* Likenesses --------------------------------------------------------------------------------------------------------*/
 
-/* The chair as drawn is one of 1.10 m by 0.63 m, its axle 0.28 m from the rear: the manual chair. Others are scaled. */
+/* The drawn chair is the manual chair, 1.10 m by 0.63 m, its axle 0.28 m from the rear. Others are scaled. */
 #define DRAWN_LENGTH 1.10
 #define DRAWN_WIDTH 0.63
 #define DRAWN_AXLE 0.28
@@ -119,7 +119,7 @@ double silhouette_ray(const Vec2 *outline, size_t count, Vec2 from, Vec2 way, do
 
 #define BODY_OPACITY 0.30
 
-/* m, of somebody on foot. */
+/* m, of a person on foot. */
 #define STANDING_HEIGHT 1.40 /* of the shoulders */
 #define STANDING_HEAD 1.53
 #define HEAD_RADIUS 0.11
@@ -131,7 +131,7 @@ typedef struct Part {
     double back, front, right, left, base, height;
 } Part;
 
-/* Lowest first, as they hide one another from above. ROLE_CHAIR stands for the role of the chair that is drawn. */
+/* Lowest first, as they hide one another from above. ROLE_CHAIR stands for the role of the drawn chair. */
 static const Part parts[] = {
     {ROLE_FURNITURE_LINE, 0.60, 0.80, -0.19, 0.19, 0.08, 0.03},  /* foot plate */
     {ROLE_FURNITURE_LINE, 0.40, 0.52, -0.25, -0.20, 0.00, 0.16}, /* casters */
@@ -152,12 +152,12 @@ static const Part parts[] = {
 };
 
 #define WHEEL_RADIUS 0.28
-#define WHEEL_OUTSIDE 0.31 /* of its outer side from the middle */
+#define WHEEL_OUTSIDE 0.31 /* of the wheel's outer side from the middle */
 #define WHEEL_THICK 0.035
 #define DRIVER_HEAD 1.24
 #define DRIVER_HEAD_AT -0.02
 
-/* From the frame of the drawn chair to the house. */
+/* Maps the frame of the drawn chair to the house. */
 typedef struct Frame {
     Vec2 at, axis;
     double along, across; /* scales */

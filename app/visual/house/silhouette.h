@@ -1,5 +1,5 @@
-/* How people look, from above and raised. The outline of a body is what the simulation knows, exact: a rounded
- * rectangle, or a disc for the driving model of the paper. What is drawn inside it, a wheelchair with its driver or a
+/* The look of people, from above and raised. The outline of a body is exactly that of the simulation: a rounded
+ * rectangle, or a disc for the driving model of the paper. The drawing inside it, a wheelchair with its driver or a
  * person on foot, is a likeness. */
 #pragma once
 
@@ -11,21 +11,22 @@
 
 enum { SILHOUETTE_POINTS = 28 /* seven a corner: 1 mm from the circle for a body of 0.7 m */ };
 
-/* The body with its reference point at `at`, or its personal space, `grown` m beyond the body; counter-clockwise. */
+/* Returns the body with its reference point at `at`, or its personal space, `grown` m beyond the body;
+ * counter-clockwise. */
 void silhouette_outline(const Profile *profile, Vec2 at, double heading, double grown, Vec2 outline[SILHOUETTE_POINTS]);
 
 /* Adds the body as a polygon. */
 Primitive *silhouette_add(Scene *scene, Role role, const Profile *profile, Pose pose);
 
-/* The middle of a body whose reference point is `at`. */
+/* Returns the middle of a body whose reference point is `at`. */
 Vec2 silhouette_middle(const Profile *profile, Vec2 at, double heading);
 
-/* The convex hull of two outlines, counter-clockwise: what a body sweeps from one pose to the next. Returns its number
- * of points, at most 2 SILHOUETTE_POINTS. */
+/* Returns the convex hull of two outlines, counter-clockwise: the area swept from one pose to the next. Returns its
+ * number of points, at most 2 SILHOUETTE_POINTS. */
 size_t silhouette_hull(const Vec2 first[SILHOUETTE_POINTS], const Vec2 second[SILHOUETTE_POINTS],
                        Vec2 hull[2 * SILHOUETTE_POINTS]);
 
-/* The point of an outline that is nearest to `to`. */
+/* Returns the point of an outline that is nearest to `to`. */
 Vec2 silhouette_nearest(const Vec2 outline[SILHOUETTE_POINTS], Vec2 to);
 
 /* A point of a body's edge and the unit normal there, outwards. */
@@ -33,12 +34,12 @@ typedef struct EdgePoint {
     Vec2 at, normal;
 } EdgePoint;
 
-enum { SILHOUETTE_EDGE = 72 /* points of an edge: no farther apart than 0.11 m on a chair, 10 degrees in a corner */ };
+enum { SILHOUETTE_EDGE = 72 /* points of an edge: at most 0.11 m apart on a chair, 10 degrees in a corner */ };
 
-/* The body's edge, counter-clockwise: what looks out from it, all round. */
+/* Lists the body's edge, counter-clockwise: the origins of rays to all sides. */
 void silhouette_edge(const Profile *profile, Vec2 at, double heading, EdgePoint edge[SILHOUETTE_EDGE]);
 
-/* How far along the unit vector `way` from `from` a closed outline is met; at most `reach`. */
+/* Returns the distance along the unit vector `way` from `from` to a closed outline; at most `reach`. */
 double silhouette_ray(const Vec2 *outline, size_t count, Vec2 from, Vec2 way, double reach);
 
 /* Adds the outline in `role`, and in it wheels, seat and driver; in a round body they are as large as fits. */

@@ -4,16 +4,16 @@
 
 #define CIRCLE_EDGE 1.5 /* design points */
 
-/* m: a body reaches so far from its reference point, more than any profile's. */
+/* m: more than any profile's extent from its reference point */
 #define BODY_MOST 2.0
 
-/* m: rays begin so far inside the body, or one that touches something would look out from within it. */
+/* m: rays begin this far inside the body; a ray from a touching point would otherwise start beyond the obstacle */
 #define BODY_DEPTH 0.02
 
 /* 1: covering circles are at most this much wider than the body. */
 #define CIRCLE_SLACK 1.1
 
-/* Shortens the rays that meet somebody else's body. */
+/* Shortens the rays that meet another body. */
 static void shorten_rays(const Standing *other, const EdgePoint *rays, double *reach) {
     Vec2 outline[SILHOUETTE_POINTS];
     silhouette_outline(other->profile, other->pose.at, other->pose.heading, 0, outline);

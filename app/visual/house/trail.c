@@ -6,7 +6,7 @@ static size_t row_person(const double *row) {
     return (size_t)row[TRACE_PERSON];
 }
 
-/* The rows of all trails stand in one block, the first trail's. */
+/* The rows of all trails are one block, owned by the first trail. */
 Trail *trail_list(const Observation *observation) {
     const Trace *trace = &observation->trace;
     Trail *trails = memory_zeroed(observation->person_count, sizeof *trails);
@@ -32,7 +32,7 @@ void trail_free_list(Trail *trails) {
     memory_free(trails);
 }
 
-/* The trace has moved in memory. */
+/* Rebases the rows after the trace has moved in memory. */
 static void rebase_rows(TrailGrowth *growth, const double *values) {
     uintptr_t before = (uintptr_t)growth->values;
     for (size_t p = 0; p < growth->count && growth->values != values; p++)
@@ -73,7 +73,7 @@ double trail_end(const Trail *trail) {
     return trail->rows[trail->count - 1][TRACE_TIME];
 }
 
-/* The last row at or before a time, or the first. */
+/* Returns the last row at or before a time, or the first. */
 static size_t trail_row(const Trail *trail, double time) {
     size_t low = 0, high = trail->count;
     while (high - low > 1) {

@@ -8,31 +8,31 @@ typedef struct Trail {
     size_t count;
 } Trail;
 
-/* The trace sorted by person: an array of person_count trails; trail_free_list releases it. */
+/* Returns the trace sorted by person: an array of person_count trails; trail_free_list releases it. */
 Trail *trail_list(const Observation *observation);
 void trail_free_list(Trail *trails);
 
-/* The same of an observation that gets more rows: what is new is added. Zero is none; trail_clear releases it. */
+/* Does the same for a growing observation: adds new rows. Zero is empty; trail_clear releases it. */
 typedef struct TrailGrowth {
     Trail *trails; /* (count) by person */
     size_t *capacities;
     size_t count, rows;
-    const double *values; /* of the trace, when rows were added last */
+    const double *values; /* of the trace, when rows were last added */
 } TrailGrowth;
 
 void trail_grow(TrailGrowth *growth, const Observation *observation);
 void trail_clear(TrailGrowth *growth);
 
-/* Where and how the person stands at a time; between rows in proportion. The trail has a row. */
+/* Returns the pose of the person at a time, interpolated between rows. The trail must have a row. */
 Pose trail_pose(const Trail *trail, double time);
 
-/* The row at or before a time, otherwise the first; NULL: there is none. */
+/* Returns the row at or before a time, otherwise the first; NULL if the trail is empty. */
 const double *trail_row_at(const Trail *trail, double time);
 
-/* The greatest compression of the personal space from one time to another, m. */
+/* Returns the greatest compression of the personal space from one time to another, m. */
 double trail_compression(const Trail *trail, double from, double to);
 
-/* The row of the hardest touch after one time and up to another; NULL: none. */
+/* Returns the row of the hardest touch after one time and up to another; NULL if there is none. */
 const double *trail_hardest(const Trail *trail, double from, double to);
 
 double trail_begin(const Trail *trail);
