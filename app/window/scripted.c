@@ -225,7 +225,7 @@ static void run_in_tab(Scripted *scripted, Window *window, const ScriptCommand *
 
 static void run(Scripted *scripted, Window *window, const ScriptCommand *command) {
     const double *numbers = command->numbers;
-    window->dirty = true;
+    window->dirty |= command->kind != SCRIPT_WAIT && command->kind != SCRIPT_STATE;
     if (run_input(scripted, command))
         return;
     switch (command->kind) {
@@ -300,14 +300,14 @@ static bool has_come(const Scripted *scripted, Window *window) {
 static bool waits(Scripted *scripted, Window *window) {
     if (scripted->waits > 0) {
         scripted->waits--;
-        window->dirty = true;
         return true;
     }
     if (!scripted->until)
         return false;
     if (has_come(scripted, window)) {
         scripted->until = NULL;
-        return false;
+        window->dirty = true; /* what follows is seen in a frame of its own */
+        return true;
     }
     if (clock_now() - scripted->since > scripted->until->numbers[0]) {
         Fault fault = {0};

@@ -235,6 +235,8 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "focus_is_pane", json_boolean(ui_focus_is_pane(window->ui)));
     json_object_set_new(state, "types", json_boolean(ui_types(window->ui)));
     json_object_set_new(state, "message", last ? json_string(last->text) : json_null());
+    json_object_set_new(state, "mouse", json_pack("[ff]", window->mouse.x, window->mouse.y));
+    json_object_set_new(state, "inputs", json_integer((json_int_t)window->inputs));
     json_object_set_new(state, "messages", json_integer((json_int_t)window->messages.total));
     json_object_set_new(state, "frame", frame_state(window));
     if (window_tab(window)->live)

@@ -143,6 +143,8 @@ static void type(Window *window, const char *text) {
 
 static void handle_event(Window *window, const SdlWindowEvent *event) {
     window->dirty |= event->kind != SDL_WINDOW_EVENT_NOTHING;
+    window->inputs += (event->kind == SDL_WINDOW_EVENT_KEY && !event->repeat) ||
+                      event->kind == SDL_WINDOW_EVENT_LET_GO || event->kind == SDL_WINDOW_EVENT_BUTTON;
     window->plan_input.done &= event->kind == SDL_WINDOW_EVENT_TEXT || event->kind == SDL_WINDOW_EVENT_NOTHING;
     if (window->plan_input.waits && event->kind == SDL_WINDOW_EVENT_TEXT) {
         end_waiting(window, event->text);
@@ -270,11 +272,11 @@ static void draw(Window *window, double seconds) {
     window->input.twice = false;
 }
 
-/* Whether what is shown moves by itself. */
-static bool is_lively(Window *window, const Scripted *scripted) {
+/* True if what is shown has changed or moves by itself. */
+static bool is_lively(Window *window) {
     const Tab *tab = window_tab(window);
     bool draws = window->dialog == DIALOG_GALLERY && !gallery_complete(window->gallery);
-    return window->dirty || ui_is_busy(window->ui) || scripted_is_busy(scripted) || window->frame_timer.counting ||
+    return window->dirty || ui_is_busy(window->ui) || window->frame_timer.counting ||
            window->options->benchmark_edit > 0 || window->export || draws || (tab->live && tab->player.playing) ||
            plan_input_animation(tab);
 }
@@ -366,21 +368,25 @@ static void update(Window *window, double seconds) {
     dismiss_old_note(window);
 }
 
-/* One turn of the loop. */
+/* One turn of the loop. Without a display a script gets a frame in each turn, except while it waits for something to
+ * come; on a display it gets the frames that a user would get. */
 static void turn(Window *window, Scripted *scripted) {
-    bool lively = is_lively(window, scripted);
-    bool hurried = (window->frame_timer.counting && window->options->benchmark > 0) ||
-                   (scripted_is_busy(scripted) && !scripted->until && !sdl_window_is_seen(window->sdl_window));
+    bool busy = scripted_is_busy(scripted), lively = is_lively(window);
+    bool framed = busy && !scripted->until && !sdl_window_is_seen(window->sdl_window);
+    bool hurried = (window->frame_timer.counting && window->options->benchmark > 0) || framed;
     double seconds = frame_timer_wait(&window->frame_timer, hurried), begun = clock_now();
     plan_input_animate(window, seconds);
-    handle_events(window, lively ? 0 : IDLE_WAIT);
+    handle_events(window, lively || busy ? 0 : IDLE_WAIT);
     double worked = window_tab(window)->worked;
     update(window, seconds);
-    if (!is_lively(window, scripted))
-        return;
-    window->dirty = false;
-    draw(window, seconds);
+    bool paints = is_lively(window) || framed;
+    if (paints) {
+        window->dirty = false;
+        draw(window, seconds);
+    }
     scripted_advance(scripted, window);
+    if (!paints)
+        return;
     sdl_window_swap(window->sdl_window);
     frame_timer_note_first(&window->frame_timer);
     frame_timer_note(&window->frame_timer, clock_now() - begun, window_tab(window)->worked - worked);

@@ -122,7 +122,8 @@ typedef struct Window {
 
     FrameTimer frame_timer;
     EditBenchmark edit_benchmark;
-    bool dirty; /* something has changed that is to be seen */
+    size_t inputs; /* presses and releases of keys and buttons that were handled, without repeated keys */
+    bool dirty;    /* something has changed that is to be seen */
     bool quit;
     int code;    /* exit code */
     Arena arena; /* of this frame */

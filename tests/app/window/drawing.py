@@ -1,7 +1,5 @@
 """A hand on a plan: places in metres, by a real mouse and real keys."""
 
-import time
-
 from stage import Screen
 
 
@@ -14,31 +12,21 @@ class Plan(Screen):
         return tuple(origin[i] + x * (right[i] - origin[i]) + y * (up[i] - origin[i]) for i in (0, 1))
 
     def move(self, x, y):
-        px, py = self.point(x, y)
-        self.tool("mousemove", round(px), round(py))
-        time.sleep(0.1)
+        self.point_to(*self.point(x, y))
 
-    def put(self, x, y, *held):
-        """A click there, with keys held."""
-        self.move(x, y)
-        for key in held:
-            self.tool("keydown", key)
-        self.tool("click", 1)
-        for key in held:
-            self.tool("keyup", key)
-        time.sleep(0.15)
+    def put(self, x, y):
+        """A click there."""
+        self.click(*self.point(x, y))
 
     def drag(self, x, y, to_x, to_y, release=True):
-        self.move(x, y)
-        self.tool("mousedown", 1)
-        time.sleep(0.1)
-        for part in (0.25, 0.5, 0.75, 1):
-            px, py = self.point(x + part * (to_x - x), y + part * (to_y - y))
-            self.tool("mousemove", round(px), round(py))
-            time.sleep(0.08)
+        state = self.state()
+        places = [self.point(x + part * (to_x - x), y + part * (to_y - y), state) for part in (0, 0.25, 0.5, 0.75, 1)]
+        self.point_to(*places[0])
+        self.press()
+        for place in places[1:]:
+            self.point_to(*place)
         if release:
-            self.tool("mouseup", 1)
-            time.sleep(0.15)
+            self.release()
 
     def undo_all(self):
         for _ in range(200):

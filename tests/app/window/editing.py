@@ -5,7 +5,6 @@ flat of four rooms drawn from nothing by mouse and again by keyboard alone."""
 import json
 import math
 import subprocess
-import time
 
 import stage
 from drawing import Plan
@@ -70,9 +69,8 @@ held = plan.state()
 check(held["gesture"]["active"] and held["held"] and gesture_words(held, "dimension"),
       "13: dragged, a door tells its distances and the clock is held", held["gesture"])
 plan.shot("dragged")
-plan.tool("key", "Escape")  # clearing modifiers would let go of the button, too
-time.sleep(0.1)
-plan.tool("mouseup", 1)
+plan.keys("Escape")
+plan.release()
 plan.move(-2.8, -2.6)
 let_go = plan.until(lambda s: not s["gesture"]["active"] and not s["answer"]["stale"] and not s["answer"]["doing"], 20)
 after = plan.shot("after")
@@ -113,10 +111,10 @@ plan.put(-2.5, 1.5)
 plan.move(0.04, 1.97)
 state = plan.state()
 check(gesture_words(state, "snap"), "12: a snap is named", gesture_words(state, "snap"))
-plan.tool("keydown", "ctrl")
+plan.hold("ctrl")
 plan.move(0.045, 1.965)
 free = plan.state()
-plan.tool("keyup", "ctrl")
+plan.let_go("ctrl")
 check(not gesture_words(free, "snap"), "12: with Ctrl held the hand is free", gesture_words(free, "snap"))
 plan.keys("n")
 off = plan.state()
@@ -148,7 +146,7 @@ plan.keys("Escape", "Escape")
 plan.put(-2.8, -2.6)
 plan.drag(0, 0.6, 0, 1.95, release=False)
 past = plan.state()
-plan.tool("mouseup", 1)
+plan.release()
 plan.keys("Escape", "Escape", "Escape")
 check(past["gesture"].get("refusal") or "at" in past["gesture"]["doing"], "16: past the end of its wall it stops",
       past["gesture"])
@@ -242,7 +240,7 @@ def walls(plan, start, *sides):
 
 
 plan = Plan("keys", minutes=9)
-plan.tool("mousemove", 0, 0)
+plan.point_to(0, 0)
 plan.keys("ctrl+n")
 plan.until(lambda s: s["title"] == "new house" and s["floor"], 10)
 walls(plan, ("-3", "-2"), ("6", "0"), ("4", "90"), ("6", "180"), ("4", "-90"))

@@ -8,13 +8,24 @@ from stage import check, contrast, differing
 
 screen = stage.Screen("first")
 
+
+def play(wanted):
+    """Plays or pauses; at the end of the record it may have stopped by itself."""
+    for _ in range(10):
+        if screen.state()["playing"] == wanted:
+            return
+        screen.keys("space")
+
+
+
 # 1. the default house is moving, nothing lies over it, and the way on is named
 state = screen.until(lambda s: s.get("complete") and s["time"] > 0.5, 60)
 check(state["laboratory"] == "house" and "ube" in state["file"], "the default house is open", state.get("file"))
 check(state["playing"] and state["sheet"] == "none", "it runs, and nothing lies over it", state)
 check(state["answer"]["title"] == "All 4 get out", "the answer is there", state["answer"])
 one = screen.shot("one")
-time.sleep(0.7)
+begun = screen.state()["time"]
+screen.until(lambda s: not begun <= s["time"] < begun + 0.5)
 two = screen.shot("two")
 view = state["frame"]["view"]
 check(differing(one, two, view) > 200, "something moves in the view", differing(one, two, view))
@@ -45,17 +56,15 @@ screen.keys("space")
 check(screen.state()["playing"], "Space plays")
 x, y = state["frame"]["timeline"][2] - 60, sum(state["frame"]["timeline"][1::2]) / 2
 screen.click(x, y)
-screen.tool("mousemove", 640, 300)
+screen.point_to(640, 300)
 before = screen.state()["playing"]
 screen.keys("space")
 check(screen.state()["playing"] != before, "Space still toggles after a click on a button of a panel")
 
 # 7. steps
 screen.keys("r")
-screen.until(lambda s: s["time"] > 1)
-state = screen.state()
-if state["playing"]:
-    screen.keys("space")
+state = screen.until(lambda s: s["time"] > 1)
+play(False)
 begin = screen.state()
 at_first = screen.shot("at-first")
 screen.keys(*["period"] * 10)
@@ -73,7 +82,7 @@ middle = [(track[0] + track[2]) / 2, (track[1] + track[3]) / 2]
 screen.click(*middle)
 there = screen.state()
 check(2 < there["time"] < there["end"], "a click on the timeline goes there", there["time"])
-screen.tool("mousemove", 640, 300)
+screen.point_to(640, 300)
 seen = screen.shot("scrubbed")
 screen.keys("period", "period", "comma", "comma")
 check(abs(screen.state()["time"] - there["time"]) < there["step"], "steps round a place that was scrubbed to")
@@ -82,27 +91,32 @@ check(screen.state()["time"] == there["end"], "End goes to the end of the record
 
 # 9. speed
 screen.keys("r", *["bracketright"] * 6)
-state = screen.state()
-check(state["speed"] == 16, "the ladder ends at 16", state["speed"])
-if not state["playing"]:
-    screen.keys("space")
+check(screen.state()["speed"] == 16, "the ladder ends at 16", screen.state()["speed"])
+play(False)
 first = screen.state()
 screen.keys("1", "r")
 state = screen.state()
-check(state["speed"] == 16 and (state["playing"] or state["time"] == state["end"]), "running again keeps speed and playing",
-      (state["speed"], state["playing"], state["time"]))
-check(state["layers"] != first["layers"], "and layers")
+check(state["speed"] == 16 and not state["playing"] and state["layers"] != first["layers"],
+      "running again keeps speed, pause and layers", (state["speed"], state["playing"], state["layers"]))
 screen.keys("1", "backslash")
 check(screen.state()["speed"] == 1, "backslash is speed 1")
-if not screen.state()["playing"]:
-    screen.keys("space")
+screen.keys("bracketleft", "bracketleft")
+play(True)
+screen.keys("r")
+state = screen.state()
+check(state["speed"] == 0.25 and state["playing"], "running again keeps playing", (state["speed"], state["playing"]))
+screen.keys("backslash")
 screen.keys("r")
 screen.state()
 screen.until(lambda s: s["playing"] and 0.2 < s["time"] < 10)
-first, begun = screen.state(), time.monotonic()
-time.sleep(3)
-second, ended = screen.state(), time.monotonic()
-moved = (second["time"] - first["time"]) / (ended - begun)
+for attempt in range(20):  # another program may take the processor while one of them looks
+    first, begun = screen.state(), time.monotonic()
+    second = screen.until(lambda s: not first["time"] <= s["time"] < first["time"] + 1)
+    moved = (second["time"] - first["time"]) / (time.monotonic() - begun)
+    if second["achieved"] is not None and abs(second["achieved"] - moved) < 0.15 * max(moved, 0.1):
+        break
+    if second["end"] - second["time"] < 3:
+        screen.keys("r")
 check(second["achieved"] is not None and abs(second["achieved"] - moved) < 0.15 * max(moved, 0.1),
       "the achieved speed is what a watch says", (second["achieved"], moved))
 
@@ -112,7 +126,6 @@ state = screen.until(lambda s: s["laboratory"] == "beam" and not s["answer"]["st
 check(state["laboratory"] == "beam" and not state["answer"]["stale"], "F3 is the beam, and it is answered", state["answer"])
 screen.keys("F4")
 check(screen.state()["sheet"] == "gallery", "F4 is the gallery")
-time.sleep(2)
 screen.keys("Escape", "F9")
 check("written" in (screen.state()["message"] or ""), "F9 writes a picture", screen.state()["message"])
 screen.keys("ctrl+e", "Escape", "ctrl+t", "F2")

@@ -11,7 +11,7 @@ import subprocess
 import time
 
 import stage
-from stage import act, check, environment, folder, program, states
+from stage import act, check, environment, folder, program
 
 place = folder / "killed"
 place.mkdir()
@@ -30,6 +30,14 @@ def left():
     return sorted(kept.glob("*.json")) if kept.exists() else []
 
 
+def written(path):
+    """Another value for each time that the file is written."""
+    try:
+        return path, path.stat().st_mtime_ns
+    except FileNotFoundError:  # replaced just now
+        return path, 0
+
+
 def opens(path):
     """Does it stand as a house, beside the profile that it needs?"""
     shutil.copy(path, place / "left.json")
@@ -37,29 +45,32 @@ def opens(path):
     return done.returncode != 2, done.stderr
 
 
-def edit_and_kill(seconds):
-    """Edits at once, and again after so many frames that what was done is written; killed so many s after the window has
-    come."""
-    lines = [f'open "{house}"', "wait 5", f"state {place}/states"]
+def edit_and_kill(writes, seconds):
+    """Edits again and again, each time with so many frames after it that what was done is written; killed so many s
+    after so many writes."""
+    lines = [f'open "{house}"', "wait 5"]
     for i in range(12):
         lines += [f"set door.d1.width {0.8 + 0.01 * i:.2f}", "wait 2000"]
     script = place / "script"
     script.write_text("\n".join(lines) + "\nwait 10000\n")
-    (place / "states").unlink(missing_ok=True)
-    window = subprocess.Popen([program, "open", "--script", str(script)], cwd=place, stderr=subprocess.DEVNULL,
-                              stdout=subprocess.DEVNULL,
+    seen = {written(path) for path in left()}
+    window = subprocess.Popen([program, "open", "--size", "640x400", "--script", str(script)], cwd=place,
+                              stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                               env=environment(home, SDL_VIDEODRIVER="offscreen"))
     begun = time.monotonic()
-    while not states(place / "states") and time.monotonic() - begun < 60:
-        time.sleep(0.02)
-    time.sleep(seconds)
+    while writes and window.poll() is None and time.monotonic() - begun < 300:
+        new = {written(path) for path in left()} - seen
+        seen |= new
+        writes -= bool(new)
+        time.sleep(0.01)
+    time.sleep(seconds)  # any moment will do
     window.send_signal(signal.SIGKILL)
     window.wait()
 
 
 turns, whole, found = 8, 0, 0
 for turn in range(turns):
-    edit_and_kill(random.uniform(0.5, 9))
+    edit_and_kill(turn % 3 + 1, random.uniform(0, 0.5))
     for path in left():
         found += 1
         good, words = opens(path)

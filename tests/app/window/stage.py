@@ -41,7 +41,7 @@ def environment(home, **more):
     whose own cannot be told from ours then."""
     home.mkdir(exist_ok=True)
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "SDL_", "DISPLAY", "WAYLAND_"))}
-    return {**kept, "HOME": str(home), "SDL_AUDIODRIVER": "dummy",
+    return {**kept, "HOME": str(home), "SDL_AUDIODRIVER": "dummy", "LP_NUM_THREADS": "0",
             "ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":detect_leaks=0", **more}
 
 
@@ -100,9 +100,13 @@ def contrast(a, b):
     return (high + 0.05) / (low + 0.05)
 
 
+SHIFTED = set('~!@#$%^&*()_+{}|:"<>?')  # what is typed with Shift, beside capitals
+
+
 class Screen:
     """The program on a display of its own, used by xdotool, which is as a hand would: no event is made up. A script
-    that only writes the state, again and again, is how it is asked."""
+    that only writes the state, again and again, is how it is asked. The state counts the presses and releases that the
+    program has handled, and has the place of the mouse: after each input its effect is waited for, never a time."""
 
     def __init__(self, name, *arguments, width=1280, height=720, minutes=5):
         self.place = folder / name
@@ -110,27 +114,43 @@ class Screen:
         self.display = self.start_display(width, height)
         self.log = self.place / "states"
         self.log_read, self.log_count, self.last = 0, 0, {}  # bytes and lines of it that have been read, the last one
+        self.sent = 0  # presses and releases
         script = self.place / "script"
-        script.write_text(f"wait 2\nstate {self.log}\n" * int(minutes * 60 * 20) + "quit\n")
-        self.env = environment(self.place / "home", DISPLAY=self.display)
+        script.write_text(f"wait 1\nstate {self.log}\n" * int(minutes * 60 * 30) + "quit\n")
+        self.env = environment(self.place / "home", DISPLAY=self.display, SDL_MOUSE_DOUBLE_CLICK_TIME="0")
         self.errors = open(self.place / "errors", "w")
         self.program = subprocess.Popen([program, "open", *arguments, "--script", str(script)], cwd=self.place,
                                         env=self.env, stdout=self.errors, stderr=self.errors)
-        self.until(lambda s: True, 60)
-        window = self.tool("search", "--sync", "--onlyvisible", "--name", "clearance").stdout.split()[0]
-        self.tool("windowfocus", "--sync", window)
-        self.window = window
+        self.until(lambda s: True, 120)
+        self.window = self.tool("search", "--sync", "--onlyvisible", "--name", "clearance").stdout.split()[0]
+        self.tool("windowfocus", "--sync", self.window)
 
     def start_display(self, width, height):
+        """Keys do not repeat there, however late a release comes."""
         read, write = os.pipe()
-        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24",
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-r",
                                         "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         return ":" + os.read(read, 20).decode().strip()
 
     def tool(self, *words):
         return subprocess.run(["xdotool", *[str(w) for w in words]], env=self.env, capture_output=True, text=True,
-                              timeout=60)
+                              timeout=120)
+
+    def input(self, count, *words):
+        """Sends so many presses and releases, and waits until they were handled."""
+        self.tool(*words)
+        self.sent += count
+        self.handled(lambda s: s["inputs"] >= self.sent)
+
+    def handled(self, what):
+        """Waits for the effect of an input."""
+        now = self.until(what, 60)
+        if not what(now):
+            check(False, "what was done is handled", (self.sent, now.get("inputs"), now.get("mouse")))
+            self.program.kill()
+            self.server.kill()
+            end()
 
     def look(self):
         """Reads what has come since; the last state there is."""
@@ -148,11 +168,8 @@ class Screen:
     def state(self):
         """As it is now: the second line that is written from now on, since the first may have been begun before."""
         self.look()
-        seen, begun = self.log_count, time.monotonic()
-        while self.log_count < seen + 2 and time.monotonic() - begun < 60 and self.program.poll() is None:
-            time.sleep(0.02)
-            self.look()
-        return self.last
+        count = self.log_count + 2
+        return self.until(lambda s: self.log_count >= count, 60)
 
     def until(self, what, seconds=30):
         """Waits for a state; returns the last one, whether it came or not."""
@@ -161,34 +178,78 @@ class Screen:
             now = self.look()
             if now and what(now):
                 return now
-            time.sleep(0.05)
+            time.sleep(0.01)
         return self.look()
 
     def keys(self, *names):
+        """Presses and lets go of keys like ctrl+z, one after another. A key that comes again waits for the one before:
+        on a busy machine both may have the same time, and it would be taken for one that repeats."""
+        waiting = []
         for name in names:
-            self.tool("key", "--clearmodifiers", name)
-            time.sleep(0.05)
+            if set(name.split("+")) & {key for other in waiting for key in other.split("+")}:
+                self.press_keys(waiting)
+                waiting = []
+            waiting.append(name)
+        self.press_keys(waiting)
+        self.state()
+
+    def press_keys(self, names):
+        self.input(sum(2 * len(name.split("+")) for name in names), "key", "--delay", 0, *names)
 
     def type(self, words):
-        self.tool("type", "--delay", "60", "--", words)
+        """Types letters, in pieces that need no key twice."""
+        waiting, used = "", set()
+        for letter in words:
+            needed = {letter.lower(), "shift"} if letter.isupper() or letter in SHIFTED else {letter}
+            if needed & used:
+                self.type_piece(waiting)
+                waiting, used = "", set()
+            waiting, used = waiting + letter, used | needed
+        self.type_piece(waiting)
+        self.state()
 
-    def click(self, x, y, button=1):
-        self.tool("mousemove", round(x), round(y))
-        time.sleep(0.1)
-        self.tool("click", button)
-        time.sleep(0.1)
+    def type_piece(self, words):
+        self.input(sum(4 if c.isupper() or c in SHIFTED else 2 for c in words), "type", "--delay", 0, "--", words)
+
+    def hold(self, key):
+        self.input(1, "keydown", key)
+
+    def let_go(self, key):
+        self.input(1, "keyup", key)
+
+    def press(self):
+        self.input(1, "mousedown", 1)
+
+    def release(self):
+        self.input(1, "mouseup", 1)
+        self.state()
+
+    def point_to(self, x, y):
+        x, y = round(x), round(y)
+        self.tool("mousemove", x, y)
+        self.handled(lambda s: s["mouse"] == [x, y])
+        self.state()
+
+    def click(self, x, y):
+        self.point_to(x, y)
+        self.input(2, "click", 1)
+        self.state()
 
     def shot(self, name):
+        """A picture of the display, once what the last state tells is on it."""
+        self.state()
         path = self.place / f"{name}.png"
-        subprocess.run(["import", "-window", "root", str(path)], env=self.env, timeout=60)
+        subprocess.run(["import", "-window", "root", str(path)], env=self.env, timeout=120)
         return path
 
     def end(self):
-        self.keys("ctrl+q")
-        if self.until(lambda s: s["sheet"] == "leave", 1).get("sheet") == "leave":
-            self.keys("Tab", "Return")
+        self.tool("key", "ctrl+q")
+        self.sent += 4
+        if self.until(lambda s: s["sheet"] == "leave", 60).get("sheet") == "leave":
+            self.keys("Tab")
+            self.tool("key", "Return")
         try:
-            code = self.program.wait(20)
+            code = self.program.wait(60)
         except subprocess.TimeoutExpired:
             self.program.kill()
             code = "none"
