@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 static CheckTest *first;
 static int failures, checks;
@@ -64,17 +65,31 @@ const char *check_source(void) {
     return source ? source : ".";
 }
 
+/* s of the processor's, if a test takes more than one. */
+static void say_time(clock_t begun) {
+    double seconds = (double)(clock() - begun) / CLOCKS_PER_SEC;
+    if (seconds > 1)
+        printf(" (%.1f s)", seconds);
+}
+
+/* Arguments: --long for the long tests instead of the others, and a part of a name. */
 int main(int argc, char **argv) {
     int tests = 0, failed = 0;
+    bool is_long = argc > 1 && strcmp(argv[1], "--long") == 0;
+    const char *part = argc > 1 + is_long ? argv[1 + is_long] : NULL;
+    setvbuf(stdout, NULL, _IOLBF, 0);
     for (CheckTest *test = first; test; test = test->next) {
-        if (argc > 1 && !strstr(test->name, argv[1]))
+        if (test->is_long != is_long || (part && !strstr(test->name, part)))
             continue;
         int before = failures;
+        clock_t begun = clock();
         printed = 0;
         test->run();
         tests++;
         failed += failures != before;
-        printf("%s %s\n", failures == before ? "ok  " : "FAIL", test->name);
+        printf("%s %s", failures == before ? "ok  " : "FAIL", test->name);
+        say_time(begun);
+        printf("\n");
     }
     printf("%d tests, %d checks, %d tests failed\n", tests, checks, failed);
     if (!checks)

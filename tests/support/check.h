@@ -10,6 +10,7 @@
 typedef struct CheckTest {
     const char *name;
     void (*run)(void);
+    bool is_long;
     struct CheckTest *next;
 } CheckTest;
 
@@ -27,9 +28,14 @@ void check_skip(const char *why) __attribute__((noreturn));
 /* Returns the project's source directory, for houses/, assets/ and tests/data/. */
 const char *check_source(void);
 
-#define TEST(name_)                                                                                                    \
+#define TEST(name_) CHECK_REGISTERED(name_, false)
+
+/* A test of many seconds: it runs with the long suite only. */
+#define LONG_TEST(name_) CHECK_REGISTERED(name_, true)
+
+#define CHECK_REGISTERED(name_, is_long_)                                                                              \
     static void name_(void);                                                                                           \
-    static CheckTest name_##_test = {#name_, name_, NULL};                                                             \
+    static CheckTest name_##_test = {#name_, name_, is_long_, NULL};                                                   \
     __attribute__((constructor)) static void name_##_register(void) {                                                  \
         check_register(&name_##_test);                                                                                 \
     }                                                                                                                  \

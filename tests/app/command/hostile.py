@@ -9,6 +9,7 @@ import math
 import os
 import pathlib
 import re
+import resource
 import subprocess
 import sys
 import tempfile
@@ -19,7 +20,7 @@ program = pathlib.Path(sys.argv[1]).resolve()
 failures = 0
 
 MANY = 100_000
-SECONDS = 60  # a house takes a second or two; sanitizers and a busy machine take longer
+SECONDS = 60  # of the processor's; a house takes a second or two, with sanitizers more
 MEGABYTES = 2000  # with the address sanitizer's share
 
 
@@ -42,18 +43,19 @@ def chair(name, x, y, **members):
     return {"id": name, "profile": "manual-chair", "at": [x, y], **members}
 
 
+def limit_time():
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+
+
 def measure(*arguments):
     """The exit code (or minus a signal's number), what is printed, and the largest memory in MB."""
-    process = subprocess.Popen([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    timer = threading.Timer(SECONDS, process.kill)
-    timer.start()
+    process = subprocess.Popen([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limit_time)
     error = []
     reader = threading.Thread(target=lambda: error.append(process.stderr.read()))
     reader.start()
     out = process.stdout.read()
     reader.join()
     _, status, usage = os.wait4(process.pid, 0)
-    timer.cancel()
     process.returncode = os.waitstatus_to_exitcode(status)
     return process.returncode, out.decode(), error[0].decode(), usage.ru_maxrss / 1024
 

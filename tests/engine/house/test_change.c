@@ -368,7 +368,7 @@ TEST(groups_change_at_the_same_time_and_any_number_of_jobs_gives_the_same) {
     end_story(&story, &one);
 }
 
-TEST(a_crowd_goes_on_whatever_the_number_of_jobs) {
+LONG_TEST(a_crowd_goes_on_whatever_the_number_of_jobs) {
     static const char *const until[] = {"run.until=3", NULL};
     Story story = {0};
     add_house(&story, 0, "shopping-centre", until);

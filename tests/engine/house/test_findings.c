@@ -201,7 +201,7 @@ TEST(the_paper_s_chair_slows_before_the_corner_holds_v_min_and_speeds_up) {
 }
 
 /* Runs every shipped house to its end; the world asserts at every step that nobody enters a wall. */
-TEST(every_shipped_house_runs_to_an_answer) {
+LONG_TEST(every_shipped_house_runs_to_an_answer) {
     static const char *const names[] = {"straight-corridor",  "ube-techno-house",         "flat-0.910-module",
                                         "flat-0.910-widened", "bedroom-after-earthquake", "two-chairs-corridor",
                                         "closed-door",        "corner-0.78-0.78",         "corner-0.80-1.20",

@@ -63,7 +63,7 @@ static json_t *mixed_hall(void) {
     return plan;
 }
 
-TEST(a_thousand_people_and_chairs_have_the_same_digest_with_one_two_and_four_threads) {
+LONG_TEST(a_thousand_people_and_chairs_have_the_same_digest_with_one_two_and_four_threads) {
     uint64_t digests[3];
     const int jobs[3] = {1, 2, 4};
     for (int k = 0; k < 3; k++) {
@@ -82,7 +82,7 @@ TEST(a_thousand_people_and_chairs_have_the_same_digest_with_one_two_and_four_thr
 
 /* With a long step people decide often while others leave: reading data that another thread writes would change the
  * result. */
-TEST(leaving_people_do_not_change_what_others_decide_in_the_same_step) {
+LONG_TEST(leaving_people_do_not_change_what_others_decide_in_the_same_step) {
     uint64_t digests[4];
     for (int k = 0; k < 4; k++) {
         House house;

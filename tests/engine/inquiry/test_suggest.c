@@ -108,7 +108,7 @@ TEST(a_narrow_door_is_widened_to_what_the_chair_needs) {
     unlink(made.path);
 }
 
-TEST(two_narrow_doors_in_a_row_are_widened_together) {
+LONG_TEST(two_narrow_doors_in_a_row_are_widened_together) {
     Case made;
     SuggestList list;
     open_case(&made, CORRIDOR DOORS("0.6", "0.55") "}");

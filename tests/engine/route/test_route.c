@@ -157,7 +157,7 @@ static void check_path(const Fixture *fixture, const Route *route) {
     CHECK(route->fits && route->drivable && route->answer == ROUTE_FOUND);
 }
 
-TEST(fits_flips_within_a_centimetre_of_the_closed_form) {
+LONG_TEST(fits_flips_within_a_centimetre_of_the_closed_form) {
     Random random = random_seed(7, 1);
     int tried = 0, wrong_above = 0, wrong_below = 0;
     while (tried < 200) {
