@@ -69,9 +69,60 @@ check_floors() {
     done
 }
 
+# Sources that have no header of their own, and what declares their functions instead.
+shared_headers() {
+    cat <<'END'
+app/main\.c                           - # it has no function for others
+app/command/[a-z]+\.c                 app/command/command.h # each verb is one function, a row of the table of verbs
+app/laboratory/edit/[a-z]+\.c         app/laboratory/edit/editor_state.h # the files are one editor
+app/laboratory/house/[a-z_]+\.c       app/laboratory/house/session_parts.h # the files are one session
+app/widgets/ui_[a-z]+\.c              app/widgets/ui.h # the files are one toolkit
+engine/plan/draft_change\.c           engine/plan/draft_parts.h # the files are one draft
+END
+}
+
+# A folder can be taken in at a glance and a file be read in one go; each source has its header, and each folder of tests
+# the folder that it tests.
+check_sizes() {
+    find engine app -type d | while read -r folder; do
+        modules=$(find "$folder" -maxdepth 1 \( -name '*.c' -o -name '*.cpp' \) | wc -l)
+        [ "$modules" -le 40 ] || echo "more than 40 modules: $folder has $modules" >>"$breaches"
+    done
+    sources engine app | while read -r source; do
+        lines=$(wc -l <"$source")
+        [ "$lines" -le 600 ] || echo "more than 600 lines: $source has $lines" >>"$breaches"
+        case $source in *.h) continue ;; esac
+        [ -f "${source%.c*}.h" ] && continue
+        header=$(shared_headers | while read -r pattern shared _; do
+            echo "$source" | grep -qxE "$pattern" && echo "$shared" && break
+        done)
+        [ "$header" = - ] || [ -f "$header" ] || echo "no header: $source" >>"$breaches"
+    done
+    find tests/engine tests/app -type d | while read -r folder; do
+        [ -d "${folder#tests/}" ] || echo "tests of a folder that does not exist: $folder" >>"$breaches"
+    done
+}
+
+# A folder includes only those that stand above it in the table, so that no two folders need each other.
+check_order() {
+    above=" base "
+    floors | while read -r folder allowed; do
+        for name in ${allowed#-}; do
+            case $name in */) pattern=" $name" ;; *) pattern=" $name " ;; esac
+            case $above in
+            *"$pattern"*) ;;
+            *) echo "the table of folders: $folder may include $name, which stands below it" >>"$breaches" ;;
+            esac
+        done
+        above="$above${folder#*/} "
+    done
+}
+
 # shellcheck disable=SC2046 # file names have no spaces
 {
     check_floors
+    check_order
+    check_sizes
     forbid 'engine draws or has a window' '#include *<(SDL|cairo|pango|GL|EGL|glib)' $(sources engine)
     forbid 'engine prints or exits' '(^|[^a-z_])(printf|puts|putchar|exit|abort) *\(' $(sources engine)
     forbid 'OpenGL outside its painter and the window that has the context' '#include "paint/(gl|shaders)\.h"' \
