@@ -2,14 +2,14 @@
 
 #include <math.h>
 
-#define MILLI 1000.0 /* in one */
+#define MILLI 1000.0 /* in one metre */
 
 /* Design points. */
 #define LINE_WIDTH 1.6
 #define DIAMOND 11.0
 #define NOW 13.0
 
-/* Of each plot. */
+/* Design points, of each plot. */
 enum { SERIES_LINE, SERIES_SECTION, SERIES_NOW, SERIES, GUIDES = 2 };
 enum { PLOT_PHASE, PLOT_FORCE };
 
@@ -18,11 +18,11 @@ struct BeamFilm {
     BeamRecord *record;
     BeamScale scale;
     BeamShape shape;
-    double time; /* s, shown last; -1: none */
+    double time; /* s, displayed last; -1: none */
     Plot plots[BEAM_FILM_PLOTS];
     PlotSeries series[BEAM_FILM_PLOTS][SERIES];
     PlotGuide guides[BEAM_FILM_PLOTS][GUIDES];
-    double now[BEAM_FILM_PLOTS][2]; /* the values at the time that is shown */
+    double now[BEAM_FILM_PLOTS][2]; /* the values at the displayed time */
     Scene still, added, moving;
 };
 

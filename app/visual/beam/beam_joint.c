@@ -3,15 +3,15 @@
 #include "visual/beam/beam_pieces.h"
 #include "visual/beam/beam_text.h"
 
-/* Of the beam's length. */
-#define SPRING_HALF 0.35 /* of a stop's half length */
+/* In beam lengths. */
+#define SPRING_HALF 0.35 /* of half the length of a stop */
 #define DIMENSION_AT 0.062
 #define DIMENSION_END 0.010
 #define FORCE_MOST 0.115
 #define BURST_MOST 0.040
 #define SHAFT_HALF 0.008
 #define TEXT_BESIDE 0.012
-#define SMALL 0.55 /* 1, of the signs beside the beam, where the loupe has them large */
+#define SMALL 0.55 /* 1, of the symbols at the beam, relative to those in the loupe */
 
 /* Design points. */
 #define NAME_TEXT 17.0
@@ -23,12 +23,12 @@ Vec2 beam_joint_tip(const BeamJoint *joint, double deflection) {
     return vec2(joint->middle.x, joint->middle.y + joint->factor * deflection);
 }
 
-/* m of the drawing, how far a stop's face is from the middle while nothing presses it. */
+/* Returns the distance of an unloaded stop's face from the middle, m of the drawing. */
 static double face_of(const BeamJoint *joint, const Beam *beam) {
     return joint->ball + joint->factor * beam->clearance;
 }
 
-/* How far it is to a stop, beside it. */
+/* Adds the distance to a stop, next to it. */
 static void add_gap(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint, int side) {
     double length = scale->length, x = joint->middle.x + DIMENSION_AT * length, end = x + DIMENSION_END * length;
     double rest = joint->middle.y + side * joint->ball, face = joint->middle.y + side * face_of(joint, beam);
@@ -75,7 +75,7 @@ void beam_joint_stops(Scene *scene, const Beam *beam, const BeamScale *scale, co
     }
 }
 
-/* The force that a stop has now, or had at the most when it was last touched, beside it. */
+/* Adds the present force of a stop, or its peak at the last touch, next to the stop. */
 static void add_text(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint,
                      const BeamMoment *moment, int side, bool touched) {
     const BeamImpact *last = moment->last[side > 0 ? 0 : 1];

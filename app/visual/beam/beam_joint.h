@@ -3,17 +3,17 @@
 
 #include "visual/beam/beam_scene.h"
 
-/* Of the beam's length: how thick a stop is, and what holds it. */
+/* In beam lengths: the thickness of a stop, and of its mount. */
 #define BEAM_JOINT_DEPTH 0.011
 #define BEAM_JOINT_GROUND 0.016
 
-/* m of the drawing, where the tip's middle stands that is deflected by so many m. */
+/* Returns the position of a tip deflected by this many m, m of the drawing. */
 Vec2 beam_joint_tip(const BeamJoint *joint, double deflection);
 
-/* What stays: what holds the stops; in the loupe also the size of the clearance. */
+/* Adds the fixed part: the mounts of the stops; in the loupe also the size of the clearance. */
 void beam_joint_still(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint);
 
-/* The stops, pressed out where the tip is in them, below the tip; and above it the force of an impact. */
+/* Adds the stops, displaced where the tip presses them, below the tip; and above it the force of an impact. */
 void beam_joint_stops(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint,
                       double deflection);
 void beam_joint_contact(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamJoint *joint,

@@ -8,8 +8,8 @@
 /* 1 */
 #define SPRING_END 0.12 /* of a spring, straight at either end */
 #define SPIRAL_TURNS 2.25
-#define HEAD_LENGTH 4.0 /* of an arrow's head, half shafts */
-#define HEAD_HALF 2.4   /* likewise */
+#define HEAD_LENGTH 4.0 /* of an arrow's head, in half shaft widths */
+#define HEAD_HALF 2.4   /* of an arrow's head, in half shaft widths */
 
 enum { SPRING_COILS = 5, SPIRAL_POINTS = 48 };
 

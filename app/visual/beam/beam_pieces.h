@@ -1,23 +1,24 @@
-/* What drawings of machines are made of, as primitives of a scene, m. */
+/* Elements of machine drawings, as primitives of a scene, m. */
 #pragma once
 
 #include "draw/scene.h"
 
-/* A zigzag from one end to the other, `half` to either side. */
+/* Adds a zigzag from one end to the other, `half` to either side. */
 void beam_pieces_spring(Scene *scene, Vec2 from, Vec2 to, double half);
 
-/* A spiral round a place: a spring that holds against turning. */
+/* Adds a spiral round a place: a torsional spring. */
 void beam_pieces_spiral(Scene *scene, Vec2 middle, double radius);
 
-/* A piston in a cylinder. */
+/* Adds a piston in a cylinder. */
 void beam_pieces_dashpot(Scene *scene, Vec2 from, Vec2 to, double half);
 
-/* What does not move: a thick line, and hatches `depth` behind it, upwards when that is positive. */
+/* Adds ground: a thick line, and hatches `depth` behind it, upwards if that is positive. */
 void beam_pieces_ground(Scene *scene, Vec2 left, Vec2 right, double depth);
 
 Primitive *beam_pieces_block(Scene *scene, Role fill, Box box);
 
-/* An arrow from its foot to its point, its shaft `half` to either side; one too short for its head has none. */
+/* Adds an arrow from its foot to its point, its shaft `half` to either side; an arrow shorter than its head has no
+ * shaft. */
 void beam_pieces_arrow(Scene *scene, Role role, Vec2 foot, Vec2 point, double half);
 
 /* Adds the star of a contact. */

@@ -7,22 +7,22 @@
 
 /* Design points. */
 #define LINE_WIDTH 2.0
-#define TANGLE_WIDTH 0.8 /* of a line that crosses itself everywhere */
+#define TANGLE_WIDTH 0.8 /* of a line that crosses itself often */
 #define DOT 2.0          /* of many */
 #define SIGN 7.0         /* of few */
 
-#define MILLI 1000.0 /* mm a m, ms a s */
+#define MILLI 1000.0 /* mm per m, ms per s */
 
 enum {
     CYCLES_SHOWN = 8,  /* against time */
-    ORBITS_SHOWN = 60, /* cycles in the phase plane: more are a blot */
-    FEW = 16,          /* places in the section that are shown as signs */
+    ORBITS_SHOWN = 60, /* cycles in the phase plane: more would be a blot */
+    FEW = 16,          /* points of the section that are shown as symbols */
     MULTIPLES = 10,    /* of the drive's frequency, in a spectrum */
 };
 
-#define SPECTRUM_DEPTH 1e-6 /* 1, of the largest amplitude: what is below is not shown */
+#define SPECTRUM_DEPTH 1e-6 /* 1, of the largest amplitude: smaller ones are not shown */
 
-/* What all plots are made of. */
+/* The inputs of all plots. */
 typedef struct Given {
     const Response *response;
     const Beam *beam;
@@ -46,7 +46,7 @@ static const char *note_of(const Given *given) {
     return arena_text(given->arena, note);
 }
 
-/* Rows of the trace of the last `cycles` cycles; where they begin. */
+/* Returns the first row of the last `cycles` cycles of the trace. */
 static size_t last_rows(const Trace *trace, size_t cycles, size_t *count) {
     size_t most = cycles * RESPONSE_SAMPLES;
     *count = trace->rows < most ? trace->rows : most;
@@ -57,7 +57,7 @@ static double factor_of(size_t column) {
     return column == RESPONSE_TIME || column == RESPONSE_DEFLECTION ? MILLI : 1;
 }
 
-/* A column of the trace, from a row on, as it is shown; time from the beginning of the first cycle that is shown. */
+/* Copies a column of the trace from a row on, scaled for display; time starts at the first displayed cycle. */
 static double *copy_column(const Given *given, size_t column, size_t from, size_t count) {
     const Trace *trace = &given->response->trace;
     double *values = arena_allocate(given->arena, (count + 1) * sizeof *values);
@@ -81,7 +81,7 @@ static void add_nought(Plot *plot, bool upright) {
     add_guide(plot, (PlotGuide){.upright = upright, .role = ROLE_ROOM, .style = LINE_SOLID});
 }
 
-/* The edges of the clearance, and the stops beyond them. */
+/* Adds the edges of the clearance, and the stops beyond them. */
 static void add_clearance(Plot *plot, const Given *given, bool upright) {
     double edge = MILLI * given->beam->clearance;
     add_guide(plot, (PlotGuide){.upright = upright, .band = true, .at = edge, .to = HUGE_VAL, .role = ROLE_FURNITURE});
@@ -126,7 +126,7 @@ static void make_phase(Plot *plot, const Given *given) {
     lay_measured(plot, given, RESPONSE_DEFLECTION, RESPONSE_VELOCITY);
 }
 
-/* Few places say nothing of how large the motion is: they are shown where they are in the phase plane. */
+/* A few points say nothing about the size of the motion: they are shown on the axes of the phase plane. */
 static void show_whole_plane(Plot *plot, const Given *given) {
     const Trace *trace = &given->response->trace;
     double edge = MILLI * given->beam->clearance;
@@ -140,7 +140,7 @@ static void show_whole_plane(Plot *plot, const Given *given) {
     plot->y.high = 1.1 * reach.high.y;
 }
 
-/* Every cycle on which the verdict rests. */
+/* Plots every cycle on which the verdict rests. */
 static void make_poincare(Plot *plot, const Given *given) {
     const Section *section = &given->response->analysed;
     double *x = arena_allocate(given->arena, (section->count + 1) * sizeof *x);
@@ -201,7 +201,7 @@ static void make_velocity(Plot *plot, const Given *given) {
     make_against_time(plot, given, RESPONSE_VELOCITY);
 }
 
-/* Whole periods of the motion, so that its lines are not smeared. */
+/* Uses whole periods of the motion, so that its lines are not smeared. */
 static Spectrum deflection_spectrum(const Given *given) {
     const Trace *trace = &given->response->trace;
     size_t cycles = trace->rows / RESPONSE_SAMPLES, period = given->response->orbit.period;

@@ -4,13 +4,13 @@
 
 #include "base/memory.h"
 
-#define MILLI 1000.0 /* in one: of m and s, what plots show */
+#define MILLI 1000.0 /* per m and per s, for plots */
 
-/* So that a line through the samples looks smooth: so many a cycle, and a period of a mode that is well seen, at least;
- * but where that would be very many, no more than that. */
+/* Samples are dense enough for smooth lines: at least so many per cycle, and per period of a clearly visible mode; but
+ * at most SAMPLES_MOST in total. */
 enum { SAMPLES = 400, MODE = 5, MODE_SAMPLES = 20, SAMPLES_MOST = 100000 };
 
-enum { LOOKS = 200 /* a cycle, at most, at how far the beam is bent */ };
+enum { LOOKS = 200 /* per cycle, at most, at which the deflection of the whole beam is evaluated */ };
 
 /* Following ---------------------------------------------------------------------------------------------------------*/
 
@@ -18,7 +18,7 @@ static double period_of(const BeamRecord *record) {
     return record->motion.rig->period;
 }
 
-/* To the beginning of a cycle. */
+/* Moves to the start of a cycle. */
 static void begin_cycle(BeamRecord *record, size_t cycle) {
     const Section *section = &record->response->section;
     const double *state = cycle ? section->state + (cycle - 1) * section->states : record->response->start;
@@ -31,7 +31,7 @@ static void advance_until(Motion *motion, double phase) {
         motion_step(motion, phase - motion->phase);
 }
 
-/* The cycle of a time, and its phase in it. */
+/* Finds the cycle of a time, and the phase in the cycle. */
 static size_t cycle_at(const BeamRecord *record, double time, double *phase) {
     double period = period_of(record), last = (double)(record->cycles - 1);
     double cycle = fmax(0, fmin(floor(time / period), last));
@@ -47,7 +47,7 @@ void beam_record_seek(BeamRecord *record, double time) {
 
 /* Impacts -----------------------------------------------------------------------------------------------------------*/
 
-/* Of the stop that the tip is at, or in; 0: of none. */
+/* Returns the side of the stop that the tip touches; 0: none. */
 static int side_of(MotionPlace place) {
     static const int sides[MOTION_PLACES] = {
         [MOTION_UPPER] = 1, [MOTION_UPPER_LEAVING] = 1, [MOTION_LOWER] = -1, [MOTION_LOWER_LEAVING] = -1};
@@ -65,7 +65,7 @@ static void begin_impact(BeamRecord *record, double time, int side) {
     *peak_of(&record->motion, side) = 0;
 }
 
-/* After a step from the side `before`. */
+/* Updates the impacts after a step from the side `before`. */
 static void note_step(BeamRecord *record, int before, double time) {
     int now = side_of(record->motion.place);
     BeamImpact *last = record->impact_count ? &record->impacts[record->impact_count - 1] : NULL;
@@ -78,14 +78,14 @@ static void note_step(BeamRecord *record, int before, double time) {
         begin_impact(record, time, now);
 }
 
-/* How far the beam is bent now. */
+/* Updates the largest deflection of the beam. */
 static void note_reach(BeamRecord *record, BeamShape *shape) {
     beam_shape_set(shape, &record->motion);
     record->reach = fmax(record->reach, beam_shape_reach(shape));
     record->tip_reach = fmax(record->tip_reach, fabs(motion_deflection(&record->motion)));
 }
 
-/* Goes through all cycles once. */
+/* Advances through all cycles once. */
 static void advance_all(BeamRecord *record) {
     double period = period_of(record);
     Motion *motion = &record->motion;
@@ -117,9 +117,9 @@ const BeamImpact *beam_record_last_impact(const BeamRecord *record, double time,
     return last;
 }
 
-#define ALIKE 1e-6 /* 1: forces so near to each other are alike, and the first is taken */
+#define ALIKE 1e-6 /* 1: forces nearer than this count as equal, and the first is taken */
 
-/* The largest force or, where nothing is touched, the largest deflection. */
+/* Finds the largest force or, without contact, the largest deflection. */
 static void find_hardest(BeamRecord *record) {
     const Trace *trace = &record->response->trace;
     int column = record->largest > 0 ? RESPONSE_FORCE : RESPONSE_DEFLECTION;
@@ -157,7 +157,7 @@ static void add_sample(BeamRecord *record, double time) {
     record->force[at] = motion_force(&record->motion);
 }
 
-/* The Poincare section within the span. */
+/* Computes the Poincare section within the span. */
 static void add_section(BeamRecord *record, BeamSpan span) {
     const Section *section = &record->response->section;
     for (size_t i = 0; i < record->cycles; i++) {
@@ -182,7 +182,7 @@ static void clear_samples(BeamRecord *record) {
     record->sample_count = record->section_count = 0;
 }
 
-/* How many samples are taken every 1 / rate s. */
+/* Returns the number of samples taken every 1 / rate s. */
 static double parts_of(const BeamRecord *record, BeamSpan span) {
     const Modes *modes = &record->motion.rig->modes;
     double seen = modes->frequency[modes->count < MODE ? modes->count - 1 : MODE - 1] / (2 * M_PI);

@@ -4,20 +4,20 @@
 #include "visual/beam/beam_pieces.h"
 #include "visual/beam/beam_text.h"
 
-/* Of the beam's length: where everything is. */
-#define THINNEST 0.008    /* half of the thickness, as drawn, at least: a thinner beam could not be seen */
-#define THICKEST 0.03     /* and at most */
+/* Positions and sizes, in beam lengths. */
+#define THINNEST 0.008    /* half of the thickness, as drawn, at least: thinner beams would be invisible */
+#define THICKEST 0.03     /* the same, at most */
 #define RISE 0.115        /* the largest deflection, magnified, at most */
-#define TIP_RISE 0.105    /* and that of the tip */
+#define TIP_RISE 0.105    /* the same of the tip */
 #define FLOOR -0.175      /* of pivot and shaker */
-#define ROW 0.031         /* from one row of words to the next */
-#define BEFORE 0.11       /* of the picture, before the beam */
-#define BEHIND 0.53       /* and behind it */
-#define BEHIND_ALONE 0.15 /* where there is no loupe */
+#define ROW 0.031         /* from one row of text to the next */
+#define BEFORE 0.11       /* of the picture, in front of the beam */
+#define BEHIND 0.53       /* behind the beam */
+#define BEHIND_ALONE 0.15 /* behind the beam without a loupe */
 #define HIGH 0.195        /* of the picture, above the beam */
-#define LOW -0.195        /* and below it */
-#define MAGNIFIED_AT 0.2  /* where it says how much larger deflections are drawn */
-#define REST_BEFORE 0.04  /* so far before the beam its rest line begins */
+#define LOW -0.195        /* below the beam */
+#define MAGNIFIED_AT 0.2  /* of the note about the magnification */
+#define REST_BEFORE 0.04  /* from the beginning of the rest line to the beam */
 #define PIVOT_GROUND 0.030
 #define PIVOT_SPRING 0.016
 #define PIVOT_SPIRAL 0.030
@@ -29,26 +29,26 @@
 #define COIL_DEPTH 0.040
 #define SUSPENSION 0.011
 #define DASHPOT 0.008
-#define SUSPENSION_ASIDE 0.013 /* where there is a dashpot, too, on the other side */
-#define NEAR 0.16              /* pivot and shaker that are nearer to each other: the pivot stands above */
-#define PIVOT_BEFORE 0.07      /* where the pivot's words begin, at the end of the beam */
-#define PIVOT_BESIDE 0.03      /* where they end before it elsewhere */
-#define PIVOT_BEHIND 0.20      /* and where they begin when shaker and pivot both are at the end */
+#define SUSPENSION_ASIDE 0.013 /* of the spring from the middle if a dashpot stands on the other side */
+#define NEAR 0.16              /* least distance between pivot and shaker: nearer pivots stand above */
+#define PIVOT_BEFORE 0.07      /* of the pivot's text from the end of the beam */
+#define PIVOT_BESIDE 0.03      /* of the end of the pivot's text elsewhere */
+#define PIVOT_BEHIND 0.20      /* of the pivot's text when shaker and pivot both are at the end */
 #define DRIVE_MOST 0.085
 #define DRIVE_LABEL 0.175
-#define DRIVE_ASIDE 0.06 /* where the pivot is above */
+#define DRIVE_ASIDE 0.06 /* of the pivot's text when the pivot is above */
 #define SHAFT_HALF 0.008
 #define BALL_MORE 1.25 /* 1, of the half thickness */
 #define STOP_HALF 0.022
-#define STOP_ROOM 0.031  /* behind the tip where it is farthest in a stop: the stop, and its spring pressed together */
-#define LOUPE_RIM 0.003  /* above and below it */
+#define STOP_ROOM 0.031  /* behind the tip at its deepest: the stop, and its compressed spring */
+#define LOUPE_RIM 0.003  /* above and below the tip */
 #define LOUPE_LEFT 0.135 /* behind the tip */
 #define LOUPE_RIGHT 0.515
 #define LOUPE_TIP 0.265
 #define LOUPE_BALL 0.034
 #define LOUPE_GROUND 0.170
 #define LOUPE_STOP 0.036
-#define LOUPE_SEEN 0.035 /* the part of the beam that it shows, on either side of the tip */
+#define LOUPE_SEEN 0.035 /* the displayed part of the beam, on either side of the tip */
 
 /* Design points. */
 #define PANELS_HEIGHT 290.0
@@ -59,10 +59,10 @@
 #define ROD_WIDTH 4.0
 #define PIN_EDGE 2.0
 
-#define ROUNDING 1e-12 /* 1: what is a round number but for this is one */
-#define STOPS_AWAY 4.0 /* times the reach: stops that far away would leave nothing to be seen of the beam */
+#define ROUNDING 1e-12 /* 1: values within this factor of a round number count as round */
+#define STOPS_AWAY 4.0 /* times the reach: farther stops would leave the beam too small to see */
 
-/* The largest round number up to a value: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten. */
+/* Returns the largest round number up to a value: 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten. */
 static double round_down(double value) {
     static const double steps[] = {8, 6, 5, 4, 3, 2.5, 2, 1.5, 1};
     double power = pow(10, floor(log10(value) + ROUNDING));
@@ -72,12 +72,12 @@ static double round_down(double value) {
     return steps[i] * power;
 }
 
-/* How often `reach` m may be magnified to be so much of the beam's length. */
+/* Returns the factor that magnifies `reach` m to this share of the beam's length. */
 static double factor_of(const Beam *beam, double rise, double reach) {
     return reach > 0 ? round_down(rise * beam->length / reach) : HUGE_VAL;
 }
 
-/* The joint at the beam, or in the loupe. */
+/* Returns the joint at the beam, or in the loupe. */
 static BeamJoint joint_of(const Beam *beam, const BeamScale *scale, double reach, double tip_reach, bool loupe) {
     double length = beam->length, seen = scale->stops ? fmax(tip_reach, beam->clearance) : tip_reach;
     double factor = fmin(factor_of(beam, TIP_RISE, seen), loupe ? HUGE_VAL : factor_of(beam, RISE, reach));
@@ -128,7 +128,7 @@ void beam_scene_labels(Scene *scene, const Beam *beam, const Rig *rig, const Res
                              beam_text_provenance(scene, beam, "beam.thickness"));
 }
 
-/* Rows of words to one side of a place, downwards; a piece's name is bold, what is told of it is not. */
+/* Adds rows of text to one side of a place, downwards; the name of a part is bold, its numbers are not. */
 static void add_rows(Scene *scene, const BeamScale *scale, Vec2 at, int side, const char *const *rows, size_t count) {
     size_t shown = !(scale->parts & BEAM_SCENE_NAMES) ? 0 : scale->parts & BEAM_SCENE_SOURCES ? count : 1;
     for (size_t i = 0; i < shown; i++) {
@@ -142,12 +142,12 @@ static void add_rows(Scene *scene, const BeamScale *scale, Vec2 at, int side, co
     }
 }
 
-/* Is the pivot so near to the shaker that it has to stand above? */
+/* True if the pivot is so near to the shaker that it must stand above. */
 static double pivot_side(const Beam *beam) {
     return fabs(beam->pivot_position - beam->shaker_position) < NEAR * beam->length ? 1 : -1;
 }
 
-/* Ground under (or over) something, a thick line with hatches behind it. */
+/* Adds ground under (or over) a part, a thick line with hatches behind it. */
 static void add_ground(Scene *scene, const BeamScale *scale, Vec2 middle, double half, double up) {
     beam_pieces_ground(scene, vec2(middle.x - half * scale->length, middle.y),
                        vec2(middle.x + half * scale->length, middle.y), up * BEAM_JOINT_GROUND * scale->length);
@@ -204,7 +204,7 @@ static Primitive *add_frame(Scene *scene, Box box) {
     return frame;
 }
 
-/* The loupe, and what it shows. */
+/* Adds the loupe and its content. */
 static void still_loupe(Scene *scene, const BeamScale *scale) {
     double length = scale->length;
     Box loupe = {{(1 + LOUPE_LEFT) * length, (LOW + LOUPE_RIM) * length},
@@ -271,7 +271,7 @@ static void add_pivot(Scene *scene, const Beam *beam, const BeamScale *scale, co
     pin->width = PIN_EDGE;
 }
 
-/* The armature hangs on the beam; its suspension stands on the floor. */
+/* Adds the armature, which hangs on the beam, and its suspension, which stands on the floor. */
 static void add_shaker(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamShape *shape) {
     double length = scale->length, x = beam->shaker_position, floor = FLOOR * length;
     double top = drawn_at(scale, shape, x) - scale->half, bottom = top - COIL_DEPTH * length;
@@ -305,7 +305,7 @@ static void add_beam(Scene *scene, const BeamScale *scale, const BeamShape *shap
     beam->width = EDGE;
 }
 
-/* The ball that touches; in the loupe with the beam's end. */
+/* Adds the ball of the tip; in the loupe with the beam's end. */
 static void add_tip(Scene *scene, const BeamScale *scale, const BeamJoint *joint, double deflection) {
     Vec2 tip = beam_joint_tip(joint, deflection);
     if (joint->loupe) {
@@ -318,7 +318,7 @@ static void add_tip(Scene *scene, const BeamScale *scale, const BeamJoint *joint
     ball->width = EDGE;
 }
 
-/* The shaker's force, above the beam: it pulls up or presses down. */
+/* Adds the shaker's force, above the beam: it pulls up or presses down. */
 static void add_drive(Scene *scene, const Beam *beam, const BeamScale *scale, const BeamShape *shape, double drive) {
     double length = scale->length, x = beam->shaker_position + (pivot_side(beam) > 0 ? DRIVE_ASIDE * length : 0);
     if (beam->force <= 0)

@@ -5,13 +5,13 @@
 
 #include "base/memory.h"
 
-enum { POINTS = 80 /* about so many make a smooth line */ };
+enum { POINTS = 80 /* about this many make a smooth line */ };
 
 static size_t node_count(const BeamShape *shape) {
     return shape->rig->modes.freedoms / 2;
 }
 
-/* Points an element. */
+/* Returns the points per element. */
 static size_t piece_count(size_t nodes) {
     size_t elements = nodes - 1;
     return elements < POINTS ? (POINTS + elements - 1) / elements : 1;
@@ -41,7 +41,7 @@ void beam_shape_destroy(BeamShape *shape) {
     *shape = (BeamShape){0};
 }
 
-/* Within the element from node `left` on: Hermite's cubic of the deflections and slopes at its ends. */
+/* Interpolates within the element from node `left` on: Hermite's cubic of the deflections and slopes at its ends. */
 static double element_deflection_at(const BeamShape *shape, size_t left, double place) {
     const double *ends = shape->rig->modes.place + left, *w = shape->freedoms + 2 * left;
     double length = ends[1] - ends[0], s = (place - ends[0]) / length, r = 1 - s;

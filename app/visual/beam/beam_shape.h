@@ -1,4 +1,4 @@
-/* The bent beam: the deflection of each of its points, from the state of its modes, by the cubics of its elements. */
+/* The bent beam: the deflection at points along it, from the state of its modes, by the cubics of its elements. */
 #pragma once
 
 #include <stddef.h>
@@ -14,15 +14,15 @@ typedef struct BeamShape {
     double *freedoms;   /* (freedoms) m and rad, of the nodes */
 } BeamShape;
 
-/* A beam at rest; the rig must outlive it. beam_shape_destroy releases it. */
+/* Makes a beam at rest; the rig must outlive it. beam_shape_destroy releases it. */
 BeamShape beam_shape_create(const Rig *rig);
 void beam_shape_destroy(BeamShape *shape);
 
-/* Makes it that of a motion. */
+/* Sets the shape of a motion. */
 void beam_shape_set(BeamShape *shape, const Motion *motion);
 
-/* m, the deflection at a place, m along the beam. */
+/* Returns the deflection, m, at a place, m along the beam. */
 double beam_shape_at(const BeamShape *shape, double place);
 
-/* m, the largest deflection of any point, either way. */
+/* Returns the largest deflection of any point, m, of either sign. */
 double beam_shape_reach(const BeamShape *shape);

@@ -20,7 +20,7 @@ const char *beam_text_quantity(Scene *scene, double value, const char *unit) {
     return scene_text(scene, "%.3g %s%s", value / prefixes[p].size, prefixes[p].name, unit);
 }
 
-/* Behind the point, so that there are three digits or more. */
+/* Returns the digits behind the point that give at least three significant digits. */
 static int digits_of(double most) {
     return (int)real_clamp(most > 0 ? 2 - floor(log10(most)) : 0, 0, 9);
 }
@@ -33,7 +33,7 @@ const char *beam_text_signed_newtons(Scene *scene, double force, double most) {
     return scene_text(scene, "%s%.*f N", force < 0 ? "\u2212" : "+", digits_of(most), fabs(force));
 }
 
-/* "485 to 989 N", or one of them where they are alike. */
+/* Prints "485 to 989 N", or a single value if both are printed alike. */
 static const char *peaks_of(Scene *scene, const SectionPeaks *peaks) {
     const char *least = scene_text(scene, "%.*f", digits_of(peaks->max), peaks->min);
     const char *most = scene_text(scene, "%.*f", digits_of(peaks->max), peaks->max);
