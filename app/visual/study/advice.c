@@ -3,17 +3,17 @@
 #include <math.h>
 #include <string.h>
 
-/* The words of one kind of experiment. */
+/* The terms of one kind of experiment. */
 typedef struct Terms {
     const char *kind;
     const char *headline[4];         /* by TypesKind */
-    const char *regular, *irregular; /* sentences' beginnings */
+    const char *regular, *irregular; /* beginnings of sentences */
     const char *unsure;
-    const char *stays, *becomes_not; /* where nothing changes with one number alone */
-    const char *again;               /* where it is regular again */
+    const char *stays, *becomes_not; /* for "nothing changes with one number alone" */
+    const char *again;               /* for places where it is regular again */
     const char *measure;
-    const char *changes; /* what an answer that changes does */
-    const char *longer;  /* what helps where it cannot be told */
+    const char *changes; /* the verb of a changing answer */
+    const char *longer;  /* the remedy if the type is undecided */
 } Terms;
 
 static const Terms all_terms[] = {
@@ -51,13 +51,13 @@ static const Terms *find_terms(const Experiment *experiment) {
     return &all_terms[0];
 }
 
-/* "clearance" of "joint.clearance"; "door.d1.width" as it is. */
+/* Returns "clearance" for "joint.clearance"; "door.d1.width" unchanged. */
 static const char *short_name(const char *name) {
     const char *first = strchr(name, '.');
     return first && first == strrchr(name, '.') ? first + 1 : name;
 }
 
-/* Lengths below this are told in mm. */
+/* Lengths below this are printed in mm. */
 static const double SMALL_LENGTH = 0.5;
 
 static void add_quantity(Text *text, const char *unit, double value) {
@@ -68,7 +68,7 @@ static void add_quantity(Text *text, const char *unit, double value) {
                                     : "");
 }
 
-/* Adds "clearance 0.1315 mm": a parameter and a value of it. */
+/* Adds "clearance 0.1315 mm": a parameter and its value. */
 static void add_value(Text *text, const Experiment *experiment, const char *name, double value) {
     text_format(text, "%s ", short_name(name));
     add_quantity(text, experiment->parameter(experiment->given, name)->unit, value);
@@ -80,7 +80,7 @@ static void add_measure(Text *text, const Experiment *experiment, double value) 
 
 /* The answer's sentence ------------------------------------------------------------------------------------------- */
 
-/* "here" or "at clearance 0.1257 mm" */
+/* Adds "here" or "at clearance 0.1257 mm". */
 static void add_place(Text *text, const Types *types, const Experiment *experiment, size_t at) {
     const TypesPoint *point = &types->points[at];
     if (point->parameter == types->parameter_count) {
@@ -91,7 +91,7 @@ static void add_place(Text *text, const Types *types, const Experiment *experime
     add_value(text, experiment, types->parameters[point->parameter].name, point->value);
 }
 
-/* `all` is the word for every one of them. */
+/* Adds how many starts do so; `all` replaces the number if all do. */
 static void add_starts(Text *text, size_t starts, const char *all) {
     if (starts < TYPES_STARTS)
         text_format(text, " from %zu of %d starts", starts, TYPES_STARTS);
@@ -111,7 +111,7 @@ static void add_answers(Text *text, const Types *types, const Experiment *experi
     }
 }
 
-/* "1 % more clearance is 7.3 % more of the largest force" */
+/* Adds "1 % more clearance is 7.3 % more of the largest force". */
 static void add_sensitivity(Text *text, const Terms *terms, const TypesParameter *parameter) {
     if (isinf(parameter->sensitivity))
         text_format(text, "a change of 1 %% in %s decides whether there is any force at all",
@@ -176,14 +176,14 @@ static void add_reason(Text *text, const Types *types, const Experiment *experim
 
 /* What is beyond -------------------------------------------------------------------------------------------------- */
 
-/* The nearer side of a parameter on which something was found; NULL: none. */
+/* Returns the nearer side of a parameter on which a change was found; NULL: none. */
 static const Neighbour *nearer_side(const TypesParameter *parameter) {
     const Neighbour *below = parameter->below.found ? &parameter->below : NULL;
     const Neighbour *above = parameter->above.found ? &parameter->above : NULL;
     return !below || (above && above->share < -below->share) ? above : below;
 }
 
-/* The parameters (indices) that have a found side, the nearest first; returns how many. */
+/* Lists the parameters (indices) with such a side, the nearest first; returns their number. */
 static size_t order_parameters(const Types *types, size_t order[TYPES_PARAMETERS_MOST]) {
     size_t count = 0;
     for (size_t p = 0; p < types->parameter_count; p++) {
@@ -205,7 +205,7 @@ static void add_side(Text *text, const Experiment *experiment, const TypesParame
     text_format(text, " (%.3g %% %s)", 100 * fabs(side->share), side->share < 0 ? "below" : "above");
 }
 
-/* 1, how far was looked on every side. */
+/* Returns the least distance searched on all sides, 1. */
 static double least_reached(const Types *types) {
     double least = HUGE_VAL;
     for (size_t p = 0; p < types->parameter_count; p++)

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { SHOWN = 40 /* characters of a wrong word */ };
+enum { SHOWN = 40 /* characters of a wrong name */ };
 
 static bool choose(PlotChoice *choice, const char *name, size_t length, const char *const *known, size_t count) {
     for (size_t i = 0; i < count; i++)

@@ -5,13 +5,13 @@
 
 #include "base/text.h"
 
-/* Below these a length is shown in mm, a time in ms. */
+/* A length below this is shown in mm, a time in ms. */
 #define SHORT 0.01 /* m */
 #define BRIEF 0.1  /* s */
 
 #define MILLI 1000.0
 
-/* "joint.clearance" as "joint clearance". */
+/* Returns "joint clearance" for "joint.clearance". */
 static const char *spoken(Arena *arena, const char *name) {
     char *text = (char *)arena_text(arena, name);
     for (char *at = text; *at; at++)

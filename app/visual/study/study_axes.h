@@ -1,4 +1,4 @@
-/* Numbers of a study as axes of plots show them. */
+/* Numbers of a study as axes of plots. */
 #pragma once
 
 #include "plot/plot.h"
@@ -10,22 +10,20 @@ typedef struct StudyScale {
     double factor;
 } StudyScale;
 
-/* Of a parameter, from its name: "drive frequency"; ends are not set. */
+/* Returns the axis of a parameter, titled by its name: "drive frequency"; without ends. */
 StudyScale study_axes_parameter(const Study *study, size_t axis, Arena *arena);
 
-/* Of an observable, or of what runs list. */
+/* Returns the axis of an observable, or of the values that runs list. */
 StudyScale study_axes_observable(const Observable *observable);
 
-/* An observable of a trial; NAN: it is not done, could not be run, or has none. */
+/* Returns an observable of a trial; NAN if it is not done, failed, or has none. */
 double study_axes_value(const Trial *trial, size_t observable);
 
-/* Those of all trials, as far as they are numbers, into `values` (trial_count); returns how many. */
+/* Copies those of all trials that are numbers into `values` (trial_count); returns their number. */
 size_t study_axes_values(const Study *study, size_t observable, double *values);
 
-/* The index of the observable of that name; the count: there is none. */
+/* Returns the index of the observable of that name; the count if there is none. */
 size_t study_axes_find(const Study *study, const char *name);
 
-/* Is it a number that only marks, as those of the ways out of a house, which says no more than whether two are the
- * same?
- */
+/* True if the number is only a mark, as for the routes out of a house: it can be compared for equality only. */
 bool study_axes_is_mark(const Study *study, size_t observable);

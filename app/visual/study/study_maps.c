@@ -9,13 +9,13 @@
 #include "visual/study/measured_marks.h"
 #include "visual/study/study_axes.h"
 
-#define SAME 1e-3      /* of a measure: nearer ones are of one attractor */
-#define CONSTANT 1e-6  /* of a ratio over the map: nearer ones are one number */
+#define SAME 1e-3      /* of a measure: nearer values belong to one attractor */
+#define CONSTANT 1e-6  /* of a ratio over the map: nearer values count as one */
 #define EDGE_WIDTH 1.8 /* design points, of the lines round regions of types */
 
 enum { CLASSES_MOST = 12 };
 
-/* A map that is being made. */
+/* The map that is being made. */
 typedef struct Map {
     const Study *study;
     size_t pass, columns, rows;
@@ -35,7 +35,7 @@ static const Trial *map_trial(const Map *map, size_t run, size_t cell) {
     return study_trial(map->study, map->pass, run, cell / map->columns, cell % map->columns);
 }
 
-/* The mean of all runs. */
+/* Returns the mean of all runs. */
 static double cell_value(const Map *map, size_t cell, size_t observable) {
     double sum = 0;
     for (size_t run = 0; run < map->study->runs; run++)
@@ -47,7 +47,7 @@ static double cell_value(const Map *map, size_t cell, size_t observable) {
 
 typedef struct Attractor {
     double outcome, measure;
-    size_t trials, first; /* how many lead there; in the order in which they were found */
+    size_t trials, first; /* number of trials that lead there; in the order of discovery */
 } Attractor;
 
 static bool is_same(const Attractor *known, double outcome, double measure) {
@@ -99,7 +99,7 @@ static size_t list_attractors(const Study *study, size_t pass, int *found, Attra
 
 /* Maps ------------------------------------------------------------------------------------------------------------ */
 
-/* A cell reaches half a step beyond its value. */
+/* Returns the range of an axis: a cell reaches half a step beyond its value. */
 static void axis_box(const StudyAxis *axis, double factor, double *low, double *high) {
     double half = axis->steps > 1 ? (axis->to - axis->from) / (double)(axis->steps - 1) / 2 : 0.5;
     *low = factor * (axis->from - half);
@@ -129,7 +129,7 @@ static Map begin_map(StudyPlots *plots, const Study *study, size_t pass, const c
     return map;
 }
 
-/* A class that the map has gets a place in the key; what the cells hold is its number there. */
+/* Gives each class that occurs in the map a place in the key, and renumbers the cells. */
 static void store_classes(Map *map, const PlotClass *classes, size_t count) {
     int place[CLASSES_MOST];
     memset(place, -1, sizeof place);
@@ -149,7 +149,7 @@ static bool is_house(const Map *map) {
     return strcmp(map->study->experiment->kind, "house") == 0;
 }
 
-/* Was the cell run, to the end? Then what it does not say cannot be told. */
+/* True if the cell was run to the end: a missing value is then undecided. */
 static bool was_run(const Map *map, size_t cell) {
     for (size_t run = 0; run < map->study->runs; run++)
         if (!map_trial(map, run, cell)->done || map_trial(map, run, cell)->fault)
@@ -157,7 +157,7 @@ static bool was_run(const Map *map, size_t cell) {
     return true;
 }
 
-/* Of several runs of a place, classes are the first one's. */
+/* Uses the classes of the first run where a place has several runs. */
 static void note_first(Map *map) {
     if (map->study->runs > 1)
         map->to->plot.note = text_in_arena(map->arena, "the first of %zu runs", map->study->runs);
@@ -179,7 +179,7 @@ static void classify_regular(Map *map) {
     store_classes(map, classes, 3);
 }
 
-/* 0 where nothing is touched, 1 to 4, 5 for 5 to 8, 6 for more, 7 for none. */
+/* Returns 0 without contact, 1 to 4, 5 for 5 to 8, 6 for more, 7 for none. */
 static double period_class(double period, double touches) {
     if (isnan(period) || touches == 0)
         return isnan(period) ? NAN : 0;
@@ -257,7 +257,7 @@ static void classify_attractors(Map *map) {
     store_classes(map, classes, UNDECIDED + 1);
 }
 
-/* A quantity; false: it is the same everywhere, or not known. */
+/* Fills the map with a quantity; false if it is constant or unknown. */
 static bool fill_quantity(Map *map, size_t observable) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (size_t i = 0; i < map->columns * map->rows; i++) {
@@ -272,7 +272,7 @@ static bool fill_quantity(Map *map, size_t observable) {
 
 /* What lies over a map --------------------------------------------------------------------------------------------- */
 
-/* The clearance by the static deflection, where it depends on the clearance alone. */
+/* Adds the ratio of clearance and static deflection if it depends on the clearance alone. */
 static void add_ratio(Map *map) {
     size_t ratio = study_axes_find(map->study, "clearance_ratio");
     if (ratio == map->study->experiment->observable_count || strcmp(map->study->axes[1].name, "joint.clearance") != 0)
@@ -293,7 +293,7 @@ static void add_ratio(Map *map) {
     }
 }
 
-/* The line between a cell and its neighbour to the right or above, when their types differ. */
+/* Adds the line between a cell and its neighbour to the right or above if their types differ. */
 static void add_edge(const Map *map, size_t type, size_t cell, size_t neighbour, double *x, double *y, size_t *count) {
     double own = study_axes_value(map_trial(map, 0, cell), type);
     double other = study_axes_value(map_trial(map, 0, neighbour), type);
@@ -310,7 +310,7 @@ static void add_edge(const Map *map, size_t type, size_t cell, size_t neighbour,
     *count += 3;
 }
 
-/* Regions of types, where another observable says them. */
+/* Adds the borders of type regions to the map of another observable. */
 static void add_types(Map *map) {
     size_t type = study_axes_find(map->study, "type"), cells = map->columns * map->rows, count = 0;
     if (type == map->study->experiment->observable_count)
@@ -328,7 +328,7 @@ static void add_types(Map *map) {
             .name = "between types", .x = x, .y = y, .count = count, .role = ROLE_IMPACT, .width = EDGE_WIDTH};
 }
 
-/* A map that has been filled, among the plots. */
+/* Stores a finished map among the plots. */
 static void end_map(StudyPlots *plots, Map *map, const Measured *measured, bool types) {
     add_ratio(map);
     if (types)
@@ -340,14 +340,14 @@ static void end_map(StudyPlots *plots, Map *map, const Measured *measured, bool 
     plots->count++;
 }
 
-/* A heading begins with a capital. */
+/* Returns a heading, which begins with a capital. */
 static const char *capital(Arena *arena, const char *text) {
     char *heading = (char *)arena_text(arena, text);
     heading[0] = (char)toupper((unsigned char)heading[0]);
     return heading;
 }
 
-/* How an observable is shown. */
+/* Makes the map of an observable. */
 static bool fill_map(Map *map, size_t observable) {
     const Experiment *experiment = map->study->experiment;
     const Observable *shown = &experiment->observables[observable];

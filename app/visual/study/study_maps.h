@@ -1,11 +1,11 @@
-/* Maps of a study of two axes: each observable over both parameters, as classes where it is one of few, otherwise as a
- * quantity; over the two numbers of a start, which start leads to which attractor. */
+/* Maps of a study of two axes: each observable over both parameters, as classes if it has few values, otherwise as a
+ * quantity; over two numbers of a start, the attractor of each start. */
 #pragma once
 
 #include "visual/study/study_plots.h"
 
-/* The most maps that a study can have. */
+/* Returns the largest number of maps of a study. */
 size_t study_maps_most(const Study *study);
 
-/* Makes them, behind those that are there already; `plots` has room. */
+/* Adds the maps to `plots`, which must have room. */
 void study_maps_add(StudyPlots *plots, const Study *study, const Measured *measured);

@@ -12,9 +12,9 @@
 /* Design points. */
 #define LINE_WIDTH 2.0
 #define SIGN 5.0
-#define PASS_GROWTH 4.0 /* of the signs of a class for each pass that is painted over them */
+#define PASS_GROWTH 4.0 /* of the symbols of a class, per pass painted over them */
 
-/* Of the values, what is shown of many runs. */
+/* Quantiles of the values, shown for many runs. */
 
 enum {
     BARS_LEAST = 5,
@@ -24,7 +24,7 @@ enum {
     SIGNS_MOST = 60 /* points of a line */
 };
 
-/* How a pass looks. */
+/* The look of a pass. */
 static const struct {
     const char *name;
     Role role;
@@ -33,10 +33,10 @@ static const struct {
              [STUDY_UP] = {"upwards", ROLE_LOCUS, SYMBOL_TRIANGLE},
              [STUDY_DOWN] = {"downwards", ROLE_GHOST, SYMBOL_BOX}};
 
-/* Of several passes those that are painted later have smaller dots, so that equal ones are all seen. */
+/* Later passes have smaller dots, so that equal ones all stay visible. */
 static const double dots[] = {1.2, 2.0, 2.8};
 
-/* A plot over one parameter that is being made. */
+/* The plot over one parameter that is being made. */
 typedef struct Sweep {
     const Study *study;
     const Measured *measured;
@@ -65,7 +65,7 @@ static size_t steps_of(const Study *study) {
 
 /* Orbit diagram ---------------------------------------------------------------------------------------------------- */
 
-/* All that the runs of a pass list, over the parameter. */
+/* Adds all values that the runs of a pass list, over the parameter. */
 static void add_dots(Sweep *sweep, size_t pass) {
     const Study *study = sweep->study;
     size_t count = 0, runs = study->runs, passes = study->pass_count;
@@ -90,7 +90,7 @@ static void add_dots(Sweep *sweep, size_t pass) {
                                                                     .size = dots[later < largest ? later : largest]};
 }
 
-/* Measured points of what is listed itself, and of observables that are told of it: "peak_max" of "peak". */
+/* Adds measured points of the listed values, and of observables derived from them: "peak_max" of "peak". */
 static void lay_measured_series(Sweep *sweep) {
     const Experiment *experiment = sweep->study->experiment;
     const char *listed = experiment->series->name;
@@ -120,31 +120,31 @@ static void add_orbit_diagram(StudyPlots *plots, Sweep sweep) {
 
 /* One observable --------------------------------------------------------------------------------------------------- */
 
-/* Its values of all runs at a point (runs). */
+/* Copies its values of all runs at a point (runs). */
 static void copy_runs(const Study *study, size_t pass, size_t point, size_t observable, double *values) {
     for (size_t run = 0; run < study->runs; run++)
         values[run] = study_axes_value(study_trial(study, pass, run, 0, point), observable);
 }
 
-/* An array of a value for each step. */
+/* Returns an array of a value for each step. */
 static double *steps_array(const Sweep *sweep) {
     return arena_allocate(sweep->arena, steps_of(sweep->study) * sizeof(double));
 }
 
-/* Where `low` and `high` are known. */
+/* Adds the area where `low` and `high` are known. */
 static void add_area(const Sweep *sweep, const char *name, const double *x, const double *low, const double *high) {
     sweep->plot->areas[sweep->plot->area_count++] =
         (PlotArea){.name = name, .x = x, .low = low, .high = high, .count = steps_of(sweep->study), .role = ROLE_SHADE};
 }
 
-/* Between whole numbers that name something there is nothing. */
+/* True for whole numbers that name something: they have no values in between. */
 static bool is_class(const Study *study, size_t observable) {
     const char *name = study->experiment->observables[observable].name;
     return observable == study->experiment->regular || observable == study->experiment->outcome ||
            strcmp(name, "type") == 0 || strcmp(name, "period") == 0;
 }
 
-/* The mean of the runs with what lies between 5 and 95 % of them, or the only run with its standard error. */
+/* Adds the mean of the runs with the range between 5 and 95 % of them, or the only run with its standard error. */
 static void add_curve(Sweep *sweep, size_t pass, size_t observable, size_t error) {
     const Study *study = sweep->study;
     size_t known_errors = study->experiment->observable_count;
@@ -179,7 +179,7 @@ static void add_curve(Sweep *sweep, size_t pass, size_t observable, size_t error
                      .width = class ? 0 : LINE_WIDTH};
 }
 
-/* Is there a run at this point, and none that is regular? */
+/* True if runs exist at this point and none of them is regular. */
 static bool is_blocked(const Study *study, size_t point) {
     bool seen = false;
     for (size_t pass = 0; pass < study->pass_count; pass++)
@@ -192,7 +192,7 @@ static bool is_blocked(const Study *study, size_t point) {
     return seen;
 }
 
-/* Bands where nobody gets out of a house: half a step beyond the first and the last such point. */
+/* Adds bands where nobody gets out of a house: half a step beyond the first and the last such point. */
 static void add_blocked(Sweep *sweep) {
     const Study *study = sweep->study;
     const StudyAxis *axis = &study->axes[0];
@@ -214,7 +214,7 @@ static void add_blocked(Sweep *sweep) {
     }
 }
 
-/* Is it known anywhere, and not the same everywhere? */
+/* True if it is known somewhere and not constant. */
 static bool is_varied(const Study *study, size_t observable) {
     double first = NAN;
     for (size_t t = 0; t < study->trial_count; t++) {
@@ -231,7 +231,7 @@ static bool is_error(const char *name) {
     return end && strcmp(end, "_error") == 0;
 }
 
-/* An exponent tells by its sign. */
+/* Adds the zero line of an exponent, whose sign is the verdict. */
 static bool is_exponent(const char *name) {
     return strcmp(name, "lyapunov") == 0 || strcmp(name, "exponent") == 0;
 }
@@ -258,7 +258,7 @@ static void add_observable(StudyPlots *plots, Sweep sweep, size_t observable) {
 /* No axis -----------------------------------------------------------------------------------------------------------
  */
 
-/* How many of the values (count) each bar of equal width holds, as a curve with a step at each end. */
+/* Returns how many of the values (count) each bar of equal width holds, as a curve with a step at each end. */
 static void add_bars(Plot *plot, const Distribution *of, const double *values, size_t count, Arena *arena) {
     size_t bars = (size_t)real_clamp(ceil(sqrt((double)count)), BARS_LEAST, BARS_MOST);
     double low = of->least, width = (of->greatest - low) / (double)bars;

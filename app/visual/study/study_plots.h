@@ -1,4 +1,4 @@
-/* What a study shows: the plots that fit its axes and observables.
+/* A study as plots: those that fit its axes and observables.
  *
  *     no axis     how often each value came: bars, mean, what lies between 5 and 95 % of the runs
  *     one axis    the orbit diagram (all that each run lists, passes told apart); each observable against the parameter
@@ -20,17 +20,19 @@ typedef struct StudyPlot {
 typedef struct StudyPlots {
     StudyPlot *plots; /* (count) */
     size_t count;
-    Arena arena; /* holds all they show */
+    Arena arena; /* holds the data of the plots */
 } StudyPlots;
 
-/* All that can be shown of what has been done, with the measured points, or NULL, laid over. The study must outlive the
+/* Makes all plots of the completed trials, with the measured points, or NULL, laid over. The study must outlive the
  * plots; study_plots_free releases them. */
 StudyPlots study_plots_make(const Study *study, const Measured *measured);
 void study_plots_free(StudyPlots *plots);
 
-/* The same as files OUT/plot-NAME.png, .svg, .pdf and .csv. 0, or errno, and `path` is the file that failed. */
+/* Writes them as files OUT/plot-NAME.png, .svg, .pdf and .csv. Returns 0, or errno, and `path` is the file that
+ * failed. */
 int study_plots_write(const Study *study, const Measured *measured, const char *out, Theme theme, int width, int height,
                       char path[PLOT_WRITE_PATH]);
 
-/* What may be measured of a study: its parameters, its observables, what its runs list. (count) in the arena. */
+/* Lists the measurable quantities of a study: its parameters, its observables, the values that runs list. (count) in
+ * the arena. */
 const MeasuredKind *study_plots_kinds(const Study *study, size_t *count, Arena *arena);
