@@ -51,8 +51,8 @@ static double narrowest(const Observation *observation) {
     return least;
 }
 
-/* Times and clearances of different ways have no difference: there is one only where everybody gets out of both. Of
- * those who never set off nothing is known. */
+/* Adds the times and clearances with their differences: these need a person who gets out of both houses. Nothing is
+ * known of people who never started. */
 static void add_answers(Document *document, const Reported runs[2], const Census census[2]) {
     static const Column columns[] = {{"", ALIGN_LEFT}, {"A", ALIGN_RIGHT}, {"B", ALIGN_RIGHT}, {"B - A", ALIGN_RIGHT}};
     bool both = runs[0].observation->completed && runs[1].observation->completed;
@@ -226,7 +226,7 @@ static bool is_in(const House *house, const Profile *profile) {
     return false;
 }
 
-/* What both have is told once. */
+/* Lists the common inputs once. */
 static void add_basis(Document *document, const Reported runs[2]) {
     document_add_heading(document, 2, "What the model assumes");
     report_basis_add_method(document, runs[0].house, false);

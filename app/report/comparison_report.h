@@ -1,7 +1,7 @@
-/* A report about two houses, a and b, side by side: which is better for whom, and what is different in them. */
+/* A report about two houses, a and b, side by side: which is better for whom, and how they differ. */
 #pragma once
 
 #include "report/house_report.h"
 
-/* document_clear releases what is made. */
+/* document_clear releases the document. */
 Document comparison_report_make(const Reported runs[2], const Making *making);

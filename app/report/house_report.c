@@ -16,7 +16,7 @@ const char *house_report_name(const House *house) {
     return *house->plan.name ? house->plan.name : house->plan.path;
 }
 
-/* What is seen, and what the signs mean that are there. */
+/* Explains the picture and those of its signs that occur. */
 static const char *caption_of(Document *document, const Reported *run) {
     const Observation *observation = run->observation;
     bool moved = observation->time > 0, crowd = run->house->person_count > PEOPLE_SCENE_INDIVIDUALS;
@@ -29,12 +29,12 @@ static const char *caption_of(Document *document, const Reported *run) {
                          crowd && !observation->completed ? " Diamonds: who is not out, in the end." : "");
 }
 
-/* The answer stands above the picture in the document: the picture is the plan and what happened in it. */
+/* Removes the answer from the picture, as it stands above the picture in the document. */
 static void add_house(Document *document, const Reported *run, const Making *making, const char *headline) {
     Scene scene;
     house_scene_make(&scene, run->house, run->observation);
     const char *detail = scene.detail ? scene.detail : "";
-    if (*detail && run->observation->completed) /* otherwise the headline has said it */
+    if (*detail && run->observation->completed) /* otherwise the headline already says so */
         document_add_paragraph(document, document_text(document, "%c%s.", toupper((unsigned char)*detail), detail + 1));
     if (run->observation->time > 0)
         document_add_paragraph(document,

@@ -1,5 +1,5 @@
-/* Reports about houses, as documents to be handed on: the answer first, then what it rests on. For whoever writes about
- * accessibility or safety, for engineers and for teachers: nothing is said that was not simulated or given. */
+/* Reports about houses as documents: the answer first, then its basis. For people who write about accessibility or
+ * safety, for engineers and for teachers: a report says only what was simulated or given. */
 #pragma once
 
 #include "document/document.h"
@@ -9,14 +9,14 @@
 
 typedef struct HouseReport {
     Reported run;
-    Reported ways[2];             /* the same, by Driving: everybody driven this way; or nothing */
-    const ObservedLoci *observed; /* loci that somebody measured, or NULL */
-    const RaisedPicture *raised;  /* or NULL: nobody could draw it */
+    Reported ways[2];             /* the same house, by Driving: everybody with this driving model; or empty */
+    const ObservedLoci *observed; /* measured loci, or NULL */
+    const RaisedPicture *raised;  /* or NULL: could not be drawn */
     const Making *making;
 } HouseReport;
 
-/* document_clear releases what is made; the houses must outlive it, the observations need not. */
+/* document_clear releases the document; the houses must outlive it, the observations need not. */
 Document house_report_make(const HouseReport *report);
 
-/* The name, or the file's where there is none. */
+/* Returns the name, or that of the file if there is none. */
 const char *house_report_name(const House *house);

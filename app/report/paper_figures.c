@@ -3,7 +3,7 @@
 #include <assert.h>
 #include <string.h>
 
-/* Where a figure's plot is: of a run, or of a study. */
+/* The source of a figure's plot: a run, or a study. */
 typedef struct Source {
     const char *name, *title, *caption;
     bool is_run;
@@ -11,8 +11,8 @@ typedef struct Source {
     const char *plot; /* beam_plots.h, study_plots.h */
 } Source;
 
-/* Which of the figures 3 to 6 showed what, and what the axes of 7 and 9 were, is lost; it is what the text speaks of.
- */
+/* The paper's text does not say which of the figures 3 to 6 shows which response, nor the axes of 7 and 9; these
+ * follow the quantities that the text discusses. */
 static const Source sources[PAPER_FIGURES] = {
     {"figure-2-phase", "Figure 2", "The tip at 190 Hz, in its phase plane; dashed: the clearance's edges.", true,
      PAPER_PERIODIC, "phase"},

@@ -1,4 +1,4 @@
-/* The figures of the paper that can be made (2 to 10), of a beam's runs and studies, as plots. */
+/* The figures of the paper that can be reproduced (2 to 10), from runs and studies of a beam, as plots. */
 #pragma once
 
 #include "plot/plot.h"
@@ -11,8 +11,8 @@ enum { PAPER_FIGURES = 9 };
 typedef struct PaperFigure {
     const char *name;    /* of its files: "figure-2-phase" */
     const char *title;   /* "Figure 2" */
-    const char *caption; /* what it shows, a sentence */
-    const Plot *plot;    /* NULL: there is none */
+    const char *caption; /* its content, in a sentence */
+    const Plot *plot;    /* NULL: not available */
 } PaperFigure;
 
 typedef struct PaperFigures {
@@ -21,6 +21,6 @@ typedef struct PaperFigures {
     StudyPlots studies[PAPER_STUDIES];
 } PaperFigures;
 
-/* The paper must outlive them; paper_figures_free releases them. */
+/* Makes the figures; the paper must outlive them; paper_figures_free releases them. */
 PaperFigures *paper_figures_make(const Paper *paper);
 void paper_figures_free(PaperFigures *figures);

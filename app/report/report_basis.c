@@ -15,7 +15,7 @@ static bool has_driving(const House *house, int driving) {
     return false;
 }
 
-/* "Doors that are shut at first ...: door d7 4 s." */
+/* Prints "Doors that are shut at first ...: door d7 4 s." */
 static void add_doors(Document *document, const Plan *plan) {
     const char *doors = "";
     for (size_t d = 0; d < plan->door_count; d++)
@@ -79,7 +79,7 @@ static const char *stored_values(Document *document, const Parameter *row, const
     return kept;
 }
 
-/* "N s/m", which stays on one line. */
+/* Returns "N s/m" with spaces that keep it on one line. */
 static const char *unit_text(Document *document, const Parameter *row) {
     const char *unit = parameters_unit(row), *space = strchr(unit, ' ');
     return space ? document_text(document, "%.*s\u00a0%s", (int)(space - unit), unit, space + 1) : unit;
@@ -108,7 +108,7 @@ void report_basis_add_settings(Document *document, const House *house) {
     }
 }
 
-/* The change that this house or the command line makes to a number of a profile, or NULL. */
+/* Returns the change of a number of a profile by this house or the command line, or NULL. */
 static const Override *find_override(const House *house, const Profile *profile, const Parameter *row) {
     const Override *last = NULL;
     size_t length = strlen(profile->name);
@@ -133,7 +133,7 @@ static void add_number(Document *document, const House *house, const Profile *pr
     document_add_row(document, cells);
 }
 
-/* "Of 38 numbers 9 are reconstructed, 3 from the literature and 26 assumed." */
+/* Returns "Of 38 numbers 9 are reconstructed, 3 from the literature and 26 assumed." */
 static const char *format_kinds(Document *document, const House *house, const Profile *profile) {
     static const char *const kinds[] = {"paper", "reconstructed", "literature", "assumed"};
     enum { KINDS = sizeof kinds / sizeof *kinds };

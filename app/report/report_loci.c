@@ -15,7 +15,7 @@
 #define TICK_WIDTH 2.0 /* design points, as those of simulated loci */
 #define TICK_LENGTH 11.0
 #define NAME_TEXT 17.0
-#define KEEP_LOCUS 1.5 /* how much labels avoid it */
+#define KEEP_LOCUS 1.5 /* weight against being covered by labels */
 
 static const char *const way_names[] = {[DRIVING_DRIVER] = "driver", [DRIVING_MIURA] = "miura"};
 
@@ -97,7 +97,8 @@ static void add_name(Scene *scene, const House *house, size_t person, Vec2 at) {
     tag->bold = tag->leader = true;
 }
 
-/* Nothing but loci, where they begin, and what ends them: names and bodies would cover what is to be compared. */
+/* Makes a scene of loci only, with their starts and causes of their ends: names and bodies would cover the comparison.
+ */
 static Scene way_scene(const Reported *way) {
     const House *house = way->house;
     const PersonObservation *people = way->observation->people;
@@ -197,7 +198,7 @@ static void add_ways(Document *document, const HouseReport *report) {
     }
 }
 
-/* An observed locus held against one that was simulated. */
+/* Adds an observed locus and the simulated one of the same name. */
 static void add_agreement(Document *document, const Reported *way, int driving, const ObservedLocus *observed) {
     size_t person = find_person(way->house, observed->person);
     const PersonObservation *simulated = &way->observation->people[person];

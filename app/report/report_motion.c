@@ -12,7 +12,7 @@
 #define CURVE_HEIGHT 280.0
 
 static void paint_image(const void *context, cairo_t *cairo, Vec2 size, Theme theme) {
-    cairo_surface_t *image = (cairo_surface_t *)context; /* cairo counts who uses it */
+    cairo_surface_t *image = (cairo_surface_t *)context; /* cairo counts its users */
     (void)theme;
     cairo_save(cairo);
     cairo_scale(cairo, size.x / cairo_image_surface_get_width(image), size.y / cairo_image_surface_get_height(image));

@@ -2,16 +2,16 @@
 
 #include "visual/house/house_scene.h"
 
-/* Design points: with these widths letters are as large in all pictures of a page. */
+/* Design points: with these widths text has the same size in all pictures of a page. */
 #define WIDTH 1027.0
 #define WIDTH_OF_TWO 498.0
 #define HIGHEST 1000.0
 #define NARROWEST 360.0
 #define FOOT 48.0 /* kept for the scale */
 
-#define FAR_WIDER 2.2 /* 1, width by height from which on pictures stand one below the other */
+#define FAR_WIDER 2.2 /* 1, width by height above which pictures stand one below the other */
 
-/* With room for the scale below the plan, as far as its margin is none. */
+/* Adds room for the scale below the plan if the plan has no margin. */
 static Box with_foot(Box box, double width) {
     double metre = width / box_width(box);
     box.low.y -= fmax(0, FOOT / metre - HOUSE_SCENE_MARGIN);

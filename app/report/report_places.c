@@ -78,7 +78,7 @@ static void add_text(Text *text, const char *label) {
     text_add(text, label);
 }
 
-/* "clearance 0.04 m, below the 0.05 m from which on this report warns; 2.1 s lost, ..." */
+/* Returns "clearance 0.04 m, below the 0.05 m from which on this report warns; 2.1 s lost, ..." */
 static const char *format_hazard(Document *document, const House *house, const Hazard *hazard, size_t rank) {
     const RunSettings *run = &house->plan.run;
     char label[160];

@@ -1,4 +1,4 @@
-/* The part of a report about places: where somebody is stopped, and the dangerous points, each with a picture. */
+/* The part of a report about places: where people are stopped, and the dangerous points, each with a picture. */
 #pragma once
 
 #include "document/document.h"
@@ -7,5 +7,5 @@
 void report_places_add_stops(Document *document, const House *house, const Observation *observation);
 void report_places_add_hazards(Document *document, const House *house, const Observation *observation);
 
-/* A table of all hazards. */
+/* Adds a table of all hazards. */
 void report_places_add_table(Document *document, const Observation *observation, const char *caption);

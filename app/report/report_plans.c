@@ -7,10 +7,10 @@
 
 enum {
     ROWS_MOST = 40,
-    TEXT_MOST = 60, /* characters of a value: of longer ones it is only said that they differ */
+    TEXT_MOST = 60, /* characters of a value: for longer ones only the difference is reported */
 };
 
-/* The table that grows; what is beyond ROWS_MOST is only counted. */
+/* Adds a row to the table; rows beyond ROWS_MOST are only counted. */
 typedef struct Differences {
     Document *document;
     size_t count;

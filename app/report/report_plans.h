@@ -1,4 +1,4 @@
-/* The part of a report that says what is different in two plans: what only one of them has, and changed numbers. */
+/* The part of a report about the differences of two plans: objects that only one of them has, and changed numbers. */
 #pragma once
 
 #include "document/document.h"

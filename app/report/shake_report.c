@@ -38,7 +38,7 @@ static const char *between(Document *document, const Share *share) {
                                 : NULL;
 }
 
-/* Above the picture: the answer once more, with how sure it is. */
+/* Adds the answer again above the picture, with its confidence interval. */
 static void add_answer(Document *document, const ShakeFindings *findings, const Making *making) {
     const char *times = shake_findings_times(findings, &document->arena);
     const char *name = house_report_name(findings->house);
