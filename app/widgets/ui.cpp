@@ -1,9 +1,9 @@
-/* The painter of the widgets: letters and shapes by Dear ImGui's atlas of letters and its lists of triangles. Nothing
- * else of it is used: no windows, no navigation, no input.
+/* The painter of the widgets: text and shapes by Dear ImGui's glyph atlas and its triangle lists. Nothing else of it
+ * is used: no windows, no navigation, no input.
  *
- * TextStyle are as high as pango's, with capitals of whole pixels, so that their edges are crisp. The atlas has the
- * letters that Western European languages and our own signs need; others are added when they are first seen, and are
- * there from the next frame on. */
+ * Glyphs are as high as pango's, with capitals of whole pixels, so that their edges are crisp. The atlas has the
+ * glyphs that Western European languages and this program's symbols need; others are added when they first occur, and
+ * are visible from the next frame on. */
 extern "C" {
 #include "paint/paint_gl_screen.h"
 }
@@ -25,11 +25,11 @@ constexpr const char *REGULAR = FONTS "truetype/dejavu/DejaVuSans.ttf";
 constexpr const char *BOLD = FONTS "truetype/dejavu/DejaVuSans-Bold.ttf";
 constexpr const char *JAPANESE = FONTS "opentype/ipafont-gothic/ipag.ttf";
 
-/* Of DejaVu Sans, times its size: how high capitals are, and from the highest ascender to the lowest descender, which
- * is what ImGui calls the size. */
+/* For DejaVu Sans, in sizes: the height of capitals, and the height from the highest ascender to the lowest descender,
+ * which ImGui calls the size. */
 constexpr double CAPITAL = 1493.0 / 2048, SPAN = 2384.0 / 2048;
 
-/* It measures such signs differently from one time to the next. */
+/* clang-format measures the width of such characters differently from version to version. */
 /* clang-format off */
 constexpr const char *SIGNS = "–—‘’“”„…•′″€™←↑→↓↔↕⇧−∞≈≠≤≥√∑Δ∂■□▪▲△▶▸▼▾◀◂◆◇○●◌✓✔✗✕⚠⏸▮"
                               "∆"
@@ -59,7 +59,7 @@ ImU32 ink_of(UiInk ink) {
     return IM_COL32(ink & 255, ink >> 8 & 255, ink >> 16 & 255, ink >> 24);
 }
 
-/* The next code of UTF-8; a broken one is the sign of replacement. */
+/* Returns the next code of UTF-8; the replacement character for a broken one. */
 unsigned next_code(const char **text, const char *end) {
     auto first = static_cast<unsigned char>(*(*text)++);
     int more = first < 0x80 ? 0 : first < 0xC0 ? -1 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
@@ -93,18 +93,17 @@ struct UiPainter {
     ImDrawList *list;
     std::vector<ImDrawIdx> indices; /* of one command */
     std::vector<Ground> grounds;
-    double unit;                 /* pixels a design point, of places */
-    double made_unit, seen_unit; /* of letters; of the frame before */
+    double unit;                 /* pixels per design point, of places */
+    double made_unit, seen_unit; /* pixels per design point, of glyphs; of the frame before */
     std::vector<unsigned char> regular, bold, japanese;
-    std::vector<bool> wanted; /* codes that the atlas has, or is to have */
+    std::vector<bool> wanted; /* codes that the atlas has, or will have */
     bool wants_more, wants_japanese;
     std::vector<ImVec2> points;
     ImFont *fonts[UI_TEXT_STYLES];
     ScreenTexture atlas;
 };
 
-/* TextStyle ----------------------------------------------------------------------------------------------------------
- */
+/* Glyphs ---------------------------------------------------------------------------------------------------------- */
 
 namespace {
 
@@ -141,7 +140,7 @@ void add_font(ImFontAtlas *atlas, std::vector<unsigned char> &bytes, double size
     atlas->AddFontFromMemoryTTF(bytes.data(), static_cast<int>(bytes.size()), static_cast<float>(size), &config);
 }
 
-/* Without DejaVu there is ImGui's own letters, which are of one size and have no accents: words stay legible. */
+/* Without DejaVu, ImGui's built-in font is used, which has one size and no accents: text stays legible. */
 void add_glyphs(UiPainter *painter, ImFontAtlas *atlas, const TextStyle &style, const ImWchar *ranges) {
     std::vector<unsigned char> &bytes = style.bold && !painter->bold.empty() ? painter->bold : painter->regular;
     double capital = std::round(CAPITAL * style.size * painter->made_unit);
@@ -176,8 +175,8 @@ void make_atlas(UiPainter *painter) {
     painter->wants_more = painter->wants_japanese = false;
 }
 
-/* A window that is being resized asks for other letters in every frame: they are made when it asks for the same twice.
- */
+/* A window that is being resized needs another glyph size in every frame: glyphs are made when the same size is needed
+ * twice. */
 void renew_atlas(UiPainter *painter) {
     bool settled = painter->made_unit == 0 || painter->unit == painter->seen_unit;
     painter->seen_unit = painter->unit;
@@ -192,7 +191,7 @@ float pixel(const UiPainter *painter, double place) {
     return static_cast<float>(std::round(place * painter->unit));
 }
 
-/* Before the first frame letters are as large as at first sight. */
+/* The first frame has the glyph size at once. */
 const ImFont *font_of(UiPainter *painter, UiTextStyle style) {
     if (!painter->fonts[style])
         renew_atlas(painter);
@@ -207,7 +206,7 @@ ImVec2 snapped(const UiPainter *painter, Vec2 place) {
     return ImVec2(pixel(painter, place.x), pixel(painter, place.y));
 }
 
-/* Its place among the commands of a list says when a ground is drawn; it is never called. */
+/* Marks the place of a ground among the commands of a list; never called. */
 void mark_ground(const ImDrawList *, const ImDrawCmd *) {
 }
 
@@ -242,9 +241,9 @@ size_t ui_painter_wrap(UiPainter *painter, UiTextStyle style, const char *text, 
     if (ui_painter_extent(painter, style, text, line).x <= width + 0.5 / painter->unit)
         return line;
     const char *end = font->CalcWordWrapPositionA(1, text, text + line, static_cast<float>(width * painter->unit));
-    if (end == text) /* not even one letter has room: the line has one, all the same */
+    if (end == text) /* no glyph has room: the line gets one all the same */
         next_code(&end, text + line);
-    const char *blank = end; /* ImGui parts words behind a point, too: "0." and "040 m" */
+    const char *blank = end; /* ImGui would break a line behind a point, too: "0." and "040 m" */
     while (blank > text && *blank != ' ')
         blank--;
     return static_cast<size_t>((blank > text && end < text + line ? blank : end) - text);
@@ -377,7 +376,7 @@ void draw_ground(UiPainter *painter, const Ground &ground) {
     paint_gl_screen_box(painter->screen, ground.colour, ground.left, ground.top, ground.width, ground.height);
 }
 
-/* A command's triangles know only few of the list's vertices: those are sent. */
+/* A command's triangles use only a few vertices of the list: only those are sent. */
 void send(UiPainter *painter, const ImDrawList *list, const ImDrawCmd &command) {
     const ImDrawIdx *from = list->IdxBuffer.Data + command.IdxOffset;
     ImDrawIdx low = 0xFFFF, high = 0;

@@ -1,5 +1,5 @@
-/* Widgets, by Dear ImGui: the only file that knows it is ui.cpp. All places and sizes are design points (1 = a pixel at
- * 1280 x 720 and text size 1), y down; letters are as high as pango's of the same size.
+/* Widgets, by Dear ImGui, which only ui.cpp knows. All places and sizes are design points (1 = a pixel at 1280 x 720
+ * and text size 1), y down; glyphs are as high as pango's of the same size.
  *
  * The keyboard is not ImGui's. Every widget that can be used is a stop of the focus, in the order in which the widgets
  * are made; Tab and Shift+Tab go round within all panes, F6 from pane to pane, and the stop that has the focus has a
@@ -33,18 +33,18 @@ typedef enum UiTextStyle {
     UI_TEXT_STYLES,
 } UiTextStyle;
 
-/* What the person does, since the frame before. */
+/* The user's input since the previous frame. */
 typedef struct UiInput {
     int width, height; /* pixels of the window */
-    double unit;       /* pixels a design point: layout_unit times the size of text */
-    double seconds;    /* since the frame before */
+    double unit;       /* pixels per design point: layout_unit times the text size */
+    double seconds;    /* since the previous frame */
     Vec2 mouse;        /* pixels; negative: not in the window */
-    bool down[3];      /* left, right, middle: now, or since the frame before for a moment */
+    bool down[3];      /* left, right, middle: down now, or briefly since the previous frame */
     bool twice;        /* the left one went down for the second time of a double click */
     double wheel;      /* notches, up positive */
 } UiInput;
 
-/* Keys that widgets understand; the window gives them what its own table of keys has not used. */
+/* Keys that widgets use; the window passes those that its own key table does not use. */
 typedef enum UiKey {
     UI_KEY_NEXT,     /* Tab */
     UI_KEY_PREVIOUS, /* Shift+Tab */
@@ -70,7 +70,7 @@ typedef enum UiKey {
     UI_KEYS,
 } UiKey;
 
-/* The clipboard is the window's. */
+/* The clipboard of the window. */
 typedef struct UiClipboard {
     const char *(*get)(void *context);
     void (*set)(void *context, const char *text);
@@ -81,91 +81,91 @@ Ui *ui_create(PaintGlScreen *screen, Theme theme, UiClipboard clipboard);
 void ui_destroy(Ui *ui);
 void ui_set_theme(Ui *ui, Theme theme);
 
-/* A frame; ui_end draws it over the current framebuffer (row 0 at the bottom, as a window has it). */
+/* Begins and ends a frame; ui_end draws it over the current framebuffer (row 0 at the bottom, as in a window). */
 void ui_begin(Ui *ui, const UiInput *input);
 void ui_end(Ui *ui);
 
-/* True: the widget with the focus or an open field has used the key. Call before ui_begin. Escape closes an open field,
- * takes back a number that could not be used, or hides a tooltip; over a modal pane that has none of them open it is
- * not used, and whoever opened the pane closes it. */
+/* True if the focused widget or an open field has used the key. Must be called before ui_begin. Escape closes an open
+ * field, discards an invalid number, or hides a tooltip; over a modal pane with none of these it is not used, and the
+ * caller closes the pane. */
 bool ui_key(Ui *ui, UiKey key, bool shift, bool control);
 
-/* Words that were typed, UTF-8, in their order among the keys; without an open field nothing happens. */
+/* Passes typed text, UTF-8, in order with the keys; ignored without an open field. */
 void ui_type(Ui *ui, const char *text);
 
-/* Would another frame look different though nobody does anything? It scrolls, help is about to come, or letters. */
+/* True if another frame would look different without input: something scrolls, a tooltip is due, or new glyphs are
+ * ready. */
 bool ui_is_busy(const Ui *ui);
 
-/* Is a text field open? Then letters are its. */
+/* True if a text field is open, which then uses all character keys. */
 bool ui_types(const Ui *ui);
 
-/* Panes. `name` is the pane's identity; one with `scrolls` scrolls what does not fit in it. A pane with `modal` lies
- * over the others, dims them and keeps the focus until Escape or whoever opened it closes it. `stop`: the pane itself
- * is a stop of the focus, like the plan and each plot; so is a modal one, or one with more than has room, in which
- * nothing else is. */
+/* Panes. `name` is the identity of the pane; one with `scrolls` scrolls content that does not fit. A pane with `modal`
+ * lies over the others, dims them and keeps the focus until Escape or its caller closes it. `stop`: the pane itself is
+ * a stop of the focus, like the plan and each plot; so is a modal or overflowing pane without any other stop. */
 typedef struct UiPane {
     const char *name;
     Box box;
-    Role ground; /* ROLE_PANEL, ROLE_PAPER; ROLE_COUNT: none, what lies below is seen */
+    Role ground; /* ROLE_PANEL, ROLE_PAPER; ROLE_COUNT: none, transparent */
     bool scrolls, modal, stop;
 } UiPane;
 
 void ui_pane_begin(Ui *ui, const UiPane *pane);
 void ui_pane_end(Ui *ui);
 
-/* The pane of the stop that has the focus, "" at first; and whether that stop is the pane itself. ui_focus gives it to
- * a pane (its own stop, or its first widget). */
+/* Returns the pane of the stop that has the focus, "" at first; and whether that stop is the pane itself. ui_focus
+ * moves the focus to a pane (its own stop, or its first widget). */
 const char *ui_focus_pane(const Ui *ui);
 bool ui_focus_is_pane(const Ui *ui);
 void ui_focus(Ui *ui, const char *pane);
 
-/* The name of the widget that has the focus and its tooltip, for Shift+F1; NULL: none. */
+/* Returns the tooltip of the focused widget, for Shift+F1; NULL: none. */
 const char *ui_focus_help(const Ui *ui);
 
-/* How wide and high words are, design points. */
+/* Returns width and height of a text, design points. */
 Vec2 ui_extent(Ui *ui, UiTextStyle style, const char *text);
 
-/* Where widgets go: by themselves below each other in the pane; ui_at puts the next one into a box of the window;
- * ui_row puts the next `count` side by side, equally wide. ui_gap leaves some room. */
+/* The flow: widgets stand below each other in the pane; ui_at puts the next one into a box of the window; ui_row puts
+ * the next `count` side by side, equally wide. ui_gap leaves a gap. */
 void ui_at(Ui *ui, Box box);
 void ui_row(Ui *ui, int count);
 void ui_gap(Ui *ui, double height);
 
-/* Words. In a flow they are wrapped at the pane's width (ui_text) or shortened by an ellipsis (ui_line). */
+/* Add text. In a flow it is wrapped at the pane's width (ui_text) or shortened by an ellipsis (ui_line). */
 void ui_text(Ui *ui, UiTextStyle style, Role role, const char *text);
 void ui_line(Ui *ui, UiTextStyle style, Role role, const char *text);
 
-/* A heading with a line above it, wrapped where the pane is narrow. */
+/* Adds a heading with a line above it, wrapped in a narrow pane. */
 void ui_heading(Ui *ui, const char *text);
 
-/* Every widget: `id` tells it from others of the pane; `help` is the tooltip, name, key and one sentence, or NULL. */
+/* For every widget, `id` must be unique in the pane; `help` is the tooltip: name, key and one sentence, or NULL. */
 typedef struct UiButton {
     const char *id; /* NULL: the label */
     const char *label;
     const char *help;
-    bool chosen; /* of several: filled */
-    bool plain;  /* words only, for menus and rows */
+    bool chosen; /* the selected one of several: filled */
+    bool plain;  /* text only, for menus and rows */
     bool disabled;
 } UiButton;
 
-/* True: pressed, by mouse (on release) or key. */
+/* True if pressed, by mouse (on release) or key. */
 bool ui_button(Ui *ui, const UiButton *button);
 
-/* A row of a list: a mark, cells (NULL-ended, the first to the left, the others to the right). True: chosen. */
+/* A row of a list: a mark, cells (NULL-ended, the first aligned left, the others right). True if chosen. */
 typedef struct UiRow {
     const char *id;
-    const char *mark; /* on a disc or a piece of line, or NULL */
+    const char *mark; /* on a disc or a line sample, or NULL */
     Role role;
     int shape; /* RowKind of scene.h: ROW_DISC, ROW_LINE, ROW_PLAIN */
     int style; /* LineStyle */
     const char *cells[3];
     const char *help;
     bool selected;
-    bool usable; /* it can be chosen: a stop of the focus */
+    bool usable; /* can be chosen: a stop of the focus */
 } UiRow;
 bool ui_list_row(Ui *ui, const UiRow *row);
 
-/* A picture with a name and a few lines below it: an item of a gallery, in a row of its like. True: chosen. */
+/* A picture with a name and a few lines below it: an item of a gallery, in a row of cards. True if chosen. */
 typedef struct UiCard {
     const char *id, *name, *text;
     const ScreenTexture *picture; /* or NULL: not yet */
@@ -173,40 +173,40 @@ typedef struct UiCard {
 } UiCard;
 bool ui_card(Ui *ui, const UiCard *card);
 
-/* A tick box. */
+/* Adds a tick box; true if it was changed. */
 bool ui_flag(Ui *ui, const char *id, const char *label, const char *help, bool *value);
 
-/* One of a few words (count), as buttons side by side. True: *chosen is another one. */
+/* Adds one of a few labels (count), as buttons side by side; true if *chosen has changed. */
 bool ui_choice(Ui *ui, const char *id, const char *label, const char *help, const char *const *labels, size_t count,
                size_t *chosen);
 
-/* A number: label, value with its unit, a track with a mark at the initial value. By keys: arrows a twentieth of the
- * range, with Shift a hundredth, PageUp and PageDown a tenth, Home and End the ends, Enter types, Delete is the initial
- * value, as double click. A typed value that is not of the range `least` to `most`, or no number, stays typed, with its
- * reason below, until it is corrected or Escape is pressed. A comma is a point, and a unit of the same kind is
- * understood (250cm, 2500 mm). */
+/* A number: label, value with its unit, a track with a mark at the initial value. Keys: arrows change it by a
+ * twentieth of the range, with Shift a hundredth, PageUp and PageDown a tenth; Home and End set the ends, Enter starts
+ * typing, Delete sets the initial value, as a double click does. A typed text that is not a number within `least` and
+ * `most` stays, with the reason below it, until it is corrected or Escape is pressed. A comma counts as a point, and
+ * units of the same kind are converted (250cm, 2500 mm). */
 typedef struct UiSlider {
     const char *id, *label, *unit, *help;
     double value, initial;
     double low, high;   /* of the track */
-    double least, most; /* of what may be typed */
+    double least, most; /* of typed values */
     bool logarithmic, whole;
     int digits; /* behind the point */
 } UiSlider;
 
-typedef enum UiChange { UI_SAME, UI_MOVING, UI_CHANGED } UiChange; /* MOVING: the hand is still on it */
+typedef enum UiChange { UI_SAME, UI_MOVING, UI_CHANGED } UiChange; /* MOVING: still being dragged */
 UiChange ui_slider(Ui *ui, UiSlider *slider);
 
-/* A line of text to be typed, of `size` bytes. True: Enter. Opens by itself when it gets the focus. */
+/* Adds a text field of `size` bytes; true on Enter. Opens by itself when it gets the focus. */
 bool ui_field(Ui *ui, const char *id, const char *label, const char *help, char *text, size_t size);
 
-/* A picture that fills the box. */
+/* Adds a picture that fills the box. */
 void ui_image(Ui *ui, const ScreenTexture *texture, Box box);
 
-/* A picture on a piece of floor: its corners are lower left, lower right, upper right, upper left. */
+/* Adds a picture on a piece of floor: its corners are lower left, lower right, upper right, upper left. */
 void ui_draw_picture(Ui *ui, const ScreenTexture *texture, const Vec2 corners[4], double opacity);
 
-/* Pieces for what has no widget: the timeline, a cursor on a plot, frames of what is selected. */
+/* Drawing without widgets: the timeline, a cursor on a plot, frames of the selection. */
 void ui_draw_box(Ui *ui, Box box, Role role, double opacity);
 void ui_draw_frame(Ui *ui, Box box, Role role, double width);
 void ui_draw_line(Ui *ui, Vec2 from, Vec2 to, Role role, double width);
@@ -214,11 +214,11 @@ void ui_draw_polyline(Ui *ui, const Vec2 *points, size_t count, bool closed, Rol
 void ui_draw_disc(Ui *ui, Vec2 middle, double radius, Role role);
 void ui_draw_diamond(Ui *ui, Vec2 middle, double radius, Role role);
 
-/* One line: at.y is the middle of the capitals; at.x the left end (aligned 0), the middle (0.5) or the right one (1).
- */
+/* Adds one line: at.y is the middle of the capitals; at.x the left end (aligned 0), the middle (0.5) or the right one
+ * (1). */
 void ui_draw_text(Ui *ui, UiTextStyle style, Role role, Vec2 at, double aligned, const char *text);
 
-/* A box that is grabbed by the mouse: where it is held, design points of the window. */
+/* A box that the mouse can drag: its state, in design points of the window. */
 typedef struct UiGrab {
     bool hovered, pressed, held, released, right_pressed, twice;
     Vec2 at, delta;

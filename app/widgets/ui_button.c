@@ -12,7 +12,7 @@
 #define LINE 19.0 /* of several lines in a button */
 #define FLAG_BOX 20.0
 #define ROW_HEIGHT 32.0
-#define ROW_MARK 34.0 /* a disc, or a piece of line, and some room */
+#define ROW_MARK 34.0 /* a disc or a line sample, and some room */
 #define ROW_DISC_RADIUS 11.0
 #define ROW_GAP 14.0
 #define CHOICE_GAP 4.0
@@ -45,12 +45,12 @@ static void draw_button_ground(Ui *ui, Box box, Look look) {
         ui_painter_frame(ui->painter, box, UI_EDGE, ui_state_ink(ui, ROLE_ROOM, look.disabled ? 0.5 : 1));
 }
 
-/* The largest letters that have room. */
+/* Returns the larger style if the text has room in it, otherwise the small one. */
 static UiTextStyle fitting_style(Ui *ui, UiTextStyle large, const char *text, double width) {
     return ui_extent(ui, large, text).x <= width ? large : UI_SMALL;
 }
 
-/* Several lines: the first is bold, as a key above its name. */
+/* Draws several lines: the first is bold, as a key above its name. */
 static void draw_lines(Ui *ui, Box box, UiInk ink, const char *label) {
     double height = LINE * count_lines(label), top = (box.low.y + box.high.y - height) / 2;
     UiTextStyle style = UI_BOLD;
@@ -63,7 +63,7 @@ static void draw_lines(Ui *ui, Box box, UiInk ink, const char *label) {
     }
 }
 
-/* Words behind a tab stand at the right. */
+/* Draws the text behind a tab at the right. */
 static void draw_plain(Ui *ui, Box box, UiInk ink, const char *label) {
     char first[256];
     size_t bytes = strcspn(label, "\t");
@@ -92,7 +92,7 @@ bool ui_button(Ui *ui, const UiButton *button) {
     int lines = count_lines(button->label);
     Box box = ui_pane_next(ui, lines > 1 ? LINE * lines + 2 * PADDING : UI_BUTTON_HEIGHT);
     UiTouch touch = ui_state_touch(ui, id, box, false);
-    /* one that is no longer to be used keeps the focus until it goes on by itself */
+    /* a button that becomes disabled keeps the focus until the focus moves */
     bool focused = (!button->disabled || ui->focus == id) && ui_stop_make(ui, id, UI_IS_BUTTON, box);
     bool used = ui_stop_used(ui, id) || touch.clicked;
     bool lives = !button->disabled;
@@ -151,7 +151,7 @@ static void choose_by_keys(Ui *ui, UiId id, size_t count, size_t *chosen) {
         }
 }
 
-/* As wide as their words need, and what is left shared out: equally wide where that has room. */
+/* Divides the width by what the labels need, and equally if that is enough. */
 static void share_width(Ui *ui, const char *const *text, size_t count, double width, double *widths) {
     double equal = (width - CHOICE_GAP * (double)(count - 1)) / (double)count, sum = 0, widest = 0;
     for (size_t i = 0; i < count; i++) {
@@ -216,7 +216,8 @@ static void draw_mark(Ui *ui, Box box, const UiRow *row) {
                    box_expand((Box){middle, middle}, 14), 0.5, row->mark);
 }
 
-/* Where there are several, the columns at the right are as wide as their widest cell of the frame before. */
+/* Draws the cells; if there are several columns, those at the right are as wide as their widest cell of the previous
+ * frame. */
 static double draw_cells(Ui *ui, Box box, UiTextStyle style, const char *const *cells) {
     double right = box.high.x;
     int count = !cells[0] ? 0 : !cells[1] ? 1 : !cells[2] ? 2 : 3;
@@ -232,7 +233,7 @@ static double draw_cells(Ui *ui, Box box, UiTextStyle style, const char *const *
     return right;
 }
 
-/* Rows of a list have nothing between them. */
+/* Returns the box of a row: rows of a list have no gap between them. */
 static Box next_row(Ui *ui) {
     if (!ui->at_given && ui->y == ui->list_y)
         ui->y -= UI_GAP;
@@ -246,7 +247,7 @@ bool ui_list_row(Ui *ui, const UiRow *row) {
     Box box = next_row(ui);
     UiTouch touch = row->usable ? ui_state_touch(ui, id, box, false) : (UiTouch){0};
     Box wide = {{box.low.x - 6, box.low.y}, {box.high.x + 6, box.high.y}};
-    /* the frame of the focus hides nothing of the rows beside it */
+    /* keeps the frame of the focus off the neighbouring rows */
     bool focused = row->usable && ui_stop_make(ui, id, UI_IS_ROW, box_expand(wide, -UI_FRAME - UI_RIM));
     bool used = row->usable && (ui_stop_used(ui, id) || touch.clicked);
     if (row->selected || touch.hovered)

@@ -2,10 +2,10 @@
 #include "widgets/ui_stop.h"
 #include "widgets/ui_text.h"
 
-#define EDGE 6.0 /* design points, round the picture and the words */
+#define EDGE 6.0 /* design points, round the picture and the text */
 #define NAME_HEIGHT 26.0
 
-/* The picture keeps its shape, in the middle of its place. */
+/* Returns the place of the picture, which keeps its shape, in the middle of the box. */
 static Box fitted(Box place, const ScreenTexture *picture) {
     double scale = fmin(box_width(place) / picture->width, box_height(place) / picture->height);
     Vec2 half = vec2_scale(vec2(picture->width, picture->height), scale / 2);

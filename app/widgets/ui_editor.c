@@ -6,7 +6,7 @@
 #include "widgets/ui_number.h"
 #include "widgets/ui_stop.h"
 
-enum { LONGEST = 4096 /* bytes of one line; more is not typed */ };
+enum { LONGEST = 4096 /* bytes of one line; further input is ignored */ };
 
 #define PADDING 7.0
 #define CARET 2.0
@@ -97,7 +97,7 @@ static void store_draft(Ui *ui, UiId id, const char *text) {
     *draft = (UiDraft){id, text_copy(text)};
 }
 
-/* A number that was looked at but not changed keeps the digits that are not shown. */
+/* A number that was opened but not changed keeps its hidden digits. */
 static void close_number(Ui *ui, const UiStop *stop, UiEnd end) {
     UiEditor *editor = &ui->editor;
     bool changed = strcmp(editor->text, editor->original) != 0 || ui_editor_draft(ui, editor->id);
@@ -150,7 +150,7 @@ static void remove_part(UiEditor *editor, size_t from, size_t to) {
     editor->caret = editor->anchor = from;
 }
 
-/* Bytes of the next code of UTF-8; 0: it is none. */
+/* Returns the bytes of the next code of UTF-8; 0: invalid. */
 static size_t code_bytes(const char *text) {
     unsigned char first = (unsigned char)*text;
     size_t bytes = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
@@ -160,7 +160,7 @@ static size_t code_bytes(const char *text) {
     return bytes;
 }
 
-/* What is no letter, such as the end of a line, becomes a space; what is no UTF-8 nothing. */
+/* Inserts text; control characters such as newline become spaces; invalid UTF-8 is dropped. */
 static void insert(UiEditor *editor, const char *text) {
     remove_part(editor, selected_from(editor), selected_to(editor));
     while (*text) {
@@ -266,7 +266,7 @@ void ui_editor_key(Ui *ui, UiKey key, bool shift, bool control) {
         if (pasted)
             insert(editor, pasted);
         break;
-    default: /* others have no meaning in one line of text */
+    default: /* others are meaningless in one line of text */
         break;
     }
 }
@@ -277,7 +277,7 @@ static double width_of(Ui *ui, size_t bytes) {
     return ui_painter_extent(ui->painter, UI_BODY, ui->editor.text, bytes).x;
 }
 
-/* Where the mouse is among the letters. */
+/* Returns the place of the mouse in the text. */
 static size_t place_of(Ui *ui, double x) {
     const UiEditor *editor = &ui->editor;
     size_t at = 0;

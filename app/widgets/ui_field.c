@@ -18,7 +18,7 @@ static void draw_text(Ui *ui, Box box, const char *text, UiTouch touch, bool typ
                    (Box){{box.low.x + 7, box.low.y}, {box.high.x - 7, box.high.y}}, 0, text);
 }
 
-/* As much of the words as has room, in whole letters. */
+/* Copies as much of the text as has room, in whole characters. */
 static void take(char *text, size_t size, const char *label) {
     size_t bytes = strlen(label);
     if (bytes >= size) {

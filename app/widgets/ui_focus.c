@@ -27,7 +27,7 @@ static void give_by_key(Ui *ui, const UiStop *stop) {
     ui->by_key = true;
 }
 
-/* The one that has been opened by the mouse is where Tab goes on from. */
+/* Returns the stop from which Tab continues: that of the field opened by the mouse, if any. */
 static size_t current_index(const Ui *ui, UiId from) {
     for (size_t i = 0; i < ui->old_stop_count; i++)
         if (ui->old_stops[i].id == from)
@@ -35,7 +35,7 @@ static size_t current_index(const Ui *ui, UiId from) {
     return ui->old_stop_count;
 }
 
-/* Without a focus it is given to the first stop, or the last one. */
+/* Without a focus, starts at the first stop, or the last one. */
 static size_t begin_of_way(const Ui *ui, size_t index, bool back) {
     return index < ui->old_stop_count ? index : back ? 0 : ui->old_stop_count - 1;
 }
@@ -51,7 +51,7 @@ static void go_round(Ui *ui, UiId from, bool back) {
     }
 }
 
-/* The first stop of the next pane that has one. */
+/* Moves the focus to the first stop of the next pane that has one. */
 static void go_to_pane(Ui *ui, UiId from, bool back) {
     size_t count = ui->old_stop_count, index = current_index(ui, from);
     UiId pane = index < count ? ui->old_stops[index].pane : 0, found = 0;
@@ -81,7 +81,7 @@ void ui_focus(Ui *ui, const char *pane) {
     if (ui->editor.id)
         ui_editor_close(ui, UI_END_LEFT);
     ui->by_key = false;
-    ui->focus = 0; /* a pane that is made for the first time gets it at the end of the frame */
+    ui->focus = 0; /* a new pane gets the focus at the end of the frame */
     ui->focus_pane = id;
     if (stop)
         give(ui, stop);
@@ -121,7 +121,7 @@ static void swap_stops(Ui *ui) {
     ui->stop_capacity = capacity;
 }
 
-/* A modal pane takes the focus and gives it back. */
+/* Gives the focus to a modal pane, and returns it afterwards. */
 static void handle_modal(Ui *ui) {
     if (ui->modal && ui->focus_pane != ui->modal) {
         if (ui->editor.id)
@@ -142,7 +142,7 @@ static void handle_modal(Ui *ui) {
     }
 }
 
-/* A stop that is gone leaves the focus to the first one of its pane. */
+/* Moves the focus from a removed stop to the first one of its pane. */
 static void handle_gone_stop(Ui *ui) {
     if (!ui->focus_pane || ui_stop_find(ui, ui->focus))
         return;
@@ -168,7 +168,7 @@ void ui_focus_frame_end(Ui *ui) {
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
 
-/* Sets of keys, a bit each. */
+/* Sets of keys, one bit each. */
 #define KEY(name_) (1u << UI_KEY_##name_)
 #define USE (KEY(ENTER) | KEY(SPACE))
 #define UPWARDS (KEY(UP) | KEY(DOWN) | KEY(HOME) | KEY(END))
@@ -187,7 +187,7 @@ static bool uses(UiKind kind, UiKey key) {
     return keys[kind] & 1u << key;
 }
 
-/* From row to row of a list. */
+/* Moves the focus from row to row of a list. */
 static void go_along_rows(Ui *ui, const UiStop *stop, UiKey key) {
     const UiStop *end = ui->old_stops + ui->old_stop_count, *next = stop;
     int way = key == UI_KEY_UP || key == UI_KEY_HOME ? -1 : 1;
@@ -242,7 +242,7 @@ static void go(Ui *ui, UiKey key) {
         go_to_pane(ui, from, key == UI_KEY_PANE_BACK);
 }
 
-/* Enter in a field that the focus keeps open leaves it open. */
+/* Closes a field by Enter; a field that has the focus opens again. */
 static void enter(Ui *ui) {
     UiId id = ui->editor.id;
     const UiStop *stop = ui_stop_find(ui, id);

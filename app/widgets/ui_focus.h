@@ -1,4 +1,4 @@
-/* Which stop has the focus, and what keys do. */
+/* The stop that has the focus, and the effect of keys. */
 #pragma once
 
 #include "widgets/ui_state.h"

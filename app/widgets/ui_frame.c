@@ -44,7 +44,7 @@ void ui_set_theme(Ui *ui, Theme theme) {
 
 /* The mouse -------------------------------------------------------------------------------------------------------- */
 
-/* What is uppermost where the mouse is: of what was made in the frame before, the last. */
+/* Finds the topmost item under the mouse: the last one made in the previous frame. */
 static void find_hovered(Ui *ui) {
     ui->hovered = 0;
     ui->on_canvas = false;
@@ -69,7 +69,7 @@ static void press_left(Ui *ui) {
     bool near = vec2_distance(ui->mouse, ui->pressed_at) < TWICE_REACH;
     ui->twice = ui->input.twice || (near && ui->clock - ui->pressed_time < TWICE_SECONDS);
     ui->pressed_at = ui->mouse;
-    ui->pressed_time = ui->twice ? -1 : ui->clock; /* a third press is no second double click */
+    ui->pressed_time = ui->twice ? -1 : ui->clock; /* a third press is not a second double click */
     ui->held = ui->hovered;
     if (ui->editor.id && ui->editor.id != ui->hovered)
         ui_editor_close(ui, UI_END_LEFT);

@@ -13,7 +13,7 @@ bool ui_number_is_wrong(const UiSlider *slider, const char *text, double *value,
     char why[QUANTITY_REASON] = "", least[64], most[64];
     double typed;
     bool read = quantity_read(text, slider->unit, &typed, why);
-    double slack = 1e-9 * fmax(fabs(slider->least), fabs(slider->most)); /* 1500 mm is 1.5 m, whatever rounding says */
+    double slack = 1e-9 * fmax(fabs(slider->least), fabs(slider->most)); /* 1500 mm is 1.5 m, whatever the rounding */
     if (read && slider->whole)
         typed = round(typed);
     if (read && typed >= slider->least - slack && typed <= slider->most + slack) {

@@ -3,10 +3,10 @@
 
 #include "widgets/ui_state.h"
 
-enum { UI_REASON = 256 /* bytes of what is wrong with a number */ };
+enum { UI_REASON = 256 /* bytes of the reason why a number is invalid */ };
 
 /* Prints a value with its unit. */
 void ui_number_print(const UiSlider *slider, double value, char *text, size_t size);
 
-/* True if a typed text is not a number of the slider; `reason` then names the range and the error. */
+/* True if a typed text is not a valid number for the slider; `reason` then names the range and the error. */
 bool ui_number_is_wrong(const UiSlider *slider, const char *text, double *value, char reason[UI_REASON]);

@@ -13,26 +13,26 @@ typedef struct UiPainter UiPainter;
 
 typedef uint32_t UiInk; /* red, green, blue, opacity: bytes from the lowest */
 
-/* Later layers lie over earlier ones whatever is drawn first. */
+/* Later layers lie over earlier ones, whatever the drawing order. */
 typedef enum UiLayer { UI_LAYER_PANES, UI_LAYER_MODAL, UI_LAYER_TIP, UI_LAYER_COUNT } UiLayer;
 
 UiPainter *ui_painter_create(PaintGlScreen *screen);
 void ui_painter_destroy(UiPainter *painter);
 void ui_painter_begin(UiPainter *painter, int width, int height, double unit, double seconds);
 void ui_painter_end(UiPainter *painter);
-bool ui_painter_is_stale(const UiPainter *painter); /* the next frame has other letters */
+bool ui_painter_is_stale(const UiPainter *painter); /* the next frame has other glyphs */
 void ui_painter_layer(UiPainter *painter, UiLayer layer);
 
-/* Nothing is seen outside the box and those around it, until ui_painter_unclip. */
+/* Clips to the box and those around it, until ui_painter_unclip. */
 void ui_painter_clip(UiPainter *painter, Box box);
 void ui_painter_unclip(UiPainter *painter);
 
-/* Design points, of the letters. */
+/* Returns the size of a style's text, design points. */
 double ui_painter_size(UiTextStyle style);
 
 Vec2 ui_painter_extent(UiPainter *painter, UiTextStyle style, const char *text, size_t bytes);
 
-/* How many bytes of the words are one line no wider than that; they end before a space or the end of a line. */
+/* Returns how many bytes of the text are one line of at most that width; a line ends before a space or at a newline. */
 size_t ui_painter_wrap(UiPainter *painter, UiTextStyle style, const char *text, double width);
 
 /* Boxes lie on whole pixels. at.y is the middle of the capitals. */

@@ -6,7 +6,7 @@
 #include "base/text.h"
 #include "widgets/ui_stop.h"
 
-#define NARROW 160.0 /* a pane no wider than that has only a small margin */
+#define NARROW 160.0 /* a pane of at most this width has only a small margin */
 #define MARGIN 16.0
 #define NARROW_MARGIN 6.0
 #define TOP_MARGIN 8.0
@@ -44,7 +44,7 @@ void ui_pane_frame_begin(Ui *ui) {
     ui->inner = ui->window;
 }
 
-/* What is remembered of a pane is forgotten with it: it begins anew at its top. */
+/* Forgets the scroll position of a pane that was not made: it starts at its top the next time. */
 void ui_pane_frame_end(Ui *ui) {
     for (size_t i = 0; i < ui->place_count; i++)
         if (!ui->places[i]->made)
@@ -66,7 +66,7 @@ static void scroll_by_wheel(Ui *ui, UiPlace *place) {
         place->scroll -= NOTCH * ui->input.wheel;
 }
 
-/* The bar says how much there is and where one is; it can be dragged. */
+/* Draws the scroll bar, which can be dragged. */
 static void draw_bar(Ui *ui, UiPlace *place) {
     Box box = place->box;
     double height = box_height(box), length = fmax(BAR_LEAST, height * height / place->content);
@@ -164,7 +164,7 @@ static void scroll_by_key(Ui *ui, UiPlace *place) {
         }
 }
 
-/* What has become longer or wider, or was scrolled, is in its place in the next frame. */
+/* Requests another frame if the content was resized or scrolled: it moves in the next frame. */
 static void handle_change(Ui *ui, UiPlace *place, double content) {
     bool wider = memcmp(place->columns[0], place->columns[1], sizeof place->columns[0]) != 0;
     if (place->content != content || place->scroll != place->seen_scroll || wider)
@@ -176,7 +176,7 @@ void ui_pane_end(Ui *ui) {
     double content = place->content;
     if (ui->row_index)
         ui->y += ui->row_height + UI_GAP;
-    place->content = ui->y - ui->first_y + TOP_MARGIN; /* below the last widget its gap is the margin */
+    place->content = ui->y - ui->first_y + TOP_MARGIN; /* the gap below the last widget is the margin */
     if (ui_pane_overflows(place)) {
         draw_bar(ui, place);
         scroll_by_key(ui, place);

@@ -3,7 +3,7 @@
 
 #include "widgets/ui_state.h"
 
-/* The next box in the flow, or the one of ui_at; and how wide it will be. */
+/* Returns the next box in the flow, or that of ui_at; and its width. */
 Box ui_pane_next(Ui *ui, double height);
 double ui_pane_width(const Ui *ui);
 UiPlace *ui_pane_find(const Ui *ui, UiId id);

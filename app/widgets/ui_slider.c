@@ -6,7 +6,7 @@
 #include "widgets/ui_tip.h"
 
 #define LABEL_HEIGHT 24.0
-#define TRACK_ROW 24.0 /* what the mouse may hit */
+#define TRACK_ROW 24.0 /* the part that reacts to the mouse */
 #define TRACK 7.0
 #define BLOCK 12.0
 #define BLOCK_HEIGHT 20.0
@@ -22,7 +22,7 @@ static double part_of(const UiSlider *slider, double value) {
     return isfinite(part) ? real_clamp(part, 0, 1) : 0;
 }
 
-/* What a hand chooses has as many digits as are shown. */
+/* Returns the value at a share of the track, rounded to the displayed digits. */
 static double value_at(const UiSlider *slider, double part) {
     part = real_clamp(part, 0, 1);
     if (part <= 0 || part >= 1)
@@ -35,7 +35,7 @@ static double value_at(const UiSlider *slider, double part) {
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
 
-/* The next value that way: so much of the range, but at least one of the last digit that is shown. */
+/* Returns the value one step further: a share of the range, but at least one unit of the last displayed digit. */
 static double stepped(const UiSlider *slider, double step) {
     double grain = slider->whole ? 1 : pow(10, -slider->digits);
     double value = value_at(slider, part_of(slider, slider->value) + step);
@@ -69,7 +69,7 @@ static double value_by_key(const UiSlider *slider, UiPress press) {
 /* Parts ------------------------------------------------------------------------------------------------------------ */
 
 typedef struct Parts {
-    UiId id, hand; /* of the value, which can be typed into, and of the track */
+    UiId id, hand; /* of the value, which can be typed, and of the track */
     Box label, value, track;
     char text[96];
     bool changed, typing;
@@ -101,7 +101,7 @@ static UiChange slide(Ui *ui, UiSlider *slider, const Parts *parts, UiTouch touc
     double left = parts->track.low.x + BLOCK / 2, width = fmax(1, box_width(parts->track) - BLOCK);
     if (touch.pressed)
         ui_editor_drop_draft(ui, parts->id);
-    if (touch.pressed) { /* beside the block it comes to the mouse, on it it is held where it is */
+    if (touch.pressed) { /* pressed next to the block, it moves to the mouse; pressed on it, it keeps its offset */
         double off = ui->mouse.x - left - width * part_of(slider, slider->value);
         ui->grip = fabs(off) <= BLOCK / 2 ? off : 0;
         if (ui->grip == 0)
@@ -125,7 +125,7 @@ static UiChange use_keys(Ui *ui, UiSlider *slider, UiId id) {
     return slider->value != before ? UI_CHANGED : UI_SAME;
 }
 
-/* The reason lies where the track was: nothing else moves. */
+/* Draws the reason in place of the track: nothing else moves. */
 static void draw_reason(Ui *ui, Box box, const char *reason) {
     UiInk ink = ui_state_ink(ui, ROLE_ERROR, 1);
     double middle = (box.low.y + box.high.y) / 2;
@@ -146,7 +146,7 @@ static void draw_field(Ui *ui, const Parts *parts, bool wrong, UiTouch touch) {
                    parts->draft->text);
 }
 
-/* A changed value is bold, with a diamond before its name. */
+/* Draws label and value; a changed value is bold, with a diamond before its name. */
 static void draw_head(Ui *ui, const UiSlider *slider, const Parts *parts, UiTouch touch) {
     Box label = parts->label;
     if (parts->changed) {

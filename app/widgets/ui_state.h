@@ -9,8 +9,8 @@
 
 #define UI_GAP 8.0
 #define UI_BUTTON_HEIGHT 34.0
-#define UI_LINE_HEIGHT 24.0 /* of one line of words that stand alone */
-#define UI_SPACING 1.3      /* of lines of wrapped words, times the size of the letters */
+#define UI_LINE_HEIGHT 24.0 /* of a single line of text */
+#define UI_SPACING 1.3      /* of lines of wrapped text, times the text size */
 #define UI_EDGE 1.5
 #define UI_FRAME 3.0 /* of the focus, and of the light rim inside it */
 #define UI_RIM 2.0
@@ -23,14 +23,14 @@ typedef enum UiKind { UI_IS_PANE, UI_IS_BUTTON, UI_IS_ROW, UI_IS_CHOICE, UI_IS_S
 typedef struct UiStop {
     UiId id, pane;
     UiKind kind;
-    const char *text;       /* what typing begins with, or NULL: in the frame's arena */
-    const UiSlider *number; /* of which kind what is typed must be, or NULL: there, too */
+    const char *text;       /* initial text of the field, or NULL: in the frame's arena */
+    const UiSlider *number; /* the slider that checks a typed number, or NULL: in the same arena */
 } UiStop;
 
-/* What the mouse can be over. */
+/* An item that the mouse can point at. */
 typedef struct UiItem {
     UiId id, pane;
-    Box box; /* as far as it is seen */
+    Box box; /* the visible part */
     bool canvas;
 } UiItem;
 
@@ -41,10 +41,10 @@ typedef struct UiPress {
     bool shift;
 } UiPress;
 
-/* How typing has ended. */
+/* How typing ended. */
 typedef enum UiEnd { UI_END_ENTERED, UI_END_LEFT, UI_END_ESCAPED } UiEnd;
 
-/* What was typed and can be used, on its way to its widget. */
+/* A valid typed text on its way to its widget. */
 typedef struct UiTyped {
     UiId id;
     UiEnd end;
@@ -54,20 +54,20 @@ typedef struct UiTyped {
 /* The text that is being typed. */
 typedef struct UiEditor {
     UiId id;
-    bool wrong; /* Enter was pressed and it could not be used */
+    bool wrong; /* Enter was pressed and the number is invalid */
     char *text, *original;
-    size_t size, capacity, original_capacity; /* bytes, without the end */
-    size_t caret, anchor;                     /* what is selected lies between them */
-    double scroll;                            /* design points that are hidden to the left */
+    size_t size, capacity, original_capacity; /* bytes, without the terminating 0 */
+    size_t caret, anchor;                     /* the selection lies between them */
+    double scroll;                            /* design points hidden to the left */
 } UiEditor;
 
-/* A number that was typed and could not be used. */
+/* An invalid number that was typed. */
 typedef struct UiDraft {
     UiId id;
     char *text;
 } UiDraft;
 
-/* What is remembered of a pane from frame to frame. */
+/* The state of a pane that is kept from frame to frame. */
 typedef struct UiPlace {
     UiId id;
     char *name;
@@ -75,12 +75,12 @@ typedef struct UiPlace {
     bool made, modal, stop, scrolls;
     int order;                           /* among the panes of a frame */
     double scroll, content, seen_scroll; /* design points */
-    double columns[2][2];                /* widths of the cells to the right: as they were, as they become */
+    double columns[2][2];                /* widths of the cells to the right: in the previous frame, and in this one */
 } UiPlace;
 
-/* What a help says, and where. */
+/* The text of a tooltip and its place. */
 typedef struct UiTip {
-    UiId id, item; /* of the widget, and what of it the mouse is on */
+    UiId id, item; /* of the widget, and the item under the mouse */
     Box box, pane;
     char text[512];
 } UiTip;
@@ -97,20 +97,20 @@ struct Ui {
     bool pressed[3], released[3], was_down[3], twice;
     double clock, pressed_time;
     UiId hovered, held;
-    double grip; /* design points from the middle of a slider's block to where it is held */
+    double grip; /* design points from the middle of a slider's block to the grabbed point */
     UiPlace *hovered_pane;
     bool on_canvas;
     UiItem *items, *old_items;
     size_t item_count, item_capacity, old_item_count, old_item_capacity;
 
-    int stirred; /* frames until what was done is seen */
+    int stirred; /* frames until the last change is visible */
 
     /* the focus */
     UiId focus, focus_pane;
-    UiId kept, kept_pane; /* what had it before a modal pane was opened */
+    UiId kept, kept_pane; /* the focus before a modal pane was opened */
     bool keeps;
-    bool by_key; /* it came by a key: its help is seen */
-    bool reveal; /* it is to be scrolled into view */
+    bool by_key; /* moved by a key: shows its tooltip */
+    bool reveal; /* must be scrolled into view */
     Box focus_box;
     bool focus_made;
     UiStop *stops, *old_stops;
@@ -128,11 +128,11 @@ struct Ui {
     /* panes */
     UiPlace **places;
     size_t place_count, place_capacity;
-    UiPlace *place; /* the one that is being made */
+    UiPlace *place; /* the pane that is being made */
     UiId modal;
     int order;
     Role ground;
-    Box inner;                 /* where things flow, as if it had no end */
+    Box inner;                 /* the area of the flow, as if it had no end */
     double y, first_y, list_y; /* below the last row of a list */
     int row_count, row_index;
     double row_height;
@@ -152,11 +152,11 @@ typedef struct UiTouch {
     bool hovered, pressed, held, released, clicked, twice;
 } UiTouch;
 
-/* Something was done: the next two frames show it. */
+/* Requests two frames after a change. */
 void ui_state_stir(Ui *ui);
 UiId ui_state_id(const Ui *ui, const char *id);
 
-/* Makes a box that the mouse can use. */
+/* Registers a box for the mouse and returns its state. */
 UiTouch ui_state_touch(Ui *ui, UiId id, Box box, bool canvas);
 
 UiInk ui_state_ink(const Ui *ui, Role role, double opacity);

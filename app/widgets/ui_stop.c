@@ -36,7 +36,7 @@ const UiStop *ui_stop_find(const Ui *ui, UiId id) {
     return find(ui->old_stops, ui->old_stop_count, id);
 }
 
-/* Two frames, one in the colour of ink and one of paper: one of them differs from any ground. */
+/* Draws two frames, one in the ink's colour and one in the paper's: one of them differs from any ground. */
 void ui_stop_draw(Ui *ui) {
     double reach = UI_FRAME + UI_RIM;
     Box box = ui->focus == ui->place->id ? ui->place->box : box_expand(ui->focus_box, reach), pane = ui->place->box;

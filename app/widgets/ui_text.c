@@ -12,7 +12,7 @@ Vec2 ui_extent(Ui *ui, UiTextStyle style, const char *text) {
     return ui_painter_extent(ui->painter, style, text, strlen(text));
 }
 
-/* As many bytes from the beginning as have room. */
+/* Returns how many bytes from the beginning have room. */
 static size_t fitting(Ui *ui, UiTextStyle style, const char *text, size_t bytes, double width) {
     while (bytes > 0 && ui_painter_extent(ui->painter, style, text, bytes).x > width) {
         bytes--;

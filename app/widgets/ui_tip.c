@@ -6,7 +6,7 @@
 #include "widgets/ui_text.h"
 
 #define DELAY 0.5 /* s of hovering */
-#define GRACE 0.4 /* s in which the mouse can go from the widget to its help */
+#define GRACE 0.4 /* s, for the mouse to move from the widget to its tooltip */
 #define WIDEST 330.0
 #define PADDING 9.0
 #define EDGE 1.5
@@ -31,7 +31,7 @@ void ui_tip_offer(Ui *ui, UiId id, Box box, const char *help, bool hovered, bool
         set(ui, &ui->focus_tip, id, box, help);
 }
 
-/* Help that is being read stays while the mouse is on it or on its way to it. */
+/* A visible tooltip stays while the mouse is on it or on its way to it. */
 void ui_tip_frame_begin(Ui *ui) {
     bool kept = ui->tip_shown && box_holds(ui->tip_box, ui->mouse);
     ui->leave_time = kept ? 0 : ui->leave_time + ui->input.seconds;
@@ -57,7 +57,7 @@ bool ui_tip_hide(Ui *ui) {
     return true;
 }
 
-/* Beside the widget's pane, so that it hides none of its widgets; below it where there is no room. */
+/* Returns a place next to the widget's pane, so that it hides no other widget; below the widget without room there. */
 static Box place_tip(const Ui *ui, const UiTip *tip, double width, double height) {
     Box pane = tip->pane, window = ui->window, widget = tip->box;
     bool tall = box_height(pane) > box_width(pane);
@@ -77,7 +77,7 @@ static Box place_tip(const Ui *ui, const UiTip *tip, double width, double height
     return (Box){at, vec2_add(at, vec2(width, height))};
 }
 
-/* The first of several lines is the name. */
+/* Draws the text; the first of several lines is the name. */
 static void draw_text(Ui *ui, const UiTip *tip, UiInk ink, Box inside, double *height) {
     size_t name = strcspn(tip->text, "\n");
     char first[sizeof tip->text];
