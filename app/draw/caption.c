@@ -5,7 +5,7 @@
 
 #include "draw/text.h"
 
-#define TAG_PADDING 5.0 /* design points, left and right of the words */
+#define TAG_PADDING 5.0 /* design points, left and right of the text */
 #define DISC_LEAST 14.0 /* design points, radius */
 
 Caption *caption_add(Layout *layout, const char *text, double size, bool bold, Vec2 centre) {

@@ -2,11 +2,11 @@
  * the moving layer, and over both the texts. The painter draws into a framebuffer of its own with row 0 at the top, so
  * that it needs only a current context; every call must find that context current. The same calls give the same bytes.
  *
- *     paint_gl_still    ground, grid, list, primitives, words: the static layer
+ *     paint_gl_still    ground, grid, list, primitives, texts: the static layer
  *     paint_gl_add      more for it, as loci grow
- *     paint_gl_rewind   the static layer as it was at first
+ *     paint_gl_rewind   the first state of the static layer
  *     paint_gl_panel    a plot has changed
- *     paint_gl_frame    static layer, moving layer, words
+ *     paint_gl_frame    static layer, moving layer, texts
  *     paint_gl_read     the frame's pixels                                                                           */
 #pragma once
 

@@ -2,7 +2,7 @@
  * lines and bands across that mark the meaning of a number. A plot knows arrays and roles only. plot_canvas.h draws it
  * bit by bit, plot_write.h writes it to files.
  *
- *        force, N   - A  -.- B               names of the series, when there are several and no room beside the lines
+ *        force, N   - A  -.- B               names of the series, when there are several and no room next to the lines
  *          |         .
  *       50 |- - - - / \- - - - warning - -   a guide, with its name
  *          |   ____/   \___ A
