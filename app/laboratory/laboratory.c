@@ -2,8 +2,7 @@
 
 #include <string.h>
 
-static const Laboratory *const kinds[] = {&house_laboratory, &beam_laboratory};
-enum { KINDS = sizeof kinds / sizeof *kinds };
+#include "laboratory/shipped.h"
 
 /* Longer than any house or beam that is opened in a window. */
 enum { LONGEST = 64 << 20 /* bytes */ };
@@ -17,15 +16,28 @@ static bool says(const char *text, const char *word) {
     return found;
 }
 
-const Laboratory *laboratory_of(const char *path) {
-    size_t size;
+size_t laboratory_of(const char *path) {
+    size_t size, index = 0;
     char *text = text_read_file(path, LONGEST, &size);
-    const Laboratory *kind = kinds[0];
-    for (size_t i = 0; text && i < KINDS; i++)
-        if (says(text, kinds[i]->word)) {
-            kind = kinds[i];
-            break;
-        }
+    while (text && index < laboratories_count && !says(text, laboratories[index].laboratory->word))
+        index++;
     memory_free(text);
-    return kind;
+    return index < laboratories_count ? index : 0;
+}
+
+size_t laboratory_find(const char *word) {
+    size_t index = 0;
+    while (index < laboratories_count && strcmp(laboratories[index].laboratory->word, word) != 0)
+        index++;
+    return index;
+}
+
+const char *laboratory_folder(size_t index) {
+    const char *path;
+    memcpy(&path, (const char *)shipped_places() + laboratories[index].folder, sizeof path);
+    return path;
+}
+
+const char *laboratory_file(size_t index, Arena *arena) {
+    return text_in_arena(arena, "%s/%s", laboratory_folder(index), laboratories[index].file);
 }

@@ -18,6 +18,8 @@
 #include "plot/plot.h"
 #include "draw/scene.h"
 
+struct Thumbnail;
+
 typedef struct LaboratoryOptions {
     const char *profiles;        /* directory of the shipped profiles */
     const char *const *settings; /* (setting_count) NAME=VALUE */
@@ -229,6 +231,9 @@ typedef struct Laboratory {
     /* The words behind "clearance" that make what is shown: "run", FILE, "--set", ... (count) */
     const char *const *(*command)(void *live, size_t *count);
 
+    /* Digest of the run that is shown; NULL: it has none. */
+    uint64_t (*digest)(const void *live);
+
     /* Writes what is shown, with its changed numbers, as a file that can be opened again; false: a fault says why not.
      */
     bool (*save)(void *live, const char *path, Fault *fault);
@@ -246,6 +251,32 @@ typedef struct Laboratory {
     Editor *(*editor)(void *live);
 } Laboratory;
 
-/* The laboratories; laboratory_of tells whose a file is, by what is in it (a house's when nothing can be told). */
 extern const Laboratory house_laboratory, beam_laboratory;
-const Laboratory *laboratory_of(const char *path);
+
+/* A laboratory of the window. To add one, write its Laboratory and add a row to the table in laboratories.c: tabs,
+ * keys, the gallery, lists of files, settings, scripts and exports follow from the rows. */
+typedef struct LaboratoryRow {
+    const Laboratory *laboratory;
+    const char *help;  /* a sentence */
+    const char *key;   /* that shows it: "F2" */
+    size_t folder;     /* of the files that come with the program: offset of the path in Shipped */
+    const char *file;  /* in that folder: it is opened when no other is asked for */
+    const char *plots; /* all that `--plots` makes: "speed,clearance" */
+
+    /* Reads a file's name, line and picture without a run. False: faults say why, and the thumbnail is empty. */
+    bool (*read_thumbnail)(struct Thumbnail *thumbnail, const char *path, Fault *fault);
+} LaboratoryRow;
+
+extern const LaboratoryRow laboratories[]; /* (laboratories_count) in the order of their tabs */
+extern const size_t laboratories_count;
+
+/* Returns the index of the laboratory that a file belongs to, by what is in it; 0 if nothing in it says so. */
+size_t laboratory_of(const char *path);
+
+/* Returns the index of the laboratory with a word ("house"); laboratories_count: none has it. */
+size_t laboratory_find(const char *word);
+
+/* Returns the folder of the files that come with the program, and the path of the one that is opened first, in the
+ * arena. */
+const char *laboratory_folder(size_t index);
+const char *laboratory_file(size_t index, Arena *arena);

@@ -12,8 +12,8 @@ enum { PATH_MOST = 4096 };
 
 static char assets[PATH_MOST], looked[4 * PATH_MOST], missing[5 * PATH_MOST];
 static char profiles[PATH_MOST + 32], furniture[PATH_MOST + 32], beams[PATH_MOST + 32], houses[PATH_MOST + 32],
-    help[PATH_MOST + 32], default_house[PATH_MOST + 64];
-static Shipped shipped = {profiles, furniture, beams, houses, help, default_house, NULL};
+    help[PATH_MOST + 32];
+static Shipped shipped = {profiles, furniture, beams, houses, help, NULL};
 
 /* Adds the folder to those that were looked at, each once. */
 static void add_looked(const char *folder) {
@@ -125,7 +125,6 @@ static void find(void) {
     if (whole)
         snprintf(houses, sizeof houses, "%s", whole);
     free(whole);
-    snprintf(default_house, sizeof default_house, "%s/ube-techno-house.json", houses);
 }
 
 const Shipped *shipped_places(void) {

@@ -10,8 +10,7 @@
 
 typedef struct Shipped {
     const char *profiles, *furniture, *beams, *houses, *help; /* folders */
-    const char *default_house; /* the file that the window opens when no other is asked for */
-    const char *missing;       /* one line that names the places, if none of them holds profiles; NULL otherwise */
+    const char *missing; /* one line that names the places, if none of them holds profiles; NULL otherwise */
 } Shipped;
 
 /* The places are looked for once and live as long as the program. Any thread may ask. */

@@ -65,13 +65,16 @@ static void tell(Thumbnail *thumbnail, const char *path, const char *name, const
 #define BEAM_BEHIND 0.12
 #define BEAM_HALF 0.21
 
-static bool read_house(Thumbnail *thumbnail, const char *path, Fault *fault) {
+bool thumbnail_read_house(Thumbnail *thumbnail, const char *path, Fault *fault) {
+    *thumbnail = (Thumbnail){.scene = {.bare = true, .unscaled = true}};
     House house = {.seed = 0};
     bool good = plan_read(&house.plan, path, NULL, 0, fault) && outline_build(&house.outline, &house.plan, fault);
     if (good) {
         tell(thumbnail, path, house.plan.name, house.plan.note);
         plan_picture_bare(&thumbnail->scene, &house);
     }
+    if (!good)
+        thumbnail_clear(thumbnail);
     house_free(&house);
     return good;
 }
@@ -114,7 +117,8 @@ static void draw_beam(Scene *scene, const Beam *beam, const Rig *rig) {
     beam_shape_destroy(&shape);
 }
 
-static bool read_beam(Thumbnail *thumbnail, const char *path, Fault *fault) {
+bool thumbnail_read_beam(Thumbnail *thumbnail, const char *path, Fault *fault) {
+    *thumbnail = (Thumbnail){.scene = {.bare = true, .unscaled = true}};
     Beam beam = {.name = NULL};
     Rig rig;
     bool good = beam_read(&beam, path, NULL, 0, fault);
@@ -123,16 +127,10 @@ static bool read_beam(Thumbnail *thumbnail, const char *path, Fault *fault) {
         draw_beam(&thumbnail->scene, &beam, &rig);
         rig_clear(&rig);
     }
+    if (!good)
+        thumbnail_clear(thumbnail);
     beam_free(&beam);
     return good;
-}
-
-bool thumbnail_read(Thumbnail *thumbnail, const char *path, Fault *fault) {
-    *thumbnail = (Thumbnail){.beam = beam_is_file(path), .scene = {.bare = true, .unscaled = true}};
-    if (thumbnail->beam ? read_beam(thumbnail, path, fault) : read_house(thumbnail, path, fault))
-        return true;
-    thumbnail_clear(thumbnail);
-    return false;
 }
 
 void thumbnail_clear(Thumbnail *thumbnail) {

@@ -10,7 +10,6 @@
 
 /* Zero is empty; thumbnail_clear releases it. */
 typedef struct Thumbnail {
-    bool beam;        /* otherwise a house */
     const char *name; /* as the file says, or its own without ending */
     const char *line; /* the first sentence of the note, shortened; "" */
     Scene scene;
@@ -20,7 +19,8 @@ typedef struct Thumbnail {
 enum { THUMBNAIL_LINE = 100 /* characters of the line, at most, and what must be said behind it */ };
 
 /* False: faults say why, and the thumbnail is empty. */
-bool thumbnail_read(Thumbnail *thumbnail, const char *path, Fault *fault);
+bool thumbnail_read_house(Thumbnail *thumbnail, const char *path, Fault *fault);
+bool thumbnail_read_beam(Thumbnail *thumbnail, const char *path, Fault *fault);
 void thumbnail_clear(Thumbnail *thumbnail);
 
 /* The file's own name without folder and ending, in the arena. */

@@ -43,34 +43,32 @@ static bool is_json(const char *name) {
     return dot && strcasecmp(dot, ".json") == 0;
 }
 
-/* Whose a file is, by the format that its first lines name. */
-static FolderKind kind_of_file(int folder, const char *name) {
+/* Returns the word W of the format "clearance-W" that a file's first lines name, in the folder's arena; NULL: they name
+ * none. */
+static const char *format_of(Folder *folder, int stream, const char *name) {
+    static const char begin[] = "\"clearance-";
     char head[HEAD + 1];
-    int file = openat(folder, name, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    int file = openat(stream, name, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     ssize_t got = file >= 0 ? read(file, head, HEAD) : -1;
     if (file >= 0)
         close(file);
     if (got <= 0)
-        return FOLDER_OTHER;
+        return NULL;
     head[got] = 0;
-    return strstr(head, "\"clearance-house\"")  ? FOLDER_HOUSE
-           : strstr(head, "\"clearance-beam\"") ? FOLDER_BEAM
-                                                : FOLDER_OTHER;
+    const char *format = strstr(head, begin);
+    size_t length = format ? strspn(format + sizeof begin - 1, "abcdefghijklmnopqrstuvwxyz-") : 0;
+    if (!length || format[sizeof begin - 1 + length] != '"')
+        return NULL;
+    return text_in_arena(&folder->arena, "%.*s", (int)length, format + sizeof begin - 1);
 }
 
 /* False: it is not to be listed. */
-static bool kind_of(int folder, const char *name, FolderKind *kind) {
+static bool kind_of(int stream, const char *name, FolderKind *kind) {
     struct stat status;
-    if (*name == '.' || fstatat(folder, name, &status, 0) != 0)
+    if (*name == '.' || fstatat(stream, name, &status, 0) != 0)
         return false;
-    if (S_ISDIR(status.st_mode)) {
-        *kind = FOLDER_FOLDER;
-        return true;
-    }
-    if (!S_ISREG(status.st_mode) || !is_json(name))
-        return false;
-    *kind = kind_of_file(folder, name);
-    return true;
+    *kind = S_ISDIR(status.st_mode) ? FOLDER_FOLDER : FOLDER_FILE;
+    return S_ISDIR(status.st_mode) || (S_ISREG(status.st_mode) && is_json(name));
 }
 
 static const char *path_of(Folder *folder, const char *name) {
@@ -83,14 +81,13 @@ static void add_above(Folder *folder) {
         return;
     const char *above =
         slash == folder->path ? "/" : text_in_arena(&folder->arena, "%.*s", (int)(slash - folder->path), folder->path);
-    folder->entries[folder->count++] = (FolderEntry){"..", above, FOLDER_ABOVE};
+    folder->entries[folder->count++] = (FolderEntry){"..", above, FOLDER_ABOVE, NULL};
 }
 
 static int by_kind_and_name(const void *a, const void *b) {
     const FolderEntry *first = a, *second = b;
-    int rank_a = first->kind < FOLDER_HOUSE ? (int)first->kind : FOLDER_HOUSE;
-    int rank_b = second->kind < FOLDER_HOUSE ? (int)second->kind : FOLDER_HOUSE;
-    return rank_a != rank_b ? rank_a - rank_b : folder_compare(first->name, second->name);
+    return first->kind != second->kind ? (int)first->kind - (int)second->kind
+                                       : folder_compare(first->name, second->name);
 }
 
 static void read_entries(Folder *folder, DIR *stream) {
@@ -105,7 +102,8 @@ static void read_entries(Folder *folder, DIR *stream) {
             continue;
         }
         const char *name = arena_text(&folder->arena, entry->d_name);
-        folder->entries[folder->count++] = (FolderEntry){name, path_of(folder, name), kind};
+        const char *format = kind == FOLDER_FILE ? format_of(folder, dirfd(stream), name) : NULL;
+        folder->entries[folder->count++] = (FolderEntry){name, path_of(folder, name), kind, format};
     }
     qsort(folder->entries, folder->count, sizeof *folder->entries, by_kind_and_name);
 }

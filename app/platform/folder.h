@@ -8,12 +8,13 @@
 #include "base/fault.h"
 #include "base/memory.h"
 
-typedef enum FolderKind { FOLDER_ABOVE, FOLDER_FOLDER, FOLDER_HOUSE, FOLDER_BEAM, FOLDER_OTHER } FolderKind;
+typedef enum FolderKind { FOLDER_ABOVE, FOLDER_FOLDER, FOLDER_FILE } FolderKind;
 
 typedef struct FolderEntry {
     const char *name; /* "..", "houses", "l-corridor.json" */
     const char *path; /* absolute */
-    FolderKind kind;  /* of a file by its first lines; FOLDER_OTHER: JSON of something else */
+    FolderKind kind;
+    const char *format; /* "house" of a file whose first lines name the format "clearance-house"; otherwise NULL */
 } FolderEntry;
 
 /* Zero is empty; folder_clear releases it. */

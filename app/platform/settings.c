@@ -58,16 +58,6 @@ static const Parameter state_rows[] = {
      .kind = PARAMETER_TEXT,
      .offset = offsetof(SettingsState, folder),
      .meaning = "last looked into"},
-    {.name = "house",
-     .kind = PARAMETER_TABLE,
-     .offset = offsetof(SettingsState, house),
-     .table = &laboratory_table,
-     .meaning = "how the house was shown"},
-    {.name = "beam",
-     .kind = PARAMETER_TABLE,
-     .offset = offsetof(SettingsState, beam),
-     .table = &laboratory_table,
-     .meaning = "how the beam was shown"},
 };
 static const ParameterTable state_table = {"state", state_rows, sizeof state_rows / sizeof *state_rows};
 
@@ -135,9 +125,27 @@ static bool read_recent(Settings *settings, const JsonNode *root, Fault *fault) 
     return fault->total == before;
 }
 
-static void forget_recent(Settings *settings) {
+/* Takes the objects out of the file's values: each is of a laboratory, by its word. */
+static bool read_laboratories(Settings *settings, const JsonNode *root, Fault *fault) {
+    const char *word;
+    json_t *value;
+    void *next;
+    size_t before = fault->total;
+    json_object_foreach_safe(root->value, next, word, value) {
+        JsonNode node = json_member(root, word);
+        if (!json_is_object(value))
+            continue;
+        parameters_read(&laboratory_table, settings_laboratory(settings, word), &node, &settings->arena, fault);
+        json_object_del(root->value, word);
+    }
+    return fault->total == before;
+}
+
+/* Forgets what no table resets: recent files, and laboratories. */
+static void forget_lists(Settings *settings) {
     while (settings->recent_count)
         memory_free(settings->recent[--settings->recent_count]);
+    settings->state.laboratory_count = 0;
 }
 
 static void set_aside(const char *path, const Fault *fault, Fault *notes) {
@@ -160,13 +168,14 @@ static void read_file(Settings *settings, const char *path, const ParameterTable
     if (good) {
         JsonNode root = json_root(&file);
         *written = json_line(root.value);
-        good = (table != &state_table || read_recent(settings, &root, &fault)) &&
+        good = (table != &state_table ||
+                (read_recent(settings, &root, &fault) && read_laboratories(settings, &root, &fault))) &&
                parameters_read(table, object, &root, &settings->arena, &fault);
     }
     if (!good) {
         parameters_reset(table, object);
         if (table == &state_table)
-            forget_recent(settings);
+            forget_lists(settings);
         memory_free(*written);
         *written = NULL;
         set_aside(path, &fault, notes);
@@ -228,6 +237,12 @@ static void save_object(Settings *settings, const char *path, json_t *object, ch
 
 void settings_save(Settings *settings, Fault *notes) {
     json_t *state = parameters_write(&state_table, &settings->state);
+    for (size_t i = 0; i < settings->state.laboratory_count; i++) {
+        json_t *laboratory = parameters_write(&laboratory_table, &settings->state.laboratories[i]);
+        if (json_object_size(laboratory))
+            json_object_set(state, settings->state.laboratories[i].word, laboratory);
+        json_decref(laboratory);
+    }
     if (settings->recent_count) {
         json_t *recent = json_array();
         for (size_t i = 0; i < settings->recent_count; i++)
@@ -240,7 +255,8 @@ void settings_save(Settings *settings, Fault *notes) {
 }
 
 void settings_close(Settings *settings) {
-    forget_recent(settings);
+    forget_lists(settings);
+    memory_free(settings->state.laboratories);
     memory_free(settings->preferences_path);
     memory_free(settings->state_path);
     memory_free(settings->preferences_written);
@@ -252,7 +268,16 @@ void settings_close(Settings *settings) {
 /* What is in it ---------------------------------------------------------------------------------------------------- */
 
 SettingsLaboratory *settings_laboratory(Settings *settings, const char *word) {
-    return strcmp(word, "beam") == 0 ? &settings->state.beam : &settings->state.house;
+    SettingsState *state = &settings->state;
+    for (size_t i = 0; i < state->laboratory_count; i++)
+        if (strcmp(state->laboratories[i].word, word) == 0)
+            return &state->laboratories[i];
+    state->laboratories = memory_reserve(state->laboratories, &state->laboratory_capacity, state->laboratory_count + 1,
+                                         sizeof *state->laboratories);
+    SettingsLaboratory *added = &state->laboratories[state->laboratory_count++];
+    parameters_reset(&laboratory_table, added);
+    added->word = arena_text(&settings->arena, word);
+    return added;
 }
 
 const char *settings_store(Settings *settings, const char *text) {

@@ -34,6 +34,7 @@ typedef struct SettingsPreferences {
 
 /* How a laboratory was shown. */
 typedef struct SettingsLaboratory {
+    const char *word;  /* "house": its key in the file */
     double speed;      /* 1, of the laboratory's pace */
     int layers;        /* bits; -1: as at first */
     const char *plots; /* names parted by commas; "": as at first; "none" */
@@ -41,8 +42,9 @@ typedef struct SettingsLaboratory {
 
 /* state.json. */
 typedef struct SettingsState {
-    const char *folder; /* last looked into, or "" */
-    SettingsLaboratory house, beam;
+    const char *folder;               /* last looked into, or "" */
+    SettingsLaboratory *laboratories; /* (laboratory_count) as they were asked for or read */
+    size_t laboratory_count, laboratory_capacity;
 } SettingsState;
 
 typedef struct Settings {
@@ -64,7 +66,7 @@ void settings_open(Settings *settings, Fault *notes);
 void settings_save(Settings *settings, Fault *notes);
 void settings_close(Settings *settings);
 
-/* Of the laboratory with this word, "house" or "beam" (Laboratory.word). */
+/* Returns how the laboratory with this word (Laboratory.word) was shown; good until another one is asked for. */
 SettingsLaboratory *settings_laboratory(Settings *settings, const char *word);
 
 /* A copy of a text that lives as long as the settings, for the fields above. */

@@ -202,15 +202,14 @@ static bool do_window(Window *window, Action action) {
     case ACTION_NORMAL_SIZE:
         set_text(window, 1);
         return true;
-    case ACTION_HOUSE:
-    case ACTION_BEAM:
-        opening_tab(window, action == ACTION_HOUSE ? TAB_HOUSE : TAB_BEAM);
-        return true;
     case ACTION_SOUND:
         toggle_sound(window);
         return true;
     default:
-        return false;
+        if (action < ACTION_LABORATORY)
+            return false;
+        opening_tab(window, (size_t)(action - ACTION_LABORATORY));
+        return true;
     }
 }
 

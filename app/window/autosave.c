@@ -11,7 +11,10 @@
 #define PATIENCE 2.0 /* s, from an edit until it is written */
 
 Tab *autosave_tab(Window *window) {
-    return &window->tabs[TAB_HOUSE];
+    size_t index = 0;
+    while (index + 1 < laboratories_count && !laboratories[index].laboratory->editor)
+        index++;
+    return &window->tabs[index];
 }
 
 /* Another number after every edit, every undoing and every saving. */

@@ -69,23 +69,24 @@ static double show_menus(Window *window, Box bar) {
 
 /* From the right; where they begin. */
 static double show_laboratories(Window *window, Box bar) {
-    static const Action actions[TABS] = {[TAB_HOUSE] = ACTION_HOUSE, [TAB_BEAM] = ACTION_BEAM};
-    const char *labels[TABS];
+    const char **labels = arena_allocate(&window->arena, laboratories_count * sizeof *labels);
     double width = 4;
-    for (size_t i = 0; i < TABS; i++) {
-        labels[i] = text_in_arena(&window->arena, "%s %s", keys_row(actions[i])->name, keys_row(actions[i])->key);
+    for (size_t i = 0; i < laboratories_count; i++) {
+        const LaboratoryRow *row = &laboratories[i];
+        labels[i] = text_in_arena(&window->arena, "%s %s", row->laboratory->name, row->key);
         width += ui_extent(window->ui, UI_BODY, labels[i]).x + BUTTON_PAD;
     }
     double left = bar.high.x - width, begin = left;
-    for (size_t i = 0; i < TABS; i++) {
+    for (size_t i = 0; i < laboratories_count; i++) {
         bool pressed;
+        Action action = ACTION_LABORATORY + (Action)i;
         UiButton button = {.label = labels[i],
                            .plain = true,
                            .chosen = window->current == i,
-                           .help = keys_help(&window->arena, actions[i])};
+                           .help = keys_help(&window->arena, action)};
         left = add_button(window, left, bar, &button, &pressed);
         if (pressed)
-            act_do(window, actions[i], 0, 0);
+            act_do(window, action, 0, 0);
     }
     return begin;
 }
@@ -256,7 +257,7 @@ static const char *place_text(Window *window, Tab *tab) {
     Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
     Item thing = tab->kind->selected(tab->live);
     const char *name = thing.kind ? tab->kind->name_thing(tab->live, thing) : "";
-    if (tab->kind != &house_laboratory || !box_holds(window->frame.view, at) || !tab->view_layers.painted)
+    if (!tab_editor(tab) || !box_holds(window->frame.view, at) || !tab->view_layers.painted)
         return name;
     Vec2 floor = view_layers_floor(&tab->view_layers, vec2_sub(at, window->frame.view.low));
     return text_in_arena(&window->arena, "%s   x %.2f  y %.2f m", name, floor.x, floor.y);
@@ -285,10 +286,10 @@ void bars_show_strip(Window *window) {
     ui_draw_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(right, y), 1, place);
     right -= ui_extent(window->ui, UI_SMALL, place).x + GAP;
     left = show_doing(window, left, right, y);
-    for (size_t i = 0; i < keys_count; i++) {
-        const KeyRow *row = &keys_table[i];
-        if (row->strip && (row->place != KEY_PLAN || tab_editor(tab)) && left + key_width(window, row) < right)
-            left = show_key(window, left, y, row);
+    for (size_t i = 0; i < keys_count(); i++) {
+        KeyRow row = keys_at(i);
+        if (row.strip && (row.place != KEY_PLAN || tab_editor(tab)) && left + key_width(window, &row) < right)
+            left = show_key(window, left, y, &row);
     }
     ui_pane_end(window->ui);
 }

@@ -51,12 +51,6 @@ static const Making makings[] = {
 };
 enum { MAKINGS = sizeof makings / sizeof *makings, OPTIONS_MOST = 16 };
 
-static const char *all_plots(Window *window, const Tab *tab) {
-    return tab->kind == &house_laboratory
-               ? "speed,clearance,force,ring,phase"
-               : text_in_arena(&window->arena, "phase,poincare,force,displacement,velocity,spectrum");
-}
-
 static void make(Window *window, const Making *making) {
     static const char *const folders[] = {"", NULL}, *const films[] = {".mp4", NULL};
     Tab *tab = window_tab(window);
@@ -66,7 +60,7 @@ static void make(Window *window, const Making *making) {
     for (size_t i = 0; making->options[i]; i++) {
         options[count++] = making->options[i];
         if (strcmp(making->options[i], "--plots") == 0)
-            options[count++] = all_plots(window, tab);
+            options[count++] = laboratories[window->current].plots;
     }
     if (!making->ending || strcmp(making->ending, "wkt") != 0) {
         options[count++] = "--theme";

@@ -65,13 +65,11 @@ void dialog_gallery_show(Window *window) {
 
 /* Folders ---------------------------------------------------------------------------------------------------------- */
 
-static const char *kind_label(FolderKind kind) {
-    static const char *const words[] = {[FOLDER_ABOVE] = "folder above",
-                                        [FOLDER_FOLDER] = "folder",
-                                        [FOLDER_HOUSE] = "house",
-                                        [FOLDER_BEAM] = "beam",
-                                        [FOLDER_OTHER] = "other"};
-    return words[kind];
+static const char *kind_label(const FolderEntry *entry) {
+    size_t laboratory = entry->format ? laboratory_find(entry->format) : laboratories_count;
+    if (entry->kind == FOLDER_FILE)
+        return laboratory < laboratories_count ? entry->format : "other";
+    return entry->kind == FOLDER_ABOVE ? "folder above" : "folder";
 }
 
 /* Goes into a folder, or opens a file. */
@@ -103,7 +101,7 @@ void dialog_gallery_show_open(Window *window) {
         const FolderEntry *entry = &window->folder.entries[i];
         UiRow row = {.id = text_in_arena(&window->arena, "entry %zu", i),
                      .shape = ROW_PLAIN,
-                     .cells = {entry->name, kind_label(entry->kind)},
+                     .cells = {entry->name, kind_label(entry)},
                      .usable = true};
         if (ui_list_row(window->ui, &row)) {
             choose(window, entry);

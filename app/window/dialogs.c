@@ -41,7 +41,7 @@ static bool is_meant(Window *window, const KeyRow *row) {
     keys_read(row->key, &key, &mods);
     if (row->place != KEY_CANVAS)
         return true;
-    return keys_find(key, mods, tab_editor(window_tab(window)) ? KEY_PLAN : KEY_VIEW, true)->action == row->action;
+    return keys_find(key, mods, tab_editor(window_tab(window)) ? KEY_PLAN : KEY_VIEW, true) == row->action;
 }
 
 /* True: the sheet is another one now. */
@@ -87,8 +87,10 @@ static bool show_recent(Window *window) {
 static void show_menu(Window *window) {
     size_t rows = 0;
     const char *paths[SETTINGS_RECENT_MOST];
-    for (size_t i = 0; i < keys_count; i++)
-        rows += is_there(window, &keys_table[i], window->menu);
+    for (size_t i = 0; i < keys_count(); i++) {
+        KeyRow row = keys_at(i);
+        rows += is_there(window, &row, window->menu);
+    }
     rows += window->menu == MENU_FILE ? settings_recent(&window->settings, paths) + 2 : 0;
     double left = menu_left(window), top = window->frame.menu.high.y;
     double height = fmin((double)(rows + 1) * MENU_ROW + 34, window->frame.page.y - top);
@@ -102,9 +104,10 @@ static void show_menu(Window *window) {
                       &(UiButton){.label = keys_menus[menu], .plain = true, .chosen = menu == window->menu}))
             window->menu = menu;
     bool done = false;
-    for (size_t i = 0; i < keys_count && !done; i++)
-        if (is_there(window, &keys_table[i], window->menu))
-            done = show_menu_row(window, &keys_table[i]);
+    for (size_t i = 0; i < keys_count() && !done; i++) {
+        KeyRow row = keys_at(i);
+        done = is_there(window, &row, window->menu) && show_menu_row(window, &row);
+    }
     if (!done)
         show_recent(window);
     ui_pane_end(window->ui);
@@ -120,12 +123,13 @@ static const char *place_name(KeyPlace place) {
 }
 
 /* All keys of an action in a place: "Space, Alt+K". */
-static const char *all_keys(Window *window, size_t row) {
-    const char *text = keys_table[row].key;
-    for (size_t i = row + 1; i < keys_count && !keys_table[i].name; i++)
-        if (keys_table[i].place == keys_table[row].place && keys_table[row].action != ACTION_LAYER)
-            text = text_in_arena(&window->arena, "%s, %s", text, keys_table[i].key);
-    return keys_table[row].action == ACTION_LAYER ? "1 ... 9" : text;
+static const char *all_keys(Window *window, size_t index) {
+    KeyRow row = keys_at(index);
+    const char *text = row.key;
+    for (size_t i = index + 1; i < keys_count() && !keys_at(i).name && row.action != ACTION_LAYER; i++)
+        if (keys_at(i).place == row.place)
+            text = text_in_arena(&window->arena, "%s, %s", text, keys_at(i).key);
+    return row.action == ACTION_LAYER ? "1 ... 9" : text;
 }
 
 static void show_keys(Window *window) {
@@ -142,16 +146,15 @@ static void show_keys(Window *window) {
         "held is free of snapping, Shift keeps to one axis or adds to what is selected.");
     for (KeyPlace place = KEY_ANYWHERE; place <= KEY_TIMELINE; place++) {
         ui_heading(window->ui, place_name(place));
-        for (size_t i = 0; i < keys_count; i++) {
-            const KeyRow *named = keys_table[i].name ? &keys_table[i] : keys_row(keys_table[i].action);
-            bool first = keys_table[i].name || keys_table[i].place != keys_table[i - 1].place;
-            if (keys_table[i].place != place || !first)
+        for (size_t i = 0; i < keys_count(); i++) {
+            KeyRow row = keys_at(i), named = row.name ? row : keys_row(row.action);
+            bool first = row.name || row.place != keys_at(i - 1).place;
+            if (row.place != place || !first)
                 continue;
-            const char *text = text_in_arena(&window->arena, "%s: %s", named->name, named->help);
-            ui_list_row(window->ui,
-                        &(UiRow){.id = text_in_arena(&window->arena, "key %zu", i),
-                                 .shape = ROW_PLAIN,
-                                 .cells = {text, keys_table[i].name ? all_keys(window, i) : keys_table[i].key}});
+            const char *text = text_in_arena(&window->arena, "%s: %s", named.name, named.help);
+            ui_list_row(window->ui, &(UiRow){.id = text_in_arena(&window->arena, "key %zu", i),
+                                             .shape = ROW_PLAIN,
+                                             .cells = {text, row.name ? all_keys(window, i) : row.key}});
         }
     }
     ui_pane_end(window->ui);

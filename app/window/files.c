@@ -116,16 +116,27 @@ void files_finish_leaving(Window *window) {
         opening_file(window, leave == LEAVE_OPEN ? window->leave_path : NULL);
 }
 
+/* Returns a tab with edits that would be lost; NULL: none would be. Opening a file closes only what its own tab has. */
+static const Tab *tab_to_save(Window *window, Leave leave, const char *path) {
+    const Tab *closed = leave == LEAVE_OPEN  ? &window->tabs[laboratory_of(path)]
+                        : leave == LEAVE_NEW ? autosave_tab(window)
+                                             : NULL;
+    for (size_t i = 0; i < laboratories_count; i++)
+        if ((!closed || closed == &window->tabs[i]) && tab_unsaved(&window->tabs[i]))
+            return &window->tabs[i];
+    return NULL;
+}
+
 void files_leave(Window *window, Leave leave, const char *path) {
-    bool beam = leave == LEAVE_OPEN && laboratory_of(path) == &beam_laboratory;
     snprintf(window->leave_path, sizeof window->leave_path, "%s", path ? path : "");
     plan_input_reset(window);
     window->leave = leave;
-    if (beam || !tab_unsaved(autosave_tab(window))) {
+    const Tab *tab = tab_to_save(window, leave, path);
+    if (!tab) {
         files_finish_leaving(window);
         return;
     }
-    opening_tab(window, TAB_HOUSE);
+    opening_tab(window, (size_t)(tab - window->tabs));
     dialog_pane_show(window, DIALOG_LEAVE);
     window->leave = leave;
 }

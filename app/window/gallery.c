@@ -11,7 +11,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "draw/layout.h"
-#include "laboratory/shipped.h"
+#include "laboratory/laboratory.h"
 #include "laboratory/thumbnail.h"
 #include "paint/paint_cairo.h"
 #include "paint/png.h"
@@ -60,6 +60,10 @@ static void paint(const Scene *scene, unsigned char *pixels, Theme theme) {
     cairo_surface_destroy(surface);
 }
 
+static bool read_thumbnail(Thumbnail *thumbnail, const GalleryItem *item, Fault *fault) {
+    return laboratories[item->laboratory].read_thumbnail(thumbnail, item->path, fault);
+}
+
 /* Where a file's picture is kept; NULL: nowhere. memory_free it. */
 static char *cached_path(const Gallery *gallery, const char *path, Theme theme) {
     size_t size;
@@ -88,12 +92,12 @@ static bool read_cached(const char *path, unsigned char *pixels) {
 }
 
 /* NULL: *fault says why. */
-static unsigned char *picture_of(const Gallery *gallery, const char *path, Theme theme, Fault *fault) {
+static unsigned char *picture_of(const Gallery *gallery, const GalleryItem *item, Theme theme, Fault *fault) {
     unsigned char *pixels = memory_zeroed(GALLERY_HEIGHT, STRIDE);
-    char *cached = cached_path(gallery, path, theme);
+    char *cached = cached_path(gallery, item->path, theme);
     Thumbnail thumbnail;
     bool good = cached && read_cached(cached, pixels);
-    if (!good && (good = thumbnail_read(&thumbnail, path, fault))) {
+    if (!good && (good = read_thumbnail(&thumbnail, item, fault))) {
         paint(&thumbnail.scene, pixels, theme);
         thumbnail_clear(&thumbnail);
         if (cached)
@@ -147,7 +151,7 @@ static void find_text(Gallery *gallery, size_t i) {
     Thumbnail thumbnail;
     Fault fault = {0};
     Found found = {.name = NULL};
-    if (thumbnail_read(&thumbnail, gallery->items[i].path, &fault)) {
+    if (read_thumbnail(&thumbnail, &gallery->items[i], &fault)) {
         found.name = text_copy(thumbnail.name);
         found.line = text_copy(thumbnail.line);
         thumbnail_clear(&thumbnail);
@@ -160,7 +164,7 @@ static void find_text(Gallery *gallery, size_t i) {
 
 static void find_picture(Gallery *gallery, size_t i, Theme theme) {
     Fault fault = {0};
-    Found found = {.pixels = picture_of(gallery, gallery->items[i].path, theme, &fault)};
+    Found found = {.pixels = picture_of(gallery, &gallery->items[i], theme, &fault)};
     if (!found.pixels)
         found.fault = fault_line(&fault);
     put(gallery, i, &found);
@@ -206,20 +210,21 @@ static void *work(void *context) {
 
 /* The list --------------------------------------------------------------------------------------------------------- */
 
-static void add_folder(Gallery *gallery, const char *path, FolderKind kind) {
+/* Adds the files that come with the program for a laboratory. */
+static void add_folder(Gallery *gallery, size_t laboratory) {
     Folder folder = {.count = 0};
     Fault fault = {0};
-    if (folder_read(&folder, path, &fault)) {
+    if (folder_read(&folder, laboratory_folder(laboratory), &fault)) {
         size_t capacity = gallery->count;
         gallery->items =
             memory_reserve(gallery->items, &capacity, gallery->count + folder.count, sizeof *gallery->items);
         for (size_t i = 0; i < folder.count; i++)
-            if (folder.entries[i].kind == kind)
+            if (folder.entries[i].format && laboratory_find(folder.entries[i].format) == laboratory)
                 gallery->items[gallery->count++] =
                     (GalleryItem){.path = arena_text(&gallery->arena, folder.entries[i].path),
                                   .name = thumbnail_name_of(folder.entries[i].name, &gallery->arena),
                                   .line = "",
-                                  .beam = kind == FOLDER_BEAM};
+                                  .laboratory = laboratory};
     }
     fault_clear(&fault);
     folder_clear(&folder);
@@ -229,8 +234,8 @@ Gallery *gallery_create(Theme theme) {
     Gallery *gallery = memory_zeroed(1, sizeof *gallery);
     gallery->theme = theme;
     gallery->cache = settings_cache_folder();
-    add_folder(gallery, shipped_places()->houses, FOLDER_HOUSE);
-    add_folder(gallery, shipped_places()->beams, FOLDER_BEAM);
+    for (size_t i = 0; i < laboratories_count; i++)
+        add_folder(gallery, i);
     gallery->shown = memory_zeroed(gallery->count + 1, sizeof *gallery->shown);
     gallery->found = memory_zeroed(gallery->count + 1, sizeof *gallery->found);
     pthread_mutex_init(&gallery->lock, NULL);

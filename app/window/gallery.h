@@ -16,7 +16,7 @@ typedef struct GalleryItem {
     const char *path;
     const char *name;            /* as the file says; until it is read, the file's own name without ending */
     const char *line;            /* of the note, a line's worth; "" */
-    bool beam;                   /* otherwise a house */
+    size_t laboratory;           /* index among `laboratories` */
     const char *fault;           /* why there is no picture: it cannot be read, or NULL */
     const unsigned char *pixels; /* GALLERY_WIDTH x GALLERY_HEIGHT of cairo's RGB24, rows from the top; NULL: not yet */
     bool is_read;                /* it has been read: name, line and fault are final */

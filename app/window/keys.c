@@ -2,12 +2,13 @@
 
 #include <string.h>
 
+#include "laboratory/laboratory.h"
 #include "platform/sdl_window.h"
 
 const char *const keys_menus[MENUS] = {[MENU_FILE] = "File", [MENU_EDIT] = "Edit", [MENU_TOOLS] = "Tools",
                                        [MENU_VIEW] = "View", [MENU_RUN] = "Run",   [MENU_HELP] = "Help"};
 
-const KeyRow keys_table[] = {
+static const KeyRow table[] = {
     {ACTION_NEW, KEY_ANYWHERE, "Ctrl+N", MENU_FILE, "New house", "begins with an empty plan", NULL},
     {ACTION_OPEN, KEY_ANYWHERE, "Ctrl+O", MENU_FILE, "Open ...", "opens a house or a beam from a file", NULL},
     {ACTION_GALLERY, KEY_ANYWHERE, "F4", MENU_FILE, "Gallery", "shows the houses and beams there are, with pictures",
@@ -168,19 +169,34 @@ const KeyRow keys_table[] = {
     {ACTION_EXPLAIN, KEY_ANYWHERE, "Shift+F1", MENU_HELP, "Explain", "tells about what has the focus", NULL},
     {ACTION_MESSAGES, KEY_ANYWHERE, "F7", MENU_HELP, "Messages", "shows what was said, and what went wrong", NULL},
     {ACTION_ABOUT, KEY_ANYWHERE, "Ctrl+I", MENU_HELP, "About", "the program, its version, its sources", NULL},
-    {ACTION_HOUSE, KEY_ANYWHERE, "F2", MENU_NONE, "House", "the laboratory of evacuations", NULL},
-    {ACTION_BEAM, KEY_ANYWHERE, "F3", MENU_NONE, "Beam", "the laboratory of the impact beam", NULL},
     {ACTION_MENU, KEY_ANYWHERE, "F10", MENU_NONE, "Menu", "opens the menus", NULL},
     {ACTION_ESCAPE, KEY_ANYWHERE, "Escape", MENU_NONE, "One step back",
      "closes what is open, or lets go what is selected; it never quits", NULL},
 };
-const size_t keys_count = sizeof keys_table / sizeof *keys_table;
+enum { ROWS = sizeof table / sizeof *table };
 
-const KeyRow *keys_row(Action action) {
-    for (size_t i = 0; i < keys_count; i++)
-        if (keys_table[i].action == action && keys_table[i].name)
-            return &keys_table[i];
-    return NULL;
+size_t keys_count(void) {
+    return ROWS + laboratories_count;
+}
+
+KeyRow keys_at(size_t i) {
+    if (i < ROWS)
+        return table[i];
+    const LaboratoryRow *row = &laboratories[i - ROWS];
+    return (KeyRow){.action = ACTION_LABORATORY + (Action)(i - ROWS),
+                    .place = KEY_ANYWHERE,
+                    .key = row->key,
+                    .name = row->laboratory->name,
+                    .help = row->help};
+}
+
+KeyRow keys_row(Action action) {
+    for (size_t i = 0; i < keys_count(); i++) {
+        KeyRow row = keys_at(i);
+        if (row.action == action && row.name)
+            return row;
+    }
+    return (KeyRow){.action = ACTION_NONE};
 }
 
 void keys_read(const char *text, int32_t *key, int *mods) {
@@ -220,16 +236,16 @@ static int narrowness(const KeyRow *row, KeyPlace place) {
     }
 }
 
-const KeyRow *keys_find(int32_t key, int mods, KeyPlace place, bool single_keys) {
-    const KeyRow *found = NULL;
+Action keys_find(int32_t key, int mods, KeyPlace place, bool single_keys) {
+    Action found = ACTION_NONE;
     int narrowest = 0;
-    for (size_t i = 0; i < keys_count; i++) {
-        const KeyRow *row = &keys_table[i];
+    for (size_t i = 0; i < keys_count(); i++) {
+        KeyRow row = keys_at(i);
         int32_t row_key;
-        int row_mods, narrow = narrowness(row, place);
-        keys_read(row->key, &row_key, &row_mods);
-        if (row_key == key && row_mods == mods && narrow > narrowest && (single_keys || !is_single(row))) {
-            found = row;
+        int row_mods, narrow = narrowness(&row, place);
+        keys_read(row.key, &row_key, &row_mods);
+        if (row_key == key && row_mods == mods && narrow > narrowest && (single_keys || !is_single(&row))) {
+            found = row.action;
             narrowest = narrow;
         }
     }
@@ -237,6 +253,6 @@ const KeyRow *keys_find(int32_t key, int mods, KeyPlace place, bool single_keys)
 }
 
 const char *keys_help(Arena *arena, Action action) {
-    const KeyRow *row = keys_row(action);
-    return text_in_arena(arena, "%s (%s): %s", row->name, row->key, row->help);
+    KeyRow row = keys_row(action);
+    return text_in_arena(arena, "%s (%s): %s", row.name, row.key, row.help);
 }

@@ -101,14 +101,13 @@ typedef enum Action {
     ACTION_USE_CURSOR,
     ACTION_BOX,
     ACTION_BOX_BACK,
-    ACTION_HOUSE,
-    ACTION_BEAM,
     ACTION_MENU,
     ACTION_MESSAGES,
     ACTION_HELP,
     ACTION_EXPLAIN,
     ACTION_ABOUT,
     ACTION_ESCAPE,
+    ACTION_LABORATORY, /* the first of `laboratories`; the others follow */
     ACTIONS,
 } Action;
 
@@ -134,16 +133,18 @@ typedef struct KeyRow {
     const char *strip; /* a word for the strip at the foot, or NULL */
 } KeyRow;
 
-extern const KeyRow keys_table[];
-extern const size_t keys_count;
+/* The rows, those of the laboratories last. */
+size_t keys_count(void);
+KeyRow keys_at(size_t i);
+
 extern const char *const keys_menus[MENUS];
 
-/* The row of an action, with its name; NULL: it has none. */
-const KeyRow *keys_row(Action action);
+/* Returns the row of an action that has its name; the name is NULL if there is none. */
+KeyRow keys_row(Action action);
 
 /* What a key means where a place of this kind has the focus, of several meanings that of the narrowest place;
- * `single_keys`: single letters mean something. NULL: nothing. `mods` as in sdl_window.h. */
-const KeyRow *keys_find(int32_t key, int mods, KeyPlace place, bool single_keys);
+ * `single_keys`: single letters mean something. ACTION_NONE: nothing. `mods` as in sdl_window.h. */
+Action keys_find(int32_t key, int mods, KeyPlace place, bool single_keys);
 
 /* The key's code and mods. */
 void keys_read(const char *text, int32_t *key, int *mods);

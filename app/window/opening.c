@@ -11,8 +11,6 @@
 #include "window/notice.h"
 #include "window/plan_input.h"
 
-#define DEFAULT_BEAM "ibs.json"
-
 static LaboratoryOptions options_of(const Window *window, bool first) {
     const WindowOptions *given = window->options;
     LaboratoryOptions options = {
@@ -26,14 +24,10 @@ static LaboratoryOptions options_of(const Window *window, bool first) {
     return options;
 }
 
-static size_t tab_of(const Laboratory *kind) {
-    return kind == &beam_laboratory ? TAB_BEAM : TAB_HOUSE;
-}
-
 static bool open_in(Window *window, size_t index, const char *path, const char *origin, bool remembered) {
     Fault fault = {0};
     Tab *tab = &window->tabs[index];
-    const char *first = window->options->file ? window->options->file : shipped_places()->default_house;
+    const char *first = window->options->file ? window->options->file : laboratory_file(0, &window->arena);
     bool given = path && strcmp(path, first) == 0 && !tab->live;
     LaboratoryOptions options = options_of(window, given);
     options.origin = origin;
@@ -61,14 +55,15 @@ static void enter(Window *window, size_t index) {
 }
 
 bool opening_copy(Window *window, const char *path, const char *origin, const char *mark) {
-    Tab *tab = &window->tabs[TAB_HOUSE];
+    Tab *tab = autosave_tab(window);
+    size_t index = (size_t)(tab - window->tabs);
     plan_input_reset(window);
-    if (!open_in(window, TAB_HOUSE, path, origin, false))
+    if (!open_in(window, index, path, origin, false))
         return false;
     tab->mark = mark;
     memory_free(tab->path);
     tab->path = NULL;
-    enter(window, TAB_HOUSE);
+    enter(window, index);
     return true;
 }
 
@@ -116,7 +111,7 @@ static bool import(Window *window, const char *path) {
 bool opening_file(Window *window, const char *path) {
     if (path && import_file_knows(path))
         return import(window, path);
-    size_t index = path ? tab_of(laboratory_of(path)) : TAB_HOUSE;
+    size_t index = path ? laboratory_of(path) : (size_t)(autosave_tab(window) - window->tabs);
     plan_input_reset(window);
     if (!open_in(window, index, path, NULL, true))
         return false;
@@ -125,10 +120,6 @@ bool opening_file(Window *window, const char *path) {
 }
 
 void opening_tab(Window *window, size_t index) {
-    char path[WINDOW_PATH];
-    const Shipped *shipped = shipped_places();
-    snprintf(path, sizeof path, "%s/" DEFAULT_BEAM, shipped->beams);
-    if (window->tabs[index].live ||
-        open_in(window, index, index == TAB_BEAM ? path : shipped->default_house, NULL, true))
+    if (window->tabs[index].live || open_in(window, index, laboratory_file(index, &window->arena), NULL, true))
         enter(window, index);
 }

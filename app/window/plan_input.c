@@ -220,7 +220,7 @@ static bool do_pieces(Window *window, Tab *tab, Action action) {
         Fault fault = {0};
         send_pointer_now(window, tab);
         bool good = known[i].done(tab_editor(tab), &fault);
-        report_result(window, good, keys_row(action)->name, &fault);
+        report_result(window, good, keys_row(action).name, &fault);
         if (good && action == ACTION_SHAKE)
             notice_post(window, "%s", editor_shake_result(tab_editor(tab)));
         return true;

@@ -11,6 +11,7 @@
 #include "base/choice.h"
 #include "base/json.h"
 #include "base/text.h"
+#include "laboratory/laboratory.h"
 
 enum {
     LARGEST_FILE = 1 << 20, /* bytes */
@@ -26,8 +27,9 @@ typedef enum ArgumentKind {
     ARGUMENT_WORD,
     ARGUMENT_NUMBER,
     ARGUMENT_WHOLE,
-    ARGUMENT_VALUE,  /* a word that may be a number */
-    ARGUMENT_CHOICE, /* one of `choices` */
+    ARGUMENT_VALUE,      /* a word that may be a number */
+    ARGUMENT_CHOICE,     /* one of `choices` */
+    ARGUMENT_LABORATORY, /* the word of one of `laboratories` */
 } ArgumentKind;
 
 typedef struct Argument {
@@ -74,7 +76,7 @@ static const Row rows[SCRIPT_KINDS] = {
                       1,
                       SCRIPT_PATIENCE},
     [SCRIPT_OPEN] = {"open", "FILE", {WORD}, 1, 0},
-    [SCRIPT_LABORATORY] = {"laboratory", "house|beam", {CHOICE("house|beam")}, 1, 0},
+    [SCRIPT_LABORATORY] = {"laboratory", "house, beam ...", {{ARGUMENT_LABORATORY, 0, 0, NULL}}, 1, 0},
     [SCRIPT_SET] = {"set", "NAME VALUE", {WORD, VALUE}, 2, 0},
     [SCRIPT_PLAY] = {"play", "", {{0}}, 0, 0},
     [SCRIPT_PAUSE] = {"pause", "", {{0}}, 0, 0},
@@ -206,6 +208,19 @@ static bool read_number(const Reader *reader, const Argument *argument, const Wo
     return false;
 }
 
+static bool read_laboratory(const Reader *reader, const Word *word, ScriptCommand *command) {
+    size_t index = laboratory_find(word->text);
+    command->choice = (int)index;
+    if (index < laboratories_count)
+        return true;
+    Text words = {0};
+    for (size_t i = 0; i < laboratories_count; i++)
+        text_format(&words, "%s%s", i ? "|" : "", laboratories[i].laboratory->word);
+    fault_at(reader, word->column, "\"%.60s\" must be one of %s", word->text, words.text);
+    memory_free(words.text);
+    return false;
+}
+
 static bool read_argument(const Reader *reader, const Argument *argument, const Word *word, ScriptCommand *command,
                           Filled *filled) {
     double number;
@@ -225,6 +240,9 @@ static bool read_argument(const Reader *reader, const Argument *argument, const 
         if (command->choice < 0)
             fault_at(reader, word->column, "\"%.60s\" must be one of %s", word->text, argument->choices);
         return command->choice >= 0;
+    case ARGUMENT_LABORATORY:
+        command->words[filled->words++] = word->text;
+        return read_laboratory(reader, word, command);
     case ARGUMENT_NUMBER:
     case ARGUMENT_WHOLE:
         return read_number(reader, argument, word, &command->numbers[filled->numbers++]);

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "laboratory/house/session.h"
 #include "window/plan_input.h"
 
 static json_t *json_box(const Window *window, Box box) {
@@ -182,7 +181,7 @@ static void add_tab(json_t *state, Window *window) {
     Item thing = tab->kind->selected(tab->live);
     char digest[32];
     snprintf(digest, sizeof digest, "%016llx",
-             tab->kind == &house_laboratory ? (unsigned long long)house_session_digest(tab->live) : 0ull);
+             tab->kind->digest ? (unsigned long long)tab->kind->digest(tab->live) : 0ull);
     json_object_set_new(state, "file", tab->path ? json_string(tab->path) : json_null());
     json_object_set_new(state, "title", json_string(tab->kind->title(tab->live)));
     json_object_set_new(state, "digest", json_string(digest));

@@ -34,7 +34,7 @@ static void add_button(Row *row, Action action, const char *label, bool chosen, 
     double left = at_right ? row->right - width : row->left;
     ui_at(row->window->ui, (Box){{left, row->bar.low.y + MARGIN}, {left + width, row->bar.high.y - MARGIN}});
     UiButton button = {
-        .id = keys_row(action)->name, .label = label, .help = keys_help(&row->window->arena, action), .chosen = chosen};
+        .id = keys_row(action).name, .label = label, .help = keys_help(&row->window->arena, action), .chosen = chosen};
     if (ui_button(row->window->ui, &button))
         act_do(row->window, action, 0, 0);
     if (at_right)

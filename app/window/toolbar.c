@@ -26,7 +26,7 @@ void toolbar_show(Window *window) {
     for (size_t tool = 0; tool < EDIT_TOOLS; tool++) {
         Action action = ACTION_TOOL_SELECT + (Action)tool;
         const EditToolRow *row = editor_tool_row((EditTool)tool);
-        const char *key = keys_row(action)->key;
+        const char *key = keys_row(action).key;
         UiButton button = {.id = row->name,
                            .label = frame->tool_labels ? text_in_arena(&window->arena, "%s\n%s", key, row->name) : key,
                            .help = text_in_arena(&window->arena, "%s (%s): %s", row->name, key, row->help),

@@ -110,9 +110,9 @@ static void do_key(Window *window, const SdlWindowEvent *event) {
         give_to_widgets(window, event))
         return;
     bool single_keys = !types && place != KEY_ANYWHERE && window->settings.preferences.single_keys;
-    const KeyRow *row = keys_find(event->key, event->mods, place, single_keys);
-    if (row && !(types && is_of_field(row->action)))
-        act_do(window, row->action, event->key, event->mods);
+    Action action = keys_find(event->key, event->mods, place, single_keys);
+    if (action && !(types && is_of_field(action)))
+        act_do(window, action, event->key, event->mods);
     else
         give_to_widgets(window, event);
 }
@@ -353,7 +353,7 @@ static void show_title(Window *window) {
 static void update(Window *window, double seconds) {
     Tab *tab = window_tab(window);
     double before = tab->player.time;
-    for (size_t i = 0; i < TABS; i++) {
+    for (size_t i = 0; i < laboratories_count; i++) {
         unsigned changes = tab_update(&window->tabs[i], i == window->current ? seconds : 0);
         if (changes & LABORATORY_TROUBLE)
             report_trouble(window, &window->tabs[i]);
@@ -401,9 +401,9 @@ static void apply_preferences(Window *window) {
     window->text = options->text > 0 ? options->text : preferences->text;
     window->reduced = options->reduced_motion || preferences->reduced_motion;
     window->panel = window->plots = true;
-    window->tabs[TAB_HOUSE] = tab_make(&house_laboratory);
-    window->tabs[TAB_BEAM] = tab_make(&beam_laboratory);
-    for (size_t i = 0; i < TABS; i++) {
+    window->tabs = memory_zeroed(laboratories_count, sizeof *window->tabs);
+    for (size_t i = 0; i < laboratories_count; i++) {
+        window->tabs[i] = tab_make(laboratories[i].laboratory);
         const SettingsLaboratory *kept = settings_laboratory(&window->settings, window->tabs[i].kind->word);
         if (kept->layers >= 0)
             window->tabs[i].layers = (unsigned)kept->layers;
@@ -415,7 +415,7 @@ static void apply_preferences(Window *window) {
 
 static void store_preferences(Window *window) {
     Fault notes = {0};
-    for (size_t i = 0; i < TABS; i++) {
+    for (size_t i = 0; i < laboratories_count; i++) {
         const Tab *tab = &window->tabs[i];
         SettingsLaboratory *kept = settings_laboratory(&window->settings, tab->kind->word);
         kept->layers = tab->layers == tab->kind->layers_at_first ? -1 : (int)tab->layers;
@@ -458,7 +458,7 @@ static void close_all(Window *window) {
     dialog_gallery_clear(window);
     files_end(window);
     trace_image_clear(window);
-    for (size_t i = 0; i < TABS; i++)
+    for (size_t i = 0; i < laboratories_count; i++)
         tab_close(&window->tabs[i], window->screen);
     ui_destroy(window->ui);
     paint_gl_screen_destroy(window->screen);
@@ -490,7 +490,7 @@ static void open_first(Window *window) {
     files_start(window);
     const char *file = window->options->file;
     if (!file || !opening_file(window, file))
-        opening_file(window, shipped_places()->default_house);
+        opening_file(window, laboratory_file(0, &window->arena));
     if (shipped_places()->missing)
         notice_post(window, "%s", shipped_places()->missing);
 }
@@ -525,6 +525,7 @@ int window_run(const WindowOptions *options) {
     scripted_close(&scripted);
     messages_clear(&window->messages);
     settings_close(&window->settings);
+    memory_free(window->tabs);
     memory_free(window);
     return code;
 }

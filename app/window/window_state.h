@@ -72,7 +72,7 @@ typedef struct EditBenchmark {
     size_t count, capacity, missed;
 } EditBenchmark;
 
-enum { TAB_HOUSE, TAB_BEAM, TABS, WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64 };
+enum { WINDOW_PATH = 4096, WINDOW_TITLE = 256, GALLERY_MOST = 64 };
 
 typedef struct Window {
     const WindowOptions *options;
@@ -88,7 +88,7 @@ typedef struct Window {
     ScreenTexture pictures[GALLERY_MOST]; /* of its items */
     Sound *sound;                         /* NULL: off */
     Export *export;                       /* NULL: nothing is being written */
-    Tab tabs[TABS];
+    Tab *tabs;                            /* (laboratories_count) */
     size_t current;
 
     Theme theme;

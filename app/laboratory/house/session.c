@@ -448,6 +448,7 @@ const Laboratory house_laboratory = {
     .name_thing = name_thing,
     .outline = outline,
     .command = command,
+    .digest = house_session_digest,
     .save = save,
     .sound = sound,
     .editor = editor,

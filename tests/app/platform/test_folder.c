@@ -36,12 +36,14 @@ TEST(a_folder_lists_what_is_above_then_folders_then_files) {
     CHECK(folder_read(&folder, "in/../in/", &fault));
     CHECK_TEXT(folder.path, desk_path("in"));
     static const char *const names[] = {"..", "Big", "zoo", "empty.json", "h2.JSON", "h10.json", "other.json"};
-    static const FolderKind kinds[] = {FOLDER_ABOVE, FOLDER_FOLDER, FOLDER_FOLDER, FOLDER_OTHER,
-                                       FOLDER_BEAM,  FOLDER_HOUSE,  FOLDER_OTHER};
+    static const FolderKind kinds[] = {FOLDER_ABOVE, FOLDER_FOLDER, FOLDER_FOLDER, FOLDER_FILE,
+                                       FOLDER_FILE,  FOLDER_FILE,   FOLDER_FILE};
+    static const char *const formats[] = {"", "", "", "", "beam", "house", ""};
     CHECK(folder.count == sizeof names / sizeof *names);
     for (size_t i = 0; i < folder.count && i < sizeof names / sizeof *names; i++) {
         CHECK_TEXT(folder.entries[i].name, names[i]);
         CHECK(folder.entries[i].kind == kinds[i]);
+        CHECK_TEXT(folder.entries[i].format ? folder.entries[i].format : "", formats[i]);
     }
     CHECK_TEXT(folder.entries[1].path, desk_path("in/Big"));
     char *home = strdup(desk_path("in")); /* the folder above it is the home */

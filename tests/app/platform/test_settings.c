@@ -61,8 +61,8 @@ TEST(what_is_set_is_there_the_next_time) {
     CHECK(settings.preferences.theme == 1 && settings.preferences.text == 3 && !settings.preferences.single_keys);
     CHECK(settings.preferences.width == 1920 && settings.preferences.height == 720);
     CHECK_TEXT(settings.state.folder, "/some where");
-    CHECK_TEXT(settings.state.beam.plots, "phase,section");
-    CHECK_NEAR(settings.state.beam.speed, 0.25, 0);
+    CHECK_TEXT(settings_laboratory(&settings, "beam")->plots, "phase,section");
+    CHECK_NEAR(settings_laboratory(&settings, "beam")->speed, 0.25, 0);
     const char *recent[SETTINGS_RECENT_MOST];
     CHECK(settings_recent(&settings, recent) == 2);
     CHECK_TEXT(recent[0], desk_path("houses/a b.json"));

@@ -67,7 +67,7 @@ TEST(all_that_comes_with_the_program_has_a_name_a_line_and_a_picture) {
     static const char *const names[] = {"a-house", "corner", "hall-10000", "ibs"};
     for (size_t i = 0; i < count; i++) {
         CHECK_TEXT(items[i].name, names[i]);
-        CHECK(items[i].beam == (i == 3));
+        CHECK(items[i].laboratory == (i == 3));
     }
     items = wait_for(gallery, &count);
     for (size_t i = 0; i < count; i++) {
@@ -123,7 +123,7 @@ static void check_line(const char *note, const char *expected) {
     scratch_write(path, text);
     Thumbnail thumbnail;
     Fault fault = {0};
-    CHECK(thumbnail_read(&thumbnail, path, &fault));
+    CHECK(thumbnail_read_house(&thumbnail, path, &fault));
     CHECK_TEXT(thumbnail.line, expected);
     CHECK_TEXT(thumbnail.name, strrchr(path, '/') + 1);
     thumbnail_clear(&thumbnail);
