@@ -232,7 +232,7 @@ typedef struct Laboratory {
     const char *const *(*command)(void *live, size_t *count);
 
     /* Digest of the run that is shown; NULL: it has none. */
-    uint64_t (*digest)(const void *live);
+    uint64_t (*digest)(void *live);
 
     /* Writes what is shown, with its changed numbers, as a file that can be opened again; false: a fault says why not.
      */
