@@ -9,9 +9,6 @@
 /* {"kind":"house", ...}. New; json_decref it. */
 json_t *answer_house(const House *house, const Observation *observation);
 
-/* {"id", "time", ...} of one person, b - a: the rows of `compare`. New. */
-json_t *answer_difference(const char *id, const PersonObservation *a, const PersonObservation *b);
-
 /* {"x", "y", "what", "has", "needs"}; widths that make no sense there are left out. New. */
 json_t *answer_blockage(const Blockage *blockage);
 

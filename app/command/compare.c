@@ -8,65 +8,27 @@
 #include "command/output.h"
 #include "command/progress.h"
 #include "command/report_files.h"
-#include "visual/house/census.h"
+#include "result/house.h"
+#include "result/json.h"
+#include "result/text.h"
 #include "visual/house/house_scene.h"
 #include "visual/house/headline.h"
 
-static void print_row(const char *name, const char *id, const PersonObservation *person) {
-    printf("%-12s %-8s %9.2f %11.3f %9d %8.0f %8.1f  %s\n", id, name, person->time, person->narrowest, person->contacts,
-           person->peak_force, person->lost_time, person->completed ? "out" : observation_reason(person->reason));
-}
-
-static void print_party(const char *name, const char *id, const Party *party) {
-    char mean[16] = "-", last[16] = "-";
-    if (party->out) {
-        snprintf(mean, sizeof mean, "%.2f", party->mean);
-        snprintf(last, sizeof last, "%.2f", party->last);
-    }
-    printf("%-20s %-8s %8zu %8zu %9s %9s %9d %8.0f %8.1f\n", id, name, party->people, party->out, mean, last,
-           party->contacts, party->peak_force, party->lost);
-}
-
-/* A row a crowd; where nobody is out there are no times to compare. */
-static void print_parties(const House houses[2], const Census census[2]) {
-    printf("\n%-20s %-8s %8s %8s %9s %9s %9s %8s %8s\n", "people", "", "number", "out", "mean s", "last s", "contacts",
-           "peak N", "lost s");
-    for (size_t p = 0; p < census[0].party_count; p++) {
-        const Party *a = &census[0].parties[p];
-        const char *id = census_party_name(&houses[0], a);
-        const Party *b = census_find_party(&houses[1], &census[1], id, a->profile->name);
-        if (!b) {
-            printf("%-20s is not in b\n", id);
-            continue;
-        }
-        print_party("a", id, a);
-        print_party("b", "", b);
-        if (a->out && b->out)
-            printf("%-20s %-8s %+8ld %+8ld %+9.2f %+9.2f %+9d %+8.0f %+8.1f\n", "", "b - a",
-                   (long)b->people - (long)a->people, (long)b->out - (long)a->out, b->mean - a->mean, b->last - a->last,
-                   b->contacts - a->contacts, b->peak_force - a->peak_force, b->lost - a->lost);
-    }
-}
-
-static void print_people(const House houses[2], const Observation observations[2]) {
-    printf("\n%-12s %-8s %9s %11s %9s %8s %8s\n", "person", "", "time s", "narrowest m", "contacts", "peak N",
-           "lost s");
-    for (size_t i = 0; i < houses[0].person_count; i++) {
-        const char *id = houses[0].people[i].id;
-        const PersonObservation *a = &observations[0].people[i],
-                                *b = observation_of_person(&houses[1], &observations[1], id);
-        if (!b) {
-            printf("%-12s is not in b\n", id);
-            continue;
-        }
-        print_row("a", id, a);
-        print_row("b", "", b);
-        if (!a->completed || !b->completed) /* times and clearances of different ways have no difference */
-            continue;
-        printf("%-12s %-8s %+9.2f %+11.3f %+9d %+8.0f %+8.1f\n", "", "b - a", b->time - a->time,
-               b->narrowest - a->narrowest, b->contacts - a->contacts, b->peak_force - a->peak_force,
-               b->lost_time - a->lost_time);
-    }
+/* Prints two tables of the same kind with the differences; both are released. */
+static void print_pair(ResultTable a, ResultTable b, const char *succeeded, const char *alike) {
+    ResultPair pair = {&a, &b, {"a", "b", "b - a"}, succeeded, alike};
+    ResultTable table = {0};
+    Text text = {0};
+    result_compare(&table, &pair);
+    result_text_table(&text, &table);
+    printf("\n%s", text.text ? text.text : "");
+    for (size_t i = 0; i < a.record_count; i++)
+        if (result_partner(&pair, i) == SIZE_MAX)
+            printf("%s is not in b\n", result_at(&a, i, 0)->text);
+    memory_free(text.text);
+    result_clear(&table);
+    result_clear(&a);
+    result_clear(&b);
 }
 
 static void print_comparison(const House houses[2], const Observation observations[2]) {
@@ -77,21 +39,22 @@ static void print_comparison(const House houses[2], const Observation observatio
     }
     Census census[2] = {census_make(&houses[0], &observations[0]), census_make(&houses[1], &observations[1])};
     if (census[0].people > CENSUS_ROWS)
-        print_parties(houses, census);
+        print_pair(result_house_parties(&houses[0], &census[0], false),
+                   result_house_parties(&houses[1], &census[1], false), "out", "profile");
     else
-        print_people(houses, observations);
+        print_pair(result_house_people(&houses[0], &observations[0]), result_house_people(&houses[1], &observations[1]),
+                   "completed", NULL);
     for (int h = 0; h < 2; h++)
         census_clear(&census[h]);
 }
 
 static json_t *differences(const House houses[2], const Observation observations[2]) {
-    json_t *rows = json_array();
-    for (size_t i = 0; i < houses[0].person_count; i++) {
-        const char *id = houses[0].people[i].id;
-        const PersonObservation *b = observation_of_person(&houses[1], &observations[1], id);
-        if (b)
-            json_array_append_new(rows, answer_difference(id, &observations[0].people[i], b));
-    }
+    ResultTable a = result_house_people(&houses[0], &observations[0]),
+                b = result_house_people(&houses[1], &observations[1]);
+    ResultPair pair = {.a = &a, .b = &b, .succeeded = "completed"};
+    json_t *rows = result_json_differences(&pair);
+    result_clear(&a);
+    result_clear(&b);
     return rows;
 }
 

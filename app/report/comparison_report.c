@@ -3,7 +3,8 @@
 #include <string.h>
 
 #include "plan/plan_tables.h"
-#include "visual/house/census.h"
+#include "result/house.h"
+#include "result/page.h"
 #include "visual/house/house_scene.h"
 #include "visual/house/headline.h"
 #include "report/report_basis.h"
@@ -13,14 +14,14 @@
 #include "report/report_places.h"
 #include "report/report_plans.h"
 
-static const char *const style[] = {"A", "B"};
+static const char *const names[] = {"A", "B", "B - A"};
 
 /* The answer --------------------------------------------------------------------------------------------------------*/
 
 static const char *format_answer(Document *document, const Reported runs[2]) {
     const Observation *a = runs[0].observation, *b = runs[1].observation;
     if (a->completed != b->completed)
-        return document_text(document, "%s lets everybody out, %s does not", style[b->completed], style[a->completed]);
+        return document_text(document, "%s lets everybody out, %s does not", names[b->completed], names[a->completed]);
     if (!a->completed)
         return "Neither A nor B lets everybody out";
     double gain = a->time - b->time;
@@ -43,35 +44,15 @@ static void add_numbers(Document *document, const char *what, double a, double b
     document_add_row(document, cells);
 }
 
-static double narrowest(const Observation *observation) {
-    double least = HUGE_VAL;
-    for (size_t i = 0; i < observation->person_count; i++)
-        if (observation->people[i].took_part && observation->people[i].time > 0)
-            least = fmin(least, observation->people[i].narrowest);
-    return least;
-}
-
-/* Adds the times and clearances with their differences: these need a person who gets out of both houses. Nothing is
- * known of people who never started. */
-static void add_answers(Document *document, const Reported runs[2], const Census census[2]) {
-    static const Column columns[] = {{"", ALIGN_LEFT}, {"A", ALIGN_RIGHT}, {"B", ALIGN_RIGHT}, {"B - A", ALIGN_RIGHT}};
-    bool both = runs[0].observation->completed && runs[1].observation->completed;
-    double last[2], contacts[2], hardest[2], dangers[2];
-    for (int r = 0; r < 2; r++) {
-        bool moved = runs[r].observation->time > 0;
-        last[r] = census[r].out ? census[r].last : NAN;
-        contacts[r] = moved ? census[r].contacts : NAN;
-        hardest[r] = census[r].contacts ? census[r].peak_force : NAN;
-        dangers[r] = moved ? (double)runs[r].observation->hazard_count : NAN;
-    }
-    document_add_table(document, NULL, columns, 4);
-    add_numbers(document, "People", (double)census[0].people, (double)census[1].people, 0, true);
-    add_numbers(document, "of them out", (double)census[0].out, (double)census[1].out, 0, true);
-    add_numbers(document, "Last out, s", last[0], last[1], 2, both);
-    add_numbers(document, "Narrowest, m", narrowest(runs[0].observation), narrowest(runs[1].observation), 3, both);
-    add_numbers(document, "Contacts", contacts[0], contacts[1], 0, true);
-    add_numbers(document, "Hardest contact, N", hardest[0], hardest[1], 0, true);
-    add_numbers(document, "Dangerous points", dangers[0], dangers[1], 0, true);
+/* Adds the totals of both runs with their differences. */
+static void add_answers(Document *document, const Reported runs[2]) {
+    ResultTable totals[2];
+    for (int r = 0; r < 2; r++)
+        totals[r] = result_house_totals(runs[r].house, runs[r].observation);
+    result_page_pair(document, names, &totals[0], &totals[1],
+                     runs[0].observation->completed && runs[1].observation->completed);
+    for (int r = 0; r < 2; r++)
+        result_clear(&totals[r]);
 }
 
 static void add_pictures(Document *document, const Reported runs[2]) {
@@ -80,7 +61,7 @@ static void add_pictures(Document *document, const Reported runs[2]) {
     for (int r = 0; r < 2; r++) {
         char headline[HEADLINE_TEXT];
         headline_text(runs[r].house, runs[r].observation, headline, sizeof headline);
-        captions[r] = document_text(document, "%s: %s. %s.", style[r], house_report_name(runs[r].house), headline);
+        captions[r] = document_text(document, "%s: %s. %s.", names[r], house_report_name(runs[r].house), headline);
         Before before = {.house = r ? runs[0].house : NULL, .observation = r ? runs[0].observation : NULL};
         house_scene_make_small(&scenes[r], runs[r].house, runs[r].observation, before);
     }
@@ -92,90 +73,32 @@ static void add_notes(Document *document, const Reported runs[2]) {
     for (int r = 0; r < (same ? 1 : 2); r++)
         if (*runs[r].house->plan.note)
             document_add_note(document,
-                              document_text(document, "%s: %s", same ? "A and B" : style[r], runs[r].house->plan.note));
+                              document_text(document, "%s: %s", same ? "A and B" : names[r], runs[r].house->plan.note));
 }
 
 /* People ------------------------------------------------------------------------------------------------------------*/
 
-static void add_person(Document *document, const char *id, const char *letter, const PersonObservation *person) {
-    bool moved = person->time > 0;
-    const char *cells[] = {id,
-                           letter,
-                           person->completed ? "out" : observation_reason(person->reason),
-                           report_people_number(document, moved ? person->time : NAN, 2),
-                           report_people_number(document, moved ? person->narrowest : NAN, 3),
-                           moved ? document_text(document, "%d", person->contacts) : NULL,
-                           report_people_number(document, person->contacts ? person->peak_force : NAN, 0),
-                           report_people_number(document, moved ? person->lost_time : NAN, 1)};
-    document_add_row(document, cells);
+/* Adds two tables of the same kind with the differences; both are released. */
+static void add_pair(Document *document, const char *caption, ResultTable a, ResultTable b, const char *succeeded,
+                     const char *alike) {
+    ResultPair pair = {&a, &b, {names[0], names[1], names[2]}, succeeded, alike};
+    ResultTable table = {0};
+    result_compare(&table, &pair);
+    result_page_table(document, caption, &table);
+    result_clear(&table);
+    result_clear(&a);
+    result_clear(&b);
 }
 
 static void add_people(Document *document, const Reported runs[2]) {
-    static const Column columns[] = {{"Person", ALIGN_LEFT},        {"In", ALIGN_LEFT},
-                                     {"Answer", ALIGN_LEFT},        {"Time, s", ALIGN_RIGHT},
-                                     {"Narrowest, m", ALIGN_RIGHT}, {"Contacts", ALIGN_RIGHT},
-                                     {"Hardest, N", ALIGN_RIGHT},   {"Lost, s", ALIGN_RIGHT}};
-    document_add_table(document, "Times and clearances have a difference where somebody gets out of both.", columns,
-                       sizeof columns / sizeof *columns);
-    for (size_t i = 0; i < runs[0].house->person_count; i++) {
-        const char *id = runs[0].house->people[i].id;
-        const PersonObservation *a = &runs[0].observation->people[i];
-        const PersonObservation *b = observation_of_person(runs[1].house, runs[1].observation, id);
-        add_person(document, id, "A", a);
-        if (!b)
-            continue;
-        add_person(document, id, "B", b);
-        if (!a->completed || !b->completed)
-            continue;
-        const char *cells[] = {id,
-                               "B - A",
-                               "",
-                               difference(document, a->time, b->time, 2),
-                               difference(document, a->narrowest, b->narrowest, 3),
-                               difference(document, a->contacts, b->contacts, 0),
-                               difference(document, a->peak_force, b->peak_force, 0),
-                               difference(document, a->lost_time, b->lost_time, 1)};
-        document_add_row(document, cells);
-    }
-}
-
-static void add_party(Document *document, const char *name, const char *letter, const Party *party) {
-    const char *cells[] = {name,
-                           letter,
-                           document_text(document, "%zu", party->people),
-                           document_text(document, "%zu", party->out),
-                           report_people_number(document, party->mean, 1),
-                           report_people_number(document, party->last, 1),
-                           document_text(document, "%d", party->contacts),
-                           report_people_number(document, party->contacts ? party->peak_force : NAN, 0),
-                           report_people_number(document, party->lost, 1)};
-    document_add_row(document, cells);
+    add_pair(document, "Times and clearances have a difference where somebody gets out of both.",
+             result_house_people(runs[0].house, runs[0].observation),
+             result_house_people(runs[1].house, runs[1].observation), "completed", NULL);
 }
 
 static void add_parties(Document *document, const Reported runs[2], const Census census[2]) {
-    static const Column columns[] = {{"People", ALIGN_LEFT},    {"In", ALIGN_LEFT},          {"Number", ALIGN_RIGHT},
-                                     {"Out", ALIGN_RIGHT},      {"Mean, s", ALIGN_RIGHT},    {"Last, s", ALIGN_RIGHT},
-                                     {"Contacts", ALIGN_RIGHT}, {"Hardest, N", ALIGN_RIGHT}, {"Lost, s", ALIGN_RIGHT}};
-    document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
-    for (size_t p = 0; p < census[0].party_count; p++) {
-        const Party *a = &census[0].parties[p];
-        const char *name = census_party_name(runs[0].house, a);
-        const Party *b = census_find_party(runs[1].house, &census[1], name, a->profile->name);
-        add_party(document, name, "A", a);
-        if (!b)
-            continue;
-        add_party(document, name, "B", b);
-        const char *cells[] = {name,
-                               "B - A",
-                               difference(document, (double)a->people, (double)b->people, 0),
-                               difference(document, (double)a->out, (double)b->out, 0),
-                               difference(document, a->mean, b->mean, 1),
-                               difference(document, a->last, b->last, 1),
-                               difference(document, a->contacts, b->contacts, 0),
-                               difference(document, a->peak_force, b->peak_force, 0),
-                               difference(document, a->lost, b->lost, 1)};
-        document_add_row(document, cells);
-    }
+    add_pair(document, NULL, result_house_parties(runs[0].house, &census[0], false),
+             result_house_parties(runs[1].house, &census[1], false), "out", "profile");
 }
 
 static void add_routes(Document *document, const Reported runs[2]) {
@@ -202,11 +125,11 @@ static void add_hazards(Document *document, const Reported runs[2]) {
         if (runs[r].observation->hazard_count)
             report_places_add_table(
                 document, runs[r].observation,
-                document_text(document, "%s: %s, worst first", style[r], house_report_name(runs[r].house)));
+                document_text(document, "%s: %s, worst first", names[r], house_report_name(runs[r].house)));
         else
             document_add_paragraph(
                 document,
-                document_text(document, "%s: %s.", style[r],
+                document_text(document, "%s: %s.", names[r],
                               runs[r].observation->time > 0 ? "none" : "none is known, since nobody could set off"));
 }
 
@@ -248,7 +171,7 @@ Document comparison_report_make(const Reported runs[2], const Making *making) {
                                      house_report_name(runs[1].house)),
                        format_answer(&document, runs));
     add_pictures(&document, runs);
-    add_answers(&document, runs, census);
+    add_answers(&document, runs);
     add_notes(&document, runs);
     report_basis_add_changes(&document, making);
     document_add_contents(&document);

@@ -5,7 +5,8 @@
 #include "base/text.h"
 #include "visual/house/census.h"
 #include "visual/house/house_scene.h"
-#include "report/report_people.h"
+#include "result/house.h"
+#include "result/page.h"
 
 #define DETAIL_WIDTH 3.2 /* m, across a picture of a place */
 #define DETAIL_HEIGHT 2.5
@@ -105,25 +106,9 @@ static const char *format_hazard(Document *document, const House *house, const H
 }
 
 void report_places_add_table(Document *document, const Observation *observation, const char *caption) {
-    static const Column columns[] = {{"Rank", ALIGN_LEFT},
-                                     {"Place", ALIGN_LEFT},
-                                     {"At, m", ALIGN_LEFT},
-                                     {"Clearance, m", ALIGN_RIGHT},
-                                     {"Hardest contact, N", ALIGN_RIGHT},
-                                     {"Lost time, s", ALIGN_RIGHT},
-                                     {"Score", ALIGN_RIGHT}};
-    document_add_table(document, caption, columns, sizeof columns / sizeof *columns);
-    for (size_t h = 0; h < observation->hazard_count; h++) {
-        const Hazard *hazard = &observation->hazards[h];
-        const char *cells[] = {document_text(document, "%zu", h + 1),
-                               hazard->what,
-                               document_text(document, "(%.2f, %.2f)", hazard->at.x, hazard->at.y),
-                               report_people_number(document, hazard->clearance, 3),
-                               report_people_number(document, hazard->peak_force > 0 ? hazard->peak_force : NAN, 0),
-                               report_people_number(document, hazard->lost_time, 1),
-                               report_people_number(document, hazard->score, 1)};
-        document_add_row(document, cells);
-    }
+    ResultTable table = result_house_hazards(observation);
+    result_page_table(document, caption, &table);
+    result_clear(&table);
 }
 
 void report_places_add_hazards(Document *document, const House *house, const Observation *observation) {

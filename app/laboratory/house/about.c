@@ -4,6 +4,8 @@
 
 #include "visual/house/blockage_scene.h"
 #include "laboratory/house/session_parts.h"
+#include "result/house.h"
+#include "result/panel.h"
 #include "visual/house/people_scene.h"
 
 static void add_pair(HouseSession *live, const char *what, const char *value) {
@@ -23,46 +25,28 @@ static void say_moment(HouseSession *live, size_t person, double time) {
     add_pair(live, "contact force now", scene_text(scene, "%.0f N", row[TRACE_BODY_FORCE]));
 }
 
-static const char *result_of(HouseSession *live, const PersonObservation *observed) {
-    if (observed->completed)
-        return scene_text(&live->words.moment, "out in %.1f s", observed->time);
-    return live->whole ? observation_reason(observed->reason) : "on the way";
-}
-
-static void say_narrowest(HouseSession *live, size_t person) {
-    Scene *scene = &live->words.moment;
-    const House *house = &live->shown->house;
-    const PersonObservation *observed = &live->observation->people[person];
-    char place[HOUSE_THING_NAME];
-    if (!(observed->narrowest < house->people[person].profile->space_reach)) {
-        add_pair(live, "narrowest", "stays free");
-        return;
+/* Adds a row for each fact of a record that has a value, from row `first` on. */
+static void add_record(HouseSession *live, ResultTable *table, size_t first) {
+    Arena *arena = &live->words.moment.arena;
+    for (size_t r = first; r < table->row_count; r++) {
+        SceneRow line;
+        const ResultRow *row = result_at(table, 0, r);
+        if (!result_panel_row(&line, row, arena))
+            continue;
+        line.cells[1] = arena_text(arena, line.cells[1]);
+        house_words_add(live, line.kind, NULL)->row = line;
     }
-    if (observed->narrowest_other >= 0)
-        snprintf(place, sizeof place, "person %s", house->people[observed->narrowest_other].id);
-    else
-        outline_place_name(&house->outline, &house->plan, observed->narrowest_to, place, sizeof place);
-    add_pair(live, scene_text(scene, "narrowest, %s", place), people_scene_clearance(scene, observed->narrowest));
+    result_clear(table);
 }
 
 static void say_person(HouseSession *live, size_t i, double time) {
-    Scene *scene = &live->words.moment;
-    const Inhabitant *person = &live->shown->house.people[i];
-    const PersonObservation *observed = &live->observation->people[i];
-    add_pair(live, "profile", arena_text(&scene->arena, person->profile->name));
-    if (person->route)
-        add_pair(live, "route", arena_text(&scene->arena, person->route->id));
-    if (!observed->took_part) {
-        add_pair(live, "takes no part", NULL);
+    if (!live->observation->people[i].took_part) {
+        add_pair(live, "not in this run", NULL);
         return;
     }
-    add_pair(live, "result", result_of(live, observed));
-    add_pair(live, "length of the way", scene_text(scene, "%.2f m", observed->path_length));
-    say_narrowest(live, i);
-    add_pair(live, "contacts", scene_text(scene, "%d", observed->contacts));
-    if (observed->contacts)
-        add_pair(live, "hardest contact", scene_text(scene, "%.0f N", observed->peak_force));
-    add_pair(live, "personal space pressed", scene_text(scene, "%.1f s", observed->ring_time));
+    ResultTable table = {0};
+    result_house_add_person(&table, &live->shown->house, live->observation, i);
+    add_record(live, &table, 1); /* the name is the heading */
     say_moment(live, i, time);
 }
 
@@ -75,11 +59,10 @@ static void say_door(HouseSession *live, const Door *door) {
     add_pair(live, "in wall", arena_text(&scene->arena, door->wall));
 }
 
-static void say_hazard(HouseSession *live, const Hazard *hazard) {
-    Scene *scene = &live->words.moment;
-    add_pair(live, "clearance", people_scene_clearance(scene, hazard->clearance));
-    add_pair(live, "hardest contact", scene_text(scene, "%.0f N", hazard->peak_force));
-    add_pair(live, "lost time", scene_text(scene, "%.1f s", hazard->lost_time));
+static void say_hazard(HouseSession *live, size_t hazard) {
+    ResultTable table = {0};
+    result_house_add_hazard(&table, live->observation, hazard);
+    add_record(live, &table, 1); /* the rank is in the heading */
 }
 
 void house_about_say(HouseSession *live, double time) {
@@ -95,7 +78,7 @@ void house_about_say(HouseSession *live, double time) {
     if (thing.kind == HOUSE_PERSON) {
         say_person(live, thing.index, time);
     } else if (thing.kind == HOUSE_HAZARD) {
-        say_hazard(live, &live->observation->hazards[thing.index]);
+        say_hazard(live, thing.index);
     } else if (thing.kind == HOUSE_STOP) {
         const char *widths = blockage_scene_widths(scene, &live->observation->people[thing.index].blockage);
         if (*widths)

@@ -6,6 +6,8 @@
 #include "base/clock.h"
 #include "visual/house/blockage_scene.h"
 #include "laboratory/house/session_parts.h"
+#include "result/house.h"
+#include "result/panel.h"
 #include "visual/house/people_scene.h"
 
 #define MOMENT 0.1 /* s, of a steady clock, from one time that the present numbers are told to the next */
@@ -26,51 +28,22 @@ PanelRow *house_words_add(HouseSession *live, RowKind kind, const char *first) {
 
 /* Before and now -------------------------------------------------------------------------------------------------- */
 
-typedef struct Totals {
-    double time, narrowest, force, ring;
-    int contacts;
-    bool completed;
-} Totals;
-
-static Totals totals_of(const Observation *observation) {
-    Totals totals = {.time = observation->time, .narrowest = HUGE_VAL, .completed = observation->completed};
-    for (size_t i = 0; i < observation->person_count; i++) {
-        const PersonObservation *person = &observation->people[i];
-        if (!person->took_part)
-            continue;
-        totals.narrowest = fmin(totals.narrowest, person->narrowest);
-        totals.contacts += person->contacts;
-        totals.force = fmax(totals.force, person->peak_force);
-        totals.ring += person->ring_time;
-    }
-    return totals;
-}
-
-static void add_comparison(HouseSession *live, const char *what, const char *before, const char *now) {
-    PanelRow *row = house_words_add(live, ROW_PLAIN, what);
-    row->row.cells[1] = before;
-    row->row.cells[2] = now;
-}
-
+/* Adds the facts of the whole run before and now. */
 static void compare(HouseSession *live) {
     Before ghost = house_follow_ghost(live);
     Scene *scene = &live->words.moment;
     if (!ghost.observation || !live->whole)
         return;
-    Totals before = totals_of(ghost.observation), now = totals_of(live->observation);
+    ResultTable before = result_house_totals(ghost.house, ghost.observation),
+                now = result_house_totals(&live->shown->house, live->observation);
     house_words_add(live, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_name(ghost)));
-    add_comparison(live, "time", before.completed ? scene_text(scene, "%.1f s", before.time) : "not out",
-                   now.completed ? scene_text(scene, "%.1f s", now.time) : "not out");
-    if (before.completed && now.completed)
-        add_comparison(live, "difference", "", scene_text(scene, "%+.1f s", now.time - before.time));
-    const char *narrowest = people_scene_clearance(scene, before.narrowest);
-    add_comparison(live, "narrowest", narrowest, people_scene_clearance(scene, now.narrowest));
-    const char *contacts = scene_text(scene, "%d", before.contacts);
-    add_comparison(live, "contacts", contacts, scene_text(scene, "%d", now.contacts));
-    const char *force = scene_text(scene, "%.0f N", before.force);
-    add_comparison(live, "hardest contact", force, scene_text(scene, "%.0f N", now.force));
-    const char *ring = scene_text(scene, "%.1f s", before.ring);
-    add_comparison(live, "space pressed", ring, scene_text(scene, "%.1f s", now.ring));
+    for (size_t r = 0; r < now.row_count; r++) {
+        SceneRow line;
+        if (result_panel_pair(&line, result_at(&before, 0, r), result_at(&now, 0, r), &scene->arena))
+            house_words_add(live, line.kind, NULL)->row = line;
+    }
+    result_clear(&before);
+    result_clear(&now);
 }
 
 /* What the scene lists: dangerous points and people --------------------------------------------------------------- */

@@ -1,0 +1,64 @@
+#include "result/page.h"
+
+#include <ctype.h>
+
+enum { COLUMNS_MOST = 10 /* of a table that is read on a page */ };
+
+static const char *capital(Document *document, const char *words) {
+    return document_text(document, "%c%s", toupper((unsigned char)*words), words + (*words != 0));
+}
+
+static const char *head_of(Document *document, const ResultRow *row, const char *label) {
+    const char *head = capital(document, label);
+    return row->unit ? document_text(document, "%s, %s", head, row->unit) : head;
+}
+
+/* Adds a table of `count` rows, of which the first names the record. */
+static void add_part(Document *document, const char *caption, const ResultTable *table, const size_t *rows,
+                     size_t count) {
+    Column *columns = arena_allocate(&document->arena, count * sizeof *columns);
+    const char *cells[COLUMNS_MOST];
+    for (size_t c = 0; c < count; c++) {
+        const ResultRow *row = result_at(table, 0, rows[c]);
+        columns[c] = (Column){head_of(document, row, row->head ? row->head : row->label),
+                              result_is_number(row) ? ALIGN_RIGHT : ALIGN_LEFT};
+    }
+    document_add_table(document, caption, columns, count);
+    for (size_t record = 0; record < table->record_count; record++) {
+        for (size_t c = 0; c < count; c++)
+            cells[c] = result_value(result_at(table, record, rows[c]), &document->arena);
+        document_add_row(document, cells);
+    }
+}
+
+void result_page_table(Document *document, const char *caption, const ResultTable *table) {
+    size_t *rows = memory_zeroed(table->row_count, sizeof *rows), count = result_columns(table, rows);
+    size_t others = count > 1 ? count - 1 : 0, each = COLUMNS_MOST - 1;
+    size_t parts = (others + each - 1) / each;
+    for (size_t p = 0; p < parts; p++) { /* of about the same width; the first row stands before each */
+        size_t first = 1 + p * others / parts, end = 1 + (p + 1) * others / parts;
+        size_t part[COLUMNS_MOST] = {rows[0]};
+        for (size_t c = first; c < end; c++)
+            part[1 + c - first] = rows[c];
+        add_part(document, p ? NULL : caption, table, part, 1 + end - first);
+    }
+    memory_free(rows);
+}
+
+void result_page_pair(Document *document, const char *const names[3], const ResultTable *a, const ResultTable *b,
+                      bool both) {
+    Column *columns = arena_allocate(&document->arena, 4 * sizeof *columns);
+    columns[0] = (Column){"", ALIGN_LEFT};
+    for (int n = 0; n < 3; n++)
+        columns[1 + n] = (Column){names[n], ALIGN_RIGHT};
+    document_add_table(document, NULL, columns, 4);
+    for (size_t r = 0; r < a->row_count; r++) {
+        const ResultRow *before = result_at(a, 0, r), *now = result_at(b, 0, r);
+        ResultRow difference = result_difference(before, now, both);
+        Arena *arena = &document->arena;
+        const char *cells[] = {before->label ? head_of(document, before, before->label) : NULL,
+                               result_value(before, arena), result_value(now, arena), result_value(&difference, arena)};
+        if (cells[0])
+            document_add_row(document, cells);
+    }
+}

@@ -1,0 +1,14 @@
+/* Prints rows as tables of a report. */
+#pragma once
+
+#include "document/document.h"
+#include "result/result.h"
+
+/* Adds a table: a line for each record, a column for each row that has a value in any of them. Of more columns than fit
+ * on a page, the others follow in further tables, which begin with the first column again. */
+void result_page_table(Document *document, const char *caption, const ResultTable *table);
+
+/* Adds a table with a line for each row of two records: its label, the value of a, of b, and b - a. `both`: both runs
+ * have succeeded. */
+void result_page_pair(Document *document, const char *const names[3], const ResultTable *a, const ResultTable *b,
+                      bool both);

@@ -1,0 +1,155 @@
+#include "result/result.h"
+
+#include <stdint.h>
+#include <string.h>
+
+#include "base/text.h"
+
+void result_clear(ResultTable *table) {
+    memory_free(table->rows);
+    arena_clear(&table->arena);
+    *table = (ResultTable){.numbers = table->numbers};
+}
+
+void result_add(ResultTable *table, ResultRow row) {
+    table->rows = memory_reserve(table->rows, &table->capacity, table->used + 1, sizeof *table->rows);
+    row.role = row.role == ROLE_PAPER ? ROLE_TEXT : row.role;
+    table->rows[table->used++] = row;
+}
+
+void result_end(ResultTable *table) {
+    table->record_count++;
+    table->row_count = table->used / table->record_count;
+}
+
+const ResultRow *result_at(const ResultTable *table, size_t record, size_t row) {
+    return &table->rows[record * table->row_count + row];
+}
+
+const ResultRow *result_find(const ResultTable *table, size_t record, const char *key) {
+    for (size_t r = 0; r < table->row_count; r++) {
+        const ResultRow *row = result_at(table, record, r);
+        if (row->key && strcmp(row->key, key) == 0)
+            return row;
+    }
+    return NULL;
+}
+
+/* Values ----------------------------------------------------------------------------------------------------------- */
+
+const char *result_value(const ResultRow *row, Arena *arena) {
+    if (row->unknown || row->omitted)
+        return NULL;
+    if (row->text)
+        return *row->text ? row->text : NULL;
+    if (row->kind == RESULT_TEXT || !isfinite(row->number))
+        return NULL;
+    if (row->kind == RESULT_FLAG)
+        return row->number > 0 ? "yes" : "no";
+    double value = row->number * (row->factor != 0 ? row->factor : 1);
+    bool nought = fabs(value) < 0.5 * pow(10, -row->decimals); /* drops the sign that rounding leaves */
+    if (nought)
+        return text_in_arena(arena, "%.*f", row->decimals, 0.0);
+    return text_in_arena(arena, row->sign ? "%+.*f" : "%.*f", row->decimals, value);
+}
+
+const char *result_value_and_unit(const ResultRow *row, Arena *arena) {
+    const char *value = result_value(row, arena);
+    bool bare = !value || !row->unit || (row->text && row->kind == RESULT_FLAG);
+    return bare ? value : text_in_arena(arena, "%s %s", value, row->unit);
+}
+
+static bool is_known(const ResultTable *table, size_t row) {
+    Arena arena = {0};
+    bool known = false;
+    for (size_t record = 0; record < table->record_count && !known; record++)
+        known = result_value(result_at(table, record, row), &arena) != NULL;
+    arena_clear(&arena);
+    return known;
+}
+
+size_t result_columns(const ResultTable *table, size_t *rows) {
+    size_t count = 0;
+    for (size_t r = 0; r < table->row_count && table->record_count; r++)
+        if (result_at(table, 0, r)->label && is_known(table, r))
+            rows[count++] = r;
+    return count > 1 ? count : 0;
+}
+
+bool result_is_number(const ResultRow *row) {
+    return row->kind == RESULT_COUNT || row->kind == RESULT_NUMBER;
+}
+
+/* Two tables ------------------------------------------------------------------------------------------------------- */
+
+ResultRow result_difference(const ResultRow *a, const ResultRow *b, bool both) {
+    bool known = a->difference == DIFFERENCE_ALWAYS || (a->difference == DIFFERENCE_IF_BOTH && both);
+    ResultRow difference = *a;
+    difference.text = NULL;
+    difference.number = known && result_is_number(a) ? b->number - a->number : NAN;
+    difference.sign = true;
+    difference.unknown = a->unknown || b->unknown;
+    difference.omitted = false;
+    return difference;
+}
+
+static bool is_partner(const ResultPair *pair, size_t i, size_t j) {
+    return strcmp(result_at(pair->a, i, 0)->text, result_at(pair->b, j, 0)->text) == 0 &&
+           (!pair->alike ||
+            strcmp(result_find(pair->a, i, pair->alike)->text, result_find(pair->b, j, pair->alike)->text) == 0);
+}
+
+size_t result_partner(const ResultPair *pair, size_t record) {
+    for (size_t j = 0; j < pair->b->record_count; j++)
+        if (is_partner(pair, record, j))
+            return j;
+    return SIZE_MAX;
+}
+
+bool result_both_succeeded(const ResultPair *pair, size_t record, size_t partner) {
+    return result_find(pair->a, record, pair->succeeded)->number > 0 &&
+           result_find(pair->b, partner, pair->succeeded)->number > 0;
+}
+
+enum { NAMES = 2 /* rows before the facts of a comparison: the name, and of which run they are */ };
+
+static void add_compared(ResultTable *table, const ResultPair *pair, const ResultTable *of, size_t record, int which,
+                         const ResultTable *before, size_t record_before, bool both) {
+    result_add(table, *result_at(of, record, 0));
+    result_add(table, (ResultRow){.label = "in", .text = pair->names[which]});
+    for (size_t r = 1; r < of->row_count; r++) {
+        const ResultRow *row = result_at(of, record, r);
+        bool success = row->key && strcmp(row->key, pair->succeeded) == 0;
+        if (row->difference == DIFFERENCE_NONE && !success)
+            continue;
+        ResultRow added = before ? result_difference(result_at(before, record_before, r), row, both) : *row;
+        added.unknown |= before && row->difference == DIFFERENCE_NONE;
+        result_add(table, added);
+    }
+    result_end(table);
+}
+
+/* Takes back the last record where nobody reads anything in it but names. */
+static void drop_empty(ResultTable *table, size_t names) {
+    Arena arena = {0};
+    bool known = false;
+    for (size_t r = names; r < table->row_count; r++)
+        known |= result_value(result_at(table, table->record_count - 1, r), &arena) != NULL;
+    arena_clear(&arena);
+    if (known)
+        return;
+    table->record_count--;
+    table->used -= table->row_count;
+}
+
+void result_compare(ResultTable *table, const ResultPair *pair) {
+    for (size_t i = 0; i < pair->a->record_count; i++) {
+        size_t j = result_partner(pair, i);
+        add_compared(table, pair, pair->a, i, 0, NULL, 0, false);
+        if (j == SIZE_MAX)
+            continue;
+        add_compared(table, pair, pair->b, j, 1, NULL, 0, false);
+        add_compared(table, pair, pair->b, j, 2, pair->a, i, result_both_succeeded(pair, i, j));
+        drop_empty(table, NAMES);
+    }
+}

@@ -1,0 +1,11 @@
+/* Prints rows for the terminal. */
+#pragma once
+
+#include "base/text.h"
+#include "result/result.h"
+
+/* Adds a table, a column for each row that has a value in any record, under a line of heads: "time s". */
+void result_text_table(Text *text, const ResultTable *table);
+
+/* Adds a line for each row of a record that has a value: "natural frequency   23.4 Hz". */
+void result_text_list(Text *text, const ResultTable *table, size_t record);

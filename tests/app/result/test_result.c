@@ -1,0 +1,231 @@
+/* The four pens print the same rows. */
+#include "check.h"
+
+#include <stdint.h>
+#include <string.h>
+
+#include "case.h"
+#include "command/answer.h"
+#include "command/answer_text.h"
+#include "report/report_people.h"
+#include "report/report_places.h"
+#include "result/house.h"
+#include "result/json.h"
+#include "result/page.h"
+#include "result/panel.h"
+#include "result/text.h"
+
+/* A record with a fact of each kind. */
+static ResultTable sample(void) {
+    ResultTable table = {0};
+    result_add(&table, (ResultRow){.key = "id", .label = "person", .text = "p1"});
+    result_add(&table, (ResultRow){.key = "out", .label = "result", .kind = RESULT_FLAG, .number = 1, .text = "out"});
+    result_add(
+        &table,
+        (ResultRow){
+            .key = "turns", .label = "changes of direction", .head = "turns", .kind = RESULT_COUNT, .number = 3});
+    result_add(&table, (ResultRow){.key = "near.x", .kind = RESULT_NUMBER, .number = 1.5});
+    result_add(&table, (ResultRow){.key = "near.clearance",
+                                   .label = "narrowest",
+                                   .kind = RESULT_NUMBER,
+                                   .number = -1e-9,
+                                   .unit = "m",
+                                   .decimals = 3,
+                                   .difference = DIFFERENCE_IF_BOTH});
+    result_add(&table, (ResultRow){.key = "error",
+                                   .label = "error",
+                                   .kind = RESULT_NUMBER,
+                                   .number = 0.0123,
+                                   .unit = "%",
+                                   .factor = 100,
+                                   .decimals = 1,
+                                   .sign = true});
+    result_add(&table,
+               (ResultRow){.key = "force", .label = "force", .kind = RESULT_NUMBER, .number = NAN, .unit = "N"});
+    result_add(&table, (ResultRow){.key = "reason", .label = "reason", .omitted = true});
+    result_end(&table);
+    return table;
+}
+
+static const Block *table_of(const Document *document, size_t index) {
+    for (size_t b = 0; b < document->count; b++)
+        if (document->blocks[b].kind == BLOCK_TABLE && index-- == 0)
+            return &document->blocks[b];
+    return NULL;
+}
+
+/* The cell of the first record under a head, in any table of the document; NULL: there is none. */
+static const char *cell_under(const Document *document, const char *head) {
+    const Block *block;
+    for (size_t t = 0; (block = table_of(document, t)); t++)
+        for (size_t c = 0; c < block->table.column_count; c++)
+            if (strcmp(block->table.columns[c].head, head) == 0)
+                return block->table.cells[c];
+    return NULL;
+}
+
+TEST(a_record_is_an_object_whose_keys_with_points_are_objects_within) {
+    ResultTable table = sample();
+    json_t *object = result_json_record(&table, 0);
+    char *text = json_dumps(object, JSON_COMPACT | JSON_REAL_PRECISION(12));
+    CHECK_TEXT(text, "{\"id\":\"p1\",\"out\":true,\"turns\":3,\"near\":{\"x\":1.5,\"clearance\":-0.0},\"error\":0.0123,"
+                     "\"force\":null}");
+    free(text);
+    json_decref(object);
+    result_clear(&table);
+}
+
+TEST(a_table_has_columns_for_what_is_known) {
+    ResultTable table = sample();
+    Text text = {0};
+    result_text_table(&text, &table);
+    CHECK_TEXT(text.text, "person  result  turns  narrowest m  error %\n"
+                          "p1      out         3        0.000     +1.2\n");
+    memory_free(text.text);
+    result_clear(&table);
+}
+
+TEST(a_list_has_a_line_for_each_fact_with_its_unit) {
+    ResultTable table = sample();
+    Text text = {0};
+    result_text_list(&text, &table, 0);
+    CHECK_TEXT(text.text, "person                p1\nresult                out\nchanges of direction  3\n"
+                          "narrowest             0.000 m\nerror                 +1.2 %\n");
+    memory_free(text.text);
+    result_clear(&table);
+}
+
+TEST(names_alone_are_no_table) {
+    ResultTable table = {0};
+    Text text = {0};
+    result_add(&table, (ResultRow){.key = "id", .label = "route", .text = "A"});
+    result_add(&table, (ResultRow){.key = "mean", .label = "mean", .kind = RESULT_NUMBER, .number = NAN});
+    result_end(&table);
+    result_text_table(&text, &table);
+    CHECK(!text.text);
+    result_clear(&table);
+}
+
+TEST(a_page_is_never_too_narrow_for_a_table) {
+    enum { FACTS = 25 };
+    ResultTable table = {0};
+    for (int f = 0; f < FACTS; f++)
+        result_add(&table, (ResultRow){.label = text_in_arena(&table.arena, "fact %d", f), .text = "known"});
+    result_end(&table);
+    Document document = document_begin("clearance 9");
+    result_page_table(&document, "caption", &table);
+    size_t cells = 0, parts = 0;
+    for (const Block *block; (block = table_of(&document, parts)); parts++) {
+        CHECK(block->table.column_count <= 10);
+        CHECK_TEXT(block->table.columns[0].head, "Fact 0");
+        cells += block->table.column_count - 1;
+    }
+    CHECK(parts == 3 && cells == FACTS - 1);
+    document_clear(&document);
+    result_clear(&table);
+}
+
+TEST(two_runs_are_compared_where_both_have_succeeded) {
+    ResultTable a = sample(), b = sample(), compared = {0}, failed = {0};
+    b.rows[4].number = 0.2;
+    ResultPair pair = {&a, &b, {"a", "b", "b - a"}, "out", NULL};
+    result_compare(&compared, &pair);
+    CHECK(compared.record_count == 3 && compared.row_count == 4);
+    CHECK_NEAR(result_find(&compared, 2, "near.clearance")->number, 0.2, 1e-8);
+    b.rows[1].number = 0;
+    result_compare(&failed, &pair);
+    CHECK(isnan(result_find(&failed, 2, "near.clearance")->number));
+    b.rows[0].text = "p2";
+    CHECK(result_partner(&pair, 0) == SIZE_MAX);
+    result_clear(&a);
+    result_clear(&b);
+    result_clear(&compared);
+    result_clear(&failed);
+}
+
+/* The text of the row's fact stands on the terminal, in JSON, on the panel and on the page. */
+static void check_fact(const ResultRow *row, const char *text, const json_t *json, const Document *document) {
+    Arena arena = {0};
+    SceneRow line;
+    const char *value = result_value(row, &arena);
+    const char *label = row->head ? row->head : row->label;
+    const char *head = row->unit ? text_in_arena(&arena, "%s %s", label, row->unit) : label;
+    CHECK(strstr(text, head) && strstr(text, value));
+    const char *capital = text_in_arena(&arena, "%c%s", label[0] - 'a' + 'A', label + 1);
+    const char *cell = cell_under(document, row->unit ? text_in_arena(&arena, "%s, %s", capital, row->unit) : capital);
+    CHECK_TEXT(cell ? cell : "", value);
+    CHECK(result_panel_row(&line, row, &arena));
+    CHECK_TEXT(line.cells[0], row->label);
+    CHECK_TEXT(line.cells[1], row->unit ? text_in_arena(&arena, "%s %s", value, row->unit) : value);
+    if (row->key) {
+        char key[64];
+        snprintf(key, sizeof key, "%s", row->key);
+        char *point = strchr(key, '.');
+        const json_t *at = json;
+        if (point) {
+            *point = 0;
+            at = json_object_get(json, key);
+        }
+        const json_t *found = json_object_get(at, point ? point + 1 : key);
+        CHECK(found);
+        if (row->kind == RESULT_NUMBER || row->kind == RESULT_COUNT)
+            CHECK_NEAR(json_number_value(found), row->number, 1e-6);
+        else if (row->kind == RESULT_TEXT)
+            CHECK_TEXT(json_string_value(found), value);
+    }
+    arena_clear(&arena);
+}
+
+/* Every fact that a builder writes down about the first record is printed by all four. */
+static void check_facts(const ResultTable *table, size_t least, const char *text, const json_t *json,
+                        const Document *document) {
+    size_t facts = 0;
+    Arena arena = {0};
+    for (size_t r = 0; r < table->row_count; r++) {
+        const ResultRow *row = result_at(table, 0, r);
+        if (!row->label || !result_value(row, &arena))
+            continue;
+        check_fact(row, text, json, document);
+        facts++;
+    }
+    CHECK(facts >= least);
+    arena_clear(&arena);
+}
+
+static void check_house(const char *name, size_t least) {
+    House house;
+    case_house(&house, name, -1, NULL);
+    Observation observation = case_run(&house, 1);
+    Text text = {0};
+    Document document = document_begin("clearance 9");
+    answer_text_add(&text, &house, &observation);
+    report_people_add(&document, &house, &observation);
+    json_t *answer = answer_house(&house, &observation);
+    ResultTable people = result_house_people(&house, &observation);
+    check_facts(&people, least, text.text, json_array_get(json_object_get(answer, "people"), 0), &document);
+    result_clear(&people);
+    document_clear(&document);
+    ResultTable hazards = result_house_hazards(&observation);
+    document = document_begin("clearance 9");
+    report_places_add_table(&document, &observation, NULL);
+    if (hazards.record_count)
+        check_facts(&hazards, 5, text.text, json_array_get(json_object_get(answer, "hazards"), 0), &document);
+    result_clear(&hazards);
+    document_clear(&document);
+    json_decref(answer);
+    memory_free(text.text);
+    observation_free(&observation);
+    house_free(&house);
+}
+
+TEST(each_fact_of_a_person_who_is_out_is_on_terminal_and_panel_in_json_and_report) {
+    check_house("corner-1.00-1.00", 12);
+}
+
+TEST(each_fact_of_a_person_who_cannot_pass_is_on_terminal_and_panel_in_json_and_report) {
+    check_house("flat-0.910-module", 7);
+}
+
+TEST(each_fact_of_a_person_among_others_is_on_terminal_and_panel_in_json_and_report) {
+    check_house("two-chairs-corridor", 12);
+}
