@@ -4,8 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/real.h"
+
 static bool is_multiple(double value, int decimals) {
-    double scaled = value * pow(10, decimals);
+    double scaled = value * real_power_of_ten(decimals);
     return fabs(scaled - round(scaled)) < 1e-6;
 }
 
@@ -30,6 +32,14 @@ const char *study_number_axis_unit(const Study *study, size_t axis) {
     return shown_axis(study, axis).unit;
 }
 
+/* As many digits as tell values of at most `most` apart that lie a step apart, 3 to 9. */
+static int digits_that_tell(double most, double step) {
+    int digits = 3;
+    while (digits < 9 && real_power_of_ten(digits - 2) * step < most)
+        digits++;
+    return digits;
+}
+
 /* A value of an axis, with as many digits as tell it from its neighbours. */
 void study_number_value(const Study *study, size_t a, double value, bool with_unit, char word[STUDY_NUMBER]) {
     const StudyAxis *axis = &study->axes[a];
@@ -40,8 +50,7 @@ void study_number_value(const Study *study, size_t a, double value, bool with_un
     while (decimals < 6 && (!is_multiple(from, decimals) || !is_multiple(step, decimals)))
         decimals++;
     int length = most < 1e-3 || most >= 1e7 || decimals == 6
-                     ? snprintf(word, STUDY_NUMBER, "%.*g", (int)fmax(3, fmin(9, ceil(log10(most / step)) + 2)),
-                                value * shown.factor)
+                     ? snprintf(word, STUDY_NUMBER, "%.*g", digits_that_tell(most, step), value * shown.factor)
                      : snprintf(word, STUDY_NUMBER, "%.*f", decimals, value * shown.factor);
     if (with_unit && *shown.unit)
         snprintf(word + length, STUDY_NUMBER - (size_t)length, " %.15s", shown.unit);

@@ -34,7 +34,7 @@ static const char *format_answer(Document *document, const Reported runs[2]) {
 static const char *difference(Document *document, double a, double b, int digits) {
     if (!isfinite(a) || !isfinite(b))
         return NULL;
-    bool same = fabs(b - a) < 0.5 * pow(10, -digits);
+    bool same = fabs(b - a) < 0.5 * real_power_of_ten(-digits);
     return same ? "0" : document_text(document, "%+.*f", digits, b - a);
 }
 

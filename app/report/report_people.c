@@ -6,7 +6,7 @@
 const char *report_people_number(Document *document, double value, int digits) {
     if (!isfinite(value))
         return NULL;
-    bool nought = fabs(value) < 0.5 * pow(10, -digits); /* without the sign that rounding leaves */
+    bool nought = fabs(value) < 0.5 * real_power_of_ten(-digits); /* without the sign that rounding leaves */
     return document_text(document, "%.*f", digits, nought ? 0 : value);
 }
 

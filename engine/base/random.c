@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "base/real.h"
+
 static uint64_t splitmix(uint64_t *state) {
     uint64_t z = *state += 0x9e3779b97f4a7c15u;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -45,6 +47,6 @@ double random_normal(Random *random, double mean, double deviation) {
         double v = 2 * random_uniform(random) - 1;
         double square = u * u + v * v;
         if (square > 0 && square < 1)
-            return mean + deviation * u * sqrt(-2 * log(square) / square);
+            return mean + deviation * u * sqrt(-2 * real_log(square) / square);
     }
 }

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "base/real.h"
+
 typedef struct Vec2 {
     double x, y;
 } Vec2;
@@ -65,7 +67,8 @@ static inline Vec2 vec2_left(Vec2 a) {
 
 /* The unit vector of an angle, rad. */
 static inline Vec2 vec2_heading(double angle) {
-    return (Vec2){cos(angle), sin(angle)};
+    SineCosine turn = real_sincos(angle);
+    return (Vec2){turn.cosine, turn.sine};
 }
 
 /* a, given in a frame whose x axis points along the unit vector `axis`, in the frame of `axis`. */
@@ -84,19 +87,6 @@ static inline Vec2 vec2_nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) {
     double square = vec2_dot(ab, ab);
     double t = square > 0 ? vec2_dot(vec2_sub(p, a), ab) / square : 0;
     return vec2_along(a, t < 0 ? 0 : t > 1 ? 1 : t, ab);
-}
-
-/* fmin and fmax without their care for NaN, which costs a call. */
-static inline double real_min(double a, double b) {
-    return a < b ? a : b;
-}
-
-static inline double real_max(double a, double b) {
-    return a > b ? a : b;
-}
-
-static inline double real_clamp(double value, double low, double high) {
-    return value < low ? low : value > high ? high : value;
 }
 
 /* An angle brought into (-pi, pi]. */

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/order.h"
 #include "base/random.h"
+#include "base/real.h"
 
 /* Exponents ------------------------------------------------------------------------------------------------------- */
 
@@ -29,7 +30,7 @@ void chaos_renew_tangents(Motion *motion, double *growth) {
                     own[i] -= along * all[s * states + i];
             }
         double length = sqrt(dot(own, own, states));
-        growth[t] += log(length);
+        growth[t] += real_log(length);
         for (size_t i = 0; i < states; i++)
             own[i] /= length;
         motion_set_tangent(motion, t, own);
@@ -97,12 +98,13 @@ static double growth_of(const double *series, size_t count, double mean, double 
     size_t lags = count / 10, span = count - lags;
     double *p = room, *q = room + count, *displacement = room + 2 * count, sum_p = 0, sum_q = 0;
     for (size_t i = 0; i < count; i++) {
-        p[i] = sum_p += series[i] * cos((double)(i + 1) * c);
-        q[i] = sum_q += series[i] * sin((double)(i + 1) * c);
+        SineCosine turn = real_sincos((double)(i + 1) * c);
+        p[i] = sum_p += series[i] * turn.cosine;
+        q[i] = sum_q += series[i] * turn.sine;
     }
     for (size_t n = 1; n <= lags; n++) {
         double moved = square_distance(p + n, p, span) + square_distance(q + n, q, span);
-        displacement[n - 1] = moved / (double)span - mean * mean * (1 - cos((double)n * c)) / (1 - cos(c));
+        displacement[n - 1] = moved / (double)span - mean * mean * (1 - real_cos((double)n * c)) / (1 - real_cos(c));
     }
     return correlation_with_time(displacement, lags);
 }

@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/real.h"
 
 /* Fraction of the state at which Newton's iteration ends: rounding leaves about 1e-13. */
 static const double CONVERGED = 1e-11;
@@ -57,10 +58,10 @@ static bool newton_step(double *state, double *derivative, double *gap, size_t s
 static void name_leaving(Orbit *orbit) {
     size_t which = 0;
     for (size_t i = 1; i < orbit->states; i++)
-        if (hypot(orbit->multiplier_re[i], orbit->multiplier_im[i]) >
-            hypot(orbit->multiplier_re[which], orbit->multiplier_im[which]))
+        if (real_hypot(orbit->multiplier_re[i], orbit->multiplier_im[i]) >
+            real_hypot(orbit->multiplier_re[which], orbit->multiplier_im[which]))
             which = i;
-    orbit->largest = hypot(orbit->multiplier_re[which], orbit->multiplier_im[which]);
+    orbit->largest = real_hypot(orbit->multiplier_re[which], orbit->multiplier_im[which]);
     orbit->leaving = orbit->multiplier_im[which] != 0  ? ORBIT_NEIMARK
                      : orbit->multiplier_re[which] < 0 ? ORBIT_FLIP
                                                        : ORBIT_FOLD;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/real.h"
 
 /* Builds A for the state (omega q, q'), column by column, of a beam with `scale` times the damping. */
 static double *make_matrix(const Modes *modes, double stiffness, double damping, double scale) {
@@ -194,7 +195,7 @@ double regime_fastest(const Regime *regime) {
 double regime_largest(const Regime *regime) {
     double largest = 0;
     for (size_t j = 0; j < regime->blocks; j++)
-        largest = fmax(largest, hypot(regime->lambda.re[j], regime->lambda.im[j]));
+        largest = fmax(largest, real_hypot(regime->lambda.re[j], regime->lambda.im[j]));
     return largest;
 }
 
@@ -206,10 +207,10 @@ void regime_cut(Regime *regime, double cell, size_t cuts) {
     regime->hop = regime_vector((cuts + 1) * blocks);
     for (size_t k = 0; k <= cuts; k++)
         for (size_t j = 0; j < blocks; j++) {
-            double time = cell * (double)k / (double)cuts, size = exp(regime->lambda.re[j] * time), sine, cosine;
-            sincos(regime->lambda.im[j] * time, &sine, &cosine);
-            regime->hop.re[k * blocks + j] = size * cosine;
-            regime->hop.im[k * blocks + j] = size * sine;
+            double time = cell * (double)k / (double)cuts, size = real_exp(regime->lambda.re[j] * time);
+            SineCosine turn = real_sincos(regime->lambda.im[j] * time);
+            regime->hop.re[k * blocks + j] = size * turn.cosine;
+            regime->hop.im[k * blocks + j] = size * turn.sine;
         }
 }
 

@@ -5,6 +5,7 @@
 #include "base/digest.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/real.h"
 
 /* Fraction of the state's length: a return this close starts Newton's iteration, and the orbit must then be as
  * close. A chaotic motion sometimes returns this close, but to an orbit that is unstable. */
@@ -163,7 +164,7 @@ static void tell(Response *response, Watch *watch) {
         if (watch->analysed.count > 1 && find_orbit(response, watch)) {
             response->verdict = RESPONSE_PERIODIC;
             response->settled = orbit_distance(&response->orbit, watch->motion.rig, response->section.state) < SETTLED;
-            response->exponent = (ChaosExponent){log(response->orbit.largest) / (double)response->orbit.period, 0};
+            response->exponent = (ChaosExponent){real_log(response->orbit.largest) / (double)response->orbit.period, 0};
             response->zero_one = NAN;
             return;
         }

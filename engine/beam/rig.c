@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/memory.h"
+#include "base/real.h"
 
 /* Relative difference of lambda^2 and -omega^2 below which a steady part loses its digits: an undamped beam at
  * resonance, whose motion grows without bound. */
@@ -15,7 +16,7 @@ static void make_steady(RigSteady *steady, const Regime *regime, const Rig *rig,
     for (size_t j = 0; j < regime->blocks; j++) {
         double a = regime->lambda.re[j], b = regime->lambda.im[j];
         double re = a * a - b * b + omega * omega, im = 2 * a * b, size = re * re + im * im;
-        if (size < RESONANCE * RESONANCE * pow(omega, 4))
+        if (size < RESONANCE * RESONANCE * (omega * omega) * (omega * omega))
             size = 0; /* marks a motion that diverges */
         double drive_re = rig->force * regime->drive.re[j], drive_im = rig->force * regime->drive.im[j];
         double part_re = -(drive_re * re + drive_im * im) / size, part_im = -(drive_im * re - drive_re * im) / size;
@@ -257,7 +258,7 @@ void rig_clear_shared(Rig *rig) {
 }
 
 double rig_free_amplitude(const Rig *rig) {
-    return hypot(rig->steady_free.row_sine[REGIME_TIP], rig->steady_free.row_cosine[REGIME_TIP]);
+    return real_hypot(rig->steady_free.row_sine[REGIME_TIP], rig->steady_free.row_cosine[REGIME_TIP]);
 }
 
 double rig_rest_deflection(const Rig *rig) {

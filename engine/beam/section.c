@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/memory.h"
+#include "base/real.h"
 
 /* Relative distance: a motion whose every return is closer repeats. A transient that shrinks by 1 % per cycle is
  * then within 1 % of its orbit. */
@@ -72,8 +73,8 @@ typedef struct Tip {
 
 static double return_of(const Tip *tip, size_t at, size_t lag) {
     double along = tip->omega * (tip->deflection[at] - tip->deflection[at - lag]);
-    double apart = hypot(along, tip->velocity[at] - tip->velocity[at - lag]);
-    return apart > 0 ? apart / fmax(hypot(tip->omega * tip->deflection[at], tip->velocity[at]), tip->rest) : 0;
+    double apart = real_hypot(along, tip->velocity[at] - tip->velocity[at - lag]);
+    return apart > 0 ? apart / fmax(real_hypot(tip->omega * tip->deflection[at], tip->velocity[at]), tip->rest) : 0;
 }
 
 /* Returns the largest distance between cycles that are `lag` apart, from `from` up to but excluding `to`. */

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "base/real.h"
 #include "exchange/dxf_shapes.h"
 #include "exchange/rectangle.h"
 #include "exchange/wall_chains.h"
@@ -71,7 +72,7 @@ static const Unit *likely_unit(double longer) {
     const Unit *best = NULL;
     for (size_t u = 0; u < LIKELY; u++)
         if (is_plausible(longer * units[u].metres) &&
-            (!best || fabs(log(longer * units[u].metres / USUAL)) < fabs(log(longer * best->metres / USUAL))))
+            (!best || fabs(real_log(longer * units[u].metres / USUAL)) < fabs(real_log(longer * best->metres / USUAL))))
             best = &units[u];
     return best;
 }
@@ -186,7 +187,7 @@ static void add_instance(Drawing *drawing, size_t first, size_t end) {
             box = box_include(box, vec2_unturn(points_of(drawing, &shapes->list[s])[i], instance->x));
     Vec2 centre = vec2_turn(vec2_scale(vec2_add(box.low, box.high), 0.5), instance->x);
     size_t piece = house_builder_piece(drawing->builder, instance->block, centre, vec2_sub(box.high, box.low),
-                                       degrees(atan2(instance->x.y, instance->x.x)), 0);
+                                       degrees(real_atan2(instance->x.y, instance->x.x)), 0);
     if (piece == SIZE_MAX)
         import_report_leave(drawing->builder->report, 1, "furniture blocks narrower than 1 cm");
 }

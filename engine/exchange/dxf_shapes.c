@@ -4,6 +4,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/real.h"
+
 enum {
     DEEPEST = 16,         /* nesting depth of blocks */
     MOST_VISITS = 500000, /* entities, those of a block counted at each insertion */
@@ -86,10 +88,11 @@ static bool add_arc_points(Walker *walker, const Affine *affine, Vec2 centre, Ve
 
 /* Adds the side from a to b, an arc if it bulges. */
 static bool add_side(Walker *walker, const Affine *affine, const DxfVertex *a, const DxfVertex *b) {
-    double sweep = 4 * atan(a->bulge);
+    double sweep = 4 * real_atan(a->bulge);
     Vec2 across = vec2_sub(b->at, a->at);
     if (fabs(sweep) > 1e-3) {
-        double off = 1 / (2 * tan(sweep / 2));
+        SineCosine half = real_sincos(sweep / 2);
+        double off = half.cosine / (2 * half.sine);
         Vec2 centre = vec2_along(vec2_along(a->at, 0.5, across), off, vec2_left(across));
         if (!add_arc_points(walker, affine, centre, a->at, sweep))
             return false;

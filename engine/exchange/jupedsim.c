@@ -120,12 +120,13 @@ static bool write_trajectories(sqlite3 *database, const House *house, const Obse
             continue;
         written[id] = frame;
         *last_frame = frame > *last_frame ? frame : *last_frame;
+        Vec2 heading = vec2_heading(row[TRACE_HEADING]);
         sqlite3_bind_int64(insert, 1, frame);
         sqlite3_bind_int64(insert, 2, id + 1);
         sqlite3_bind_double(insert, 3, row[TRACE_X]);
         sqlite3_bind_double(insert, 4, row[TRACE_Y]);
-        sqlite3_bind_double(insert, 5, cos(row[TRACE_HEADING]));
-        sqlite3_bind_double(insert, 6, sin(row[TRACE_HEADING]));
+        sqlite3_bind_double(insert, 5, heading.x);
+        sqlite3_bind_double(insert, 6, heading.y);
         good = step_and_reset(insert);
     }
     memory_free(written);

@@ -1,5 +1,7 @@
 #include "exchange/rectangle.h"
 
+#include "base/real.h"
+
 static const double ROUNDING = 1e-9; /* 1, or degree */
 
 enum { TRIES = 64 /* side directions that are tried */ };
@@ -30,7 +32,7 @@ Rectangle rectangle_around(const Vec2 *points, size_t count) {
         best_axis = vec2_left(best_axis);
         best = turned_box(points, count, best_axis);
     }
-    double angle = degrees(atan2(best_axis.y, best_axis.x));
+    double angle = degrees(real_atan2(best_axis.y, best_axis.x));
     if (angle <= -90 + ROUNDING || angle > 90 + ROUNDING) /* the axis has no sign */
         angle += angle > 0 ? -180 : 180;
     return (Rectangle){.centre = vec2_turn(vec2_scale(vec2_add(best.low, best.high), 0.5), best_axis),

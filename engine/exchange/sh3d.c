@@ -5,6 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/real.h"
 #include "base/text.h"
 #include "exchange/sh3d_home.h"
 #include "exchange/wall_chains.h"
@@ -91,7 +92,9 @@ static double height_of(double height, double unit) {
 /* A positive angle on the screen bulges to the left, seen along the wall. */
 static void add_arc(const Converter *converter, const HomeWall *wall, WallLine line, WallLines *lines) {
     Vec2 across = vec2_sub(line.b, line.a), points[WALL_CHAINS_ARC];
-    double sweep = -real_clamp(wall->arc, -1.99 * M_PI, 1.99 * M_PI), off = 1 / (2 * tan(sweep / 2));
+    double sweep = -real_clamp(wall->arc, -1.99 * M_PI, 1.99 * M_PI);
+    SineCosine half = real_sincos(sweep / 2);
+    double off = half.cosine / (2 * half.sine);
     Vec2 centre = vec2_along(vec2_along(line.a, 0.5, across), off, vec2_left(across));
     if (!house_builder_good(converter->builder, centre))
         return;
@@ -153,8 +156,8 @@ static bool is_window(const Converter *converter, const HomePiece *piece) {
 static Vec2 piece_point(const Converter *converter, const HomePiece *piece, double x, double y, double reach,
                         double angle) {
     double side = piece->mirrored ? -1 : 1;
-    Vec2 own = {side * (x - 0.5 + reach * cos(angle)) * piece->width,
-                (y - 0.5) * piece->depth - reach * sin(angle) * piece->width};
+    Vec2 along = vec2_heading(angle), own = {side * (x - 0.5 + reach * along.x) * piece->width,
+                                             (y - 0.5) * piece->depth - reach * along.y * piece->width};
     return plan_point(converter, vec2_add(piece->centre, vec2_turn(own, vec2_heading(piece->angle))));
 }
 

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "base/real.h"
+
 static const double ARC_DEVIATION = 0.01; /* m: largest deviation of straight lines from an arc */
 static const double STRAIGHT = 1e-6;      /* 1: sine of the largest turn between lines that count as straight */
 
@@ -187,7 +189,7 @@ void wall_chains_keep(WallLines *lines, WallLine line) {
 
 size_t wall_chains_arc(Vec2 centre, Vec2 from, double sweep, Vec2 points[WALL_CHAINS_ARC]) {
     Vec2 arm = vec2_sub(from, centre);
-    double radius = vec2_length(arm), step = radius > ARC_DEVIATION ? 2 * acos(1 - ARC_DEVIATION / radius) : M_PI;
+    double radius = vec2_length(arm), step = radius > ARC_DEVIATION ? 2 * real_acos(1 - ARC_DEVIATION / radius) : M_PI;
     double pieces = ceil(fabs(sweep) / fmin(step, M_PI / 6));
     size_t count = pieces >= 1 ? (size_t)fmin(pieces, WALL_CHAINS_ARC) : 1; /* 1 also for NaN */
     for (size_t i = 0; i < count; i++)

@@ -1,5 +1,6 @@
 #include "house/drive.h"
 
+#include "base/real.h"
 #include "house/track.h"
 #include "house/yield.h"
 
@@ -274,7 +275,7 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     /* Back to the way at a slant in proportion to the offset, bounded: however far off, nobody turns round. */
     double back = profile->heading_gain > 0 ? profile->lateral_gain / profile->heading_gain * offset : 0;
     back = sense * direction * real_clamp(back, -STEEPEST_RETURN, STEEPEST_RETURN);
-    double turn = bend - profile->heading_gain * pace * sin(slant + back);
+    double turn = bend - profile->heading_gain * pace * real_sin(slant + back);
     turn = real_clamp(turn, -profile->turn_rate, profile->turn_rate);
     return exert(world, i, sense * direction * target, turn, pace * pace * place->next->bending);
 }

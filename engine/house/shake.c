@@ -6,6 +6,7 @@
 
 #include "base/digest.h"
 #include "base/random.h"
+#include "base/real.h"
 #include "base/rectangle.h"
 #include "base/text.h"
 #include "plan/plan_geometry.h"
@@ -42,7 +43,7 @@ static bool catches_disc(const Vec2 corners[4], Vec2 at, double radius) {
     Vec2 own = vec2_unturn(vec2_sub(at, vec2_scale(vec2_add(corners[0], corners[2]), 0.5)), side);
     double out_x = fmax(fabs(own.x) - vec2_distance(corners[0], corners[1]) / 2, 0);
     double out_y = fmax(fabs(own.y) - vec2_distance(corners[1], corners[2]) / 2, 0);
-    return hypot(out_x, out_y) < radius - GRAZED;
+    return real_hypot(out_x, out_y) < radius - GRAZED;
 }
 
 const Furniture *shake_catches(const Plan *plan, const bool *topples, const Inhabitant *person) {

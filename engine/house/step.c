@@ -4,11 +4,13 @@
 #include <stdint.h>
 
 #include "base/digest.h"
+#include "base/real.h"
 #include "house/drive.h"
 #include "house/observation.h"
 #include "house/phase.h"
 
-/* Doors --------------------------------------------------------------------------------------------------------------- */
+/* Doors ---------------------------------------------------------------------------------------------------------------
+ */
 
 /* Whoever has held a shut door's handle for long enough opens it, once there is room for the leaf. */
 static void try_door(World *world, int door, double handle) {
@@ -43,7 +45,8 @@ static void open_doors(World *world) {
     }
 }
 
-/* Motion -------------------------------------------------------------------------------------------------------------- */
+/* Motion --------------------------------------------------------------------------------------------------------------
+ */
 
 /* Stands still, or the brakes are on: as hard as the driver can push. */
 static Effort brake_person(const World *world, size_t i) {
@@ -83,7 +86,7 @@ static void move_person(World *world, size_t i) {
         world->axis[i] = vec2_heading(world->heading[i]);
     } else if (vec2_dot(velocity, velocity) > 1e-4) { /* a disc looks where it goes, once it goes */
         world->axis[i] = vec2_unit(velocity);
-        world->heading[i] = atan2(velocity.y, velocity.x);
+        world->heading[i] = real_atan2(velocity.y, velocity.x);
     }
 }
 
@@ -141,7 +144,8 @@ static void move_riders(World *world, size_t *diverged) {
     }
 }
 
-/* The step ------------------------------------------------------------------------------------------------------------ */
+/* The step ------------------------------------------------------------------------------------------------------------
+ */
 
 static void forget_senses(World *world) {
     for (size_t p = 0; p < world->present_count; p++) {

@@ -1,5 +1,6 @@
 #include "house/track.h"
 
+#include "base/real.h"
 #include "plan/plan_geometry.h"
 #include "space/passage.h"
 
@@ -354,7 +355,7 @@ static size_t find_turnings(const House *house, const Inhabitant *person, const 
 static Vec2 tangent(const Turning *from, const Turning *to) {
     Vec2 between = vec2_sub(to->centre, from->centre);
     double sine = (to->side * to->in - from->side * from->out) / fmax(vec2_length(between), 1e-9);
-    double angle = atan2(between.y, between.x) - asin(fmax(-1, fmin(1, sine)));
+    double angle = real_atan2(between.y, between.x) - real_asin(fmax(-1, fmin(1, sine)));
     return vec2_heading(angle);
 }
 
@@ -402,8 +403,8 @@ static double leg_freedom(const House *house, const Turning *from, const Turning
 
 /* The same of the arc about a turning. */
 static double arc_freedom(const House *house, const Turning *turning, Vec2 before, Vec2 after) {
-    double turn = atan2(vec2_cross(before, after), vec2_dot(before, after)), least = HUGE_VAL;
-    double heading = atan2(before.y, before.x);
+    double turn = real_atan2(vec2_cross(before, after), vec2_dot(before, after)), least = HUGE_VAL;
+    double heading = real_atan2(before.y, before.x);
     const int pieces = 12; /* 8 degrees each in a right-angle corner */
     for (int i = 0; i <= pieces && turn * turning->side > 0; i++) {
         double part = (double)i / pieces, radius = turning->in + part * (turning->out - turning->in);
@@ -444,7 +445,7 @@ static void lay_out(const House *house, const Inhabitant *person, Turning *turni
 
 static void add_straight(Track *track, size_t *capacity, Vec2 from, Vec2 to) {
     Vec2 along = vec2_sub(to, from);
-    double length = vec2_length(along), heading = atan2(along.y, along.x);
+    double length = vec2_length(along), heading = real_atan2(along.y, along.x);
     size_t pieces = (size_t)(length / SPACING) + 1;
     for (size_t i = 0; i <= pieces; i++)
         add_point(track, capacity,
@@ -455,8 +456,8 @@ static void add_straight(Track *track, size_t *capacity, Vec2 from, Vec2 to) {
 }
 
 static void add_corner(Track *track, size_t *capacity, const Turning *turning, Vec2 before, Vec2 after) {
-    double turn = atan2(vec2_cross(before, after), vec2_dot(before, after));
-    double heading = atan2(before.y, before.x);
+    double turn = real_atan2(vec2_cross(before, after), vec2_dot(before, after));
+    double heading = real_atan2(before.y, before.x);
     TrackCorner *corner = &track->corners[track->corner_count];
     *corner = (TrackCorner){.centre = turning->centre,
                             .before = turning->widths[0],

@@ -18,6 +18,7 @@
  * holds for good. Shoving is left to the contact law. */
 #include "house/walk.h"
 
+#include "base/real.h"
 #include "house/observation.h"
 #include "house/phase.h"
 #include "house/world.h"
@@ -303,6 +304,6 @@ void walk_decide(World *world, size_t i, uint32_t slot) {
     stand_before(world, walk, &view);
     if (vec2_dot(walk->wish, walk->wish) > 0) {
         world->axis[i] = vec2_unit(walk->wish);
-        world->heading[i] = atan2(world->axis[i].y, world->axis[i].x);
+        world->heading[i] = real_atan2(world->axis[i].y, world->axis[i].x);
     }
 }

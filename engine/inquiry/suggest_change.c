@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/real.h"
 #include "base/rectangle.h"
 #include "base/text.h"
 #include "plan/plan_geometry.h"
@@ -134,7 +135,7 @@ double suggest_change_size(const Plan *plan, const Change *change) {
     case CHANGE_MOVE:
         return vec2_length(change->by);
     case CHANGE_TURN:
-        return 2 * fabs(sin(radians(change->angle) / 2)) * vec2_length(piece->size) / 2;
+        return 2 * fabs(real_sin(radians(change->angle) / 2)) * vec2_length(piece->size) / 2;
     case CHANGE_RAISE:
         return piece->height;
     case CHANGE_AWAY:

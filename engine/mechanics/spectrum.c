@@ -7,6 +7,7 @@
 #include <stdbool.h>
 
 #include "base/memory.h"
+#include "base/real.h"
 
 /* FFTW makes plans in memory that all threads share. */
 static pthread_mutex_t planning = PTHREAD_MUTEX_INITIALIZER;
@@ -31,7 +32,7 @@ Spectrum spectrum_make(const double *samples, size_t count, size_t stride, doubl
     double *weighted = memory_zeroed(count, sizeof *weighted), sum = 0;
     fftw_complex *out = memory_zeroed(half, sizeof *out);
     for (size_t i = 0; i < count; i++) {
-        double weight = (1 - cos(2 * M_PI * (double)i / (double)count)) / 2;
+        double weight = (1 - real_cos(2 * M_PI * (double)i / (double)count)) / 2;
         weighted[i] = weight * samples[i * stride];
         sum += weight;
     }
@@ -42,7 +43,7 @@ Spectrum spectrum_make(const double *samples, size_t count, size_t stride, doubl
     for (size_t k = 0; k < half; k++) {
         bool single = k == 0 || 2 * k == count; /* no negative frequency beside it */
         spectrum.frequency[k] = (double)k / ((double)count * interval);
-        spectrum.amplitude[k] = (single ? 1 : 2) * cabs(out[k]) / sum;
+        spectrum.amplitude[k] = (single ? 1 : 2) * real_hypot(creal(out[k]), cimag(out[k])) / sum;
     }
     memory_free(weighted);
     memory_free(out);

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/real.h"
 #include "plan/plan_geometry.h"
 
 enum { LINES_MOST = 24 /* near a hand, at once: more are not looked at */ };
@@ -57,7 +58,7 @@ double snap_angle(Vec2 along) {
         return along.x < 0 ? 180 : 0;
     if (along.x == 0)
         return along.y < 0 ? -90 : 90;
-    return snap_tidy(degrees(atan2(along.y, along.x)));
+    return snap_tidy(degrees(real_atan2(along.y, along.x)));
 }
 
 double snap_turn(double angle, bool free) {

@@ -1,6 +1,7 @@
 #include "route/disc_route.h"
 
 #include "base/memory.h"
+#include "base/real.h"
 
 /* Downhill on the field of times from grid point to grid point, then pulled taut: from each point on, the farthest one
  * that is seen along a straight line with the clearance COMFORT, or as much as the points passed over have, replaces
@@ -186,7 +187,7 @@ static void write_poses(SearchTrack *track, const Line *line, const FreeSpace *s
     for (size_t i = 1; i < line->count; i++) {
         Vec2 along = vec2_sub(line->at[i], line->at[i - 1]);
         if (vec2_length(along) > 1e-9)
-            heading += vec2_wrap_angle(atan2(along.y, along.x) - heading);
+            heading += vec2_wrap_angle(real_atan2(along.y, along.x) - heading);
         double clearance = freespace_exact(space, line->at[i], radius + ROUTE_CLEARANCE_REACH, NULL) - radius;
         search_track_add(track, (Pose){line->at[i], heading, clearance, 1});
     }

@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/real.h"
 #include "route/blockage.h"
 #include "route/fit.h"
 #include "route/search.h"
@@ -113,7 +114,7 @@ static Pose straight_out(const Exit *exit, const Rectangle *body, const Pose *fr
     at = fmax(margin, fmin(length - margin, at));
     if (vec2_dot(out, vec2_heading(from->heading)) < 0)
         out = vec2_scale(out, -1);
-    return (Pose){vec2_along(vec2_along(exit->from, at, along), hair, out), atan2(out.y, out.x), 0, 1};
+    return (Pose){vec2_along(vec2_along(exit->from, at, along), hair, out), real_atan2(out.y, out.x), 0, 1};
 }
 
 /* The way from one pose to another on a cubic, forwards; false when it is too bent or not free. */
@@ -125,7 +126,7 @@ static bool connect(SearchTrack *track, const RouteQuery *query, const Rectangle
         Vec2 at = smooth_between(from, to, 1, (double)i / pieces);
         Vec2 ahead = smooth_between(from, to, 1, (double)(i + 1) / pieces);
         Vec2 way = vec2_sub(i < pieces ? ahead : at, before.at);
-        Pose pose = {at, i < pieces ? atan2(way.y, way.x) : to->heading, 0, 1};
+        Pose pose = {at, i < pieces ? real_atan2(way.y, way.x) : to->heading, 0, 1};
         double turn = fabs(vec2_wrap_angle(pose.heading - before.heading));
         double clearance = search_clearance(query->space, body, at, pose.heading, END_CLEARANCE, NULL);
         if (turn > END_CURVATURE * vec2_length(way) || clearance < END_CLEARANCE)

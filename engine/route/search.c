@@ -5,6 +5,7 @@
 #include "base/heap.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/real.h"
 
 /* Hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010): poses are real numbers, moved by primitives; of those that
  * fall into one cell of the grid over (x, y, heading, direction) only the cheapest goes on, and another one only with
@@ -117,7 +118,7 @@ static double motion_reach(const Rectangle *body, double length, double turn) {
 static Node moved(const Node *from, const Primitive *primitive, double part) {
     Node to = *from;
     double length = primitive->length * part, turn = primitive->turn * part, half = turn / 2;
-    double chord = fabs(half) > 1e-9 ? length * sin(half) / half : length;
+    double chord = fabs(half) > 1e-9 ? length * real_sin(half) / half : length;
     to.at = vec2_along(from->at, chord, vec2_turn(vec2_heading(half), from->axis));
     to.heading = from->heading + turn;
     to.axis = vec2_turn(vec2_heading(turn), from->axis);

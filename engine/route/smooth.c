@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/real.h"
 
 /* An elastic band (Quinlan and Khatib 1993) with stiffness: each piece of the track without a change of direction or a
  * turn on the spot becomes points p_0 ... p_n, `step` apart, that move sideways so as to lower
@@ -236,7 +237,7 @@ static size_t band_write(const Band *band, const Pose *start, Pose *poses) {
     double heading = start->heading;
     for (int i = 0; i <= band->count; i++) {
         Vec2 axis = vec2_scale(tangent_at(band, i), band->direction);
-        heading += vec2_wrap_angle(atan2(axis.y, axis.x) - heading);
+        heading += vec2_wrap_angle(real_atan2(axis.y, axis.x) - heading);
         poses[i] = (Pose){band->points[i], heading, 0, band->direction};
     }
     return (size_t)band->count + 1;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "base/real.h"
 #include "study/batch.h"
 
 const char *types_kind_name(TypesKind kind) {
@@ -192,7 +193,7 @@ static double slope(const TypesAnswer *centre, const TypesAnswer *end, double sh
         return 0;
     if (centre->measure == 0 || end->measure == 0)
         return HUGE_VAL;
-    return log(end->measure / centre->measure) / log1p(share);
+    return real_log(end->measure / centre->measure) / real_log1p(share);
 }
 
 static void find_sensitivities(Types *types) {

@@ -132,6 +132,9 @@ check_order() {
     forbid 'Dear ImGui outside the painter of the widgets' '#include *[<"](imgui|imstb)' $(sources engine app | grep -v app/widgets/ui.cpp)
     forbid 'widgets from inside' '#include "widgets/ui_[a-z]+\.h"' $(sources app | grep -vE 'app/widgets/')
     forbid 'Box2D outside its adaptor' 'box2d/' $(sources engine app | grep -v mechanics/broadphase.cpp)
+    forbid "libm's transcendental functions outside base/real" \
+        '^ *([^ */]([^/]|/[^*])*[^A-Za-z0-9_>.])?(a?(sin|cos|tan)h?|sincos|atan2|exp|exp2|expm1|exp10|log|log2|log10|log1p|pow|hypot|cbrt|fma|erfc?|[lt]gamma|c(abs|arg|exp|log|pow|sqrt|sin|cos))[fl]?\(' \
+        $(sources engine app/command app/report app/document | grep -v base/real)
     forbid 'LAPACK outside the beam' '#include *<lapacke' $(sources engine app | grep -v engine/beam/)
     forbid 'FFTW outside the spectrum' '#include *<fftw' $(sources engine app | grep -v mechanics/spectrum.c)
     forbid 'zip files and XML outside the homes' '#include *<(zip|expat)' $(sources engine app | grep -v exchange/sh3d_home.c)
