@@ -5,7 +5,7 @@
 
 #include "base/memory.h"
 
-void beam_carry_take(BeamCarry *carry, const Modes *modes, const double *state) {
+void beam_carry_store(BeamCarry *carry, const Modes *modes, const double *state) {
     beam_carry_clear(carry);
     carry->share = memory_zeroed(2 * modes->count, sizeof *carry->share);
     carry->modes = modes->count;
@@ -17,7 +17,7 @@ void beam_carry_take(BeamCarry *carry, const Modes *modes, const double *state) 
     }
 }
 
-bool beam_carry_give(const BeamCarry *carry, const Modes *modes, double *state) {
+bool beam_carry_apply(const BeamCarry *carry, const Modes *modes, double *state) {
     if (!carry->modes)
         return false;
     memset(state, 0, 2 * modes->count * sizeof *state);

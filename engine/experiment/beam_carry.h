@@ -14,9 +14,9 @@ typedef struct BeamCarry {
 } BeamCarry;
 
 /* Takes the state; a state that is not finite gives none. */
-void beam_carry_take(BeamCarry *carry, const Modes *modes, const double *state);
+void beam_carry_store(BeamCarry *carry, const Modes *modes, const double *state);
 
 /* Converts to a state of other modes. Returns false, leaving `state` unchanged, if there is none. */
-bool beam_carry_give(const BeamCarry *carry, const Modes *modes, double *state);
+bool beam_carry_apply(const BeamCarry *carry, const Modes *modes, double *state);
 
 void beam_carry_clear(BeamCarry *carry);

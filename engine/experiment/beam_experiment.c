@@ -338,10 +338,10 @@ static void run_carried(const Given *given, Case *cases, size_t count, BeamCarry
         if (!rig)
             continue;
         double *state = memory_zeroed(2 * rig->modes.count, sizeof *state);
-        if (!beam_carry_give(carry, &rig->modes, state))
+        if (!beam_carry_apply(carry, &rig->modes, state))
             make_start(&cases[i], rig, state);
         run_cases(given, &(Case *){&cases[i]}, 1, rig, state, stop);
-        beam_carry_take(carry, &rig->modes, state);
+        beam_carry_store(carry, &rig->modes, state);
         memory_free(state);
         if (rig == &own)
             rig_clear(&own);

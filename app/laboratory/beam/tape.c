@@ -132,7 +132,7 @@ static void begin_part(BeamTape *tape) {
     motion_destroy(&tape->motion);
     tape->motion = motion_create(&part->rig, 0);
     double *state = memory_zeroed(part->rig.free.states, sizeof *state);
-    if (beam_carry_give(&tape->carry, &part->rig.modes, state))
+    if (beam_carry_apply(&tape->carry, &part->rig.modes, state))
         motion_set_state(&tape->motion, state);
     memory_free(state);
     if (tape->part_count == BEAM_TAPE_PARTS)
@@ -234,7 +234,7 @@ static void take_along(BeamTape *tape, size_t cycle) {
     Motion motion = motion_create(&part->rig, 0);
     motion_restore(&motion, slot(tape, cycle)->saved);
     motion_state(&motion, state);
-    beam_carry_take(&tape->carry, &part->rig.modes, state);
+    beam_carry_store(&tape->carry, &part->rig.modes, state);
     motion_destroy(&motion);
     memory_free(state);
 }
