@@ -197,7 +197,7 @@ bool disc_route_leg(SearchTrack *track, Fields *fields, const Plan *plan, const 
                     const Profile *profile, double radius, const Goal *goal) {
     Vec2 start = track->poses[track->count - 1].at;
     Line line = {0};
-    const Field *field = fields_take(fields, &(FieldWish){plan, space, profile, radius + TIGHT, true, *goal, NULL});
+    const Field *field = fields_acquire(fields, &(FieldKey){plan, space, profile, radius + TIGHT, true, *goal, NULL});
     bool found =
         walk_down(field, start, radius, &line) && (goal->radius > 0 || cross_exit(&line, space, plan, goal, radius));
     if (found) {
@@ -214,6 +214,6 @@ bool disc_route_leg(SearchTrack *track, Fields *fields, const Plan *plan, const 
                 track->exit = exit;
     }
     memory_free(line.at);
-    fields_return(fields, field);
+    fields_release(fields, field);
     return found;
 }

@@ -172,7 +172,7 @@ void fast_marching_squeeze(FastMarching *front, int most_steps) {
     run(front, FAST_MARCHING_SQUEEZED, most_steps);
 }
 
-void fast_marching_give(FastMarching *front, int i, int j, double time) {
+void fast_marching_seed(FastMarching *front, int i, int j, double time) {
     size_t point = point_at(front, i, j);
     if ((front->states[point] & POINT_CLASS) != FAST_MARCHING_PASSABLE || !((float)time < front->time[point]))
         return;

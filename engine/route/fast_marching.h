@@ -36,7 +36,7 @@ void fast_marching_init(FastMarching *front, int nx, int ny, double cell, float 
 void fast_marching_clear(FastMarching *front);
 
 /* Lets the front start at a passable point at `time` s, the least one that is given; it keeps it. */
-void fast_marching_give(FastMarching *front, int i, int j, double time);
+void fast_marching_seed(FastMarching *front, int i, int j, double time);
 
 /* Over the passable points. False: it starts nowhere. */
 bool fast_marching_run(FastMarching *front);

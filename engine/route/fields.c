@@ -6,7 +6,7 @@
 #include "base/memory.h"
 
 typedef struct Shared {
-    FieldWish wish;
+    FieldKey key;
     Ground ground;
     Field field;
     bool ready;    /* built */
@@ -54,21 +54,21 @@ static bool same_goal(const Goal *one, const Goal *other, const Plan *plan) {
     return true;
 }
 
-static bool same_wish(const FieldWish *one, const FieldWish *other) {
+static bool same_wish(const FieldKey *one, const FieldKey *other) {
     return one->plan == other->plan && one->space == other->space && one->profile == other->profile &&
            !(one->radius < other->radius || one->radius > other->radius) && one->exact == other->exact &&
            one->stop == other->stop && same_goal(&one->goal, &other->goal, one->plan);
 }
 
-static size_t wish_bytes(const FieldWish *wish) {
-    return (size_t)wish->space->nx * (size_t)wish->space->ny * 2 * sizeof(float);
+static size_t wish_bytes(const FieldKey *key) {
+    return (size_t)key->space->nx * (size_t)key->space->ny * 2 * sizeof(float);
 }
 
 /* Drops those that nobody uses, the longest unused first, until `bytes` more have room, if that can be. */
 static void make_room(Fields *fields, size_t bytes) {
     size_t held = bytes;
     for (size_t i = 0; i < fields->count; i++)
-        held += wish_bytes(&fields->all[i]->wish);
+        held += wish_bytes(&fields->all[i]->key);
     while (held > FIELDS_MOST_BYTES) {
         size_t oldest = fields->count;
         for (size_t i = 0; i < fields->count; i++)
@@ -76,43 +76,43 @@ static void make_room(Fields *fields, size_t bytes) {
                 oldest = i;
         if (oldest == fields->count)
             return;
-        held -= wish_bytes(&fields->all[oldest]->wish);
+        held -= wish_bytes(&fields->all[oldest]->key);
         shared_free(fields->all[oldest]);
         fields->all[oldest] = fields->all[--fields->count];
     }
 }
 
-static Shared *find(const Fields *fields, const FieldWish *wish) {
+static Shared *find(const Fields *fields, const FieldKey *key) {
     for (size_t i = 0; i < fields->count; i++)
-        if (same_wish(&fields->all[i]->wish, wish))
+        if (same_wish(&fields->all[i]->key, key))
             return fields->all[i];
     return NULL;
 }
 
 static void build(Shared *shared) {
-    const FieldWish *wish = &shared->wish;
-    if (wish->exact)
-        field_ground_init_exact(&shared->ground, wish->plan, wish->space, wish->profile, wish->radius);
+    const FieldKey *key = &shared->key;
+    if (key->exact)
+        field_ground_init_exact(&shared->ground, key->plan, key->space, key->profile, key->radius);
     else
-        field_ground_init(&shared->ground, wish->plan, wish->space, wish->profile, wish->radius);
-    shared->ground.stop = wish->stop;
-    field_init(&shared->field, &shared->ground, &wish->goal);
+        field_ground_init(&shared->ground, key->plan, key->space, key->profile, key->radius);
+    shared->ground.stop = key->stop;
+    field_init(&shared->field, &shared->ground, &key->goal);
 }
 
-const Field *fields_take(Fields *fields, const FieldWish *wish) {
+const Field *fields_acquire(Fields *fields, const FieldKey *key) {
     pthread_mutex_lock(&fields->lock);
-    Shared *shared = find(fields, wish);
+    Shared *shared = find(fields, key);
     bool new = !shared;
     if (new) {
-        make_room(fields, wish_bytes(wish));
+        make_room(fields, wish_bytes(key));
         shared = memory_zeroed(1, sizeof *shared);
-        shared->wish = *wish;
+        shared->key = *key;
         fields->all = memory_reserve(fields->all, &fields->capacity, fields->count + 1, sizeof(Shared *));
         fields->all[fields->count++] = shared;
     }
     shared->users++;
     shared->used = ++fields->takings;
-    if (new) { /* the others go on meanwhile, but those who wish for the same */
+    if (new) { /* the others go on meanwhile, but those who key for the same */
         pthread_mutex_unlock(&fields->lock);
         build(shared);
         pthread_mutex_lock(&fields->lock);
@@ -125,7 +125,7 @@ const Field *fields_take(Fields *fields, const FieldWish *wish) {
     return &shared->field;
 }
 
-void fields_return(Fields *fields, const Field *field) {
+void fields_release(Fields *fields, const Field *field) {
     pthread_mutex_lock(&fields->lock);
     for (size_t i = 0; i < fields->count; i++)
         if (&fields->all[i]->field == field)

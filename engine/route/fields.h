@@ -8,7 +8,7 @@
 
 /* What a field is built for. Plan, space and profile are known by where they are: they must neither move nor change as
  * long as the fields live. */
-typedef struct FieldWish {
+typedef struct FieldKey {
     const Plan *plan;
     const FreeSpace *space;
     const Profile *profile;
@@ -16,7 +16,7 @@ typedef struct FieldWish {
     bool exact;    /* the ground has no allowance for the grid's rounding */
     Goal goal;
     const volatile sig_atomic_t *stop; /* of the ground */
-} FieldWish;
+} FieldKey;
 
 /* Opaque; safe to use from several threads. What is answered does not depend on who asked before. */
 typedef struct Fields Fields;
@@ -25,9 +25,9 @@ Fields *fields_create(void);
 /* Everything has to be given back before. */
 void fields_destroy(Fields *fields);
 
-/* The field of a wish, which has its ground; built unless it is there already. fields_return it: only then it may make
+/* The field of a key, which has its ground; built unless it is there already. fields_release it: only then it may make
  * room for others, which it does when all take more than FIELDS_MOST_BYTES. */
-const Field *fields_take(Fields *fields, const FieldWish *wish);
-void fields_return(Fields *fields, const Field *field);
+const Field *fields_acquire(Fields *fields, const FieldKey *key);
+void fields_release(Fields *fields, const Field *field);
 
 #define FIELDS_MOST_BYTES ((size_t)256 << 20)

@@ -157,7 +157,7 @@ static void seed_place(const FloorField *field, FastMarching *front) {
             Vec2 at = point_place(field, i, j);
             double away = vec2_distance(at, goal->at);
             if (away <= reach && sees(field->space, at, goal->at, 0))
-                fast_marching_give(front, i, j, (away - goal->radius) / field->speed);
+                fast_marching_seed(front, i, j, (away - goal->radius) / field->speed);
         }
 }
 
@@ -180,7 +180,7 @@ static void seed_exit(const FloorField *field, FastMarching *front, const FloorF
             Vec2 at = point_place(field, i, j), frame = exit_frame(exit, at);
             if (before_line(exit, frame, field->cell, reach) &&
                 sees(field->space, vec2_along(exit->from, frame.x, exit->along), at, 0))
-                fast_marching_give(front, i, j, fabs(frame.y) / field->speed);
+                fast_marching_seed(front, i, j, fabs(frame.y) / field->speed);
         }
 }
 

@@ -89,16 +89,16 @@ static SearchAnswer search_legs(const RouteQuery *query, const Legs *legs, const
                                 const SearchGrain *grain, SearchTrack *track, size_t *pins) {
     /* A disc about the axle that never leaves the body. */
     double radius = fmin(body->half_width, body->half_length - fabs(body->ahead));
-    FieldWish wish = {query->plan, query->space, query->profile, radius, .stop = query->stop};
+    FieldKey key = {query->plan, query->space, query->profile, radius, .stop = query->stop};
     search_track_clear(track);
     search_track_add(track, (Pose){query->at, query->heading, 0, 0});
     SearchAnswer answer = SEARCH_FOUND;
     for (size_t leg = 0; leg < legs->count && answer == SEARCH_FOUND; leg++) {
-        wish.goal = legs->goals[leg];
-        const Field *field = fields_take(query->fields, &wish);
+        key.goal = legs->goals[leg];
+        const Field *field = fields_acquire(query->fields, &key);
         answer = search_leg(track, field, &legs->goals[leg], body, grain, query->most_reversals);
         pins[leg] = track->count - 1;
-        fields_return(query->fields, field);
+        fields_release(query->fields, field);
     }
     return answer;
 }

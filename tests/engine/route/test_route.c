@@ -499,23 +499,23 @@ TEST(one_field_serves_all_who_wish_for_the_same) {
     rooms_make(&fixture, 0.63, 0.9, DOOR_OPEN);
     fixture.exits[0].closes = 10;
     Fields *fields = fields_create();
-    FieldWish wish = {&fixture.plan, &fixture.space, &fixture.profile, 0.3,
-                      .goal = field_exit_goal(&fixture.plan, SIZE_MAX, 0, false)};
-    const Field *one = fields_take(fields, &wish);
-    wish.goal.time = 9; /* the exit is usable as before */
-    const Field *other = fields_take(fields, &wish);
+    FieldKey key = {&fixture.plan, &fixture.space, &fixture.profile, 0.3,
+                    .goal = field_exit_goal(&fixture.plan, SIZE_MAX, 0, false)};
+    const Field *one = fields_acquire(fields, &key);
+    key.goal.time = 9; /* the exit is usable as before */
+    const Field *other = fields_acquire(fields, &key);
     CHECK(one == other);
-    fields_return(fields, one);
-    fields_return(fields, other);
-    wish.goal.time = 11;
-    other = fields_take(fields, &wish);
+    fields_release(fields, one);
+    fields_release(fields, other);
+    key.goal.time = 11;
+    other = fields_acquire(fields, &key);
     CHECK(one != other && !isfinite(field_time(other, vec2(1, 1))));
-    fields_return(fields, other);
-    wish.goal.time = 0;
-    wish.radius = 0.25;
-    other = fields_take(fields, &wish);
+    fields_release(fields, other);
+    key.goal.time = 0;
+    key.radius = 0.25;
+    other = fields_acquire(fields, &key);
     CHECK(one != other && isfinite(field_time(other, vec2(1, 1))));
-    fields_return(fields, other);
+    fields_release(fields, other);
     fields_destroy(fields);
     fixture_free(&fixture);
 }
