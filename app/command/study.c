@@ -177,7 +177,7 @@ static void run_study(StudyJob *job, Store *store) {
                                            .stop = &progress_interrupted,
                                            .progress = show ? show_progress : NULL,
                                            .context = job,
-                                           .keep = store ? store_keep : NULL,
+                                           .keep = store ? store_write : NULL,
                                            .keeper = store});
     if (job->shown)
         fprintf(stderr, "\r%50s\r", "");

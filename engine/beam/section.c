@@ -102,15 +102,15 @@ static bool returns_settle(const Tip *tip, size_t count, size_t lag) {
 
 int section_period(const double *deflection, const double *velocity, size_t count, double omega, double rest) {
     Tip tip = {deflection, velocity, omega, omega * rest};
-    bool told = true;
+    bool decided = true;
     for (size_t lag = 1; lag <= SECTION_PERIOD_MOST; lag++) {
         size_t span = count / 2 > 2 * lag ? count / 2 : 2 * lag;
         if (count < span + lag)
-            told = false;
+            decided = false;
         else if (largest_return(&tip, lag, count - span, count) < RETURN_NEAR)
-            return told ? (int)lag : SECTION_UNTOLD; /* a shorter period to which it settles is excluded */
+            return decided ? (int)lag : SECTION_UNDECIDED; /* a shorter period to which it settles is excluded */
         else if (returns_settle(&tip, count, lag))
-            told = false;
+            decided = false;
     }
-    return told ? SECTION_NONE : SECTION_UNTOLD;
+    return decided ? SECTION_NONE : SECTION_UNDECIDED;
 }

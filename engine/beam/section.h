@@ -35,12 +35,12 @@ double section_return(const Section *section, size_t lag, double rest);
 enum {
     SECTION_PERIOD_MOST = 16, /* cycles */
     SECTION_NONE = 0,         /* not periodic within the record */
-    SECTION_UNTOLD = -1,      /* still settling, or the record is too short */
+    SECTION_UNDECIDED = -1,   /* still settling, or the record is too short */
 };
 
 /* Estimates the period from the returns of the tip: the number of cycles, 1 to SECTION_PERIOD_MOST, after which a
  * motion repeats, given deflection (m) and velocity (m/s) at the end of each of `count` cycles of a drive of `omega`
- * rad/s; deflections below `rest` (m) count as none. Returns SECTION_NONE or SECTION_UNTOLD otherwise. Nothing is
+ * rad/s; deflections below `rest` (m) count as none. Returns SECTION_NONE or SECTION_UNDECIDED otherwise. Nothing is
  * certified: orbit.h does that. */
 int section_period(const double *deflection, const double *velocity, size_t count, double omega, double rest);
 

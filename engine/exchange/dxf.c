@@ -137,7 +137,7 @@ static bool keep_slender(const Drawing *drawing, const DxfShape *shape, WallLine
     if (!is_rectangle || box.size.y > THICKEST || box.size.x < SLENDER * box.size.y)
         return false;
     Vec2 half = vec2_scale(vec2_heading(radians(box.angle)), box.size.x / 2);
-    wall_chains_keep(lines, (WallLine){vec2_sub(box.centre, half), vec2_add(box.centre, half), box.size.y, 0});
+    wall_chains_append(lines, (WallLine){vec2_sub(box.centre, half), vec2_add(box.centre, half), box.size.y, 0});
     return true;
 }
 
@@ -150,7 +150,7 @@ static void add_walls(Drawing *drawing) {
         if (shape->role != DXF_WALLS || keep_slender(drawing, shape, &lines))
             continue;
         for (size_t i = 0; i + 1 < shape->count; i++)
-            wall_chains_keep(&lines, (WallLine){points[i], points[i + 1], shape->width, 0});
+            wall_chains_append(&lines, (WallLine){points[i], points[i + 1], shape->width, 0});
     }
     wall_chains_add(drawing->builder, lines.list, lines.count);
     memory_free(lines.list);

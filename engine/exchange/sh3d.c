@@ -102,7 +102,7 @@ static void add_arc(const Converter *converter, const HomeWall *wall, WallLine l
     points[count - 1] = line.b; /* set exactly, without rounding */
     for (size_t i = 0; i < count; i++) {
         line.b = points[i];
-        wall_chains_keep(lines, line);
+        wall_chains_append(lines, line);
         line.a = points[i];
     }
 }
@@ -120,7 +120,7 @@ static size_t add_walls(const Converter *converter) {
         else if (fabs(wall->arc) > 0.01 && vec2_distance(line.a, line.b) > 0)
             add_arc(converter, wall, line, &lines);
         else
-            wall_chains_keep(&lines, line);
+            wall_chains_append(&lines, line);
         if (lines.count > MOST_LINES) {
             house_builder_fail(converter->builder, "walls of more than %d pieces, must be fewer", MOST_LINES);
             break;

@@ -182,7 +182,7 @@ void wall_chains_add(HouseBuilder *builder, const WallLine *lines, size_t count)
     ends_free(&ends);
 }
 
-void wall_chains_keep(WallLines *lines, WallLine line) {
+void wall_chains_append(WallLines *lines, WallLine line) {
     lines->list = memory_reserve(lines->list, &lines->capacity, lines->count + 1, sizeof *lines->list);
     lines->list[lines->count++] = line;
 }

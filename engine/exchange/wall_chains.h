@@ -20,7 +20,7 @@ typedef struct WallLines {
     size_t count, capacity;
 } WallLines;
 
-void wall_chains_keep(WallLines *lines, WallLine line);
+void wall_chains_append(WallLines *lines, WallLine line);
 
 enum { WALL_CHAINS_ARC = 64 };
 

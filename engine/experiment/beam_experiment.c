@@ -235,7 +235,7 @@ static void tell_lane(const Case *one, const LanesRun *lane) {
         return;
     int period = section_period(lane->deflection, lane->velocity, lane->recorded, 2 * M_PI * lane->frequency,
                                 RIG_REST * lane->clearance);
-    if (period != SECTION_UNTOLD)
+    if (period != SECTION_UNDECIDED)
         tell_regular(trial, period != SECTION_NONE, (size_t)period);
 }
 

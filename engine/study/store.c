@@ -243,7 +243,7 @@ static bool commit(Store *store) {
     return run_statement(store, "COMMIT");
 }
 
-void store_keep(void *keeper, const Study *study, const size_t *done, size_t count) {
+void store_write(void *keeper, const Study *study, const size_t *done, size_t count) {
     Store *store = keeper;
     if (*store->reason)
         return;

@@ -18,7 +18,7 @@ typedef struct StoreFound {
 Store *store_open(const char *path, Study *study, uint64_t digest, StoreFound *found, Fault *fault);
 
 /* Implements StudyOptions.keep with the store as keeper: writes the trials, and commits them about once per second. */
-void store_keep(void *store, const Study *study, const size_t *done, size_t count);
+void store_write(void *store, const Study *study, const size_t *done, size_t count);
 
 /* Deletes this study from the file: its results are invalid. */
 void store_forget(Store *store);

@@ -71,7 +71,7 @@ static void peaks_words(const SectionPeaks *peaks, char *text, size_t size) {
 
 /* Does the running motion do something else than the one from rest? */
 static bool is_another(const BeamLately *lately, const BeamVerdict *verdict) {
-    if (lately->cycles < SETTLED || lately->period == SECTION_UNTOLD)
+    if (lately->cycles < SETTLED || lately->period == SECTION_UNDECIDED)
         return false;
     if (verdict->verdict == RESPONSE_CHAOTIC)
         return lately->period > 0;

@@ -127,7 +127,7 @@ static int run_in_pieces(Study *study, Toy *toy, const char *path, int piece, in
         if (!store)
             break;
         *toy = (Toy){.interrupted_after = piece};
-        study_run(study, &(StudyOptions){.jobs = jobs, .stop = &toy->stop, .keep = store_keep, .keeper = store});
+        study_run(study, &(StudyOptions){.jobs = jobs, .stop = &toy->stop, .keep = store_write, .keeper = store});
         CHECK(store_close(store, &fault));
         CHECK(study_done(study) >= done);
         done = study_done(study);
