@@ -138,10 +138,10 @@ static void suggest_singles(SuggestList *list, Search *search, Elements *element
     sift(search, elements, 0, elements->count, good);
     for (size_t e = 0; e < elements->count; e++) {
         Change element = elements->of[e];
-        Way ways[WAYS_MOST];
-        size_t found = good[e] ? suggest_search_ways(search, NULL, 0, &element, ways) : 0;
+        Variant variants[VARIANTS_MOST];
+        size_t found = good[e] ? suggest_search_variants(search, NULL, 0, &element, variants) : 0;
         for (size_t w = 0; w < found; w++)
-            add_suggestion(list, plan, &ways[w].change, 1, ways[w].time);
+            add_suggestion(list, plan, &variants[w].change, 1, variants[w].time);
         if (good[e] && !found)
             note_unfound(list, search, &element);
         if (!good[e] || found)
@@ -187,15 +187,15 @@ static bool shrink(Search *search, Change *needed, size_t count, double *time) {
     for (size_t n = 0; n < count; n++) {
         Change element = needed[0];
         memmove(needed, needed + 1, (count - 1) * sizeof *needed);
-        Way ways[WAYS_MOST];
-        size_t found = suggest_search_ways(search, needed, count - 1, &element, ways), best = 0;
+        Variant variants[VARIANTS_MOST];
+        size_t found = suggest_search_variants(search, needed, count - 1, &element, variants), best = 0;
         if (!found)
             return false;
         for (size_t w = 1; w < found; w++)
-            if (suggest_change_size(plan, &ways[w].change) < suggest_change_size(plan, &ways[best].change))
+            if (suggest_change_size(plan, &variants[w].change) < suggest_change_size(plan, &variants[best].change))
                 best = w;
-        needed[count - 1] = ways[best].change;
-        *time = ways[best].time;
+        needed[count - 1] = variants[best].change;
+        *time = variants[best].time;
     }
     return true;
 }

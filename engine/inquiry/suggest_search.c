@@ -54,9 +54,9 @@ bool suggest_search_read(const Search *search, const Attempt *attempt, House *ho
 static void tell_progress(Search *search) {
     const SuggestTask *task = search->task;
     pthread_mutex_lock(&search->lock);
-    search->told++;
+    search->reported++;
     if (task->progress)
-        task->progress(task->context, search->told);
+        task->progress(task->context, search->reported);
     pthread_mutex_unlock(&search->lock);
 }
 
@@ -184,14 +184,14 @@ bool suggest_search_widest(const Plan *plan, size_t door, Change *widest) {
     return width > plan->doors[door].width + STEP * ON_STEP;
 }
 
-static size_t widen(Search *search, const Change *others, size_t other_count, const Change *element, Way *way) {
+static size_t widen(Search *search, const Change *others, size_t other_count, const Change *element, Variant *variant) {
     int steps = (int)lround((element->width - first_width(&search->base->plan, element->index)) / STEP);
     Ladder ladder = {.element = element, .high = steps};
     bool good;
     if (!climb(search, others, other_count, &ladder, 1, &steps, &good) || !good ||
         !bisect(search, others, other_count, &ladder, 1))
         return 0;
-    *way = (Way){on_step(search, &ladder, ladder.high), ladder.time};
+    *variant = (Variant){on_step(search, &ladder, ladder.high), ladder.time};
     return 1;
 }
 
@@ -220,7 +220,7 @@ static size_t find_ring(Search *search, const Change *others, size_t other_count
     return 0;
 }
 
-static size_t move(Search *search, const Change *others, size_t other_count, const Change *element, Way *way) {
+static size_t move(Search *search, const Change *others, size_t other_count, const Change *element, Variant *variant) {
     Ladder ladders[DIRECTIONS];
     size_t count = find_ring(search, others, other_count, element, ladders), best = 0;
     if (!count || !bisect(search, others, other_count, ladders, count))
@@ -228,13 +228,13 @@ static size_t move(Search *search, const Change *others, size_t other_count, con
     for (size_t l = 1; l < count; l++)
         if (ladders[l].high < ladders[best].high)
             best = l;
-    *way = (Way){on_step(search, &ladders[best], ladders[best].high), ladders[best].time};
+    *variant = (Variant){on_step(search, &ladders[best], ladders[best].high), ladders[best].time};
     return 1;
 }
 
 /* Turned by a quarter, either way and, of what lies, by a half; stood up. */
 static size_t turn_and_raise(Search *search, const Change *others, size_t other_count, const Change *element,
-                             Way *ways) {
+                             Variant *variants) {
     const Plan *plan = &search->base->plan;
     bool lies = plan->furniture[element->index].toppled;
     const Change all[] = {{.kind = CHANGE_TURN, .index = element->index, .angle = 90},
@@ -251,14 +251,14 @@ static size_t turn_and_raise(Search *search, const Change *others, size_t other_
         return 0;
     for (size_t a = 0; a < count; a++)
         if (attempts[a].good)
-            ways[found++] = (Way){attempts[a].changes[other_count], attempts[a].time};
+            variants[found++] = (Variant){attempts[a].changes[other_count], attempts[a].time};
     return found;
 }
 
-size_t suggest_search_ways(Search *search, const Change *others, size_t count, const Change *element,
-                           Way ways[WAYS_MOST]) {
+size_t suggest_search_variants(Search *search, const Change *others, size_t count, const Change *element,
+                               Variant variants[VARIANTS_MOST]) {
     if (element->kind == CHANGE_WIDEN)
-        return widen(search, others, count, element, ways);
-    size_t found = turn_and_raise(search, others, count, element, ways);
-    return found + move(search, others, count, element, ways + found);
+        return widen(search, others, count, element, variants);
+    size_t found = turn_and_raise(search, others, count, element, variants);
+    return found + move(search, others, count, element, variants + found);
 }

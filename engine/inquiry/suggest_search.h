@@ -23,7 +23,7 @@ typedef struct Search {
     size_t tries, most;
     bool exhausted;
     pthread_mutex_t lock; /* of who reports progress */
-    size_t told;          /* tries reported */
+    size_t reported;      /* tries reported */
     Arena arena;          /* holds lists of changes */
 } Search;
 
@@ -42,14 +42,14 @@ bool suggest_search_read(const Search *search, const Attempt *attempt, House *ho
 bool suggest_search_widest(const Plan *plan, size_t door, Change *widest);
 
 /* A way of making the change that an element (a door at its widest, a piece away) stands for. */
-typedef struct Way {
+typedef struct Variant {
     Change change;
     double time; /* s, until everybody was out with it */
-} Way;
+} Variant;
 
-enum { WAYS_MOST = 5 };
+enum { VARIANTS_MOST = 5 };
 
 /* With `others` (count) made too: the least widening of the door; of a piece the least move, turns, standing up, as far
  * as they let everybody out. Returns how many. */
-size_t suggest_search_ways(Search *search, const Change *others, size_t count, const Change *element,
-                           Way ways[WAYS_MOST]);
+size_t suggest_search_variants(Search *search, const Change *others, size_t count, const Change *element,
+                               Variant variants[VARIANTS_MOST]);
