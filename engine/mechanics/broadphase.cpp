@@ -64,12 +64,8 @@ void broadphase_destroy(Broadphase *broadphase) {
     delete broadphase;
 }
 
-int broadphase_insert(Broadphase *broadphase, Box box, int item) {
-    return broadphase->tree.CreateProxy(single_precision(box), reinterpret_cast<void *>(static_cast<intptr_t>(item)));
-}
-
-void broadphase_remove(Broadphase *broadphase, int handle) {
-    broadphase->tree.DestroyProxy(handle);
+void broadphase_insert(Broadphase *broadphase, Box box, int item) {
+    broadphase->tree.CreateProxy(single_precision(box), reinterpret_cast<void *>(static_cast<intptr_t>(item)));
 }
 
 void broadphase_visit(const Broadphase *broadphase, Box box, bool (*visit)(void *context, int item), void *context) {

@@ -19,9 +19,8 @@ typedef struct Broadphase Broadphase;
 Broadphase *broadphase_create(void);
 void broadphase_destroy(Broadphase *broadphase);
 
-/* Adds a box for `item` (>= 0); the handle removes it again. */
-int broadphase_insert(Broadphase *broadphase, Box box, int item);
-void broadphase_remove(Broadphase *broadphase, int handle);
+/* Adds a box for `item` (>= 0). */
+void broadphase_insert(Broadphase *broadphase, Box box, int item);
 
 /* Calls `visit` for every item whose box meets `box`, until it returns false; in no particular order. */
 void broadphase_visit(const Broadphase *broadphase, Box box, bool (*visit)(void *context, int item), void *context);

@@ -81,13 +81,6 @@ Draft *draft_create(const char *name) {
     return draft_of_plan(&plan);
 }
 
-Draft *draft_read_text(const char *path, const char *text, Fault *fault) {
-    Plan plan = {0};
-    if (!plan_read_text(&plan, path, text, NULL, 0, fault))
-        return NULL;
-    return draft_of_plan(&plan);
-}
-
 static void forget_undone(Draft *draft) {
     while (draft->step_count > draft->done)
         draft_change_clear(&draft->steps[--draft->step_count]);
@@ -323,13 +316,6 @@ bool draft_set_point(Draft *draft, const char *id, const char *member, Vec2 valu
 
 bool draft_set_points(Draft *draft, const char *id, const char *member, const Vec2 *points, size_t count) {
     return draft_set(draft, id, member, plan_json_points(points, count));
-}
-
-void draft_move(Draft *draft, const char *id, Vec2 by) {
-    size_t index;
-    DraftList list = draft_find(draft, id, &index);
-    if (list < DRAFT_LISTS)
-        draft_change_element(draft, list, index, plan_json_moved(draft_at(draft, list, index), by));
 }
 
 bool draft_rename(Draft *draft, const char *id, const char *to, Fault *fault) {

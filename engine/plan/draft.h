@@ -43,9 +43,6 @@ Draft *draft_create(const char *name);
 /* A draft of `plan`, which it takes; nothing of it is saved. */
 Draft *draft_of_plan(Plan *plan);
 
-/* The house of a text, the way a file would have it; `path` stands in faults, and is where the house's profiles may be.
- */
-Draft *draft_read_text(const char *path, const char *text, Fault *fault);
 void draft_destroy(Draft *draft);
 
 /* The last plan that stood; good until a step is begun, tried, ended, cancelled, undone or done again. */
@@ -118,6 +115,3 @@ json_t *draft_house(const Draft *draft, const char *member); /* borrowed, NULL: 
 
 /* Renames an element everywhere. False: there is no such id, or the new one is taken or none. */
 bool draft_rename(Draft *draft, const char *id, const char *to, Fault *fault);
-
-/* Moves a piece of a house (any element with places), m. */
-void draft_move(Draft *draft, const char *id, Vec2 by);

@@ -17,3 +17,6 @@ double fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *go
                   FitPlace *tightest);
 
 #define FIT_MOST 0.1 /* m */
+
+/* The lattice of fit_margin ends at 3.1 mm, so the margin is low by half of that. */
+#define FIT_BIAS 0.0015 /* m */

@@ -39,9 +39,6 @@ static const double end_lengths[] = {4, 3, 2, 1};
 #define SCRAPE 0.02 /* m: with less clearance than this a quick way is not good enough yet */
 enum { ROOMIER_NODES = 50000 };
 
-/* The lattice of fit_margin ends at 3.1 mm and is low by half of that. */
-#define FIT_BIAS 0.0015 /* m */
-
 /* Bodies that are smaller by so much on every side, m, tell where the true one sticks. */
 static const double shrinkings[] = {0.0075, 0.015, 0.025, 0.035, 0.05, 0.08, 0.12};
 
@@ -459,15 +456,4 @@ void route_widths(const Blockage *blockage, char *text, size_t size) {
 void route_free(Route *route) {
     memory_free(route->poses);
     *route = (Route){0};
-}
-
-double route_fits_margin(const RouteQuery *query, Blockage *blockage) {
-    Rectangle body = search_body(query->profile);
-    Legs legs = legs_make(query);
-    FitPlace tightest;
-    double margin = fit_margin(query, &body, legs.goals, legs.count, &tightest);
-    if (blockage)
-        blockage_of_fit(blockage, query, &body, &tightest);
-    memory_free(legs.goals);
-    return fmin(margin + FIT_BIAS, FIT_MOST);
 }

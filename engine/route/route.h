@@ -95,8 +95,3 @@ Route route_drive(const RouteQuery *query);
 Route route_round(const RouteQuery *query);
 
 void route_free(Route *route);
-
-/* How well the rectangle passes by any rigid motion: the largest margin m (in m, up to 0.1) such that a body larger by
- * m on every side still gets from the start to the exit, found to about 3 mm; negative: it does not fit, and would if
- * it were smaller by so much on every side. `*blockage` (may be NULL) is filled for the tightest place. */
-double route_fits_margin(const RouteQuery *query, Blockage *blockage);
