@@ -42,10 +42,10 @@ class Plan(Screen):
 
     def save_as(self, path):
         self.keys("ctrl+shift+s")
-        self.until(lambda s: s["sheet"] == "save", 10)
+        self.until(lambda s: s["sheet"] == "save")
         self.keys("ctrl+a")
         self.type(str(path))
         self.keys("Return")
-        self.until(lambda s: s["sheet"] == "none", 10)
+        self.until(lambda s: s["sheet"] == "none")
 
 

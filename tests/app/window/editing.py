@@ -36,7 +36,7 @@ def gesture_words(state, kind):
 for number, typed in enumerate(("2.5", "2,5", "250cm")):
     plan = Plan(f"length-{number}")
     plan.keys("ctrl+n")
-    plan.until(lambda s: s["title"] == "new house" and s["floor"], 10)
+    plan.until(lambda s: s["title"] == "new house" and s["floor"])
     plan.keys("w")
     plan.put(-2, 0)
     plan.move(1, 0)
@@ -51,7 +51,7 @@ for number, typed in enumerate(("2.5", "2,5", "250cm")):
 # the flat, by mouse: four walls round it, two across, doors, an exit, somebody
 plan = Plan("flat", minutes=9)
 plan.keys("ctrl+n")
-plan.until(lambda s: s["title"] == "new house" and s["floor"], 10)
+plan.until(lambda s: s["title"] == "new house" and s["floor"])
 chain(plan, (-3, -2), (3, -2), (3, 2), (-3, 2), (-3, -2))
 chain(plan, (0, -2), (0, 2))
 chain(plan, (-3, 0), (3, 0))
@@ -62,7 +62,7 @@ for place in ((0, 1), (0, -1), (-1.5, 0), (3, 1)):
 plan.keys("Escape", "Escape", "Escape")
 plan.put(0, 1)
 plan.move(-2.8, -2.6)
-state = plan.until(lambda s: not s["answer"]["stale"] and not s["answer"]["doing"], 20)
+state = plan.until(lambda s: not s["answer"]["stale"] and not s["answer"]["doing"])
 chosen = plan.shot("chosen")
 plan.drag(0, 1, 0, 0.7, release=False)
 held = plan.state()
@@ -72,7 +72,7 @@ plan.shot("dragged")
 plan.keys("Escape")
 plan.release()
 plan.move(-2.8, -2.6)
-let_go = plan.until(lambda s: not s["gesture"]["active"] and not s["answer"]["stale"] and not s["answer"]["doing"], 20)
+let_go = plan.until(lambda s: not s["gesture"]["active"] and not s["answer"]["stale"] and not s["answer"]["doing"])
 after = plan.shot("after")
 check(let_go["undo_name"] == state["undo_name"] and differing(chosen, after, state["frame"]["view"]) == 0,
       "13: Escape leaves the plan as it was", (let_go["gesture"], differing(chosen, after, state["frame"]["view"])))
@@ -83,7 +83,7 @@ plan.put(3, 1)
 plan.keys("p")
 plan.put(-2, -1)
 plan.keys("Escape", "Escape", "Escape")
-drawn = plan.until(lambda s: s["answer"]["title"].startswith("Out in") and not s["answer"]["stale"], 60)
+drawn = plan.until(lambda s: s["answer"]["title"].startswith("Out in") and not s["answer"]["stale"])
 check(drawn["answer"]["title"].startswith("Out in"), "a flat of four rooms, drawn by mouse, is left", drawn["answer"])
 shot = plan.shot("flat")
 first = plan.place / "flat.json"
@@ -154,14 +154,14 @@ plan.end()
 
 # 16 to 19: the numbers and the words of a wide house, by a script that presses the same keys
 house = stage.house("closed-door")
-seen = stage.act("limits", f'open "{house}"', "until complete 60", "set door.d1.width 9", "wait 5", "state STATE",
-                 "set door.d1.width 0.6", "wait 5", "until answered 120", "state STATE", "set door.d1.width 0.9",
-                 "until answered 120", "wait 10", "state STATE", "key Ctrl+Z", "until answered 120", "state STATE")
+seen = stage.act("limits", f'open "{house}"', "until complete", "set door.d1.width 9", "wait 5", "state STATE",
+                 "set door.d1.width 0.6", "wait 5", "until answered", "state STATE", "set door.d1.width 0.9",
+                 "until answered", "wait 10", "state STATE", "key Ctrl+Z", "until answered", "state STATE")
 check(len(seen) == 4 and "9" in (seen[0]["message"] or "") and seen[0]["parameters"]["door.d1.width"] != 9,
       "16: a door of 9 m is refused with its limits", seen[0]["message"] if seen else None)
 answer = seen[1]["answer"]
 told = subprocess.run([str(stage.program), "check", house, "--set", "door.d1.width=0.6"], capture_output=True, text=True,
-                      timeout=120)
+                      timeout=600)
 check("d1" in answer["title"] + answer["detail"], "18: too narrow, the answer names the door", answer)
 print("     18: seen", answer["title"], "|", answer["detail"], "| check says", told.stdout.strip()[:300])
 check("before" in seen[2]["answer"]["detail"], "19: after the first edit what was before is compared unasked",
@@ -169,11 +169,11 @@ check("before" in seen[2]["answer"]["detail"], "19: after the first edit what wa
 check(seen[3]["answer"]["title"] == seen[1]["answer"]["title"], "19: undone it is as it was", seen[3]["answer"])
 
 # 17: furniture is turned and toppled by keys
-seen = stage.act("furniture", "until complete 60", "pause", "wait 5", "at 9.2 8.7", "press", "release", "wait 3",
+seen = stage.act("furniture", "until complete", "pause", "wait 5", "at 9.2 8.7", "press", "release", "wait 3",
                  "state STATE", *["key E", "wait 2"] * 6, "state STATE", "key Ctrl+Z", "key Ctrl+Z", "key Ctrl+Z",
                  "key Ctrl+Z", "key Ctrl+Z", "key Ctrl+Z", "wait 3", "key T", "wait 50", "state STATE",
                  "picture FOLDER/toppled.png", "key T", "wait 5", "key Ctrl+Z", "key Ctrl+Z", "wait 5",
-                 "until answered 120", "state STATE")
+                 "until answered", "state STATE")
 check(seen and seen[0]["selection"], "17: a wardrobe is selected by a click", seen[0]["selection"] if seen else None)
 check(len(seen) == 4 and seen[1]["edits"] + seen[1]["messages"] > 0, "17: E turns it, or says why it cannot",
       (seen[1]["edits"], seen[1]["message"]))
@@ -196,8 +196,8 @@ room.write_text(json.dumps({
 
 def falls(name, view, *arguments):
     """A shelf that topples and a shake, with pictures while they last; how many pixels differ from one to the next."""
-    rest = ["until idle 60", "wait 5"]
-    seen = stage.act(name, "until complete 60", "pause", "seek 0", *view, "at 0.7 3.7", "press", "release", "wait 3",
+    rest = ["until idle", "wait 5"]
+    seen = stage.act(name, "until complete", "pause", "seek 0", *view, "at 0.7 3.7", "press", "release", "wait 3",
                      "at 4.5 -1", *rest, "view FOLDER/0.png", "key T", "wait 20", "view FOLDER/1.png", "wait 2",
                      "view FOLDER/2.png", "state STATE", *rest, "view FOLDER/3.png", "wait 20", "view FOLDER/4.png",
                      "state STATE", "key Shift+T", "wait 15", "state STATE", "picture FOLDER/shake.png", *rest,
@@ -242,7 +242,7 @@ def walls(plan, start, *sides):
 plan = Plan("keys", minutes=9)
 plan.point_to(0, 0)
 plan.keys("ctrl+n")
-plan.until(lambda s: s["title"] == "new house" and s["floor"], 10)
+plan.until(lambda s: s["title"] == "new house" and s["floor"])
 walls(plan, ("-3", "-2"), ("6", "0"), ("4", "90"), ("6", "180"), ("4", "-90"))
 walls(plan, ("0", "-2"), ("4", "90"))
 walls(plan, ("-3", "0"), ("6", "0"))
@@ -256,12 +256,12 @@ numbers(plan, "0.8", "90")
 plan.keys("Escape", "Escape", "p", "Return")
 numbers(plan, "-2", "-1")
 plan.keys("Escape", "Escape", "Escape")
-done = plan.until(lambda s: s["answer"]["title"].startswith("Out in") and not s["answer"]["stale"], 60)
+done = plan.until(lambda s: s["answer"]["title"].startswith("Out in") and not s["answer"]["stale"])
 plan.shot("keys")
 check(done["answer"]["title"].startswith("Out in"), "11: the flat is drawn, and left, by keys alone",
       (done["answer"], done["edits"], done["undo_name"]))
 plan.keys("F9")
-told = plan.until(lambda s: (s["message"] or "").startswith("written: "), 60)["message"] or ""
+told = plan.until(lambda s: (s["message"] or "").startswith("written: "))["message"] or ""
 picture = told.removeprefix("written: ").split(",")[0]
 check(picture.endswith(".png") and open(picture, "rb").read(8) == b"\x89PNG\r\n\x1a\n", "11: F9 writes its picture", told)
 typed = plan.place / "keys.json"

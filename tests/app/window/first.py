@@ -19,7 +19,7 @@ def play(wanted):
 
 
 # 1. the default house is moving, nothing lies over it, and the way on is named
-state = screen.until(lambda s: s.get("complete") and s["time"] > 0.5, 60)
+state = screen.until(lambda s: s.get("complete") and s["time"] > 0.5)
 check(state["laboratory"] == "house" and "ube" in state["file"], "the default house is open", state.get("file"))
 check(state["playing"] and state["sheet"] == "none", "it runs, and nothing lies over it", state)
 check(state["answer"]["title"] == "All 4 get out", "the answer is there", state["answer"])
@@ -122,7 +122,7 @@ check(second["achieved"] is not None and abs(second["achieved"] - moved) < 0.15 
 
 # the other laboratory, the gallery, a picture, a sheet, and out
 screen.keys("F3")
-state = screen.until(lambda s: s["laboratory"] == "beam" and not s["answer"]["stale"], 90)
+state = screen.until(lambda s: s["laboratory"] == "beam" and not s["answer"]["stale"])
 check(state["laboratory"] == "beam" and not state["answer"]["stale"], "F3 is the beam, and it is answered", state["answer"])
 screen.keys("F4")
 check(screen.state()["sheet"] == "gallery", "F4 is the gallery")

@@ -10,7 +10,7 @@ from stage import act, check, differing
 tabs = []
 for i in range(100):
     tabs += ["key Tab", "wait 2", "state STATE"] + ([f"picture FOLDER/tab-{i}.png"] if i % 4 == 0 else [])
-found = act("tabs", "until complete 60", "pause", "wait 3", "picture FOLDER/none.png", *tabs,
+found = act("tabs", "until complete", "pause", "wait 3", "picture FOLDER/none.png", *tabs,
             arguments=[stage.house("corner-0.90-0.90")])
 panes = [state["focus"] for state in found]
 for pane in ("view", "plot:speed", "plot:clearance", "panel", "timeline", "menu", "answer"):
@@ -19,16 +19,16 @@ first = stage.folder / "tabs" / "none.png"
 for i in range(0, 100, 4):
     picture = stage.folder / "tabs" / f"tab-{i}.png"
     check(differing(first, picture) > 50, f"after {i + 1} Tabs a frame is seen")
-found = act("panes", "until complete 60", *(["key F6", "wait 2", "state STATE"] * 12))
+found = act("panes", "until complete", *(["key F6", "wait 2", "state STATE"] * 12))
 panes = [state["focus"] for state in found]
 check(len(set(panes)) >= 6 and panes[0] in panes[1:], "F6 goes round all panes", panes)
-back = act("panes-back", "until complete 60", *(["key Shift+F6", "wait 2", "state STATE"] * 12))
+back = act("panes-back", "until complete", *(["key Shift+F6", "wait 2", "state STATE"] * 12))
 check(set(state["focus"] for state in back) == set(panes), "and Shift+F6 back", panes)
 
 # Escape closes whatever is open, and never the window
 for key, sheet in (("F1", "keys"), ("F4", "gallery"), ("F7", "messages"), ("F10", "menu"), ("Ctrl+O", "open"),
                    ("Ctrl+E", "export"), ("Ctrl+S", "save"), ("Shift+F1", "explain"), ("Ctrl+I", "about")):
-    found = act(f"sheet-{sheet}", "until complete 60", f"key {key}", "wait 4", "state STATE", "picture FOLDER/open.png",
+    found = act(f"sheet-{sheet}", "until complete", f"key {key}", "wait 4", "state STATE", "picture FOLDER/open.png",
                 "key Escape", "wait 2", "key Escape", "wait 2", "state STATE")
     check(found[0]["sheet"] == sheet, f"{key} opens {sheet}", found[0]["sheet"])
     check(found[1]["sheet"] == "none", f"Escape closes {sheet}", found[1]["sheet"])
@@ -41,7 +41,7 @@ keys = [key.replace("\\\\", "\\") for key in keys if key not in ("Ctrl+Q", "Shif
 for laboratory in ("house", "beam"):
     for focus in ("view", "plot", "timeline"):
         steps = {"view": 0, "plot": 1, "timeline": 5 if laboratory == "house" else 4}[focus]
-        lines = [f"laboratory {laboratory}", "until answered 90", "wait 5", *(["key F6", "wait 1"] * steps)]
+        lines = [f"laboratory {laboratory}", "until answered", "wait 5", *(["key F6", "wait 1"] * steps)]
         for key in keys:
             quoted = '"' + key.replace("\\", "\\\\") + '"'
             lines += [f"key {quoted}", "wait 1", "key Escape", "wait 1"]
@@ -49,7 +49,7 @@ for laboratory in ("house", "beam"):
         check(found and found[0]["sheet"] == "none", f"{laboratory}, {focus}: every key of the card was pressed")
 
 # 6. Alt+K while a field is open plays or pauses, and leaves what is typed
-found = act("field", "until complete 60", "pause", "key Ctrl+O", "wait 3", "type abc", "wait 2",
+found = act("field", "until complete", "pause", "key Ctrl+O", "wait 3", "type abc", "wait 2",
             "state STATE", "key Alt+K", "wait 2", "state STATE", "picture FOLDER/field.png")
 check(found[0]["types"] and found[1]["types"], "a field is open, before and after", found[0])
 check(found[1]["playing"], "Alt+K plays while it is")
@@ -57,7 +57,7 @@ check(found[1]["playing"], "Alt+K plays while it is")
 # 20. what cannot be a number
 name = "profile.manual-chair.width"
 for words in ("abc", "9999", "-1", "", "1e400", "1,2,3", "nan", "0.6 kg"):
-    found = act("number-" + "".join(c for c in words if c.isalnum()), "until complete 60", "pause", "key F6", "key F6",
+    found = act("number-" + "".join(c for c in words if c.isalnum()), "until complete", "pause", "key F6", "key F6",
                 "key F6", "wait 2", "state STATE", "key Return", "wait 2", "key Ctrl+A",
                 f'type "{words}"' if words else "key Delete", "wait 2", "key Return", "wait 3", "state STATE", "picture FOLDER/wrong.png", "key Escape", "wait 2",
                 "key Escape", "wait 2", "state STATE", arguments=[stage.house("corner-0.90-0.90")])

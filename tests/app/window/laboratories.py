@@ -21,9 +21,9 @@ def headless(path, *more):
 # 3. the digest, whatever is done while it plays
 digest = headless(corner)["digest"]
 found = act("digest", "play", "wait 20", "seek 3", "wait 5", "speed 16", "wait 10", "pause", "seek 0.4", "play",
-            "until complete 60", "state STATE", "seek 9", "wait 3", "seek 1", "wait 3", "state STATE",
-            "pause", "seek 0", "wait 3", "set profile.manual-chair.body.width 0.6", "until answered 60", "wait 5",
-            "state STATE", "key Alt+R", "until answered 60", "wait 5", "state STATE", arguments=[corner])
+            "until complete", "state STATE", "seek 9", "wait 3", "seek 1", "wait 3", "state STATE",
+            "pause", "seek 0", "wait 3", "set profile.manual-chair.body.width 0.6", "until answered", "wait 5",
+            "state STATE", "key Alt+R", "until answered", "wait 5", "state STATE", arguments=[corner])
 for i, what in ((0, "played and scrubbed"), (1, "scrubbed after its end"), (3, "reset after a change")):
     check(found[i]["digest"] == digest, f"the digest of a run that was {what} is the headless one",
           (found[i]["digest"], digest))
@@ -32,7 +32,7 @@ check(found[2]["digest"] == changed and changed != digest, "a changed number giv
 check("--set profile.manual-chair.body.width=0.6" in found[2]["command"], "the command says so", found[2]["command"])
 
 # 8. a moment looks the same however it was come to
-found = act("scrub", "until complete 60", "pause", "seek 4", "wait 3", "view FOLDER/one.png", "seek 9.5", "wait 3",
+found = act("scrub", "until complete", "pause", "seek 4", "wait 3", "view FOLDER/one.png", "seek 9.5", "wait 3",
             "seek 0", "wait 3", "seek 4", "wait 3", "view FOLDER/two.png", "seek 3", "wait 2", "seek 3.5", "wait 2",
             "seek 4", "wait 2", "view FOLDER/three.png", "seek 8", "wait 2", "view FOLDER/late.png")
 place = stage.folder / "scrub"
@@ -43,8 +43,8 @@ check(differing(place / "one.png", place / "late.png") > 500, "another moment is
 # what goes wrong stays in the window, and what was good stays
 broken = stage.folder / "broken.json"
 broken.write_text('{"format": "clearance-house", "version": 1, "wals": []}')
-found = act("broken", "until complete 60", f'open "{broken}"', "wait 30", "state STATE",
-            "set door.d4.width 9", "wait 5", "state STATE", "set door.d4.at 99", "wait 60", "state STATE")
+found = act("broken", "until complete", f'open "{broken}"', "wait 5", "state STATE",
+            "set door.d4.width 9", "wait 5", "state STATE", "set door.d4.at 99", "wait 5", "until idle", "state STATE")
 check("ube" in found[0]["file"] and "broken.json:1:" in (found[0]["message"] or ""), "a broken file is said, the house stays",
       found[0]["message"])
 check(found[1]["parameters"]["door.d4.width"] == 0.9, "a width out of range changes nothing", found[1]["message"])
@@ -52,7 +52,7 @@ check(found[2]["answer"]["title"] == "All 4 get out" and found[2]["messages"] > 
       "a door past its wall's end is said, the last good state stays", found[2]["message"])
 
 # keys of the view: selection, zoom, raised, follow, layers, present, theme, letters
-found = act("looks", "until complete 60", "pause", "wait 2", "state STATE", "key Tab", "wait 2", "state STATE",
+found = act("looks", "until complete", "pause", "wait 2", "state STATE", "key Tab", "wait 2", "state STATE",
             "key Z", "wait 2", "state STATE", "key Escape", "key Home", "key V", "key E", "wait 2", "state STATE",
             "picture FOLDER/raised.png", "key V", "key F", "wait 2", "state STATE", "key Home", "key F5", "wait 2",
             "state STATE", "picture FOLDER/present.png", "key F5", "key Ctrl+T", "wait 2", "state STATE",
@@ -68,7 +68,7 @@ check(found[7]["text"] == 1.5, "letters grow in steps of a quarter", found[7]["t
 # 22. at twice the size, and in a small window: what there is does not overlap, and the answer comes first
 for width, height, text in ((1280, 720, 1), (1024, 600, 1), (1280, 720, 2), (1024, 600, 2), (1920, 1080, 3), (3840, 2160, 1)):
     for laboratory in ("house", "beam"):
-        found = act(f"size-{width}-{text}-{laboratory}", f"laboratory {laboratory}", "until answered 90", "wait 3",
+        found = act(f"size-{width}-{text}-{laboratory}", f"laboratory {laboratory}", "until answered", "wait 3",
                     "state STATE", "picture FOLDER/window.png",
                     arguments=["--size", f"{width}x{height}", "--text", str(text)])
         frame = found[0]["frame"]
@@ -81,10 +81,10 @@ for width, height, text in ((1280, 720, 1), (1024, 600, 1), (1280, 720, 2), (102
         check(found[0]["width"] == width, "the window is as large as asked for", found[0]["width"])
 
 # 23. the beam: a click on the orbit diagram, boxes by keys, values that stay
-found = act("beam", "laboratory beam", "until answered 90", "state STATE")
+found = act("beam", "laboratory beam", "until answered", "state STATE")
 orbit, axes = found[0]["frame"]["plots"]["orbit"], found[0]["charts"]["orbit"]["x"]
 x, y = orbit[0] + 0.6 * (orbit[2] - orbit[0]), (orbit[1] + orbit[3]) / 2
-found = act("orbit", "laboratory beam", "until answered 90", f"click {x:.0f} {y:.0f}", "wait 10", "state STATE",
+found = act("orbit", "laboratory beam", "until answered", f"click {x:.0f} {y:.0f}", "wait 10", "state STATE",
             "key Left", "key Left", "wait 2", "state STATE", "key Return", "wait 10", "state STATE",
             "key Z", *["key Right"] * 10, "key Return", *["key Right"] * 10, *["key Up"] * 5, "key Return", "wait 3", "state STATE",
             "wait 60", "state STATE", "key Backspace", "wait 2", "state STATE", "key X", "key K", "wait 5", "state STATE")
@@ -101,14 +101,14 @@ check(found[5]["charts"]["orbit"]["x"] == axes, "Backspace goes back", found[5][
 check(found[0]["end"] > 0 and found[6]["end"] > found[0]["end"], "the beam goes on all the while")
 
 # from one period to chaos while it runs, and scrubbed back the old beam is seen
-found = act("chaos", "laboratory beam", "set drive.frequency 190", "until answered 90", "speed 256", "wait 200", "state STATE",
-            "set drive.frequency 300", "until answered 90", "wait 200", "state STATE", "speed 1", "pause", "key Shift+Tab", "wait 2", "state STATE")
+found = act("chaos", "laboratory beam", "set drive.frequency 190", "until answered", "speed 256", "wait 200", "state STATE",
+            "set drive.frequency 300", "until answered", "wait 200", "state STATE", "speed 1", "pause", "key Shift+Tab", "wait 2", "state STATE")
 check("eriodic" in found[0]["answer"]["title"], "190 Hz is periodic", found[0]["answer"])
 check("haotic" in found[1]["answer"]["title"], "300 Hz is chaotic", found[1]["answer"])
 check(found[1]["end"] > found[0]["end"] + 0.5, "hundreds of cycles have passed", (found[0]["end"], found[1]["end"]))
 
 # 24. pictures and what lies beside them
-found = act("picture", "until complete 60", "pause", "seek 5", "wait 3", "key F9", "wait 5", "state STATE", "click 750 220", "wait 2",
+found = act("picture", "until complete", "pause", "seek 5", "wait 3", "key F9", "wait 5", "state STATE", "click 750 220", "wait 2",
             "key F9", "wait 5", "state STATE", "key F9", "wait 5", "key Ctrl+C", "wait 2", "state STATE")
 made = stage.folder / "picture" / "home" / "clearance"
 names = sorted(p.name for p in made.iterdir()) if made.is_dir() else []
@@ -127,7 +127,7 @@ check("copied: clearance run" in found[2]["message"], "Ctrl+C copies the command
 # a copy with its changed numbers, never over another file
 mine = stage.folder / "mine.json"
 mine.write_text("mine")
-found = act("save", "until complete 60", "set door.d4.width 0.85", "until complete 60", "key Ctrl+S", "wait 4", "key Return",
+found = act("save", "until complete", "set door.d4.width 0.85", "until complete", "key Ctrl+S", "wait 4", "key Return",
             "wait 10", "state STATE", "key Ctrl+Shift+S", "wait 4", "key Ctrl+A", f'type "{mine}"', "wait 2", "key Return",
             "wait 6", "state STATE")
 path = found[0]["message"].partition(": ")[2]

@@ -41,7 +41,7 @@ def written(path):
 def opens(path):
     """Does it stand as a house, beside the profile that it needs?"""
     shutil.copy(path, place / "left.json")
-    done = subprocess.run([program, "check", str(place / "left.json")], capture_output=True, text=True, timeout=60)
+    done = subprocess.run([program, "check", str(place / "left.json")], capture_output=True, text=True, timeout=600)
     return done.returncode != 2, done.stderr
 
 
@@ -87,7 +87,7 @@ shutil.rmtree(folder / "next", ignore_errors=True)
 shutil.copytree(home, folder / "next" / "home")
 there = sorted((folder / "next" / "home" / ".local" / "state" / "clearance" / "recovery").glob("*.json"))
 seen = act("next", "wait 20", "state STATE", "picture FOLDER/sheet.png", "key Tab", "key Shift+Tab", "key Return",
-           "until answered 60", "state STATE", "picture FOLDER/opened.png")
+           "until answered", "state STATE", "picture FOLDER/opened.png")
 check(seen and seen[0]["sheet"] == "recovered", "the next start asks about it", seen[0]["sheet"] if seen else None)
 check(len(seen) > 1 and seen[1]["shown_title"].endswith("[Recovered]") and seen[1]["unsaved"] and not seen[1]["file"],
       "opened, it says that it is recovered, and is not saved", seen[1]["shown_title"] if len(seen) > 1 else None)

@@ -4,6 +4,7 @@ offscreen driver or with a real mouse and keyboard under Xvfb."""
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -14,6 +15,7 @@ source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", ".")).resolve()
 program = pathlib.Path(sys.argv[1]).resolve()
 folder = pathlib.Path(tempfile.mkdtemp(prefix="clearance-window-"))
 failed = []
+PATIENCE = 300  # s, that a state may take on the busiest machine before it is said not to come
 
 
 def house(name):
@@ -51,21 +53,22 @@ def states(path):
     return [json.loads(line) for line in lines]
 
 
-def act(name, *lines, arguments=(), timeout=300, code=0):
+def act(name, *lines, arguments=(), code=0):
     """Runs a script without a display; `STATE` is a file, `FOLDER` a folder. Returns the states it wrote."""
     place = folder / name
     place.mkdir(exist_ok=True)
-    words = "\n".join(lines).replace("STATE", str(place / "states")).replace("FOLDER", str(place))
+    words = re.sub(r"(?m)^until (\w+)$", rf"until \1 {PATIENCE}", "\n".join(lines))
+    words = words.replace("STATE", str(place / "states")).replace("FOLDER", str(place))
     (place / "script").write_text(words + "\nquit\n")
-    done = subprocess.run([program, "open", *arguments, "--script", str(place / "script")], cwd=place, timeout=timeout,
-                          capture_output=True, text=True,
+    done = subprocess.run([program, "open", *arguments, "--script", str(place / "script")], cwd=place,
+                          timeout=10 * PATIENCE, capture_output=True, text=True,
                           env=environment(place / "home", SDL_VIDEODRIVER="offscreen"))
     check(done.returncode == code, f"{name}: the script runs to its end", f"exit code {done.returncode}: {done.stderr}")
     return states(place / "states")
 
 
 def magick(*arguments):
-    return subprocess.run(arguments, capture_output=True, text=True, timeout=120)
+    return subprocess.run(arguments, capture_output=True, text=True, timeout=600)
 
 
 def crop(box):
@@ -121,7 +124,7 @@ class Screen:
         self.errors = open(self.place / "errors", "w")
         self.program = subprocess.Popen([program, "open", *arguments, "--script", str(script)], cwd=self.place,
                                         env=self.env, stdout=self.errors, stderr=self.errors)
-        self.until(lambda s: True, 120)
+        self.until(lambda s: True)
         self.window = self.tool("search", "--sync", "--onlyvisible", "--name", "clearance").stdout.split()[0]
         self.tool("windowfocus", "--sync", self.window)
 
@@ -135,7 +138,7 @@ class Screen:
 
     def tool(self, *words):
         return subprocess.run(["xdotool", *[str(w) for w in words]], env=self.env, capture_output=True, text=True,
-                              timeout=120)
+                              timeout=600)
 
     def input(self, count, *words):
         """Sends so many presses and releases, and waits until they were handled."""
@@ -145,7 +148,7 @@ class Screen:
 
     def handled(self, what):
         """Waits for the effect of an input."""
-        now = self.until(what, 60)
+        now = self.until(what)
         if not what(now):
             check(False, "what was done is handled", (self.sent, now.get("inputs"), now.get("mouse")))
             self.program.kill()
@@ -169,12 +172,12 @@ class Screen:
         """As it is now: the second line that is written from now on, since the first may have been begun before."""
         self.look()
         count = self.log_count + 2
-        return self.until(lambda s: self.log_count >= count, 60)
+        return self.until(lambda s: self.log_count >= count)
 
-    def until(self, what, seconds=30):
+    def until(self, what):
         """Waits for a state; returns the last one, whether it came or not."""
         begun = time.monotonic()
-        while time.monotonic() - begun < seconds and self.program.poll() is None:
+        while time.monotonic() - begun < PATIENCE and self.program.poll() is None:
             now = self.look()
             if now and what(now):
                 return now
@@ -239,13 +242,13 @@ class Screen:
         """A picture of the display, once what the last state tells is on it."""
         self.state()
         path = self.place / f"{name}.png"
-        subprocess.run(["import", "-window", "root", str(path)], env=self.env, timeout=120)
+        subprocess.run(["import", "-window", "root", str(path)], env=self.env, timeout=600)
         return path
 
     def end(self):
         self.tool("key", "ctrl+q")
         self.sent += 4
-        if self.until(lambda s: s["sheet"] == "leave", 60).get("sheet") == "leave":
+        if self.until(lambda s: s["sheet"] == "leave").get("sheet") == "leave":
             self.keys("Tab")
             self.tool("key", "Return")
         try:

@@ -34,8 +34,8 @@ def anything(chance):
 for seed in range(2):
     chance = random.Random(seed)
     lines = [anything(chance) for _ in range(300)]
-    found = act(f"random-{seed}", "until complete 60", *lines, "key Escape", "key Escape", "wait 5",
-                f'open "{stage.house("corner-0.90-0.90")}"', "until complete 90", "state STATE", timeout=900)
+    found = act(f"random-{seed}", "until complete", *lines, "key Escape", "key Escape", "wait 5",
+                f'open "{stage.house("corner-0.90-0.90")}"', "until complete", "state STATE")
     check(found and found[0]["answer"]["title"].startswith(("Out in", "Cannot", "All", "The", "Blocked", "Not")) and
           found[0]["sheet"] == "none", f"seed {seed}: it is alive and answers", found[0]["answer"] if found else "nothing")
 
@@ -44,11 +44,11 @@ home = stage.folder / "broken-home" / "home"
 for place, name in ((".config", "settings.json"), (".local/state", "state.json")):
     (home / place / "clearance").mkdir(parents=True)
     (home / place / "clearance" / name).write_text('{"theme": "pink", "width": -5, "recent": 3')
-found = act("broken-home", "until complete 60", "state STATE")
+found = act("broken-home", "until complete", "state STATE")
 check(found and found[0]["theme"] == "paper" and found[0]["messages"] >= 1, "broken settings are said, and put aside")
 
 # without a display there is a sentence, and exit code 2
-done = subprocess.run([stage.program, "open"], capture_output=True, text=True, timeout=60,
+done = subprocess.run([stage.program, "open"], capture_output=True, text=True, timeout=600,
                       env=stage.environment(stage.folder / "nobody"))
 check(done.returncode == 2 and done.stderr.count("\n") == 1 and "clearance run" in done.stderr,
       "without a display: one line that says what to do", done.stderr)

@@ -484,7 +484,7 @@ static bool add_edited(Story *story, double time, const json_t *plan) {
     return good;
 }
 
-TEST(no_edit_breaks_a_run) {
+LONG_TEST(no_edit_breaks_a_run) {
     enum { STORIES = 12 };
     size_t edited = 0;
     for (int s = 0; s < STORIES; s++) {

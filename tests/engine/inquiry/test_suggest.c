@@ -155,7 +155,7 @@ TEST(a_wardrobe_in_a_corridor_is_moved_as_far_as_it_must_by_any_number_of_thread
 }
 
 /* A wardrobe in a niche has fallen across the corridor and can move neither sideways nor back. */
-TEST(what_has_toppled_may_be_stood_up) {
+LONG_TEST(what_has_toppled_may_be_stood_up) {
     Case made;
     SuggestList list;
     open_case(
