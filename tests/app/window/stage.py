@@ -103,7 +103,12 @@ def contrast(a, b):
     return (high + 0.05) / (low + 0.05)
 
 
-SHIFTED = set('~!@#$%^&*()_+{}|:"<>?')  # what is typed with Shift, beside capitals
+SHIFTED = '~!@#$%^&*()_+{}|:"<>?'  # what is typed with Shift, beside capitals, and the keys that it is on
+UNSHIFTED = str.maketrans(SHIFTED, "`1234567890-=[]\\;',./")
+
+
+def is_shifted(letter):
+    return letter.isupper() or letter in SHIFTED
 
 
 class Screen:
@@ -144,13 +149,13 @@ class Screen:
         """Sends so many presses and releases, and waits until they were handled."""
         self.tool(*words)
         self.sent += count
-        self.handled(lambda s: s["inputs"] >= self.sent)
+        self.handled(lambda s: s["inputs"] >= self.sent, words)
 
-    def handled(self, what):
+    def handled(self, what, words):
         """Waits for the effect of an input."""
         now = self.until(what)
         if not what(now):
-            check(False, "what was done is handled", (self.sent, now.get("inputs"), now.get("mouse")))
+            check(False, "what was done is handled", (words, self.sent, now.get("inputs"), now.get("mouse")))
             self.program.kill()
             self.server.kill()
             end()
@@ -203,7 +208,7 @@ class Screen:
         """Types letters, in pieces that need no key twice."""
         waiting, used = "", set()
         for letter in words:
-            needed = {letter.lower(), "shift"} if letter.isupper() or letter in SHIFTED else {letter}
+            needed = {letter.lower().translate(UNSHIFTED)} | ({"shift"} if is_shifted(letter) else set())
             if needed & used:
                 self.type_piece(waiting)
                 waiting, used = "", set()
@@ -212,7 +217,7 @@ class Screen:
         self.state()
 
     def type_piece(self, words):
-        self.input(sum(4 if c.isupper() or c in SHIFTED else 2 for c in words), "type", "--delay", 0, "--", words)
+        self.input(sum(4 if is_shifted(letter) else 2 for letter in words), "type", "--delay", 0, "--", words)
 
     def hold(self, key):
         self.input(1, "keydown", key)
@@ -230,7 +235,7 @@ class Screen:
     def point_to(self, x, y):
         x, y = round(x), round(y)
         self.tool("mousemove", x, y)
-        self.handled(lambda s: s["mouse"] == [x, y])
+        self.handled(lambda s: s["mouse"] == [x, y], ("mousemove", x, y))
         self.state()
 
     def click(self, x, y):
