@@ -89,11 +89,20 @@ static const char *name_of(const Options *options, Topics *topics) {
     return kept;
 }
 
+static int complain(const Topics *topics, const char *name) {
+    const char *nearest = text_nearest(name, topics->names, topics->count + VERBS);
+    if (nearest)
+        fprintf(stderr, "clearance: there is no topic \"%s\", did you mean %s?\n", name, nearest);
+    else
+        fprintf(stderr, "clearance: there is no topic \"%s\", `clearance help` lists the topics\n", name);
+    return EXIT_WRONG_INPUT;
+}
+
 static int print_topic(const Topics *topics, const char *name) {
     const Verb *verb = verb_find(name);
     bool known = text_is_among(name, topics->names, topics->count);
     if (!known && !verb)
-        return options_complain("there is no topic", name, topics->names, topics->count + VERBS);
+        return complain(topics, name);
     Text text = {0};
     if (!known)
         help_add_verb(&text, (VerbId)(verb - verb_rows));

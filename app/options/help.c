@@ -121,10 +121,11 @@ void help_add_verb(Text *text, VerbId verb) {
 }
 
 void help_add_options(Text *text) {
+    text_add(text, "Options: all options of all verbs.\n\n");
     help_add_wrapped(
         text,
-        "Options: all options of all verbs. Those of a verb stand after its files, in any order, as --name "
-        "VALUE or --name=VALUE. The verbs that take an option are listed in brackets.",
+        "Options stand after the files of a verb, in any order, as --name VALUE or --name=VALUE. The verbs "
+        "that take an option are listed in brackets.",
         0);
     for (OptionGroup group = 0; group < OPTION_GROUPS; group++)
         add_group(text, group, ~0, true);

@@ -157,6 +157,30 @@ def check_wrong_use():
         expect(0, *arguments)
 
 
+def check_help():
+    """Help fits 100 columns, groups options by use, and has the topics that the README refers to."""
+    for verb in ("open", "run", "check", "compare", "study", "loci", "cases", "import", "export", "schema", "help"):
+        text = expect(0, verb, "--help").stdout
+        check(text.startswith(f"Usage: clearance {verb} "), f"{verb} --help begins {text[:40]!r}")
+        check(max(map(len, text.splitlines())) <= 100, f"a line of {verb} --help is too long")
+        check(expect(0, "help", verb).stdout == text, f"help {verb} is {verb} --help")
+    text = expect(0, "run", "--help").stdout
+    check([line for line in text.splitlines() if line.endswith(":") and line[0] != " "] ==
+          ["Examples:", "Input:", "Simulation:", "Output:", "Pictures:", "Films:", "Program:"], "groups of run --help")
+    names = [line.split()[0] for line in expect(0, "help").stdout.splitlines() if line.startswith("  ")]
+    for topic in ("house-file", "editing", "beams", "studies", "reports", "speed", "verification"):
+        check(topic in names, f"help lacks the topic {topic}")
+    for topic in names:
+        text = expect(0, "help", topic).stdout
+        check(len(text) > 500 and max(map(len, text.splitlines())) <= 100, f"help {topic}")
+    check(run("help", "house", "file").stdout == run("help", "house-file").stdout, "help house file")
+    expect(2, "help", "beam", says='there is no topic "beam", did you mean beams?')
+    expect(2, "help", "../profiles/adult", says="there is no topic")
+    expect(2, "run", house("straight-corridor"), "--jobs", "1025", says="--jobs takes N from 1 to 1024, not")
+    expect(2, "run", house("straight-corridor"), "--driving", "miur", says="did you mean miura?")
+    expect(2, "run", house("straight-corridor"), "--json=yes", says="--json takes no value")
+
+
 def check_open():
     """Without a display there is no window, and it is said what there is."""
     nothing = {"DISPLAY": "", "WAYLAND_DISPLAY": "", "SDL_VIDEODRIVER": ""}
@@ -238,7 +262,7 @@ def check_interrupt():
         check(os.path.exists(os.path.join(out, "summary.json")), "interrupted: what there is is kept")
 
 
-for part in (check_answers, check_crowds, check_beams, check_options, check_wrong_use, check_open, check_files,
-             check_cases, check_interrupt):
+for part in (check_answers, check_crowds, check_beams, check_options, check_wrong_use, check_help, check_open,
+             check_files, check_cases, check_interrupt):
     part()
 end()
