@@ -1,4 +1,4 @@
-/* Simulated time: whole steps, so that it never drifts. */
+/* Simulated time, counted in whole steps so that it never drifts. */
 #pragma once
 
 #include <stdint.h>

@@ -1,6 +1,6 @@
 /* The contact law: a normal and a tangential spring and dashpot behind a gap, limited by Coulomb friction.
  *
- *        gap > 0: nothing                    normal:      f_n = max(0, -k_n gap - c_n gap')         while gap < 0
+ *        gap > 0: nothing                    normal: f_n = max(0, -k_n gap - c_n gap')         while gap < 0
  *    body )    ( body                        tangential:  f_t = -(k_t s + c_t u'),  |f_t| <= mu f_n
  *         |<-->|
  *          gap                               s the slip since touching, u' the sliding velocity
@@ -10,7 +10,8 @@
  * pulls. Released at zero gap, a collision of damping ratio 0.35 has a restitution of 0.309 instead of 0.404.
  *
  * One law serves a body against a wall, a personal space against a wall (a larger outline and softer numbers), and a
- * beam's tip in its clearance. Geometry makes the gap, the law makes the force, the owner puts it into its equations.
+ * beam's tip in its clearance. The geometry gives the gap, the law gives the force, and the caller adds the force to
+ * its equations of motion.
  */
 #pragma once
 
@@ -24,8 +25,8 @@ typedef struct ContactLaw {
     double friction;             /* mu, 1 */
 } ContactLaw;
 
-/* The normal force, N, at least 0, pushing the two apart; `gap` in m is negative when they overlap, `gap_rate` in m/s
- * is negative when they approach. */
+/* Returns the normal force, N, at least 0, that pushes the two apart. `gap` (m) is negative when they overlap, and
+ * `gap_rate` (m/s) is negative when they approach. */
 static inline double contact_normal(const ContactLaw *law, double gap, double gap_rate) {
     if (gap >= 0)
         return 0;
@@ -33,9 +34,9 @@ static inline double contact_normal(const ContactLaw *law, double gap, double ga
     return force > 0 ? force : 0;
 }
 
-/* The tangential force, N, along the direction in which `sliding` (m/s, of the body relative to the other) is
- * positive; it opposes the sliding. `*slip` (m) is the spring's length and is carried on by one step of `dt` s; when
- * the friction limit is met it is set back so that the law gives the limited force. */
+/* Returns the tangential force, N, along the direction in which `sliding` (m/s, of the body relative to the other) is
+ * positive; the force opposes the sliding. `*slip` (m) is the spring's length and is advanced by one step of `dt` s; at
+ * the friction limit the length is reset so that the law gives the limited force. */
 static inline double contact_tangential(const ContactLaw *law, double normal_force, double sliding, double dt,
                                         double *slip) {
     double carried = *slip + sliding * dt;
@@ -51,9 +52,9 @@ static inline double contact_tangential(const ContactLaw *law, double normal_for
     return force;
 }
 
-/* What acts between two who have laws of their own: the mean of both. */
+/* Returns the law between two bodies with laws of their own: the mean of both. */
 ContactLaw contact_mean(const ContactLaw *a, const ContactLaw *b);
 
-/* The longest stable step, s, of semi-implicit Euler for a mass `mass` (kg) held by `contacts` such springs and
+/* Returns the longest stable step, s, of semi-implicit Euler for a mass `mass` (kg) held by `contacts` such springs and
  * dashpots at once: (2 / omega) (sqrt(1 + zeta^2) - zeta). Infinite without stiffness and damping. */
 double contact_longest_step(const ContactLaw *law, double mass, double contacts);

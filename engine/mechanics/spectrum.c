@@ -9,11 +9,10 @@
 #include "base/memory.h"
 #include "base/real.h"
 
-/* FFTW makes plans in memory that all threads share. */
+/* Serialises planning: FFTW keeps its plans in memory that all threads share. */
 static pthread_mutex_t planning = PTHREAD_MUTEX_INITIALIZER;
 
-/* The transform of real samples, in place of nothing: `out` has count / 2 + 1. An estimated plan is always the same
- * one. */
+/* Transforms real samples; `out` has count / 2 + 1 elements. FFTW_ESTIMATE always chooses the same plan. */
 static void transform(double *samples, fftw_complex *out, size_t count) {
     pthread_mutex_lock(&planning);
     fftw_plan plan = fftw_plan_dft_r2c_1d((int)count, samples, out, FFTW_ESTIMATE | FFTW_UNALIGNED);
@@ -41,7 +40,7 @@ Spectrum spectrum_make(const double *samples, size_t count, size_t stride, doubl
     spectrum.frequency = memory_zeroed(half, sizeof *spectrum.frequency);
     spectrum.amplitude = memory_zeroed(half, sizeof *spectrum.amplitude);
     for (size_t k = 0; k < half; k++) {
-        bool single = k == 0 || 2 * k == count; /* no negative frequency beside it */
+        bool single = k == 0 || 2 * k == count; /* these have no negative frequency */
         spectrum.frequency[k] = (double)k / ((double)count * interval);
         spectrum.amplitude[k] = (single ? 1 : 2) * real_hypot(creal(out[k]), cimag(out[k])) / sum;
     }

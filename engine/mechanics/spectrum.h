@@ -1,4 +1,4 @@
-/* What frequencies a recording holds, by the discrete Fourier transform.
+/* Frequencies in a recording, by the discrete Fourier transform.
  *
  *     X_k = sum_j w_j x_j exp(-2 pi i j k / N),  w_j = (1 - cos(2 pi j / N)) / 2 (Hann),  A_k = 2 |X_k| / sum_j w_j
  *
@@ -14,7 +14,7 @@ typedef struct Spectrum {
     size_t count;
 } Spectrum;
 
-/* Of `count` samples, `stride` apart in the array, every `interval` s; nothing of fewer than 2. spectrum_clear releases
- * it. */
+/* Returns the spectrum of `count` samples, `stride` apart in the array, taken every `interval` s; it is empty for fewer
+ * than 2 samples. spectrum_clear releases it. */
 Spectrum spectrum_make(const double *samples, size_t count, size_t stride, double interval);
 void spectrum_clear(Spectrum *spectrum);

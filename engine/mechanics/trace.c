@@ -26,7 +26,7 @@ void trace_add(Trace *trace, const double *values) {
 }
 
 int trace_write_csv(const Trace *trace, const char *path) {
-    size_t room = sizeof "\r\n"; /* of the head; each row has room for its own */
+    size_t room = sizeof "\r\n"; /* of the header; each row reserves room of its own */
     for (size_t c = 0; c < trace->width; c++)
         room += strlen(trace->columns[c].name) + strlen(trace->columns[c].unit) + CELL_LONGEST;
     room += trace->rows * trace->width * CELL_LONGEST;

@@ -1,4 +1,4 @@
-/* A recording: named columns with units, one row a sample. Every plot, CSV file and database is made from it. */
+/* A recording: named columns with units, one row per sample. Every plot, CSV file and database is made from a trace. */
 #pragma once
 
 #include <stddef.h>
@@ -24,6 +24,6 @@ static inline const double *trace_row(const Trace *trace, size_t row) {
     return trace->values + row * trace->width;
 }
 
-/* Writes CSV (RFC 4180) with a header `name [unit]`, NAN as an empty cell; the file is written beside and renamed. 0,
- * or errno. */
+/* Writes CSV (RFC 4180) with a header `name [unit]` and NAN as an empty cell, to a temporary file that is then renamed.
+ * Returns 0 or errno. */
 int trace_write_csv(const Trace *trace, const char *path);
