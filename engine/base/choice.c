@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What follows the first word; the end: nothing does. */
+/* Returns the text after the first word, at the end if no word follows. */
 static const char *after_word(const char *at) {
     at += strcspn(at, "|");
     return at + (*at == '|');

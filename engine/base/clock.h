@@ -1,6 +1,5 @@
-/* How long something takes: for progress, for what must not keep anybody waiting, for how often a disk is asked to
- * write. No answer depends on it. */
+/* Measures real time, for progress, responsiveness and how often a disk is asked to write. No result depends on it. */
 #pragma once
 
-/* s, of a clock that only goes on; its zero means nothing. */
+/* Returns the time of a monotonic clock, s; its zero has no meaning. */
 double clock_now(void);

@@ -1,4 +1,4 @@
-/* A digest of numbers: 64 bits that differ when any bit of what went in does. */
+/* A digest of numbers: 64 bits that change when any bit of the input changes. */
 #pragma once
 
 #include <stddef.h>
@@ -27,12 +27,12 @@ static inline uint64_t digest_bytes(uint64_t digest, const void *bytes, size_t c
     return (digest ^ count) * 0x9e3779b97f4a7c15u;
 }
 
-/* A text with its end, so that two texts are not one. */
+/* Mixes in a text with its terminating 0, so that two texts differ from their concatenation. */
 static inline uint64_t digest_text(uint64_t digest, const char *text) {
     return digest_bytes(digest, text, strlen(text) + 1);
 }
 
-/* One digest after another; the order counts. */
+/* Mixes in another digest; the order matters. */
 static inline uint64_t digest_chain(uint64_t digest, uint64_t next) {
     return (digest ^ next) * 0x100000001b3u;
 }

@@ -1,9 +1,10 @@
-/* A binary heap of plain elements, the first of which is always the one that comes before all others.
+/* A binary heap of plain elements, whose first element always comes before all others.
  *
  *     HEAP_DEFINE(open, Open, before)
  *
- * makes open_put, which adds an element to a block that memory_reserve lets grow, and open_take, which takes the first
- * one (there must be one), for elements of type Open and `bool before(Open a, Open b)`. */
+ * defines open_put, which adds an element to a block that memory_reserve grows, and open_take, which removes and
+ * returns the first element (the heap must not be empty), for elements of type Open and `bool before(Open a, Open b)`.
+ */
 #pragma once
 
 #include <stddef.h>

@@ -9,7 +9,7 @@
 
 #include "base/text.h"
 
-/* What jansson found wrong with the text. It points at the end of a token; a reader looks for its beginning. */
+/* Reports a syntax error found by jansson. Jansson points at the end of a token; a reader looks for its beginning. */
 static void fault_syntax(const char *path, const char *text, const json_error_t *error, Fault *fault) {
     if (!text[strspn(text, " \t\r\n")]) {
         fault_add(fault, "%s:1:1: empty, must hold one object { ... }", path);
@@ -42,9 +42,9 @@ static void fault_syntax(const char *path, const char *text, const json_error_t 
     }
 }
 
-/* The values of a text, which the file owns from now on, or which is released with the fault. */
+/* Parses a text. The file owns the text from then on; after an error the text is released. */
 static bool read_values(JsonFile *file, const char *path, char *text, size_t size, Fault *fault) {
-    static const char mark[] = "\xef\xbb\xbf"; /* some editors begin UTF-8 with it */
+    static const char mark[] = "\xef\xbb\xbf"; /* byte order mark, which some editors write before UTF-8 */
     if (strncmp(text, mark, strlen(mark)) == 0) {
         size -= strlen(mark);
         memmove(text, text + strlen(mark), size + 1);
@@ -96,13 +96,13 @@ JsonNode json_element(const JsonNode *array, size_t index) {
         .file = array->file, .value = json_array_get(array->value, index), .parent = array, .index = index};
 }
 
-/* The walk over the text. It relies on jansson having accepted it. */
+/* Functions that walk over the text. They rely on jansson having accepted it. */
 
 static bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/* By hand: checkers of memory look at the whole text in each call of strspn. */
+/* Skips white space without strspn: memory checkers inspect the whole text at each call of strspn. */
 static const char *skip_space(const char *at) {
     while (is_space(*at))
         at++;
@@ -143,7 +143,7 @@ static const char *skip_value(const char *at) {
     return at;
 }
 
-/* Is the string that starts at `at` the key? Keys with escapes are decoded by jansson. */
+/* True if the string that starts at `at` is the key. Jansson decodes keys with escapes. */
 static bool string_is(const char *at, const char *key) {
     size_t length = (size_t)(skip_string(at) - at);
     if (!memchr(at, '\\', length))
@@ -186,7 +186,7 @@ static const char *find_value(const JsonNode *node) {
     return at;
 }
 
-/* Moves the place on to `at`, counting characters and not the bytes of one. */
+/* Advances the position to `at`, counting characters rather than bytes. */
 static void move_on(JsonPlace *place, const char *from, const char *at) {
     for (const char *c = from; c < at; c++) {
         if (*c == '\n') {
@@ -231,7 +231,7 @@ JsonPlace *json_places(const JsonNode *node) {
 
 void json_fault(const JsonNode *node, Fault *fault, const char *format, ...) {
     if (fault->count >= FAULT_MOST) {
-        fault_add(fault, "%s", ""); /* counted; where it stands need not be looked for */
+        fault_add(fault, "%s", ""); /* counts the error; its position is not needed */
         return;
     }
     char what[512];
@@ -255,7 +255,7 @@ void json_check_keys(const JsonNode *object, const char *const *known, Fault *fa
         if (found)
             continue;
         if (fault->count >= FAULT_MOST) {
-            fault_add(fault, "%s", ""); /* counted, as in json_fault */
+            fault_add(fault, "%s", ""); /* counts the error, as in json_fault */
             continue;
         }
         const char *nearest = text_nearest(key, known, count);
@@ -297,7 +297,7 @@ const char *json_read_text(const JsonNode *object, const char *key, Arena *arena
     return "";
 }
 
-/* The fewest digits that give the same bits again; always to be seen as no whole number. */
+/* Appends the fewest digits that give the same bits, always recognisable as a real number. */
 static void line_add_real(Text *line, double value) {
     char number[TEXT_NUMBER];
     text_of_number(number, value, 15);

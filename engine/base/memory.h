@@ -1,27 +1,27 @@
-/* Memory in one place. Every block is zeroed and never NULL: when the machine has none left, the program says so
- * in one line and ends with exit code 3, here and nowhere else. */
+/* The program's only allocator. Every block is zeroed and never NULL: when the machine is out of memory, the program
+ * reports that in one line and ends with exit code 3. */
 #pragma once
 
 #include <stddef.h>
 
-/* `count` zeroed elements of `size` bytes; memory_free releases them. */
+/* Returns `count` zeroed elements of `size` bytes; memory_free releases them. */
 void *memory_zeroed(size_t count, size_t size);
 
-/* Makes room in `block` for at least `count` elements of `size` bytes and returns it, perhaps elsewhere; what
- * `*capacity` counts is kept, the new part is zeroed. */
+/* Grows `block` to at least `count` elements of `size` bytes and returns it, possibly at another address. The first
+ * `*capacity` elements are preserved, and the new ones are zeroed. */
 void *memory_reserve(void *block, size_t *capacity, size_t count, size_t size);
 
 void memory_free(void *block);
 
-/* Many small things that live and die together: the texts and points of a plan. Zero is an empty arena. */
+/* Many small objects with one lifetime, such as the texts and points of a plan. A zeroed arena is empty. */
 typedef struct Arena {
     struct ArenaBlock *blocks;
 } Arena;
 
-/* `size` zeroed bytes that live until arena_clear, aligned for any type. */
+/* Returns `size` zeroed bytes that live until arena_clear, aligned for any type. */
 void *arena_allocate(Arena *arena, size_t size);
 
-/* A copy of `text` that lives until arena_clear. */
+/* Returns a copy of `text` that lives until arena_clear. */
 const char *arena_text(Arena *arena, const char *text);
 
 void arena_clear(Arena *arena);

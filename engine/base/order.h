@@ -1,7 +1,7 @@
-/* How qsort is told to put numbers in order. */
+/* Comparison functions for qsort. */
 #pragma once
 
-/* Rising, of doubles. */
+/* Orders doubles from small to large. */
 static inline int order_rising(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);

@@ -29,25 +29,25 @@ void parallel_for(int jobs, size_t count, void (*work)(void *context, size_t i),
     size_t started = 0;
     while (started < helpers && pthread_create(&threads[started], NULL, crew_work, &crew) == 0)
         started++;
-    crew_work(&crew); /* with no thread to be had, this one does it all */
+    crew_work(&crew); /* if no thread could be created, the calling thread does all the work */
     for (size_t i = 0; i < started; i++)
         pthread_join(threads[i], NULL);
     memory_free(threads);
 }
 
-/* Teams. A call is one number: which call it is, how many pieces it has and how many of them are taken. Whoever adds
- * one to it has taken a piece; a call ends when all its pieces are done, whether or not every helper has noticed it, so
- * that a helper that has no processor just now holds nobody up. Helpers look for the next call for a while, then sleep.
- */
+/* Teams. One number describes a call: the number of the call, the number of its pieces, and how many of them are taken.
+ * A thread that increments the number has taken a piece. A call ends when all its pieces are done, even if a helper has
+ * not noticed the call, so that a helper without a processor delays no other thread. Helpers poll for the next call for
+ * a while and then sleep. */
 
-enum { LOOKS = 4000 /* at some nanoseconds each: longer than the serial part of a step */ };
+enum { LOOKS = 4000 /* each some nanoseconds: longer than the serial part of a step */ };
 
 #define PIECE_BITS 24
 #define PIECE_MASK ((UINT64_C(1) << PIECE_BITS) - 1)
 
 struct ParallelTeam {
     atomic_uint_fast64_t call; /* number << 2 PIECE_BITS | pieces << PIECE_BITS | taken */
-    atomic_size_t done;        /* pieces of the present call */
+    atomic_size_t done;        /* finished pieces of the present call */
     void (*work)(void *context, size_t i);
     void *context;
     size_t calls;
@@ -63,7 +63,7 @@ static bool has_pieces(uint64_t call) {
     return (call & PIECE_MASK) < (call >> PIECE_BITS & PIECE_MASK);
 }
 
-/* Takes pieces of the present call while there are any. Nobody changes work and context while a piece is not done. */
+/* Takes pieces of the present call while there are any. Work and context do not change while a piece is unfinished. */
 static void take_pieces(ParallelTeam *team) {
     while (has_pieces(atomic_load(&team->call))) {
         uint64_t call = atomic_fetch_add(&team->call, 1);
@@ -80,7 +80,7 @@ static void wait_a_little(void) {
 #endif
 }
 
-/* Until there may be work again. */
+/* Waits until there may be new work. */
 static void wait_for_call(ParallelTeam *team) {
     for (int look = 0; look < LOOKS; look++) {
         if (has_pieces(atomic_load_explicit(&team->call, memory_order_relaxed)) || atomic_load(&team->ends))

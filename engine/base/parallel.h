@@ -1,11 +1,11 @@
-/* Independent pieces of work on several threads. */
+/* Runs independent pieces of work on several threads. */
 #pragma once
 
 #include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A flag that ends work early, set by a signal's handler or by another thread; NULL is never set. */
+/* True if the flag that ends work early is set, by a signal handler or by another thread. NULL: never set. */
 static inline bool parallel_stopped(const volatile sig_atomic_t *stop) {
     return stop && __atomic_load_n(stop, __ATOMIC_RELAXED);
 }
@@ -14,19 +14,21 @@ static inline void parallel_stop(volatile sig_atomic_t *stop) {
     __atomic_store_n(stop, 1, __ATOMIC_RELAXED);
 }
 
-/* Calls `work(context, i)` once for every i below `count`, on up to `jobs` threads (1: on this one). Which thread does
- * which piece is not determined: a piece may write only what is its own. */
+/* Calls `work(context, i)` once for every i below `count`, on up to `jobs` threads (1: on the calling thread). The
+ * assignment of pieces to threads is not determined, so a piece may write only its own data. */
 void parallel_for(int jobs, size_t count, void (*work)(void *context, size_t i), void *context);
 
-/* Threads that stay, for work that comes in pieces of microseconds, thousands of times a second. */
+/* A team of permanent threads, for work in pieces of microseconds, thousands of times per second. */
 typedef struct ParallelTeam ParallelTeam;
 
-/* `jobs` threads, the caller's among them; NULL for one. parallel_team_destroy releases it, NULL too. */
+/* Creates a team of `jobs` threads, including the caller; returns NULL for one. parallel_team_destroy releases it and
+ * accepts NULL. */
 ParallelTeam *parallel_team_create(int jobs);
 void parallel_team_destroy(ParallelTeam *team);
 
-/* As parallel_for, by a team of which the calling thread is one; returns when all is done. One call at a time. */
+/* Works as parallel_for with the threads of a team, including the calling thread, and returns when all pieces are done.
+ * Only one call at a time. */
 void parallel_team_for(ParallelTeam *team, size_t count, void (*work)(void *context, size_t i), void *context);
 
-/* How many processors there are for this program. */
+/* Returns the number of processors available to this program. */
 int parallel_processors(void);

@@ -332,7 +332,8 @@ const Parameter *parameters_find(const ParameterTable *table, const char *name) 
     return leaves == 1 ? found : NULL;
 }
 
-/* "space.friction or contact.friction" of the rows whose last part is `name`; false: there is none. */
+/* Lists the rows whose last part is `name`, as "space.friction or contact.friction". Returns false if there are none.
+ */
 static bool list_namesakes(const ParameterTable *table, const char *name, char *list, size_t size) {
     size_t used = 0;
     for (size_t i = 0; i < table->count && used < size; i++)
@@ -343,7 +344,7 @@ static bool list_namesakes(const ParameterTable *table, const char *name, char *
 
 void parameters_fault_unknown(const ParameterTable *table, const char *name, const JsonNode *node, Fault *fault) {
     if (fault->count >= FAULT_MOST) {
-        json_fault(node, fault, "%s", ""); /* counted */
+        json_fault(node, fault, "%s", ""); /* counts the error */
         return;
     }
     const char *names[2 * NAMES_MOST];

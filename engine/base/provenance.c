@@ -5,14 +5,14 @@
 
 #include "base/parameters_schema.h"
 
-enum { SOURCES_LONGEST = 200 /* characters of all sources in words */ };
+enum { SOURCES_LONGEST = 200 /* characters of the text of all sources */ };
 
 const char *provenance_name(const Parameter *row, const char *group) {
     size_t length = strlen(group);
     return strncmp(row->name, group, length) == 0 && row->name[length] == '.' ? row->name + length + 1 : NULL;
 }
 
-/* The length of the first source; those that follow begin behind the bar. */
+/* Returns the length of the first source; the next one begins after the bar. */
 static size_t source_length(const char *sources) {
     return strcspn(sources, "|");
 }
@@ -24,7 +24,7 @@ static bool begins_well(const char *text, const char *sources) {
     return false;
 }
 
-/* "paper, literature: or assumed" */
+/* Writes "paper, literature: or assumed". */
 static void say_sources(const char *sources, char words[SOURCES_LONGEST]) {
     size_t used = 0;
     for (const char *at = sources; *at && used < SOURCES_LONGEST; at += source_length(at), at += *at == '|') {

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How much each unit is of the first one of its kind. */
+/* Sizes of the units, each relative to the first unit of its kind. */
 static const struct {
     const char *name;
     int kind;
@@ -22,7 +22,7 @@ static const struct {
 };
 enum { UNITS = sizeof units / sizeof *units, NONE = -1 };
 
-/* Where reading is. */
+/* Position of the reader. */
 typedef struct Reader {
     const char *at;
     const char *unit;
@@ -53,7 +53,7 @@ static bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/* Digits with a point or a comma, and an exponent; nothing else that strtod would take. */
+/* Reads digits with a point or a comma, and an exponent; unlike strtod, nothing else. */
 static bool read_digits(Reader *reader, double *value) {
     char text[64];
     size_t size = 0;
@@ -104,7 +104,7 @@ static bool is_quote(char c) {
     return c == '\'' || c == '"';
 }
 
-/* The unit that follows, or else the reader's own. */
+/* Reads the unit that follows, or assumes the reader's own. */
 static bool read_unit(Reader *reader, int *unit) {
     skip_spaces(reader);
     size_t own = strlen(reader->unit), bytes = 0;
@@ -130,7 +130,7 @@ static bool is_named(int unit, const char *name, const char *sign) {
     return unit != NONE && (strcmp(units[unit].name, name) == 0 || strcmp(units[unit].name, sign) == 0);
 }
 
-/* A number and its unit. Between two there is a sign, or else they are feet and inches. */
+/* Reads a number and its unit. Two terms are joined by a sign, except feet and inches. */
 static bool read_term(Reader *reader, bool joined, int *unit, double *value) {
     int before = *unit, owned = find_unit(reader->unit, strlen(reader->unit));
     if (!read_digits(reader, value))

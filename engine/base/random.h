@@ -8,13 +8,13 @@ typedef struct Random {
     uint64_t state[4];
 } Random;
 
-/* A generator for one purpose: different streams of one seed do not overlap in practice. */
+/* Returns a generator for one purpose: different streams of one seed do not overlap in practice. */
 Random random_seed(uint64_t seed, uint64_t stream);
 
 uint64_t random_bits(Random *random);
 
-/* Uniform in [0, 1). */
+/* Returns a number uniform in [0, 1). */
 double random_uniform(Random *random);
 
-/* Normal with the given mean and standard deviation (polar method of Marsaglia). */
+/* Returns a normally distributed number with the given mean and standard deviation (polar method of Marsaglia). */
 double random_normal(Random *random, double mean, double deviation);

@@ -9,7 +9,7 @@ void rectangle_corners(Vec2 middle, Vec2 axis, Vec2 size, Vec2 corners[4]) {
     }
 }
 
-/* Of their shadows on an axis (unit). */
+/* Returns the overlap of the projections on an axis (unit). */
 static double shadows_overlap(const Vec2 a[4], const Vec2 b[4], Vec2 axis) {
     double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
     for (int i = 0; i < 8; i++) {

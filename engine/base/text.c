@@ -45,7 +45,7 @@ const char *text_nearest(const char *word, const char *const *words, size_t coun
     return nearest;
 }
 
-/* The bytes of the character of UTF-8 that begins the text; 0: there is none. */
+/* Returns the size in bytes of the UTF-8 character that begins the text; 0 at the end. */
 static size_t character_size(const char *text) {
     const unsigned char *byte = (const unsigned char *)text;
     if (byte[0] < 0x80)
@@ -117,7 +117,7 @@ bool text_is_among(const char *text, const char *const *words, size_t count) {
 }
 
 void text_of_number(char text[TEXT_NUMBER], double value, int digits) {
-    const int most = 17; /* tell any two numbers apart */
+    const int most = 17; /* enough to tell any two numbers apart */
     do
         snprintf(text, TEXT_NUMBER, "%.*g", digits, value);
     while (strtod(text, NULL) != value && digits++ < most);

@@ -1,4 +1,4 @@
-/* Small things about words. */
+/* Helpers for text. */
 #pragma once
 
 #include <stdarg.h>
@@ -7,23 +7,26 @@
 
 #include "base/memory.h"
 
-/* The word of `words` (count) nearest to `word` by insertions, deletions and replacements (Levenshtein), or NULL when
- * none is near enough to be what was meant: at most a third of the word, and at least two characters, may differ. */
+/* Returns the word of `words` (count) nearest to `word` by insertions, deletions and replacements (Levenshtein), or
+ * NULL if none is near enough to be a misspelling: at most a third of the word, and at least two characters, may
+ * differ. */
 const char *text_nearest(const char *word, const char *const *words, size_t count);
 
-/* Makes one line of UTF-8 of anything: a name may hold what it likes, and a longer one is cut anywhere. */
+/* Turns any bytes into one line of valid UTF-8: a name may contain anything, and a long one may be cut within a
+ * character. */
 void text_make_plain(char *line);
 
-/* The whole file, ended by 0, or NULL with errno set; memory_free it. `*size` counts its bytes without the 0. */
+/* Returns the whole file, ended by 0, or NULL with errno set; memory_free it. `*size` counts its bytes without the 0.
+ */
 char *text_read_file(const char *path, size_t largest, size_t *size);
 
-/* A copy; memory_free it. */
+/* Returns a copy; memory_free it. */
 char *text_copy(const char *text);
 
-/* Is it one of the words (count)? */
+/* True if the text is one of the words (count). */
 bool text_is_among(const char *text, const char *const *words, size_t count);
 
-/* Text that grows. Zero is empty; memory_free(text->text) releases it. */
+/* Growing text. A zeroed value is empty; memory_free(text->text) releases it. */
 typedef struct Text {
     char *text; /* ended by 0; NULL when empty */
     size_t used, capacity;
@@ -33,31 +36,32 @@ void text_add(Text *text, const char *more);
 
 enum { TEXT_NUMBER = 40 /* bytes */ };
 
-/* The fewest digits, at least so many, that are read as the same number again. */
+/* Writes the fewest digits, at least `digits`, that are read as the same number. */
 void text_of_number(char text[TEXT_NUMBER], double value, int digits);
 
-/* Adds what printf would print. */
+/* Appends text formatted as by printf. */
 void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* What vprintf would print, as it is or as one line; memory_free it. */
+/* Returns text formatted as by vprintf, unchanged or as one line; memory_free it. */
 char *text_printed(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
 char *text_printed_line(const char *format, va_list arguments) __attribute__((format(printf, 1, 0)));
 
-/* What printf, or vprintf, would print, as long as the arena lives. */
+/* Returns text formatted as by printf or vprintf; it lives as long as the arena. */
 const char *text_in_arena(Arena *arena, const char *format, ...) __attribute__((format(printf, 2, 3)));
 const char *text_vin_arena(Arena *arena, const char *format, va_list arguments) __attribute__((format(printf, 2, 0)));
 
-/* The name of a file beside `path`, of this process, to be renamed to it when it is whole; memory_free it. */
+/* Returns the name of a temporary file of this process next to `path`, to be renamed when complete; memory_free it. */
 char *text_beside(const char *path);
 
-/* Renames it to `path`, or removes it where an error (errno) has come up; takes the name. 0, or errno. */
+/* Renames the temporary file to `path`, or removes it if `error` (errno) is not 0, and releases the name. Returns 0 or
+ * errno. */
 int text_beside_end(char *beside, const char *path, int error);
 
-/* Writes beside `path` and renames, so that a failed write leaves the old file. 0, or errno. */
+/* Writes a temporary file and renames it, so that a failed write leaves the old file. Returns 0 or errno. */
 int text_write_file(const char *path, const char *text, size_t size);
 
-/* The same without waiting for the disk: for many files that can be made again. */
+/* Does the same without waiting for the disk, for many files that can be created again. */
 int text_write_quickly(const char *path, const char *text, size_t size);
 
-/* Makes a folder and those above it, where they are not there. 0, or errno, also when it cannot be written to. */
+/* Creates a folder and its parents where they are missing. Returns 0 or errno, also if the folder is not writable. */
 int text_make_folder(const char *path);

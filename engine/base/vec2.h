@@ -1,4 +1,4 @@
-/* A point or a direction in the plane, in metres unless said otherwise: x to the right, y up, angles
+/* A point or a direction in the plane, in metres unless stated otherwise: x to the right, y up, angles
  * counter-clockwise from +x in radians. */
 #pragma once
 
@@ -41,7 +41,7 @@ static inline double vec2_dot(Vec2 a, Vec2 b) {
     return a.x * b.x + a.y * b.y;
 }
 
-/* The z component of a x b: positive when b points to the left of a. */
+/* Returns the z component of a x b: positive when b points to the left of a. */
 static inline double vec2_cross(Vec2 a, Vec2 b) {
     return a.x * b.y - a.y * b.x;
 }
@@ -54,24 +54,24 @@ static inline double vec2_distance(Vec2 a, Vec2 b) {
     return vec2_length(vec2_sub(a, b));
 }
 
-/* The direction of a; of no length: (0, 0). */
+/* Returns the direction of a; (0, 0) if a has no length. */
 static inline Vec2 vec2_unit(Vec2 a) {
     double length = vec2_length(a);
     return length > 0 ? vec2_scale(a, 1 / length) : (Vec2){0, 0};
 }
 
-/* a turned a quarter counter-clockwise. */
+/* Returns a turned by a quarter counter-clockwise. */
 static inline Vec2 vec2_left(Vec2 a) {
     return (Vec2){-a.y, a.x};
 }
 
-/* The unit vector of an angle, rad. */
+/* Returns the unit vector of an angle, rad. */
 static inline Vec2 vec2_heading(double angle) {
     SineCosine turn = real_sincos(angle);
     return (Vec2){turn.cosine, turn.sine};
 }
 
-/* a, given in a frame whose x axis points along the unit vector `axis`, in the frame of `axis`. */
+/* Converts a from the frame whose x axis is the unit vector `axis` to the frame in which `axis` is given. */
 static inline Vec2 vec2_turn(Vec2 a, Vec2 axis) {
     return (Vec2){a.x * axis.x - a.y * axis.y, a.x * axis.y + a.y * axis.x};
 }
@@ -81,7 +81,7 @@ static inline Vec2 vec2_unturn(Vec2 a, Vec2 axis) {
     return (Vec2){a.x * axis.x + a.y * axis.y, a.y * axis.x - a.x * axis.y};
 }
 
-/* The point of the segment from a to b that is nearest to p. */
+/* Returns the point of the segment from a to b that is nearest to p. */
 static inline Vec2 vec2_nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) {
     Vec2 ab = vec2_sub(b, a);
     double square = vec2_dot(ab, ab);
@@ -89,7 +89,7 @@ static inline Vec2 vec2_nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) {
     return vec2_along(a, t < 0 ? 0 : t > 1 ? 1 : t, ab);
 }
 
-/* An angle brought into (-pi, pi]. */
+/* Brings an angle into (-pi, pi]. */
 static inline double vec2_wrap_angle(double angle) {
     if (angle > -M_PI && angle <= M_PI)
         return angle;
@@ -109,7 +109,7 @@ static inline Box box_around(Vec2 centre, double reach) {
     return (Box){{centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}};
 }
 
-/* Holds nothing; box_include makes it grow. */
+/* Returns a box that holds nothing; box_include grows it. */
 static inline Box box_empty(void) {
     return (Box){{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
 }
