@@ -14,7 +14,7 @@
 
 static const char NASTY[] = "<b>&\"'</b> ]]> -->";
 
-/* Everything that a document may hold, with texts that a writer may not take for its own. */
+/* Returns a document with all elements and with texts that need escaping. */
 static Document nasty_document(void) {
     static const Column columns[] = {{NASTY, ALIGN_LEFT}, {"number", ALIGN_RIGHT}};
     Document document = document_begin("clearance 9");
@@ -43,7 +43,7 @@ static char *html_of(const Document *document) {
     return text;
 }
 
-/* cairo's files hold bytes 0: a text is no place for them. */
+/* Cairo's files contain zero bytes, so a text cannot hold them. */
 static char *pdf_of(const Document *document, time_t created, size_t *size) {
     char path[SCRATCH_PATH];
     scratch_write(path, "");
@@ -61,7 +61,7 @@ static size_t count_of(const char *bytes, size_t size, const char *what) {
     return found;
 }
 
-/* Is every element closed, by its own name and in the right order? */
+/* True if every element is closed by its own name in the right order. */
 static bool is_well_formed(const char *text) {
     const char *open[64];
     size_t depth = 0;
@@ -124,7 +124,7 @@ TEST(the_same_document_is_the_same_bytes) {
     char *pdf[] = {pdf_of(&document, 1000, &sizes[0]), pdf_of(&again, 1000, &sizes[1]),
                    pdf_of(&again, 2000, &sizes[2])};
     CHECK(sizes[0] == sizes[1] && memcmp(pdf[0], pdf[1], sizes[0]) == 0);
-    CHECK(sizes[0] != sizes[2] || memcmp(pdf[0], pdf[2], sizes[0]) != 0); /* the time is told */
+    CHECK(sizes[0] != sizes[2] || memcmp(pdf[0], pdf[2], sizes[0]) != 0); /* the file states its time */
     for (int i = 0; i < 3; i++)
         memory_free(pdf[i]);
     memory_free(html[0]);
@@ -133,7 +133,7 @@ TEST(the_same_document_is_the_same_bytes) {
     document_clear(&again);
 }
 
-/* What a picture was asked for. */
+/* Arguments of a requested picture. */
 typedef struct Asked {
     Vec2 size;
     Theme theme;
@@ -155,7 +155,7 @@ static void release_lines(void *context) {
     ((Asked *)context)->released++;
 }
 
-/* The first picture in a page, decoded. */
+/* Returns the first picture of a page, decoded. */
 static guchar *picture_in(const char *html, const char *type, gsize *size) {
     const char *from = strstr(html, type);
     CHECK(from);

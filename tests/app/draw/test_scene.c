@@ -19,7 +19,7 @@
 
 static const Vec2 PAGE = {1280, 720};
 
-/* Six metres by four, with words wherever a scene may have them. */
+/* A scene of 6 m by 4 m with text in every possible place. */
 static Scene plain_scene(void) {
     Scene scene = {.box = {{0, 0}, {6, 4}},
                    .grid = 1,
@@ -357,7 +357,7 @@ TEST(what_a_straight_way_sweeps_is_a_longer_body) {
     CHECK_NEAR(area[1] - area[0], 0.5 * chair.width, 1e-12);
 }
 
-/* One person in an empty house, after a run that has gone as `person` says. */
+/* One person in an empty house after the run that `person` describes. */
 static Scene scene_after(PersonObservation person, const char *note) {
     static TraceColumn columns[TRACE_COLUMNS];
     Inhabitant inhabitant = {.id = "p1", .profile = &chair, .at = {1, 1}};
@@ -419,8 +419,8 @@ static const Profile adult = {
 
 enum { MEMBERS = 40 };
 
-/* A crowd of 40 and a chair before two exits: all are out but three who are blocked, two of them beside each other,
- * and one who has run out of time. */
+/* A crowd of 40 and a chair before two exits: all have left except three who are blocked, two of them side by side,
+ * and one whose time ran out. */
 static Scene crowd_scene(Census *census) {
     static TraceColumn columns[TRACE_COLUMNS];
     static char names[MEMBERS][16];

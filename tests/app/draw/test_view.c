@@ -1,4 +1,4 @@
-/* Cameras: what they see is where the formulas say, and fits. */
+/* Tests that cameras project as the formulas say and fit the view. */
 
 #include "draw/view.h"
 
@@ -16,7 +16,7 @@ TEST(the_plan_is_upright_and_to_scale) {
     CHECK_NEAR(view_scale(&view, vec2(7, 7), 2), 50, 1e-12);
 }
 
-/* All eight corners are in the place, and some on its edges: it could not be larger. */
+/* All eight corners lie in the view, some on its edges: it cannot be larger. */
 static void check_fit(Camera camera) {
     View view = view_raised(camera, HOUSE, TOP, PLACE);
     Box seen = box_empty();
@@ -40,14 +40,14 @@ TEST(the_raised_view_fits_from_everywhere) {
             check_fit((Camera){.kind = VIEW_RAISED, .azimuth = azimuth, .elevation = elevation, .zoom = 1});
 }
 
-/* From the front: what is to the right is right, what is behind or higher is farther up. */
+/* Seen from the front, right stays right, and farther or higher points are farther up. */
 TEST(the_raised_view_looks_up_the_plan) {
     View view = view_raised((Camera){.kind = VIEW_RAISED, .azimuth = 0, .elevation = 40, .zoom = 1}, HOUSE, TOP, PLACE);
     Vec2 here = view_point(&view, vec2(4, 1), 0);
     CHECK(view_point(&view, vec2(5, 1), 0).x > here.x);
     CHECK(view_point(&view, vec2(4, 2), 0).y < here.y);
     CHECK(view_point(&view, vec2(4, 1), 1).y < here.y);
-    CHECK_NEAR(view_point(&view, vec2(4, 1), 1).x, here.x, 1e-9); /* the middle of the house: no lean */
+    CHECK_NEAR(view_point(&view, vec2(4, 1), 1).x, here.x, 1e-9); /* the middle of the house does not lean */
     View right =
         view_raised((Camera){.kind = VIEW_RAISED, .azimuth = 90, .elevation = 40, .zoom = 1}, HOUSE, TOP, PLACE);
     here = view_point(&right, vec2(4, 1), 0);
@@ -64,7 +64,7 @@ TEST(the_scale_is_the_slope_across) {
              right = view_point(&view, vec2(2 + step / 2, y), 0.5);
         CHECK_NEAR(vec2_distance(left, right) / step, view_scale(&view, vec2(2, y), 0.5), 1e-4);
     }
-    CHECK(view_scale(&view, vec2(2, -2), 0) > view_scale(&view, vec2(2, 5), 0)); /* nearer is larger */
+    CHECK(view_scale(&view, vec2(2, -2), 0) > view_scale(&view, vec2(2, 5), 0)); /* nearer points are larger */
 }
 
 TEST(zoom_enlarges_about_the_middle) {

@@ -1,4 +1,5 @@
-/* The table of options: whole, without doubles, readable at 100 columns, exact at the ends of its ranges. */
+/* Tests the table of options: complete, without duplicates, readable at 100 columns, exact at the limits of its
+ * ranges. */
 
 #include "options/option.h"
 
@@ -40,7 +41,7 @@ TEST(an_option_has_a_field_or_a_reader_and_only_a_flag_has_no_placeholder) {
     }
 }
 
-/* Takes a value as the command line does; true if it is one of the option. */
+/* Reads a value as the command line does; true if the option accepts the value. */
 static bool takes(const Option *option, const char *value) {
     char *arguments[] = {"clearance"};
     Options options;
@@ -109,7 +110,7 @@ TEST(a_flag_takes_no_value_and_a_text_takes_any_but_none) {
     }
 }
 
-/* The longest line, in characters; nothing that is printed has wide ones. */
+/* Returns the length of the longest line in characters; all printed characters are single-width. */
 static size_t longest_line(const char *text) {
     size_t longest = 0, length = 0;
     for (const char *at = text; *at; at++) {

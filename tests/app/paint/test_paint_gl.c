@@ -10,8 +10,8 @@
 
 enum { WIDTH = 1280, HEIGHT = 720 /* pixels, unit 1 */ };
 
-#define EDGE 24   /* of 255: what differs less from the ground is the faint edge of something */
-#define FACE 60   /* and what differs more is no shadow */
+#define EDGE 24   /* of 255: a smaller difference from the ground is the faint edge of a shape */
+#define FACE 60   /* a larger difference is not a shadow */
 #define COLOUR 2  /* of 255, between the painters */
 #define PIXEL 1.0 /* between their edges */
 
@@ -144,8 +144,8 @@ static void add_words(Scene *scene) {
 typedef struct Sight {
     const char *name;
     void (*add)(Scene *scene);
-    Vec2 middle; /* m, where both painters' colours are compared */
-    int reach;   /* pixels round it */
+    Vec2 middle; /* m, places where both painters' colours are compared */
+    int reach;   /* pixels around it */
 } Sight;
 
 static const Sight sights[] = {
@@ -228,7 +228,7 @@ TEST(both_painters_agree_on_large_pictures) {
 
 /* Whole pictures ----------------------------------------------------------------------------------------------------*/
 
-/* One of everything, with words wherever a scene may have them. */
+/* A scene with one of everything and text in every possible place. */
 static Scene rich_scene(ViewKind view) {
     Scene scene = {.box = {{0, 0}, {6, 4}},
                    .grid = 1,
@@ -385,7 +385,7 @@ TEST(a_panel_shows_what_has_changed) {
     Layout layout, empty = {0};
     layout_make(&layout, &still, stage.page);
     layout_make_over(&empty, &layout, &nothing);
-    paint_gl_panel(stage.paint, 1, pixels, SIDE, SIDE, SIDE * 4, LEFT, TOP, PART, SIDE); /* reaches out of it below */
+    paint_gl_panel(stage.paint, 1, pixels, SIDE, SIDE, SIDE * 4, LEFT, TOP, PART, SIDE); /* extends below it */
     paint_gl_frame(stage.paint, (Layer){&nothing, &empty});
     paint_gl_read(stage.paint, stage.picture.pixels);
     Box changed = picture_changed(&stage.picture, &ground, 0);
@@ -491,7 +491,7 @@ static size_t memory_used(void) {
     return info.uordblks + info.hblkhd;
 }
 
-/* A frame with words that no other frame has. */
+/* A frame with text that no other frame has. */
 static void show_number(Stage *stage, const Layout *under, int number) {
     Scene moving = {0};
     Layout over = {0};
@@ -521,7 +521,7 @@ static void check_film(int frames, int first) {
         show_number(&stage, &under, frame);
         before = frame == first ? memory_used() : before;
     }
-    /* the driver's own buffers come and go; 1 kB a frame would be more */
+    /* the driver's own buffers vary; 1 kB per frame would exceed this */
     CHECK_NEAR((double)memory_used(), (double)before, 400e3);
     show_number(&stage, &under, 0);
     paint_gl_read(stage.paint, stage.picture.pixels);
@@ -532,7 +532,7 @@ static void check_film(int frames, int first) {
     stage_end(&stage);
 }
 
-/* Words fill the atlas many times over. */
+/* The text fills the atlas many times. */
 TEST(a_long_film_takes_no_more_memory_and_its_words_stay_the_same) {
     check_film(1000, 300);
 }

@@ -1,4 +1,4 @@
-/* PNG files: what is read again is what was drawn, by any number of threads. */
+/* Tests that PNG files read back equal the drawn pictures, with any number of threads. */
 
 #include "paint/png.h"
 
@@ -18,7 +18,7 @@ static void fill(unsigned char *pixels, int picture) {
         pixels[i] = (unsigned char)(i * 7 + picture * 31);
 }
 
-/* Is the file this picture, colour by colour? */
+/* True if the file equals the picture, pixel by pixel. */
 static void check_file(const char *path, int picture) {
     unsigned char pixels[WIDTH * HEIGHT * 4];
     fill(pixels, picture);
@@ -51,7 +51,7 @@ TEST(pictures_are_written_in_any_number_of_threads) {
             CHECK(unlink(path) == 0);
         }
     }
-    CHECK(rmdir(directory) == 0); /* nothing lies beside them */
+    CHECK(rmdir(directory) == 0); /* no other files remain in the folder */
 }
 
 TEST(what_cannot_be_written_is_told_once_and_for_all) {

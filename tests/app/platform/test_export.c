@@ -103,7 +103,7 @@ static const char *program(void) {
     return path;
 }
 
-/* Runs it to the end; how many times there was something to be seen of its progress, and the largest part. */
+/* Runs the export to its end; counts its progress reports, and returns the largest fraction. */
 typedef struct Watched {
     const ExportStatus *status;
     int pictures;

@@ -46,7 +46,7 @@ TEST(a_folder_lists_what_is_above_then_folders_then_files) {
         CHECK_TEXT(folder.entries[i].format ? folder.entries[i].format : "", formats[i]);
     }
     CHECK_TEXT(folder.entries[1].path, desk_path("in/Big"));
-    char *home = strdup(desk_path("in")); /* the folder above it is the home */
+    char *home = strdup(desk_path("in")); /* the home folder is its parent */
     *strrchr(home, '/') = 0;
     CHECK_TEXT(folder.entries[0].path, home);
     free(home);

@@ -1,4 +1,4 @@
-/* What is edited and not saved, for the next time: it is found when its process is gone, and never while it lives. */
+/* Tests recovery of unsaved edits: a recovery file is found once its process has ended, and never before. */
 
 #include "platform/recovery.h"
 
@@ -13,7 +13,7 @@
 
 static const RecoveryAbout about = {"/somewhere/flat.json", "L corridor", 23, 1700000000};
 
-/* As a program that ends without a word. */
+/* Ends the process like a crash. */
 static void leave_behind(const char *text, const RecoveryAbout *said) {
     pid_t child = fork();
     if (child == 0) {

@@ -9,7 +9,7 @@
 #include "desk.h"
 #include "scratch.h"
 
-/* A room with a disc that has come and one that moves. */
+/* A room with a static disc and a moving one. */
 typedef struct Layers {
     Scene still, added, moving;
 } Layers;

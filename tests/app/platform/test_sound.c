@@ -12,7 +12,7 @@
 
 enum { SAMPLES = 1 << 15, LARGEST = 1 << 26 };
 
-/* What SDL's disk driver has written: mono floats. memory_free them. */
+/* Returns the mono floats that SDL's disk driver has written; memory_free them. */
 static float *heard(size_t *count) {
     size_t size = 0;
     char *bytes = text_read_file(desk_path("sound.raw"), LARGEST, &size);
@@ -36,7 +36,7 @@ static Sound *open_disk(void) {
     return sound;
 }
 
-/* Feeds as much as is wanted of a tone, for some time. */
+/* Feeds a tone as fast as the device asks, for some time. */
 static void play_tone(Sound *sound, int milliseconds) {
     static float samples[SAMPLES];
     static size_t at;
@@ -50,7 +50,7 @@ static void play_tone(Sound *sound, int milliseconds) {
     }
 }
 
-/* How loud it is, and the largest jump from sample to sample. */
+/* Measures loudness and the largest step between samples. */
 static void check_heard(double loud, double jump) {
     size_t count;
     float *samples = heard(&count);
@@ -70,7 +70,7 @@ static void check_heard(double loud, double jump) {
 TEST(a_tone_is_heard_without_clicks_though_it_begins_runs_dry_and_is_hushed) {
     Sound *sound = open_disk();
     play_tone(sound, 200);
-    usleep(200000); /* it runs dry */
+    usleep(200000); /* the buffer runs empty */
     play_tone(sound, 200);
     sound_hush(sound);
     play_tone(sound, 200);

@@ -19,7 +19,7 @@ enum { MANY = 100000 };
 
 static const Vec2 PAGES[] = {{384, 150}, {384, 300}, {640, 400}, {1280, 720}};
 
-/* A wave of `count` points over x from 0 to 10. */
+/* Returns a wave of `count` points over x from 0 to 10. */
 static void fill_wave(double *x, double *y, size_t count) {
     for (size_t i = 0; i < count; i++) {
         x[i] = 10.0 * (double)i / (double)(count - 1);
@@ -198,7 +198,7 @@ static Box caption_box(const Caption *caption) {
     return (Box){vec2_sub(caption->centre, half), vec2_add(caption->centre, half)};
 }
 
-/* Words keep apart where their letters are: the boxes' upper and lower edges hold nothing. */
+/* Texts keep apart by their glyphs: the upper and lower edges of the boxes are empty. */
 static bool words_overlap(const Caption *a, const Caption *b) {
     const double empty = 0.1;
     Box first = caption_box(a), second = caption_box(b);
@@ -317,7 +317,7 @@ TEST(a_given_axis_is_kept_to_the_digit) {
 
 /* Canvas ----------------------------------------------------------------------------------------------------------- */
 
-/* How two pictures of the same size differ: of 255, in any channel. */
+/* Differences of two pictures of equal size: of 255, in any channel. */
 typedef struct Difference {
     int most;
     double mean; /* over all pixels and channels */
@@ -335,7 +335,7 @@ static Difference difference(const unsigned char *a, const unsigned char *b, int
     return result;
 }
 
-/* Advances by steps of any length. */
+/* Advances by steps of varying length. */
 static void advance_in_steps(PlotCanvas *canvas, size_t series, size_t count, int most, uint64_t seed) {
     Random random = random_seed(seed, 0);
     for (size_t done = 0; done < count;) {
@@ -344,7 +344,7 @@ static void advance_in_steps(PlotCanvas *canvas, size_t series, size_t count, in
     }
 }
 
-/* Painted in one go, as plot_paint does it. */
+/* Paints at once, like plot_paint. */
 static cairo_surface_t *painted_whole(const Plot *plot, int width, int height, double unit) {
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
     cairo_t *cairo = cairo_create(surface);
@@ -355,7 +355,7 @@ static cairo_surface_t *painted_whole(const Plot *plot, int width, int height, d
     return surface;
 }
 
-/* A canvas advanced by steps of at most `most` points against the same plot painted at once. */
+/* Compares a canvas advanced by at most `most` points per step with the same plot painted at once. */
 static void check_bit_by_bit(Plot *plot, int most) {
     enum { WIDTH = 576, HEIGHT = 225 };
     PlotGuide guide = {.at = 0.4, .name = "danger below", .role = ROLE_ERROR, .style = LINE_DASHED};
@@ -373,8 +373,9 @@ static void check_bit_by_bit(Plot *plot, int most) {
     cairo_surface_destroy(whole);
 }
 
-/* Where two parts of a line that do not come in one piece share a pixel, it has the ink of the one that covers more of
- * it, at least half of what both cover: hence 128 of 255 for single pixels. Ink over ink differs by 0.4 on average. */
+/* Where two separately drawn parts of a line share a pixel, the pixel has the ink of the part that covers more of
+ * it, at least half of the total coverage: hence 128 of 255 for single pixels. Ink over ink differs by 0.4 on
+ * average. */
 TEST(a_line_drawn_bit_by_bit_is_the_line_drawn_at_once) {
     enum { COUNT = 3000 };
     static double x[COUNT], y[COUNT];
@@ -436,7 +437,7 @@ TEST(only_the_returned_pixels_change_and_a_restart_takes_all_back) {
     plot_canvas_destroy(canvas);
 }
 
-/* How far a pixel is from the paper, of 255. */
+/* Returns the difference of a pixel from the paper, of 255. */
 static int ink_at(const PlotCanvas *canvas, Vec2 place) {
     const unsigned char *pixel =
         plot_canvas_pixels(canvas) + (int)place.y * plot_canvas_stride(canvas) + 4 * (int)place.x;
@@ -495,7 +496,7 @@ TEST(what_is_no_number_breaks_the_line_and_a_single_point_is_a_dot) {
 
 /* Files ------------------------------------------------------------------------------------------------------------ */
 
-enum { CSV = CAIRO_FILE_PDF + 1 /* beside CairoFileKind */ };
+enum { CSV = CAIRO_FILE_PDF + 1 /* alongside CairoFileKind */ };
 
 /* Writes a picture of 800 x 500, or a table, under /tmp and returns its bytes, ended by 0. */
 static char *written(const Plot *plot, int kind, size_t *size) {
@@ -520,7 +521,7 @@ TEST(the_same_plot_gives_the_same_bytes) {
     for (int i = CAIRO_FILE_PNG; i <= CAIRO_FILE_PDF; i++) {
         size_t first_size = 0, second_size = 1;
         char *first = written(&plot, i, &first_size);
-        sleep(i == CAIRO_FILE_PDF); /* a date would be another one */
+        sleep(i == CAIRO_FILE_PDF); /* a date would change the bytes */
         char *second = written(&plot, i, &second_size);
         CHECK(first && second && first_size == second_size && memcmp(first, second, first_size) == 0);
         CHECK(first && memcmp(first, beginnings[i], strlen(beginnings[i])) == 0);
@@ -558,7 +559,7 @@ TEST(a_table_has_two_columns_a_series_and_names_them) {
     memory_free(one);
 }
 
-/* Operations of paths in an SVG: moves, lines and curves. */
+/* Counts path operations in an SVG: moves, lines and curves. */
 static size_t path_operations(const char *svg) {
     size_t count = 0;
     for (const char *path = svg; (path = strstr(path, " d=\"")) != NULL;)
@@ -584,7 +585,7 @@ TEST(a_hundred_thousand_points_are_drawn_with_few_operations) {
     size_t size;
     char *svg[] = {written(&lines, CAIRO_FILE_SVG, &size), written(&map, CAIRO_FILE_SVG, &size),
                    written(&empty, CAIRO_FILE_SVG, &size)};
-    size_t words = path_operations(svg[2]) + 500; /* letters of the axes */
+    size_t words = path_operations(svg[2]) + 500; /* glyphs of the axes */
     size_t columns = 2 * 800;                     /* of half a pixel */
     CHECK(path_operations(svg[0]) < words + 4 * columns + columns / 100);
     CHECK(path_operations(svg[0]) > columns);
@@ -595,7 +596,7 @@ TEST(a_hundred_thousand_points_are_drawn_with_few_operations) {
 
 /* Maps and marks --------------------------------------------------------------------------------------------------- */
 
-/* The colour at a value, 0xRRGGBB. */
+/* Returns the colour of a value, 0xRRGGBB. */
 static unsigned colour_at(cairo_surface_t *surface, const PlotLayout *layout, Vec2 value) {
     Vec2 at = plot_frame_point(layout, value);
     const unsigned char *row =
@@ -623,7 +624,7 @@ TEST(every_cell_of_a_map_has_the_colour_of_its_class_and_an_empty_one_none) {
     check_layout(&layout);
     CHECK(has_words(&layout, "period 1") && has_words(&layout, "not periodic"));
     for (int i = 0; i < 6; i++) {
-        Vec2 corner = vec2(20 + 100 * (i % 3 + 0.1), 0.1 + 0.1 * (i / 3 + 0.1)); /* away from letters */
+        Vec2 corner = vec2(20 + 100 * (i % 3 + 0.1), 0.1 + 0.1 * (i / 3 + 0.1)); /* away from glyphs */
         Role role = isnan(values[i]) ? ROLE_PAPER : classes[(int)values[i]].role;
         CHECK(colour_at(surface, &layout, corner) == role_code(role));
     }
@@ -643,7 +644,7 @@ TEST(a_quantity_is_told_by_brightness_in_both_themes) {
         for (int i = 0; i <= 20; i++) {
             double contrast = palette_contrast(palette_shade(theme, i / 20.0), paper);
             CHECK(contrast > before);
-            before = theme == THEME_PAPER || i > 4 ? contrast : 0; /* the darkest are nearly the board */
+            before = theme == THEME_PAPER || i > 4 ? contrast : 0; /* the darkest are close to the board */
         }
     }
 }

@@ -1,7 +1,6 @@
-/* Pictures as they were when somebody last looked at them: tests/golden. They are compared by tolerance, since another
- * version of Mesa, cairo or pango rounds otherwise; the letters' font is asked for first, since without it everything
- * is different. With CLEARANCE_GOLDEN=write in the environment the pictures are made anew: look at each before it is
- * kept. */
+/* Compares pictures with the reviewed ones in tests/golden, by tolerance, since other versions of Mesa, cairo or
+ * pango round differently; the font is checked first, since another one changes everything. CLEARANCE_GOLDEN=write
+ * in the environment writes the pictures: look at each one before committing it. */
 
 #include <cairo.h>
 #include <pango/pangocairo.h>
@@ -25,7 +24,7 @@
 
 enum { WIDTH = 960, HEIGHT = 540 };
 
-/* Of 255: a difference that the eye would see, and how much of a picture may show it. */
+/* Of 255: smallest visible difference, and the largest fraction of pixels that may show it. */
 enum { SEEN = 40 };
 #define SHARE_MOST 0.002
 #define MEAN_MOST 0.5
@@ -33,7 +32,7 @@ enum { SEEN = 40 };
 typedef struct Golden {
     const char *name; /* of the file */
     const char *house;
-    const char *route; /* or NULL: everybody */
+    const char *route; /* or NULL: all people */
     ViewKind view;
     Theme theme;
     double time; /* s; negative: the still picture by cairo */
@@ -93,7 +92,8 @@ static void paint_still(const Golden *golden, const House *house, const Observat
     scene_clear(&scene);
 }
 
-/* The mean difference of a channel, of 255, the share of pixels in which one is seen; 255 and 1 for another size. */
+/* Returns the mean difference of a channel, of 255, and the fraction of visibly different pixels; 255 and 1 for
+ * another size. */
 static void compare(const unsigned char *pixels, cairo_surface_t *surface, double *mean, double *share) {
     *mean = 255;
     *share = 1;
@@ -117,7 +117,7 @@ static void compare(const unsigned char *pixels, cairo_surface_t *surface, doubl
     *share = seen / (1.0 * WIDTH * HEIGHT);
 }
 
-/* Compares with the picture of that name, or writes it. */
+/* Compares a picture with the golden one of that name, or writes it. */
 static void check_picture(const char *name, const unsigned char *pixels) {
     char path[4096], made[4096];
     snprintf(path, sizeof path, "%s/tests/golden/%s.png", check_source(), name);
@@ -164,7 +164,7 @@ static void check_golden(const Golden *golden) {
     check_picture(golden->name, pixels);
 }
 
-/* The phase plane of the shipped beam on a stable orbit: what is chaotic differs from one LAPACK to the next. */
+/* The phase plane of the shipped beam on a stable orbit: a chaotic one would amplify rounding. */
 static void paint_phase(unsigned char *pixels) {
     Beam beam = {0};
     Rig rig;
@@ -211,7 +211,7 @@ static void paint_map(unsigned char *pixels) {
     paint_plot(&plot, pixels, THEME_PAPER);
 }
 
-/* As `run` writes beam.png, but not so large. */
+/* As `run` writes beam.png, but smaller. */
 static void paint_beam(const char *setting, double time, Theme theme, unsigned char *pixels) {
     Beam beam = oscillator_beam("ibs", setting);
     Rig rig = oscillator_beam_rig("ibs", setting);
@@ -264,7 +264,7 @@ TEST(plots_are_as_they_were) {
     check_picture("periods-map", pixels);
 }
 
-/* A periodic motion, so that what rounding makes of it is not to be seen. */
+/* A periodic motion, in which rounding stays invisible. */
 TEST(a_beam_is_as_it_was) {
     static unsigned char pixels[4 * WIDTH * HEIGHT];
     paint_beam("drive.frequency=190", 0.0076, THEME_PAPER, pixels);

@@ -34,7 +34,7 @@ static void check_round(double text, Theme theme) {
         CHECK(pane_key(&pane, UI_KEY_NEXT));
         seen[i] = picture_digest(&pane);
         for (int k = 0; k < i; k++)
-            CHECK(seen[k] != seen[i]); /* each stop has its frame, and it is seen */
+            CHECK(seen[k] != seen[i]); /* each stop has a visible focus frame */
     }
     for (int i = 0; i < PANE_STOPS; i++) {
         pane_key(&pane, UI_KEY_NEXT);
@@ -55,7 +55,7 @@ TEST(shift_tab_goes_back) {
     uint64_t before = picture_digest(&pane);
     pane_key(&pane, UI_KEY_NEXT);
     pane_key(&pane, UI_KEY_PREVIOUS);
-    ui_key(pane.ui, UI_KEY_ESCAPE, false, false); /* its help, which it has now by a key as before */
+    ui_key(pane.ui, UI_KEY_ESCAPE, false, false); /* its help, shown after a key as before */
     pane_go(&pane, "panel", 2);
     CHECK(picture_digest(&pane) == before);
     pane_end(&pane);
@@ -153,7 +153,7 @@ TEST(a_canvas_is_held_outside_its_box_too) {
     pane.input.down[1] = true;
     pane_frame(&pane);
     CHECK(pane.grab.wheel == -2 && pane.grab.right_pressed && !pane.grab.pressed);
-    for (int i = 0; i < 30; i++) /* the first press of this test is half a second ago */
+    for (int i = 0; i < 30; i++) /* the first press of this test is half a second old */
         pane_frame(&pane);
     pane_down(&pane, at);
     pane_up(&pane, at);
@@ -230,16 +230,16 @@ TEST(a_window_at_rest_needs_no_frames) {
     CHECK(frames_until_rest(&pane) < 5);
     pane_move(&pane, middle(pane.pause));
     int frames = frames_until_rest(&pane);
-    CHECK(frames > 25 && frames < 40); /* the help comes */
+    CHECK(frames > 25 && frames < 40); /* the help appears */
     uint64_t shown = picture_digest(&pane);
     CHECK(picture_digest(&pane) == shown);
     pane_move(&pane, vec2(pane.pause.high.x + 2, pane.pause.low.y));
     frames = frames_until_rest(&pane);
-    CHECK(frames > 20 && frames < 40); /* and leaves the mouse time to come to it */
+    CHECK(frames > 20 && frames < 40); /* and leaves time for the mouse to reach it */
     CHECK(picture_digest(&pane) != shown);
     pane.modal = true;
     pane_frame(&pane);
-    CHECK(ui_is_busy(pane.ui)); /* the focus goes there */
+    CHECK(ui_is_busy(pane.ui)); /* the focus moves there */
     CHECK(frames_until_rest(&pane) < 5);
     pane_end(&pane);
 }
@@ -352,7 +352,7 @@ TEST(a_slider_goes_by_twentieths_hundredths_and_tenths) {
     pane_go(&pane, "panel", DAMPING);
     pane_key(&pane, UI_KEY_HOME);
     pane_key(&pane, UI_KEY_RIGHT);
-    CHECK_NEAR(pane.damping.value, 2, 0); /* a twentieth of it is less than the next whole number */
+    CHECK_NEAR(pane.damping.value, 2, 0); /* a twentieth of it is less than the next integer */
     CHECK(!pane_key(&pane, UI_KEY_SPACE));
     pane_end(&pane);
 }
@@ -393,11 +393,11 @@ TEST(a_typed_value_counts_when_it_is_of_the_range) {
     pane_frame(&pane);
     pane_key(&pane, UI_KEY_ENTER);
     pane_key(&pane, UI_KEY_ENTER);
-    CHECK_NEAR(pane.width.value, 0.8123, 0); /* looked at, not changed */
+    CHECK_NEAR(pane.width.value, 0.8123, 0); /* viewed, not changed */
     pane_key(&pane, UI_KEY_ENTER);
     ui_type(pane.ui, "2");
     pane_key(&pane, UI_KEY_NEXT);
-    CHECK_NEAR(pane.width.value, 2, 0); /* beyond the track, within what may be typed */
+    CHECK_NEAR(pane.width.value, 2, 0); /* beyond the track, within the valid range */
     pane_end(&pane);
 }
 
@@ -447,7 +447,7 @@ TEST(a_field_is_typed_into_as_soon_as_it_has_the_focus) {
     ui_key(pane.ui, UI_KEY_PASTE, false, true);
     pane_frame(&pane);
     CHECK_TEXT(pane.name, "heKüc");
-    CHECK(pane_key(&pane, UI_KEY_SPACE)); /* the window plays nothing while somebody types */
+    CHECK(pane_key(&pane, UI_KEY_SPACE)); /* playback keys are off while a person types */
     CHECK(pane_key(&pane, UI_KEY_ESCAPE));
     CHECK_TEXT(pane.name, "L corridor");
     CHECK(!ui_types(pane.ui) && !pane.entered);
@@ -476,7 +476,7 @@ TEST(a_field_is_opened_by_the_mouse_and_left_by_it) {
 
 /* Letters ---------------------------------------------------------------------------------------------------------- */
 
-/* Rows of pixels of one byte in four, or of one, that are rather dark. */
+/* Rows of dark pixels, with one byte in four or one byte per pixel. */
 static int dark_rows(const unsigned char *pixels, int width, int height, int stride, int bytes, int least, int most) {
     int first = -1, last = -1;
     for (int y = 0; y < height; y++)

@@ -1,4 +1,4 @@
-/* Where things are in the window: at every size and with every wish nothing overlaps and all is on the page. */
+/* Tests the window's layout: at every size and with every option no areas overlap and all lie inside the window. */
 
 #include "window/frame.h"
 

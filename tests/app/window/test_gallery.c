@@ -12,7 +12,7 @@
 #include "scratch.h"
 #include "laboratory/thumbnail.h"
 
-/* Waits until all is there. */
+/* Waits until everything is loaded. */
 static const GalleryItem *wait_for(Gallery *gallery, size_t *count) {
     for (int i = 0; i < 6000 && !gallery_complete(gallery); i++) {
         gallery_update(gallery);
@@ -22,7 +22,7 @@ static const GalleryItem *wait_for(Gallery *gallery, size_t *count) {
     return gallery_items(gallery, count);
 }
 
-/* How many pixels are another colour than the first one, which is paper. */
+/* Counts the pixels that differ from the first one, which is paper. */
 static int drawn(const unsigned char *pixels) {
     int count = 0;
     for (int i = 0; i < GALLERY_WIDTH * GALLERY_HEIGHT; i++)
@@ -30,7 +30,7 @@ static int drawn(const unsigned char *pixels) {
     return count;
 }
 
-/* The assets: the program's own, and a house that is broken. */
+/* The assets: the program's own, and a broken house. */
 static void make_assets(void) {
     char from[200], to[200];
     desk_make();

@@ -1,4 +1,4 @@
-/* The table of keys: each key is one, means one thing in each place, and has its words. */
+/* Tests the table of keys: each shortcut is unique in each context and has its texts. */
 
 #include "window/keys.h"
 

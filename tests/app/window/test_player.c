@@ -1,4 +1,4 @@
-/* The transport: time on the wall becomes time that is shown, and whole frames where it is stepped. */
+/* Tests playback: clock time becomes shown time, and steps are whole frames. */
 
 #include "window/player.h"
 

@@ -80,7 +80,7 @@ TEST(commands_come_in_order_with_their_words_and_numbers) {
     script_free(&script);
 }
 
-/* What an expectation of the state says: "" when it holds. */
+/* Returns the error of an expectation on the state, "" if it holds. */
 static void expect(const char *command, const char *says) {
     Script script;
     Fault fault = {0};

@@ -1,4 +1,5 @@
-/* The running beam: its record is the motion that the program computes without a window, whatever is looked at when. */
+/* Tests the running beam: its record equals the motion computed without a window, regardless of the order in which
+ * it is shown. */
 
 #include <math.h>
 #include <stdio.h>
@@ -34,7 +35,7 @@ static void *open_beam(const char *name, const char *const *settings, size_t cou
     return live;
 }
 
-/* Has it shown up to a time, s, as far as that can be reached. */
+/* True once the session has shown times up to the given one, s, as far as reachable. */
 static void show_at(void *live, double time) {
     while (beam_laboratory.reach(live, time) <= time && !beam_laboratory.span(live).complete) {
     }
@@ -142,7 +143,7 @@ TEST(the_record_goes_through_the_state_in_which_the_response_is_recorded) {
     beam_free(&beam);
 }
 
-/* A cycle that is followed again ends where the next one begins. */
+/* A repeated cycle ends where the next one begins. */
 TEST(a_cycle_that_is_seen_again_is_the_same) {
     Beam beam = oscillator_beam("ibs", NULL);
     Fault fault = {0};
@@ -204,7 +205,7 @@ TEST(only_the_last_changes_are_kept) {
         beam_tape_advance(&tape);
         beam.frequency = 200 + (double)i / 10;
         CHECK(beam_tape_change(&tape, &beam, tape.front, &fault));
-        beam.frequency += 0.05; /* within the same cycle: the first one is merged */
+        beam.frequency += 0.05; /* within the same cycle: the earlier change is merged */
         CHECK(beam_tape_change(&tape, &beam, tape.front, &fault));
     }
     CHECK(tape.part_count == BEAM_TAPE_PARTS);
@@ -237,7 +238,7 @@ TEST(a_time_looks_the_same_whenever_it_is_shown) {
         for (int again = 0; again < 2; again++) {
             void *shown = again ? other : live;
             show_at(shown, time + 1e-4);
-            show_at(shown, time); /* back: pages of single cycles */
+            show_at(shown, time); /* backwards: pages of single cycles */
             CHECK(digest_picture(shown) == pictures[order[i]]);
             CHECK(digest_plot(shown, "phase", time) == phases[order[i]]);
         }
@@ -275,7 +276,7 @@ TEST(plots_at_speed_hold_more_cycles) {
     beam_laboratory.close(live);
 }
 
-/* Jumps over more than is kept, between beams of different modes, at the very beginning of the record. */
+/* Jumps over more than the record holds, between beams with different modes, at the very beginning of the record. */
 TEST(what_is_forgotten_is_not_looked_for) {
     const char *const settings[] = {"beam.modes=1"};
     void *live = open_beam("ibs", settings, 1);
@@ -337,7 +338,7 @@ TEST(a_change_while_it_runs_leads_into_chaos_and_the_record_before_stays) {
     beam_laboratory.close(live);
 }
 
-/* The tip goes on where it was, at the speed that it had. */
+/* The tip continues at its place with its velocity. */
 TEST(the_motion_is_carried_on_through_a_change) {
     Beam beam = oscillator_beam("ibs", NULL);
     Fault fault = {0};
@@ -422,7 +423,7 @@ TEST(what_cannot_be_followed_ends_the_record_until_it_is_changed) {
     Fault fault = {0};
     show_at(live, 0.1);
     uint64_t before = digest_picture(live);
-    CHECK(beam_laboratory.set(live, "drive.frequency", 1, &fault)); /* rattling all along a slow cycle */
+    CHECK(beam_laboratory.set(live, "drive.frequency", 1, &fault)); /* rattling through a slow cycle */
     CHECK(beam_laboratory.set(live, "joint.clearance", 1e-6, &fault));
     CHECK(beam_laboratory.set(live, "joint.damping", 0, &fault));
     CHECK(beam_laboratory.set(live, "beam.damping_ratio", 0, &fault));
@@ -527,7 +528,7 @@ TEST(the_sound_is_the_velocity_of_the_tip) {
 
 /* In the background ------------------------------------------------------------------------------------------------ */
 
-/* The points of a pass that come of one value. */
+/* Returns the points of a pass at one value. */
 static size_t count_points(const BeamSweepPoints *points, double value, const Trial *trial, size_t *alike) {
     size_t count = 0;
     for (size_t i = 0; i < points->count; i++) {

@@ -1,5 +1,5 @@
-/* Editing a house at work: what is drawn by hand and what is typed are the same, every step is undone to the same
- * bytes, and what a house file may not say cannot be made. */
+/* Tests editing of a running house: drawing and typing give equal plans, every step is undone to the same bytes, and
+ * no invalid house can result. */
 
 #include "base/text.h"
 #include "laboratory/edit/editor.h"
@@ -64,7 +64,7 @@ static void drag(void *live, double x, double y, double to_x, double to_y) {
     release(live, to_x, to_y);
 }
 
-/* Letters one by one; | is Enter, > is Tab, < is Backspace, ~ is Escape. */
+/* Types characters one by one; | is Enter, > is Tab, < is Backspace, ~ is Escape. */
 static void keys(void *live, const char *text) {
     for (; *text; text++) {
         char letter[2] = {*text, 0};
@@ -81,12 +81,12 @@ static void keys(void *live, const char *text) {
     }
 }
 
-/* Enough to tell one text from another. */
+/* Returns a hash that distinguishes texts. */
 static char *keep_text(void *live) {
     return text_copy(editor_text(kind->editor(live)));
 }
 
-/* Back to the text that was kept, and the end of it. */
+/* Checks that undo restored the stored text, and releases it. */
 static void undo_all(void *live, char *before) {
     while (editor_undo(kind->editor(live)))
         ;
@@ -106,7 +106,7 @@ static void choose(void *live, const char *group, const char *name) {
     CHECK_TEXT(name, "an item");
 }
 
-/* A four-room flat: 8 m by 6 m, walls that cross in the middle, doors between, somebody and a wardrobe. */
+/* A flat of 8 m by 6 m with four rooms: walls that cross in the middle, doors, a person and a wardrobe. */
 static void draw_by_hand(void *live) {
     editor_set_tool(kind->editor(live), TOOL_WALL);
     click(live, 0.003, 0.004);
@@ -217,9 +217,9 @@ static void *open_text(const char *text) {
 }
 
 typedef struct Held {
-    const char *what;   /* is clicked on to select it */
-    Vec2 at, from, to;  /* m: where it is selected, its handle, and where that goes */
-    const char *member; /* of the text, that is there then */
+    const char *what;   /* clicked to select it */
+    Vec2 at, from, to;  /* m: place of selection, its handle, and the handle's destination */
+    const char *member; /* part of the resulting text */
 } Held;
 
 static const Held handles[] = {
@@ -296,7 +296,7 @@ TEST(escape_leaves_exactly_what_was_before) {
 
 /* Snapping, typing and refusals ------------------------------------------------------------------------------------ */
 
-/* What the hand is snapped to, "": nothing. */
+/* Returns the name of the snap target, "" if there is none. */
 static const char *snapped(void *live) {
     const GestureView *gesture = editor_gesture(kind->editor(live));
     for (size_t i = 0; i < gesture->mark_count; i++)
@@ -383,11 +383,11 @@ TEST(a_door_stops_at_the_end_of_its_wall_and_says_why) {
     CHECK(fault.count && strstr(fault.lines[0], "must be at most 4 m in wall w1"));
     CHECK(strstr(editor_text(kind->editor(live)), "\"at\": 3.55, \"width\": 0.9"));
     fault_clear(&fault);
-    click(live, 3.55, 0); /* its handle is taken up */
+    click(live, 3.55, 0); /* its handle is grabbed */
     keys(live, ">9|");
     CHECK(editor_gesture(kind->editor(live))->active && editor_gesture(kind->editor(live))->refusal);
     keys(live, "<1.2|");
-    CHECK(editor_gesture(kind->editor(live))->active); /* it would go past the end */
+    CHECK(editor_gesture(kind->editor(live))->active); /* it would extend past the end */
     keys(live, ">2|");
     CHECK(!editor_gesture(kind->editor(live))->active);
     CHECK(strstr(editor_text(kind->editor(live)), "\"at\": 2, \"width\": 1.2"));
@@ -426,7 +426,7 @@ TEST(keys_while_a_slider_is_held_put_it_down_first) {
     kind->hold(live, "door.d1.width");
     CHECK(set(live, "door.d1.width", 1.2) && editor_undo(kind->editor(live)));
     CHECK_TEXT(editor_text(kind->editor(live)), before);
-    CHECK(set(live, "door.d1.width", 1.1)); /* a step of its own */
+    CHECK(set(live, "door.d1.width", 1.1)); /* a separate step */
     kind->settle(live);
     CHECK(editor_undo(kind->editor(live)));
     CHECK_TEXT(editor_text(kind->editor(live)), before);
@@ -442,7 +442,7 @@ TEST(a_number_that_is_typed_while_a_handle_is_held_stays) {
     void *live = open_text(small_house);
     char *before = keep_text(live);
     click(live, 2, 0);
-    click(live, 2, 0); /* its middle is taken up */
+    click(live, 2, 0); /* its middle is grabbed */
     CHECK(editor_gesture(kind->editor(live))->active && set(live, "door.d1.width", 1.2));
     move_to(live, 2.5, 0);
     click(live, 2.5, 0);
@@ -717,12 +717,12 @@ TEST(a_change_that_lets_everybody_out_is_proposed_and_taken) {
     CHECK(!strstr(editor_text(kind->editor(live)), "\"width\": 0.5"));
     CHECK(strstr(editor_undo_name(kind->editor(live)), "Widen door d1"));
     editor_proposals(kind->editor(live), &count, &doing);
-    CHECK(count == 0 && !doing); /* they were about another house */
+    CHECK(count == 0 && !doing); /* they belonged to another house */
     CHECK(!editor_accept(kind->editor(live), 0, &fault) && fault.count == 1);
     fault_clear(&fault);
     editor_ask_proposals(kind->editor(live));
     editor_ask_proposals(kind->editor(live));
-    kind->close(live); /* with two under way */
+    kind->close(live); /* while two people are on their way */
 }
 
 /* The first bytes of a picture of 200 by 100 pixels. */

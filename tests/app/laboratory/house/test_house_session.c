@@ -1,5 +1,5 @@
-/* The House laboratory at work: whatever is shown, pointed at and changed meanwhile, a run is the one that the command
- * line makes; what is wrong is said and changes nothing. */
+/* Tests the House laboratory: a run equals that of the command line regardless of display, selection and changes;
+ * errors are reported and change nothing. */
 
 #include "laboratory/house/session.h"
 
@@ -16,7 +16,7 @@
 
 static const Laboratory *const kind = &house_laboratory;
 
-/* s, of all threads' work, that closing may take: where every access is watched, more. */
+/* s, of all threads, that closing may take; more when every access is checked. */
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 static const double AT_ONCE = 15;
 #else
@@ -33,7 +33,7 @@ static double now(void) {
     return clock_of(CLOCK_MONOTONIC);
 }
 
-/* Closes, and does not wait for what is in work. */
+/* Closes the session without waiting for its work. */
 static void close_at_once(void *live) {
     double begun = clock_of(CLOCK_PROCESS_CPUTIME_ID);
     kind->close(live);
@@ -81,7 +81,7 @@ static void choose(void *live, const char *name, const char *word) {
     CHECK(kind->choices(live, &count)[choice].chosen == place);
 }
 
-/* Until nothing is in work; returns all that has changed. */
+/* Waits until no work remains; returns all change flags. */
 static unsigned settle(void *live, double time) {
     unsigned changed = 0;
     double begun = now();
@@ -137,10 +137,10 @@ static void add_scene(Text *text, const Scene *scene) {
     }
 }
 
-/* What a painter is given, as text: the whole of the layer that stays and the one that moves. */
+/* Returns the input of a painter as text: the whole static and moving layers. */
 static char *picture_at(void *live, double time) {
     kind->update(live, time);
-    kind->look(live, (Camera){.zoom = 1}); /* all is added anew */
+    kind->look(live, (Camera){.zoom = 1}); /* everything is added again */
     kind->update(live, time);
     CHECK(!kind->show(live, time));
     Text text = {0};
@@ -154,7 +154,7 @@ TEST(a_run_in_the_window_is_the_one_of_the_command_line) {
     for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
         void *live = open_live(names[n], NULL, 0, NULL);
         CHECK(house_session_digest(live) == 0);
-        for (int i = 0; i < 50; i++) { /* whatever is shown meanwhile */
+        for (int i = 0; i < 50; i++) { /* regardless of what is shown meanwhile */
             kind->update(live, 0.3 * i);
             double end = kind->span(live).end;
             kind->show(live, end * (i % 7) / 7);
@@ -225,7 +225,7 @@ TEST(a_house_that_would_be_bad_is_refused_at_once) {
     uint64_t first = house_session_digest(live);
     CHECK(!set(live, "door.d5.width", 9));
     size_t place;
-    find_choice(live, "Route", "A", &place); /* its word is the plan's, which stands as before */
+    find_choice(live, "Route", "A", &place); /* its choice is the plan's, which is unchanged */
     CHECK(!kind->trouble(live, &since) && !(settle(live, 0) & LABORATORY_TROUBLE));
     CHECK(house_session_digest(live) == first && parameter(live, "door.d5.width")->value == 0.9);
     CHECK(set(live, "door.d5.width", 0.95));
@@ -234,7 +234,7 @@ TEST(a_house_that_would_be_bad_is_refused_at_once) {
     kind->close(live);
 }
 
-/* What only shows when the house is made of its plan: a step shorter than the springs bear. */
+/* Reports an error that appears only when the house is built: a step longer than the springs allow. */
 TEST(a_house_that_becomes_bad_keeps_the_last_good_one) {
     void *live = open_live("ube-techno-house", NULL, 0, NULL);
     double since;
@@ -270,7 +270,8 @@ TEST(what_is_chosen_while_the_house_is_read_has_its_numbers_to_come_back_to) {
     kind->close(live);
 }
 
-/* What was shown up to an edit is shown again; from there on it is another house, and the answer is of that alone. */
+/* The part before an edit stays visible; later times show the edited house, and the answer concerns that house
+ * alone. */
 TEST(an_edit_on_the_way_goes_on_from_there) {
     void *live = open_live("ube-techno-house", NULL, 0, NULL);
     settle(live, 0);
@@ -354,7 +355,7 @@ TEST(a_moment_rests_until_something_changes) {
     kind->close(live);
 }
 
-/* What is shown of a run that goes on is what will be shown of it when it is over. */
+/* The shown part of an unfinished run equals the same part of the finished one. */
 TEST(a_time_looks_the_same_before_the_run_is_over) {
     void *live = open_live("two-chairs-corridor", (const char *[]){"run.dt=0.0001"}, 1, NULL);
     double begun = now();
@@ -554,7 +555,7 @@ TEST(ghosts_are_seen_moving) {
     kind->close(live);
 }
 
-/* A run that takes long is seen from its beginning. */
+/* A long run is visible from its beginning. */
 TEST(what_is_recorded_can_be_seen_while_more_is_computed) {
     void *live = open_live("hall-10000", (const char *[]){"crowd.people.count=2000", "run.sample=0.1"}, 2, NULL);
     double begun = now(), end = 0;
@@ -584,7 +585,7 @@ TEST(closing_does_not_wait) {
     }
 }
 
-/* Opens a house of these members besides its walls; the file is gone afterwards, but what is shown stays. */
+/* Opens a house with these members besides its walls; the file is deleted afterwards, but the house stays open. */
 static void *open_made(const char *path, const char *members) {
     Text text = {0};
     text_format(&text,
@@ -627,7 +628,7 @@ TEST(a_house_that_cannot_be_run_says_why) {
     unlink(path);
 }
 
-/* Somebody who does not get out, and numbers with which a run would break down. */
+/* A person who does not leave, and numbers with which a run fails. */
 TEST(what_went_wrong_is_told) {
     void *live = open_live("corner-0.78-0.78", NULL, 0, NULL);
     settle(live, 0);

@@ -1,4 +1,5 @@
-/* Films of a beam: what is drawn at a time is where the motion is, magnified as it says, whatever was shown before. */
+/* Tests films of a beam: a picture shows the motion at its time, magnified as stated, regardless of earlier
+ * pictures. */
 
 #include "draw/caption.h"
 #include "visual/beam/beam_film.h"
@@ -12,7 +13,7 @@
 #include "draw/layout.h"
 #include "oscillator.h"
 
-/* A beam that has been run, and a film of some of its cycles. */
+/* A beam after a run, and a film of some of its cycles. */
 typedef struct Shown {
     Beam beam;
     Rig rig;
@@ -41,7 +42,7 @@ static void hide(Shown *shown) {
     beam_free(&shown->beam);
 }
 
-/* The `nth` primitive of a kind and a fill, or NULL. */
+/* Returns the `nth` primitive of a kind and a fill, or NULL. */
 static const Primitive *find(const Scene *scene, PrimitiveKind kind, Role fill, size_t nth) {
     for (size_t i = 0; i < scene->count; i++)
         if (scene->primitives[i].kind == kind && scene->primitives[i].fill == fill && nth-- == 0)
@@ -71,7 +72,7 @@ TEST(the_tip_stands_where_the_motion_has_it) {
     hide(&shown);
 }
 
-/* Hermite's cubics take the deflections and the slopes of the nodes. */
+/* Hermite's cubics match the deflections and slopes of the nodes. */
 TEST(the_beam_is_drawn_through_its_nodes) {
     Rig rig = oscillator_beam_rig("ibs", NULL);
     BeamShape shape = beam_shape_create(&rig);
@@ -94,7 +95,7 @@ TEST(the_beam_is_drawn_through_its_nodes) {
     rig_clear(&rig);
 }
 
-/* The faces of the upper and the lower stop in the loupe. */
+/* Returns the faces of the upper and the lower stop in the magnifier. */
 static void faces(const Shown *shown, double *upper, double *lower) {
     const Scene *moving = beam_film_moving(shown->film);
     *upper = HUGE_VAL;
@@ -133,7 +134,7 @@ TEST(a_stop_is_where_the_clearance_says_or_where_the_tip_has_pressed_it) {
     hide(&shown);
 }
 
-/* Arrows of impacts, in the loupe: as long as their forces. */
+/* Returns the arrows of impacts in the magnifier, as long as their forces. */
 TEST(an_arrow_is_as_long_as_its_force) {
     Shown shown;
     show(&shown, "drive.frequency=300", 0, 0.02);
@@ -153,7 +154,7 @@ TEST(an_arrow_is_as_long_as_its_force) {
     hide(&shown);
 }
 
-/* All that a painter is given, as text. */
+/* Returns the whole input of a painter as text. */
 static void list_scene(Text *text, const Scene *scene) {
     char line[160];
     for (size_t i = 0; i < scene->count; i++) {
@@ -185,7 +186,7 @@ TEST(the_same_time_shows_the_same_whatever_was_shown_before) {
     hide(&shown);
 }
 
-/* At every picture's time the lines have come to what the motion is then; in chaos too. */
+/* At each picture's time the lines end at the motion's state, in chaos, too. */
 TEST(the_last_point_of_the_phase_plane_is_the_state) {
     Shown shown;
     show(&shown, "drive.frequency=300", 0.05, 0.07);
@@ -205,7 +206,7 @@ TEST(the_last_point_of_the_phase_plane_is_the_state) {
     hide(&shown);
 }
 
-/* The film is of the motion that was recorded: its samples are the trace's, 100 chaotic cycles long. */
+/* The film shows the recorded motion: its samples equal the trace over 100 chaotic cycles. */
 TEST(the_film_follows_the_run_that_the_answer_rests_on) {
     Shown shown;
     show(&shown, "drive.frequency=300", 0, 0.02);
@@ -223,7 +224,7 @@ TEST(the_film_follows_the_run_that_the_answer_rests_on) {
     hide(&shown);
 }
 
-/* Impacts come one after the other, and the last one is told of on its side. */
+/* Impacts follow one another, and the last one is labelled on its side. */
 TEST(impacts_are_told_apart) {
     Shown shown;
     show(&shown, "drive.frequency=190", 0, 0.02);
@@ -292,7 +293,7 @@ static bool overlap(Box a, Box b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
-/* The plots stand below the beam, and no words lie on others or beyond the page, at any moment. */
+/* The plots stand below the beam, and no text overlaps other text or the page's edge at any time. */
 TEST(words_keep_apart) {
     static const Vec2 pages[] = {{1280, 720}, {1280, 800}, {1280, 2275}, {2560, 720}};
     Shown shown;

@@ -71,7 +71,7 @@ TEST(the_phase_plane_has_the_clearance_s_edges_and_the_section_s_points) {
                                           phase->guides[g].at == (side ? -1000 : 1000) * beam.clearance);
     CHECK(edges[0] && edges[1]);
     const PlotSeries *section = &phase->series[1];
-    size_t last = response.section.count - 2; /* the section is taken at the ends of cycles */
+    size_t last = response.section.count - 2; /* the section is sampled at the ends of cycles */
     CHECK(section->count == 60);
     CHECK_NEAR(plot_value(section, section->count - 1).x, 1000 * response.section.deflection[last], 1e-9);
     CHECK_NEAR(plot_value(section, section->count - 1).y, response.section.velocity[last], 1e-9);

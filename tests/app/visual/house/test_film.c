@@ -1,4 +1,5 @@
-/* Films: what is shown at a time is where the record says, whatever was shown before; spaces end at what presses. */
+/* Tests films: a picture shows the record at its time, regardless of earlier pictures; personal spaces end at
+ * obstacles. */
 
 #include "visual/house/film.h"
 
@@ -11,7 +12,7 @@
 #include "visual/house/space_scene.h"
 #include "visual/house/trail.h"
 
-/* A house that has been run. */
+/* A house after a run. */
 typedef struct Shown {
     House house;
     Observation observation;
@@ -31,7 +32,7 @@ static void hide(Shown *shown) {
     house_free(&shown->house);
 }
 
-/* How many primitives of a kind and role there are; the last one's place in the scene is `*last`. */
+/* Counts the primitives of a kind and role; `*last` is the index of the last one. */
 static size_t count_of(const Scene *scene, PrimitiveKind kind, Role edge, size_t *last) {
     size_t count = 0;
     for (size_t i = 0; i < scene->count; i++)
@@ -60,7 +61,7 @@ TEST(words_say_what_is_shown) {
     CHECK(film_shown("route", &unknown) == -1);
 }
 
-/* What a painter is given to add, as text. */
+/* Returns the input that a painter adds, as text. */
 static void list_added(Text *text, const Scene *added) {
     char line[128];
     for (size_t i = 0; i < added->count; i++) {
@@ -71,7 +72,7 @@ static void list_added(Text *text, const Scene *added) {
     }
 }
 
-/* Whatever the times at which it is looked at, a film adds the same, in the same order. */
+/* A film adds the same primitives in the same order for any sequence of times. */
 TEST(what_comes_does_not_depend_on_when_one_looks) {
     static const double steps[] = {1.0 / 60, 1.0 / 30, 0.04, 0.37, 5, 100};
     static const char *const houses[] = {"closed-door", "two-chairs-corridor", "ube-techno-house"};
@@ -101,7 +102,7 @@ TEST(what_comes_does_not_depend_on_when_one_looks) {
     }
 }
 
-/* The pieces of a locus are as long as the way, and each goes on where the one before ended. */
+/* The pieces of a locus are as long as the path, and each begins at the end of the previous one. */
 TEST(a_locus_grows_into_the_whole_way) {
     Shown shown;
     show(&shown, "closed-door", (FilmOptions){.panels = 0});
@@ -125,7 +126,7 @@ TEST(a_locus_grows_into_the_whole_way) {
     hide(&shown);
 }
 
-/* The same time shows the same, from wherever one comes. */
+/* A time gives the same picture after any other time. */
 TEST(any_time_can_be_shown_in_any_order) {
     Shown shown;
     show(&shown, "two-chairs-corridor", (FilmOptions){.shown = FILM_CIRCLES});
@@ -143,7 +144,7 @@ TEST(any_time_can_be_shown_in_any_order) {
     hide(&shown);
 }
 
-/* The leaf's free end: where the way into the corridor is barred, and out of it once the door has been opened. */
+/* The leaf's free end bars the corridor until the door is opened. */
 TEST(a_door_is_seen_to_open) {
     Shown shown;
     show(&shown, "closed-door", (FilmOptions){.panels = 0});
@@ -165,7 +166,7 @@ TEST(a_door_is_seen_to_open) {
     hide(&shown);
 }
 
-/* The ring of the chair that is the `own`-th in the picture. */
+/* Returns the ring of the `own`-th chair in the picture. */
 static const Primitive *find_ring(const Scene *moving, size_t own) {
     for (size_t p = 0; p < moving->count; p++)
         if (moving->primitives[p].kind == PRIMITIVE_POLYGON && moving->primitives[p].count == SILHOUETTE_EDGE &&
@@ -174,7 +175,7 @@ static const Primitive *find_ring(const Scene *moving, size_t own) {
     return NULL;
 }
 
-/* Touches are marked where and while they are felt, and a force is told. */
+/* Contacts are marked at their place and time, with their force. */
 TEST(a_touch_is_seen_where_it_is) {
     Shown shown;
     show(&shown, "corner-0.90-0.90", (FilmOptions){.panels = 0});
@@ -199,7 +200,7 @@ TEST(a_touch_is_seen_where_it_is) {
     hide(&shown);
 }
 
-/* A crowd: everybody who is still in is shown once, and the exits count the others. */
+/* In a crowd each person still inside is shown once, and the exits count the others. */
 TEST(a_crowd_is_counted_out) {
     House house;
     json_t *plan = case_corridor(3);
@@ -225,7 +226,7 @@ TEST(a_crowd_is_counted_out) {
         CHECK(shown == inside);
         CHECK_TEXT(text, expected);
     }
-    observation.people[0].exit = SIZE_MAX; /* by one that an edit has taken away since */
+    observation.people[0].exit = SIZE_MAX; /* by an exit that an edit has since removed */
     film_show(film, observation.time);
     film_destroy(film);
     observation_free(&observation);
@@ -241,7 +242,7 @@ static Profile chair(void) {
                      .space_reach = 0.3};
 }
 
-/* Points of the edge lie on the outline, and look straight out of it. */
+/* Points of the edge lie on the outline, with normals pointing outwards. */
 TEST(the_edge_is_the_outlines) {
     Profile profiles[] = {chair(), chair()};
     profiles[1].driving = DRIVING_MIURA;
@@ -258,7 +259,7 @@ TEST(the_edge_is_the_outlines) {
     }
 }
 
-/* In a corridor the space is as wide as the corridor, and in the open as wide as it reaches. */
+/* In a corridor the personal space is as wide as the corridor, in the open as wide as its radius. */
 TEST(a_space_ends_at_the_wall) {
     static const double widths[] = {0.7, 0.9, 1.1, 1.23, 1.5, 3};
     for (size_t k = 0; k < sizeof widths / sizeof *widths; k++) {
@@ -278,7 +279,7 @@ TEST(a_space_ends_at_the_wall) {
     }
 }
 
-/* Two side by side share the gap between them; people who run alone do not feel each other. */
+/* Two neighbours share the gap between them; people who run alone do not affect each other. */
 TEST(a_space_ends_at_somebody_elses_body) {
     House house;
     case_made(&house, case_corridor(5), -1, NULL);
@@ -302,7 +303,7 @@ TEST(a_space_ends_at_somebody_elses_body) {
     house_free(&house);
 }
 
-/* At a door that is shut, and no longer there when it is open. */
+/* The space ends at a shut door and no longer at an open one. */
 TEST(a_space_ends_at_a_shut_door) {
     Shown shown;
     show(&shown, "closed-door", (FilmOptions){.panels = 0});
@@ -323,7 +324,7 @@ TEST(a_space_ends_at_a_shut_door) {
     hide(&shown);
 }
 
-/* Every part of a figure lies within the body that the simulation knows. */
+/* Every part of a figure lies within the body of the simulation. */
 TEST(a_figure_stays_within_its_body) {
     Profile profiles[] = {chair(), chair(), chair()};
     profiles[1].driving = DRIVING_MIURA;

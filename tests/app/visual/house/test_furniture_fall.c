@@ -1,5 +1,5 @@
-/* Furniture falls before the eye only: from how it stood to how it lies, in its time, and then the picture is the one
- * that it would have been at once; shakes are each of the house as it stood. */
+/* Tests the animation of falling furniture: from standing to lying in the stated time, ending with the picture of an
+ * immediate fall; each shake starts from the house as it stood. */
 
 #include "visual/house/furniture_fall.h"
 
@@ -52,7 +52,7 @@ static double area_of(const Furniture *piece, double share) {
     return area;
 }
 
-/* The area that is covered after each of 60 hundredths of a second. */
+/* Returns the area covered after each of 60 hundredths of a second. */
 TEST(it_covers_more_and_more_ever_faster_for_six_tenths_of_a_second) {
     for (int face = TOPPLE_FRONT; face <= TOPPLE_RIGHT; face++) {
         FurnitureFall fall = {.piece = piece_to(face)};
@@ -70,7 +70,7 @@ TEST(it_covers_more_and_more_ever_faster_for_six_tenths_of_a_second) {
     }
 }
 
-/* Its cuts hold as much as it does, however it leans, and it stands on the edge that it turns about. */
+/* The slices of the body have its volume at any angle, and it stands on the edge that it turns about. */
 TEST(a_leaning_piece_is_as_large_as_one_that_stands) {
     enum { CUTS = 2000 };
     for (int face = TOPPLE_FRONT; face <= TOPPLE_RIGHT; face++) {
@@ -194,7 +194,7 @@ static void *open_house(void) {
     return live;
 }
 
-/* Until the answer is that of the house. */
+/* Waits until the answer is that of the house. */
 static void settle(void *live) {
     for (int i = 0; i < 20000; i++) {
         kind->update(live, 0);
@@ -217,7 +217,7 @@ static void add_scene(Text *text, const Scene *scene) {
     }
 }
 
-/* What a painter is given of the beginning. */
+/* Returns the painter's input at the beginning. */
 static char *picture_of(void *live) {
     Text text = {0};
     kind->show(live, 0);
@@ -280,7 +280,7 @@ TEST(what_has_fallen_is_the_picture_that_it_is_where_nothing_moves) {
     kind->close(still);
 }
 
-/* It falls at once, not when its run is there; and what is taken away while it falls is gone. */
+/* The fall starts at once, before the new run is complete; a piece deleted during its fall is gone. */
 TEST(a_piece_that_is_removed_while_it_falls_is_gone) {
     void *live = open_house();
     Fault fault = {0};
@@ -311,7 +311,7 @@ static unsigned any_below(unsigned limit) {
     return (unsigned)(state >> 40) % limit;
 }
 
-/* One of what sets furniture moving, or ends it. */
+/* An action that starts or ends an animation. */
 static void act_at_random(void *live, unsigned action, double y) {
     static const double places[] = {1, 2.5, 4};
     Fault fault = {0};
@@ -357,7 +357,7 @@ TEST(whatever_is_done_in_whatever_haste_it_rests_as_where_nothing_moves) {
             }
             kind->update(moved, 0);
             kind->update(still, 0);
-            settle(moved); /* what is picked is what is shown */
+            settle(moved); /* picking follows the picture */
             settle(still);
         }
         kind->animate(moved, 2);
@@ -373,7 +373,7 @@ TEST(whatever_is_done_in_whatever_haste_it_rests_as_where_nothing_moves) {
 
 /* Shakes ---------------------------------------------------------------------------------------------------------- */
 
-/* "abce": what lies. */
+/* "abce": pieces that lie. */
 static void lying(void *live, char *ids) {
     Plan plan = {0};
     Fault fault = {0};
@@ -385,7 +385,7 @@ static void lying(void *live, char *ids) {
     plan_free(&plan);
 }
 
-/* What lies after the shake of a seed, of the house as its file has it. */
+/* Returns the pieces that lie after the shake of a seed, starting from the file's house. */
 static void drawn(uint64_t seed, char *ids) {
     static const char *const names[] = {"a", "b", "c", "d"};
     Furniture pieces[4];
@@ -445,7 +445,7 @@ TEST(a_shake_is_a_step_and_after_another_edit_what_lies_stays) {
     lying(live, now);
     CHECK_TEXT(now, second);
     settle(live);
-    topple(live, vec2(2.5, 0.3)); /* e is stood up */
+    topple(live, vec2(2.5, 0.3)); /* e is raised */
     shake(live);
     lying(live, now);
     for (const char *id = second; *id; id++)

@@ -47,7 +47,7 @@ TEST(each_route_has_its_line_as_on_the_plan_up_to_the_time_it_takes) {
     HousePlots plots = house_plots_make(&house, &observation, NULL, NULL, &ALL);
     for (size_t p = 0; p < plots.choice.count; p++) {
         const Plot *plot = &plots.plots[p];
-        bool force = strcmp(house_plots_name(plots.choice.indices[p]), "force") == 0; /* nobody touches anything */
+        bool force = strcmp(house_plots_name(plots.choice.indices[p]), "force") == 0; /* no contacts */
         CHECK(plot->series_count == 4 && (force ? plot->note && strcmp(plot->note, "no contact") == 0 : !plot->note));
         for (size_t i = 0; i < house.person_count; i++) {
             const PlotSeries *series = find_series(plot, house.people[i].route->id);

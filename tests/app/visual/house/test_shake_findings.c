@@ -10,7 +10,7 @@
 #include "visual/house/shake_plots.h"
 #include "visual/house/shake_scene.h"
 
-/* A corridor of 6 m, 1.2 m clear: a shelf that bars it when it falls, another that falls into a corner. */
+/* A corridor of 6 m, 1.2 m clear, with a shelf that bars it when it falls and another that falls into a corner. */
 #define CORRIDOR                                                                                                       \
     "{'format': 'clearance-house', 'version': 1, 'name': 'corridor', 'walls': ["                                       \
     "{'id': 'south', 'points': [[0, -0.05], [6, -0.05]], 'thickness': 0.1},"                                           \
@@ -107,7 +107,7 @@ TEST(of_a_crowd_those_who_are_caught_are_not_out) {
     CHECK(made.findings.party_count == 1 && crowd->people == 8 && crowd->out.all == 6);
     CHECK(made.findings.caught.good > 0 && crowd->out.good < 6);
     CHECK(crowd->members > crowd->out.value && crowd->members < 1);
-    CHECK_TEXT(made.findings.made_by, ""); /* a house with somebody in furniture cannot be read */
+    CHECK_TEXT(made.findings.made_by, ""); /* a house with a person inside furniture cannot be read */
     close_case(&made);
 }
 

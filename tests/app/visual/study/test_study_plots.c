@@ -6,7 +6,7 @@
 #include "visual/study/study_maps.h"
 #include "visual/study/study_plots.h"
 
-/* Studies whose results are written by hand. */
+/* Studies with hand-written results. */
 enum { REGULAR, OUTCOME, MEASURE, MEASURE_ERROR, RATIO, OBSERVABLES };
 
 static const Observable observables[] = {[REGULAR] = {"regular", "1", "periodic"},
@@ -32,7 +32,7 @@ static const Experiment beam = {.kind = "beam",
                                 .measure = MEASURE,
                                 .parameter = find_parameter};
 
-/* A study with room for its trials; `free_study` releases it. */
+/* Returns a study with memory for its trials; `free_study` releases it. */
 static Study make_study(const Experiment *experiment, size_t steps0, size_t steps1, size_t runs, size_t passes) {
     Study study = {.experiment = experiment,
                    .axes = {{"drive.frequency", 100, 300, steps0}, {"joint.clearance", 1e-4, 2e-4, steps1}},
@@ -102,7 +102,7 @@ TEST(an_observable_has_its_standard_error_as_an_area_and_no_plot_of_the_error_al
     StudyPlots plots = study_plots_make(&study, NULL);
     const Plot *plot = find_plot(&plots, "peak_max");
     CHECK(plot && plot->area_count == 1 && plot->series_count == 1);
-    CHECK(!find_plot(&plots, "peak_max_error") && !find_plot(&plots, "regular")); /* the same everywhere */
+    CHECK(!find_plot(&plots, "peak_max_error") && !find_plot(&plots, "regular")); /* equal everywhere */
     CHECK_NEAR(plot->areas[0].low[1], 501 - 8, 1e-9);
     CHECK_NEAR(plot->areas[0].high[1], 501 + 8, 1e-9);
     CHECK(isnan(plot_value(&plot->series[0], 2).y));
@@ -205,7 +205,7 @@ TEST(a_map_tells_what_cannot_be_told_from_what_is_not_run) {
 TEST(attractors_are_told_by_outcome_and_measure_the_most_visited_first) {
     Study study = make_study(&beam, 3, 3, 1, 1);
     static const double measures[] = {759, 500, 759.1, 500.1, 759, 759, 759, 0, 0};
-    static const double expected[] = {0, 1, 0, 1, 0, 0, 2, 3, 4}; /* A to C, not regular, unknown */
+    static const double expected[] = {0, 1, 0, 1, 0, 0, 2, 3, 4}; /* A to C, irregular, unknown */
     for (size_t t = 0; t < 9; t++)
         study.trials[t].observed[MEASURE] = measures[t];
     study.trials[6].observed[OUTCOME] = 5;
