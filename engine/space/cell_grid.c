@@ -24,7 +24,7 @@ static size_t cell_of(const CellGrid *grid, Vec2 at) {
     return (size_t)range.y0 * (size_t)grid->nx + (size_t)range.x0;
 }
 
-/* Counting sort: how many in each cell, where each cell ends, then everybody into place from the last to the first. */
+/* Counting sort: count the people in each cell, find where each cell ends, then place all people from last to first. */
 void cell_grid_sort(CellGrid *grid, const size_t *people, size_t count, const Vec2 *centres) {
     size_t cell_count = (size_t)grid->nx * (size_t)grid->ny;
     grid->count = count;

@@ -1,7 +1,7 @@
-/* Everybody who is there, sorted by the cells of a grid: neighbours in space are neighbours in memory.
+/* The people present, sorted by the cells of a grid, so that neighbours in space are neighbours in memory.
  *
- * A slot is a place in that order: cell by cell, row by row, within a cell by rising number of the person. A row of
- * cells is thus one run of slots. */
+ * A slot is a position in that order: cell by cell, row by row, and by rising person index within a cell. A row of
+ * cells is therefore one run of slots. */
 #pragma once
 
 #include <stddef.h>
@@ -19,13 +19,13 @@ typedef struct CellGrid {
     size_t cell_capacity, who_capacity;
 } CellGrid;
 
-/* Cells of at least `side` m over a box; larger ones where the box would hold far more cells than people. */
+/* Lays cells of at least `side` m over a box; they are larger where the box would have far more cells than people. */
 void cell_grid_shape(CellGrid *grid, Box box, double side, size_t people);
 
-/* Sorts `count` people; `centres` is indexed by person. Whoever is outside the box is in the cell nearest to them. */
+/* Sorts `count` people; `centres` is indexed by person. A person outside the box belongs to the nearest cell. */
 void cell_grid_sort(CellGrid *grid, const size_t *people, size_t count, const Vec2 *centres);
 
-/* `to` becomes a copy of `from` with memory of its own. */
+/* Makes `to` a copy of `from` with memory of its own. */
 void cell_grid_copy(CellGrid *to, const CellGrid *from);
 void cell_grid_clear(CellGrid *grid);
 
@@ -45,7 +45,7 @@ static inline CellRange cell_grid_around(const CellGrid *grid, Vec2 at, double r
         cell_grid_index((x + reach) * per, grid->nx - 1), cell_grid_index((y + reach) * per, grid->ny - 1)};
 }
 
-/* The slots of the cells x0 to x1 in row y. */
+/* Returns the first slot of the cells x0 to x1 in row y; `*end` is the slot after the last. */
 static inline uint32_t cell_grid_row(const CellGrid *grid, const CellRange *range, int y, uint32_t *end) {
     size_t row = (size_t)y * (size_t)grid->nx;
     *end = grid->begin[row + (size_t)range->x1 + 1];

@@ -14,19 +14,20 @@
  *
  *     s_x = max(min(p_x, q_x) - h_x, -h_x - max(p_x, q_x)),   s_y alike,   s_n = |n . p| - (h_x |n_x| + h_y |n_y|).
  *
- * All negative: they overlap, and the largest of the three is minus the least shift that parts them. Otherwise the
- * distance is that of the nearest pair of an end and the rectangle, or of a corner and the face. A rectangle grown by m
- * on every side has separations s_x - m, s_y - m, s_n - m (|n_x| + |n_y|): it touches at m = max(s_x, s_y, s_n /
+ * If all are negative, the two overlap, and the largest of the three is minus the least shift that separates them.
+ * Otherwise the distance is the least one between an end and the rectangle, or between a corner and the face. A
+ * rectangle grown by m on every side has separations s_x - m, s_y - m, s_n - m (|n_x| + |n_y|): it touches at m =
+ * max(s_x, s_y, s_n /
  * (|n_x| + |n_y|)). */
 
 enum {
-    FEW_ENTRIES = 64,            /* of a bucket: so many are sorted faster by insertion */
-    LANES = 8,                   /* points of a row treated at once: what lets the compiler use vectors */
-    MOST_BUCKETS = 4000000,      /* buckets are made larger rather than be more than this */
-    MOST_BUCKET_FACES = 16000000 /* nor hold more faces, about, than this */
+    FEW_ENTRIES = 64,            /* entries of a bucket: fewer are sorted faster by insertion */
+    LANES = 8,                   /* points of a row processed at once, so that the compiler can use vectors */
+    MOST_BUCKETS = 4000000,      /* buckets are made larger rather than exceed this number */
+    MOST_BUCKET_FACES = 16000000 /* approximate largest number of faces in all buckets */
 };
 
-#define SMALLEST_BUCKET 0.35 /* m: smaller ones take longer to fill than they save */
+#define SMALLEST_BUCKET 0.35 /* m: smaller buckets take longer to fill than they save */
 
 static double least(double a, double b) {
     return a < b ? a : b;
@@ -44,7 +45,7 @@ static double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
     return vec2_distance(p, vec2_nearest_on_segment(p, a, b));
 }
 
-/* The stretch of x within `reach` of the part of a face that is within `reach` of the line y. */
+/* Finds the range of x within `reach` of the part of a face that is within `reach` of the line y. */
 static bool row_span(const Face *face, double y, double reach, double *low, double *high) {
     Vec2 down = face->a, up = face->b;
     if (down.y > up.y) {
@@ -64,7 +65,7 @@ static bool row_span(const Face *face, double y, double reach, double *low, doub
     return true;
 }
 
-/* Lowers the squared distances of points first to last - 1 of a row, whole lanes, to those from a face. */
+/* Lowers the squared distances of points first to last - 1 of a row, in whole lanes, to those from a face. */
 static void lower_row(float *row, int first, int last, Vec2 from, double cell, const Face *face) {
     Vec2 along = vec2_sub(face->b, face->a);
     double square = vec2_dot(along, along);
@@ -152,7 +153,7 @@ static void build_distances(FreeSpace *space) {
     negate_inside(space);
 }
 
-/* Calls for each bucket that a face may be near: counts in `starts` when `near` is NULL, fills otherwise. */
+/* Adds the face to each bucket that it may be near; only counts entries in `starts` when `near` is NULL. */
 static void bucket_face(FreeSpace *space, int index, int *cursors, bool fill) {
     const Face *face = &space->outline->faces[index];
     double size = space->bucket, half = size * M_SQRT1_2, reach = FREESPACE_BUCKET_REACH + half;
@@ -192,10 +193,11 @@ static int compare_entries(const void *a, const void *b) {
     return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* Sorts the entries from `first` to `end` - 1 by distance, and those as near as each other by face, the order in which
- * they come; `room` is for as many. */
+/* Sorts the entries from `first` to `end` - 1 by distance, and equally near ones by face, which is their original
+ * order; `room` has space for as many. */
 static void sort_bucket(FreeSpace *space, int first, int end, BucketEntry *room) {
-    for (int i = first; end - first <= FEW_ENTRIES && i < end; i++) { /* insertion: usual houses have few */
+    for (int i = first; end - first <= FEW_ENTRIES && i < end;
+         i++) { /* insertion sort: usual houses have few entries */
         float near = space->bucket_near[i];
         int face = space->bucket_faces[i], place = i;
         for (; place > first && space->bucket_near[place - 1] > near; place--) {
@@ -216,7 +218,7 @@ static void sort_bucket(FreeSpace *space, int first, int end, BucketEntry *room)
     }
 }
 
-/* About how many entries buckets of this size would hold. */
+/* Estimates the number of entries for buckets of this size. */
 static double bucket_entries(const Outline *outline, double size) {
     double entries = 0, reach = 2 * FREESPACE_BUCKET_REACH + size;
     for (size_t f = 0; f < outline->face_count; f++)
@@ -271,7 +273,7 @@ void freespace_build(FreeSpace *space, const Outline *outline, double cell) {
         space->cell *= 1.1;
     space->nx = ((int)ceil(across / space->cell) + LANES) / LANES * LANES;
     space->ny = (int)ceil(up / space->cell) + 1;
-    /* About the middle, so that a mirrored plan has the mirrored grid. */
+    /* Centre the grid, so that a mirrored plan has the mirrored grid. */
     space->origin.x -= ((space->nx - 1) * space->cell - across) / 2;
     space->origin.y -= ((space->ny - 1) * space->cell - up) / 2;
     build_distances(space);
@@ -307,7 +309,7 @@ double freespace_distance(const FreeSpace *space, Vec2 at) {
            v * ((1 - u) * (double)high[0] + u * (double)high[1]);
 }
 
-/* The signed distance at the nearest grid point: off by at most 0.71 cell. */
+/* Returns the signed distance at the nearest grid point: wrong by at most 0.71 cell. */
 static double rough_distance(const FreeSpace *space, Vec2 at) {
     double x = (at.x - space->origin.x) / space->cell + 0.5, y = (at.y - space->origin.y) / space->cell + 0.5;
     if (!(x >= 0 && y >= 0 && x < space->nx && y < space->ny))
@@ -315,12 +317,12 @@ static double rough_distance(const FreeSpace *space, Vec2 at) {
     return (double)space->distance[(size_t)y * (size_t)space->nx + (size_t)x];
 }
 
-/* Candidate faces for what is within some distance of a point. */
+/* Candidate faces within some distance of a point. */
 typedef struct Nearby {
     const int *faces;  /* (count) */
     const float *near; /* (count) m, rising, or NULL */
     int count;
-    int *owned; /* what nearby_release frees */
+    int *owned; /* memory that nearby_release frees */
 } Nearby;
 
 static Nearby nearby_find(const FreeSpace *space, Vec2 at, double radius) {
@@ -372,8 +374,8 @@ static double square_to_rectangle(Vec2 p, double half_length, double half_width)
     return x * x + y * y;
 }
 
-/* The distance of a rectangle about the origin from a segment that does not meet it: the root of the least square,
- * which is the least root, to the bit. */
+/* Returns the distance of a rectangle about the origin from a segment that does not meet it: the root of the least
+ * square, which is the least root to the bit. */
 static double rectangle_distance(Vec2 p, Vec2 q, double half_length, double half_width) {
     double best =
         least(square_to_rectangle(p, half_length, half_width), square_to_rectangle(q, half_length, half_width));
@@ -385,7 +387,7 @@ static double rectangle_distance(Vec2 p, Vec2 q, double half_length, double half
     return sqrt(best);
 }
 
-/* The loop behind freespace_clearance and freespace_growth, which differ in how they measure. */
+/* The loop of freespace_clearance and freespace_growth, which differ in their measure. */
 static inline double measure(const FreeSpace *space, Vec2 centre, Vec2 axis, double half_length, double half_width,
                              double reach, int *face, bool growth) {
     double inner = least(half_length, half_width), radius = sqrt(half_length * half_length + half_width * half_width);
@@ -422,7 +424,7 @@ static inline double measure(const FreeSpace *space, Vec2 centre, Vec2 axis, dou
         }
     }
     nearby_release(&nearby);
-    /* Deep inside a solid no face need be near. */
+    /* Deep inside a solid there may be no face nearby. */
     if (rough < -slack && rough - inner < best)
         best = rough - inner;
     return best;

@@ -1,6 +1,6 @@
 #include "space/gap.h"
 
-/* The part of a body in a key: its core's corners 0 to 3, or its sides. */
+/* The part of a body in a key: the corners 0 to 3 of its core, or its sides. */
 enum { PART_SIDE = 4, PARTS = GAP_PARTS };
 
 static size_t add_gap(Gap *gaps, size_t count, Gap gap) {
@@ -29,8 +29,8 @@ static void fill_shares(Gap *gaps, size_t count, double reach) {
     }
 }
 
-/* The outside distance of `local` from the core, and the nearest point of the core. Inside the core the nearest side
- * decides and the distance is negative. */
+/* Returns the distance of `local` from the core, and the nearest point of the core. Inside the core the nearest side
+ * decides, and the distance is negative. */
 static double core_distance(const Body *body, Vec2 local, Vec2 *nearest, Vec2 *normal) {
     Vec2 low = body->core_low, high = body->core_high;
     *nearest = vec2(real_max(low.x, real_min(high.x, local.x)), real_max(low.y, real_min(high.y, local.y)));
@@ -80,8 +80,8 @@ static size_t gaps_to_face(Gap *gaps, size_t count, const Stance *stance, const 
     return count;
 }
 
-/* A corner that has sunk deep behind a face is past the middle of the solid: what the solid's other side does to it
- * would push it through. */
+/* Drops gaps to the far side of a solid: a corner that has sunk deep behind a face is past the middle of the solid, so
+ * the forces of the far side would push it through. */
 static size_t drop_far_sides(Gap *gaps, size_t count) {
     for (size_t d = 0; d < count; d++)
         for (size_t g = 0; gaps[d].deep && g < count; g++)
@@ -157,7 +157,7 @@ size_t gap_of_disc(Gap gaps[GAPS_MOST], Vec2 centre, double radius, double sight
     return count;
 }
 
-/* The gaps of a's core corners to b's core; normals point to a. */
+/* Adds the gaps of a's core corners to b's core; normals point to a. */
 static size_t gaps_of_corners(Gap *gaps, size_t count, const Stance *a, const Stance *b, double reach, bool swapped) {
     double radii = a->body->radius + b->body->radius;
     for (int c = 0; c < a->body->core_count; c++) {

@@ -1,9 +1,9 @@
 #include "space/neighbour_list.h"
 
-/* m: nothing is thicker to the touch than this, however thick it is. */
+/* m: contact treats every solid as at most this thick. */
 static const double DEEPEST = 0.05;
 
-/* How deep a body may sink behind a face before it is on the other side: half of the solid. */
+/* Returns how deep a body may sink behind a face before it is on the other side: half of the solid. */
 static double face_depth(const Plan *plan, const Face *face) {
     switch ((Owner)face->owner) {
     case OWNER_WALL:
@@ -51,7 +51,8 @@ static bool is_nearer(Candidate a, Candidate b) {
     return a.distance < b.distance || (a.distance == b.distance && a.item < b.item);
 }
 
-/* Keeps the candidates sorted; when they are too many the farthest falls out, whatever order the tree has. */
+/* Inserts the candidate in order. If there are too many, the farthest is dropped, so that the result does not depend on
+ * the order of the tree. */
 static bool gather(void *context, int item) {
     Gathering *gathering = context;
     const Outline *outline = gathering->outline;
@@ -100,7 +101,7 @@ static void gather_all(NeighbourList *neighbours, double outer, Vec2 middle, con
     }
 }
 
-/* May a corner of the core be within `reach` of the face? */
+/* True if a corner of the core may be within `reach` of the face. */
 static bool face_is_close(const Stance *stance, const NeighbourFace *face, double reach) {
     const Body *body = stance->body;
     Vec2 tangent = vec2_left(face->normal);
@@ -112,7 +113,7 @@ static bool face_is_close(const Stance *stance, const NeighbourFace *face, doubl
            along_middle + wide + slack > face->begin && along_middle - wide - slack < face->end;
 }
 
-/* May the core be within `reach` of the obstacle's corner? */
+/* True if the core may be within `reach` of the obstacle's corner. */
 static bool corner_is_close(const Stance *stance, const NeighbourCorner *corner, double reach) {
     const Body *body = stance->body;
     Vec2 local = vec2_unturn(vec2_sub(corner->at, stance->middle), stance->axis);

@@ -1,4 +1,4 @@
-/* The obstacles near a body, kept from step to step. */
+/* The obstacles near a body, stored from step to step (a Verlet list). */
 #pragma once
 
 #include <stdbool.h>
@@ -7,14 +7,14 @@
 #include "space/body.h"
 #include "space/outline.h"
 
-enum { NEIGHBOURS_MOST = 96 /* features kept near a body; when there are more, the nearest */ };
+enum { NEIGHBOURS_MOST = 96 /* features stored per body; the nearest, if there are more */ };
 
-/* A face near a body, ready for dot products. */
+/* A face near a body, prepared for dot products. */
 typedef struct NeighbourFace {
     Vec2 normal;
     double offset;     /* m: normal . p = offset on the face */
     double begin, end; /* m: tangent . p on the face, the tangent is the normal turned left */
-    double depth;      /* m: how far behind the face its solid may be touched from */
+    double depth;      /* m: how far behind the face its solid may be touched */
     int id;
 } NeighbourFace;
 
@@ -23,24 +23,24 @@ typedef struct NeighbourCorner {
     int id;
 } NeighbourCorner;
 
-/* The obstacles that a body may touch before it has moved NEIGHBOUR_SKIN m, and among them, gathered more often and
- * looked at in every step, those that it may touch before any part of it has moved NEIGHBOUR_SLACK m. */
+/* The obstacles that a body may touch before it has moved NEIGHBOUR_SKIN m. A subset, rebuilt more often and examined
+ * in every step, holds those that the body may touch before any part of it has moved NEIGHBOUR_SLACK m. */
 typedef struct NeighbourList {
-    Vec2 centre; /* m, the core's middle when it was gathered */
+    Vec2 centre; /* m, the core's middle when the list was built */
     int faces, corners;
-    int doors; /* changes of doors that had been seen then */
+    int doors; /* 1 + number of door changes when the list was built; 0: never built */
     NeighbourFace face[NEIGHBOURS_MOST];
     NeighbourCorner corner[NEIGHBOURS_MOST];
-    Vec2 slack_centre, slack_axis; /* the same for the closer lists */
+    Vec2 slack_centre, slack_axis; /* position and heading when the subset was built */
     int close_faces, close_corners;
     short close_face[NEIGHBOURS_MOST], close_corner[NEIGHBOURS_MOST];
 } NeighbourList;
 
-/* The face or corner `index` of an outline, made ready. */
+/* Return the face or corner `index` of an outline, prepared for contact. */
 NeighbourFace neighbour_list_face(const Outline *outline, const Plan *plan, size_t index);
 NeighbourCorner neighbour_list_corner(const Outline *outline, size_t index);
 
-/* Does a point, on the way from one place to another, go through the face into its solid? */
+/* True if a point that moves from `before` to `after` passes through the face into its solid. */
 static inline bool neighbour_list_crosses(const NeighbourFace *face, Vec2 before, Vec2 after) {
     double from = vec2_dot(face->normal, before) - face->offset, to = vec2_dot(face->normal, after) - face->offset;
     if (from < 0 || to >= 0)
@@ -50,14 +50,14 @@ static inline bool neighbour_list_crosses(const NeighbourFace *face, Vec2 before
     return along > face->begin && along < face->end;
 }
 
-/* m: how far a body may move before its neighbours are gathered anew. */
+/* m: motion of a body after which its neighbours are collected again. */
 #define NEIGHBOUR_SKIN 0.25
 
-/* m: and any part of it before the close ones are chosen anew. */
+/* m: motion of any part of the body after which the subset is selected again. */
 #define NEIGHBOUR_SLACK 0.03
 
-/* Gathers what a body that stands at `centre` with heading `axis` may touch soon, unless what was gathered still holds.
- * `door_open` (one per door) says which leaves are where, `door_changes` counts how often one has changed; zero is a
- * NeighbourList that holds nothing. */
+/* Collects the obstacles that a body at `centre` with heading `axis` may touch soon, unless the list is still valid.
+ * `door_open` (one per door) gives the state of the doors, `door_changes` the number of changes so far. A zeroed list
+ * is empty. */
 void neighbour_list_update(NeighbourList *neighbours, const Body *body, Vec2 centre, Vec2 axis, const Outline *outline,
                            const Plan *plan, const bool *door_open, int door_changes);

@@ -6,10 +6,10 @@
 
 enum {
     MOST_SQUARES = 1 << 21,
-    MOST_ITEMS = 1 << 25, /* rather larger squares than more memory than this */
+    MOST_ITEMS = 1 << 25, /* squares are made larger rather than exceed this number of items */
 };
 
-/* m: of a square, where the house is not too large for it */
+/* m: side of a square, unless the house is too large for it. */
 static const double SIDE = 0.25;
 
 typedef struct Listing {
@@ -38,7 +38,7 @@ static int compare_items(const void *a, const void *b) {
     return (p > q) - (p < q);
 }
 
-/* False: too many items at this side. */
+/* Lists the features of all squares. Returns false if there are too many items at this side length. */
 static bool list_squares(ObstacleGrid *grid, const Outline *outline) {
     size_t squares = (size_t)grid->nx * (size_t)grid->ny;
     Listing listing = {.outline = outline, .reach = grid->reach + grid->side * M_SQRT1_2};

@@ -1,5 +1,5 @@
-/* What walkers may touch from where they stand: for every square of the house the faces and corners beside it, found
- * once and for all, since walls and furniture do not move and doors only come and go. */
+/* Obstacles that walkers may touch: for every square of the house, the faces and corners near it. The grid is built
+ * once, since walls and furniture do not move and doors only change state. */
 #pragma once
 
 #include <stdbool.h>
@@ -19,16 +19,16 @@ typedef struct ObstacleGrid {
     NeighbourFace *faces;     /* (face_count) */
     NeighbourCorner *corners; /* (corner_count) */
     signed char *presence;    /* (face_count + corner_count) Presence */
-    int *door;                /* (as many) whose state decides, or -1 */
+    int *door;                /* (as many) door whose state decides, or -1 */
     size_t face_count, corner_count;
-    double reach; /* m, from a square within which features are listed for it */
+    double reach; /* m, distance from a square within which features are listed for it */
 } ObstacleGrid;
 
-/* Lists what is within `reach` m of each square. Zero is a grid of nothing; obstacle_grid_clear releases it. */
+/* Lists the features within `reach` m of each square. A zeroed grid is empty; obstacle_grid_clear releases it. */
 void obstacle_grid_init(ObstacleGrid *grid, const Outline *outline, const Plan *plan, double reach);
 void obstacle_grid_clear(ObstacleGrid *grid);
 
-/* The features beside a place, `*count` of them. */
+/* Returns the features near a place, `*count` of them. */
 static inline const uint32_t *obstacle_grid_at(const ObstacleGrid *grid, Vec2 at, size_t *count) {
     double x = (at.x - grid->low.x) / grid->side, y = (at.y - grid->low.y) / grid->side;
     *count = 0;
@@ -39,7 +39,7 @@ static inline const uint32_t *obstacle_grid_at(const ObstacleGrid *grid, Vec2 at
     return grid->items + grid->begin[square];
 }
 
-/* Is the feature there now? */
+/* True if the feature is present in the current state of the doors. */
 static inline bool obstacle_grid_has(const ObstacleGrid *grid, uint32_t item, const bool *door_open) {
     int presence = grid->presence[item];
     return presence == PRESENT_ALWAYS || door_open[grid->door[item]] == (presence == PRESENT_OPEN);

@@ -7,7 +7,7 @@
 #include "plan/plan_geometry.h"
 #include "space/solids.h"
 
-/* 1: the sine of the angle below which a ray runs along a face rather than into it. */
+/* 1: sine of the angle below which a ray runs along a face rather than into it. */
 static const double GRAZING = 1e-5;
 
 typedef struct Builder {
@@ -34,7 +34,7 @@ static void add_corner(Builder *builder, Corner corner) {
     outline->corners[outline->corner_count++] = corner;
 }
 
-/* Adds the faces and convex corners of a closed ring (its first point not repeated), the solid to its left. */
+/* Adds the faces and convex corners of a closed ring (its first point not repeated) whose solid is on the left. */
 static void add_ring(Builder *builder, const Vec2 *ring, size_t count) {
     size_t first = builder->outline->face_count;
     for (size_t i = 0; i < count; i++) {
@@ -63,7 +63,7 @@ static void add_rings(Builder *builder, const Rings *rings) {
         add_ring(builder, rings->points + rings->starts[r], rings->starts[r + 1] - rings->starts[r]);
 }
 
-/* A thin wall's lines, there and back. */
+/* Adds both sides of a thin wall's lines. */
 static void add_thin_lines(Builder *builder, const GEOSGeometry *geometry) {
     GEOSContextHandle_t geos = builder->solids.geos;
     int type = GEOSGeomTypeId_r(geos, geometry);
@@ -99,7 +99,8 @@ static void add_thin_walls(Builder *builder, const GEOSGeometry *united) {
     }
 }
 
-/* The leaf of a door that can be opened, shut (two faces, the ends are in the wall) and open (its root is). */
+/* Adds the leaf of a door that can be opened, both shut (two faces; its ends are in the wall) and open (its root is).
+ */
 static void add_moving_leaf(Builder *builder, size_t d) {
     const Plan *plan = builder->plan;
     const Door *door = &plan->doors[d];
@@ -226,8 +227,8 @@ void outline_free(Outline *outline) {
 
 typedef struct RayContext {
     const Outline *outline;
-    const bool *door_open; /* NULL: as planned */
-    int face;              /* the one met */
+    const bool *door_open; /* NULL: planned state */
+    int face;              /* the face met, or -1 */
 } RayContext;
 
 static bool meets(const RayContext *ray, const Face *face) {
@@ -242,7 +243,8 @@ static double ray_hit(void *context, int item, Vec2 from, Vec2 to, double best) 
     const Face *face = &ray->outline->faces[item];
     Vec2 along = vec2_sub(to, from), side = vec2_sub(face->b, face->a), offset = vec2_sub(face->a, from);
     double turn = vec2_cross(along, side);
-    if (fabs(turn) < GRAZING * vec2_length(along) * vec2_length(side)) /* along the face: its neighbours end the ray */
+    if (fabs(turn) < GRAZING * vec2_length(along) *
+                         vec2_length(side)) /* the ray runs along the face: a neighbouring face ends the ray */
         return best;
     double t = vec2_cross(offset, side) / turn, s = vec2_cross(offset, along) / turn;
     if (t < 0 || t >= best || s < 0 || s > 1)
@@ -307,7 +309,7 @@ static bool visit_nearest(void *context, int item) {
 }
 
 void outline_place_name(const Outline *outline, const Plan *plan, Vec2 at, char *name, size_t size) {
-    const double beside_door = 0.35; /* m: a body's middle is this near to a door's line while it passes */
+    const double beside_door = 0.35; /* m: distance of a body's middle from a door's line while it passes */
     for (size_t d = 0; d < plan->door_count; d++) {
         Vec2 from, to;
         plan_geometry_door_ends(plan, &plan->doors[d], &from, &to);

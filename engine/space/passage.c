@@ -7,6 +7,6 @@ Passage passage_at(const Outline *outline, Vec2 at, Vec2 along) {
 }
 
 double passage_across(const Outline *outline, Vec2 corner, Vec2 across) {
-    const double hair = 1e-4; /* m: off the corner's own faces */
+    const double hair = 1e-4; /* m: distance from the corner's own faces */
     return hair + outline_ray(outline, vec2_along(corner, hair, across), across, PASSAGE_WIDEST, NULL);
 }

@@ -6,22 +6,23 @@
 #include "base/memory.h"
 #include "plan/plan_geometry.h"
 
-/* m: how near an edge's middle must be to a solid to belong to it, a few steps of the grid. */
+/* m: largest distance of an edge's middle from the solid to which it belongs, a few steps of the grid. */
 static const double OWNER_TOLERANCE = 1e-5;
-/* 1: the sine of the angle up to which two walls go straight on. */
+/* 1: sine of the largest angle at which two walls count as one straight wall. */
 static const double COLLINEAR = 0.05;
-/* 1: mitred joints of walls reach at most this many half thicknesses. */
+/* 1: length limit of mitred joints of walls, in half thicknesses. */
 static const double MITRE_LIMIT = 5;
-/* m: ends of walls this near to each other meet. */
+/* m: ends of walls within this distance meet. */
 static const double END_TOLERANCE = 1e-6;
 /* m: a wall whose last point is this near to its first is closed. */
 static const double CLOSED_TOLERANCE = 1e-9;
 
 enum {
-    /* Pieces of wall or furniture whose boxes meet, each pair seen from both sides. Each may be a crossing, of which a
-     * thousand take some 0.1 s and 5 MB to unite; 100,000 walls that meet at their ends are as many pairs. */
+    /* Limits the pairs of wall pieces or furniture whose boxes meet, each pair counted from both sides. Each pair may
+       be a crossing, of which a thousand take some 0.1 s and 5 MB to unite; 100,000 walls that meet at their ends give
+       as many pairs. */
     MOST_MEETINGS = 400000,
-    MOST_NEAR = 100 * MOST_MEETINGS /* that have to be looked at for it, some seconds */
+    MOST_NEAR = 100 * MOST_MEETINGS /* candidate pairs examined for that, which take some seconds */
 };
 
 static void remember_message(const char *message, void *context) {
@@ -62,7 +63,7 @@ static GEOSGeometry *polygon_of(const Solids *solids, const Vec2 corners[4]) {
 
 static void add_part(Solids *solids, GEOSGeometry *part) {
     if (!part) {
-        solids->failed = true; /* a wall less would be a way out that is not there */
+        solids->failed = true; /* a missing wall would open an exit that does not exist */
         return;
     }
     solids->parts =
@@ -77,7 +78,7 @@ static Box box_of_corners(const Vec2 corners[4]) {
     return box;
 }
 
-/* The broad phase's box is larger by `grown` m, for corners that are not known yet. */
+/* Adds a solid. The broad phase's box is larger by `grown` m, for corners that are not known yet. */
 static void add_solid(Solids *solids, const Vec2 corners[4], double grown, int owner, size_t index) {
     solids->list = memory_reserve(solids->list, &solids->capacity, solids->count + 1, sizeof *solids->list);
     Solid *solid = &solids->list[solids->count];
@@ -87,7 +88,7 @@ static void add_solid(Solids *solids, const Vec2 corners[4], double grown, int o
     broadphase_insert(solids->tree, box_expand(box_of_corners(corners), grown), (int)solids->count++);
 }
 
-/* How many solids' boxes meet the box; solids->near lists them in rising order. */
+/* Returns the number of solids whose boxes meet the box; solids->near lists them in rising order. */
 static size_t find_near(Solids *solids, Box box) {
     size_t found = broadphase_query(solids->tree, box, solids->near, solids->near_capacity);
     if (found > solids->near_capacity) {
@@ -110,14 +111,14 @@ static bool is_closed(const Wall *wall) {
     return points->count > 3 && vec2_distance(points->at[0], points->at[points->count - 1]) < CLOSED_TOLERANCE;
 }
 
-/* The pieces of the wall between its points, as wide as it is thick. */
+/* Adds the pieces of the wall between its points, as wide as the wall is thick. */
 static void add_wall_solids(Solids *solids, size_t w) {
     const Wall *wall = &solids->plan->walls[w];
     double half = wall->thickness / 2;
     for (size_t s = 0; s + 1 < wall->points.count; s++) {
         Vec2 corners[4];
         solids_strip(wall->points.at[s], wall->points.at[s + 1], half, half, corners);
-        add_solid(solids, corners, half, OWNER_WALL, w); /* its ends may reach on by half */
+        add_solid(solids, corners, half, OWNER_WALL, w); /* its ends may extend by half the thickness */
     }
 }
 
@@ -132,8 +133,8 @@ static bool ends_at_an_angle(const Wall *wall, Vec2 end, Vec2 along) {
     return false;
 }
 
-/* Does another wall end where this one does, and at an angle to `along`, its direction there? Then both reach on by
- * half their thickness and close the corner; walls that go straight on need not, and a door may begin there. */
+/* True if another wall ends at this wall's end, at an angle to `along`, its direction there. Both then extend by half
+ * their thickness and close the corner; walls that continue straight need not, and a door may begin there. */
 static bool meets_an_end(Solids *solids, size_t wall, Vec2 end, Vec2 along) {
     size_t found = find_near(solids, box_around(end, END_TOLERANCE));
     for (size_t i = 0; i < found; i++) {
@@ -153,13 +154,14 @@ static void sort_doors(Solids *solids) {
         starts[plan->doors[d].wall_index + 2]++;
     for (size_t w = 2; w < plan->wall_count + 2; w++)
         starts[w] += starts[w - 1];
-    for (size_t d = 0; d < plan->door_count; d++) /* which turns the starts of the next wall into its own */
+    for (size_t d = 0; d < plan->door_count;
+         d++) /* which turns the start of the next wall into the start of this one */
         sorted[starts[plan->doors[d].wall_index + 1]++] = d;
     solids->door_starts = starts;
     solids->doors_of_wall = sorted;
 }
 
-/* Where a wall's doors that are not locked stand open; NULL: nowhere. */
+/* Returns the openings of a wall's doors that are not locked; NULL: none. */
 static GEOSGeometry *openings_of(Solids *solids, size_t w) {
     const Plan *plan = solids->plan;
     double half = plan->walls[w].thickness / 2 + 1e-3;
@@ -196,7 +198,8 @@ static GEOSGeometry *cut_doors(Solids *solids, size_t w, GEOSGeometry *wall) {
     return rest;
 }
 
-/* The centre line of a wall, longer where it meets another's end; memory_free it. `own` are its solids. */
+/* Returns the centre line of a wall, extended where the wall meets another's end; memory_free it. `own` are its solids.
+ */
 static Vec2 *centre_line(Solids *solids, size_t w, Solid *own) {
     const Wall *wall = &solids->plan->walls[w];
     size_t count = wall->points.count;
@@ -204,7 +207,7 @@ static Vec2 *centre_line(Solids *solids, size_t w, Solid *own) {
     Vec2 *points = memory_zeroed(count, sizeof *points);
     memcpy(points, wall->points.at, count * sizeof *points);
     if (is_closed(wall)) {
-        points[count - 1] = points[0]; /* to the last bit, or GEOS makes no ring of it */
+        points[count - 1] = points[0]; /* equal to the last bit, or GEOS makes no ring */
         return points;
     }
     Vec2 first = vec2_unit(vec2_sub(points[0], points[1]));
@@ -218,7 +221,7 @@ static Vec2 *centre_line(Solids *solids, size_t w, Solid *own) {
     return points;
 }
 
-/* The wall's solids are those from `solid` on. */
+/* Adds a wall, whose solids are those from `solid` on. */
 static void add_wall(Solids *solids, size_t w, size_t solid) {
     const Wall *wall = &solids->plan->walls[w];
     Vec2 *points = centre_line(solids, w, &solids->list[solid]);
@@ -277,7 +280,7 @@ static bool visit_meeting(void *context, int item) {
     return meetings->met <= MOST_MEETINGS && meetings->looked_at <= MOST_NEAR;
 }
 
-/* False, with a message: more solids meet, or nearly, than can be united in bounded time. */
+/* Returns false, with a message, if more solids meet, or nearly meet, than can be united in bounded time. */
 static bool few_meet(Solids *solids) {
     Meetings meetings = {.solids = solids};
     bool few = true;
@@ -292,7 +295,7 @@ static bool few_meet(Solids *solids) {
     return few;
 }
 
-/* NULL, with a message, when GEOS could not make one of the parts or unite them. */
+/* Returns NULL, with a message, if GEOS could not make or unite one of the parts. */
 static GEOSGeometry *unite_parts(Solids *solids) {
     GEOSGeometry *all =
         GEOSGeom_createCollection_r(solids->geos, GEOS_GEOMETRYCOLLECTION, solids->parts, (unsigned)solids->part_count);
@@ -338,7 +341,7 @@ GEOSGeometry *solids_unite_walls(Solids *solids, double low, double high) {
     return unite_parts(solids);
 }
 
-/* Drops repeated points and those on a straight line between their neighbours; returns how many are left. */
+/* Drops repeated points and those on a straight line between their neighbours; returns the number of points left. */
 static size_t straighten(Vec2 *ring, size_t count) {
     bool changed = true;
     while (changed && count > 2) {
@@ -418,7 +421,7 @@ GEOSGeometry *solids_thin_wall(Solids *solids, size_t w, const GEOSGeometry *uni
     return rest;
 }
 
-/* How far p is outside a convex quadrangle: at most 0 inside. */
+/* Returns how far p is outside a convex quadrangle: at most 0 inside. */
 static double outside(const Vec2 corners[4], Vec2 p) {
     double most = -HUGE_VAL;
     for (int i = 0; i < 4; i++) {
