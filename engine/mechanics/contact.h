@@ -1,6 +1,6 @@
 /* The contact law: a normal and a tangential spring and dashpot behind a gap, limited by Coulomb friction.
  *
- *        gap > 0: nothing                    normal: f_n = max(0, -k_n gap - c_n gap')         while gap < 0
+ *        gap > 0: nothing                    normal:      f_n = max(0, -k_n gap - c_n gap')         while gap < 0
  *    body )    ( body                        tangential:  f_t = -(k_t s + c_t u'),  |f_t| <= mu f_n
  *         |<-->|
  *          gap                               s the slip since touching, u' the sliding velocity
