@@ -54,13 +54,13 @@ static bool same_goal(const Goal *one, const Goal *other, const Plan *plan) {
     return true;
 }
 
-static bool same_wish(const FieldKey *one, const FieldKey *other) {
+static bool same_key(const FieldKey *one, const FieldKey *other) {
     return one->plan == other->plan && one->space == other->space && one->profile == other->profile &&
            !(one->radius < other->radius || one->radius > other->radius) && one->exact == other->exact &&
            one->stop == other->stop && same_goal(&one->goal, &other->goal, one->plan);
 }
 
-static size_t wish_bytes(const FieldKey *key) {
+static size_t field_bytes(const FieldKey *key) {
     return (size_t)key->space->nx * (size_t)key->space->ny * 2 * sizeof(float);
 }
 
@@ -68,7 +68,7 @@ static size_t wish_bytes(const FieldKey *key) {
 static void make_room(Fields *fields, size_t bytes) {
     size_t held = bytes;
     for (size_t i = 0; i < fields->count; i++)
-        held += wish_bytes(&fields->all[i]->key);
+        held += field_bytes(&fields->all[i]->key);
     while (held > FIELDS_MOST_BYTES) {
         size_t oldest = fields->count;
         for (size_t i = 0; i < fields->count; i++)
@@ -76,7 +76,7 @@ static void make_room(Fields *fields, size_t bytes) {
                 oldest = i;
         if (oldest == fields->count)
             return;
-        held -= wish_bytes(&fields->all[oldest]->key);
+        held -= field_bytes(&fields->all[oldest]->key);
         shared_free(fields->all[oldest]);
         fields->all[oldest] = fields->all[--fields->count];
     }
@@ -84,7 +84,7 @@ static void make_room(Fields *fields, size_t bytes) {
 
 static Shared *find(const Fields *fields, const FieldKey *key) {
     for (size_t i = 0; i < fields->count; i++)
-        if (same_wish(&fields->all[i]->key, key))
+        if (same_key(&fields->all[i]->key, key))
             return fields->all[i];
     return NULL;
 }
@@ -104,7 +104,7 @@ const Field *fields_acquire(Fields *fields, const FieldKey *key) {
     Shared *shared = find(fields, key);
     bool new = !shared;
     if (new) {
-        make_room(fields, wish_bytes(key));
+        make_room(fields, field_bytes(key));
         shared = memory_zeroed(1, sizeof *shared);
         shared->key = *key;
         fields->all = memory_reserve(fields->all, &fields->capacity, fields->count + 1, sizeof(Shared *));
@@ -112,7 +112,7 @@ const Field *fields_acquire(Fields *fields, const FieldKey *key) {
     }
     shared->users++;
     shared->used = ++fields->takings;
-    if (new) { /* the others go on meanwhile, but those who key for the same */
+    if (new) { /* the others go on meanwhile, but threads that need the same field */
         pthread_mutex_unlock(&fields->lock);
         build(shared);
         pthread_mutex_lock(&fields->lock);

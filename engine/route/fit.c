@@ -38,11 +38,11 @@ typedef struct Slot {
 } Slot;
 
 /* A state to go on from. */
-typedef struct FastMarching {
+typedef struct Frontier {
     float widest; /* m */
     float whole;  /* m, of the way to here and the least still to go */
     int state;
-} FastMarching;
+} Frontier;
 
 /* States by their lattice coordinates. */
 typedef struct Table {
@@ -65,7 +65,7 @@ typedef struct Lattice {
     size_t blocked_count;
     State *states;
     size_t state_count, state_capacity;
-    FastMarching *heap;
+    Frontier *heap;
     size_t heap_count, heap_capacity;
     Table table;
 } Lattice;
@@ -145,13 +145,13 @@ static double distance_to_go(const Lattice *lattice, Vec2 at) {
     return nearest;
 }
 
-static bool before(FastMarching a, FastMarching b) {
+static bool before(Frontier a, Frontier b) {
     if (a.widest > b.widest || a.widest < b.widest)
         return a.widest > b.widest;
     return a.whole < b.whole || (a.whole <= b.whole && a.state > b.state);
 }
 
-HEAP_DEFINE(heap, FastMarching, before)
+HEAP_DEFINE(heap, Frontier, before)
 
 static bool is_blocked(const Lattice *lattice, Vec2 centre) {
     for (size_t i = 0; i < lattice->blocked_count; i++)
@@ -190,7 +190,7 @@ static void enter(Lattice *lattice, int x, int y, int turn, int parent, double s
     lattice->states[index] = state;
     lattice->state_count++;
     heap_put(&lattice->heap, &lattice->heap_count, &lattice->heap_capacity,
-             (FastMarching){state.widest, state.length + (float)distance_to_go(lattice, centre), (int)index});
+             (Frontier){state.widest, state.length + (float)distance_to_go(lattice, centre), (int)index});
 }
 
 /* Does the way to this state end there? */
