@@ -9,6 +9,7 @@
 
 #include "case.h"
 #include "check.h"
+#include "house/drive.h"
 
 /* Without driving: bodies move by forces alone. */
 #define FREE(profile_)                                                                                                 \
@@ -179,7 +180,7 @@ TEST(a_free_run_accelerates_by_a_0_and_keeps_the_free_speed) {
     }
 }
 
-TEST(a_copy_of_a_world_goes_on_to_the_same_bits) {
+TEST(a_copy_of_a__to_the_same_bits) {
     House house;
     case_house(&house, "two-chairs-corridor", -1, NULL);
     Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
@@ -242,4 +243,38 @@ TEST(a_step_beyond_the_contact_laws_limit_is_refused) {
     CHECK(!house_read(&house, path, &options, &fault));
     CHECK(fault.count == 1 && strstr(fault.lines[0], "needs at most"));
     fault_clear(&fault);
+}
+
+/* The driver's moment changes with the turn by m (k^2 + c^2) / tau: the mass centre is c ahead of the axle that stands
+ * still. */
+TEST(a_turning_chair_needs_the_moment_about_its_axle) {
+    const double turns[] = {-0.4, -0.1, 0.1, 0.3}, headings[] = {-25, -8, 0, 12, 30};
+    json_t *plan = case_corridor(10);
+    case_add_person(plan, "manual-chair", 2, 0, 0);
+    House house;
+    case_made(
+        &house, plan, DRIVING_DRIVER,
+        (const char *[]){"profile.manual-chair.turning_moment=1000", "profile.manual-chair.mass_centre=0.2", NULL});
+    const Profile *profile = house.people[0].profile;
+    Journeys journeys = journey_plan_all(&house, NULL, 1, NULL);
+    World world = world_create(&house, journeys.of, NULL);
+    while (clock_time(&world.clock) < 1)
+        step_world(&world, NULL);
+    double square = profile->radius_of_gyration * profile->radius_of_gyration + 0.2 * 0.2;
+    for (int h = 0; h < 5; h++) {
+        world.heading[0] = radians(headings[h]);
+        world.axis[0] = vec2_heading(world.heading[0]);
+        world.turn[0] = 0;
+        Drive drive = world.drive[0];
+        double still = drive_person(&world, 0, &drive).moment;
+        for (int t = 0; t < 4; t++) {
+            world.turn[0] = turns[t];
+            drive = world.drive[0];
+            CHECK_NEAR(drive_person(&world, 0, &drive).moment - still,
+                       -profile->mass * square * turns[t] / profile->turn_response, 1e-9);
+        }
+    }
+    world_destroy(&world);
+    journey_free_all(&journeys);
+    house_free(&house);
 }

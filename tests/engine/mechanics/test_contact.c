@@ -77,3 +77,19 @@ TEST(the_longest_step_is_the_edge_of_stability) {
         CHECK((fabs(x) > 1e5) == above);
     }
 }
+
+TEST(between_two_laws_acts_their_mean) {
+    const ContactLaw hard = {30000, 1800, 9000, 500, 0.5}, soft = {10000, 600, 1000, 100, 0.1};
+    for (int turned = 0; turned < 2; turned++) {
+        ContactLaw mean = turned ? contact_mean(&soft, &hard) : contact_mean(&hard, &soft);
+        CHECK(mean.normal_stiffness == 20000);
+        CHECK(mean.normal_damping == 1200);
+        CHECK(mean.tangential_stiffness == 5000);
+        CHECK(mean.tangential_damping == 300);
+        CHECK(mean.friction == 0.3);
+        for (double gap = -0.02; gap < 0; gap += 0.005) {
+            double both = contact_normal(&hard, gap, -0.2) + contact_normal(&soft, gap, -0.2);
+            CHECK_NEAR(contact_normal(&mean, gap, -0.2), both / 2, 1e-9);
+        }
+    }
+}
