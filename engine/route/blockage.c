@@ -6,17 +6,17 @@
 #include "plan/plan_geometry.h"
 #include "space/outline.h"
 
-/* A passage's width is the shortest chord from obstacle to obstacle across the body: through a point of its long axis,
- * at most 30 degrees from square. A body that lacks a margin m on either side needs 2 m more than that. Where there is
- * no passage at all, a wall stands on the way or a door is locked: then the way that goes through the fewest solids,
- * and through locked doors before walls, names the place. */
+/* The width of a passage is the shortest chord from obstacle to obstacle across the body, through a point of its long
+ * axis, at most 30 degrees from square. A body that lacks a margin m on either side needs 2 m more than that. If there
+ * is no passage at all, a wall blocks the path or a door is locked: then the path through the fewest solids, which
+ * prefers locked doors to walls, names the place. */
 
-#define RAY_REACH 20.0     /* m: beyond it a passage has no width worth telling */
+#define RAY_REACH 20.0     /* m: a passage wider than this has no width worth reporting */
 #define CHORD_SPACING 0.05 /* m, along the body's axis */
-#define NO_PASSAGE 0.2     /* m: who lacks so much on either side is not helped by a wider passage but by another one */
+#define NO_PASSAGE 0.2     /* m: with this margin missing on either side, another passage is needed, not a wider one */
 
-/* What a metre through free space, through a locked door and through anything else counts in the way that names the
- * place, 1: a locked door is better than any detour in a house, and a wall worse than any number of doors. */
+/* Cost per metre through free space, through a locked door and through any other solid, 1: a locked door is better than
+ * any detour in a house, and a wall is worse than any number of doors. */
 enum { STEP_FREE = 1, STEP_DOOR = 2000, STEP_SOLID = 40000 };
 
 typedef struct Chord {
@@ -24,7 +24,7 @@ typedef struct Chord {
     Vec2 middle;  /* m */
 } Chord;
 
-/* Replaces `best` by the shortest chord through a point of the body's axis. */
+/* Replaces `best` by the shortest chord through a point of the body's axis, if that is shorter. */
 static void try_chords(const RouteQuery *query, Vec2 at, double heading, Chord *best) {
     if (freespace_distance(query->space, at) <= 0)
         return;
@@ -37,7 +37,8 @@ static void try_chords(const RouteQuery *query, Vec2 at, double heading, Chord *
     }
 }
 
-/* The shortest chord across a body whose long side has the given heading; infinite when its axis is in something. */
+/* Finds the shortest chord across a body whose long side has the given heading; infinite when its axis lies in an
+ * obstacle. */
 static void find_chord(const RouteQuery *query, const Rectangle *body, const FitPlace *place, double heading,
                        Chord *best) {
     Vec2 axis = vec2_heading(heading);
@@ -46,7 +47,7 @@ static void find_chord(const RouteQuery *query, const Rectangle *body, const Fit
         double along = body->half_length * (2.0 * i / parts - 1);
         try_chords(query, vec2_along(place->centre, along, axis), heading, best);
     }
-    /* A jamb may be thinner than the spacing: also level with the ends of the face that decides. */
+    /* A jamb may be thinner than the spacing, so chords level with the ends of the deciding face are tried, too. */
     for (int end = 0; end < 4 && place->face >= 0; end++) {
         const Face *face = &query->space->outline->faces[place->face];
         double along = vec2_dot(vec2_sub(end & 1 ? face->a : face->b, place->centre), axis) + (end & 2 ? 1e-4 : -1e-4);
@@ -58,7 +59,7 @@ static void find_chord(const RouteQuery *query, const Rectangle *body, const Fit
 static Chord chord_at(const RouteQuery *query, const Rectangle *body, const FitPlace *place) {
     Chord best = {HUGE_VAL, place->centre};
     find_chord(query, body, place, place->heading, &best);
-    if (body->half_length < 1.2 * body->half_width) /* which of its sides is the long one? */
+    if (body->half_length < 1.2 * body->half_width) /* find the long side */
         find_chord(query, body, place, place->heading + M_PI_2, &best);
     return best.width < HUGE_VAL ? best : (Chord){0, place->centre};
 }
@@ -77,13 +78,13 @@ void blockage_of_start(Blockage *blockage, const RouteQuery *query, const Rectan
     snprintf(blockage->what, sizeof blockage->what, "start, inside %s", name);
 }
 
-/* A grid of steps for the way through the fewest solids. */
+/* A grid of steps for the path through the fewest solids. */
 typedef struct Breach {
     const RouteQuery *query;
     const FreeSpace *space;
     unsigned char *locked; /* (ny x nx) 1: in a locked door's opening */
     float *cost;           /* (ny x nx) */
-    int *parent;           /* (ny x nx) towards the start */
+    int *parent;           /* (ny x nx) neighbour towards the start */
     int *heap;
     size_t heap_count, heap_capacity;
 } Breach;
@@ -133,7 +134,7 @@ static void mark_locked(Breach *breach) {
     }
 }
 
-/* The last point of the cheapest way from the start across a usable exit, or -1. */
+/* Returns the last point of the cheapest path from the start across a usable exit, or -1. */
 static int breach_search(Breach *breach) {
     const FreeSpace *space = breach->space;
     Goal goal = {.exit = breach->query->exit, .time = breach->query->time};
@@ -169,7 +170,7 @@ static int breach_search(Breach *breach) {
     return -1;
 }
 
-/* The middle of the first solid on the way that goes through the fewest; false when there is none. */
+/* Finds the middle of the first solid on the path through the fewest solids. Returns false if there is none. */
 static bool find_breach(const RouteQuery *query, Vec2 *at) {
     const FreeSpace *space = query->space;
     size_t points = (size_t)space->nx * (size_t)space->ny;
@@ -183,7 +184,7 @@ static bool find_breach(const RouteQuery *query, Vec2 *at) {
     bool found = false;
     Vec2 sum = {0, 0};
     int in_it = 0;
-    /* From the exit back: the last solid seen is the first on the way out. */
+    /* Walk back from the exit: the last solid seen is the first on the path out. */
     bool inside = false;
     for (int point = breach_search(&breach); point >= 0; point = breach.parent[point]) {
         if (breach_solid(&breach, point)) {

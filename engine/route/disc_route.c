@@ -3,16 +3,16 @@
 #include "base/memory.h"
 #include "base/real.h"
 
-/* Downhill on the field of times from grid point to grid point, then pulled taut: from each point on, the farthest one
- * that is seen along a straight line with the clearance COMFORT, or as much as the points passed over have, replaces
- * all between. The line is walked by sphere tracing (Hart 1996): where the nearest obstacle is d away from the disc,
- * the next d of the line are free. */
+/* Descends the field of times from grid point to grid point, then pulls the path taut: from each point on, the farthest
+ * point that is visible along a straight line with the clearance COMFORT, or with the clearance of the skipped points
+ * if that is less, replaces all points between. Lines are checked by sphere tracing (Hart 1996): where the nearest
+ * obstacle is d away from the disc, the next d of the line are free. */
 
-#define COMFORT 0.05 /* m, of clearance is kept where there is that much */
-#define TIGHT 0.002  /* m, of clearance at grid points: the chords between them round a corner lose 1 mm at most */
-#define SMALLEST_STEP 0.002 /* m, of sphere tracing */
+#define COMFORT 0.05        /* m, clearance that is preserved where there is that much */
+#define TIGHT 0.002         /* m, clearance at grid points: the chords between them round a corner lose at most 1 mm */
+#define SMALLEST_STEP 0.002 /* m, smallest step of sphere tracing */
 #define SPACING 0.05        /* m, between poses */
-#define BEYOND 0.3          /* m, straight on across an exit's line */
+#define BEYOND 0.3          /* m, straight continuation across an exit's line */
 
 enum { PASSES = 4 };
 
@@ -26,8 +26,8 @@ static void line_add(Line *line, Vec2 at) {
     line->at[line->count++] = at;
 }
 
-/* The least distance to an obstacle on a straight line, m, as soon as it is known to be below `enough`; at most
- * FREESPACE_FARTHEST. */
+/* Returns the least distance to an obstacle on a straight line, m, at most FREESPACE_FARTHEST; stops as soon as it is
+ * below `enough`. */
 static double least_distance(const FreeSpace *space, Vec2 from, Vec2 to, double enough) {
     double length = vec2_distance(from, to), least = FREESPACE_FARTHEST;
     Vec2 along = vec2_unit(vec2_sub(to, from));
@@ -44,7 +44,7 @@ static Vec2 grid_place(const FreeSpace *space, int i, int j) {
     return vec2(space->origin.x + i * space->cell, space->origin.y + j * space->cell);
 }
 
-/* The grid points downhill from a place to where the field is 0. */
+/* Collects the grid points downhill from a place to where the field is 0. */
 static bool walk_down(const Field *field, Vec2 start, double radius, Line *line) {
     const FreeSpace *space = field->ground->space;
     int i = (int)floor((start.x - space->origin.x) / space->cell),
@@ -52,7 +52,7 @@ static bool walk_down(const Field *field, Vec2 start, double radius, Line *line)
     double best = HUGE_VAL;
     int at_x = -1, at_y = -1;
     line_add(line, start);
-    for (int n = 0; n < 16; n++) { /* the start lies between grid points: which of those about it is best? */
+    for (int n = 0; n < 16; n++) { /* the start lies between grid points: choose the best one around it */
         int x = i - 1 + n % 4, y = j - 1 + n / 4;
         if (x < 0 || y < 0 || x >= space->nx || y >= space->ny)
             continue;
@@ -97,7 +97,7 @@ static bool walk_down(const Field *field, Vec2 start, double radius, Line *line)
     }
 }
 
-/* Goes on straight across the exit that the line leads to. */
+/* Continues straight across the exit at the end of the line. */
 static bool cross_exit(Line *line, const FreeSpace *space, const Plan *plan, const Goal *goal, double radius) {
     Vec2 last = line->at[line->count - 1], across = {0, 0}, foot = last;
     double nearest = HUGE_VAL;
@@ -108,14 +108,14 @@ static bool cross_exit(Line *line, const FreeSpace *space, const Plan *plan, con
         if (vec2_distance(last, on) < nearest) {
             nearest = vec2_distance(last, on);
             across = vec2_unit(vec2_left(vec2_sub(plan->exits[e].to, plan->exits[e].from)));
-            /* Away from where the line comes from. */
+            /* Direction away from the earlier part of the line. */
             Vec2 before = line->at[line->count > 8 ? line->count - 8 : 0];
             if (vec2_dot(across, vec2_sub(before, on)) > 0)
                 across = vec2_scale(across, -1);
             foot = on;
         }
     }
-    /* The field is 0 on both sides of the line: what is beyond already is left out. */
+    /* The field is 0 on both sides of the exit's line: drop points that are already beyond. */
     while (line->count > 1 && vec2_dot(across, vec2_sub(line->at[line->count - 1], foot)) > 0)
         line->count--;
     last = line->at[line->count - 1];
@@ -133,7 +133,7 @@ static bool cross_exit(Line *line, const FreeSpace *space, const Plan *plan, con
 static Line pulled(const Line *line, const FreeSpace *space, double radius) {
     Line taut = {0};
     line_add(&taut, line->at[0]);
-    /* The ends may stand close to something, which is no reason to come close to anything else. */
+    /* The ends may stand close to an obstacle; other points need not. */
     size_t first = 0, last = line->count - 1;
     while (first < last && freespace_exact(space, line->at[first], FREESPACE_FARTHEST, NULL) < radius + COMFORT)
         line_add(&taut, line->at[++first]);
@@ -201,7 +201,7 @@ bool disc_route_leg(SearchTrack *track, Fields *fields, const Plan *plan, const 
     bool found =
         walk_down(field, start, radius, &line) && (goal->radius > 0 || cross_exit(&line, space, plan, goal, radius));
     if (found) {
-        for (int pass = 0; pass < PASSES; pass++) { /* forwards and backwards in turn */
+        for (int pass = 0; pass < PASSES; pass++) { /* alternately forwards and backwards */
             line_replace(&line, spaced(&line));
             line_replace(&line, pulled(&line, space, radius));
             line_replace(&line, line_reversed(&line));

@@ -1,4 +1,4 @@
-/* The way of a disc: see taut.c. */
+/* The path of a disc: see disc_route.c. */
 #pragma once
 
 #include <stdbool.h>
@@ -7,7 +7,7 @@
 #include "route/search.h"
 
 /* Continues `track` from its last pose to the goal for a disc of `radius` m, with poses about 5 cm apart that head
- * along the way and know their clearance. The field is taken from `fields`. False, and the track as it was: there is no
- * way on this grid. */
+ * along the path and have their clearances filled in. The time field comes from `fields`. Returns false, with the track
+ * unchanged, if there is no path on this grid. */
 bool disc_route_leg(SearchTrack *track, Fields *fields, const Plan *plan, const FreeSpace *space,
                     const Profile *profile, double radius, const Goal *goal);

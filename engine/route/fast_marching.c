@@ -15,18 +15,18 @@
  *
  *     a_x (T - q_x)^2 + a_y (T - q_y)^2 = h^2 s^2,    a = 9/4, q = (4 t1 - t2) / 3,    or a = 1, q = t1,
  *
- * an axis counting only where T > q. Times are made final from the smallest on, from a heap; equal ones in the order of
- * the grid, so that the answer is always the same. Entries are not moved in the heap when a time falls: the stale ones
- * come out later and find their point final. */
+ * an axis counting only where T > q. Times become final in rising order, from a heap; equal ones in the order of the
+ * grid, so that the result is always the same. Entries are not moved in the heap when a time falls: stale entries are
+ * removed later and find their point final. */
 
-#define STEEP 2.0f /* 1, times as slow as behind: more than discomfort makes */
+#define STEEP 2.0f /* 1, ratio to the slowness behind: more than discomfort causes */
 
 /* The bits of a point's state above its class. */
 enum {
     POINT_CLASS = 3,
     POINT_FINAL = 4,
-    POINT_GIVEN = 8, /* of a passable point: its time was given */
-    POINT_STEP = 8,  /* of a squeezed one, times the steps from a passable one */
+    POINT_GIVEN = 8, /* of a passable point: its time was given as a seed */
+    POINT_STEP = 8,  /* of a squeezed point, times the steps from a passable one */
 };
 
 static const int neighbours[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
@@ -68,7 +68,8 @@ typedef struct Upwind {
     double weight; /* 1, a */
 } Upwind;
 
-/* Does the second order hold? From slow ground on to quick it makes time, and at a door it loses some. */
+/* True if the second order applies. Between slow and quick ground it would produce wrong times, and at a door it loses
+ * some. */
 static bool is_even(float here, float behind) {
     return behind <= here && here <= STEEP * behind;
 }
@@ -94,7 +95,7 @@ static Upwind upwind(const FastMarching *front, size_t point, int place, int end
     return best;
 }
 
-/* The larger root of a_x (T - q_x)^2 + a_y (T - q_y)^2 = rise^2, or of one of the terms alone. */
+/* Returns the larger root of a_x (T - q_x)^2 + a_y (T - q_y)^2 = rise^2, or of one of the terms alone. */
 static double solve(const Upwind *x, const Upwind *y, double rise) {
     double one = x->value + rise / sqrt(x->weight), other = y->value + rise / sqrt(y->weight);
     if (one <= y->value || other <= x->value)
@@ -109,7 +110,7 @@ static double point_time(const FastMarching *front, int i, int j, int class) {
     Upwind x = upwind(front, point, i, front->nx, 1, class), y = upwind(front, point, j, front->ny, front->nx, class);
     double rise = front->cell * (double)front->slowness[point];
     double time = solve(&x, &y, rise);
-    /* The second order may fall behind where the slowness jumps. */
+    /* The second order may give a time before its neighbours where the slowness jumps. */
     return real_max(time, real_min(x.time, y.time));
 }
 
@@ -122,7 +123,7 @@ static void lower_point(FastMarching *front, int i, int j, int class) {
     }
 }
 
-/* Makes the times of all points of a class final that are reached from what is in the heap. */
+/* Makes the times final of all points of a class that are reached from the entries of the heap. */
 static void run(FastMarching *front, unsigned char class, int most_steps) {
     while (front->heap_count > 0) {
         FastMarchingEntry entry = heap_take(front->heap, &front->heap_count);
@@ -181,7 +182,7 @@ void fast_marching_seed(FastMarching *front, int i, int j, double time) {
     heap_put(&front->heap, &front->heap_count, &front->heap_capacity, (FastMarchingEntry){(float)time, (int)point});
 }
 
-/* The slope of the time along one axis, s/m, from the neighbour that it came from. */
+/* Returns the slope of the time along one axis, s/m, from the neighbour from which the time came. */
 static double slope(const FastMarching *front, size_t point, int place, int end, ptrdiff_t stride, int class) {
     const float *time = front->time + point;
     const unsigned char *states = front->states + point;

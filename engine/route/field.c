@@ -6,17 +6,17 @@
 #include "plan/plan_geometry.h"
 #include "space/outline.h"
 
-/* The grid rounds a disc's place by up to this many cells, so it is let through passages that much narrower. */
+/* 1, cells: the grid rounds a disc's place by at most this, so discs pass passages that are this much narrower. */
 #define ROUNDING 0.75
 
-/* Cells on either side of a closed door's line that are looked at more closely. */
+/* Cells on either side of a closed door's line that are examined more closely. */
 #define DOOR_BAND 2.5
 
-/* The lowest speed that the search reckons with, m/s: keeps times finite. */
+/* The lowest speed assumed by the search, m/s, which keeps times finite. */
 #define SLOWEST 0.02
 
-/* Below COMFORT (m) of clearance, time counts up to 1 + DISCOMFORT times: chosen so that a chair keeps off a wall by
- * some 5 cm where there is room for it, but does not make detours of more than a few metres for it. */
+/* Below COMFORT (m) of clearance, time counts up to 1 + DISCOMFORT times: chosen so that a chair keeps some 5 cm off a
+ * wall where there is room, without detours of more than a few metres. */
 #define COMFORT 0.10
 #define DISCOMFORT 2.0
 
@@ -80,7 +80,8 @@ void field_ground_clear(Ground *ground) {
     *ground = (Ground){0};
 }
 
-/* Does the motion from one place to another cross the line? One that ends on it has not, the next one has. */
+/* True if the motion from one place to another crosses the line. A motion that ends on the line does not cross it; the
+ * next one does. */
 static bool crosses(Vec2 from, Vec2 to, Vec2 a, Vec2 b) {
     Vec2 line = vec2_sub(b, a), motion = vec2_sub(to, from);
     double before = vec2_cross(line, vec2_sub(from, a)), after = vec2_cross(line, vec2_sub(to, a));
@@ -90,7 +91,7 @@ static bool crosses(Vec2 from, Vec2 to, Vec2 a, Vec2 b) {
     return (one <= 0 && other >= 0) || (one >= 0 && other <= 0);
 }
 
-/* The grid point nearest to a place, or SIZE_MAX outside. */
+/* Returns the grid point nearest to a place, or SIZE_MAX outside. */
 static size_t grid_point(const FreeSpace *space, Vec2 at) {
     double x = (at.x - space->origin.x) / space->cell + 0.5, y = (at.y - space->origin.y) / space->cell + 0.5;
     if (!(x >= 0 && y >= 0 && x < space->nx && y < space->ny))
@@ -137,10 +138,10 @@ bool field_goal_reached(const Goal *goal, const Plan *plan, Vec2 from, Vec2 to, 
     return false;
 }
 
-/* Dial's queue: buckets of equal width in time, used round and round. */
+/* Dial's queue: buckets of equal width in time, reused cyclically. */
 typedef struct Entry {
     int point;
-    int next;   /* in the same bucket, or among the unused; -1: none */
+    int next;   /* next entry in the same bucket, or among the unused; -1: none */
     float time; /* s */
 } Entry;
 
@@ -178,7 +179,7 @@ static void seed_point(const Field *field, Queue *queue, int i, int j) {
     }
 }
 
-/* The points within `reach` m of a line. */
+/* Seeds the points within `reach` m of a line. */
 static void seed_line(const Field *field, Queue *queue, Vec2 from, Vec2 to, double reach) {
     const FreeSpace *space = field->ground->space;
     Box box = box_expand(box_include(box_include(box_empty(), from), to), reach);
@@ -198,7 +199,7 @@ static void seed_line(const Field *field, Queue *queue, Vec2 from, Vec2 to, doub
 static const signed char moves[16][2] = {{1, 0}, {-1, 0}, {0, 1},  {0, -1},  {1, 1}, {-1, 1}, {1, -1}, {-1, -1},
                                          {2, 1}, {-2, 1}, {2, -1}, {-2, -1}, {1, 2}, {-1, 2}, {1, -2}, {-1, -2}};
 
-/* A knight's move passes between two points; both must be free. */
+/* True if a knight's move is free: both points that it passes between must be free. */
 static bool way_free(const float *slowness, int nx, size_t point, int dx, int dy) {
     if (dx * dx + dy * dy <= 2)
         return true;
@@ -250,7 +251,7 @@ void field_init(Field *field, const Ground *ground, const Goal *goal) {
     *field = (Field){.ground = ground, .time = memory_zeroed(points, sizeof *field->time)};
     for (size_t i = 0; i < points; i++)
         field->time[i] = HUGE_VALF;
-    /* No step takes less than one bucket's width, so that what a bucket holds is final but for its own order. */
+    /* No step takes less than one bucket's width, so the times in a bucket are final except for their order. */
     Queue queue = {.unused = -1, .width = space->cell / ground->profile->free_speed};
     double longest = 2.3 * space->cell * field_discomfort(0) / field_speed(ground->profile, 0) + longest_delay(ground);
     queue.bucket_count = (size_t)(longest / queue.width) + 3;

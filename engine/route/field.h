@@ -1,6 +1,6 @@
-/* How long it still takes from every place: what guides the search for a route.
+/* The time to the goal from every place, which guides the search for a route.
  *
- * The time to the goal of a disc that always fits inside the body, by Dijkstra's method on the grid of distances, 16
+ * The time is that of a disc that always fits inside the body, by Dijkstra's method on the grid of distances, 16
  * neighbours a point, with the speed law of the driver: v = (W - w) / b between v_min and v_free, W twice the distance
  * to the nearest obstacle. A closed door costs its opening time. */
 #pragma once
@@ -13,13 +13,13 @@
 #include "plan/plan.h"
 #include "plan/profile.h"
 
-/* Where a leg of a route leads: to within `radius` of a point, or across one of several lines. */
+/* The end of a leg of a route: within `radius` of a point, or across one of several lines. */
 typedef struct Goal {
     Vec2 at;       /* m */
     double radius; /* m; 0: across an exit */
-    size_t exit;   /* SIZE_MAX: any that is usable */
-    double time;   /* s, from when an exit has to be usable */
-    bool open;     /* exits that open only later than `time` do not count */
+    size_t exit;   /* SIZE_MAX: any usable exit */
+    double time;   /* s, time from which an exit must be usable */
+    bool open;     /* True if exits that open only later than `time` do not count */
 } Goal;
 
 typedef struct DoorLine {
@@ -31,47 +31,47 @@ typedef struct Ground {
     const Plan *plan;
     const FreeSpace *space;
     const Profile *profile;
-    float *slowness;      /* (ny x nx) s/m; 0 where the disc does not go */
-    unsigned char *doors; /* (ny x nx) 1: near a closed door; NULL: there is none */
+    float *slowness;      /* (ny x nx) s/m; 0 where the disc does not pass */
+    unsigned char *doors; /* (ny x nx) 1: near a closed door; NULL: no closed door */
     DoorLine *lines;      /* (line_count) */
     size_t line_count;
-    const volatile sig_atomic_t *stop; /* set: searches on it give up; NULL: never */
+    const volatile sig_atomic_t *stop; /* set: searches on this ground stop; NULL: never */
 } Ground;
 
 typedef struct Field {
     const Ground *ground;
-    float *time; /* (ny x nx) s to the goal; infinite where it cannot be reached */
+    float *time; /* (ny x nx) s to the goal; infinite where the goal cannot be reached */
 } Field;
 
-/* The ground for discs of `radius` m. field_ground_clear releases it. */
+/* Prepares the ground for discs of `radius` m. field_ground_clear releases it. */
 void field_ground_init(Ground *ground, const Plan *plan, const FreeSpace *space, const Profile *profile, double radius);
-/* The same without the allowance for the grid's rounding: every point that is let through is truly free. */
+/* Does the same without the allowance for the grid's rounding: every point that is let through is truly free. */
 void field_ground_init_exact(Ground *ground, const Plan *plan, const FreeSpace *space, const Profile *profile,
                              double radius);
 void field_ground_clear(Ground *ground);
 
-/* The speed of the steering law, m/s, where the nearest obstacle is `distance` m from the body's middle. */
+/* Returns the speed of the steering law, m/s, where the nearest obstacle is `distance` m from the body's middle. */
 double field_speed(const Profile *profile, double distance);
 
-/* By how many times a lack of clearance (m) makes time count more, 1 and more. */
+/* Returns the factor, at least 1, by which time counts more at a clearance (m). */
 double field_discomfort(double clearance);
 
-/* What closed doors cost on the straight way from one place to another, s. */
+/* Returns the delay of closed doors on the straight line between two places, s. */
 double field_delay(const Ground *ground, Vec2 from, Vec2 to);
 
-/* Across `exit`, or any for SIZE_MAX, for somebody who starts at `time` s. `open_first`: exits that are not open yet
- * are left out, provided that another one is open by then. */
+/* Returns the goal across `exit`, or across any exit for SIZE_MAX, for a person who starts at `time` s. `open_first`:
+ * exits that are not open yet are excluded, provided that another one is open by then. */
 Goal field_exit_goal(const Plan *plan, size_t exit, double time, bool open_first);
 
-/* Is the exit open to somebody who starts at `time`, or will it be? */
+/* True if the exit is or will be open for a person who starts at the goal's time. */
 bool field_exit_usable(const Goal *goal, const Plan *plan, size_t exit);
 
-/* Does a straight motion end the leg? `*exit` is the exit crossed (SIZE_MAX: none). */
+/* True if a straight motion ends the leg. `*exit` is the exit crossed (SIZE_MAX: none). */
 bool field_goal_reached(const Goal *goal, const Plan *plan, Vec2 from, Vec2 to, size_t *exit);
 
-/* The time to the goal from everywhere. field_clear releases it. */
+/* Computes the time to the goal from every place. field_clear releases it. */
 void field_init(Field *field, const Ground *ground, const Goal *goal);
 void field_clear(Field *field);
 
-/* The time from a place, s, interpolated; infinite where there is no way. */
+/* Returns the time from a place, s, interpolated; infinite where there is no path. */
 double field_time(const Field *field, Vec2 at);

@@ -10,8 +10,8 @@ typedef struct Shared {
     Ground ground;
     Field field;
     bool ready;    /* built */
-    int users;     /* who took it and did not return it yet */
-    uint64_t used; /* when it was taken last, counted in takings */
+    int users;     /* acquired and not yet released */
+    uint64_t used; /* time of the last acquisition, counted in acquisitions */
 } Shared;
 
 struct Fields {
@@ -44,7 +44,7 @@ void fields_destroy(Fields *fields) {
     memory_free(fields);
 }
 
-/* Two goals across exits are one when the same exits are usable, whenever that is. */
+/* True if two goals across exits have the same usable exits, at any time. */
 static bool same_goal(const Goal *one, const Goal *other, const Plan *plan) {
     if (one->radius > 0 || other->radius > 0)
         return vec2_distance(one->at, other->at) <= 0 && !(one->radius < other->radius || one->radius > other->radius);
@@ -64,7 +64,7 @@ static size_t field_bytes(const FieldKey *key) {
     return (size_t)key->space->nx * (size_t)key->space->ny * 2 * sizeof(float);
 }
 
-/* Drops those that nobody uses, the longest unused first, until `bytes` more have room, if that can be. */
+/* Drops unused fields, the longest unused first, until `bytes` more have room, if possible. */
 static void make_room(Fields *fields, size_t bytes) {
     size_t held = bytes;
     for (size_t i = 0; i < fields->count; i++)
@@ -112,7 +112,7 @@ const Field *fields_acquire(Fields *fields, const FieldKey *key) {
     }
     shared->users++;
     shared->used = ++fields->takings;
-    if (new) { /* the others go on meanwhile, but threads that need the same field */
+    if (new) { /* other threads continue meanwhile, except threads that need the same field */
         pthread_mutex_unlock(&fields->lock);
         build(shared);
         pthread_mutex_lock(&fields->lock);

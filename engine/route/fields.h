@@ -1,4 +1,4 @@
-/* Fields that several searches share: bodies of one kind that go to one goal need the same times. */
+/* A cache of fields that several searches share: bodies of one kind with one goal need the same times. */
 #pragma once
 
 #include <stdbool.h>
@@ -6,27 +6,27 @@
 
 #include "route/field.h"
 
-/* What a field is built for. Plan, space and profile are known by where they are: they must neither move nor change as
- * long as the fields live. */
+/* The inputs of a field. Plan, space and profile are identified by address: they must neither move nor change as long
+ * as the fields live. */
 typedef struct FieldKey {
     const Plan *plan;
     const FreeSpace *space;
     const Profile *profile;
     double radius; /* m, of the disc */
-    bool exact;    /* the ground has no allowance for the grid's rounding */
+    bool exact;    /* True if the ground has no allowance for the grid's rounding */
     Goal goal;
-    const volatile sig_atomic_t *stop; /* of the ground */
+    const volatile sig_atomic_t *stop; /* stop flag of the ground */
 } FieldKey;
 
-/* Opaque; safe to use from several threads. What is answered does not depend on who asked before. */
+/* Opaque; safe for several threads. The results do not depend on earlier requests. */
 typedef struct Fields Fields;
 
 Fields *fields_create(void);
-/* Everything has to be given back before. */
+/* Destroys the cache; every field must have been released. */
 void fields_destroy(Fields *fields);
 
-/* The field of a key, which has its ground; built unless it is there already. fields_release it: only then it may make
- * room for others, which it does when all take more than FIELDS_MOST_BYTES. */
+/* Returns the field of a key, with its ground, and builds it if it is not cached. The caller must release the field
+ * with fields_release; unused fields are dropped when all fields take more than FIELDS_MOST_BYTES. */
 const Field *fields_acquire(Fields *fields, const FieldKey *key);
 void fields_release(Fields *fields, const Field *field);
 

@@ -8,27 +8,27 @@
 
 /* The widest path (maximin; Pollack 1960) of the rectangle's growth over a lattice of the body's middle and heading,
  * six neighbours a node: the growth of a path is the least on it, and the search always goes on from the node with the
- * largest, so that the first arrival is the best. Growth above a cap counts as the cap; of equals the nearer one to the
- * goal goes first.
+ * largest, so that the first arrival is the best. Growth above a cap counts as the cap; of equal nodes the one nearer
+ * to the goal goes first.
  *
- * The lattice starts coarse. Where its path is tight, the lattice is halved, again and again, in a tube of one coarse
- * cell about it; the nodes of each lattice are nodes of the next, so that the margin can only grow. It is low by some
- * half a cell, 1.5 mm at last. A path that turns out negative is blocked at its tightest place and another one sought,
- * as long as what the coarse lattice promises could be better. */
+ * The lattice starts coarse. Where its path is tight, the lattice is halved repeatedly in a tube of one coarse cell
+ * about the path; the nodes of each lattice are nodes of the next, so that the margin can only grow. The margin is low
+ * by about half a cell, 1.5 mm on the finest lattice. If the margin of a path becomes negative, the path is blocked at
+ * its tightest place and another one is searched, as long as the coarse lattice allows a better one. */
 
-#define FINEST_CELL 0.004 /* m: halving goes on above this */
-#define ALMOST 0.006      /* m, of margin missing */
+#define FINEST_CELL 0.004 /* m: the lattice is halved while its cell is larger */
+#define ALMOST 0.006      /* m, missing margin */
 #define COARSE_CELL 0.1   /* m */
 #define COARSE_TURNS 24   /* in a full turn */
-#define BLOCKED_REACH 0.2 /* m, about a tightest place that did not do */
+#define BLOCKED_REACH 0.2 /* m, about a tightest place that is too tight */
 
 enum { MOST_STATES = 4000000, MOST_ALTERNATIVES = 3, KEY_OFFSET = 1 << 24 };
 
 typedef struct State {
     int x, y, turn; /* lattice, from the start's middle and heading */
     float growth;   /* m */
-    float widest;   /* m, of the way to here */
-    float length;   /* m, of the way to here, turns counted by what the body's ends move */
+    float widest;   /* m, widest growth along the path to here */
+    float length;   /* m, length of the path to here, with turns counted by the motion of the body's ends */
     int parent;     /* -1: the start */
 } State;
 
@@ -37,10 +37,10 @@ typedef struct Slot {
     int state;
 } Slot;
 
-/* A state to go on from. */
+/* A state from which the search continues. */
 typedef struct Frontier {
     float widest; /* m */
-    float whole;  /* m, of the way to here and the least still to go */
+    float whole;  /* m, length of the path to here plus the least remaining length */
     int state;
 } Frontier;
 
@@ -60,7 +60,7 @@ typedef struct Lattice {
     int turns;           /* in a full turn */
     double cap;          /* m */
     const Table *tube;   /* cells of the lattice twice as coarse that may be entered, or NULL */
-    const State *end;    /* of that lattice, the goal instead of `goal`, or NULL */
+    const State *end;    /* state of that lattice that replaces `goal`, or NULL */
     const Vec2 *blocked; /* (blocked_count) m */
     size_t blocked_count;
     State *states;
@@ -82,7 +82,7 @@ static Slot *slot_in(Slot *slots, size_t capacity, uint64_t key) {
             return &slots[i];
 }
 
-/* The slot of a key; `*fresh` tells whether it was made now. */
+/* Returns the slot of a key; `*fresh` is true if the slot is new. */
 static Slot *table_take(Table *table, uint64_t key, bool *fresh) {
     if (2 * table->count >= table->capacity) {
         size_t capacity = table->capacity ? 2 * table->capacity : 1 << 14;
@@ -129,7 +129,7 @@ static double growth_at(const Lattice *lattice, Vec2 centre, double heading, int
                             lattice->body->half_width, lattice->cap, face);
 }
 
-/* How far the goal is at least, m. */
+/* Returns a lower bound of the distance to the goal, m. */
 static double distance_to_go(const Lattice *lattice, Vec2 at) {
     if (lattice->end)
         return vec2_distance(at, vec2(lattice->origin.x + 2 * lattice->cell * lattice->end->x,
@@ -160,8 +160,8 @@ static bool is_blocked(const Lattice *lattice, Vec2 centre) {
     return false;
 }
 
-/* Enters a lattice point for the first time: along a widest path that is also the best time. */
-/* Beyond the grid of distances everything is free and nothing leads anywhere. */
+/* Enters a lattice point for the first time, along a widest path, which is also its best one. */
+/* True if the place is on the grid of distances. Beyond the grid all space is free and leads nowhere. */
 static bool is_on_the_grid(const FreeSpace *space, Vec2 at) {
     Vec2 from = vec2_sub(at, space->origin);
     return from.x >= 0 && from.y >= 0 && from.x <= space->cell * (space->nx - 1) &&
@@ -193,7 +193,7 @@ static void enter(Lattice *lattice, int x, int y, int turn, int parent, double s
              (Frontier){state.widest, state.length + (float)distance_to_go(lattice, centre), (int)index});
 }
 
-/* Does the way to this state end there? */
+/* True if the path to this state ends there. */
 static bool arrived(const Lattice *lattice, const State *state) {
     if (lattice->end)
         return state->x == 2 * lattice->end->x && state->y == 2 * lattice->end->y &&
@@ -208,7 +208,7 @@ static bool arrived(const Lattice *lattice, const State *state) {
     return field_goal_reached(lattice->goal, lattice->query->plan, before_it, here, &exit);
 }
 
-/* The last state of the widest way from a lattice point to the goal, or -1. */
+/* Returns the last state of the widest path from a lattice point to the goal, or -1. */
 static int widest_way(Lattice *lattice, int x, int y, int turn) {
     double swing = 2 * M_PI / lattice->turns * lattice->body->half_length, cell = lattice->cell;
     enter(lattice, x, y, turn, -1, 0);
@@ -234,12 +234,12 @@ static void lattice_clear(Lattice *lattice) {
     table_clear(&lattice->table);
 }
 
-/* A way on one lattice. */
+/* A path on one lattice. */
 typedef struct Way {
     State *states; /* (count), from the start */
     size_t count;
     float widest;
-    bool cut; /* ends before the goal, where the rest is wide enough */
+    bool cut; /* True if the path ends before the goal, where the rest is wide enough */
 } Way;
 
 static Way way_take(const Lattice *lattice, int last) {
@@ -253,13 +253,13 @@ static Way way_take(const Lattice *lattice, int last) {
     return way;
 }
 
-/* The cells within one of a way's. */
+/* Returns the cells within one cell of a path. */
 static Table tube_about(const State *states, size_t count, int turns) {
     Table tube = {0};
     bool fresh;
     for (size_t i = 0; i < count; i++) {
         const State *at = &states[i], *last = &states[i > 0 ? i - 1 : 0];
-        /* One step on from the last state, only the side that faces forwards is new. */
+        /* One step from the last state, only the side that faces forwards is new. */
         int x = at->x - last->x, y = at->y - last->y, turn = at->turn - last->turn;
         turn = turn > 1 ? -1 : turn < -1 ? 1 : turn;
         for (int n = 0; n < 27; n++) {
@@ -271,8 +271,8 @@ static Table tube_about(const State *states, size_t count, int turns) {
     return tube;
 }
 
-/* Halves the lattice about the tight stretch of a way and replaces the way by the widest one there. The lattice takes
- * on the new cell. */
+/* Halves the lattice about the tight stretch of a path and replaces the path by the widest one there. The lattice then
+ * has the new cell size. */
 static bool refine(Lattice *lattice, Way *way) {
     double swing = 2 * M_PI / lattice->turns * lattice->body->half_length;
     double cap = fmin(FIT_MOST, (double)way->widest + 0.75 * lattice->cell + 0.5 * swing);
@@ -319,8 +319,8 @@ static void note_tightest(const Lattice *lattice, const Way *way, FitPlace *plac
     place->margin = growth_at(lattice, place->centre, place->heading, &place->face);
 }
 
-/* What a lattice of `cell` and `turns` says after halving it down to FINEST_CELL. False when
- * the coarse lattice does not even leave `needed` possible. The leg's end comes back in `centre` and `heading`. */
+/* Computes the margin on a lattice of `cell` and `turns`, halved down to FINEST_CELL. Returns false if the coarse
+ * lattice already excludes `needed`. The leg's end is returned in `centre` and `heading`. */
 static bool fit_from(const RouteQuery *query, const Rectangle *body, const Goal *goal, double cell, int turns,
                      const Vec2 *blocked, size_t blocked_count, double needed, Vec2 *centre, double *heading,
                      FitPlace *place) {
@@ -351,7 +351,7 @@ static bool fit_from(const RouteQuery *query, const Rectangle *body, const Goal 
     return promising;
 }
 
-/* One leg, from a pose of the body's middle, which moves on to where the leg ends. */
+/* Computes one leg from a pose of the body's middle, and moves the pose to the leg's end. */
 static FitPlace fit_leg(const RouteQuery *query, const Rectangle *body, const Goal *goal, Vec2 *centre,
                         double *heading) {
     FitPlace best = {*centre, *heading, -HUGE_VAL, -1};
@@ -359,7 +359,7 @@ static FitPlace fit_leg(const RouteQuery *query, const Rectangle *body, const Go
     double final = *heading;
     for (size_t attempt = 0; attempt < MOST_ALTERNATIVES && best.margin < 0; attempt++) {
         FitPlace place = best;
-        /* A way that almost does is looked at again from a lattice twice as fine: its tube may lie better. */
+        /* If the margin is almost sufficient, retry from a lattice twice as fine, whose tube may lie better. */
         for (int halved = 0;
              halved < 2 && (!halved || (place.margin < 0 && place.margin > -ALMOST && place.margin >= best.margin));
              halved++) {
@@ -393,7 +393,7 @@ double fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *go
         if (place.margin < tightest->margin)
             *tightest = place;
         if (!(place.margin > -HUGE_VAL))
-            break; /* too large a house to tell */
+            break; /* the house is too large to decide */
     }
     return tightest->margin;
 }

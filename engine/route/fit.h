@@ -1,10 +1,10 @@
-/* By how much a body fits: see fit.c. */
+/* Computes by how much a body fits: see fit.c. */
 #pragma once
 
 #include "route/route.h"
 #include "route/search.h"
 
-/* The tightest place of the widest way. */
+/* The tightest place of the widest path. */
 typedef struct FitPlace {
     Vec2 centre;    /* m, of the body */
     double heading; /* rad */
@@ -12,7 +12,7 @@ typedef struct FitPlace {
     int face;       /* the planned face that decides, or -1 */
 } FitPlace;
 
-/* The largest growth, m, up to FIT_MOST, with which the body passes the goals one after another by any rigid motion. */
+/* Returns the largest growth, m, up to FIT_MOST, with which the body passes the goals in order by any rigid motion. */
 double fit_margin(const RouteQuery *query, const Rectangle *body, const Goal *goals, size_t goal_count,
                   FitPlace *tightest);
 

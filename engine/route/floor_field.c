@@ -7,18 +7,18 @@
 #include "route/fast_marching.h"
 #include "space/outline.h"
 
-/* Times are those of a front (front.c) that starts at the goal. The slowness, s/m, of a place is
+/* Times are those of a front (fast_marching.c) that starts at the goal. The slowness, s/m, of a place is
  *
  *     s = (1 + k (1 - c / m)^2) / v        for a clearance c = d - r below m, else 1 / v,
  *
  * v the speed, m/s, d the distance of the nearest obstacle, r the disc's radius, m FLOOR_FIELD_MARGIN, all m, and k
  * FLOOR_FIELD_DISCOMFORT, 1. h is the grid's cell, m.
  *
- * Passable points: d > r; also r - h/2 < d <= r where the disc, moved straight away from what is nearest until it just
- * touches, is free. So no gap narrower than the disc by more than about h^2 / (4 r) is passed, and every one 5 cm wider
- * has a chain of neighbours through it at any angle for h up to 0.11 m. Squeezed: any other with d > h/2. Blocked: the
- * rest. As an edge of the grid that crosses a wall has an end within h/2 of it, no time goes through a wall, however
- * thin.
+ * Passable points: d > r; also r - h/2 < d <= r where the disc is free after it is moved straight away from the nearest
+ * obstacle until it just touches it. So no gap narrower than the disc by more than about h^2 / (4 r) is passed, and
+ * every one 5 cm wider has a chain of neighbours through it at any angle for h up to 0.11 m. Squeezed: any other with d
+ * > h/2. Blocked: the rest. As an edge of the grid that crosses a wall has an end within h/2 of it, no time goes
+ * through a wall, however thin.
  *
  * Doors that can be opened add to the slowness b(x) delay, b the hat function of the distance from the door's line,
  * 2 DOOR_BAND h wide: its sum over grid points times h is 1 wherever the line lies.
@@ -31,14 +31,14 @@
  *           |  inside    ^    |         Where only one side is outside, they go on for FLOOR_FIELD_BEYOND behind it. */
 
 #define DOOR_BAND 2.0  /* cells, half the width of the hat function */
-#define EXIT_BAND 1.5  /* cells, about an exit's line where directions are across it */
+#define EXIT_BAND 1.5  /* cells, about an exit's line where directions are perpendicular to it */
 #define SEEDED 2.5     /* cells, about an exit's line where times are given: both orders then begin on one side */
-#define SQUEEZED 3.0   /* 1, times the slowness beside a wall: the way out of a squeeze is the short one */
-#define PUSHED_OFF 1.5 /* cells: from so far off a wall, no neighbour in the grid lies behind it */
-#define KINK 0.8       /* 1, length of a mean direction below which its parts are two different ways */
-#define OUTSIDE 5.0    /* m, from the edge of the grid: a side of an exit that is reached within this is outside */
-#define CLEARLY 2.0    /* m, by which the other side must be farther away */
-#define TOUCHING 1e-4  /* m, rounding of the grid of distances */
+#define SQUEEZED 3.0   /* 1, times the slowness next to a wall: makes the path out of a squeeze the short one */
+#define PUSHED_OFF 1.5 /* cells: at this distance from a wall, no neighbouring grid point lies behind it */
+#define KINK 0.8       /* 1, length of a mean direction below which its parts are two different paths */
+#define OUTSIDE 5.0   /* m, from the edge of the grid: a side of an exit that reaches the edge within this is outside */
+#define CLEARLY 2.0   /* m, by which the other side must be farther away */
+#define TOUCHING 1e-4 /* m, rounding of the grid of distances */
 
 enum { UNIT = 127, BLOCKED = INT8_MIN, BLOCKED_WALL = 0, BLOCKED_EXIT = 1, MOST_PUSHES = 3 };
 
@@ -56,8 +56,8 @@ static bool inside_grid(const FloorField *field, int i, int j) {
     return i >= 0 && j >= 0 && i < field->nx && j < field->ny;
 }
 
-/* Where the nearest obstacle's nearest point is, from `at`: the unit vector away from it and its distance, m, negative
- * inside of solids; false: none within `reach` m. */
+/* Finds the nearest obstacle from `at`: the unit vector away from its nearest point, and its distance, m, negative
+ * inside solids. Returns false if there is none within `reach` m. */
 static bool nearest_obstacle(const FreeSpace *space, Vec2 at, double reach, Vec2 *away, double *distance) {
     int index;
     *distance = freespace_exact(space, at, reach, &index);
@@ -74,7 +74,7 @@ static bool nearest_obstacle(const FreeSpace *space, Vec2 at, double reach, Vec2
     return true;
 }
 
-/* Is the disc free when it is moved off what it overlaps at this place? */
+/* True if the disc is free when it is moved off the obstacle that it overlaps at this place. */
 static bool almost_passable(const FloorField *field, Vec2 at) {
     Vec2 away;
     double distance;
@@ -138,7 +138,7 @@ static void slow_at_doors(const FloorField *field, FastMarching *front, const Pl
     }
 }
 
-/* Is a disc's centre free of obstacles all along a straight line? */
+/* True if a disc's centre is free of obstacles along a straight line. */
 static bool sees(const FreeSpace *space, Vec2 from, Vec2 to, double distance) {
     int parts = (int)ceil(vec2_distance(from, to) / space->cell);
     for (int part = 0; part <= parts; part++)
@@ -147,7 +147,8 @@ static bool sees(const FreeSpace *space, Vec2 from, Vec2 to, double distance) {
     return true;
 }
 
-/* The points within half the goal's radius that see it, which keeps those on the other side of a wall out. */
+/* Seeds the points within half the goal's radius that see the goal, which excludes points on the other side of a wall.
+ */
 static void seed_place(const FloorField *field, FastMarching *front) {
     const Goal *goal = &field->goal;
     double reach = fmax(goal->radius / 2, 2 * field->cell);
@@ -161,12 +162,12 @@ static void seed_place(const FloorField *field, FastMarching *front) {
         }
 }
 
-/* How far along an exit's line and to the left of it a place is, m. */
+/* Returns how far a place is along an exit's line and to the left of it, m. */
 static Vec2 exit_frame(const FloorFieldExit *exit, Vec2 at) {
     return vec2_unturn(vec2_sub(at, exit->from), exit->along);
 }
 
-/* A place that has the line, but for a bit of its ends, before it. */
+/* True if the place is in front of or behind the line, excluding a part of its ends. */
 static bool before_line(const FloorFieldExit *exit, Vec2 frame, double end, double reach) {
     double margin = fmin(end, exit->length / 4);
     return fabs(frame.y) <= reach && frame.x >= margin && frame.x <= exit->length - margin;
@@ -189,8 +190,8 @@ static FloorFieldExit exit_make(const Exit *line) {
     return (FloorFieldExit){.from = line->from, .along = vec2_unit(along), .length = vec2_length(along)};
 }
 
-/* How far, in steps, the points within OUTSIDE of the grid's edge are from it without crossing any exit; infinite
- * elsewhere. Breadth first. */
+/* Returns the distance, in steps, of the points within OUTSIDE of the grid's edge from that edge without crossing any
+ * exit; infinite elsewhere. Breadth first. */
 static float *steps_outside(const FloorField *field, const FastMarching *front, const Plan *plan) {
     size_t points = (size_t)field->nx * (size_t)field->ny, count = 0, capacity = 0;
     float *steps = memory_zeroed(points, sizeof *steps), most = (float)(OUTSIDE / field->cell);
@@ -230,7 +231,7 @@ static float *steps_outside(const FloorField *field, const FastMarching *front, 
     return steps;
 }
 
-/* Which side of the line is outside: the one from which it is clearly nearer to the edge of the grid. */
+/* Returns the outer side of the line: the one that is clearly nearer to the edge of the grid. */
 static int outward_side(const FloorField *field, const FloorFieldExit *exit, const float *steps) {
     double left = HUGE_VAL, right = HUGE_VAL, reach = 3 * field->cell;
     Range range = range_about(field, exit->from, vec2_along(exit->from, exit->length, exit->along), reach);
@@ -279,7 +280,7 @@ static int side_of(double left) {
     return left > 0 ? 1 : -1;
 }
 
-/* Straight across the line, away from the side on which the place is, or out. */
+/* Returns the direction straight across the line, away from the side of the place, or outwards. */
 static Vec2 across(const FloorFieldExit *exit, Vec2 frame) {
     return vec2_scale(vec2_left(exit->along), exit->outward ? exit->outward : -side_of(frame.y));
 }
@@ -354,7 +355,7 @@ void floor_field_clear(FloorField *field) {
     *field = (FloorField){0};
 }
 
-/* The cell of the grid that a place lies in, and where in it. */
+/* The cell of the grid that contains a place, and the position in the cell. */
 typedef struct Spot {
     size_t low;  /* the lower left point */
     double u, v; /* 1, from 0 to 1 */
@@ -381,7 +382,7 @@ static inline bool spot_blocked(const FloorField *field, const Spot *spot) {
     return (low[0][0] == BLOCKED) | (low[1][0] == BLOCKED) | (high[0][0] == BLOCKED) | (high[1][0] == BLOCKED);
 }
 
-/* The mean direction of a cell's points, not of unit length; blocked ones count as they are written. */
+/* Returns the mean direction of a cell's points, not of unit length; blocked points count with their stored values. */
 static inline Vec2 spot_mean(const FloorField *field, const Spot *spot) {
     const signed char(*low)[2] = field->directions + spot->low, (*high)[2] = low + field->nx;
     double u = spot->u, v = spot->v;
@@ -390,7 +391,8 @@ static inline Vec2 spot_mean(const FloorField *field, const Spot *spot) {
     return vec2(x, y);
 }
 
-/* The mean direction of a cell's points, blocked ones left out; that of the heaviest where they disagree. */
+/* Returns the mean direction of a cell's points without blocked ones; the direction of the heaviest point where they
+ * disagree. */
 static Vec2 spot_direction(const FloorField *field, const Spot *spot) {
     const signed char(*low)[2] = field->directions + spot->low, (*high)[2] = low + field->nx;
     const signed char *four[4] = {low[0], low[1], high[0], high[1]};
@@ -427,7 +429,7 @@ static double spot_time(const FloorField *field, const Spot *spot) {
     return time < 0 ? 0 : time;
 }
 
-/* The exit's line that the place is next to, or NULL. */
+/* Returns the exit whose line is next to the place, or NULL. */
 static const FloorFieldExit *exit_beside(const FloorField *field, Vec2 at, Vec2 *frame) {
     for (size_t e = 0; e < field->exit_count; e++) {
         *frame = exit_frame(&field->exits[e], at);
@@ -437,8 +439,8 @@ static const FloorFieldExit *exit_beside(const FloorField *field, Vec2 at, Vec2 
     return NULL;
 }
 
-/* A place moved so far off the nearest walls that its cell's points all lie on its side of them. `*away` and
- * `*distance` are those of the first wall; false: there is none so near. */
+/* Moves a place away from the nearest walls until all points of its cell lie on its side of them. `*away` and
+ * `*distance` belong to the first wall. Returns false if no wall is that near. */
 static bool push_off(const FloorField *field, Vec2 *at, Vec2 *away, double *distance) {
     bool pushed = false;
     for (int n = 0; n < MOST_PUSHES; n++) {
@@ -456,7 +458,7 @@ static bool push_off(const FloorField *field, Vec2 *at, Vec2 *away, double *dist
     return pushed;
 }
 
-/* The direction where a wall or an exit passes through the cell. */
+/* Returns the direction where a wall or an exit passes through the cell. */
 static Vec2 careful_direction(const FloorField *field, Vec2 at) {
     Vec2 frame = {0, 0}, away, off = at;
     double distance;

@@ -13,8 +13,8 @@
 #include "route/smooth.h"
 #include "route/disc_route.h"
 
-/* Quick when the way is easy, but not to be believed when it finds none; then finer, each with room for about as many
- * nodes as take a second. */
+/* Search grains: the first is quick on easy routes, but cannot prove that there is none; the next ones are finer, each
+ * limited to about as many nodes as take a second. */
 static const SearchGrain grains[] = {
     {.cell = 0.10, .turn = M_PI / 18, .step = 0.15, .weight = 1.5, .most_nodes = 60000},
     {.cell = 0.05, .turn = M_PI / 36, .step = 0.10, .weight = 1.5, .most_nodes = 150000},
@@ -23,32 +23,31 @@ static const SearchGrain grains[] = {
 };
 enum { GRAINS = sizeof grains / sizeof *grains };
 
-/* A chair that crosses the exit's line goes on straight for so much, m, as far as it is free: out is out. */
+/* m: a chair that crosses the exit's line continues straight for this distance, as far as the space is free. */
 #define BEYOND_EXIT 0.3
-#define BEYOND_CLEARANCE 0.1 /* m, that is kept from what stands before the door */
+#define BEYOND_CLEARANCE 0.1 /* m, clearance from obstacles in front of the door */
 
-/* The straightened end of a way: how long, m, the longest that can be; its step, m; what it keeps from everything, m;
- * how bent it may be, 1/m. */
+/* The straightened end of a path: candidate lengths, m; step, m; clearance, m; largest curvature, 1/m. */
 static const double end_lengths[] = {4, 3, 2, 1};
 #define END_STEP 0.05
 #define END_CLEARANCE 0.08
 #define END_CURVATURE 1.5
 
-#define SAME_PLACE 0.5 /* m: between two findings about one thing */
+#define SAME_PLACE 0.5 /* m: largest distance between two findings about one obstacle */
 
-#define SCRAPE 0.02 /* m: with less clearance than this a quick way is not good enough yet */
+#define SCRAPE 0.02 /* m: a quick path with less clearance than this is improved */
 enum { ROOMIER_NODES = 50000 };
 
-/* Bodies that are smaller by so much on every side, m, tell where the true one sticks. */
+/* m: amounts by which bodies are shrunk on every side to find where the true body sticks. */
 static const double shrinkings[] = {0.0075, 0.015, 0.025, 0.035, 0.05, 0.08, 0.12};
 
-/* m: the lattice's margin is never so far below the true one. */
+/* m: the lattice's margin is never this far below the true one. */
 #define FIT_SURELY 0.02
 
 #define EASED_STEP 0.002    /* m */
-enum { MOST_EASINGS = 12 }; /* moves off one thing after another */
+enum { MOST_EASINGS = 12 }; /* steps to push the start pose clear of each obstacle in turn */
 
-#define FINER 4.0 /* 1, of the grid on which a disc's way is looked for again */
+#define FINER 4.0 /* 1, refinement of the grid for the second search of a disc's path */
 
 typedef struct Legs {
     Goal *goals; /* (count) */
@@ -63,7 +62,7 @@ static Legs legs_make(const RouteQuery *query) {
     return legs;
 }
 
-/* Is there an exit to go to? Otherwise the answer names the one that is closed. */
+/* True if there is a usable exit. Otherwise the route names the closed one. */
 static bool exit_usable(const RouteQuery *query, const Goal *goal, Route *route) {
     for (size_t e = 0; e < query->plan->exit_count; e++)
         if (field_exit_usable(goal, query->plan, e))
@@ -81,7 +80,7 @@ static bool exit_usable(const RouteQuery *query, const Goal *goal, Route *route)
     return false;
 }
 
-/* Searches all legs one after another; `pins` are the poses at which they end. */
+/* Searches all legs in order; `pins` are the poses at which they end. */
 static SearchAnswer search_legs(const RouteQuery *query, const Legs *legs, const Rectangle *body,
                                 const SearchGrain *grain, SearchTrack *track, size_t *pins) {
     /* A disc about the axle that never leaves the body. */
@@ -100,8 +99,8 @@ static SearchAnswer search_legs(const RouteQuery *query, const Legs *legs, const
     return answer;
 }
 
-/* Where somebody would cross the exit who comes straight from `from`: at a right angle, a hair behind the line, as far
- * from its ends as they have been keeping, at most in the middle. */
+/* Returns the pose at which a body that comes straight from `from` crosses the exit: at a right angle, 2 cm behind the
+ * line, as far from its ends as before, at most in the middle. */
 static Pose straight_out(const Exit *exit, const Rectangle *body, const Pose *from) {
     const double hair = 0.02; /* m */
     Vec2 along = vec2_unit(vec2_sub(exit->to, exit->from)), out = vec2_left(along);
@@ -114,7 +113,7 @@ static Pose straight_out(const Exit *exit, const Rectangle *body, const Pose *fr
     return (Pose){vec2_along(vec2_along(exit->from, at, along), hair, out), real_atan2(out.y, out.x), 0, 1};
 }
 
-/* The way from one pose to another on a cubic, forwards; false when it is too bent or not free. */
+/* Adds the path from one pose to another on a cubic, forwards. Returns false if it is too curved or not free. */
 static bool connect(SearchTrack *track, const RouteQuery *query, const Rectangle *body, const Pose *from,
                     const Pose *to) {
     int pieces = (int)ceil(vec2_distance(from->at, to->at) / END_STEP);
@@ -135,8 +134,8 @@ static bool connect(SearchTrack *track, const RouteQuery *query, const Rectangle
     return true;
 }
 
-/* The search crosses the exit as it happens to; where there is room, the last metres lead straight out instead. Poses
- * up to `first` stay. */
+/* Replaces the last metres by a path straight out where there is room: the search crosses the exit at any angle. Poses
+ * up to `first` stay unchanged. */
 static void straighten_end(SearchTrack *track, const RouteQuery *query, const Rectangle *body, size_t first) {
     for (size_t t = 0; t < sizeof end_lengths / sizeof *end_lengths; t++) {
         double left = 0;
@@ -162,7 +161,7 @@ static void straighten_end(SearchTrack *track, const RouteQuery *query, const Re
 }
 
 /* Ends the track BEYOND_EXIT behind the line, whatever the length of the motion that crossed it. `*crossing` is the
- * pose that comes next after the line. */
+ * first pose behind the line. */
 static void go_beyond_exit(SearchTrack *track, const RouteQuery *query, const Rectangle *body, size_t *crossing) {
     const int steps = 6;
     const Exit *exit = &query->plan->exits[track->exit];
@@ -187,7 +186,7 @@ static void go_beyond_exit(SearchTrack *track, const RouteQuery *query, const Re
     }
 }
 
-/* Does a smoothed track still cross the exit that it was searched for? */
+/* True if a smoothed track still crosses the exit for which it was searched. */
 static bool crosses_exit(const SearchTrack *track, const Plan *plan) {
     Goal goal = {.exit = track->exit, .time = -HUGE_VAL};
     size_t exit;
@@ -216,7 +215,7 @@ static void give_poses(Route *route, const SearchTrack *track) {
     }
 }
 
-/* Smooths a searched track and makes it the answer. */
+/* Smooths a searched track and stores it in the route. */
 static void answer_drive(Route *route, const RouteQuery *query, const Rectangle *body, SearchTrack *track, size_t *pins,
                          size_t leg_count) {
     straighten_end(track, query, body, leg_count > 1 ? pins[leg_count - 2] : 0);
@@ -226,7 +225,7 @@ static void answer_drive(Route *route, const RouteQuery *query, const Rectangle 
         search_track_add(&searched, track->poses[i]);
     smooth_track(track, query->space, body, pins, leg_count - 1);
     if (!crosses_exit(track, query->plan)) {
-        /* Held at the pose just across the line, it cannot miss it. */
+        /* Pinned at the pose just across the line, the track cannot miss the line. */
         search_track_clear(track);
         *track = searched;
         searched = (SearchTrack){0};
@@ -244,7 +243,7 @@ static Rectangle shrunk(const Rectangle *body, double by) {
     return smaller;
 }
 
-/* It fits, but cannot be driven: where a somewhat smaller body gets through, the true one sticks. */
+/* Explains a body that fits but cannot be driven: where a slightly smaller body passes, the true one sticks. */
 static void explain_not_drivable(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
                                  double margin, const FitPlace *tightest) {
     size_t *pins = memory_zeroed(legs->count, sizeof *pins);
@@ -252,7 +251,7 @@ static void explain_not_drivable(Route *route, const RouteQuery *query, const Le
     bool found = false;
     for (size_t i = 0; i < sizeof shrinkings / sizeof *shrinkings && !found && !parallel_stopped(query->stop); i++) {
         if (shrinkings[i] + margin < -FIT_SURELY)
-            continue; /* what cannot be carried through cannot be driven through */
+            continue; /* a body that cannot be carried through cannot be driven through */
         Rectangle smaller = shrunk(body, shrinkings[i]);
         found = search_legs(query, legs, &smaller, &grains[2], &track, pins) == SEARCH_FOUND;
     }
@@ -264,7 +263,7 @@ static void explain_not_drivable(Route *route, const RouteQuery *query, const Le
     memory_free(pins);
 }
 
-/* A quick way that scrapes past something: is there a roomier one at the next grain, with a few nodes more? */
+/* Searches a roomier path at the next grain, with a few more nodes, if a quick path has too little clearance. */
 static void try_roomier(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body) {
     if (route->narrowest >= fmin(SCRAPE, route->poses[0].clearance))
         return;
@@ -286,8 +285,8 @@ static void try_roomier(Route *route, const RouteQuery *query, const Legs *legs,
     memory_free(pins);
 }
 
-/* What would fit is not yet what can be driven: where a smaller body that can be driven through sticks at the same
- * thing, it says how much wider that has to be. */
+/* Raises the required width to that for driving: where a smaller body that can be driven through sticks at the same
+ * obstacle, it tells how much wider the place must be. */
 static void ask_for_driving(Route *route, const RouteQuery *query, const Legs *legs, const Rectangle *body,
                             double margin, const FitPlace *tightest) {
     Blockage fit = route->blockage;
@@ -310,7 +309,7 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
         margin = fit_margin(query, body, legs->goals, legs->count, &tightest);
         route->fits = margin + FIT_BIAS >= 0;
         for (int grain = 1; grain < GRAINS && route->fits && answer != SEARCH_FOUND; grain++) {
-            /* The finest can only end where the last one came to an end. */
+            /* The finest grain cannot succeed if the previous one exhausted its nodes. */
             if (grain == GRAINS - 1 && answer == SEARCH_GAVE_UP)
                 break;
             answer = search_legs(query, legs, body, &grains[grain], &track, pins);
@@ -323,7 +322,7 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
     } else {
         search_track_clear(&track);
         if (parallel_stopped(query->stop))
-            route->fits = false; /* it was not looked for to the end */
+            route->fits = false; /* the search was not complete */
         else if (route->fits && query->brief)
             blockage_of_fit(&route->blockage, query, body, &tightest);
         else if (route->fits)
@@ -337,7 +336,7 @@ static void search_drive(Route *route, const RouteQuery *query, const Legs *legs
     memory_free(pins);
 }
 
-/* All legs of a disc on one grid. */
+/* Plans all legs of a disc on one grid. */
 static bool disc_legs(SearchTrack *track, const RouteQuery *query, const FreeSpace *space, Fields *fields,
                       const Legs *legs, double radius) {
     double clearance = freespace_exact(space, query->at, radius + ROUTE_CLEARANCE_REACH, NULL) - radius;
@@ -368,12 +367,12 @@ static void search_round(Route *route, const RouteQuery *query, const Legs *legs
     }
     search_track_clear(&track);
     FitPlace tightest;
-    Rectangle square = {radius, radius, 0}; /* in a gap between walls or jambs it is as wide as the disc */
+    Rectangle square = {radius, radius, 0}; /* in a gap between walls or jambs the square is as wide as the disc */
     fit_margin(query, &square, legs->goals, legs->count, &tightest);
     blockage_of_fit(&route->blockage, query, &square, &tightest);
 }
 
-/* The answer of one of the two ways of driving, with fields of its own unless there are shared ones. */
+/* Plans by one of the two driving models, with its own fields unless there are shared ones. */
 static Route answer_with(const RouteQuery *query, void (*answer)(Route *route, const RouteQuery *query)) {
     Route route = {.answer = ROUTE_CANNOT_PASS, .exit = query->exit};
     RouteQuery with = *query;
@@ -385,9 +384,9 @@ static Route answer_with(const RouteQuery *query, void (*answer)(Route *route, c
     return route;
 }
 
-/* Where the body starts: in the middle of a run, beside what it presses on or stands close to, because a chair whose
- * flank is at a wall cannot turn away from it without its tail going through. Of the places tried the roomiest one;
- * false: it is not free. */
+/* Finds the start pose of the body. In the middle of a run it is moved away from obstacles that it presses on or stands
+ * close to, because a chair whose flank is at a wall cannot turn away without its tail hitting the wall. The roomiest
+ * of the places tried is chosen. Returns false if the body is not free. */
 static bool ease_off(const RouteQuery *query, const Rectangle *body, Vec2 *at) {
     int face;
     Vec2 here = query->at;
@@ -396,7 +395,8 @@ static bool ease_off(const RouteQuery *query, const Rectangle *body, Vec2 *at) {
     if (!(query->pressed > 0) || best < -query->pressed)
         return best >= 0;
     for (int n = 0; n < MOST_EASINGS && clearance < ROUTE_EASED && face >= 0; n++) {
-        /* All the way out, but only half of what is missing to comfort: there may be something on the other side. */
+        /* Resolve the full overlap, but only half of the missing comfort: there may be an obstacle on the other side.
+         */
         double move = clearance < 0 ? EASED_STEP - clearance : fmax((ROUTE_EASED - clearance) / 2, EASED_STEP);
         here = vec2_along(here, move, query->space->outline->faces[face].normal);
         clearance = search_clearance(query->space, body, here, query->heading, ROUTE_EASED, &face);
@@ -444,7 +444,7 @@ Route route_round(const RouteQuery *query) {
 }
 
 void route_widths(const Blockage *blockage, char *text, size_t size) {
-    const double centimetres = 100, slack = 1e-6; /* 1/m; cm, so that a whole centimetre stays one */
+    const double centimetres = 100, slack = 1e-6; /* 1/m; cm, so that whole centimetres are preserved */
     double needs = ceil(blockage->needs * centimetres - slack) / centimetres;
     double has = floor(blockage->has * centimetres + slack) / centimetres;
     if (blockage->has > 0 && blockage->needs > blockage->has)

@@ -7,32 +7,32 @@
 #include "base/parallel.h"
 #include "base/real.h"
 
-/* Hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010): poses are real numbers, moved by primitives; of those that
- * fall into one cell of the grid over (x, y, heading, direction) only the cheapest goes on, and another one only with
- * fewer changes of direction than all before it.
+/* Hybrid A* (Dolgov, Thrun, Montemerlo and Diebel 2010): poses are real numbers, moved by primitives; of the poses in
+ * one cell of the grid over (x, y, heading, direction) only the cheapest is expanded, and another one only with fewer
+ * changes of direction than all before it.
  *
  * Primitives: straight, arcs, both forwards and backwards, and turns on the spot. Cost, s: the time under the speed
  * law, the time to stop and start again around a turn on the spot, to change direction and to open a door, and the
  * time once more in proportion to the lack of clearance.
  *
  * A motion is swept exactly: no point of the body moves farther than D during it, so that it is free when the
- * clearances at its two ends add up to D or more; otherwise its two halves are looked at. As every pose looked at has
- * SEARCH_CLEARANCE, this ends after a few steps, and what is accepted is proven free. */
+ * clearances at its two ends add up to D or more; otherwise its two halves are checked. As every checked pose has
+ * SEARCH_CLEARANCE, this ends after a few steps, and accepted motions are proven free. */
 
-#define SWEEP_REACH 0.25 /* m, farther clearance is not asked for */
+#define SWEEP_REACH 0.25 /* m, larger clearance is not computed */
 
 #define SAMPLE 0.04 /* m, between the poses of a finished track */
 
-static const double radii[] = {0.35, 0.6, 1.0, 2.0}; /* m: the median turn of drivers has 1.09 */
+static const double radii[] = {0.35, 0.6, 1.0, 2.0}; /* m: the median turning radius of drivers is 1.09 */
 enum { RADII = sizeof radii / sizeof *radii, MOST_PRIMITIVES = 4 * RADII + 4, REVERSAL_LEVELS = 21 };
 
 typedef struct Primitive {
     double length;  /* m, along the path, negative backwards */
     double turn;    /* rad */
-    Vec2 chord;     /* m, from its beginning to its end, in the frame of the beginning */
+    Vec2 chord;     /* m, from beginning to end, in the frame of the beginning */
     Vec2 rotation;  /* unit vector of `turn` */
-    double reach;   /* m, no point of the body moves farther */
-    double slowest; /* s, least time it takes */
+    double reach;   /* m, upper bound of the motion of any point of the body */
+    double slowest; /* s, least duration */
     int direction;  /* +1, -1, 0 on the spot */
 } Primitive;
 
@@ -40,14 +40,14 @@ typedef struct Node {
     Vec2 at;
     double heading;    /* rad */
     Vec2 axis;         /* its unit vector */
-    double cost;       /* s, so far */
+    double cost;       /* s, cost so far */
     float clearance;   /* m, up to SWEEP_REACH */
     float slowness;    /* s/m, of the speed law */
     int parent;        /* -1: the start */
-    short primitive;   /* that led here */
+    short primitive;   /* primitive that led here */
     signed char last;  /* direction of the last motion that was not on the spot */
     signed char count; /* changes of direction */
-    int exit;          /* crossed; -1: none, -2: the goal was a point */
+    int exit;          /* exit crossed; -1: none, -2: the goal was a point */
 } Node;
 
 typedef struct Open {
@@ -55,8 +55,8 @@ typedef struct Open {
     int node;
 } Open;
 
-/* What is known of a cell: the best way through it, and how many changes of direction the best expanded one took. Ways
- * are compared by cost and time still to go together: poses of one cell are not equally far on. */
+/* The best known path through a cell, and the changes of direction of the best expanded one. Paths are compared by the
+ * sum of cost and remaining time, since poses in one cell differ in progress. */
 typedef struct Cell {
     uint64_t key;   /* 0: empty */
     float estimate; /* s */
@@ -72,7 +72,7 @@ typedef struct Search {
     const Profile *profile;
     Primitive primitives[MOST_PRIMITIVES];
     int primitive_count;
-    int turns;        /* headings told apart in a full turn */
+    int turns;        /* number of headings in a full turn */
     double stop_time; /* s, lost by stopping or by starting */
     Vec2 origin;      /* m, the start */
     double bearing;   /* rad */
@@ -106,7 +106,8 @@ void search_track_clear(SearchTrack *track) {
     *track = (SearchTrack){0};
 }
 
-/* The farthest that a point of the body travels in a motion: its distance from the turning point times the turn. */
+/* Returns the longest distance that a point of the body travels in a motion: its distance from the turning point times
+ * the turn. */
 static double motion_reach(const Rectangle *body, double length, double turn) {
     if (fabs(turn) < 1e-9)
         return fabs(length);
@@ -114,7 +115,7 @@ static double motion_reach(const Rectangle *body, double length, double turn) {
     return fabs(turn) * sqrt(ahead * ahead + radius * radius);
 }
 
-/* Where a part, 0 to 1, of a motion leads. */
+/* Returns the node after a fraction, 0 to 1, of a motion. */
 static Node moved(const Node *from, const Primitive *primitive, double part) {
     Node to = *from;
     double length = primitive->length * part, turn = primitive->turn * part, half = turn / 2;
@@ -125,7 +126,7 @@ static Node moved(const Node *from, const Primitive *primitive, double part) {
     return to;
 }
 
-/* Where the whole of it leads: the same, quicker. */
+/* Returns the node after the whole motion; faster than moved(). */
 static Node moved_whole(const Node *from, const Primitive *primitive) {
     Node to = *from;
     to.at = vec2_add(from->at, vec2_turn(primitive->chord, from->axis));
@@ -156,7 +157,8 @@ static void make_primitives(Search *search) {
     for (int direction = 1; direction >= -1; direction -= 2) {
         add_primitive(search, direction, step, 0);
         for (int r = RADII - 1; r >= 0; r--) {
-            /* Whole units of turn, so that a chair that starts in line with the walls is so again after its turns. */
+            /* Whole units of turn, so that a chair that starts in line with the walls is in line again after its turns.
+             */
             double turn = unit * fmax(round(step / (radii[r] * unit)), 1);
             add_primitive(search, direction, radii[r] * turn, turn);
             add_primitive(search, direction, radii[r] * turn, -turn);
@@ -177,7 +179,8 @@ static double node_clearance(const Search *search, const Node *node) {
                                body->half_length, body->half_width, SWEEP_REACH, NULL);
 }
 
-/* Is the motion free between two parts of it, whose clearances are known? `*narrowest` falls to what is met. */
+/* True if the motion is free between two fractions of it, whose clearances are known. `*narrowest` is lowered to the
+ * clearances met. */
 static bool swept(const Search *search, const Node *from, const Primitive *primitive, double first, double at_first,
                   double last, double at_last, double *narrowest) {
     if (at_first + at_last >= primitive->reach * (last - first))
@@ -192,7 +195,7 @@ static bool swept(const Search *search, const Node *from, const Primitive *primi
            swept(search, from, primitive, middle, clearance, last, at_last, narrowest);
 }
 
-/* Rounded half away from 0, so that a mirrored house is searched alike. */
+/* Rounds half away from 0, so that a mirrored house is searched alike. */
 static int64_t rounded(double value) {
     return (int64_t)(value < 0 ? value - 0.5 : value + 0.5);
 }
@@ -213,7 +216,7 @@ static Cell *cell_slot(Cell *cells, size_t capacity, uint64_t key) {
             return &cells[i];
 }
 
-/* The cell's entry, made when it is new. */
+/* Returns the cell's entry, created if it is new. */
 static Cell *cell_of(Search *search, uint64_t key) {
     if (2 * search->cell_count >= search->cell_capacity) {
         size_t capacity = search->cell_capacity ? 2 * search->cell_capacity : 1 << 14;
@@ -233,7 +236,7 @@ static Cell *cell_of(Search *search, uint64_t key) {
     return cell;
 }
 
-/* Of equal estimates the later one goes first: it is the nearer to the goal. */
+/* Orders by estimate. Of equal estimates the later one goes first, since it is nearer to the goal. */
 static bool before(Open a, Open b) {
     return a.estimate < b.estimate || (a.estimate <= b.estimate && a.node > b.node);
 }
@@ -247,7 +250,7 @@ static void add_node(Search *search, const Node *node, double to_go) {
              (Open){node->cost + search->grain->weight * to_go, (int)search->node_count++});
 }
 
-/* What a motion costs from `from` to `to`, s. */
+/* Returns the cost of a motion from `from` to `to`, s. */
 static double motion_cost(const Search *search, const Node *from, const Node *to, const Primitive *primitive,
                           double narrowest) {
     const Profile *profile = search->profile;
@@ -261,7 +264,7 @@ static double motion_cost(const Search *search, const Node *from, const Node *to
     return time + field_delay(search->field->ground, from->at, to->at);
 }
 
-/* Makes the node that a primitive leads to, unless something is in the way or a better one is known there. */
+/* Adds the node that a primitive leads to, unless an obstacle blocks the motion or a better node is known. */
 static void try_primitive(Search *search, int parent, int which) {
     const Node from = search->nodes[parent];
     const Primitive *primitive = &search->primitives[which];
@@ -273,7 +276,7 @@ static void try_primitive(Search *search, int parent, int which) {
             return;
         to.last = (signed char)primitive->direction;
     } else if (from.parent >= 0) {
-        /* Turning back what was just turned leads nowhere. */
+        /* Skip a turn that reverses the previous one. */
         const Primitive *previous = &search->primitives[from.primitive];
         if (!previous->direction && previous->turn * primitive->turn < 0)
             return;
@@ -383,7 +386,7 @@ SearchAnswer search_leg(SearchTrack *track, const Field *field, const Goal *goal
     size_t none;
     double to_go = field_time(field, first.at);
     if (goal->radius > 0 && field_goal_reached(goal, field->ground->plan, first.at, first.at, &none)) {
-        answer = SEARCH_FOUND; /* there already */
+        answer = SEARCH_FOUND; /* the start is at the goal */
     } else if (isfinite(to_go)) {
         add_node(&search, &first, to_go);
         answer = search_run(&search, track);

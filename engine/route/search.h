@@ -1,4 +1,4 @@
-/* Search for a path of a chair: hybrid A* over the drive axle's middle, the heading, the direction of travel and the
+/* Searches the path of a chair by hybrid A* over the drive axle's middle, the heading, the direction of travel and the
  * number of changes of direction. */
 #pragma once
 
@@ -8,46 +8,47 @@
 #include "route/field.h"
 #include "route/route.h"
 
-/* The exact rectangle that moves. */
+/* The exact rectangle of the body. */
 typedef struct Rectangle {
     double half_length, half_width; /* m */
     double ahead;                   /* m, from the axle to the rectangle's middle */
 } Rectangle;
 
-/* A pose is taken for free only with this much clearance, m: it is what lets motions between poses be proven free. */
+/* m: a pose counts as free only with at least this clearance, which makes it possible to prove that motions between
+ * poses are free. */
 #define SEARCH_CLEARANCE 0.0015
 
 typedef struct SearchGrain {
     double cell;       /* m */
     double turn;       /* rad */
     double step;       /* m, of one motion */
-    double weight;     /* 1, of the time still to go (weighted A*; Pohl 1970) */
-    size_t most_nodes; /* to expand */
+    double weight;     /* 1, weight of the remaining time (weighted A*; Pohl 1970) */
+    size_t most_nodes; /* nodes to expand, at most */
 } SearchGrain;
 
-/* A path as it was searched: poses some centimetres apart, the first one the start. */
+/* A searched path: poses some centimetres apart, the first one the start. */
 typedef struct SearchTrack {
     Pose *poses; /* (count) */
     size_t count, capacity;
     int reversals;
-    int direction; /* of the last motion along the path, 0: none yet */
-    size_t exit;   /* crossed, or SIZE_MAX */
+    int direction; /* direction of the last motion along the path, 0: no motion yet */
+    size_t exit;   /* exit crossed, or SIZE_MAX */
 } SearchTrack;
 
 typedef enum SearchAnswer {
     SEARCH_FOUND,
-    SEARCH_NONE,    /* nothing left to try at this grain */
-    SEARCH_GAVE_UP, /* most_nodes */
+    SEARCH_NONE,    /* every state at this grain has been tried */
+    SEARCH_GAVE_UP, /* most_nodes reached */
 } SearchAnswer;
 
 Rectangle search_body(const Profile *profile);
 
-/* The clearance of the body at a pose, m, up to `reach`. */
+/* Returns the clearance of the body at a pose, m, up to `reach`. */
 double search_clearance(const FreeSpace *space, const Rectangle *body, Vec2 at, double heading, double reach,
                         int *face);
 
-/* Continues `track` from its last pose to the goal that `field` leads to, with at most `most_reversals` changes of
- * direction altogether. Leaves the track as it was unless SEARCH_FOUND. */
+/* Continues `track` from its last pose to the goal of `field`, with at most `most_reversals` changes of direction in
+ * total. The track is unchanged unless SEARCH_FOUND is returned. */
 SearchAnswer search_leg(SearchTrack *track, const Field *field, const Goal *goal, const Rectangle *body,
                         const SearchGrain *grain, int most_reversals);
 

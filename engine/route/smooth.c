@@ -14,11 +14,11 @@
  *     c_i                                           clearance of the exact rectangle at p_i, m.
  *
  * The heading at p_i is that of p_(i+1) - p_(i-1), so that the axle never slips sideways; at the two ends it is given,
- * which puts the point beyond the end at p_(-1) = p_1 - 2 step t_0, but for the end of the whole track, where the
+ * which puts the point beyond the end at p_(-1) = p_1 - 2 step t_0, except at the end of the whole track, where the
  * heading is free. Without the last term E is a parabola in any one displacement, so that three values give its lowest
- * place; with it, that place and two others are tried. What moves is a bump over 2 m - 1 points, m from large to 1 (as
- * in a multigrid method). A bump is accepted only when its least clearance does not fall, or stays above FLOOR. At last
- * the motion between each two poses is swept; a piece that fails stays as searched. */
+ * place; with it, that place and two others are tried. Each displacement is a bump over 2 m - 1 points, m from large to
+ * 1 (as in a multigrid method). A bump is accepted only when its least clearance does not fall, or stays above FLOOR.
+ * Finally the motion between each two poses is swept; a piece that fails stays as searched. */
 
 #define LENGTH 1.0    /* 1 */
 #define BENDING 0.25  /* m2 */
@@ -26,9 +26,9 @@
 #define CLEARANCE 3.0 /* 1 */
 #define COMFORT 0.12  /* m */
 #define FLOOR 0.05    /* m */
-#define NUDGE 0.02    /* m, the displacement that is tried towards more clearance */
-#define COARSE 0.10   /* m, between points at first */
-#define SPACING 0.05  /* m, between poses at last */
+#define NUDGE 0.02    /* m, displacement that is tried towards more clearance */
+#define COARSE 0.10   /* m, first spacing of points */
+#define SPACING 0.05  /* m, final spacing of poses */
 #define SHORTEST 0.12 /* m, shorter pieces stay as they are */
 
 enum { WIDEST_BUMP = 16, COARSE_SWEEPS = 12, FINE_SWEEPS = 5 };
@@ -41,11 +41,11 @@ typedef struct Band {
     Vec2 *tried;       /* m, while a bump is tried: the points of it */
     double *clearance; /* m, up to COMFORT */
     double *tried_clearance;
-    int count;        /* of steps */
+    int count;        /* number of steps */
     double step;      /* m */
     Vec2 first, last; /* unit tangents at the ends */
     int direction;    /* +1, -1 */
-    bool free_end;    /* the heading at the last end is free: the band runs out straight */
+    bool free_end;    /* True if the heading at the last end is free: the band ends straight */
 } Band;
 
 static Vec2 point_at(const Band *band, int i) {
@@ -75,7 +75,7 @@ static double clearance_at(const Band *band, int i, double reach) {
                                band->body->half_length, band->body->half_width, reach, NULL);
 }
 
-/* The smooth part of the energy in the terms that points low to high take part in. */
+/* Returns the smooth part of the energy in the terms that involve points low to high. */
 static double stiffness(const Band *band, int low, int high) {
     int first = low - 1 < 0 ? 0 : low - 1, last = high + 1 > band->count ? band->count : high + 1;
     double step = band->step, inverse = 1 / (step * step), energy = 0;
@@ -103,7 +103,7 @@ static double discomfort(double clearance) {
     return CLEARANCE * lack * lack;
 }
 
-/* A bump about point `centre`: which points move. */
+/* A bump about point `centre`, which determines the points that move. */
 typedef struct Bump {
     int centre, half; /* points nearer than `half` */
     int low, high;
@@ -117,7 +117,7 @@ static void displace(Band *band, const Bump *bump, double by) {
     }
 }
 
-/* Displaces the points and keeps that when the energy falls and no clearance is lost. */
+/* Displaces the points, and undoes that unless the energy falls and no clearance is lost. */
 static bool try_displacement(Band *band, const Bump *bump, double by, double smooth_before) {
     displace(band, bump, by);
     int first = bump->low - 1 < 0 ? 0 : bump->low - 1,
@@ -207,7 +207,7 @@ Vec2 smooth_between(const Pose *a, const Pose *b, int direction, double part) {
     return vec2_along(vec2_along(at, r * r * s, out), -s * s * r, in);
 }
 
-/* The piece of poses low to high as a band of about `spacing` between points. */
+/* Makes a band of the poses low to high with about `spacing` between points. */
 static Band band_make(const Pose *poses, size_t low, size_t high, double spacing) {
     double length = 0, passed = 0;
     for (size_t i = low; i < high; i++)
@@ -243,7 +243,7 @@ static size_t band_write(const Band *band, const Pose *start, Pose *poses) {
     return (size_t)band->count + 1;
 }
 
-/* Is the motion from one pose to the next free? Their clearances are known. */
+/* True if the motion from one pose to the next is free. Their clearances are known. */
 static bool swept(const Band *band, const Pose *a, const Pose *b) {
     double turn = fabs(b->heading - a->heading), ahead = fabs(band->body->ahead) + band->body->half_length;
     double reach = 1.05 * vec2_distance(a->at, b->at) +
@@ -258,7 +258,7 @@ static bool swept(const Band *band, const Pose *a, const Pose *b) {
     return swept(band, a, &middle) && swept(band, &middle, b);
 }
 
-/* Fills in the clearances of `count` poses; false when one of them or a motion between two is not free. */
+/* Fills in the clearances of `count` poses. Returns false if one of them or a motion between two is not free. */
 static bool sweep_poses(const Band *band, Pose *poses, size_t count) {
     for (size_t i = 0; i < count; i++)
         poses[i].clearance =
@@ -269,8 +269,8 @@ static bool sweep_poses(const Band *band, Pose *poses, size_t count) {
     return true;
 }
 
-/* Smooths `count` poses with points `spacing` apart. The new poses (memory_free them) or, when they are not free and
- * `sweep` asks for that, NULL. */
+/* Smooths `count` poses with points `spacing` apart. Returns the new poses (memory_free them), or NULL if they are not
+ * free and `sweep` is true. */
 static Pose *relaxed(const Pose *poses, size_t count, const FreeSpace *space, const Rectangle *body, double spacing,
                      int sweeps, bool sweep, bool free_end, size_t *result_count) {
     Band band = band_make(poses, 0, count - 1, spacing);
@@ -288,14 +288,14 @@ static Pose *relaxed(const Pose *poses, size_t count, const FreeSpace *space, co
     return result;
 }
 
-/* Smooths the piece of poses low to high into `result`; false when nothing that came out is free. */
+/* Smooths the poses low to high into `result`. Returns false if no result is free. */
 static bool smooth_piece(const Pose *poses, size_t low, size_t high, const FreeSpace *space, const Rectangle *body,
                          bool free_end, SearchTrack *result) {
     size_t coarse_count, count;
     Pose *coarse =
         relaxed(poses + low, high - low + 1, space, body, COARSE, COARSE_SWEEPS, false, free_end, &coarse_count);
     Pose *smooth = relaxed(coarse, coarse_count, space, body, SPACING, FINE_SWEEPS, true, free_end, &count);
-    /* Coarse points may have cut something between them: then from what was searched, which is free. */
+    /* Coarse points may cut an obstacle between them: then start from the searched poses, which are free. */
     if (!smooth)
         smooth = relaxed(poses + low, high - low + 1, space, body, SPACING, FINE_SWEEPS, true, free_end, &count);
     if (!smooth)
