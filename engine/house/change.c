@@ -41,7 +41,7 @@ static double ahead_of(const Profile *profile) {
     return profile->driving == DRIVING_DRIVER ? profile->mass_centre : 0;
 }
 
-/* Person i, who was `before`, stands and moves as there. */
+/* Copies the state of person i, who was `before` in the old world. */
 static void carry_over(World *world, const World *old, size_t i, size_t before, const Change *change) {
     const Inhabitant *now = &world->house->people[i], *then = &old->house->people[before];
     double forward = ahead_of(now->profile) - ahead_of(then->profile);
@@ -62,7 +62,7 @@ static void carry_over(World *world, const World *old, size_t i, size_t before, 
     world->exit[i] = exit == SIZE_MAX ? SIZE_MAX : change->exit_after[exit];
 }
 
-/* Whoever stands inside something now is held by it, and not shot out by the contact law. */
+/* Holds people who now stand inside a solid, so that the contact law does not eject them. */
 static void hold_those_inside(World *world) {
     for (size_t p = 0; p < world->present_count; p++) {
         size_t i = world->present[p];
@@ -75,8 +75,8 @@ static void hold_those_inside(World *world) {
     }
 }
 
-/* An opened door stays open, and a door that was not there, or not shut, is open while somebody stands where its leaf
- * would be: leaves do not fall onto people. */
+/* Sets the doors. An opened door stays open, and a door that is new, or was not shut, is open while a person stands
+ * where its leaf would be. */
 static void set_doors(World *world, const World *old, const Change *change) {
     const Plan *plan = &world->house->plan, *then = &old->house->plan;
     world->shut_doors = 0;
@@ -91,7 +91,7 @@ static void set_doors(World *world, const World *old, const Change *change) {
     }
 }
 
-/* The world in the new house, everybody in place. */
+/* Creates the world in the new house, with all people placed. */
 static World go_over(const World *old, const Change *change, const bool *part) {
     const House *house = change->to;
     World world = world_place(house, part);
@@ -120,7 +120,7 @@ static World go_over(const World *old, const Change *change, const bool *part) {
 
 /* Ways ------------------------------------------------------------------------------------------------------------ */
 
-/* Of the route's points the next one, when the person is still on the route of that name. */
+/* Returns the index of the next of the route's points if the person is still on the route of that name. */
 static size_t via_of(const World *world, const World *old, size_t i, const Change *change) {
     size_t before = change->person_before[i];
     if (before == SIZE_MAX || old->phase[before] == PHASE_ABSENT)
@@ -132,7 +132,7 @@ static size_t via_of(const World *world, const World *old, size_t i, const Chang
     return next < now->via.count ? next : now->via.count;
 }
 
-/* A walker in a wall may still have a way, from a place beside the wall. */
+/* Explains a walker inside a wall, who may still have a path from a place next to the wall. */
 static void tell_held(const World *world, size_t i, Journey *journey) {
     Route *route = &journey->route;
     if (world->was_clear[i] || world_rides(world, i) || route->answer != ROUTE_FOUND)

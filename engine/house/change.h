@@ -1,5 +1,5 @@
-/* The plan changes while people are in the house: people, doors and exits are known again by their ids, the world goes
- * on in the new house from where everybody is, and ways are planned anew from there. */
+/* Changes the plan while people are in the house: people, doors and exits are matched by id, the world continues in the
+ * new house from the current positions, and paths are planned again from there. */
 #pragma once
 
 #include <signal.h>
@@ -9,7 +9,8 @@
 #include "house/journey.h"
 #include "house/world.h"
 
-/* What has become of whom. Each is an index in the other house, or SIZE_MAX: new, or gone. */
+/* The correspondence of two houses. Each entry is an index in the other house, or SIZE_MAX for new or removed elements.
+ */
 typedef struct Change {
     const House *from, *to; /* not owned */
     size_t *person_before;  /* (to->person_count) */
@@ -18,12 +19,12 @@ typedef struct Change {
     size_t *exit_after;     /* (exits of `from`) */
 } Change;
 
-/* change_clear releases what is filled; the houses must outlive it. */
+/* Matches two houses, which must outlive the change. change_clear releases it. */
 void change_init(Change *change, const House *from, const House *to);
 void change_clear(Change *change);
 
-/* Moves a world between two of its steps into the changed house. Person i of it takes part when part[i]. The journeys,
- * the world's, are released and planned anew. Once `stop` is set nobody finds a way, and the world must not move any
- * more. What is kept of whom is said in run.h. */
+/* Moves a world between two of its steps into the changed house. Person i of that house takes part when part[i]. The
+ * journeys of the world are released and planned again. Once `stop` is set no path is found, and the world must not
+ * move any more. run.h says what each person keeps. */
 void change_world(World *world, Journeys *journeys, const Change *change, const bool *part, int jobs,
                   const volatile sig_atomic_t *stop);

@@ -4,41 +4,41 @@
 #include "house/track.h"
 #include "house/yield.h"
 
-/* All of these are assumed; what a person may want to change is in the profile. */
+/* All constants below are assumed; numbers for users are in the profile. */
 
-/* m: a piece of the way counts as done this near to its end. */
+/* m: a part of the path counts as done this near to its end. */
 static const double ARRIVED = 0.01;
-/* rad: and a turn on the spot. */
+/* rad: a turn on the spot counts as done this near to its end. */
 static const double TURNED = 0.02;
-/* m/s: slowest speed aimed at while there is way left, so that nobody creeps for ever. */
+/* m/s: slowest target speed before the end of the path, so that no chair creeps for ever. */
 static const double SLOWEST = 0.05;
-/* 1: the share of the turning moment that the end of a turn on the spot is planned with. */
+/* 1: the share of the turning moment with which the end of a turn on the spot is planned. */
 static const double SPOT_BRAKE = 0.4;
-/* m: how far before the place where a door has to be open somebody who stands gets hold of it. */
+/* m: distance before the place where a door must be open at which a standing person reaches the handle. */
 static const double ARMS_REACH = 0.25;
-/* m: kept to the line of an exit that is not open. */
+/* m: distance from the line of an exit that is not open. */
 static const double STAND_OFF = 0.10;
-/* rad: most that somebody heads back towards the way. */
+/* rad: largest angle of the heading back towards the path. */
 static const double STEEPEST_RETURN = 0.6;
-/* 1: a driver who means to pass overcomes what the personal space does, as far as it exceeds this share of what the
- * driver can exert. */
+/* 1: a driver who is passing overcomes the force of the personal space, as far as it exceeds this share of the driver's
+ * own force. */
 static const double HEEDED = 0.5;
-/* A round body's lateral control, which the paper does not have. */
-static const double ROUND_RETURN_TIME = 1.0;  /* s, back to the middle of the way */
+/* Lateral control of a round body, which is not in the paper. */
+static const double ROUND_RETURN_TIME = 1.0;  /* s, back to the middle of the path */
 static const double ROUND_RETURN_SPEED = 0.2; /* m/s, at most */
 static const double ROUND_LATERAL = 1.0;      /* m/s2, at most */
-/* m and rad: smaller progress than this does not count as getting on. */
+/* m and rad: smaller progress than this does not count. */
 static const double PROGRESS = 0.05;
-/* s, m and times: when somebody who touches something no longer gets on, how far they back off, how often. */
+/* s, m and number: when a touching person without progress backs off, how far, and how often. */
 static const double RETRY_AFTER = 2, RETREAT = 0.25;
 enum { RETRIES_MOST = 3 };
-/* m: the paper's F4 has R in its denominator; it is not taken smaller. */
+/* m: lower bound of R, the denominator in the paper's F4. */
 static const double SMALLEST_RADIUS = 0.1;
 
-/* Where a person stands in relation to the track. */
+/* Position of a person relative to the track. */
 typedef struct Place {
     const TrackPoint *here, *next; /* next == here at the end */
-    Vec2 along;                    /* unit, the way's direction of travel */
+    Vec2 along;                    /* unit, the path's direction of travel */
     double heading;                /* rad, of the track */
     double speed;                  /* m/s, the track's limit */
 } Place;
@@ -63,7 +63,7 @@ static void pass_point(const Track *track, const Profile *profile, Drive *drive)
     }
 }
 
-/* Moves along the track as far as the reference point has come, and measures the offset. */
+/* Advances along the track to the reference point, and measures the offset. */
 static Place find_place(const Track *track, const Profile *profile, Vec2 at, Drive *drive) {
     Place place;
     for (;;) {
@@ -100,8 +100,8 @@ static void watch_progress(Drive *drive, double dt) {
     }
 }
 
-/* Somebody who has run against something backs off a little and tries again. Says whether this is such a step; the
- * retreat does not go beyond the piece of the way that is being driven. */
+/* Lets a person who has run into something back off a little and try again. Returns true during the retreat, which does
+ * not leave the present part of the path. */
 static bool retreats(const Track *track, Drive *drive, bool touches) {
     double due = RETRY_AFTER * (drive->retries + 1);
     if (drive->retreat_to < 0 && touches && drive->stalled > due && drive->retries < RETRIES_MOST) {
@@ -115,7 +115,7 @@ static bool retreats(const Track *track, Drive *drive, bool touches) {
     return drive->retreat_to >= 0;
 }
 
-/* The retreating reference point passes the track's points backwards. */
+/* Moves back along the track with the retreating reference point. */
 static void step_back(const Track *track, Vec2 at, Drive *drive) {
     while (drive->index > 0 && track->points[drive->index].direction == piece_direction(track, drive->index)) {
         const TrackPoint *here = &track->points[drive->index];
@@ -128,7 +128,7 @@ static void step_back(const Track *track, Vec2 at, Drive *drive) {
 
 /* Doors ------------------------------------------------------------------------------------------------------------ */
 
-/* m, to where the person waits for the next shut door; infinite when there is none. */
+/* Returns the distance, m, to the waiting point before the next shut door; infinite without one. */
 static double way_to_door(const World *world, size_t i, int *door) {
     const Track *track = &world->journeys[i].track;
     int next = track->points[world->drive[i].index].next_door;
@@ -141,7 +141,8 @@ static double way_to_door(const World *world, size_t i, int *door) {
     return point->s - world->drive[i].s;
 }
 
-/* The speed at which somebody still stops before a shut door, and before an exit that is not open. */
+/* Returns the highest speed at which the person can still stop before a shut door, and before an exit that is not open.
+ */
 static double speed_to_barriers(const World *world, size_t i, Drive *drive) {
     const Journey *journey = &world->journeys[i];
     const Exit *exit = &world->house->plan.exits[journey->route.exit];
@@ -152,11 +153,11 @@ static double speed_to_barriers(const World *world, size_t i, Drive *drive) {
     if (time < exit->opens || time > exit->closes)
         way = real_min(way, journey->track.exit_s - STAND_OFF - drive->s);
     if (time < exit->opens)
-        drive->stalled = 0; /* it will open */
+        drive->stalled = 0; /* the exit will open */
     return sqrt(braking * real_max(way, 0));
 }
 
-/* The track's speed, as far as what bars the way allows it; at the end of the track there is nothing more to want. */
+/* Returns the track's speed, limited by doors and exits; 0 at the end of the track. */
 static double wanted_speed(const World *world, size_t i, Drive *drive, const Place *place) {
     if (place->next == place->here)
         return 0;
@@ -171,9 +172,9 @@ int drive_door_at_hand(const World *world, size_t i) {
 
 /* Forces ------------------------------------------------------------------------------------------------------------*/
 
-/* F3: towards the target speed along a direction, as fast as a_0 and a_d and as hard as the push allow; `others` is
- * what else acts along it. The paper's element knows only its speed and gives way to what pushes it; a driver feels it
- * (`holding` is 1) and pushes against it. */
+/* Returns F3: towards the target speed along a direction, limited by a_0, a_d and the push; `others` is the sum of
+ * other forces along the direction. The paper's element knows only its speed and yields to forces; a driver feels them
+ * (`holding` is 1) and pushes against them. */
 static double driving_force(const Profile *profile, double target, double speed, double others, double holding) {
     double wanted = profile->mass * (target - speed) / profile->speed_response - holding * others;
     bool faster = fabs(target) > fabs(speed) && target * speed >= 0;
@@ -182,8 +183,9 @@ static double driving_force(const Profile *profile, double target, double speed,
     return real_clamp(wanted, -profile->push, profile->push);
 }
 
-/* Towards the turn rate `target`, rad/s, which itself changes at `rate`, rad/s2, against the moment `load` of what
- * touches the body or its personal space: a driver feels it and holds against it, as hard as the arms allow. */
+/* Returns the moment towards the turn rate `target`, rad/s, which itself changes at `rate`, rad/s2, against the moment
+ * `load` of contacts with the body or its personal space: a driver feels the load and holds against it, up to the
+ * strength of the arms. */
 static double turning_moment(const Profile *profile, double target, double rate, double turn, double load) {
     double square = profile->radius_of_gyration * profile->radius_of_gyration +
                     profile->mass_centre * profile->mass_centre; /* about the axle */
@@ -191,7 +193,8 @@ static double turning_moment(const Profile *profile, double target, double rate,
     return real_clamp(wanted, -profile->turning_moment, profile->turning_moment);
 }
 
-/* What the personal space does beyond what the driver heeds is overcome: it is the driver's own wish. */
+/* Returns the effort that cancels the force of the personal space beyond what the driver yields to, since the driver
+ * intends to come that near. */
 static Effort overcome(const World *world, size_t i) {
     const Profile *profile = world->house->people[i].profile;
     Vec2 axis = world->axis[i];
@@ -201,7 +204,8 @@ static Effort overcome(const World *world, size_t i) {
                     real_clamp(moment, -turning, turning) - moment};
 }
 
-/* A driver's effort towards a speed along the axis, m/s, and a turn, rad/s, that itself changes at `change`, rad/s2. */
+/* Returns a driver's effort towards a speed along the axis, m/s, and a turn rate, rad/s, that itself changes at
+ * `change`, rad/s2. */
 static Effort exert(const World *world, size_t i, double speed, double turn, double change) {
     const Profile *profile = world->house->people[i].profile;
     Vec2 axis = world->axis[i];
@@ -213,7 +217,7 @@ static Effort exert(const World *world, size_t i, double speed, double turn, dou
     return effort;
 }
 
-/* A turn on the spot: heading by heading of the track, at rest at the last. */
+/* Turns on the spot, heading by heading of the track, and ends at rest. */
 static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const Place *place) {
     const Track *track = &world->journeys[i].track;
     const Profile *profile = world->house->people[i].profile;
@@ -239,7 +243,7 @@ static Effort turn_on_the_spot(const World *world, size_t i, Drive *drive, const
     double inertia = profile->mass * profile->radius_of_gyration * profile->radius_of_gyration;
     double brake = SPOT_BRAKE * profile->turning_moment / inertia; /* rad/s2 */
     int door = -1;
-    bool barred = way_to_door(world, i, &door) < 2 * ARRIVED; /* until it is open */
+    bool barred = way_to_door(world, i, &door) < 2 * ARRIVED; /* barred until the door is open */
     double rate = barred ? 0 : real_min(profile->turn_rate, sqrt(2 * brake * fabs(left)));
     double back = vec2_dot(vec2_sub(place->here->at, world_reference(world, i)), axis);
     double speed = real_clamp(back / profile->speed_response / 4, -2 * SLOWEST, 2 * SLOWEST);
@@ -258,21 +262,22 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
         drive->pause -= world->clock.dt;
         target = 0;
     }
-    int sense = 1; /* along the way, or back */
+    int sense = 1; /* forwards or backwards along the path */
     bool held = world->sense[i].body_force > 0 || world->sense[i].ring > 0 || target < 0;
     target = real_max(target, 0);
     if (retreats(&world->journeys[i].track, drive, held)) {
         target = profile->reversing_speed;
         sense = -1;
     }
-    /* Offsets and turns in the body's own sense: its left, its heading, also when it goes backwards. */
+    /* Offsets and turns in the body's own frame: its left, its heading, also when it goes backwards. */
     double speed = vec2_dot(world->velocity[i], axis);
     double offset = direction * (drive->offset - drive->aside);
     double pace = real_max(fabs(speed), SLOWEST) * (target > 0);
-    double swerve = drive->swerve; /* 1: the slant that the swerve itself needs */
+    double swerve = drive->swerve; /* 1: the slope of the swerve itself */
     double slant = vec2_wrap_angle(world->heading[i] - place->heading) - swerve;
     double bend = sense * place->next->curvature * pace;
-    /* Back to the way at a slant in proportion to the offset, bounded: however far off, nobody turns round. */
+    /* Return to the path at an angle in proportion to the offset, with an upper bound, so that no chair turns round
+     * however far off it is. */
     double back = profile->heading_gain > 0 ? profile->lateral_gain / profile->heading_gain * offset : 0;
     back = sense * direction * real_clamp(back, -STEEPEST_RETURN, STEEPEST_RETURN);
     double turn = bend - profile->heading_gain * pace * real_sin(slant + back);
@@ -280,7 +285,7 @@ static Effort drive_driver(const World *world, size_t i, Drive *drive, const Pla
     return exert(world, i, sense * direction * target, turn, pace * pace * place->next->bending);
 }
 
-/* The paper's: along the leg, or along the tangent about the corner with F4 towards it. */
+/* Drives as in the paper: along the leg, or along the tangent about the corner with F4 towards it. */
 static Effort drive_miura(const World *world, size_t i, Drive *drive, const Place *place) {
     const Track *track = &world->journeys[i].track;
     const Profile *profile = world->house->people[i].profile;

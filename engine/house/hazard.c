@@ -8,25 +8,24 @@ static double score_of(const RunSettings *run, double clearance, double peak_for
     double near = run->clearance_warning > 0 ? (run->clearance_warning - clearance) / run->clearance_warning : 0;
     double force = run->force_warning > 0 ? peak_force / run->force_warning : 0;
     double loss = run->loss_warning > 0 ? lost_time / run->loss_warning : 0;
-    return fmax(near, 0) + force + loss; /* no clearance known is an infinite one */
+    return fmax(near, 0) + force + loss; /* an unknown clearance is infinite */
 }
 
-/* What a hazard would be whose middle is a certain stretch, and which of its stretches is the worst by itself: there it
- * is shown, and after that it is named. */
+/* The hazard centred on one stretch, and its worst single stretch, which gives its position and name. */
 typedef struct Candidate {
     Hazard hazard;
     size_t worst;
     double worst_score;
 } Candidate;
 
-/* The stretches and, for each that no hazard has taken yet, the hazard that it would be the middle of. */
+/* The stretches and, for each that is not part of a hazard yet, the hazard centred on it. */
 typedef struct Ranking {
     const RunSettings *run;
     const Stretch *stretches; /* (count) */
     Candidate *candidates;    /* (count) */
     bool *taken;              /* (count) */
     size_t count;
-    Broadphase *places; /* of the stretches: who is near is not looked for among all */
+    Broadphase *places; /* tree of the stretches, to find nearby ones */
 } Ranking;
 
 typedef struct Gathering {
@@ -58,7 +57,7 @@ static bool gather_stretch(void *context, int item) {
     return true;
 }
 
-/* Gathers everything near stretch i that no other hazard has taken. */
+/* Gathers all stretches near stretch i that are in no other hazard. */
 static void gather(Ranking *ranking, size_t i) {
     Candidate *candidate = &ranking->candidates[i];
     Hazard *hazard = &candidate->hazard;
@@ -88,7 +87,7 @@ static bool is_dangerous(const Hazard *hazard, const RunSettings *run) {
            hazard->lost_time > run->loss_warning;
 }
 
-/* The worst hazard among the stretches that are left; count when none is dangerous. */
+/* Returns the worst hazard among the remaining stretches; count when none is dangerous. */
 static size_t find_worst(const Ranking *ranking) {
     size_t worst = ranking->count;
     for (size_t i = 0; i < ranking->count; i++)

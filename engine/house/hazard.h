@@ -1,12 +1,12 @@
 /* Dangerous points: places where bodies come near, touch hard or lose time, ranked.
  *
- * Every chair's way is cut into stretches; each keeps its least clearance, hardest contact and lost time. What happens
- * to people on foot is put together by squares of the floor instead, and their clearance is that from obstacles. What
- * that exceeds a threshold (run.clearance_warning, run.force_warning, run.loss_warning) is dangerous, and its score is
+ * Every chair's path is cut into stretches; each stores its least clearance, hardest contact and lost time. Data of
+ * walkers are collected by squares of the floor instead, and their clearance is that from obstacles. A stretch that
+ * exceeds a threshold (run.clearance_warning, run.force_warning, run.loss_warning) is dangerous, and its score is
  *
  *     (threshold - clearance) / threshold, at least 0  +  peak force / threshold  +  lost time / threshold
  *
- * Stretches of all people near one another make one hazard. */
+ * Nearby stretches of all people form one hazard. */
 #pragma once
 
 #include <stddef.h>
@@ -14,16 +14,16 @@
 #include "base/vec2.h"
 #include "house/house.h"
 
-/* m: length of a stretch, and how far apart stretches of one hazard may be. */
+/* m: length of a stretch, and largest distance of stretches in one hazard. */
 #define HAZARD_STRETCH 0.25
 #define HAZARD_RADIUS 0.75
 
-enum { HAZARDS_MOST = 9 /* ranked; the rest would not be read */ };
+enum { HAZARDS_MOST = 9 /* number of hazards in the ranking */ };
 
-/* What one chair met on one stretch, or all walkers on one square. */
+/* Data of one chair on one stretch, or of all walkers on one square. */
 typedef struct Stretch {
-    Vec2 at;           /* m, where the body was nearest to something */
-    int other;         /* the person it was nearest to, or -1: an obstacle */
+    Vec2 at;           /* m, where the body was nearest to an obstacle or a person */
+    int other;         /* the nearest person, or -1: an obstacle */
     double clearance;  /* m */
     double peak_force; /* N */
     double lost_time;  /* s */
@@ -33,10 +33,10 @@ typedef struct Hazard {
     Vec2 at;           /* m */
     char what[96];     /* "door d2", "wardrobe (f3)", "wall w1", "person p2" */
     double score;      /* 1 */
-    double clearance;  /* m, least; infinite: nobody was near to anything */
+    double clearance;  /* m, least; infinite: nothing came near */
     double peak_force; /* N, largest contact */
-    double lost_time;  /* s, lost around here, by all together */
+    double lost_time;  /* s, lost here by all people together */
 } Hazard;
 
-/* Ranks the hazards among `count` stretches, worst first; returns how many, at most HAZARDS_MOST. */
+/* Ranks the hazards among `count` stretches, worst first; returns their number, at most HAZARDS_MOST. */
 size_t hazard_rank(Hazard hazards[HAZARDS_MOST], const Stretch *stretches, size_t count, const House *house);

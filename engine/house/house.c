@@ -7,10 +7,10 @@
 #include "house/populate.h"
 #include "house/shake.h"
 
-/* m: on a coarser grid a chair does not find through a door. */
+/* m: on a coarser grid a chair finds no path through a door. */
 static const double COARSEST_CELL = 0.2;
 
-/* NAME.json beside the house file, otherwise among the shipped profiles. */
+/* Returns NAME.json in the folder of the house file, otherwise among the shipped profiles. */
 static const char *profile_path(House *house, const char *house_path, const char *shipped, const char *name) {
     const char *slash = strrchr(house_path, '/');
     size_t directory = slash ? (size_t)(slash - house_path) + 1 : 0;
@@ -36,7 +36,7 @@ static void read_profile(House *house, const char *house_path, const HouseOption
     Profile *profile = &house->profiles[house->profile_count];
     if (!profile_read(profile, path, fault))
         return;
-    profile->name = arena_text(&profile->arena, name); /* the file's name decides, so that a copy can be changed */
+    profile->name = arena_text(&profile->arena, name); /* the file's name decides, so that a copy can be edited */
     if (options->driving >= 0 && profile->driving != DRIVING_WALKER)
         profile->driving = options->driving;
     house->profile_count++;
@@ -55,7 +55,7 @@ static void read_profiles(House *house, const char *path, const HouseOptions *op
     }
 }
 
-/* The one that profile.NAME.PARAMETER means, whose PARAMETER begins at `*parameter`. */
+/* Returns the profile of profile.NAME.PARAMETER; `*parameter` is set to the beginning of PARAMETER. */
 static Profile *find_profile(const House *house, const char *path, const char **parameter, const char *place,
                              Fault *fault) {
     const char *name = path + strlen("profile.");
@@ -102,7 +102,7 @@ size_t house_find_person(const House *house, const char *id) {
     return SIZE_MAX;
 }
 
-/* Where the profile is named first. */
+/* Returns the place where the profile is first named. */
 static const char *place_of(const House *house, const Profile *profile) {
     const Plan *plan = &house->plan;
     for (size_t i = 0; i < plan->person_count; i++)
@@ -121,7 +121,7 @@ static void check_profile(const House *house, size_t i, Fault *fault) {
     profile_check(profile, house->plan.run.dt, place, fault);
 }
 
-/* For the widest of those who walk. */
+/* Lists the obstacles for the widest walker. */
 static void list_obstacles(House *house) {
     double reach = 0;
     for (size_t i = 0; i < house->profile_count; i++)
@@ -131,7 +131,7 @@ static void list_obstacles(House *house) {
         obstacle_grid_init(&house->obstacles, &house->outline, &house->plan, reach);
 }
 
-/* What follows from the plan alone. */
+/* Builds everything that depends on the plan alone. */
 static bool build_space(House *house, const char *path, Fault *fault) {
     size_t before = fault->total;
     if (!outline_build(&house->outline, &house->plan, fault))
@@ -150,7 +150,7 @@ static void free_space(House *house) {
     outline_free(&house->outline);
 }
 
-/* Who is under what lies already. */
+/* Finds the people who are under furniture that already lies. */
 static void catch_people(House *house) {
     const Plan *plan = &house->plan;
     bool *lies = memory_zeroed(plan->furniture_count, sizeof *lies);
@@ -161,7 +161,7 @@ static void catch_people(House *house) {
     memory_free(lies);
 }
 
-/* People stand as without it; then furniture falls, on some of them. */
+/* Places people as without a shake, then lets furniture fall, on some of them. */
 static bool shake_house(House *house, const char *path, Fault *fault) {
     Plan *plan = &house->plan;
     bool *topples = memory_zeroed(plan->furniture_count, sizeof *topples), any = false;
@@ -180,7 +180,7 @@ static bool shake_house(House *house, const char *path, Fault *fault) {
     return build_space(house, path, fault);
 }
 
-/* All that follows from the plan, which has been read. */
+/* Builds everything that follows from the plan, which has been read. */
 static bool build_parts(House *house, const char *path, const HouseOptions *options, Fault *fault) {
     size_t before = fault->total;
     read_profiles(house, path, options, fault);
@@ -197,7 +197,7 @@ static bool build_parts(House *house, const char *path, const HouseOptions *opti
     return !options->shake || shake_house(house, path, fault);
 }
 
-/* From `text`, or, where that is NULL, from the file. */
+/* Reads from `text` or, if that is NULL, from the file. */
 static bool read_house(House *house, const char *path, const char *text, const HouseOptions *options, Fault *fault) {
     House read = {.seed = options->seed};
     const char *const *settings = options->settings;

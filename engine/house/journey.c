@@ -7,18 +7,19 @@
 #include "base/parallel.h"
 #include "house/shake.h"
 
-/* m: of a route's point for people on foot, so that a crowd can pass it side by side. Assumed. */
+/* m: radius of a route's point for walkers, so that a crowd can pass it side by side. Assumed. */
 static const double VIA_RADIUS = 1.5;
 
 /* Itineraries -------------------------------------------------------------------------------------------------------*/
 
-/* The exit that a route leads to while it is usable: after that, any. */
+/* Returns the exit of a route while it is usable, otherwise any exit. */
 static size_t exit_of(const House *house, const PlanRoute *route, double time) {
     size_t exit = route ? route->exit_index : SIZE_MAX;
     return exit != SIZE_MAX && house->plan.exits[exit].closes <= time ? SIZE_MAX : exit;
 }
 
-/* The last time up to `time`, and at least 0, at which an exit has closed: until the next one nothing changes. */
+/* Returns the last time up to `time`, and at least 0, at which an exit has closed: paths do not change before the next
+ * closing. */
 static double last_closing(const House *house, double time) {
     double last = 0;
     for (size_t e = 0; e < house->plan.exit_count; e++)
@@ -46,7 +47,7 @@ static bool anything_usable(const House *house, const Goal *goal) {
     return false;
 }
 
-/* One still without fields, from the route's point `via` on. */
+/* Adds an itinerary without fields, from the route's point `via` on. */
 static void add_itinerary(Journeys *journeys, const House *house, const Profile *profile, const PlanRoute *route,
                           double since, size_t via, bool again) {
     Itinerary *itinerary = memory_zeroed(1, sizeof *itinerary);
@@ -78,13 +79,13 @@ typedef struct Planning {
     double time;               /* s, now */
     const volatile sig_atomic_t *stop;
     Journeys *journeys;
-    bool again;             /* people are on the way already */
-    bool all_or_none;       /* once somebody has no way, the others are not asked; on one thread */
-    bool failed;            /* somebody has none */
-    size_t first_itinerary; /* without fields */
+    bool again;             /* True if people are moving already */
+    bool all_or_none;       /* True to stop at the first person without a path; on one thread */
+    bool failed;            /* True if a person has no path */
+    size_t first_itinerary; /* index of the first itinerary without fields */
 } Planning;
 
-/* m: by how much a chair that is on the way may press on something. */
+/* m: largest overlap of a moving chair with an obstacle. */
 static const double PRESSED = 0.02;
 
 static double since_of(const Planning *planning, const Whereabouts *place) {
@@ -96,7 +97,7 @@ static void make_fields(void *context, size_t index) {
     const House *house = planning->house;
     Itinerary *itinerary = planning->journeys->itineraries[planning->first_itinerary + index];
     if (parallel_stopped(planning->stop))
-        return; /* then nobody asks them */
+        return; /* they are not part of the question */
     for (size_t leg = 0; leg < itinerary->leg_count; leg++) {
         Goal goal = itinerary->fields[leg].goal;
         floor_field_init(&itinerary->fields[leg], &house->plan, &house->space, itinerary->profile->width / 2,
@@ -177,8 +178,8 @@ static void plan_journey(void *context, size_t k) {
         planning->failed |= journey->route.answer != ROUTE_FOUND;
 }
 
-/* Where those stick who cannot get out on foot. Whoever is in the same part of the house sticks at the same place, so
- * that each place is looked for once. */
+/* Explains walkers without a path out. Walkers in the same part of the house are blocked at the same place, so that
+ * each place is searched once. */
 static void explain_walkers(const Planning *planning, size_t count) {
     const House *house = planning->house;
     bool *explained = memory_zeroed(count, sizeof *explained);
@@ -191,7 +192,7 @@ static void explain_walkers(const Planning *planning, size_t count) {
             continue;
         RouteQuery query = ask(planning, place);
         Route route = route_round(&query);
-        if (route.answer == ROUTE_FOUND) { /* only just, on the finer grid */
+        if (route.answer == ROUTE_FOUND) { /* there is a path, but only on the finer grid */
             route.blockage.at = place->at;
             snprintf(route.blockage.what, sizeof route.blockage.what, "start");
         }
@@ -238,7 +239,7 @@ static Journeys plan_nothing(const House *house, bool brief) {
                       .fields = fields_create()};
 }
 
-/* Everybody of `part`, from where they stand at the beginning; `planning` says how. */
+/* Plans for all people of `part`, from their start; `planning` holds the options. */
 static Journeys plan_from_start(Planning *planning, const bool *part, bool brief, int jobs) {
     const House *house = planning->house;
     Journeys journeys = plan_nothing(house, brief);

@@ -1,5 +1,5 @@
-/* What everybody intends before the house begins to move, and again when an exit has closed: a chair a route and how to
- * follow it, somebody on foot the distance fields that lead from one point of the way to the next. */
+/* The plans of all people before the house begins to move, and again when an exit has closed: for a chair a route and
+ * its track, for a walker the floor fields that lead from each point of the route to the next. */
 #pragma once
 
 #include <signal.h>
@@ -12,23 +12,23 @@
 #include "route/route.h"
 #include "house/track.h"
 
-/* What is planned for one person. */
+/* The plan of one person. */
 typedef struct Journey {
-    Route route;                   /* of a walker only answer, blockage and exit, SIZE_MAX for any */
-    Track track;                   /* of a chair; empty when there is no way */
-    const FloorField *const *legs; /* (leg_count) of a walker, one after another; not owned */
+    Route route;                   /* of a walker only answer, blockage and exit, SIZE_MAX for any exit */
+    Track track;                   /* of a chair; empty without a path */
+    const FloorField *const *legs; /* (leg_count) of a walker, in order; not owned */
     size_t leg_count;
-    size_t via; /* of the route's points, the first one of this journey */
+    size_t via; /* index in the route's points of the first one of this journey */
 } Journey;
 
-/* The fields that people of one profile with one route share, from some time on. */
+/* The fields shared by people of one profile with one route, from some time on. */
 typedef struct Itinerary {
     const Profile *profile;
-    const PlanRoute *route;  /* NULL: none, the quickest exit */
-    double since;            /* s: exits closed by then do not count */
-    bool again;              /* made while people were on the way: exits that are not open yet come last */
-    bool has_exit;           /* otherwise all exits are closed */
-    FloorField *fields;      /* (leg_count) */
+    const PlanRoute *route; /* NULL: no route, the quickest exit */
+    double since;           /* s: exits closed by then do not count */
+    bool again;         /* True if planned while people were moving: exits that are not open yet are the last choice */
+    bool has_exit;      /* False if all exits are closed */
+    FloorField *fields; /* (leg_count) */
     const FloorField **legs; /* (leg_count) into fields */
     size_t leg_count;
 } Itinerary;
@@ -38,33 +38,33 @@ typedef struct Journeys {
     size_t count;
     Itinerary **itineraries; /* (itinerary_count) */
     size_t itinerary_count, itinerary_capacity;
-    Fields *fields; /* that the chairs' searches share */
-    bool brief;     /* all that are planned: as in a RouteQuery */
+    Fields *fields; /* shared by the searches of chairs */
+    bool brief;     /* as in a RouteQuery, for all plans */
 } Journeys;
 
-/* Where somebody is who plans anew. */
+/* The state of a person whose path is planned again. */
 typedef struct Whereabouts {
     size_t person;
     Vec2 at;        /* m, the reference point */
     double heading; /* rad */
-    size_t via;     /* of the route's points, the next one */
-    double start;   /* s, when the delay is over */
+    size_t via;     /* index of the next of the route's points */
+    double start;   /* s, end of the delay */
 } Whereabouts;
 
-/* Plans everybody's journey, on up to `jobs` threads, until `stop` (may be NULL) is set; person i takes part when
- * `part` is NULL or part[i]. journey_free_all releases it. */
+/* Plans the journeys of all people, on up to `jobs` threads, until `stop` (may be NULL) is set; person i takes part
+ * when `part` is NULL or part[i]. journey_free_all releases the journeys. */
 Journeys journey_plan_all(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
 Journeys journey_plan_briefly(const House *house, const bool *part, int jobs, const volatile sig_atomic_t *stop);
 void journey_free_all(Journeys *journeys);
 
-/* Has everybody of them a way out? */
+/* True if every person who takes part has a path out. */
 bool journey_possible(const House *house, const bool *part, const volatile sig_atomic_t *stop);
 
-/* The same for `count` people in the middle of a run, at `time`; nobody else has a journey. */
+/* Does the same for `count` people in the middle of a run, at `time`; other people have no journey. */
 Journeys journey_plan_from(const House *house, const Whereabouts *places, size_t count, double time, bool brief,
                            int jobs, const volatile sig_atomic_t *stop);
 
-/* Plans again from `time` on for `count` people who are on the way: to the exit of their route while that is usable,
- * otherwise to the quickest. What they had before is released. */
+/* Plans again from `time` on for `count` moving people: to the exit of their route while that is usable, otherwise to
+ * the quickest. Their former journeys are released. */
 void journey_plan_again(Journeys *journeys, const House *house, const Whereabouts *places, size_t count, double time,
                         int jobs, const volatile sig_atomic_t *stop);

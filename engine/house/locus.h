@@ -1,4 +1,4 @@
-/* The locus of somebody: the line through the places of the body's middle; and how far apart two loci are. */
+/* The locus of a person, which is the path of the body's middle, and the distance of two loci. */
 #pragma once
 
 #include "house/observation.h"
@@ -9,15 +9,15 @@ typedef struct Locus {
     size_t count;
 } Locus;
 
-/* Of a person of the house, from the trace. locus_free releases it. */
+/* Returns the locus of a person of the house, from the trace. locus_free releases it. */
 Locus locus_of(const House *house, const Observation *observation, size_t person);
 void locus_free(Locus *locus);
 
 typedef struct LocusDistance {
     double largest, mean; /* m */
-    size_t counted;       /* points; 0: there was nothing to compare */
+    size_t counted;       /* compared points; 0: none */
 } LocusDistance;
 
-/* From each point of a locus to the nearest of the line `to`. Points before its beginning and behind its end are left
- * out: there the one body's middle has not been, or the other's no longer is. */
+/* Measures the distance from each point of a locus to the line `to`. Points before the beginning or behind the end of
+ * that line are excluded, since the two bodies were not both on that part. */
 LocusDistance locus_distance(const Locus *from, const Locus *to);

@@ -7,23 +7,23 @@
 #include "base/memory.h"
 #include "space/passage.h"
 
-/* s: the body has to be free for so long before touching counts as a new contact. */
+/* s: time without contact before the next touch counts as a new contact. */
 static const double NEW_CONTACT = 0.1;
-/* m: in one step. */
+/* m: rounding of the offset in one step. */
 static const double OFFSET_ROUNDING = 1e-6;
-/* m: of the personal space; less is not felt as compressed. */
+/* m: smallest compression of the personal space that counts. */
 static const double FELT = 1e-3;
 
 enum { MOST_SQUARES = 1 << 21 };
 
-/* 1: of the trace, which is kept to the end; some 2 GB. */
+/* 1: limit of the trace's rows, all of which stay in memory; some 2 GB. */
 static const double MOST_ROWS = 2e7;
 
 static bool is_watched(const World *world, size_t i) {
     return world->phase[i] != PHASE_ABSENT;
 }
 
-/* Out, or standing somewhere for good. */
+/* True if the person is out, or has stopped for good. */
 static bool ended(const World *world, size_t i) {
     return world->phase[i] == PHASE_OUT || world->phase[i] == PHASE_STUCK;
 }
@@ -40,7 +40,7 @@ static void watch_extremes(Extremes *extremes, const Sense *sense) {
     extremes->ring_force = real_max(extremes->ring_force, sense->ring_force);
 }
 
-/* A row of now, and of the extremes up to now. */
+/* Adds a row with the present state and the extremes since the last row. */
 static void add_row(Observer *observer, size_t i, double offset_rate) {
     const World *world = observer->world;
     Extremes *extremes = &observer->watched[i].extremes;
@@ -74,7 +74,7 @@ size_t observer_sample_steps(const House *house) {
     return steps > 1 ? (size_t)(steps + 0.5) : 1;
 }
 
-/* Squares over the house, into which the ways of walkers are put together. */
+/* Lays squares over the house, by which the paths of walkers are collected. */
 static void lay_floor(Observer *observer) {
     Floor *floor = &observer->floor;
     Box box = observer->world->bounds;
@@ -86,7 +86,7 @@ static void lay_floor(Observer *observer) {
     floor->stretch = memory_zeroed((size_t)floor->nx * (size_t)floor->ny, sizeof *floor->stretch);
 }
 
-/* Ready for whoever is in the world: a floor for walkers, a list of chairs. */
+/* Prepares the records for the people in the world: a floor for walkers, a list of chairs. */
 static void see_who_is_there(Observer *observer) {
     const World *world = observer->world;
     observer->rider_count = 0;
@@ -100,7 +100,7 @@ static void see_who_is_there(Observer *observer) {
     }
 }
 
-/* The exit that is aimed at. */
+/* Returns the exit of a route. */
 static size_t exit_of(const Route *route) {
     return route->answer == ROUTE_NO_EXIT ? SIZE_MAX : route->exit;
 }
@@ -155,7 +155,7 @@ static size_t add_stretch(Observer *observer, Vec2 at) {
     return observer->stretch_count++;
 }
 
-/* The square that a walker is on: all who come along have it in common. */
+/* Returns the square of a walker, shared by all walkers who pass it. */
 static Stretch *square_of(Observer *observer, Vec2 at) {
     Floor *floor = &observer->floor;
     int x = cell_grid_index((at.x - floor->low.x) / floor->side, floor->nx - 1);
@@ -166,7 +166,7 @@ static Stretch *square_of(Observer *observer, Vec2 at) {
     return &observer->stretches[*stretch - 1];
 }
 
-/* The stretch of the way that the person is on. */
+/* Returns the stretch of the path on which the person is. */
 static Stretch *stretch_of(Observer *observer, size_t i, Vec2 at) {
     Watched *watched = &observer->watched[i];
     if (!world_rides(observer->world, i))
@@ -178,7 +178,8 @@ static Stretch *stretch_of(Observer *observer, size_t i, Vec2 at) {
     return &observer->stretches[watched->stretch - 1];
 }
 
-/* That walkers come near to one another is no danger of the house, nor is what they do not feel. */
+/* Records the clearance. Walkers near one another are not a danger of the house, nor are obstacles that they do not
+ * feel. */
 static void watch_clearance(PersonObservation *person, Stretch *stretch, const World *world, size_t i, Vec2 at) {
     const Sense *sense = &world->sense[i];
     bool felt = sense->clearance < world->body[i].sight, rides = world_rides(world, i);
@@ -213,7 +214,7 @@ static void watch_contact(PersonObservation *person, Stretch *stretch, Watched *
     }
 }
 
-/* Known at once, so that it can be shown while the others are on their way. */
+/* Records a departure at once, so that it can be displayed while others are still moving. */
 static void note_out(Observer *observer, size_t i) {
     PersonObservation *person = &observer->people[i];
     person->completed = true;
@@ -259,7 +260,7 @@ static void watch_if_going(Observer *observer, size_t i) {
         watch_person(observer, i);
 }
 
-/* Doors that have been opened stay open. */
+/* Records opened doors, which stay open. */
 static void watch_doors(Observer *observer) {
     const World *world = observer->world;
     const Plan *plan = &world->house->plan;
@@ -291,7 +292,7 @@ void observer_catch_up(Observer *observer) {
         catch_up(observer, i);
 }
 
-/* The rows of those who are still there, of whom they are now. */
+/* Keeps the rows of people who are still there, with their new indices. */
 static void rename_rows(Trace *trace, const Change *change) {
     size_t kept = 0;
     for (size_t r = 0; r < trace->rows; r++) {
@@ -306,7 +307,7 @@ static void rename_rows(Trace *trace, const Change *change) {
     trace->rows = kept;
 }
 
-/* The other whom something was near to; who is gone is nobody, as an obstacle is. */
+/* Returns the new index of the nearest person, or -1 for an obstacle or a removed person. */
 static int other_after(const Change *change, int other) {
     size_t person = other < 0 ? SIZE_MAX : change->person_after[other];
     return person == SIZE_MAX ? -1 : (int)person;
@@ -343,7 +344,7 @@ void observer_rename(Observer *observer, const Change *change, PersonObservation
     observer->door_opened = door_opened;
     observer->riders = memory_zeroed(count, sizeof *observer->riders);
     observer->rider_count = 0;
-    observer->floor = (Floor){0}; /* squares of the new house are put together with those of the old by their places */
+    observer->floor = (Floor){0}; /* squares of the old and the new house are merged by position */
 }
 
 void observer_resume(Observer *observer) {
@@ -367,7 +368,7 @@ void observer_resume(Observer *observer) {
 
 /* The end --------------------------------------------------------------------------------------------------------- */
 
-/* Where a person who no longer gets on is held: by whom or what, and how wide it is there. */
+/* Fills in the blockage of a stalled person: the cause, and the width there. */
 static void fill_blockage(const World *world, size_t i, Blockage *blockage) {
     const House *house = world->house;
     const Sense *sense = &world->sense[i];
@@ -383,7 +384,7 @@ static void fill_blockage(const World *world, size_t i, Blockage *blockage) {
     }
 }
 
-/* A run that was broken off leaves everybody's last good state. */
+/* Adds the last good state of a person after an interrupted run. */
 static void add_last_row(Observer *observer, size_t i) {
     const World *world = observer->world;
     if (world->phase[i] != PHASE_OUT && world->clock.step % observer->sample_steps != 0)

@@ -1,4 +1,4 @@
-/* Watches a world, step by step, and keeps what an observation needs. */
+/* Watches a world step by step and collects the data of an observation. */
 #pragma once
 
 #include "house/change.h"
@@ -11,67 +11,67 @@ typedef struct Extremes {
     double clearance;              /* m, least */
     double ring;                   /* m, and the greatest of these */
     double body_force, ring_force; /* N */
-    Vec2 contact;                  /* m, of the hardest */
+    Vec2 contact;                  /* m, point of the hardest contact */
 } Extremes;
 
-/* What is remembered of a person between steps. */
+/* State of a person that is stored between steps. */
 typedef struct Watched {
     Vec2 at;          /* m, the reference point one step ago */
     double offset;    /* m, from the track, one step ago */
-    double untouched; /* s, since the body last touched something */
+    double untouched; /* s, since the last contact of the body */
     double ended;     /* m, path length at which the present stretch ends */
-    size_t stretch;   /* the present one, plus 1; 0: none yet */
+    size_t stretch;   /* index of the present stretch, plus 1; 0: none yet */
     double time;      /* s */
     Extremes extremes;
-    bool leapt; /* since the last row the offset has changed faster than the person moved: it is from another part of
-                   the way */
+    bool leapt; /* True if the offset has changed faster than the person moved since the last row: it belongs to another
+                   part of the path */
     bool done;
 } Watched;
 
-/* Where walkers go, square by square. */
+/* The paths of walkers, square by square. */
 typedef struct Floor {
     Vec2 low;    /* m */
     double side; /* m */
     int nx, ny;
-    size_t *stretch; /* (ny x nx) of each square, plus 1; 0: nobody has been there */
+    size_t *stretch; /* (ny x nx) stretch of each square, plus 1; 0: not visited */
 } Floor;
 
 typedef struct Observer {
     const World *world;
-    PersonObservation *people; /* (count) not owned: those who take part are written */
+    PersonObservation *people; /* (count) not owned: only people who take part are written */
     Watched *watched;          /* (count) */
-    size_t *riders;            /* (rider_count) those of them in chairs */
+    size_t *riders;            /* (rider_count) people in chairs */
     size_t rider_count;
-    size_t sample_steps; /* between two rows of the trace */
+    size_t sample_steps; /* steps between two rows of the trace */
     Trace trace;
-    double *door_opened; /* (doors of the plan) s; infinite: not yet */
-    int door_changes;    /* of the world, seen so far */
+    double *door_opened; /* (doors of the plan) s; infinite: not opened yet */
+    int door_changes;    /* door changes of the world that have been processed */
     Floor floor;
     Stretch *stretches; /* (stretch_count) */
     size_t stretch_count, stretch_capacity;
 } Observer;
 
-/* How many steps there are between two rows of the trace: run.sample, or more where very many people, until run.until,
- * would fill the memory with rows. */
+/* Returns the number of steps between two rows of the trace: run.sample, or more if the rows of very many people until
+ * run.until would exceed the memory. */
 size_t observer_sample_steps(const House *house);
 
-/* The world has not moved yet. observer_clear releases the observer, not the people. */
+/* Starts watching a world that has not moved yet. observer_clear releases the observer, not the people. */
 void observer_init(Observer *observer, const World *world, PersonObservation *people);
 void observer_clear(Observer *observer);
 
-/* After every step_world. Chairs are watched at every step, walkers when world->sensed: what is the greatest of theirs
- * (forces, ring) is the greatest of those moments. */
+/* Records the state after each step_world. Chairs are watched at every step, walkers when world->sensed; the largest
+ * values of walkers (forces, ring) are the largest at those moments. */
 void observer_watch(Observer *observer);
 
-/* The plan changes: before the world goes over into the new house, what was seen of everybody is brought up to now. */
+/* Completes the records up to now before the world moves to a changed house. */
 void observer_catch_up(Observer *observer);
 
-/* Tells what has been seen so far, rows of the trace included, in terms of the changed house, of which `people` (its
- * person_count, zeroed) are, and forgets who is gone. */
+/* Converts all records, including the rows of the trace, to the changed house, whose `people` (its person_count,
+ * zeroed) are filled in, and drops removed people. */
 void observer_rename(Observer *observer, const Change *change, PersonObservation *people);
 
-/* The world has gone over: new people are there and ways have changed. */
+/* Continues after the world has moved to the changed house: there are new people, and paths have changed. */
 void observer_resume(Observer *observer);
 
-/* After the last step: those still on the way end with `reason`. */
+/* Ends after the last step: people who are still moving end with `reason`. */
 void observer_end(Observer *observer, Reason reason);

@@ -4,7 +4,7 @@
 
 #include "house/observation.h"
 
-/* Has the reference point crossed the exit's line between two places? */
+/* True if the reference point has crossed the exit's line between two places. */
 static bool crosses(const Exit *exit, Vec2 before, Vec2 after) {
     Vec2 line = vec2_sub(exit->to, exit->from), way = vec2_sub(after, before);
     double a = vec2_cross(line, vec2_sub(before, exit->from)), b = vec2_cross(line, vec2_sub(after, exit->from));
@@ -38,7 +38,7 @@ void phase_give_up(World *world, size_t i, int reason) {
     world->walk[i].wish = vec2(0, 0);
 }
 
-/* Starts those whose delay is over; those for whom there is no way stay where they are. */
+/* Starts people whose delay is over; people without a path stay where they are. */
 static void start_people(World *world, double time) {
     world->next_start = HUGE_VAL;
     for (size_t p = 0; p < world->present_count; p++) {
@@ -57,13 +57,13 @@ static void start_people(World *world, double time) {
     }
 }
 
-/* Blocked by others, on a way that there is? */
+/* True if the person is blocked by others on an existing path. */
 static bool tries_again(const World *world, size_t i) {
     return world->phase[i] == PHASE_STUCK && world->reason[i] == REASON_BLOCKED &&
            world->journeys[i].route.answer == ROUTE_FOUND;
 }
 
-/* Somebody has left: perhaps there is room now for those who were blocked. */
+/* Lets blocked people try again after a departure, since there may be room now. */
 static void resume_people(World *world) {
     world->resumed = world->departures;
     for (size_t p = 0; p < world->present_count; p++) {
@@ -92,7 +92,7 @@ void phase_update(World *world) {
 }
 
 bool phase_any_active(const World *world) {
-    bool left = world->resumed != world->departures; /* somebody has just left: the blocked will try again */
+    bool left = world->resumed != world->departures; /* a person has just left: the blocked will try again */
     for (size_t p = 0; p < world->present_count; p++) {
         size_t i = world->present[p];
         int phase = world->phase[i];

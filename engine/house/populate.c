@@ -8,21 +8,21 @@
 #include "space/gap.h"
 
 enum {
-    PLACING_TRIES = 10000, /* random places tried for one member of a crowd */
+    PLACING_TRIES = 10000, /* random positions tried for one member of a crowd */
     MOST_CELLS = 1 << 22,
 };
 
-/* Standard deviations from the mean beyond which no speed is drawn: assumed. Speeds are cut alike above and below, so
- * that their mean stays the profile's. */
+/* Standard deviations from the mean beyond which no speed is drawn: assumed. The cut is symmetric, so that the mean
+ * stays the profile's. */
 static const double SPEED_SPREAD = 2;
 
-/* Who stands in which square, so that a place is tried against those near it only. */
+/* People by squares, so that a position is compared only with nearby people. */
 typedef struct Squares {
     Box box;
     double side; /* m, at least the reach of two bodies */
     int nx, ny;
-    int *first; /* (nx * ny) the last one placed in the square, or -1 */
-    int *next;  /* (people) the one placed before in the same square, or -1 */
+    int *first; /* (nx * ny) the last person placed in the square, or -1 */
+    int *next;  /* (people) the person placed before in the same square, or -1 */
 } Squares;
 
 static double body_reach(const Profile *profile) {
@@ -53,7 +53,7 @@ static void square_of(const Squares *squares, Vec2 at, int *x, int *y) {
     *y = (int)fmin(fmax((at.y - squares->box.low.y) / squares->side, 0), squares->ny - 1);
 }
 
-/* Calls `meets` for everybody in the squares round a place until it says true. */
+/* Calls `meets` for the people in the squares round a position until it returns true. */
 static int find_near(const Squares *squares, const House *house, const Inhabitant *placed,
                      bool (*meets)(const Inhabitant *one, const Inhabitant *other)) {
     int x, y;
@@ -95,7 +95,7 @@ static bool too_near(const Inhabitant *one, const Inhabitant *other) {
     return vec2_distance(one->at, other->at) < body_reach(one->profile) + body_reach(other->profile);
 }
 
-/* Do the bodies themselves overlap? People who stand inside one another would be shot apart. */
+/* True if the bodies themselves overlap; the contact law would eject such people. */
 static bool overlap(const Inhabitant *one, const Inhabitant *other) {
     if (!too_near(one, other))
         return false;
@@ -105,7 +105,7 @@ static bool overlap(const Inhabitant *one, const Inhabitant *other) {
                        vec2_heading(other->heading), 0) > 0;
 }
 
-/* A crowd's own stream of chance, whatever its place in the file (FNV-1a). */
+/* Returns a crowd's own random stream, independent of its position in the file (FNV-1a). */
 static uint64_t stream_of(const char *id) {
     uint64_t hash = 0xcbf29ce484222325u;
     for (; *id; id++)
@@ -126,7 +126,7 @@ static double draw_speed(Random *random, const Profile *profile) {
     }
 }
 
-/* Stands the members of a crowd in its area, no body on another. */
+/* Places the members of a crowd in its area without overlaps. */
 static void place_crowd(House *house, Squares *squares, size_t c, Fault *fault) {
     const Crowd *crowd = &house->plan.crowds[c];
     Random random = random_seed(house->seed, stream_of(crowd->id));

@@ -15,7 +15,7 @@ double replan_next(const World *world, double time) {
     return next;
 }
 
-/* Is the exit that the person aims at, or one of those that it may aim at, closed? */
+/* True if the person's exit, or each possible exit, is closed. */
 static bool has_lost_exit(const World *world, size_t i) {
     const Plan *plan = &world->house->plan;
     double time = clock_time(&world->clock);
@@ -31,7 +31,7 @@ static bool has_lost_exit(const World *world, size_t i) {
     return false;
 }
 
-/* Of a chair it is the one behind the last pose that came near to a point. */
+/* For a chair the next point follows the last pose that came near to a point. */
 size_t replan_next_point(const World *world, size_t i) {
     const PlanRoute *route = world->house->people[i].route;
     const Journey *journey = &world->journeys[i];
@@ -63,8 +63,8 @@ void replan_set_out(World *world, size_t i, bool strayed) {
     }
 }
 
-/* All of these are assumed. s: a chair that has not got on for so long has lost its way, if it is off it, or is wedged,
- * if it touches something; times: that one plans anew. */
+/* Assumed. s: a chair without progress for this long has lost its path, if it is off the path, or is wedged, if it
+ * touches something; number: how often a chair is planned again. */
 static const double LOST_AFTER = 3, WEDGED_AFTER = 8;
 enum { PLANS_MOST = 12 };
 

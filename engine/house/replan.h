@@ -1,6 +1,6 @@
-/* Planning anew while people are on the way: when an exit has closed, whoever was on the way to it turns to another;
- * when a crowd has pushed a chair off its way, it looks for a new one from where it is. Once `stop` is set nobody finds
- * or takes a way, and the world must not move any more. */
+/* Plans paths again during a run: when an exit has closed, people who were on their way to it turn to another exit;
+ * when a crowd has pushed a chair off its path, the chair plans a new one from its position. Once `stop` is set no path
+ * is found or taken, and the world must not move any more. */
 #pragma once
 
 #include <signal.h>
@@ -8,21 +8,21 @@
 #include "house/journey.h"
 #include "house/world.h"
 
-/* s, when the next exit closes after `time`; infinite: none. */
+/* Returns the time, s, when the next exit closes after `time`; infinite: none. */
 double replan_next(const World *world, double time);
 
-#define REPLAN_PERIOD 1.0 /* s, between two looks for chairs that have been pushed off their way */
+#define REPLAN_PERIOD 1.0 /* s, period of the search for chairs that have been pushed off their path */
 
-/* Plans anew for chairs that no longer get on and stand more than a body's width off their way. */
+/* Plans again for stalled chairs that are more than a body's width off their path. */
 void replan_strays(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop);
 
-/* Of the route's points the next one of person i. */
+/* Returns the index of the next of the route's points of person i. */
 size_t replan_next_point(const World *world, size_t i);
 
-/* Person i starts on the new journey. Where there is none it stays; a chair that has strayed, pushed off its way, asks
- * again. */
+/* Starts person i on the new journey. Without a path the person stays; a chair that was pushed off its path tries again
+ * later. */
 void replan_set_out(World *world, size_t i, bool strayed);
 
-/* Plans anew for everybody who is on the way, or has not started, to an exit that has closed by now. `journeys` are the
- * world's. */
+/* Plans again for all people, moving or not started, whose exit has closed by now. `journeys` are those of the world.
+ */
 void replan_journeys(World *world, Journeys *journeys, int jobs, const volatile sig_atomic_t *stop);

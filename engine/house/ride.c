@@ -19,7 +19,7 @@ void ride_copy(Rides *to, const Rides *from) {
     to->pairs = memory_zeroed(from->capacity, sizeof *to->pairs);
     if (from->count)
         memcpy(to->pairs, from->pairs, from->count * sizeof *to->pairs);
-    to->old = NULL; /* only used while lists are made */
+    to->old = NULL; /* only used while lists are built */
     to->old_capacity = 0;
 }
 
@@ -31,14 +31,14 @@ void ride_clear(Rides *rides) {
 
 /* Lists -------------------------------------------------------------------------------------------------------------*/
 
-/* Whether the pair may touch before the lists are made anew. People are seen, not felt through walls. */
+/* True if the pair may touch before the lists are rebuilt. People behind walls are neither seen nor felt. */
 static bool may_touch(const World *world, size_t i, size_t j) {
     const Body *a = &world->body[i], *b = &world->body[j];
     double near = a->swing + a->radius + b->swing + b->radius + real_max(a->sight, b->sight) + WALKERS_SKIN;
     return vec2_distance(world->centre[i], world->centre[j]) < near && yield_sees(world, i, j);
 }
 
-/* The springs of a pair go on from where the lists before had them; those are sorted by a. */
+/* Copies the springs of a pair from the previous lists, which are sorted by a. */
 static void take_over_slips(const Rides *rides, size_t old_count, RidePair *pair) {
     size_t low = 0, high = old_count;
     while (low < high) {
@@ -89,7 +89,7 @@ void ride_list(World *world) {
 
 /* Forces ------------------------------------------------------------------------------------------------------------*/
 
-/* F2: body and personal space against walls, furniture and leaves. */
+/* Adds F2: body and personal space against walls, furniture and leaves. */
 static void force_of_obstacles(World *world, size_t i) {
     const House *house = world->house;
     const Profile *profile = house->people[i].profile;
@@ -134,7 +134,8 @@ static void force_of_obstacles(World *world, size_t i) {
     world->ring_moment[i] = ring_moment;
 }
 
-/* F1: two people. The larger personal space counts, the law is the mean of both, the forces are equal and opposite. */
+/* Adds F1 between two people. The larger personal space counts, the law is the mean of both, the forces are equal and
+ * opposite. */
 static void force_of_pair(World *world, RidePair *pair, bool senses) {
     size_t i = pair->a, j = pair->b;
     const Profile *a = world->house->people[i].profile, *b = world->house->people[j].profile;

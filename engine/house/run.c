@@ -13,39 +13,39 @@
 #include "house/step.h"
 #include "house/world.h"
 
-/* simulated s between two reports of progress */
+/* s, simulated time between two reports of progress */
 static const double LOOK_UP = 0.2;
 
-enum { TEAM_WORTH = 300 /* people: with fewer a step is over before a second thread has begun */ };
+enum { TEAM_WORTH = 300 /* people: with fewer, a step ends before a second thread has begun */ };
 
-/* Who of which house, the first or one that it is changed into, belongs together: changes do not tear people apart who
- * are in one world already. */
+/* The groups of people in each house, the first one or a changed one: changes do not separate people who are already in
+ * one world. */
 typedef struct Roster {
-    const House **houses; /* (house_count) as they follow one another */
-    size_t **groups;      /* (house_count x people of each) SIZE_MAX: takes no part */
+    const House **houses; /* (house_count) in order */
+    size_t **groups;      /* (house_count x people of each) group of each person; SIZE_MAX: takes no part */
     size_t house_count;
-    const char **routes; /* (route_count) ids: route r's people are group r, those without one group `without` */
+    const char **routes; /* (route_count) ids: people of route r are group r, others are group `without` */
     size_t route_count, without;
-    bool alone;        /* otherwise all are one group, 0 */
-    const char *asked; /* only the people of this route take part; NULL: everybody */
+    bool alone;        /* False: all people are one group, 0 */
+    const char *asked; /* only the people of this route take part; NULL: all */
 } Roster;
 
-/* People who have the house to themselves, and what was seen of them. */
+/* People who have the house to themselves, and their records. */
 typedef struct Group {
     const Roster *roster;
     const RunOptions *options;
-    const House *house;        /* the present one, */
-    size_t changes;            /* after so many changes */
-    int jobs;                  /* threads of its own */
-    size_t key;                /* in the roster */
-    size_t index, count;       /* of all groups */
+    const House *house;        /* the present house */
+    size_t changes;            /* number of changes applied */
+    int jobs;                  /* number of threads */
+    size_t key;                /* index in the roster */
+    size_t index, count;       /* index and number of groups */
     bool *part;                /* (person_count of the present house) */
     PersonObservation *people; /* (as many) */
     Observer observer;
-    size_t told; /* rows of the trace */
+    size_t told; /* rows of the trace handed over */
     uint64_t digest, steps;
     int wall_crossings;
-    double *changed; /* (change_count) s, when */
+    double *changed; /* (change_count) s, time of each change */
 } Group;
 
 /* Who is together with whom ----------------------------------------------------------------------------------------*/
@@ -55,19 +55,19 @@ static size_t group_of_route(Roster *roster, const char *id) {
         if (strcmp(roster->routes[r], id) == 0)
             return r < roster->without ? r : r + 1;
     roster->routes[roster->route_count++] = id;
-    return roster->route_count; /* behind those of the first house, and who has no route */
+    return roster->route_count; /* after those of the first house and the group without a route */
 }
 
 static bool is_asked(const Roster *roster, const Inhabitant *person) {
     return !roster->asked || (person->route && strcmp(person->route->id, roster->asked) == 0);
 }
 
-/* Somebody on foot who lies under a piece of furniture is in nobody's way. */
+/* True for a walker who lies under a piece of furniture and obstructs no one. */
 static bool lies_under(const Inhabitant *person) {
     return person->under && person->profile->driving == DRIVING_WALKER;
 }
 
-/* Of somebody who comes into the house. */
+/* Returns the group of a person who is new in the house. */
 static size_t group_of_newcomer(Roster *roster, const Inhabitant *person) {
     const char *route = person->route ? person->route->id : NULL;
     if (!is_asked(roster, person) || lies_under(person))
@@ -113,7 +113,7 @@ static void roster_clear(Roster *roster) {
     memory_free(roster->routes);
 }
 
-/* Those of the group in a house (person_count). New. */
+/* Returns the members of the group in a house (person_count). New. */
 static bool *part_of(const Roster *roster, size_t house, size_t key) {
     size_t count = roster->houses[house]->person_count;
     bool *part = memory_zeroed(count, sizeof *part);
@@ -130,7 +130,8 @@ static bool has_anybody(const Roster *roster, size_t key) {
     return false;
 }
 
-/* Everybody, or route by route and then those without one, and those of later houses' new routes. Returns how many. */
+/* Makes one group of all people, or one per route, then people without a route, then new routes of later houses.
+ * Returns their number. */
 static size_t make_groups(Group *groups, const Roster *roster, const RunOptions *options) {
     size_t count = 0;
     for (size_t key = 0; key <= roster->route_count; key++)
@@ -154,14 +155,14 @@ static size_t make_groups(Group *groups, const Roster *roster, const RunOptions 
 
 /* A group's run ----------------------------------------------------------------------------------------------------*/
 
-/* When nobody moves any more, chairs that were pushed off their way look round once more. */
+/* True while people move. When all have stopped, chairs that were pushed off their path plan once more. */
 static bool goes_on(World *world, Journeys *journeys, const Group *group) {
     if (!phase_any_active(world))
         replan_strays(world, journeys, group->jobs, group->options->stop);
     return phase_any_active(world);
 }
 
-/* Hands over what has been recorded since the last time. */
+/* Hands over the records since the last call. */
 static void tell_piece(Group *group, const World *world, bool over) {
     const Observer *observer = &group->observer;
     uint64_t step = world->clock.step;
@@ -191,7 +192,7 @@ static bool is_changing(const Group *group) {
     return group->changes < group->options->change_count;
 }
 
-/* From the present house to the next, of what was seen. */
+/* Converts the records from the present house to the next. */
 static void rename_group(Group *group, const Change *change) {
     PersonObservation *people = memory_zeroed(change->to->person_count, sizeof *people);
     observer_rename(&group->observer, change, people);
@@ -246,7 +247,7 @@ static Reason run_world(World *world, Journeys *journeys, Observer *observer, Gr
         StepStatus status = step_world(world, NULL);
         observer_watch(observer);
         if (status == STEP_DIVERGED)
-            return REASON_INTERRUPTED; /* for the others; the one has a reason of its own */
+            return REASON_INTERRUPTED; /* for other people; the diverged one has its own reason */
     }
     return REASON_NONE;
 }
@@ -274,7 +275,7 @@ static void run_group(void *context, size_t index) {
 
 /* The whole --------------------------------------------------------------------------------------------------------*/
 
-/* Adds a group to the whole: rows, stretches, sums. */
+/* Adds a group to the observation: rows, stretches, sums. */
 static void merge_group(Observation *observation, Group *group, Stretch **stretches, size_t *count, size_t *capacity) {
     Observer *observer = &group->observer;
     for (size_t r = 0; r < observer->trace.rows; r++)
@@ -306,8 +307,8 @@ static void conclude(Observation *observation) {
     }
 }
 
-/* The number of changes after which a group was the farthest. What was seen of all is told in terms of the last house,
- * also where they were broken off, or all was over, before it was changed into that. */
+/* Returns the largest number of changes applied to a group. The records of every group are converted to the last house,
+ * even if its run ended before that change. */
 static size_t change_the_rest(Group *groups, size_t count, const RunOptions *options) {
     size_t most = 0;
     for (size_t g = 0; g < count; g++) {
@@ -329,7 +330,7 @@ static void clear_group(Group *group) {
     memory_free(group->changed);
 }
 
-/* Nothing yet, in terms of a house. */
+/* Returns an empty observation of a house. */
 static Observation blank(const House *house) {
     Observation observation = {
         .people = memory_zeroed(house->person_count, sizeof *observation.people),

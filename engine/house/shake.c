@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "plan/plan_geometry.h"
 
-/* m: a body that is touched by less is not caught, as rounding decides there. */
+/* m: a body that overlaps by less is not caught, since rounding would decide. */
 static const double GRAZED = 1e-3;
 
 void shake_draw(const Plan *plan, uint64_t seed, bool *topples) {

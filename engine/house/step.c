@@ -12,7 +12,7 @@
 /* Doors ---------------------------------------------------------------------------------------------------------------
  */
 
-/* Whoever has held a shut door's handle for long enough opens it, once there is room for the leaf. */
+/* Opens a shut door whose handle has been held for long enough, once there is room for the leaf. */
 static void try_door(World *world, int door, double handle) {
     if (handle < world->house->plan.doors[door].opening_time || world->door_open[door] ||
         !world_leaf_is_free(world, (size_t)door, PRESENT_OPEN))
@@ -40,7 +40,7 @@ static void open_doors(World *world) {
         }
         drive->handle += world->clock.dt;
         if (drive->handle < world->house->plan.doors[door].opening_time)
-            drive->stalled = 0; /* opening a door is getting on, waiting for its leaf's place is not */
+            drive->stalled = 0; /* opening a door counts as progress; waiting for space for its leaf does not */
         try_door(world, door, drive->handle);
     }
 }
@@ -48,7 +48,7 @@ static void open_doors(World *world) {
 /* Motion --------------------------------------------------------------------------------------------------------------
  */
 
-/* Stands still, or the brakes are on: as hard as the driver can push. */
+/* Returns the braking effort of a person who stands: limited by the driver's push. */
 static Effort brake_person(const World *world, size_t i) {
     const Profile *profile = world->house->people[i].profile;
     Vec2 force = vec2_scale(world->velocity[i], -profile->mass / profile->speed_response);
@@ -59,7 +59,7 @@ static Effort brake_person(const World *world, size_t i) {
     return (Effort){force, -real_max(-profile->turning_moment, real_min(profile->turning_moment, moment))};
 }
 
-/* F3 and F4 of chairs: everybody decides from the same frozen state. */
+/* Adds F3 and F4 of chairs, all decided from the same frozen state. */
 static void exert_efforts(World *world) {
     for (size_t r = 0; r < world->rider_count; r++) {
         size_t i = world->riders[r];
@@ -84,13 +84,13 @@ static void move_person(World *world, size_t i) {
     if (turns) {
         world->heading[i] = vec2_wrap_angle(world->heading[i] + dt * turn);
         world->axis[i] = vec2_heading(world->heading[i]);
-    } else if (vec2_dot(velocity, velocity) > 1e-4) { /* a disc looks where it goes, once it goes */
+    } else if (vec2_dot(velocity, velocity) > 1e-4) { /* a moving disc faces its direction of motion */
         world->axis[i] = vec2_unit(velocity);
         world->heading[i] = real_atan2(velocity.y, velocity.x);
     }
 }
 
-/* Whose numbers are lost stands where it stood: the last good state. */
+/* Restores the last good position of a person whose numbers have diverged. */
 static void place_back(World *world, size_t i, Vec2 centre, double heading) {
     world->centre[i] = centre;
     world->heading[i] = heading;
@@ -99,7 +99,7 @@ static void place_back(World *world, size_t i, Vec2 centre, double heading) {
     world->turn[i] = 0;
 }
 
-/* Did the mass centre go into a wall? */
+/* Counts the faces through which the mass centre has entered a wall. */
 static int crossed_faces(const NeighbourList *neighbours, Vec2 before, Vec2 after) {
     int crossed = 0;
     for (int f = 0; f < neighbours->close_faces; f++)
@@ -111,7 +111,7 @@ static bool is_sound(const World *world, size_t i) {
     return world_holds(world, world->centre[i]) && isfinite(world->heading[i]) && isfinite(world->turn[i]);
 }
 
-/* Every person's digest is made by itself and the sum taken, so that the order of people does not matter. */
+/* Returns the sum of the persons' digests, so that the order of people does not matter. */
 static uint64_t digest_of_riders(const World *world) {
     uint64_t sum = 0;
     for (size_t r = 0; r < world->rider_count; r++) {
@@ -122,7 +122,7 @@ static uint64_t digest_of_riders(const World *world) {
     return sum;
 }
 
-/* Every chair moves; whoever crosses an exit is gone. */
+/* Moves every chair; a chair that crosses an exit leaves. */
 static void move_riders(World *world, size_t *diverged) {
     for (size_t r = 0; r < world->rider_count; r++) {
         size_t i = world->riders[r];
@@ -139,7 +139,7 @@ static void move_riders(World *world, size_t *diverged) {
             *diverged = *diverged == SIZE_MAX ? i : *diverged;
             place_back(world, i, middle, heading);
         }
-        /* What is deeper than the body's rounding is being pushed out by the contact law. */
+        /* A body that overlaps by more than its rounding is being pushed out by the contact law. */
         assert(!sound || world->sense[i].body_force > 0 || world_is_clear(world, i));
     }
 }

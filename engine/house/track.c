@@ -4,17 +4,17 @@
 #include "plan/plan_geometry.h"
 #include "space/passage.h"
 
-/* m/s, assumed: how slowly somebody edges through a gap hardly wider than the body. */
+/* m/s, assumed: speed through a gap hardly wider than the body. */
 static const double CREEP = 0.1;
-/* 1, assumed: the share of the turning moment that a driver plans with. */
+/* 1, assumed: the share of the turning moment with which a driver plans. */
 static const double PLANNED_MOMENT = 0.5;
-/* m, assumed: a door's leaf or a corner slows a driver already this far before and after it. */
+/* m, assumed: a door's leaf or a corner slows a driver this far before and after it. */
 static const double FORESIGHT = 0.2;
-/* m, assumed: kept to a shut door's leaf, and to where it swings. */
+/* m, assumed: distance from a shut door's leaf, and from its swing. */
 static const double DOOR_SPACE = 0.10;
-/* places looked at along a leaf, of a metre: 8 cm apart */
+/* places checked along a leaf of 1 m: 8 cm apart */
 enum { DOOR_SAMPLES = 13 };
-/* points over which the curvature of a path is averaged to either side: about 0.1 m */
+/* points to either side over which the curvature of a path is averaged: about 0.1 m */
 enum { CURVATURE_SPAN = 2 };
 
 static TrackPoint *add_point(Track *track, size_t *capacity, TrackPoint point) {
@@ -27,14 +27,14 @@ static TrackPoint *add_point(Track *track, size_t *capacity, TrackPoint point) {
     return &track->points[track->count++];
 }
 
-/* The speed that the passage, and nothing else, allows. */
+/* Returns the speed that the width of the passage alone allows. */
 static double passage_speed(const Inhabitant *person, double width) {
     const Profile *profile = person->profile;
     double law = profile->steering_time > 0 ? (width - profile->width) / profile->steering_time : HUGE_VAL;
     return fmin(person->speed, fmax(law, fmin(CREEP, person->speed)));
 }
 
-/* Each width becomes the least within FORESIGHT. */
+/* Lowers each width to the least within FORESIGHT. */
 static void look_ahead(Track *track) {
     double *width = memory_zeroed(track->count, sizeof *width);
     for (size_t i = 0, first = 0; i < track->count; i++) {
@@ -49,7 +49,7 @@ static void look_ahead(Track *track) {
     memory_free(width);
 }
 
-/* From the end to the start: v^2 - v_c^2 = 2 a_d L. A change of direction ends at rest. */
+/* Limits the speed from the end to the start: v^2 - v_c^2 = 2 a_d L. A change of direction ends at rest. */
 static void decelerate(Track *track, double deceleration) {
     for (size_t i = track->count; i-- > 1;) {
         TrackPoint *here = &track->points[i - 1];
@@ -62,7 +62,7 @@ static void decelerate(Track *track, double deceleration) {
     }
 }
 
-/* Does the way from one point to the next meet the line from a to b? */
+/* True if the path from one point to the next meets the line from a to b. */
 static bool crosses(Vec2 from, Vec2 to, Vec2 a, Vec2 b) {
     Vec2 line = vec2_sub(b, a), way = vec2_sub(to, from);
     double sides = vec2_cross(line, vec2_sub(from, a)) * vec2_cross(line, vec2_sub(to, a));
@@ -70,7 +70,7 @@ static bool crosses(Vec2 from, Vec2 to, Vec2 a, Vec2 b) {
     return sides <= 0 && ends <= 0 && vec2_dot(way, way) > 0;
 }
 
-/* Measures the whole, and where it crosses the exit: the last time, should it do so more than once. */
+/* Measures the whole track, and where it last crosses the exit. */
 static void mark_exit(Track *track, const Exit *exit) {
     track->length = track->exit_s = track->points[track->count - 1].s;
     for (size_t i = 0; i + 1 < track->count; i++)
@@ -78,7 +78,7 @@ static void mark_exit(Track *track, const Exit *exit) {
             track->exit_s = track->points[i].s;
 }
 
-/* What a shut door needs to be free: its leaf and, on the side to which it opens, what the leaf sweeps. */
+/* The space that a shut door needs: its leaf and, on the side to which it opens, the leaf's swing. */
 typedef struct DoorWay {
     Vec2 leaf[DOOR_SAMPLES];
     Vec2 swing[DOOR_SAMPLES * DOOR_SAMPLES];
@@ -105,7 +105,7 @@ static DoorWay door_way(const Plan *plan, const Door *door) {
     return way;
 }
 
-/* How far a body at a track point is from a place; at most 0 inside. */
+/* Returns the distance of a body at a track point from a place; at most 0 inside. */
 static double body_distance(const Profile *profile, const TrackPoint *point, Vec2 place) {
     if (profile->driving == DRIVING_MIURA)
         return vec2_distance(place, point->at) - profile->width / 2;
@@ -126,7 +126,7 @@ static bool is_in_the_way(const DoorWay *way, const Profile *profile, const Trac
     return false;
 }
 
-/* Each door that opens and shuts is marked where the body first gets in its way, and again when it comes back. */
+/* Marks where the body first obstructs each door that opens and shuts, and again when it comes back. */
 static void mark_doors(Track *track, const Plan *plan, const Profile *profile) {
     for (size_t i = 0; i < track->count; i++)
         track->points[i].door = -1;
@@ -149,7 +149,7 @@ static void mark_doors(Track *track, const Plan *plan, const Profile *profile) {
     }
 }
 
-/* Width and room at every point, looking across the body's middle. */
+/* Measures width and room at every point, across the body's middle. */
 static void measure(Track *track, const House *house, double middle) {
     for (size_t i = 0; i < track->count; i++) {
         TrackPoint *point = &track->points[i];
@@ -163,7 +163,7 @@ static void measure(Track *track, const House *house, double middle) {
 
 /* The driver -------------------------------------------------------------------------------------------------- */
 
-/* The points to either side of i that belong to the same piece, CURVATURE_SPAN of them at most; their distance, m. */
+/* Finds the points to either side of i on the same part, at most CURVATURE_SPAN away; returns their distance, m. */
 static double span(const Track *track, size_t i, size_t *a, size_t *b) {
     const TrackPoint *points = track->points;
     *a = *b = i;
@@ -191,8 +191,9 @@ static void bend(Track *track) {
     }
 }
 
-/* In the middle of a straight passage the clearance on either side is (W - w) / 2; where the body turns, or the way
- * leads close by something, the same law holds with twice the clearance, with the floor of the paper for corners. */
+/* Returns the speed for a clearance. In the middle of a straight passage the clearance on either side is (W - w) / 2;
+ * where the body turns, or the path leads close by an obstacle, the same law holds with twice the clearance, with the
+ * floor of the paper for corners. */
 static double clearance_speed(const Profile *profile, double clearance) {
     double law = profile->steering_time > 0 ? 2 * clearance / profile->steering_time : HUGE_VAL;
     return fmax(law, profile->minimum_speed);
@@ -238,29 +239,29 @@ void track_build_driver(Track *track, const House *house, const Inhabitant *pers
 
 /* m: distance between points. */
 static const double SPACING = 0.05;
-/* m: the last leg ends so far beyond the exit's line. */
+/* m: the last leg ends this far beyond the exit's line. */
 static const double BEYOND_EXIT = 0.1;
-/* rad: turns of the shortest path smaller than this are not corners of a passage. */
+/* rad: smaller turns of the shortest path are not corners of a passage. */
 static const double SMALLEST_CORNER = 0.15;
-/* m: bends of the shortest path nearer to one another than this belong to one corner. */
+/* m: nearer bends of the shortest path belong to one corner. */
 static const double SAME_CORNER = 0.25;
-/* m: and those about centres nearer to one another than this: the two edges of a wall's end. */
+/* m: bends about nearer centres do, too: the two edges of a wall's end. */
 static const double SAME_CENTRE = 0.2;
-/* m: what a corner's arc is narrowed to, beyond the body, when the middle of the passage is not free. */
+/* m: least width of a corner's arc, beyond the body, when the middle of the passage is not free. */
 static const double LEAST_SPARE = 0.02;
 
-/* A place that the way goes about: the start and the end have no radius and no side. */
+/* A corner of the path: the start and the end have no radius and no side. */
 typedef struct Turning {
     Vec2 centre;
-    double side;    /* +1: the centre is on the left of the way, -1: on the right */
+    double side;    /* +1: the centre is on the left of the path, -1: on the right */
     double in, out; /* m, radii */
     double widths[2];
     Vec2 leg; /* unit direction of the leg that follows */
 } Turning;
 
-/* The obstacle's convex corner about which the shortest path turns at `at`: of those at hand the one that points most
- * against `inwards`, the direction to the inside half-way through the turn; so of the two edges of a wall's end the one
- * about which most of the turn is made. */
+/* Returns the obstacle's convex corner about which the shortest path turns at `at`: of the nearby corners the one that
+ * points most against `inwards`, the direction to the inside half-way through the turn; of the two edges of a wall's
+ * end this is the one about which most of the turn is made. */
 static Vec2 turning_centre(const House *house, Vec2 at, Vec2 inwards, double radius) {
     enum { MOST = 256 };
     int items[MOST];
@@ -283,8 +284,8 @@ static Vec2 turning_centre(const House *house, Vec2 at, Vec2 inwards, double rad
     return best;
 }
 
-/* Where the last leg leads: a step beyond the middle of the exit, or the end of the shortest path when that is not
- * free. */
+/* Returns the end of the last leg: a step beyond the middle of the exit, or the end of the shortest path when that is
+ * not free. */
 static Vec2 way_out(const House *house, const Inhabitant *person, const Route *route) {
     const Exit *exit = &house->plan.exits[route->exit];
     const Pose *end = &route->poses[route->count - 1];
@@ -299,7 +300,7 @@ static Vec2 way_out(const House *house, const Inhabitant *person, const Route *r
     return free ? beyond : end->at;
 }
 
-/* The turning that the shortest path makes from pose `first` to pose `last`, by `total` rad. */
+/* Returns the turning of the shortest path from pose `first` to pose `last`, by `total` rad. */
 static Turning turning_of(const House *house, const Inhabitant *person, const Route *route, size_t first, size_t last,
                           double total) {
     double side = total > 0 ? 1 : -1;
@@ -308,11 +309,11 @@ static Turning turning_of(const House *house, const Inhabitant *person, const Ro
     return (Turning){.centre = turning_centre(house, middle, inwards, person->profile->width / 2), .side = side};
 }
 
-/* Corners of the shortest path: runs of bends to the same side. */
+/* Finds the corners of the shortest path: runs of bends to the same side. */
 static size_t find_turnings(const House *house, const Inhabitant *person, const Route *route, Turning *turnings) {
     size_t count = 0;
-    size_t begun = 0;  /* the pose at which the last turning begins */
-    double turned = 0; /* rad, in it */
+    size_t begun = 0;  /* first pose of the last turning */
+    double turned = 0; /* rad, its angle */
     turnings[count++] = (Turning){.centre = route->poses[0].at};
     for (size_t i = 1; i + 1 < route->count;) {
         double turn = vec2_wrap_angle(route->poses[i + 1].heading - route->poses[i].heading);
@@ -351,7 +352,7 @@ static size_t find_turnings(const House *house, const Inhabitant *person, const 
     return count;
 }
 
-/* The common tangent of two turnings, along which the centres have the signed distances side * radius. */
+/* Returns the common tangent of two turnings, from which the centres have the signed distances side * radius. */
 static Vec2 tangent(const Turning *from, const Turning *to) {
     Vec2 between = vec2_sub(to->centre, from->centre);
     double sine = (to->side * to->in - from->side * from->out) / fmax(vec2_length(between), 1e-9);
@@ -359,7 +360,7 @@ static Vec2 tangent(const Turning *from, const Turning *to) {
     return vec2_heading(angle);
 }
 
-/* A turning inside the other's circle, or circles that meet, have none. */
+/* True unless a turning is inside the other's circle, or the circles meet. */
 static bool has_tangent(const Turning *from, const Turning *to) {
     return fabs(to->side * to->in - from->side * from->out) < vec2_distance(from->centre, to->centre);
 }
@@ -372,8 +373,8 @@ static Vec2 leg_end(const Turning *turning, Vec2 leg) {
     return vec2_along(turning->centre, -turning->side * turning->in, vec2_left(leg));
 }
 
-/* W1 and W2 of every corner, and from them the radii, share by share towards the middle of the passage: the legs turn
- * with the radii, so the two are settled together. */
+/* Finds W1 and W2 of every corner, and from them the radii, step by step towards the middle of the passage: the legs
+ * turn with the radii, so both are iterated together. */
 static void settle(const House *house, const Inhabitant *person, Turning *turnings, size_t count, const double *share) {
     double least = person->profile->width / 2 + LEAST_SPARE;
     for (int round = 0; round < 4; round++) {
@@ -392,7 +393,7 @@ static void settle(const House *house, const Inhabitant *person, Turning *turnin
     }
 }
 
-/* How far the least free place of a leg is from any obstacle. */
+/* Returns the least distance of a leg from any obstacle. */
 static double leg_freedom(const House *house, const Turning *from, const Turning *to) {
     Vec2 begin = leg_begin(from, from->leg), end = leg_end(to, from->leg);
     double length = vec2_distance(begin, end), least = HUGE_VAL;
@@ -401,7 +402,7 @@ static double leg_freedom(const House *house, const Turning *from, const Turning
     return least;
 }
 
-/* The same of the arc about a turning. */
+/* Returns the least distance of the arc about a turning. */
 static double arc_freedom(const House *house, const Turning *turning, Vec2 before, Vec2 after) {
     double turn = real_atan2(vec2_cross(before, after), vec2_dot(before, after)), least = HUGE_VAL;
     double heading = real_atan2(before.y, before.x);

@@ -1,4 +1,4 @@
-/* A route as somebody follows it: points along the way with the speed that the passage allows.
+/* A route as a person follows it: points along the path with the speed that the passage allows.
  *
  * Speed law, in place of the paper's lost regressions: the steering law of human movement (Accot and Zhai 1997),
  *     v_max(W) = min(v_free, (W - w) / b)
@@ -20,26 +20,26 @@
 #include "route/route.h"
 
 /* 1, assumed: the share of the deceleration that a driver plans with, before corners, doors, exits and people; the rest
- * is in hand. */
+ * is a reserve. */
 #define TRACK_PLANNED 0.8
 
 typedef struct TrackPoint {
-    Vec2 at;           /* m, where the reference point is to be */
-    double heading;    /* rad, of the body (driver) or of the way (miura) */
-    double s;          /* m, along the way */
-    double curvature;  /* rad/m, turn of the heading per m of the way */
-    double bending;    /* rad/m2, change of the curvature per m of the way */
-    double speed;      /* m/s, most */
+    Vec2 at;           /* m, position of the reference point */
+    double heading;    /* rad, of the body (driver) or of the path (miura) */
+    double s;          /* m, along the path */
+    double curvature;  /* rad/m, turn of the heading per m of the path */
+    double bending;    /* rad/m2, change of the curvature per m of the path */
+    double speed;      /* m/s, limit */
     double width;      /* m, of the passage here */
-    double room_left;  /* m, from the way to the nearest obstacle on the left, */
+    double room_left;  /* m, from the path to the nearest obstacle on the left, */
     double room_right; /* and on the right */
     int direction;     /* +1 forwards, -1 backwards, 0 a turn on the spot */
     int corner;        /* index of the corner that the point belongs to, or -1 */
-    int door;          /* the door that opens and shuts in whose way the body is from here on, or -1 */
+    int door;          /* the door whose swing or leaf the body obstructs from here on, or -1 */
     int next_door;     /* index of the first point from here on that has a door, or -1 */
 } TrackPoint;
 
-/* A corner of the paper's: turned about `centre`. */
+/* A corner in the paper's sense, an arc about `centre`. */
 typedef struct TrackCorner {
     Vec2 centre;                  /* m, the obstacle's corner */
     double before, after;         /* m, W1 and W2 */
@@ -54,10 +54,10 @@ typedef struct Track {
     TrackCorner *corners; /* (corner_count) */
     size_t corner_count;
     double length; /* m */
-    double exit_s; /* m, s where the way crosses the exit's line */
+    double exit_s; /* m, s where the path crosses the exit's line */
 } Track;
 
-/* Both fill a zeroed track; track_free releases it. The route has been found. */
+/* Both fill in a zeroed track, for a route that has been found; track_free releases it. */
 void track_build_driver(Track *track, const House *house, const Inhabitant *person, const Route *route);
 void track_build_miura(Track *track, const House *house, const Inhabitant *person, const Route *route);
 

@@ -1,4 +1,4 @@
-/* Somebody on foot follows the direction in which the time to the goal falls (floor_field.h) at the speed
+/* A walker follows the direction in which the time to the goal falls (floor_field.h) at the speed
  *
  *     v = min(v_0, s / T)
  *
@@ -6,16 +6,16 @@
  *     T    time gap, s                     l  sum of both radii, m
  *
  * which is the collision-free speed model of Tordeux, Chraibi and Seyfried (2016): the slope of speed against spacing
- * is what single files of people show. s is measured along the way that is walked,
+ * is what single files of people show. s is measured along the walking direction,
  *
  *                   .-.
- *        me  o--s--( o )            s = x - sqrt(l^2 - y^2) for bodies with |y| < l, x ahead and y beside the way,
- *                   '-'             each taken where it will be a moment later
+ *        me  o--s--( o )            s = x - sqrt(l^2 - y^2) for bodies with |y| < l, x ahead and y across the path,
+ *                   '-'             each at its position a moment later
  *
- * and when it is too short to walk freely, other headings to both sides are looked at (Moussaid, Helbing and Theraulaz
- * 2011): the one along which most way is made good is taken. Straight on only those count who are nearer to the goal
- * than oneself: who is ahead goes first. Of two who meet in front of a door one therefore always goes, and no arch
- * holds for good. Shoving is left to the contact law. */
+ * and when it is too short to walk freely, other headings to both sides are tried (Moussaid, Helbing and Theraulaz
+ * 2011): the one with the most progress is chosen. Straight ahead only people nearer to the goal count: the person
+ * ahead goes first. Of two people who meet in front of a door one therefore always goes, and no arch is permanent. The
+ * contact law handles pushing. */
 #include "house/walk.h"
 
 #include "base/real.h"
@@ -24,34 +24,34 @@
 #include "house/world.h"
 #include "plan/plan_geometry.h"
 
-/* All of these are assumed. */
+/* All constants below are assumed. */
 
-/* s: others are reckoned with where they will be then. */
+/* s: other people are considered at their positions after this time. */
 static const double FORESIGHT = 0.3;
-/* m: left between oneself and whoever is ahead or passed. */
+/* m: distance to people ahead or passed. */
 static const double BERTH = 0.045;
-/* m/s: a chair that goes so fast is on its way. */
+/* m/s: a chair with at least this speed counts as moving. */
 static const double ROLLING = 0.5;
-/* m/s: nobody is so much faster before the next decisions, so that farther bodies do not matter yet. */
+/* m/s: bound of the speed difference until the next decision, so that farther bodies do not matter yet. */
 static const double FASTER = 0.6;
-/* m: free floor wanted ahead of a heading to one side. */
+/* m: free floor required ahead of a heading to one side. */
 static const double STEP = 0.4;
-/* 1 and m/s: a heading to one side has to make good so much more way than the ones before. */
+/* 1 and m/s: a heading to one side must exceed the progress of the earlier ones by this factor and this amount. */
 static const double BETTER = 1.05, BETTER_BY = 0.10;
-/* 1: cosine of the angle to one's way beyond which somebody comes the other way, and the share of the free speed that a
+/* 1: cosine of the angle to one's path beyond which a person is oncoming, and the share of the free speed that a
  * heading to the left is then worth. */
 static const double ONCOMING = -0.5, KEEP_LEFT = 0.3;
-/* m: so far ahead, and so far to either side, people who come the other way are looked for. */
+/* m: distances ahead, and to either side, at which oncoming people are searched. */
 static const double farther[] = {2.5, 4.0, 5.5}, BESIDE = 1.0;
-/* s, 1 and m/s: who has been held up so long squeezes past those who come the other way, shoulders turned to this share
- * of the widths, no faster than this. */
+/* s, 1 and m/s: a person held up for HELD turns the shoulders (width x SQUEEZE) and passes oncoming people at up to
+ * SQUEEZING. */
 static const double HELD = 0.5, SQUEEZE = 0.1, SQUEEZING = 0.5;
-/* s: less time gained does not count as getting on. */
+/* s: a smaller gain of time does not count as progress. */
 static const double PROGRESS = 0.05;
-/* m: from its line, to where somebody has hold of a shut door. */
+/* m: distance from a shut door's line at which a person reaches the handle. */
 static const double ARMS_REACH = 0.45;
 
-/* Headings beside the way, left and right in turn, as cosine and sine. */
+/* Headings to the left and right of the path in turn, as cosine and sine. */
 enum { HEADINGS = 9 };
 static const Vec2 headings[HEADINGS] = {
     {1, 0},
@@ -69,11 +69,11 @@ enum { SEEN_MOST = 128 };
 
 /* A disc ahead. */
 typedef struct Seen {
-    Vec2 at;                 /* m, from oneself, a moment later */
-    Vec2 now;                /* m, as it is */
+    Vec2 at;                 /* m, relative to oneself, a moment later */
+    Vec2 now;                /* m, present position */
     double together;         /* m, sum of the radii and the berth */
-    bool oncoming;           /* faces the other way */
-    signed char seen, first; /* is it in sight, is it nearer to the goal: 1, 0, or -1, not asked yet */
+    bool oncoming;           /* True if it faces the other way */
+    signed char seen, first; /* visible, and nearer to the goal: 1, 0, or -1 for not computed yet */
 } Seen;
 
 typedef struct View {
@@ -82,13 +82,13 @@ typedef struct View {
     Vec2 at, way;
     double radius, time, speed, gap; /* m, s, m/s, s */
     double sight;                    /* m: farther bodies do not matter */
-    bool oncoming;                   /* somebody comes the other way */
-    bool squeezes;                   /* past them */
+    bool oncoming;                   /* True if a person comes the other way */
+    bool squeezes;                   /* True if passing them sideways */
     Seen seen[SEEN_MOST];
     int count;
 } View;
 
-/* A disc at `from` me that moves so, and the berth that it is given. */
+/* Adds a disc at `from` relative to oneself that moves with `velocity`, and its berth. */
 static void see_disc(View *view, Vec2 from, Vec2 velocity, double radius, double berth, bool oncoming) {
     double together = view->radius + radius + berth, far = view->sight + together;
     view->oncoming |= oncoming && vec2_dot(from, view->way) > 0;
@@ -110,8 +110,8 @@ static bool goes_first(const View *view, Seen *seen) {
     return seen->first;
 }
 
-/* A chair is as good as a row of discs. While it rolls along it is passed as anybody is; where it waits, half of its
- * personal space is left to it, so that it has room to turn. */
+/* Adds a chair as a row of discs. A moving chair is passed like any person; a waiting chair keeps half of its personal
+ * space, so that it has room to turn. */
 static void see_chair(View *view, size_t j, Vec2 from) {
     const Body *body = &view->world->body[j];
     Vec2 axis = view->world->axis[j], velocity = view->world->velocity[j];
@@ -144,7 +144,7 @@ static void look_around(View *view, uint32_t slot) {
     }
 }
 
-/* Does somebody come the other way farther ahead? */
+/* True if a person comes the other way farther ahead. */
 static void look_ahead(View *view) {
     const Walkers *walkers = &view->world->walkers;
     for (size_t k = 0; k < sizeof farther / sizeof *farther && !view->oncoming; k++) {
@@ -161,7 +161,7 @@ static void look_ahead(View *view) {
     }
 }
 
-/* The free way along a heading, m: straight on only those count who go first, to one side everybody. */
+/* Returns the free path along a heading, m: straight ahead only people who go first count, to one side all people. */
 static double free_way(View *view, Vec2 heading, bool straight) {
     double least = view->sight;
     for (int k = 0; k < view->count; k++) {
@@ -181,8 +181,8 @@ static double speed_along(View *view, Vec2 heading, bool straight) {
     return real_min(view->speed, free_way(view, heading, straight) / view->gap);
 }
 
-/* The velocity that makes most way good. Whoever meets people who come the other way keeps to the left a little, as in
- * Japan, so that both streams get past. */
+/* Returns the velocity with the most progress. Walkers who meet oncoming people keep slightly to the left, as in Japan,
+ * so that both streams pass. */
 static Vec2 choose(View *view) {
     Vec2 best = view->way;
     double speed = speed_along(view, best, true), good = speed;
@@ -194,7 +194,7 @@ static Vec2 choose(View *view) {
     double least = real_min(view->radius, freespace_distance(space, view->at));
     for (int h = 1; h < HEADINGS; h++) {
         if (view->speed * headings[h].x + left <= good * better + by)
-            break; /* even free this one and those after it are no better */
+            break; /* even if free, this heading and the following ones are no better */
         Vec2 heading = vec2_turn(headings[h], view->way);
         double along = speed_along(view, heading, false), made = along * headings[h].x;
         if (headings[h].y > 0 && along > 0)
@@ -213,14 +213,14 @@ static Vec2 slower(Vec2 velocity, double most) {
     return speed > most ? vec2_scale(velocity, most / speed) : velocity;
 }
 
-/* Does the way from a place cross the line within arm's reach? */
+/* True if the path from a place crosses the line within arm's reach. */
 static bool leads_across(Vec2 at, Vec2 way, double reach, Vec2 from, Vec2 to) {
     Vec2 end = vec2_along(at, reach, way), line = vec2_sub(to, from);
     return (vec2_cross(line, vec2_sub(at, from)) < 0) != (vec2_cross(line, vec2_sub(end, from)) < 0) &&
            (vec2_cross(way, vec2_sub(from, at)) < 0) != (vec2_cross(way, vec2_sub(to, at)) < 0);
 }
 
-/* The shut door that the way leads through, within arm's reach, or -1. */
+/* Returns the shut door that the path leads through within arm's reach, or -1. */
 static int door_ahead(const World *world, Vec2 at, Vec2 way, double reach) {
     const Plan *plan = &world->house->plan;
     for (size_t d = 0; world->shut_doors && d < plan->door_count; d++) {
@@ -232,7 +232,7 @@ static int door_ahead(const World *world, Vec2 at, Vec2 way, double reach) {
     return -1;
 }
 
-/* Does the way lead across an exit that is not open now? Whoever is there waits for it, or turns when it has closed. */
+/* True if the path leads across an exit that is not open now. People there wait for it, or turn when it has closed. */
 static bool exit_is_shut(const World *world, Vec2 at, Vec2 way, double reach) {
     const Plan *plan = &world->house->plan;
     double time = clock_time(&world->clock);
@@ -244,8 +244,7 @@ static bool exit_is_shut(const World *world, Vec2 at, Vec2 way, double reach) {
     return false;
 }
 
-/* Takes hold of a shut door's handle, and stands before what is shut. Opening a door is getting on, waiting for its
- * leaf's place is not. */
+/* Holds a shut door's handle and waits. Opening a door counts as progress; waiting for space for its leaf does not. */
 static void stand_before(const World *world, Walk *walk, const View *view) {
     double reach = view->radius + ARMS_REACH;
     int door = door_ahead(world, view->at, view->way, reach);

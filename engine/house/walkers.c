@@ -9,13 +9,13 @@
 #include "house/phase.h"
 #include "house/world.h"
 
-enum { CHUNK = 128 /* slots that one thread does in one go */ };
+enum { CHUNK = 128 /* slots that one thread processes at once */ };
 
-enum { LISTS_LIVE = 10 /* decisions, at most: where people face is known as it was when the lists were made */ };
+enum { LISTS_LIVE = 10 /* decisions, at most: facing directions are those at the time when the lists were built */ };
 
 enum {
-    MARK_CHAIR = 1,     /* the slot is a chair's, or of somebody who is held inside a wall: not moved here */
-    MARK_OBSTACLES = 2, /* something to touch may be near */
+    MARK_CHAIR = 1,     /* the slot of a chair, or of a person who is held inside a wall: not moved here */
+    MARK_OBSTACLES = 2, /* an obstacle may be touched */
     MARK_EXIT = 4,      /* an exit's line may be crossed */
 };
 
@@ -70,7 +70,7 @@ void walkers_init(Walkers *walkers, const World *world) {
 
 /* Memory ------------------------------------------------------------------------------------------------------------*/
 
-/* Calls `each` for every array that is as long as there are slots, people or entries of lists. */
+/* Calls `each` for every array whose length is the number of slots, people or list entries. */
 #define SLOT_ARRAYS(EACH)                                                                                              \
     EACH(at) EACH(velocity) EACH(next_at) EACH(next_velocity) EACH(wish) EACH(push) EACH(facing) EACH(kind) EACH(marks)
 
@@ -95,7 +95,7 @@ void walkers_copy(Walkers *to, const Walkers *from) {
     to->other = copy_of(from->other, pairs, sizeof *to->other);
     to->slip = copy_of(from->slip, pairs, sizeof *to->slip);
     to->list_capacity = to->slip_capacity = pairs;
-    to->old_first = memory_zeroed(from->capacity + 1, sizeof *to->old_first); /* only used while lists are made */
+    to->old_first = memory_zeroed(from->capacity + 1, sizeof *to->old_first); /* only used while lists are built */
     to->old_who = memory_zeroed(from->capacity, sizeof *to->old_who);
     to->old_other = NULL;
     to->old_slip = NULL;
@@ -128,7 +128,7 @@ void walkers_clear(Walkers *walkers) {
     *walkers = (Walkers){0};
 }
 
-/* People only ever leave: the first time is the largest. */
+/* Reserves slots. People only ever leave, so the first size is the largest. */
 static void reserve_slots(Walkers *walkers, size_t count) {
     if (count <= walkers->capacity && walkers->first)
         return;
@@ -167,7 +167,7 @@ static uint8_t marks_at(const World *world, Vec2 at, bool walks) {
     if (!walks)
         return MARK_CHAIR;
     uint8_t marks = 0;
-    double moves = WALKERS_SKIN; /* m, until the marks are made anew */
+    double moves = WALKERS_SKIN; /* m, until the marks are rebuilt */
     for (int corner = 0; corner < 9 && !(marks & MARK_OBSTACLES); corner++) {
         size_t count;
         obstacle_grid_at(grid, vec2_add(at, vec2((corner % 3 - 1) * moves, (corner / 3 - 1) * moves)), &count);
@@ -197,7 +197,7 @@ static void load_chunk(void *context, size_t chunk) {
     }
 }
 
-/* Whoever is near, over there, seen and on foot; `list` NULL: only counted. */
+/* Lists the nearby, visible walkers; `list` NULL: only counts them. */
 static uint32_t list_near(const World *world, uint32_t s, uint32_t *list) {
     const Walkers *walkers = &world->walkers;
     uint32_t found = 0;
@@ -232,7 +232,7 @@ static void count_chunk(void *context, size_t chunk) {
         walkers->first[s + 1] = list_near(world, s, NULL);
 }
 
-/* The springs between slot `s` and its neighbours go on from where the lists before had them. */
+/* Copies the springs between slot `s` and its neighbours from the previous lists. */
 static void take_over_slips(Walkers *walkers, uint32_t s) {
     uint32_t before = walkers->old_slot_of[walkers->cells.who[s]];
     for (uint32_t k = walkers->first[s]; k < walkers->first[s + 1]; k++) {
@@ -304,14 +304,15 @@ bool walkers_update(World *world) {
 
 /* Forces ------------------------------------------------------------------------------------------------------------*/
 
-/* Two in one place are pushed apart along x, each its own way. */
+/* Returns the direction from one walker to another. Two walkers at one point are pushed apart along x, in opposite
+ * directions. */
 static inline Vec2 direction_from(Vec2 from, double distance, bool lower) {
     if (distance > 0)
         return vec2_scale(from, 1 / distance);
     return vec2(lower ? -1 : 1, 0);
 }
 
-/* F1: the walkers near slot `s`. */
+/* Returns F1: the force of the walkers near slot `s`. */
 static inline __attribute__((always_inline)) Vec2 force_of_walkers(Walkers *walkers, uint32_t s, double dt,
                                                                    Sense *sense) {
     const Vec2 at = walkers->at[s], velocity = walkers->velocity[s];
@@ -351,14 +352,14 @@ static inline __attribute__((always_inline)) Vec2 force_of_walkers(Walkers *walk
     return force;
 }
 
-/* What is there beside a place, ready for gaps. */
+/* The obstacles near a place, prepared for gaps. */
 typedef struct Beside {
     const NeighbourFace *faces[GAPS_MOST];
     const NeighbourCorner *corners[GAPS_MOST];
     size_t face_count, corner_count;
 } Beside;
 
-/* At most GAPS_MOST of a kind: within a disc's reach there are no more but in a plan that nobody could build. */
+/* Collects at most GAPS_MOST features of a kind, which only an impossible plan exceeds within a disc's reach. */
 static void look_beside(Beside *beside, const World *world, Vec2 at, double reach) {
     const ObstacleGrid *grid = &world->house->obstacles;
     size_t count;
@@ -383,7 +384,7 @@ static void look_beside(Beside *beside, const World *world, Vec2 at, double reac
     }
 }
 
-/* F2: the obstacles beside slot `s`. */
+/* Returns F2: the force of the obstacles near slot `s`. */
 static Vec2 force_of_obstacles(World *world, uint32_t s, uint32_t i, const Beside *beside, double dt, Sense *sense) {
     Walkers *walkers = &world->walkers;
     const WalkerKind *kind = &walkers->kinds[walkers->kind[s]];
@@ -419,7 +420,7 @@ static Vec2 force_of_obstacles(World *world, uint32_t s, uint32_t i, const Besid
 
 /* Motion ------------------------------------------------------------------------------------------------------------*/
 
-/* Did the body's middle go into a wall? */
+/* Counts the faces through which the body's middle has entered a wall. */
 static int crossed_faces(const Beside *beside, Vec2 before, Vec2 after) {
     int crossed = 0;
     for (size_t f = 0; f < beside->face_count; f++)
@@ -427,7 +428,7 @@ static int crossed_faces(const Beside *beside, Vec2 before, Vec2 after) {
     return crossed;
 }
 
-/* F3: towards the velocity wanted, as fast as a_0 and the push allow. */
+/* Returns F3: towards the wanted velocity, limited by a_0 and the push. */
 static inline Vec2 effort(const WalkerKind *kind, Vec2 wish, Vec2 velocity) {
     Vec2 wanted = vec2_scale(vec2_sub(wish, velocity), kind->per_response);
     double square = vec2_dot(wanted, wanted);
@@ -448,7 +449,7 @@ static inline __attribute__((always_inline)) void step_walker(World *world, Walk
     }
     Sense *sense = senses ? &world->sense[i] : NULL;
     Vec2 force = force_of_walkers(walkers, s, dt, sense);
-    Beside beside; /* only counted, not cleared: this is the inner loop */
+    Beside beside; /* count reset without clearing: this is the inner loop */
     beside.face_count = beside.corner_count = 0;
     if (walkers->marks[s] & MARK_OBSTACLES) {
         look_beside(&beside, world, walkers->at[s], world->house->obstacles.reach);
@@ -458,7 +459,7 @@ static inline __attribute__((always_inline)) void step_walker(World *world, Walk
     Vec2 driven = effort(kind, walkers->wish[s], walkers->velocity[s]);
     Vec2 velocity = vec2_along(vec2_along(walkers->velocity[s], dt, driven), dt / kind->mass, force);
     Vec2 before = walkers->at[s], after = vec2_along(before, dt, velocity);
-    if (!world_holds(world, after)) { /* numbers are lost: back to the last good state */
+    if (!world_holds(world, after)) { /* diverged: back to the last good state */
         report->diverged = report->diverged == NOBODY ? i : report->diverged;
         after = before;
         velocity = vec2(0, 0);

@@ -9,9 +9,9 @@
 /* m, distance outside the house beyond which a person counts as thrown out. */
 static const double FARTHEST_OUT = 10;
 
-/* Lays `count` elements of `size` bytes into the block at `*used` and returns where. */
+/* Lays `count` elements of `size` bytes into the block at `*used` and returns their address. */
 static void *lay(char *block, size_t *used, size_t count, size_t size) {
-    size_t place = (*used + 63) / 64 * 64; /* a cache line each */
+    size_t place = (*used + 63) / 64 * 64; /* aligned to a cache line */
     *used = place + count * size;
     return block ? block + place : NULL;
 }
@@ -112,7 +112,7 @@ bool world_leaf_is_free(const World *world, size_t door, Presence presence) {
     return true;
 }
 
-/* Clips the segment to the core's strip in one direction; false when nothing is left. */
+/* Clips the segment to the core's strip in one direction. Returns false when nothing is left. */
 static bool clip(double from, double to, double low, double high, double *begin, double *end) {
     if (from == to)
         return from > low && from < high;
@@ -158,7 +158,7 @@ bool world_is_clear(const World *world, size_t i) {
 /* Beginning and end ---------------------------------------------------------------------------------------------------
  */
 
-/* Steps in so many seconds, at least one. */
+/* Returns the number of steps in a time, s, at least one. */
 static uint64_t steps_in(double seconds, double dt) {
     return seconds > 1.5 * dt ? (uint64_t)(seconds / dt + 0.5) : 1;
 }
@@ -198,7 +198,7 @@ void world_begin(World *world, const Journey *journeys) {
     ride_init(&world->rides, world);
     walkers_update(world);
     ride_list(world);
-    ride_gather_forces(world, true); /* what everybody feels before the first step */
+    ride_gather_forces(world, true); /* the senses before the first step */
 }
 
 World world_create(const House *house, const Journey *journeys, const bool *part) {

@@ -1,44 +1,45 @@
 #include "house/yield.h"
 
-/* All of these are assumed. */
+/* All constants below are assumed. */
 
 /* m: how far ahead people are seen. */
 static const double SIGHT = 6.0;
-/* m: what is left between two who pass, and to a wall; less than the last is not passing but touching. */
+/* m: distance between two people who pass, and to a wall; a smaller distance than the last value is touching rather
+ * than passing. */
 static const double PASSING_SPACE = 0.25, WALL_SPACE = 0.10, PASSING_LEAST = 0.02;
-/* m: kept behind and before people. */
+/* m: distance kept behind and before people. */
 static const double STAND_OFF = 0.20;
-/* m: somebody who stands so little to one side counts as straight ahead and is passed on the left, as in Japan. */
+/* m: a person standing this little to one side counts as straight ahead and is passed on the left, as in Japan. */
 static const double STRAIGHT_AHEAD = 0.15;
-/* m/s: no speed, but what says that somebody is so near that one of both has to back off. */
+/* m/s: not a speed, but a code: a person is so near that one of the two must back off. */
 static const double BACK_OFF = -1;
-/* m: two who are so level have neither ahead. */
+/* m: of two people this level, neither is ahead. */
 static const double LEVEL = 0.05;
-/* 1: the slope of a swerve to the way. */
+/* 1: slope of a swerve relative to the path. */
 static const double SWERVE = 0.22;
-/* 1: the cosine of the angle to the way up to which somebody goes along it. */
+/* 1: cosine of the largest angle to the path at which a person goes along it. */
 static const double STRAIGHT = 0.7;
-/* m/s: how slowly one edges past, and below what somebody stands. */
+/* m/s: speed of passing closely, and the speed below which a person counts as standing. */
 static const double SLOW_PASSING = 0.15, STANDING = 0.05;
-/* s: two who wait for one another look at it so long; then the first by id goes on, and a chair before somebody on
- * foot, who can step aside. */
+/* s: when two people wait for each other for this long, the first by id continues, and a chair before a walker, who can
+ * step aside. */
 static const double DEADLOCK = 2;
 
 bool yield_sees(const World *world, size_t i, size_t j) {
     if (freespace_sees(&world->house->space, world->centre[i], world->centre[j]))
-        return true; /* told quickly; what the grid calls hidden is looked at more closely */
+        return true; /* quick decision; places hidden on the grid are checked more closely */
     Vec2 to = vec2_sub(world->centre[j], world->centre[i]);
     double distance = vec2_length(to);
     return distance <= 0 || outline_ray(&world->house->outline, world->centre[i], vec2_scale(to, 1 / distance),
                                         distance, NULL) >= distance;
 }
 
-/* How far a body reaches from its centre along a direction. */
+/* Returns how far a body extends from its centre along a direction. */
 static double extent(const World *world, size_t i, Vec2 direction) {
     return body_extent(&world->body[i], world->axis[i], direction);
 }
 
-/* The point of the track ahead that is nearest to somebody. */
+/* Returns the point of the track ahead that is nearest to a person. */
 static const TrackPoint *nearest_point(const Track *track, size_t index, Vec2 at) {
     const TrackPoint *nearest = &track->points[index];
     double least = HUGE_VAL, end = nearest->s + SIGHT;
@@ -52,15 +53,15 @@ static const TrackPoint *nearest_point(const Track *track, size_t index, Vec2 at
     return nearest;
 }
 
-/* Somebody as seen from the way of person i, at the place where the way comes nearest. */
+/* A person seen from the path of person i, at the place where the path comes nearest. */
 typedef struct Sight {
     const TrackPoint *here, *there;
-    Vec2 way, left; /* unit, of the way there */
-    double ahead;   /* m, between the two bodies along the way */
-    double lateral; /* m, from the way to the other, positive on the left */
-    double coming;  /* m/s, of the other along the way */
-    double gap;     /* m, between the two bodies across the way */
-    double abreast; /* m, between the two middles when both go straight and pass with room to spare */
+    Vec2 way, left; /* unit, of the path there */
+    double ahead;   /* m, between the two bodies along the path */
+    double lateral; /* m, from the path to the other, positive on the left */
+    double coming;  /* m/s, of the other along the path */
+    double gap;     /* m, between the two bodies across the path */
+    double abreast; /* m, between the two middles when both go straight and pass with space */
 } Sight;
 
 static Sight look_at(const World *world, size_t i, size_t j) {
@@ -83,8 +84,8 @@ static Sight look_at(const World *world, size_t i, size_t j) {
     return sight;
 }
 
-/* The offset from the way at which the other is passed: none when the way itself leaves room. The other one, who sees
- * the same from the other end, chooses the same side. */
+/* Returns the offset from the path at which the other is passed: 0 when the path itself leaves space. The other person,
+ * who sees the same situation from the other end, chooses the same side. */
 static double pass_offset(const World *world, size_t i, const Sight *sight) {
     double half = world->house->people[i].profile->width / 2 + WALL_SPACE;
     double left_room = real_max(real_min(sight->here->room_left, sight->there->room_left) - half, 0);
@@ -98,7 +99,8 @@ static double pass_offset(const World *world, size_t i, const Sight *sight) {
     return leftwards ? real_min(left, left_room) : -real_min(right, right_room);
 }
 
-/* Of two chairs that go the same way side by side, too near to both go on, the one that is ahead goes first. */
+/* True if person i lets j go first: of two chairs that go the same way side by side, too near to continue both, the one
+ * ahead goes first. */
 static bool lets_go_first(const World *world, size_t i, size_t j, const Sight *sight) {
     bool beside = world_rides(world, j) && world->phase[j] == PHASE_MOVING && sight->ahead < 0 &&
                   sight->gap <= PASSING_LEAST && vec2_dot(world->axis[j], sight->way) > STRAIGHT;
@@ -126,7 +128,8 @@ static double speed_past(const World *world, size_t i, size_t j, const Sight *si
     return real_min(speed, braking + real_max(sight->coming, 0));
 }
 
-/* The speed that somebody's being there leaves, at most `speed`, and the offset at which that person is passed. */
+/* Lowers the speed to what the other person allows, at most `speed`, and updates the offset at which that person is
+ * passed. */
 static void heed(const World *world, size_t i, size_t j, Vec2 travel, double *speed, double *around) {
     if (j == i || world->phase[j] == PHASE_OUT)
         return;
@@ -142,7 +145,7 @@ static void heed(const World *world, size_t i, size_t j, Vec2 travel, double *sp
     *speed = speed_past(world, i, j, &sight, *speed);
 }
 
-/* Everybody in sight, in the order of the cells. */
+/* Considers all people in sight, in the order of the cells. */
 static void look_around(const World *world, size_t i, Drive *drive, Vec2 travel) {
     const CellGrid *grid = &world->walkers.cells;
     CellRange range = cell_grid_around(grid, world->centre[i], SIGHT + WALKERS_SKIN);
@@ -158,7 +161,7 @@ static void look_around(const World *world, size_t i, Drive *drive, Vec2 travel)
 double yield_speed(const World *world, size_t i, Drive *drive, Vec2 travel, double speed) {
     if ((world->clock.step + i) % world->decision_steps == 0)
         look_around(world, i, drive, travel);
-    /* A swerve takes way, not time: somebody who stands does not get any farther to one side. */
+    /* A swerve needs distance, not time: a standing person does not move to one side. */
     double moved = vec2_length(world->velocity[i]) * world->clock.dt, change = SWERVE * moved, before = drive->aside;
     drive->aside += real_clamp(drive->around - before, -change, change);
     drive->swerve = moved > 0 ? (drive->aside - before) / moved : 0;
