@@ -1,4 +1,4 @@
-/* The pictures that `run` of a beam leaves in --out. */
+/* The pictures that `run` of a beam writes to --out. */
 #pragma once
 
 #include "beam/response.h"
@@ -10,10 +10,10 @@ typedef struct BeamFiles {
     Measured measured; /* --measured, or empty */
 } BeamFiles;
 
-/* Takes what the options say of pictures and reads the measured points, before anything is computed. False: said on
- * standard error, and there is nothing to end. */
+/* Reads the options for pictures and the measured points, before anything is computed. False: an error was printed on
+ * standard error, and beam_files_end must not be called. */
 bool beam_files_begin(BeamFiles *files, const Options *options);
 
-/* Writes plot-NAME.png, .svg, .pdf and .csv to --out, if there is one. False: said on standard error. */
+/* Writes plot-NAME.png, .svg, .pdf and .csv to --out, if there is one. False: an error was printed. */
 bool beam_files_write(const BeamFiles *files, const Response *response, const Beam *beam, const Options *options);
 void beam_files_end(BeamFiles *files);

@@ -8,9 +8,9 @@
 #include "plot/plate.h"
 #include "visual/beam/beam_film.h"
 
-#define TAIL 0.25 /* of a cycle: so much of the lines before the present is thick */
+#define TAIL 0.25 /* cycles before the present that are drawn thick */
 
-/* What is drawn. */
+/* The beam that is drawn. */
 typedef struct Subject {
     const Beam *beam;
     const Rig *rig;
@@ -40,7 +40,7 @@ static bool write_plate(const Plate *plate, const Options *options) {
     return !error;
 }
 
-/* The moment of the largest force, in the middle of some cycles. */
+/* Centres some cycles on the moment of the largest force. */
 static bool write_still(const Subject *subject, const Options *options) {
     BeamRecord *record = subject->record;
     double period = subject->rig->period, around = fmin(BEAM_FILM_CYCLES * period, record->time);
@@ -66,7 +66,7 @@ static size_t beam_until(const void *owner, size_t plot, size_t series, double t
     return beam_film_until(owner, plot, series, time);
 }
 
-/* From --from on some cycles, or as far as --to. */
+/* Returns some cycles from --from on, or the time up to --to. */
 static StudioTimes times_of(const Subject *subject, double slow, const Options *options) {
     double fps = options->frames > 0 ? options->frames : STUDIO_FPS, end = subject->record->time;
     double first = fmin(fmax(options->from, 0), end);

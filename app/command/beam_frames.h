@@ -4,9 +4,10 @@
 #include "beam/response.h"
 #include "options/options.h"
 
-/* Says on standard error what of the options does not go together, before anything is computed; 0 or an exit code. */
+/* Checks that the options fit together, before anything is computed. Returns 0, or an exit code after an error on
+ * standard error. */
 int beam_frames_check(const Options *options);
 
-/* Writes what the options ask for, with progress on standard error when that is a terminal. Ctrl-C keeps what is
- * complete. False: said on standard error. */
+/* Writes the pictures and films that the options ask for, with progress. Ctrl-C keeps complete files. False: an error
+ * was printed. */
 bool beam_frames_write(const Beam *beam, const Rig *rig, const Response *response, const Options *options);

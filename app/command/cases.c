@@ -1,4 +1,4 @@
-/* Public verification suites, run as data: a case file each, one table of them all. */
+/* Runs public verification suites from files, one case each, and makes one table of all results. */
 
 #include <dirent.h>
 #include <stdint.h>
@@ -40,7 +40,7 @@ static int is_case_file(const struct dirent *entry) {
     return *entry->d_name != '.' && length > 5 && strcmp(entry->d_name + length - 5, ".json") == 0;
 }
 
-/* A directory stands for the .json files in it, sorted by name. */
+/* Adds a file, or the .json files of a directory sorted by name. */
 static void find_files(Paths *paths, const char *file, Fault *fault) {
     struct stat status;
     if (stat(file, &status) != 0 || !S_ISDIR(status.st_mode)) {
@@ -80,7 +80,7 @@ typedef struct Progress {
     bool shown;
 } Progress;
 
-/* Once the work has taken more than a second. */
+/* Prints progress once the work has taken more than a second. */
 static void show_progress(void *context, size_t done, size_t all) {
     Progress *progress = context;
     if (time(NULL) - progress->begin < 2)

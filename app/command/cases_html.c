@@ -5,8 +5,7 @@
 #include "command/cases_text.h"
 #include "document/html.h"
 
-/* The colours are the palette's: blue for what passed, orange-brown for what did not; 4.5:1 and more on their ground.
- */
+/* The colours are the palette's: blue for passed, orange-brown for failed, with a contrast of at least 4.5:1. */
 static const char head[] =
     "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -42,7 +41,7 @@ static const char *verdict_class(Verdict verdict) {
     return verdict == VERDICT_PASSED ? "yes" : verdict == VERDICT_FAILED ? "no" : "rest";
 }
 
-/* A disc with a tick, a square with a cross, a dash. */
+/* Adds a disc with a tick, a square with a cross, or a dash. */
 static void add_sign(Text *text, Verdict verdict) {
     static const char *const signs[] = {
         [VERDICT_NOT_RUN] =
@@ -58,7 +57,7 @@ static void add_sign(Text *text, Verdict verdict) {
         verdict_class(verdict), signs[verdict], cases_text_verdict(verdict));
 }
 
-/* The allowed band and the value on one line, drawn from `from` to `to` in the unit of the check. */
+/* Draws the allowed band and the value on a line from `from` to `to`, in the unit of the check. */
 static void add_ruler(Text *text, const VerificationCheck *check) {
     bool has_low = check->low > -HUGE_VAL, has_high = check->high < HUGE_VAL;
     double low = has_low ? check->low : fmin(0, fmin(check->high, check->value));

@@ -1,6 +1,6 @@
-/* The table of verification cases as one page that needs nothing else: to be read from the back of a room, light or
- * dark as the reader's system is set, each value on a ruler beside its limits. Words and shapes say what passed; colour
- * only repeats it. */
+/* The table of verification cases as one page without further files, large enough to read from the back of a room,
+ * light or dark as the reader's system is set. Each value is on a ruler with its limits. Words and shapes say which
+ * case passed; colour only repeats it. */
 #pragma once
 
 #include <stddef.h>

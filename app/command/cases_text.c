@@ -16,7 +16,7 @@ const char *cases_text_verdict(Verdict verdict) {
     return words[verdict];
 }
 
-/* " s", " persons/(m s)", or "" for a pure number. */
+/* Returns " s", " persons/(m s)", or "" for a pure number. */
 static const char *unit_words(const VerificationCheck *check) {
     static const char *const units[][2] = {
         {"s", " s"}, {"m/s", " m/s"}, {"1/(m s)", " persons/(m s)"}, {"1/m2", " persons/m\u00b2"}};
@@ -100,7 +100,7 @@ void cases_text_summary(const Verification *cases, size_t count, char text[CASES
 
 /* Terminal ----------------------------------------------------------------------------------------------------------*/
 
-/* A column of `width` characters, of which UTF-8 may need more bytes than one each. */
+/* Prints a column of `width` characters, each of which may be several bytes of UTF-8. */
 static void print_column(const char *words, int width) {
     for (const char *at = words; *at; at++)
         width -= ((unsigned char)*at & 0xc0) != 0x80;
@@ -150,7 +150,7 @@ void cases_text_print(const Verification *cases, size_t count) {
 
 /* Markdown ----------------------------------------------------------------------------------------------------------*/
 
-/* A cell: what would end it is replaced. */
+/* Adds a cell; line breaks and bars, which would end it, are replaced. */
 static void add_cell(Text *text, const char *words) {
     text_add(text, "| ");
     for (const char *at = words; *at; at++) {

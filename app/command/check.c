@@ -10,13 +10,14 @@
 #include "plan/overlap.h"
 #include "visual/house/census.h"
 
-/* Of the only exit also when a route leads to any; NULL: whichever is the quickest. */
+/* Returns the id of the exit, also where there is only one; NULL if the person takes the quickest. */
 static const char *exit_name(const House *house, size_t exit) {
     const Plan *plan = &house->plan;
     return exit < plan->exit_count ? plan->exits[exit].id : plan->exit_count == 1 ? plan->exits[0].id : NULL;
 }
 
-/* Somebody on foot follows a field to the nearest exit: no path is planned, of which there would be numbers. */
+/* Returns the answer for a person. People on foot follow a field to the nearest exit: they have no planned path, and
+ * so no numbers of one. */
 static json_t *check_person(const House *house, size_t i, const Route *route) {
     const Inhabitant *person = &house->people[i];
     bool walks = census_walks(person->profile);
@@ -63,7 +64,7 @@ static void print_person(const House *house, size_t i, const Route *route) {
     printf("\n");
 }
 
-/* The routes as if they had been tried, for the census. */
+/* Returns an observation in which each person with a route has completed it, for the census. */
 static Observation observation_of_routes(const House *house, const Journeys *journeys) {
     static const Reason reasons[] = {
         [ROUTE_FOUND] = REASON_NONE, [ROUTE_CANNOT_PASS] = REASON_CANNOT_PASS, [ROUTE_NO_EXIT] = REASON_NO_EXIT};
@@ -82,7 +83,7 @@ static Observation observation_of_routes(const House *house, const Journeys *jou
     return observation;
 }
 
-/* The first of a party who does not get out, or person_count. */
+/* Returns the first person of a party who does not get out, or person_count. */
 static size_t first_stuck(const House *house, const Observation *observation, const Census *census, size_t party) {
     size_t i = census->parties[party].first;
     while (i < house->person_count && (census->party_of[i] != party || observation->people[i].completed))
@@ -111,7 +112,7 @@ static void print_party(const House *house, const Observation *observation, cons
     printf("\n");
 }
 
-/* Of many people a line a crowd, and one for whoever has no like. */
+/* Prints a line per person; with many people a line per crowd, and one per person without a crowd. */
 static void print_answer(const House *house, const Journeys *journeys) {
     Observation observation = observation_of_routes(house, journeys);
     Census census = census_make(house, &observation);
@@ -128,7 +129,7 @@ static void print_answer(const House *house, const Journeys *journeys) {
     observation_free(&observation);
 }
 
-/* What is no fault, but strange, in words. */
+/* Returns notes about things that are allowed but strange. */
 static json_t *notes_of(const Plan *plan) {
     json_t *notes = json_array();
     for (size_t f = 0; f < plan->furniture_count; f++) {

@@ -58,7 +58,7 @@ static json_t *differences(const House houses[2], const Observation observations
     return rows;
 }
 
-/* B's pictures, with what was in A as "before", and the report on both. */
+/* Writes the pictures of B, with the paths in A as "before", and the report on both. */
 static bool write_results(const House houses[2], const Observation observations[2], const Options *options) {
     if (options->out) {
         Scene scene = {0};

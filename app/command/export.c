@@ -18,7 +18,7 @@ static bool is_folder(const char *path) {
     return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/* The house's own name with another ending, in the folder of --out, or where the house is. */
+/* Returns --out, or the name of the house with another ending in the folder --out or next to the house. */
 static const char *path_of(const Options *options, const char *format, Text *path) {
     const char *file = options->files[0], *slash = strrchr(file, '/'), *name = slash ? slash + 1 : file;
     const char *dot = strrchr(name, '.');
@@ -46,7 +46,7 @@ static int write_picture(const House *house, const Options *options, const char 
     return error;
 }
 
-/* Nothing is ever written over. */
+/* True, after an error on standard error, if the file exists: files are never overwritten. */
 static bool is_there(const char *path) {
     bool there = path && access(path, F_OK) == 0;
     if (there)
@@ -54,7 +54,7 @@ static bool is_there(const char *path) {
     return there;
 }
 
-/* Reads what is needed of the house, and writes it. */
+/* Reads the plan and writes the picture or the walkable area. Returns the exit code. */
 static int export_to(const Options *options, bool picture, const char *path) {
     House house = {.seed = 0};
     Fault fault = {0};

@@ -8,7 +8,7 @@
 #include "visual/house/film.h"
 
 enum {
-    RAISED_WIDTH = 1920, /* pixels, of a report's picture */
+    RAISED_WIDTH = 1920, /* pixels, of a picture in a report */
     RAISED_HEIGHT = 1200,
 };
 
@@ -40,7 +40,7 @@ static size_t house_until(const void *owner, size_t plot, size_t series, double 
     return house_plots_until(owner, plot, series, time);
 }
 
-/* A film of a house with plots beside it. */
+/* Returns a film of a house with plots next to it. */
 static StudioFilm film_of_house(Film *film, const HousePlots *plots) {
     return (StudioFilm){.film = film,
                         .show = show_house,
@@ -50,13 +50,13 @@ static StudioFilm film_of_house(Film *film, const HousePlots *plots) {
                         .plots = {plots->plots, plots->choice.count, 0, ROLE_PAPER, plots, house_until}};
 }
 
-/* From --from to --to, or from the beginning to the end. */
+/* Returns the times from --from to --to, by default of the whole run. */
 static StudioTimes times_of(const Options *options, double end) {
     double fps = options->frames > 0 ? options->frames : STUDIO_FPS;
     return studio_times(fmin(fmax(options->from, 0), end), options->to >= 0 ? fmin(options->to, end) : end, fps, fps);
 }
 
-/* The last picture, in the raised view, beside plan.png. */
+/* Writes the last picture in the raised view, next to plan.png. */
 static bool write_raised(Studio *studio, double time) {
     const Options *options = studio->options;
     char path[OUTPUT_PATH];
@@ -70,7 +70,7 @@ static bool write_raised(Studio *studio, double time) {
     return !error;
 }
 
-/* All that is asked for and needs OpenGL. */
+/* Writes the pictures that need OpenGL. */
 static bool write_pictures(Film *film, const HousePlots *plots, const StudioTimes *times, const Options *options) {
     StudioFilm filmed = film_of_house(film, plots);
     Studio studio;

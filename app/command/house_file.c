@@ -27,7 +27,7 @@ int house_file_report(Fault *fault) {
     return EXIT_WRONG_INPUT;
 }
 
-/* Progress, once the work has taken more than a second. */
+/* Prints progress once the work has taken more than a second. */
 typedef struct Progress {
     double begin; /* s, by the clock */
     bool shown;

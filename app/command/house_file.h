@@ -1,15 +1,15 @@
-/* What all verbs about houses begin with. */
+/* Reading and running the house of a command line. */
 #pragma once
 
 #include "options/options.h"
 #include "house/house.h"
 #include "house/observation.h"
 
-/* Reads file `index` of the command line. False: the faults. */
+/* Reads file `index` of the command line. False: errors were added to `fault`. */
 bool house_file_read(House *house, const Options *options, size_t index, Fault *fault);
 
 /* Prints every line of the fault on standard error, releases it and returns EXIT_WRONG_INPUT. */
 int house_file_report(Fault *fault);
 
-/* Runs the house as the options say, with progress on standard error when that is a terminal. */
+/* Runs the house as the options say, with progress. */
 void house_file_run(Observation *observation, const House *house, const Options *options, size_t route);

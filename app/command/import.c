@@ -63,7 +63,7 @@ static void print_text(const Plan *plan, const ImportReport *report, const Optio
     printf("written to %s\n", options->files[1]);
 }
 
-/* Whether people find room is known only when they are placed. */
+/* Notes errors of the written house, such as people without space: these show only when people are placed. */
 static void check_people(const Plan *plan, ImportReport *report, const char *path) {
     if (!plan->person_count && !plan->crowd_count)
         return;

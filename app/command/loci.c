@@ -1,4 +1,4 @@
-/* Both ways of driving through the same houses: the paper's open defect, measured. */
+/* Runs the same houses with both driving models, which measures the open defect of the paper. */
 
 #include <stdint.h>
 #include <stdio.h>
@@ -8,12 +8,12 @@
 #include "command/house_file.h"
 #include "house/locus.h"
 
-/* One house, driven both ways; of its first person. */
+/* The results of the first person of one house with both driving models. */
 typedef struct Comparison {
     char name[128];
     PersonObservation miura, driver;
-    LocusDistance apart; /* from the driver's locus to the paper's */
-    double floor;        /* m/s, the paper's slowest speed on the way, after it has started */
+    LocusDistance apart; /* from the locus of `driver` to that of `miura` */
+    double floor;        /* m/s, slowest speed of `miura` after the start */
 } Comparison;
 
 static double slowest(const Observation *observation) {
@@ -65,7 +65,7 @@ static bool compare_house(Comparison *comparison, const Options *options, size_t
     return good;
 }
 
-/* The time, or why there is none. */
+/* Prints the time, or the reason why there is none. */
 static void print_time(const PersonObservation *person) {
     if (person->completed)
         printf(" %11.2f |", person->time);
@@ -94,7 +94,7 @@ static void print_comparison(const Comparison *comparison) {
     printf("\n");
 }
 
-/* A table as Markdown has them. */
+/* Prints the head of a Markdown table. */
 static void print_head(void) {
     static const char *const columns[] = {"narrowest", "narrowest", "floor", "apart", "apart"};
     static const char *const units[] = {"miura, m", "driver, m", "m/s", "most, m", "mean, m"};

@@ -14,13 +14,14 @@
 
 struct Movie {
     const char *path;
-    char beside[OUTPUT_PATH]; /* what ffmpeg writes; it takes the kind of film from the ending */
+    char beside[OUTPUT_PATH]; /* temporary file of ffmpeg, which takes the kind of film from the ending */
     size_t picture;           /* bytes */
-    int pipe;                 /* to write to */
+    int pipe;                 /* end for writing */
     pid_t ffmpeg;
 };
 
-/* A name in the same directory with the same ending; one that begins with "word:" ffmpeg would take for a protocol. */
+/* Writes a name in the same directory with the same ending. It must not begin with "word:", which ffmpeg takes for a
+ * protocol. */
 static void name_beside(char beside[OUTPUT_PATH], const char *path) {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
     snprintf(beside, OUTPUT_PATH, "%s%.*s.%ld.%s", *path == '/' ? "" : "./", (int)(name - path), path, (long)getpid(),
@@ -29,14 +30,14 @@ static void name_beside(char beside[OUTPUT_PATH], const char *path) {
 
 extern char **environ;
 
-/* The pipe's reading end becomes ffmpeg's standard input. 0 or errno. */
+/* Starts ffmpeg with the reading end of the pipe as its standard input. Returns 0 or errno. */
 static int spawn(Movie *movie, int reading, char *const *words) {
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, reading, STDIN_FILENO);
     posix_spawnattr_init(&attributes);
-    /* a group of its own: Ctrl-C ends the pictures, and ffmpeg finishes with those it has */
+    /* own process group: Ctrl-C ends the pictures, and ffmpeg finishes the film with those that it has */
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     int error = posix_spawnp(&movie->ffmpeg, words[0], &actions, &attributes, words, environ);
     posix_spawnattr_destroy(&attributes);
@@ -44,12 +45,12 @@ static int spawn(Movie *movie, int reading, char *const *words) {
     return error;
 }
 
-/* 0 or errno. */
+/* Returns 0 or errno. */
 static int start(Movie *movie, int reading, int width, int height, double fps) {
     char size[32], rate[32];
     snprintf(size, sizeof size, "%dx%d", width, height);
     snprintf(rate, sizeof rate, "%g", fps);
-    /* a full disk is a failure; even sides, which the format asks for; nothing in the file of when it was made */
+    /* stop if the disk is full; pad to even sides, which the format requires; write no date of creation */
     char *words[] = {"ffmpeg",      "-hide_banner",
                      "-loglevel",   "error",
                      "-xerror",     "-y",
@@ -83,7 +84,7 @@ Movie *movie_begin(const char *path, int width, int height, double fps) {
             close(ends[1]);
     }
     if (!error) {
-        signal(SIGPIPE, SIG_IGN); /* a film that cannot go on is reported, not died of */
+        signal(SIGPIPE, SIG_IGN); /* a broken pipe is reported as an error and does not end the program */
         return movie;
     }
     fprintf(stderr, "clearance: --movie needs ffmpeg%s%s\n",

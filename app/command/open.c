@@ -1,4 +1,4 @@
-/* The window. */
+/* Opens the window. */
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@ static bool is_set(const char *name) {
     return value && *value;
 }
 
-/* What is asked for by a script or a benchmark needs nobody who looks. */
+/* True if there is a display, or if none is needed since a script or a benchmark is run. */
 static bool can_be_seen(const Options *options) {
     return options->script || options->benchmark > 0 || options->benchmark_edit > 0 || is_set("DISPLAY") ||
            is_set("WAYLAND_DISPLAY") || is_set("SDL_VIDEODRIVER");
@@ -40,7 +40,7 @@ int command_open(const Options *options) {
                             .benchmark = options->benchmark,
                             .benchmark_edit = options->benchmark_edit,
                             .jobs = options->jobs};
-    signal(SIGINT, SIG_DFL); /* SDL makes closing the window of them, where nobody else has a use for them */
+    signal(SIGINT, SIG_DFL); /* SDL closes the window at these signals, but only if they have no other handler */
     signal(SIGTERM, SIG_DFL);
     return window_run(&window);
 }

@@ -7,19 +7,19 @@
 #include "draw/scene.h"
 
 enum {
-    OUTPUT_PATH = 4096, /* room for a path there: as much as the system takes */
-    OUTPUT_NAME = 64,   /* of it for the names of files */
+    OUTPUT_PATH = 4096, /* bytes of a path in it, as many as the system allows */
+    OUTPUT_NAME = 64,   /* bytes of these for the names of files */
 };
 
-/* Makes the directory and those above it, before the work is done; says so on standard error when that cannot be. */
+/* Makes the directory and those above it, before the work begins. False: an error was printed. */
 bool output_directory(const char *path);
 
-/* Writes plan.png, plan.svg and plan.pdf there. False: said on standard error. */
+/* Writes plan.png, plan.svg and plan.pdf to it. False: an error was printed. */
 bool output_stills(const Scene *scene, const Options *options);
 
-/* Says on standard error, when Ctrl-C came while pictures were made, that not all of them are there; `told`: it came
- * before and that was said. */
+/* Prints on standard error that pictures are missing if Ctrl-C interrupted them, unless `told`, an earlier interruption
+ * that has been reported. */
 void output_tell_interrupted(bool told);
 
-/* Says on standard error that a file cannot be written, and why. */
+/* Prints on standard error that a file cannot be written, and why. */
 void output_failed(const char *path, int error);

@@ -39,7 +39,7 @@ static void print_claims(const Paper *paper, const PaperClaim *claims) {
                claims[i].claim, claims[i].paper, claims[i].ours);
 }
 
-/* The document, and the figures alone. */
+/* Writes the document, and each figure as a picture. */
 static bool write_pages(Paper *paper, const json_t *answer, const Options *options) {
     char path[PLOT_WRITE_PATH], *command = report_files_command(options);
     const Making making = report_files_making(options, command);

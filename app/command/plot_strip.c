@@ -3,9 +3,9 @@
 #include "command/output.h"
 #include "plot/plot_write.h"
 
-/* Design points. */
+/* In design points. */
 #define TAIL_WIDTH 4.0
-#define TAIL_PIECE 4.0 /* at least */
+#define TAIL_PIECE 4.0 /* least length */
 #define TAIL_OVER 1.0
 
 static int pixels(double points, double unit) {
@@ -36,13 +36,13 @@ void plot_strip_close(PlotStrip *strip) {
         plot_canvas_destroy(strip->canvases[i]);
 }
 
-/* On the page, a point of a series. */
+/* Returns the place of a point of a series on the page. */
 static Vec2 place_of(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t index) {
     Vec2 place = plot_canvas_place(strip->canvases[plot], plot_value(series, index));
     return vec2_along(strip->still->panels[plot].low, 1 / strip->unit, place);
 }
 
-/* The last piece of a line, thick, in pieces that go a little over each other, since their ends are blurred. */
+/* Draws the last part of a line thick, in pieces that overlap a little since their ends are blurred. */
 static void mark_tail(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t first, size_t count,
                       Layout *moving) {
     if (first >= count)
@@ -58,7 +58,7 @@ static void mark_tail(const PlotStrip *strip, size_t plot, const PlotSeries *ser
     }
 }
 
-/* A disc where the series has come to. */
+/* Draws a disc at the present value of a series. */
 static void mark_present(const PlotStrip *strip, size_t plot, const PlotSeries *series, size_t count, Layout *moving) {
     Role role = strip->source.now == ROLE_PAPER ? series->role : strip->source.now;
     Vec2 at = place_of(strip, plot, series, count - 1);

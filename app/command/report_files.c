@@ -16,7 +16,7 @@
 #include "report/house_report.h"
 #include "report/report_loci.h"
 
-enum { LINE_MOST = 88 /* characters of a command's line: as many as a page has */ };
+enum { LINE_MOST = 88 /* characters of a line of a command, as many as a page has */ };
 
 bool report_files_possible(const Options *options) {
     const char *missing = options->report && !options->out        ? "--report needs --out DIR: where to write it"
@@ -43,7 +43,7 @@ bool report_files_read_observed(ObservedLoci *observed, const House *house, cons
 
 /* The command ------------------------------------------------------------------------------------------------------ */
 
-/* As a shell reads it back. */
+/* Adds a word, quoted as a shell reads it back. */
 static void add_quoted(Text *text, const char *word) {
     static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./=:,@%+-";
     if (*word && !word[strspn(word, plain)]) {
@@ -58,7 +58,7 @@ static void add_quoted(Text *text, const char *word) {
     text_add(text, "'");
 }
 
-/* On as many lines as it takes, each of which says that it goes on. */
+/* Returns the command on several lines, each but the last ended by a backslash. */
 char *report_files_command(const Options *options) {
     Text text = {0};
     size_t begin = 0;
@@ -85,7 +85,7 @@ Making report_files_making(const Options *options, const char *command) {
 
 /* The files -------------------------------------------------------------------------------------------------------- */
 
-/* Now, or when whoever builds packages or compares files says it is. */
+/* Returns the time now, or that of $SOURCE_DATE_EPOCH, s since 1970. */
 static time_t created(void) {
     const char *given = getenv("SOURCE_DATE_EPOCH");
     char *end = NULL;
@@ -114,7 +114,7 @@ static bool drives_only(const House *house, int driving) {
     return true;
 }
 
-/* The house once more, driven another way; nothing where that cannot be. */
+/* Runs the house with the other driving model; does nothing if it has none. */
 typedef struct Another {
     House house;
     Observation observation;

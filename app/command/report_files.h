@@ -1,4 +1,4 @@
-/* Documents as files: what --report writes, report.html and report.pdf, and other pages. */
+/* Writes documents as files: report.html and report.pdf of --report, and other pages. */
 #pragma once
 
 #include "options/options.h"
@@ -7,23 +7,23 @@
 #include "house/observation.h"
 #include "report/report_basis.h"
 
-/* Do --report, --out and --observed go together? Otherwise says so on standard error. */
+/* True if --report, --out and --observed fit together; otherwise an error was printed. */
 bool report_files_possible(const Options *options);
 
-/* Reads --observed, if there is one, and holds it against the house. False: the faults. */
+/* Reads --observed, if there is one, and checks it against the house. False: errors were added to `fault`. */
 bool report_files_read_observed(ObservedLoci *observed, const House *house, const Options *options, Fault *fault);
 
-/* Writes what was asked for, after a run of `route` (SIZE_MAX: all) and after a comparison; says on standard error what
- * cannot be written. */
+/* Writes the report that the options ask for, of a run of `route` (SIZE_MAX: all) or of a comparison. False: an error
+ * was printed. */
 bool report_files_write_run(const House *house, const Observation *observation, const ObservedLoci *observed,
                             const Options *options, size_t route);
 bool report_files_write_comparison(const House houses[2], const Observation observations[2], const Options *options);
 
-/* The command line, to be pasted, line by line; memory_free it. */
+/* Returns the command line as text that a shell reads back; memory_free it. */
 char *report_files_command(const Options *options);
 
-/* How a document of this command came about. */
+/* Returns the origin of a document: program, command and time. */
 Making report_files_making(const Options *options, const char *command);
 
-/* Writes OUT/NAME.html and .pdf; says on standard error what cannot be written. */
+/* Writes OUT/NAME.html and .pdf. False: an error was printed. */
 bool report_files_write(const Document *document, const char *name, const Options *options);

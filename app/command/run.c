@@ -21,7 +21,7 @@ static int write_summary(const House *house, const Observation *observation, con
     return error;
 }
 
-/* Writes what every run leaves behind; the first file that cannot be written ends it. */
+/* Writes the data files of a run, up to the first one that cannot be written. */
 static bool write_data(const House *house, const Observation *observation, const Options *options) {
     static const char *const names[] = {"summary.json", "trace.csv", "trajectory.sqlite"};
     int error = 0;
@@ -57,7 +57,7 @@ static size_t find_route(const House *house, const Options *options) {
     return options->route ? plan_find_route(&house->plan, options->route) : SIZE_MAX;
 }
 
-/* Whose numbers were lost, where, and what would help. */
+/* Prints whose numbers diverged, when, and a remedy. */
 static void report_divergence(const House *house, const Observation *observation) {
     for (size_t i = 0; i < observation->person_count; i++) {
         const PersonObservation *person = &observation->people[i];

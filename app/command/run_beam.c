@@ -18,11 +18,11 @@
 
 enum { EACH = 32 /* room for "400 cycles" */ };
 
-/* What the type was told by; type_close releases it. */
+/* The type and the runs that it rests on; type_close releases it. */
 typedef struct TypeAnswer {
     Types types;
     Experiment quick, thorough;
-    char each[EACH]; /* how long a run is */
+    char each[EACH]; /* length of a run */
 } TypeAnswer;
 
 static void type_close(TypeAnswer *answer) {
@@ -172,7 +172,7 @@ static bool write_data(const Response *response, json_t *answer, const char *out
     return !error;
 }
 
-/* Options that only houses have an answer to. */
+/* Refuses options that are for houses only. */
 static bool check_options(const Options *options) {
     const char *foreign = options->route          ? "--route"
                           : options->driving >= 0 ? "--driving"

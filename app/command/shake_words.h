@@ -1,4 +1,4 @@
-/* The answer of a study of earthquakes in words. */
+/* Prints the answer of a study of earthquakes as text. */
 #pragma once
 
 #include "visual/house/shake_findings.h"

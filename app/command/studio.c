@@ -11,10 +11,10 @@
 
 enum {
     FRAMES_MOST = 1000000,
-    WRITERS_MOST = 8, /* threads: what one draws, no more can write, and each keeps pictures */
+    WRITERS_MOST = 8, /* threads; more cannot be kept busy by one that draws, and each holds pictures in memory */
 };
 
-/* Kinds of film that are small and that everything plays. */
+/* True if the ending is of a kind of film that is small and widely played. */
 static bool is_film(const char *path) {
     static const char *const endings[] = {".mp4", ".mkv", ".mov", ".webm"};
     const char *dot = strrchr(path, '.');
@@ -36,7 +36,7 @@ int studio_check(const Options *options) {
     return EXIT_WRONG_INPUT;
 }
 
-/* A painter for pictures of the options' size; NULL: said on standard error. */
+/* Returns a painter for pictures of the options' size; NULL after an error on standard error. */
 static PaintGl *create_painter(Studio *studio) {
     const Options *options = studio->options;
     char message[OFFSCREEN_MESSAGE];
@@ -107,7 +107,7 @@ static void show_progress(size_t done, size_t count, bool shown) {
         fprintf(stderr, "\r%*s\r", 40, "");
 }
 
-/* Those that an earlier, longer film has left: they would be taken for the end of this one. */
+/* Removes pictures that an earlier, longer film has left: they look like the end of this one. */
 static void remove_later_frames(const char *out, size_t count) {
     char path[OUTPUT_PATH];
     do
@@ -115,7 +115,7 @@ static void remove_later_frames(const char *out, size_t count) {
     while (unlink(path) == 0);
 }
 
-/* False: a file could not be written; whoever ends writer and film says why. */
+/* Draws and writes the pictures. False: a file could not be written; the caller prints why. */
 static bool write_frames(Studio *studio, const StudioTimes *times, PngWriter *writer, Movie *movie) {
     const Options *options = studio->options;
     bool shown = progress_is_shown(options);

@@ -23,22 +23,22 @@
 #include "visual/study/study_plots.h"
 #include "study/summary.h"
 
-/* One study on its way from the command line to its answer. */
+/* A study from the command line to its answer. */
 typedef struct StudyJob {
     const Options *options;
     const StudyLaboratory *laboratory;
     Experiment experiment;
     uint64_t identity; /* the experiment's, as it is opened */
-    StudyTypes types;  /* where runs tell types */
+    StudyTypes types;  /* with --types: the experiment that classifies each run */
     Study study;
     uint64_t content;  /* digest of the file */
-    Measured measured; /* points to be laid over the plots */
+    Measured measured; /* points to draw over the plots */
     StoreFound found;
     double begin; /* s, by the clock */
     size_t done_before;
-    bool shown;                    /* progress */
-    bool kept;                     /* whatever was to be kept in the file */
-    const ShakeFindings *findings; /* of a study of earthquakes, when they are made; or NULL */
+    bool shown;                    /* progress was printed */
+    bool kept;                     /* study.sqlite is complete, or was not asked for */
+    const ShakeFindings *findings; /* of a study of earthquakes, once they are made; or NULL */
 } StudyJob;
 
 /* What is asked -------------------------------------------------------------------------------------------------- */
@@ -51,7 +51,8 @@ static uint64_t file_digest(const char *path) {
     return digest;
 }
 
-/* Of what the results depend on besides the study's own numbers: another program of the same version is another one. */
+/* Returns a digest of everything that the results depend on besides the numbers of the study: the file, the settings,
+ * and the program itself, since two builds of one version may differ. */
 static uint64_t given_digest(const StudyJob *job) {
     uint64_t digest = digest_text(digest_chain(DIGEST_START, job->content), CLEARANCE_VERSION);
     digest = digest_chain(digest, file_digest("/proc/self/exe"));
@@ -60,7 +61,7 @@ static uint64_t given_digest(const StudyJob *job) {
     return digest;
 }
 
-/* One run is the nominal one, unless a seed is named. */
+/* Fills the study. A single run is the nominal one (seed 0) unless a seed is given. */
 static void make_study(StudyJob *job) {
     const StudyRequest *request = &job->options->study;
     Study *study = &job->study;
@@ -78,7 +79,7 @@ static void make_study(StudyJob *job) {
     study->seed = chance ? job->options->seed : 0;
 }
 
-/* The points that somebody measured, in the study's own numbers. */
+/* Reads the measured points, in the units of the study. */
 static bool read_measured(StudyJob *job, Fault *fault) {
     const Options *options = job->options;
     if (!options->measured)
@@ -95,7 +96,7 @@ static bool read_measured(StudyJob *job, Fault *fault) {
     return good;
 }
 
-/* The experiment of the file, or the one whose runs tell types. */
+/* Opens the experiment of the file, or with --types the one that classifies each run. */
 static bool open_experiment(StudyJob *job, Fault *fault) {
     const Options *options = job->options;
     job->content = file_digest(options->files[0]);
@@ -136,7 +137,7 @@ static bool open_study(StudyJob *job, Fault *fault) {
 
 /* Running -------------------------------------------------------------------------------------------------------- */
 
-/* Once the work has taken more than a second. */
+/* Prints progress once the work has taken more than a second. */
 static void show_progress(void *context, size_t done, size_t all) {
     StudyJob *job = context;
     double seconds = clock_now() - job->begin;
@@ -147,7 +148,7 @@ static void show_progress(void *context, size_t done, size_t all) {
     job->shown = true;
 }
 
-/* What is in the file already. */
+/* Prints how many runs study.sqlite holds already. */
 static void tell_found(const StudyJob *job) {
     size_t done = job->found.done, all = job->study.trial_count;
     if (job->options->quiet)
@@ -186,7 +187,7 @@ static void run_study(StudyJob *job, Store *store) {
                 job->study.trial_count, store ? "; the same command goes on from there" : "");
 }
 
-/* Are the files still those that the study began with? Each run of a house reads them. */
+/* True if the files have not changed since the study began: each run of a house reads them. */
 static bool is_unchanged(const StudyJob *job) {
     Experiment again;
     Fault fault = {0};
@@ -200,8 +201,8 @@ static bool is_unchanged(const StudyJob *job) {
     return same;
 }
 
-/* Runs what is not done yet, kept in a file when there is --out. False: there is no answer, faults say why; a file that
- * could not be written to the end is one too, but leaves an answer. */
+/* Runs the missing runs and stores them in study.sqlite if there is --out. False: there is no answer, `fault` says why.
+ * A file that could not be written completely adds an error, but there is an answer. */
 static bool run_kept(StudyJob *job, Fault *fault) {
     const Options *options = job->options;
     Store *store = NULL;
@@ -271,7 +272,7 @@ static void print_words(const StudyJob *job) {
         study_text_print(&job->study, job->laboratory, file);
 }
 
-/* Prints and writes the answer; the exit code. */
+/* Prints and writes the answer. Returns the exit code. */
 static int answer_study(const StudyJob *job) {
     const Options *options = job->options;
     json_t *answer = make_answer(job);
@@ -288,7 +289,7 @@ static int answer_study(const StudyJob *job) {
     return !written ? EXIT_WRONG_INPUT : yes ? EXIT_ANSWERED : EXIT_ANSWER_NO;
 }
 
-/* Of shakes more is told than of other runs, as long as nothing else is varied. */
+/* Answers the study; earthquakes without --vary have findings of their own. */
 static int answer_all(StudyJob *job) {
     const Options *options = job->options;
     if (!options->study.shakes || job->study.axis_count || options->types)
@@ -303,7 +304,7 @@ static int answer_all(StudyJob *job) {
     return code;
 }
 
-/* Runs are shakes or they are not, and only of shakes is there a report. */
+/* Refuses options that have no effect with --shake, and --report without it. */
 static bool is_one_chance(const Options *options, Fault *fault) {
     const StudyRequest *asked = &options->study;
     if (asked->shakes && asked->runs)

@@ -11,10 +11,10 @@ static bool is_multiple(double value, int decimals) {
     return fabs(scaled - round(scaled)) < 1e-6;
 }
 
-/* How an axis is shown: small lengths and times in mm and ms. */
+/* The unit in which an axis is shown: mm and ms for small lengths and times. */
 typedef struct Shown {
     const char *unit; /* "" for pure numbers */
-    double factor;    /* 1, of the values */
+    double factor;    /* 1, by which values are multiplied */
 } Shown;
 
 static Shown shown_axis(const Study *study, size_t a) {
@@ -40,7 +40,6 @@ static int digits_that_tell(double most, double step) {
     return digits;
 }
 
-/* A value of an axis, with as many digits as tell it from its neighbours. */
 void study_number_value(const Study *study, size_t a, double value, bool with_unit, char word[STUDY_NUMBER]) {
     const StudyAxis *axis = &study->axes[a];
     Shown shown = shown_axis(study, a);

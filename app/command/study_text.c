@@ -12,10 +12,10 @@
 
 enum {
     WORD = STUDY_NUMBER,
-    RANGES_MOST = 6,  /* told one by one */
-    ROWS_MOST = 12,   /* of the table */
-    CHANGES_MOST = 5, /* whose both sides are among them */
-    MAP_COLUMNS = 72, /* of a map in letters */
+    RANGES_MOST = 6,  /* ranges that are listed one by one */
+    ROWS_MOST = 12,   /* rows of the table */
+    CHANGES_MOST = 5, /* changes whose two sides are among the rows */
+    MAP_COLUMNS = 72, /* characters of a map */
     MAP_ROWS = 24,
 };
 
@@ -54,7 +54,7 @@ static const char *state_text(const StudyLaboratory *laboratory, SummaryState st
     return "not run";
 }
 
-/* "not out up to 0.83 m", "out from 0.84 m on" */
+/* Prints a range: "not out up to 0.83 m", "out from 0.84 m on". */
 static void print_range(const Study *study, const StudyLaboratory *laboratory, size_t axis, const SummaryRange *range) {
     size_t last = study->axes[axis].steps - 1;
     char from[WORD], to[WORD];
@@ -73,7 +73,7 @@ static void print_range(const Study *study, const StudyLaboratory *laboratory, s
         printf("from %s to %s", from, to);
 }
 
-/* The longest range of a state; NULL: there is none. */
+/* Returns the longest range of a state, or NULL. */
 static const SummaryRange *longest(const SummaryRange *ranges, size_t count, SummaryState state) {
     const SummaryRange *found = NULL;
     for (size_t r = 0; r < count; r++)
@@ -117,9 +117,9 @@ static void print_ranges(const Study *study, const StudyLaboratory *laboratory, 
     memory_free(ranges);
 }
 
-/* How the measure goes along the only axis. */
+/* How the measure changes along the only axis. */
 typedef struct Course {
-    size_t first, last, least, greatest; /* steps; SIZE_MAX: the measure is nowhere */
+    size_t first, last, least, greatest; /* steps; SIZE_MAX: no step has the measure */
     bool falls, rises;
 } Course;
 
@@ -151,7 +151,7 @@ static Course follow_course(const Study *study, size_t pass) {
     return course;
 }
 
-/* "31.2 s" of the measure at a step */
+/* Writes the mean measure at a step: "31.2 s". */
 static void say_measure(const Study *study, size_t pass, size_t i, bool with_unit, char word[WORD]) {
     const char *unit = study_number_unit(&study->experiment->observables[study->experiment->measure]);
     study_number_observed(mean_measure(study, pass, i), word);
@@ -159,7 +159,7 @@ static void say_measure(const Study *study, size_t pass, size_t i, bool with_uni
         snprintf(word + strlen(word), WORD - strlen(word), " %.15s", unit);
 }
 
-/* It falls, rises, or goes over a least and a greatest. */
+/* Prints whether the measure falls, rises, or has a least and a greatest value in between. */
 static void print_course(const Study *study, size_t pass) {
     Course course = follow_course(study, pass);
     if (course.first == SIZE_MAX)
@@ -203,7 +203,7 @@ static void print_extreme(const Study *study, bool greatest) {
     printf("%s", greatest ? "\n" : "");
 }
 
-/* Passes that end in different answers. */
+/* Prints where passes end in different answers. */
 static void print_differences(const Study *study) {
     size_t count = 0, first = 0;
     for (size_t i = study_steps(study, 0); i-- > 0;)
@@ -220,7 +220,7 @@ static void print_differences(const Study *study) {
 
 /* Tables --------------------------------------------------------------------------------------------------------- */
 
-/* The rows to show: both ends, both sides of each change while there is room, and others evenly between. */
+/* Chooses the rows to show: both ends, both sides of each change while there is room, and others evenly in between. */
 static void choose_rows(const Study *study, bool *chosen) {
     size_t steps = study_steps(study, 0), most = ROWS_MOST / (study->pass_count + 1) * 2, count;
     size_t rows = steps < most ? steps : most;
@@ -247,7 +247,7 @@ static void print_head(const char *name, const char *unit) {
     print_cell(head, head_width(name, unit));
 }
 
-/* What a table of single runs shows besides the answer: whatever any of them has. */
+/* True if a table of single runs shows the observable: if any run has it. */
 static bool is_shown(const Study *study, const StudyLaboratory *laboratory, size_t observable) {
     const Experiment *experiment = study->experiment;
     if (observable == experiment->regular || strcmp(experiment->observables[observable].name, laboratory->hidden) == 0)
@@ -270,7 +270,7 @@ static void print_runs_row(const Study *study, const StudyLaboratory *laboratory
     }
 }
 
-/* With many runs: how many are regular, and the measure as a distribution. */
+/* Prints the row of a point with many runs: the share of regular ones, and the distribution of the measure. */
 static void print_point_row(const Study *study, size_t pass, size_t i) {
     MontecarloPoint point = montecarlo_point(study, pass, 0, i);
     const Distribution *d = &point.of[study->experiment->measure];

@@ -10,7 +10,7 @@
 #include "command/types_answer.h"
 #include "experiment/beam_experiment.h"
 
-/* The names of the list, parted by commas. */
+/* Splits the list of names at its commas. */
 static void split_names(StudyTypes *types, const char *list) {
     for (const char *at = list; *at && types->count <= TYPES_PARAMETERS_MOST;) {
         size_t length = strcspn(at, ",");
@@ -68,7 +68,7 @@ static bool write_answer(const json_t *answer, const Options *options) {
     return !error;
 }
 
-/* Prints and writes the answer; the exit code. */
+/* Prints and writes the answer. Returns the exit code. */
 static int give_answer(const Types *types, const Experiment *experiment, const Options *options) {
     json_t *answer = make_answer(types, experiment, options);
     bool written = !options->out || write_answer(answer, options);

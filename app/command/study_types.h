@@ -5,7 +5,7 @@
 #include "command/study_laboratory.h"
 #include "study/type_map.h"
 
-/* The experiment, the same told more thoroughly where there is such, and the window's parameters. */
+/* The experiment, the same experiment with the full analysis if there is one, and the parameters of the window. */
 typedef struct StudyTypes {
     const StudyLaboratory *laboratory;
     Experiment quick, thorough;
@@ -16,13 +16,13 @@ typedef struct StudyTypes {
     Arena arena;
 } StudyTypes;
 
-/* Opens the command line's file. False: faults. study_types_close releases it. */
+/* Opens the file of the command line. False: errors were added to `fault`. study_types_close releases it. */
 bool study_types_open(StudyTypes *types, const Options *options, Fault *fault);
 void study_types_close(StudyTypes *types);
 
-/* The experiment whose runs tell types, for a study over more than one place; as long as `types` is open. False: a
- * fault of the names. */
+/* Opens the experiment that classifies each run, for a study of several points; it lives as long as `types` is open.
+ * False: a name is wrong, `fault` says which. */
 bool study_types_of_runs(StudyTypes *types, Experiment *experiment, Fault *fault);
 
-/* Tells the type of the command line's file, prints it, writes --out. Returns the exit code. */
+/* Classifies the file of the command line, prints the type, writes --out. Returns the exit code. */
 int study_types_answer(const Options *options);

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The NAME before the first =, and what follows it. NULL: there is none. */
+/* Returns the NAME before the first =, and the rest after it; NULL if there is none. */
 static const char *take_name(const char *words, const char **rest, Arena *arena) {
     const char *equals = strchr(words, '=');
     if (!equals || equals == words)
@@ -17,7 +17,7 @@ static const char *take_name(const char *words, const char **rest, Arena *arena)
     return name;
 }
 
-/* A number that ends with `end`. */
+/* Reads a number that is followed by `end`. */
 static bool take_number(const char **words, char end, double *number) {
     char *after;
     *number = strtod(*words, &after);

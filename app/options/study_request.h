@@ -1,4 +1,4 @@
-/* What a command line asks of a study, read from its words. */
+/* The request for a study, read from the options of the command line. */
 #pragma once
 
 #include "base/memory.h"
@@ -12,11 +12,11 @@ typedef struct StudyRequest {
     StudyPass passes[STUDY_PASSES];
     size_t pass_count; /* 0: not given */
     uint64_t runs;     /* 0: not given */
-    uint64_t shakes;   /* runs that each begin with an earthquake; 0: none does */
+    uint64_t shakes;   /* runs that begin with an earthquake; 0: none */
 } StudyRequest;
 
-/* NAME=FROM:TO:STEPS, NAME=SHARE, and a list of reset, up, down. False: the words are not of that form, or one too
- * many. Names are kept by the arena. */
+/* Read NAME=FROM:TO:STEPS, NAME=SHARE, and a list of reset, up, down. False: the text is not of that form, or one too
+ * many. The arena keeps the names. */
 bool study_request_vary(StudyRequest *request, const char *words, Arena *arena);
 bool study_request_spread(StudyRequest *request, const char *words, Arena *arena);
 bool study_request_sweep(StudyRequest *request, const char *words);
