@@ -17,7 +17,7 @@ static void say_moment(HouseSession *live, size_t person, double time) {
     const double *row = trail_row_at(&live->trails.trails[person], time);
     if (!row)
         return;
-    double reach = live->shown->house.people[person].profile->space_reach;
+    double reach = live->runs[RUN_SHOWN]->house.people[person].profile->space_reach;
     bool free = row[TRACE_CLEARANCE] >= reach;
     add_pair(live, "speed now", scene_text(scene, "%.2f m/s", row[TRACE_SPEED]));
     add_pair(live, "clearance now",
@@ -45,7 +45,7 @@ static void say_person(HouseSession *live, size_t i, double time) {
         return;
     }
     ResultTable table = {0};
-    result_house_add_person(&table, &live->shown->house, live->observation, i);
+    result_house_add_person(&table, &live->runs[RUN_SHOWN]->house, live->observation, i);
     add_record(live, &table, 1); /* the name is the heading */
     say_moment(live, i, time);
 }
@@ -67,10 +67,10 @@ static void say_hazard(HouseSession *live, size_t hazard) {
 
 void house_about_say(HouseSession *live, double time) {
     Scene *scene = &live->words.moment;
-    const Plan *plan = &live->shown->house.plan;
+    const Plan *plan = &live->runs[RUN_SHOWN]->house.plan;
     Item thing = live->selected;
     char name[HOUSE_THING_NAME];
-    house_item_name(&live->shown->house, live->observation, thing, name, sizeof name);
+    house_item_name(&live->runs[RUN_SHOWN]->house, live->observation, thing, name, sizeof name);
     if (!*name)
         return;
     *name = (char)toupper((unsigned char)*name);

@@ -4,7 +4,7 @@
 #include "base/parameters_number.h"
 #include "plan/draft_file.h"
 #include "plan/draft_parameter.h"
-#include "laboratory/house/session_parts.h"
+#include "laboratory/house/schedule.h"
 
 const PanelParameter *house_change_parameters(const void *context, size_t *count) {
     const HouseSession *live = context;
@@ -68,9 +68,9 @@ bool house_change_set(void *context, const char *name, double value, Fault *faul
             put_back(live, row);
         return false;
     }
-    house_follow_edited(live);
-    if (live->shown)
-        house_value_sort(&live->values, &live->shown->house, live->selected);
+    house_schedule_apply_edit(live);
+    if (live->runs[RUN_SHOWN])
+        house_value_sort(&live->values, &live->runs[RUN_SHOWN]->house, live->selected);
     return true;
 }
 
@@ -83,9 +83,9 @@ void house_change_reset(void *context) {
     for (size_t i = 0; i < live->values.count; i++)
         live->values.rows[i].value = live->values.rows[i].initial;
     if (live->kept_itself)
-        house_follow_forget(live);
+        house_schedule_clear(live);
     house_history_begin(&live->history, draft_text(live->draft), draft_revision(live->draft));
-    house_follow_edited(live);
+    house_schedule_apply_edit(live);
 }
 
 const Preset *house_change_presets(const void *context, size_t *count) {
@@ -111,19 +111,19 @@ void house_change_choose(void *context, size_t choice, size_t word) {
  * plan changed. */
 void house_change_again(void *context) {
     HouseSession *live = house_session_current(context);
-    house_follow_clean(live);
-    if (live->trouble.text && !live->latest)
-        house_follow_ask(live);
+    house_schedule_restart(live);
+    if (live->trouble.text && !live->runs[RUN_LATEST])
+        house_schedule_request(live);
 }
 
 bool house_change_keep(void *context, double time) {
     HouseSession *live = house_session_current(context);
     (void)time;
     live->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
-    return house_follow_keep(live, false);
+    return house_schedule_store(live, false);
 }
 
 void house_change_clear(void *context, double time) {
     (void)time;
-    house_follow_forget(house_session_current(context));
+    house_schedule_clear(house_session_current(context));
 }

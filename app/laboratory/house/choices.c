@@ -1,7 +1,7 @@
 /* Things among a few: what is shown as a ghost, whose route, which way of driving. */
 #include <string.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/house/schedule.h"
 
 #define GHOST "Ghost"
 #define ROUTE "Route"
@@ -31,16 +31,16 @@ static bool anybody_rides(const House *house) {
 }
 
 static void list(HouseSession *live) {
-    bool rides = live->shown && anybody_rides(&live->shown->house);
+    bool rides = live->runs[RUN_SHOWN] && anybody_rides(&live->runs[RUN_SHOWN]->house);
     live->choice_count = 0;
     PanelChoice *ghost = add_choice(live, GHOST,
                                     "What is shown behind, for comparison: the run that was kept with K, "
                                     "or the same house with the other way of driving.");
     add_word(live, ghost, "none", live->ghost == GHOST_NONE);
-    if (live->before)
+    if (live->runs[RUN_BEFORE])
         add_word(live, ghost, "before", live->ghost == GHOST_BEFORE);
     if (rides)
-        add_word(live, ghost, profile_driving_name(house_follow_other(live)), live->ghost == GHOST_RIVAL);
+        add_word(live, ghost, profile_driving_name(house_runs_other_driving(live)), live->ghost == GHOST_RIVAL);
     const Plan *plan = draft_plan(live->draft);
     if (plan->route_count > 1) {
         PanelChoice *route = add_choice(live, ROUTE, "Whose route is driven: everybody's, or one alone.");
@@ -64,7 +64,7 @@ static void take_ghost(HouseSession *live, const char *word) {
     live->ghost = strcmp(word, "none") == 0 ? GHOST_NONE : strcmp(word, "before") == 0 ? GHOST_BEFORE : GHOST_RIVAL;
     live->retell = true;
     live->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
-    house_show_anew(live);
+    house_session_void_film(live);
 }
 
 const PanelChoice *house_choices_list(HouseSession *live, size_t *count) {
@@ -82,11 +82,11 @@ void house_choices_take(HouseSession *live, size_t choice, size_t word) {
         take_ghost(live, taken->words[word]);
     } else if (strcmp(taken->name, ROUTE) == 0) {
         live->wish.route = word ? arena_text(&live->arena, taken->words[word]) : NULL;
-        house_follow_ask(live);
+        house_schedule_request(live);
     } else {
         live->wish.driving = (int)word - 1;
         editor_set_driving(live->editor, live->wish.driving);
-        house_follow_keep(live, true);
-        house_follow_ask(live);
+        house_schedule_store(live, true);
+        house_schedule_request(live);
     }
 }

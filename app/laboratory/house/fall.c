@@ -114,7 +114,7 @@ static bool follow_moved(HouseFall *falls, const Plan *plan) {
 
 /* Is the house that is drawn the draft? */
 static bool is_drawn(const HouseSession *live) {
-    const HouseRun *run = live->early ? live->early : live->shown;
+    const HouseRun *run = live->runs[RUN_EARLY] ? live->runs[RUN_EARLY] : live->runs[RUN_SHOWN];
     return run && house_run_revision(run) == draft_revision(live->draft);
 }
 
@@ -131,7 +131,7 @@ void house_fall_follow(HouseSession *live) {
         other = true;
     }
     if (other)
-        house_show_anew(live);
+        house_session_void_film(live);
 }
 
 /* The first one begins at once. */
@@ -163,7 +163,7 @@ void house_fall_shake(HouseSession *live, uint64_t seed, const char *const *ids,
     hurry(falls);
     snprintf(falls->words, sizeof falls->words, "shaking (seed %" PRIu64 ")", seed);
     note(falls, live->draft);
-    house_show_anew(live);
+    house_session_void_film(live);
 }
 
 /* What is seen ---------------------------------------------------------------------------------------------------- */

@@ -55,6 +55,9 @@ typedef struct HouseRun {
     Scene ways;
     Fault fault;
 
+    unsigned roles; /* in which the session has it: see runs.h */
+    bool noticed;   /* by the session, that it is over */
+
     volatile sig_atomic_t stop;
     pthread_mutex_t mutex; /* of all that follows */
     HouseStage stage;

@@ -4,14 +4,14 @@
 #include <string.h>
 
 #include "plan/draft_file.h"
-#include "laboratory/house/session_parts.h"
+#include "laboratory/house/schedule.h"
 #include "laboratory/save_file.h"
 
 #define STEP (1.0 / 30) /* s, of one shown frame */
 #define FASTEST 16.0
 
 static size_t rows_recorded(const HouseSession *live) {
-    return live->shown ? live->observation->trace.rows : 0;
+    return live->runs[RUN_SHOWN] ? live->observation->trace.rows : 0;
 }
 
 /* The editor ------------------------------------------------------------------------------------------------------- */
@@ -19,9 +19,9 @@ static size_t rows_recorded(const HouseSession *live) {
 /* Tells the editor what is displayed. */
 static void tell_editor(HouseSession *live) {
     EditorScene scene = {.time = live->time};
-    if (live->shown) {
+    if (live->runs[RUN_SHOWN]) {
         scene.scenery = house_scenery(live);
-        scene.revision = house_run_revision(live->shown);
+        scene.revision = house_run_revision(live->runs[RUN_SHOWN]);
     }
     editor_set_scene(live->editor, &scene);
 }
@@ -39,7 +39,7 @@ HouseSession *house_session_current(void *context) {
     EditorShake shake;
     set_selected(live, editor_selected(live->editor));
     if (editor_next_change(live->editor))
-        house_follow_edited(live);
+        house_schedule_apply_edit(live);
     if (editor_next_shake(live->editor, &shake))
         house_fall_shake(live, shake.seed, shake.ids, shake.count);
     return live;
@@ -53,13 +53,13 @@ static unsigned update(void *context, double time) {
     HouseSession *live = house_session_current(context);
     size_t rows = rows_recorded(live);
     live->time = time;
-    house_follow_all(live, time);
+    house_schedule_update(live, time);
     house_fall_follow(live);
     if (house_words_moved(live, time))
         live->changed |= LABORATORY_WORDS;
     unsigned changed = live->changed;
     live->changed = 0;
-    if (live->shown) {
+    if (live->runs[RUN_SHOWN]) {
         house_show_make(live, time);
         changed |= live->changed; /* the plan was another one then */
         live->changed = 0;
@@ -71,7 +71,7 @@ static unsigned update(void *context, double time) {
         if (changed & LABORATORY_WORDS)
             house_words_make(live, time);
         if (changed & LABORATORY_PARAMETERS)
-            house_value_sort(&live->values, &live->shown->house, live->selected);
+            house_value_sort(&live->values, &live->runs[RUN_SHOWN]->house, live->selected);
     }
     tell_editor(live);
     bool other = house_words_does_other(live) || rows_recorded(live) != rows;
@@ -137,7 +137,7 @@ static void *open_house(const char *path, const LaboratoryOptions *options, Faul
                                                          .jobs = live->wish.jobs});
     live->worker = worker;
     house_history_begin(&live->history, draft_text(draft), draft_revision(draft));
-    house_follow_ask(live);
+    house_schedule_request(live);
     return live;
 }
 
@@ -146,7 +146,7 @@ static void close_house(void *context) {
     editor_destroy(live->editor);
     if (live->film)
         film_destroy(live->film);
-    house_follow_end(live);
+    house_schedule_end(live);
     house_fall_clear(live);
     house_session_plots_clear(live);
     house_words_clear(live);
@@ -165,8 +165,8 @@ static void close_house(void *context) {
 
 static RecordSpan span(const void *context) {
     const HouseSession *live = context;
-    return (RecordSpan){.end = house_follow_reach(live),
-                        .complete = live->whole || (!live->shown && !live->latest),
+    return (RecordSpan){.end = house_runs_reach(live),
+                        .complete = live->whole || (!live->runs[RUN_SHOWN] && !live->runs[RUN_LATEST]),
                         .pace = 1,
                         .step = STEP,
                         .fastest = FASTEST};
@@ -174,7 +174,7 @@ static RecordSpan span(const void *context) {
 
 static double reach(void *context, double time) {
     (void)time;
-    return house_follow_reach(context);
+    return house_runs_reach(context);
 }
 
 static bool show(void *context, double time) {
@@ -182,7 +182,7 @@ static bool show(void *context, double time) {
     live->time = time;
     house_show_make(live, time);
     tell_editor(live);
-    if (!live->film)
+    if (!house_session_has_film(live))
         return false;
     if (live->fresh)
         film_restart(live->film);
@@ -193,30 +193,30 @@ static bool show(void *context, double time) {
 
 static bool rests(const void *context, double time) {
     const HouseSession *live = context;
-    return live->film && !live->fresh && !live->fall.count && house_run_epoch(live->shown, time) == live->epoch &&
-           film_is_unchanged(live->film, time);
+    return house_session_has_film(live) && !live->fresh && !live->fall.count &&
+           house_run_epoch(live->runs[RUN_SHOWN], time) == live->epoch && film_is_unchanged(live->film, time);
 }
 
 static const Scene *still(void *context) {
     HouseSession *live = house_session_current(context);
     house_show_make(live, live->time); /* if a call since the last update has made it void */
-    return live->film ? film_still(live->film) : &live->nothing;
+    return house_session_has_film(live) ? film_still(live->film) : &live->nothing;
 }
 
 static const Scene *added(const void *context) {
     const HouseSession *live = context;
-    return live->film ? film_added(live->film) : &live->nothing;
+    return house_session_has_film(live) ? film_added(live->film) : &live->nothing;
 }
 
 static const Scene *moving(const void *context) {
     const HouseSession *live = context;
-    return live->film ? film_moving(live->film) : &live->nothing;
+    return house_session_has_film(live) ? film_moving(live->film) : &live->nothing;
 }
 
 static void look(void *context, Camera camera) {
     HouseSession *live = house_session_current(context);
     if (camera.kind != live->camera.kind)
-        house_show_anew(live);
+        house_session_void_film(live);
     live->camera = camera;
     live->changed |= LABORATORY_VIEW;
 }
@@ -224,7 +224,7 @@ static void look(void *context, Camera camera) {
 static void reveal(void *context, unsigned layers) {
     HouseSession *live = context;
     if (layers != live->layers)
-        house_show_anew(live);
+        house_session_void_film(live);
     live->layers = layers;
 }
 
@@ -263,7 +263,7 @@ static void add_note(HouseSession *live, const char *more) {
 
 static const char *note(void *context) {
     HouseSession *live = house_session_current(context);
-    const HouseWish *wish = live->shown ? &live->shown->wish : NULL;
+    const HouseWish *wish = live->runs[RUN_SHOWN] ? &live->runs[RUN_SHOWN]->wish : NULL;
     const char *picture = editor_image_trouble(live->editor);
     *live->words.note = 0;
     if (wish && wish->epoch_count > 1) {
@@ -307,19 +307,20 @@ static const char *trouble(const void *context, double *time) {
 
 static Item pick(const void *context, Vec2 at, double time, Item below) {
     const HouseSession *live = context;
-    HouseScenery scenery = live->shown ? house_scenery(live) : (HouseScenery){NULL, NULL, NULL};
-    return live->shown ? house_item_at(&scenery, at, time, below) : (Item){0, 0};
+    HouseScenery scenery = live->runs[RUN_SHOWN] ? house_scenery(live) : (HouseScenery){NULL, NULL, NULL};
+    return live->runs[RUN_SHOWN] ? house_item_at(&scenery, at, time, below) : (Item){0, 0};
 }
 
 static Item next(const void *context, Item thing, int step) {
     const HouseSession *live = context;
-    HouseScenery scenery = live->shown ? house_scenery(live) : (HouseScenery){NULL, NULL, NULL};
-    return live->shown ? house_item_next(&scenery, thing, step) : (Item){0, 0};
+    HouseScenery scenery = live->runs[RUN_SHOWN] ? house_scenery(live) : (HouseScenery){NULL, NULL, NULL};
+    return live->runs[RUN_SHOWN] ? house_item_next(&scenery, thing, step) : (Item){0, 0};
 }
 
 static void select_thing(void *context, Item thing) {
     HouseSession *live = house_session_current(context);
-    bool known = live->shown && thing.index < house_item_count(&live->shown->house, live->observation, thing.kind);
+    bool known = live->runs[RUN_SHOWN] &&
+                 thing.index < house_item_count(&live->runs[RUN_SHOWN]->house, live->observation, thing.kind);
     Item chosen = known ? thing : (Item){0, 0};
     set_selected(live, chosen);
     editor_set_selected(live->editor, chosen);
@@ -333,20 +334,20 @@ static const char *name_thing(void *context, Item thing) {
     HouseSession *live = context;
     HouseWords *words = &live->words;
     *words->name = 0;
-    if (live->shown)
-        house_item_name(&live->shown->house, live->observation, thing, words->name, sizeof words->name);
+    if (live->runs[RUN_SHOWN])
+        house_item_name(&live->runs[RUN_SHOWN]->house, live->observation, thing, words->name, sizeof words->name);
     return words->name;
 }
 
 static size_t outline(const void *context, Item thing, double time, Vec2 *points) {
     const HouseSession *live = context;
-    if (!live->shown)
+    if (!live->runs[RUN_SHOWN])
         return 0;
     HouseScenery scenery = house_scenery(live);
     size_t count = house_item_outline(&scenery, thing, time, points);
     const FurnitureFall *fall = NULL;
     if (count && thing.kind == HOUSE_FURNITURE)
-        fall = house_fall_find(live, house_item_id(&live->shown->house, thing));
+        fall = house_fall_find(live, house_item_id(&live->runs[RUN_SHOWN]->house, thing));
     if (fall)
         furniture_fall_corners(&fall->piece, furniture_fall_share(fall), points);
     return count;
@@ -379,7 +380,7 @@ static bool sound(void *context, double from, double to, float *samples, size_t 
 
 uint64_t house_session_digest(void *context) {
     const HouseSession *live = house_session_current(context);
-    return live->whole && !live->latest && !live->mixed ? live->observation->digest : 0;
+    return live->whole && !live->runs[RUN_LATEST] && !live->runs[RUN_MIXED] ? live->observation->digest : 0;
 }
 
 static const char *const layer_names[LAYERS] = {

@@ -54,6 +54,20 @@ typedef struct HouseWords {
     char doing[96], done[96], clock[32], note[192], name[HOUSE_THING_NAME];
 } HouseWords;
 
+/* The roles of runs: see runs.h. */
+typedef enum HouseRunRole {
+    RUN_SHOWN,
+    RUN_LATEST,
+    RUN_OLDER,
+    RUN_MIXED,
+    RUN_CLEAN,
+    RUN_EARLY,
+    RUN_BEFORE,
+    RUN_RIVAL,
+    RUN_ROUTES,
+    RUN_ROLES,
+} HouseRunRole;
+
 typedef struct HouseSession {
     Draft *draft;            /* the house as it stands under the hand */
     Editor *editor;          /* of that */
@@ -64,23 +78,15 @@ typedef struct HouseSession {
     double time;             /* s, that is shown */
 
     HouseWorker *worker;
-    HouseRun *shown;  /* NULL: nothing is read yet */
-    HouseRun *latest; /* asked for after the one shown; NULL: none */
-    HouseRun *mixed;  /* asked for, to be shown: the plan changes while it goes on; NULL: none */
-    HouseRun *early;  /* of those in work, the one whose plan is drawn already; NULL: none */
-    HouseRun *clean;  /* of the draft from the beginning on, when the one shown is mixed; NULL: that is it */
-    HouseRun *older;  /* begun before the latest was asked for; NULL: none */
-    HouseRun *before; /* kept, perhaps the one shown; NULL: none */
-    HouseRun *rival;  /* the same house with the other way of driving; NULL: none */
-    HouseRun *ways;   /* planned in the house that is shown; NULL: none */
-    bool rival_over, ways_over;
-    bool kept_itself; /* the one before, by a change */
+    HouseRun *runs[RUN_ROLES]; /* see runs.h; NULL: none */
+    bool kept_itself;          /* the one before, by a change */
 
     Observation growing;            /* of the one shown while it goes on */
     const Observation *observation; /* of the one shown */
     TrailGrowth trails;             /* of that */
     bool whole;                     /* the one shown is over */
-    Film *film;                     /* NULL: to be made */
+    Film *film;                     /* NULL: none was made yet */
+    bool film_is_stale;             /* it must be made before it is displayed again */
     size_t epoch;                   /* of the run, that the film is of */
     bool fresh;                     /* nothing of the film has been shown yet */
     Scene nothing;                  /* shown before anything is read */
@@ -111,40 +117,18 @@ HouseSession *house_session_current(void *context);
 
 /* What can be pointed at. Something is shown. */
 static inline HouseScenery house_scenery(const HouseSession *live) {
-    return (HouseScenery){&live->shown->house, live->observation, live->trails.trails};
+    return (HouseScenery){&live->runs[RUN_SHOWN]->house, live->observation, live->trails.trails};
 }
 
-/* The draft has another plan than before: asks for its run, unless that is the one shown. */
-void house_follow_edited(HouseSession *live);
+/* The film must be made again before it is displayed. */
+static inline void house_session_void_film(HouseSession *live) {
+    live->film_is_stale = true;
+    live->changed |= LABORATORY_VIEW;
+}
 
-/* Runs: asks for one of the present wish and draft; keeps the one shown as before (false: it is not over, or
- * `by_itself` there is one already), or forgets the one before; takes over what has come, `time` is shown. */
-void house_follow_ask(HouseSession *live);
-bool house_follow_keep(HouseSession *live, bool by_itself);
-void house_follow_forget(HouseSession *live);
-void house_follow_all(HouseSession *live, double time);
-void house_follow_end(HouseSession *live);
-
-/* What is shown as a ghost; none: without an observation. */
-Before house_follow_ghost(const HouseSession *live);
-
-/* The way of driving that the house has not. */
-int house_follow_other(const HouseSession *live);
-
-/* The run whose answer is the draft's: the one shown, unless that is mixed. */
-const HouseRun *house_follow_answering(const HouseSession *live);
-
-/* Is what is in work only why somebody does not get out? The answer is there. */
-bool house_follow_seeks_reasons(const HouseSession *live);
-
-/* From the beginning on with the plan as it is. */
-void house_follow_clean(HouseSession *live);
-
-/* Up to when the record will not change any more, s. */
-double house_follow_reach(const HouseSession *live);
-
-/* The film is to be made anew before it is shown again. */
-void house_show_anew(HouseSession *live);
+static inline bool house_session_has_film(const HouseSession *live) {
+    return live->film && !live->film_is_stale;
+}
 
 /* Makes it, where that is to be, for a time. */
 void house_show_make(HouseSession *live, double time);

@@ -2,7 +2,7 @@
  * only grow; of a whole run they fit. */
 #include <string.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/house/runs.h"
 
 #define FIRST_SECONDS 10.0 /* of the axes' time, at least, while a run goes on */
 #define THICK_TAIL 2.0     /* s, of a plot whose x is no time */
@@ -53,8 +53,8 @@ void house_session_plots_make(HouseSession *live, bool anew) {
     if (plots->made)
         house_plots_free(&plots->plots);
     plots->made = true;
-    plots->plots = house_plots_make_of(&live->shown->house, live->observation, live->trails.trails,
-                                       house_follow_ghost(live), person, &all);
+    plots->plots = house_plots_make_of(&live->runs[RUN_SHOWN]->house, live->observation, live->trails.trails,
+                                       house_runs_compared(live), person, &all);
     for (size_t i = 0; i < HOUSE_PLOTS_KNOWN; i++) {
         Plot *plot = &plots->plots.plots[i];
         if (anew)

@@ -1,5 +1,5 @@
 /* The layers of a house that is shown. */
-#include "laboratory/house/session_parts.h"
+#include "laboratory/house/runs.h"
 
 enum { GHOSTS_MOST = 60 /* people: of more nobody could be told apart */ };
 
@@ -27,25 +27,21 @@ static int hidden_of(unsigned layers) {
     return hidden;
 }
 
-void house_show_anew(HouseSession *live) {
-    if (live->film)
-        film_destroy(live->film);
-    live->film = NULL;
-    live->changed |= LABORATORY_VIEW;
-}
-
 void house_show_make(HouseSession *live, double time) {
-    size_t epoch = live->shown ? house_run_epoch(live->shown, time) : 0;
+    size_t epoch = live->runs[RUN_SHOWN] ? house_run_epoch(live->runs[RUN_SHOWN], time) : 0;
     size_t falling = house_fall_count(live, time);
     if (epoch != live->epoch || falling != live->fall.drawn)
-        house_show_anew(live);
-    if (live->film || !live->shown)
+        house_session_void_film(live);
+    if (house_session_has_film(live) || !live->runs[RUN_SHOWN])
         return;
-    bool last = epoch + 1 == live->shown->wish.epoch_count;
-    const House *house = last && live->early ? &live->early->house : house_run_house(live->shown, epoch);
-    Before ghost = house_follow_ghost(live);
+    if (live->film)
+        film_destroy(live->film);
+    bool last = epoch + 1 == live->runs[RUN_SHOWN]->wish.epoch_count;
+    const House *house =
+        last && live->runs[RUN_EARLY] ? &live->runs[RUN_EARLY]->house : house_run_house(live->runs[RUN_SHOWN], epoch);
+    Before ghost = house_runs_compared(live);
     bool is_crowd = ghost.house && ghost.house->person_count > GHOSTS_MOST;
-    bool ways = live->ways_over && live->layers & 1u << LAYER_WIDTHS;
+    bool ways = house_runs_is_over(live, RUN_ROUTES) && live->layers & 1u << LAYER_WIDTHS;
     FilmOptions options = {.camera = live->camera,
                            .bare = true,
                            .shown = live->layers & 1u << LAYER_CIRCLES ? FILM_CIRCLES : 0,
@@ -53,14 +49,15 @@ void house_show_make(HouseSession *live, double time) {
                            .before = is_crowd ? (Before){.house = NULL} : ghost,
                            .live = true,
                            .ahead = live->whole && live->ghost == GHOST_BEFORE && ghost.house, /* both to compare */
-                           .observed = house == &live->shown->house ? NULL : &live->shown->house,
+                           .observed = house == &live->runs[RUN_SHOWN]->house ? NULL : &live->runs[RUN_SHOWN]->house,
                            .trails = live->trails.trails,
-                           .ways = ways ? &live->ways->ways : NULL,
+                           .ways = ways ? &live->runs[RUN_ROUTES]->ways : NULL,
                            .falling = live->fall.pieces,
                            .falling_count = falling,
-                           .box = box_of(&live->shown->house)};
+                           .box = box_of(&live->runs[RUN_SHOWN]->house)};
     live->epoch = epoch;
     live->fall.drawn = falling;
     live->film = film_create(house, live->observation, &options);
+    live->film_is_stale = false;
     live->fresh = true;
 }

@@ -5,7 +5,7 @@
 
 #include "base/clock.h"
 #include "visual/house/blockage_scene.h"
-#include "laboratory/house/session_parts.h"
+#include "laboratory/house/runs.h"
 #include "result/house.h"
 #include "result/panel.h"
 #include "visual/house/people_scene.h"
@@ -30,12 +30,12 @@ PanelRow *house_words_add(HouseSession *live, RowKind kind, const char *first) {
 
 /* Adds the facts of the whole run before and now. */
 static void compare(HouseSession *live) {
-    Before ghost = house_follow_ghost(live);
+    Before ghost = house_runs_compared(live);
     Scene *scene = &live->words.moment;
     if (!ghost.observation || !live->whole)
         return;
     ResultTable before = result_house_totals(ghost.house, ghost.observation),
-                now = result_house_totals(&live->shown->house, live->observation);
+                now = result_house_totals(&live->runs[RUN_SHOWN]->house, live->observation);
     house_words_add(live, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_name(ghost)));
     for (size_t r = 0; r < now.row_count; r++) {
         SceneRow line;
@@ -77,7 +77,7 @@ static size_t first_stopped(const Observation *observation) {
 /* Rows of the scene's list with what they mean: the n-th below a heading is the n-th of its kind. */
 static void add_listed(HouseSession *live) {
     const Scene *scene = &live->words.run;
-    const House *house = &live->shown->house;
+    const House *house = &live->runs[RUN_SHOWN]->house;
     size_t hazard = 0, person = 0, stopped = first_stopped(live->observation);
     bool stops = live->whole && stopped < live->observation->person_count;
     for (size_t i = 0; i < scene->row_count; i++) {
@@ -133,8 +133,8 @@ static void make_ticks(HouseSession *live) {
         if (person->reason == REASON_DIVERGED)
             add_tick(live, person->time, TIMELINE_TROUBLE);
     }
-    for (size_t i = 1; i < live->shown->wish.epoch_count; i++)
-        add_tick(live, live->shown->wish.epochs[i].time, TIMELINE_CHANGE);
+    for (size_t i = 1; i < live->runs[RUN_SHOWN]->wish.epoch_count; i++)
+        add_tick(live, live->runs[RUN_SHOWN]->wish.epochs[i].time, TIMELINE_CHANGE);
     if (live->words.tick_count > 1)
         qsort(live->words.ticks, live->words.tick_count, sizeof *live->words.ticks, compare_ticks);
 }
@@ -143,9 +143,10 @@ static void make_ticks(HouseSession *live) {
 
 /* "before 24.1 s, -5.7 s (-24 %)" */
 static const char *against(HouseSession *live, const Observation *now) {
-    Before ghost = house_follow_ghost(live);
-    if (!ghost.observation && live->clean && live->before) /* which is shown still: the answer is newer */
-        ghost = (Before){.house = &live->before->house, .observation = &live->before->observation};
+    Before ghost = house_runs_compared(live);
+    if (!ghost.observation && live->runs[RUN_CLEAN] &&
+        live->runs[RUN_BEFORE]) /* which is shown still: the answer is newer */
+        ghost = (Before){.house = &live->runs[RUN_BEFORE]->house, .observation = &live->runs[RUN_BEFORE]->observation};
     Scene *scene = &live->words.moment;
     if (!ghost.observation)
         return "";
@@ -162,21 +163,21 @@ static const char *against(HouseSession *live, const Observation *now) {
 
 static void say_answer(HouseSession *live) {
     HouseWords *words = &live->words;
-    const Scene *run = live->clean ? &words->clean : &words->run;
-    if (!live->whole && !live->clean) {
+    const Scene *run = live->runs[RUN_CLEAN] ? &words->clean : &words->run;
+    if (!live->whole && !live->runs[RUN_CLEAN]) {
         words->title = live->observation->trace.rows ? "Driving ..." : "Planning ...";
         words->role = ROLE_TEXT;
         words->detail = "";
         return;
     }
-    const HouseRun *answering = house_follow_answering(live);
+    const HouseRun *answering = house_runs_answering(live);
     if (!answering->house.person_count) {
         words->title = run->title;
         words->role = run->title_role;
         words->detail = "W draws walls, D a door, X an exit; P places a person, who then tries to get out";
         return;
     }
-    const char *than = against(live, live->clean ? &answering->observation : live->observation);
+    const char *than = against(live, live->runs[RUN_CLEAN] ? &answering->observation : live->observation);
     words->title = run->title;
     words->role = run->title_role;
     words->detail =
@@ -186,19 +187,20 @@ static void say_answer(HouseSession *live) {
 /* What is said of the draft from the beginning on, when the run shown is mixed. */
 static void tell_clean(HouseSession *live) {
     scene_clear(&live->words.clean);
-    if (!live->clean)
+    if (!live->runs[RUN_CLEAN])
         return;
-    Census census = census_make(&live->clean->house, &live->clean->observation);
-    house_scene_add_answer(&live->words.clean, &live->clean->house, &live->clean->observation, &census);
+    Census census = census_make(&live->runs[RUN_CLEAN]->house, &live->runs[RUN_CLEAN]->observation);
+    house_scene_add_answer(&live->words.clean, &live->runs[RUN_CLEAN]->house, &live->runs[RUN_CLEAN]->observation,
+                           &census);
     census_clear(&census);
 }
 
 /* What is said of the run as a whole. */
 static void tell_run(HouseSession *live) {
     tell_clean(live);
-    Census census = census_make(&live->shown->house, live->observation);
+    Census census = census_make(&live->runs[RUN_SHOWN]->house, live->observation);
     scene_clear(&live->words.run);
-    house_scene_add_answer(&live->words.run, &live->shown->house, live->observation, &census);
+    house_scene_add_answer(&live->words.run, &live->runs[RUN_SHOWN]->house, live->observation, &census);
     census_clear(&census);
     find_times(live);
     make_ticks(live);
@@ -229,7 +231,7 @@ void house_words_clear(HouseSession *live) {
 }
 
 bool house_words_moved(const HouseSession *live, double time) {
-    if (!live->shown || live->selected.kind != HOUSE_PERSON || time == live->words.time)
+    if (!live->runs[RUN_SHOWN] || live->selected.kind != HOUSE_PERSON || time == live->words.time)
         return false;
     const Trail *trail = &live->trails.trails[live->selected.index];
     return clock_now() - live->words.said >= MOMENT &&
@@ -240,23 +242,23 @@ bool house_words_moved(const HouseSession *live, double time) {
 static const char *say_doing(HouseSession *live) {
     HouseWords *words = &live->words;
     char who[32] = "";
-    if (house_follow_seeks_reasons(live))
+    if (house_runs_seeks_reasons(live))
         return "looking for the reason";
-    HouseRun *run = live->latest ? live->latest : live->mixed;
-    if (!run && live->shown && !live->whole)
-        run = live->shown;
-    if (!run && live->rival && !live->rival_over) {
-        run = live->rival;
+    HouseRun *run = live->runs[RUN_LATEST] ? live->runs[RUN_LATEST] : live->runs[RUN_MIXED];
+    if (!run && live->runs[RUN_SHOWN] && !live->whole)
+        run = live->runs[RUN_SHOWN];
+    if (!run && live->runs[RUN_RIVAL] && !house_runs_is_over(live, RUN_RIVAL)) {
+        run = live->runs[RUN_RIVAL];
         snprintf(who, sizeof who, "%s: ", profile_driving_name(run->wish.driving));
     }
-    if (!run && live->ways && !live->ways_over)
-        run = live->ways;
+    if (!run && live->runs[RUN_ROUTES] && !house_runs_is_over(live, RUN_ROUTES))
+        run = live->runs[RUN_ROUTES];
     return run && house_run_say(run, who, words->doing, sizeof words->doing) ? words->doing : NULL;
 }
 
 /* Before anything is shown. */
 static Result answer_nothing(HouseSession *live) {
-    if (live->latest)
+    if (live->runs[RUN_LATEST])
         return (Result){.title = "Reading ...", .role = ROLE_TEXT, .detail = "", .doing = say_doing(live), .part = NAN};
     return (Result){.title = "This house cannot be run",
                     .role = ROLE_ERROR,
@@ -266,12 +268,12 @@ static Result answer_nothing(HouseSession *live) {
 
 Result house_words_answer(HouseSession *live) {
     const HouseWords *words = &live->words;
-    if (!live->shown)
+    if (!live->runs[RUN_SHOWN])
         return answer_nothing(live);
     return (Result){.title = words->title ? words->title : "Planning ...",
                     .role = words->role,
                     .detail = words->detail ? words->detail : "",
-                    .stale = live->latest && !house_follow_seeks_reasons(live),
+                    .stale = live->runs[RUN_LATEST] && !house_runs_seeks_reasons(live),
                     .doing = say_doing(live),
                     .part = NAN};
 }
