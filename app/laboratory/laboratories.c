@@ -1,9 +1,8 @@
-/* The table of laboratories. */
+#include "laboratory/laboratories.h"
+
 #include <stddef.h>
 
-#include "laboratory/laboratory.h"
 #include "laboratory/shipped.h"
-#include "laboratory/thumbnail.h"
 
 const LaboratoryRow laboratories[] = {
     {&house_laboratory, "Simulate how people leave a house.", "F2", offsetof(Shipped, houses), "ube-techno-house.json",

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "laboratory/laboratories.h"
 #include "laboratory/shipped.h"
 
 /* Longer than any house or beam that is opened in a window. */

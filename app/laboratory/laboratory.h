@@ -18,8 +18,6 @@
 #include "plot/plot.h"
 #include "draw/scene.h"
 
-struct Thumbnail;
-
 typedef struct LaboratoryOptions {
     const char *profiles;        /* directory of the shipped profiles */
     const char *const *settings; /* (setting_count) NAME=VALUE */
@@ -252,23 +250,6 @@ typedef struct Laboratory {
 } Laboratory;
 
 extern const Laboratory house_laboratory, beam_laboratory;
-
-/* A laboratory of the window. To add one, write its Laboratory and add a row to the table in laboratories.c: tabs,
- * keys, the gallery, lists of files, settings, scripts and exports follow from the rows. */
-typedef struct LaboratoryRow {
-    const Laboratory *laboratory;
-    const char *help;  /* a sentence */
-    const char *key;   /* that shows it: "F2" */
-    size_t folder;     /* of the files that come with the program: offset of the path in Shipped */
-    const char *file;  /* in that folder: it is opened when no other is asked for */
-    const char *plots; /* all that `--plots` makes: "speed,clearance" */
-
-    /* Reads a file's name, line and picture without a run. False: faults say why, and the thumbnail is empty. */
-    bool (*read_thumbnail)(struct Thumbnail *thumbnail, const char *path, Fault *fault);
-} LaboratoryRow;
-
-extern const LaboratoryRow laboratories[]; /* (laboratories_count) in the order of their tabs */
-extern const size_t laboratories_count;
 
 /* Returns the index of the laboratory that a file belongs to, by what is in it; 0 if nothing in it says so. */
 size_t laboratory_of(const char *path);

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "laboratory/laboratory.h"
+#include "laboratory/laboratories.h"
 #include "platform/sdl_window.h"
 
 const char *const keys_menus[MENUS] = {[MENU_FILE] = "File", [MENU_EDIT] = "Edit", [MENU_TOOLS] = "Tools",

@@ -11,7 +11,7 @@
 #include "base/choice.h"
 #include "base/json.h"
 #include "base/text.h"
-#include "laboratory/laboratory.h"
+#include "laboratory/laboratories.h"
 
 enum {
     LARGEST_FILE = 1 << 20, /* bytes */

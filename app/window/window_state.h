@@ -2,6 +2,7 @@
 #pragma once
 
 #include "laboratory/edit/editor.h"
+#include "laboratory/laboratories.h"
 #include "platform/export.h"
 #include "window/frame.h"
 #include "platform/folder.h"
