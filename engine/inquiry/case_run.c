@@ -11,13 +11,13 @@
 /* One variant of one case with one seed, and the answers to the questions of that case's checks. */
 typedef struct CaseRun {
     const Verification *verification;
-    const char *house;     /* path */
+    const char *house;     /* path of the house */
     const char **settings; /* (setting_count) */
     size_t setting_count;
     size_t variant;
-    int seed; /* from 0, added to the first */
+    int seed; /* counted from 0, added to the first seed */
     bool done;
-    MeasureAnswer *answers; /* (2 x check_count): what is asked, and what it is compared with */
+    MeasureAnswer *answers; /* (2 x check_count): answers for both sides of each check */
     Fault fault;
 } CaseRun;
 
@@ -25,10 +25,10 @@ typedef struct CaseRuns {
     const CaseRunOptions *options;
     CaseRun *runs; /* (count) */
     size_t count, done;
-    pthread_mutex_t lock; /* of `done` and of who reports progress */
+    pthread_mutex_t lock; /* protects `done` and progress reports */
 } CaseRuns;
 
-/* What a check asks of its side 0, or of side 1, which it is compared with. */
+/* Returns the question of a check for side 0, or for side 1, which side 0 is compared with. */
 static MeasureQuestion question_of(const VerificationCheck *check, int side) {
     MeasureQuestion question = check->question;
     if (side && check->than_of.count)
@@ -38,7 +38,7 @@ static MeasureQuestion question_of(const VerificationCheck *check, int side) {
     return question;
 }
 
-/* A check asks a run for its variant and for as many seeds as it has. */
+/* True if the check needs the run: its variant, and one of as many seeds as the check has. */
 static bool concerns(const VerificationCheck *check, int side, const CaseRun *run) {
     return (side == 0 || check->is_ratio) && check->sides[side] == run->variant && run->seed < check->seeds;
 }
@@ -85,7 +85,7 @@ static void run_one(void *context, size_t index) {
     pthread_mutex_unlock(&runs->lock);
 }
 
-/* How many seeds the checks of a case ask a variant for. */
+/* Returns the largest number of seeds that the checks of a case need of a variant. */
 static int seeds_of(const Verification *verification, size_t variant) {
     int most = 0;
     for (size_t c = 0; c < verification->check_count; c++) {
@@ -116,7 +116,7 @@ static void add_runs(CaseRuns *runs, size_t *capacity, Verification *verificatio
     }
 }
 
-/* The mean over the seeds of one side of a check. False: not all of it has been run. */
+/* Computes the mean over the seeds of one side of a check. Returns false if a run is missing. */
 static bool mean_of(double *mean, VerificationCheck *check, size_t c, int side, const Verification *verification,
                     const CaseRuns *runs) {
     int found = 0;
@@ -146,7 +146,7 @@ static void judge(VerificationCheck *check, size_t c, const Verification *verifi
     check->verdict = check->value >= check->low && check->value <= check->high ? VERDICT_PASSED : VERDICT_FAILED;
 }
 
-/* The same house is wrong in the same way with every seed. */
+/* Adds errors that are new: a house has the same errors with every seed. */
 static void add_new_faults(Fault *fault, const Fault *more) {
     for (size_t l = 0; l < more->count; l++) {
         bool known = false;

@@ -9,7 +9,8 @@
 #include "base/memory.h"
 #include "base/order.h"
 
-/* m: who has moved so far from where they stood has started. A hair, but more than a personal space settles by. */
+/* m: a person who has moved this far from the start has started. Larger than the displacement by which personal spaces
+ * settle. */
 static const double HAIR = 0.01;
 
 /* Who is asked about ------------------------------------------------------------------------------------------------*/
@@ -50,7 +51,7 @@ static void no_value(MeasureAnswer *answer, const char *format, ...) {
     answer->value = (double)NAN;
 }
 
-/* False, with a note: somebody of those asked about is still in, or nobody is asked about. */
+/* Returns false, with a note, if one of the people is still in, or there are no people. */
 static bool all_out(MeasureAnswer *answer, const House *house, const Observation *observation,
                     const MeasureQuestion *question) {
     size_t count = 0, left = 0, first = SIZE_MAX;
@@ -177,14 +178,14 @@ static void take_overtaking(MeasureAnswer *answer, const House *house, const Obs
 
 /* The trace ---------------------------------------------------------------------------------------------------------*/
 
-/* What somebody did from one row of the trace to their next. */
+/* The motion of a person from one row of the trace to the next. */
 typedef struct Move {
     size_t person;
     double from, until; /* s */
     Vec2 a, b;          /* m */
 } Move;
 
-/* Walks through the trace; `last` (person_count) remembers each person's row. */
+/* Walks through the trace; `last` (person_count) stores each person's last row. */
 typedef struct Walk {
     const Trace *trace;
     size_t row;
@@ -234,7 +235,7 @@ static double area_of(const Points *outline) {
 
 static void take_start(MeasureAnswer *answer, const House *house, const Observation *observation,
                        const MeasureQuestion *question) {
-    double *started = memory_zeroed(observation->person_count, sizeof *started); /* s; 0: not yet */
+    double *started = memory_zeroed(observation->person_count, sizeof *started); /* s; 0: not started */
     Move move;
     for (Walk walk = walk_begin(observation); walk_next(&walk, &move);)
         if (started[move.person] <= 0 && vec2_distance(move.b, house->people[move.person].at) > HAIR)
@@ -252,15 +253,15 @@ static void take_start(MeasureAnswer *answer, const House *house, const Observat
     memory_free(started);
 }
 
-/* Somebody's way through the area: from the first position in it to the last. */
+/* The path of a person through the area: from the first position in it to the last. */
 typedef struct Crossing {
     double from, until; /* s */
     double way;         /* m */
     bool seen;
 } Crossing;
 
-/* The speeds (m/s) at which those asked about cross the area, or go from their start to the exit when there is none.
- * Returns how many; the caller frees `*speeds`. */
+/* Computes the speeds (m/s) of the people across the area, or from their start to the exit without an area. Returns
+ * their number; the caller frees `*speeds`. */
 static size_t crossing_speeds(double **speeds, const House *house, const Observation *observation,
                               const MeasureQuestion *question) {
     Crossing *crossings = memory_zeroed(observation->person_count, sizeof *crossings);
@@ -335,7 +336,7 @@ static void take_fastest(MeasureAnswer *answer, const House *house, const Observ
         no_value(answer, "nobody crosses the area");
 }
 
-/* When the way from a to b passes between the line's ends, as a share of it; negative: it does not. */
+/* Returns the fraction of the path from a to b at which it passes between the line's ends; negative: it does not. */
 static double passes(const Points *line, Vec2 a, Vec2 b) {
     Vec2 along = vec2_sub(line->at[1], line->at[0]), way = vec2_sub(b, a);
     double before = vec2_cross(along, vec2_sub(a, line->at[0])), after = vec2_cross(along, vec2_sub(b, line->at[0]));
@@ -346,7 +347,7 @@ static double passes(const Points *line, Vec2 a, Vec2 b) {
     return place >= 0 && place <= 1 ? share : -1;
 }
 
-/* The sorted times (s) at which those asked about pass the exit or, for the first time, the line. */
+/* Computes the sorted times (s) at which the people pass the exit or, for the first time, the line. */
 static size_t passing_times(double **times, const House *house, const Observation *observation,
                             const MeasureQuestion *question) {
     double *passed = memory_zeroed(observation->person_count, sizeof *passed);
@@ -410,7 +411,8 @@ static void take_last_passing(MeasureAnswer *answer, const House *house, const O
     memory_free(times);
 }
 
-/* Time (person s) spent and way (m) covered in the area within the window. False, with a note: the run is shorter. */
+/* Adds up time (person s) and distance (m) in the area within the window. Returns false, with a note, if the run is
+ * shorter. */
 static bool stay(double *time, double *way, MeasureAnswer *answer, const House *house, const Observation *observation,
                  const MeasureQuestion *question) {
     *time = *way = 0;

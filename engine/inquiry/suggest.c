@@ -11,13 +11,13 @@
 #include "inquiry/suggest_search.h"
 #include "plan/plan_geometry.h"
 
-enum { TOGETHER_MOST = 6 /* changes proposed together */ };
+enum { TOGETHER_MOST = 6 /* largest number of changes proposed together */ };
 
-/* What may be changed, at its utmost: doors at their widest, pieces away; the nearest to where somebody sticks first.
- */
+/* All possible changes at their maximum: doors at their widest, pieces removed; ordered by distance from the first
+ * blocked person. */
 typedef struct Elements {
     Change *of;   /* (count) */
-    double *away; /* m, how far from there */
+    double *away; /* m, distance from there */
     size_t count;
 } Elements;
 
@@ -74,7 +74,7 @@ static int compare_suggestions(const void *a, const void *b) {
     return p->size != q->size ? (p->size < q->size ? -1 : 1) : strcmp(p->words, q->words);
 }
 
-/* Of two that are alike, or when the list is full, the smaller one stays. */
+/* Adds a suggestion. Of two similar ones, or when the list is full, the smaller one stays. */
 static void add_suggestion(SuggestList *list, const Plan *plan, const Change *changes, size_t count, double time) {
     Suggestion one = {.time = time};
     Text words = {0};
@@ -101,7 +101,7 @@ static void add_suggestion(SuggestList *list, const Plan *plan, const Change *ch
 
 /* One change alone ------------------------------------------------------------------------------------------------- */
 
-/* Of the elements from `first` to `last`, which together are enough, those that alone are. `good` (elements). */
+/* Finds the elements from `first` to `last`, sufficient together, that are sufficient alone. `good` (elements). */
 static void sift(Search *search, const Elements *elements, size_t first, size_t last, bool *good) {
     if (last - first == 1) {
         good[first] = true;
@@ -120,7 +120,7 @@ static void sift(Search *search, const Elements *elements, size_t first, size_t 
         sift(search, elements, middle, last, good);
 }
 
-/* An element that is enough, of which nothing was found that is less. */
+/* Notes an element that is sufficient, but for which no smaller change was found. */
 static void note_unfound(SuggestList *list, Search *search, const Change *element) {
     const char *words = suggest_change_words(&search->base->plan, element, &list->arena);
     bool cut_short = search->exhausted || parallel_stopped(search->task->stop);
@@ -130,7 +130,7 @@ static void note_unfound(SuggestList *list, Search *search, const Change *elemen
                                  words));
 }
 
-/* Elements that are enough but cannot be made real are taken out of the list. */
+/* Suggests single changes. Elements that are sufficient but cannot be realised are removed from the list. */
 static void suggest_singles(SuggestList *list, Search *search, Elements *elements) {
     const Plan *plan = &search->base->plan;
     bool *good = arena_allocate(&search->arena, elements->count * sizeof *good);
@@ -152,8 +152,8 @@ static void suggest_singles(SuggestList *list, Search *search, Elements *element
 
 /* Several together ------------------------------------------------------------------------------------------------- */
 
-/* Puts elements back one by one, the farthest first, those of one kind before the others. Returns how many are left in
- * `needed`, none when all together were not enough. */
+/* Undoes changes one by one, the farthest first, those of one kind before the others. Returns the number left in
+ * `needed`, 0 when all together were not sufficient. */
 static size_t put_back(Search *search, const Elements *elements, bool furniture_first, Change *needed) {
     size_t left = elements->count;
     memcpy(needed, elements->of, left * sizeof *needed);
@@ -181,7 +181,7 @@ static size_t put_back(Search *search, const Elements *elements, bool furniture_
     return left;
 }
 
-/* Makes one of the needed changes (count) after the other as small as it can be while the others are as they are. */
+/* Minimises the needed changes (count) one after another, with the others fixed. */
 static bool shrink(Search *search, Change *needed, size_t count, double *time) {
     const Plan *plan = &search->base->plan;
     for (size_t n = 0; n < count; n++) {
@@ -215,7 +215,7 @@ static void suggest_together(SuggestList *list, Search *search, const Elements *
 
 /* The whole -------------------------------------------------------------------------------------------------------- */
 
-/* The first who does not get out, or person_count. */
+/* Returns the first person who does not leave, or person_count. */
 static size_t first_stuck(const Observation *observation) {
     size_t i = 0;
     while (i < observation->person_count && (!observation->people[i].took_part || observation->people[i].completed))
@@ -223,7 +223,7 @@ static size_t first_stuck(const Observation *observation) {
     return i;
 }
 
-/* "p1 cannot pass wall w1: needs at least 0.87 m, has 0.80 m" */
+/* Returns "p1 cannot pass wall w1: needs at least 0.87 m, has 0.80 m". */
 static const char *stuck_words(const House *house, const Observation *observation, Arena *arena) {
     size_t i = first_stuck(observation);
     const PersonObservation *person = &observation->people[i];
@@ -234,7 +234,7 @@ static const char *stuck_words(const House *house, const Observation *observatio
                          *widths ? ", " : "", widths);
 }
 
-/* Says why not even everything at once is enough. */
+/* Explains why even all changes together are not sufficient. */
 static void explain_nothing(SuggestList *list, Search *search, const Elements *elements) {
     House house = {0};
     Attempt all = {.changes = elements->of, .count = elements->count};
@@ -265,7 +265,7 @@ static void suggest_all(SuggestList *list, Search *search, Vec2 stuck) {
         suggest_together(list, search, &elements);
 }
 
-/* Who sticks, and is that a question of planning? */
+/* Notes the blocked people, and whether planning alone decides. */
 static Vec2 note_stuck(Search *search, const Observation *observation) {
     search->stuck = arena_allocate(&search->arena, (observation->person_count + 1) * sizeof *search->stuck);
     search->by_plan = true;

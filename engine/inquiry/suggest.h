@@ -1,19 +1,19 @@
-/* The smallest changes that let everybody out of a house in which somebody does not get out.
+/* Finds the smallest changes to a house with which all people can leave, if some cannot.
  *
- * What may be changed: a door is widened, within the stretch of wall that is free beside it; a piece of furniture is
- * moved within its room, turned by a quarter, or stood up where it lies. Walls stay where they are, locked doors locked
- * and exits as they open. How large a change is, is measured in metres:
+ * Possible changes: a door is widened, within the free stretch of wall next to it; a piece of furniture is moved within
+ * its room, turned by a quarter, or stood up where it lies. Walls, locked doors and opening times of exits do not
+ * change. The size of a change is measured in metres:
  *
- *     widening      by how much the opening grows
- *     moving        how far the piece is carried
- *     turning       how far its corners go: 2 sin(angle / 2) of half its diagonal
- *     standing up   how much floor it gives back: its height
+ *     widening      increase of the opening
+ *     moving        distance of the piece
+ *     turning       distance of its corners: 2 sin(angle / 2) times half its diagonal
+ *     standing up   floor length gained: its height
  *
- * and several together by their sum. Method: everything is changed at once as far as it goes (doors as wide as their
- * walls let them be, all furniture gone); when that is not enough, nothing is. What alone is enough is then found by
- * halving the lot as long as a half is enough. When nothing alone is, things are put back one by one as long as
- * everybody still gets out; what is left is needed together. Each change is then made as small as it can be, to 1 cm,
- * by bisection, and what is proposed has been run to the end with everybody out. */
+ * and several changes by their sum. Method: first everything is changed at once as far as possible (doors as wide as
+ * their walls allow, all furniture removed); if that is not enough, there is no solution. Single sufficient changes are
+ * then found by halving the set as long as a half is sufficient. If no single change is, the changes are undone one by
+ * one as long as all people still leave; the remaining ones are needed together. Each change is then minimised by
+ * bisection, to 1 cm, and every suggestion has been run to the end with all people out. */
 #pragma once
 
 #include <signal.h>
@@ -25,44 +25,45 @@
 #include "house/house.h"
 
 enum {
-    SUGGEST_TRIES = 1000, /* houses tried, at most, unless the task says otherwise */
+    SUGGEST_TRIES = 1000, /* largest number of houses tried, unless the task sets it */
     SUGGEST_MOST = 12,    /* suggestions */
 };
 
 typedef struct Suggestion {
     const char *words;           /* "Widen door d2 from 0.75 m to 0.79 m" */
-    const char *const *settings; /* (setting_count) NAME=VALUE, which make the house so */
+    const char *const *settings; /* (setting_count) NAME=VALUE, the settings of the change */
     size_t setting_count;
     double size; /* m */
-    double time; /* s, until everybody is out then */
+    double time; /* s, until all people are out with the change */
 } Suggestion;
 
-/* Zero is an empty list. Texts live in the arena; suggest_clear releases all. */
+/* A zeroed list is empty. Texts live in the arena; suggest_clear releases everything. */
 typedef struct SuggestList {
-    bool out_already; /* everybody gets out as it is: nothing is suggested */
-    double time;      /* s, when the last one got out as it is, or the run ended */
+    bool out_already; /* True if all people leave the unchanged house: nothing is suggested */
+    double time;      /* s, when the last person left the unchanged house, or the run ended */
     Suggestion list[SUGGEST_MOST];
     size_t count;       /* smallest first */
-    const char **notes; /* (note_count) sentences: what was tried, what cannot be changed, and why */
+    const char **notes; /* (note_count) sentences: attempts, impossible changes, and reasons */
     size_t note_count, note_capacity;
-    size_t tries;   /* houses */
-    bool exhausted; /* the tries were used up: there may be others */
-    bool stopped;   /* before it was complete */
+    size_t tries;   /* number of houses tried */
+    bool exhausted; /* True if the tries were used up: there may be other suggestions */
+    bool stopped;   /* True if stopped before completion */
     Arena arena;
 } SuggestList;
 
 typedef struct SuggestTask {
-    const char *path; /* of the house */
-    const char *text; /* of its file, which need not be on the disk; NULL: what is there */
+    const char *path; /* path of the house */
+    const char *text; /* text of its file, which need not be on disk; NULL: the file is read */
     const HouseOptions *options;
     size_t most_tries; /* 0: SUGGEST_TRIES */
-    int jobs;          /* threads */
+    int jobs;          /* number of threads */
     const volatile sig_atomic_t *stop;
-    void (*progress)(void *context, size_t tries); /* so far; from one thread at a time; NULL: none */
+    void (*progress)(void *context,
+                     size_t tries); /* number of tries so far; called from one thread at a time; NULL: none */
     void *context;
 } SuggestTask;
 
-/* Looks for them, on any thread; the same answer for any number of jobs. False: the house cannot be read, faults say
- * why. */
+/* Searches on any thread, with the same result for any number of jobs. Returns false after an error if the house cannot
+ * be read. */
 bool suggest_find(SuggestList *list, const SuggestTask *task, Fault *fault);
 void suggest_clear(SuggestList *list);

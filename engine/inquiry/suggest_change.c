@@ -10,13 +10,13 @@
 #include "space/solids.h"
 
 #define TOUCH 0.002     /* m: walls and furniture that overlap by less only touch */
-#define JOINT 1e-3      /* m: walls as near to one another as that meet */
-#define ROUNDING 1e-3   /* m, of moves */
-#define VANISHED "0.01" /* m, the size of a piece that is not there, inside a wall */
+#define JOINT 1e-3      /* m: walls this near to each other meet */
+#define ROUNDING 1e-3   /* m, of displacements */
+#define VANISHED "0.01" /* m, the size of a removed piece, inside a wall */
 
 /* Doors ------------------------------------------------------------------------------------------------------------ */
 
-/* A stretch of the door's segment that is taken. */
+/* Removes an occupied stretch of the door's segment. */
 static void take_out(double door_at, double from, double to, double *low, double *high) {
     if ((from + to) / 2 < door_at)
         *low = fmax(*low, to);
@@ -24,7 +24,7 @@ static void take_out(double door_at, double from, double to, double *low, double
         *high = fmin(*high, from);
 }
 
-/* Where another wall's segment meets that of the door, its thickness is taken. */
+/* Removes the thickness of a wall segment where it meets that of the door. */
 static void take_out_wall(const Plan *plan, const Door *door, const Vec2 *own, const Wall *other, const Vec2 *segment,
                           double *low, double *high) {
     double half = plan->walls[door->wall_index].thickness / 2;
@@ -90,7 +90,7 @@ static Furniture changed_piece(const Plan *plan, const Change *change) {
     return piece;
 }
 
-/* Does it stand no deeper in something than it did? */
+/* True if the piece overlaps the other one no deeper than before. */
 static bool no_deeper(const Vec2 before[4], const Vec2 after[4], const Vec2 solid[4]) {
     return rectangle_overlap(after, solid) <= fmax(rectangle_overlap(before, solid), TOUCH);
 }
@@ -172,13 +172,13 @@ size_t suggest_change_settings(const Plan *plan, const Change *change, const cha
     if (change->by.y != 0)
         settings[count++] =
             text_in_arena(arena, "furniture.%s.centre.y=%.10g", piece->id, piece->centre.y + change->by.y);
-    if (change->angle != 0) /* within what a file may say */
+    if (change->angle != 0) /* within the range of a file */
         settings[count++] =
             text_in_arena(arena, "furniture.%s.angle=%.10g", piece->id, remainder(piece->angle + change->angle, 360));
     return count;
 }
 
-/* "0.30 m to the right and 0.10 m up", as on the plan. */
+/* Returns "0.30 m to the right and 0.10 m up", as on the plan. */
 static const char *way_words(Vec2 by, Arena *arena) {
     const char *across = by.x > 0 ? "to the right" : "to the left", *along = by.y > 0 ? "up" : "down";
     if (by.y == 0)
@@ -191,7 +191,7 @@ static const char *way_words(Vec2 by, Arena *arena) {
 const char *suggest_change_words(const Plan *plan, const Change *change, Arena *arena) {
     if (change->kind == CHANGE_WIDEN) {
         const Door *door = &plan->doors[change->index];
-        bool whole = fabs(door->width * 100 - round(door->width * 100)) < 1e-6; /* in centimetres */
+        bool whole = fabs(door->width * 100 - round(door->width * 100)) < 1e-6; /* whole centimetres */
         return text_in_arena(arena, "widen door %s from %.*f m to %.2f m", door->id, whole ? 2 : 3, door->width,
                              change->width);
     }

@@ -7,15 +7,15 @@
 #include "house/journey.h"
 #include "house/run.h"
 
-#define STEP 0.01    /* m, of what is proposed */
-#define ON_STEP 1e-6 /* of a step: a whole number of them stays one */
+#define STEP 0.01    /* m, of suggestions */
+#define ON_STEP 1e-6 /* of a step: keeps whole numbers of steps whole */
 
 enum {
     DIRECTIONS = 16,   /* in which a piece is moved */
-    LADDERS_MOST = 16, /* at a time */
+    LADDERS_MOST = 16, /* tried at the same time */
 };
 
-/* Steps of the rings on which a piece is tried. */
+/* Radii of the rings on which a piece is tried, in steps. */
 static const int rings[] = {5, 10, 15, 20, 30, 40, 60, 80, 120};
 enum { RINGS = sizeof rings / sizeof *rings };
 
@@ -92,7 +92,7 @@ bool suggest_search_try(Search *search, Attempt *attempts, size_t count) {
     return !parallel_stopped(search->task->stop);
 }
 
-/* Changes (count) and one more, in the search's arena. */
+/* Returns the changes (count) and one more, in the search's arena. */
 static const Change *with_one(Search *search, const Change *changes, size_t count, Change one) {
     Change *all = arena_allocate(&search->arena, (count + 1) * sizeof *all);
     if (count)
@@ -103,10 +103,10 @@ static const Change *with_one(Search *search, const Change *changes, size_t coun
 
 /* Ladders: how small a change can be ------------------------------------------------------------------------------- */
 
-/* A door, or a piece in one direction; on step `low` it is not enough, on step `high` it is. */
+/* A door, or a piece in one direction: step `low` is not sufficient, step `high` is. */
 typedef struct Ladder {
     const Change *element;
-    double direction; /* rad, of a piece */
+    double direction; /* rad, direction of a piece */
     int low, high;
     double time; /* s, on step `high` */
 } Ladder;
@@ -127,7 +127,8 @@ static bool can_be(const Search *search, const Change *change) {
     return change->kind == CHANGE_WIDEN || suggest_change_stands_free(&search->base->plan, change);
 }
 
-/* Tries each ladder (count) on its step; `good` as well as the ladder's time. False: it was not tried. */
+/* Tries each ladder (count) on its step; fills in `good` and the ladders' times. Returns false if they were not tried.
+ */
 static bool climb(Search *search, const Change *others, size_t other_count, Ladder *ladders, size_t count,
                   const int *steps, bool *good) {
     Attempt attempts[LADDERS_MOST];
@@ -151,7 +152,7 @@ static bool climb(Search *search, const Change *others, size_t other_count, Ladd
     return true;
 }
 
-/* Bisects all ladders (count), together. False: it came to an end before. */
+/* Bisects all ladders (count) together. Returns false if stopped before the end. */
 static bool bisect(Search *search, const Change *others, size_t other_count, Ladder *ladders, size_t count) {
     int steps[LADDERS_MOST];
     bool good[LADDERS_MOST], open = true;
@@ -197,7 +198,7 @@ static size_t widen(Search *search, const Change *others, size_t other_count, co
 
 /* Furniture -------------------------------------------------------------------------------------------------------- */
 
-/* The ladders of those directions in which a ring is enough, of the first ring on which any is. */
+/* Finds the ladders of the sufficient directions on the first ring that has any. */
 static size_t find_ring(Search *search, const Change *others, size_t other_count, const Change *element,
                         Ladder ladders[DIRECTIONS]) {
     double own = radians(search->base->plan.furniture[element->index].angle);
@@ -232,7 +233,7 @@ static size_t move(Search *search, const Change *others, size_t other_count, con
     return 1;
 }
 
-/* Turned by a quarter, either way and, of what lies, by a half; stood up. */
+/* Tries turns by a quarter in both directions, by a half if the piece lies, and standing up. */
 static size_t turn_and_raise(Search *search, const Change *others, size_t other_count, const Change *element,
                              Variant *variants) {
     const Plan *plan = &search->base->plan;

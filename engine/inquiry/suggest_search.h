@@ -6,50 +6,52 @@
 #include "inquiry/suggest.h"
 #include "inquiry/suggest_change.h"
 
-/* One changed house, and what came of it. */
+/* One changed house, and its result. */
 typedef struct Attempt {
     const Change *changes; /* (count) not owned */
     size_t count;
-    bool planned_only; /* enough that everybody who was stuck has a way; otherwise everybody must come out */
+    bool planned_only; /* True if it suffices that all people who were stuck have a path; otherwise all people must
+                          leave */
     bool good;
-    double time; /* s, until everybody was out */
+    double time; /* s, until all people were out */
 } Attempt;
 
 typedef struct Search {
     const SuggestTask *task;
     const House *base;
-    bool *stuck;  /* (people) who had no way out in the base */
-    bool by_plan; /* all who are not out had none: planning tells most of it */
+    bool *stuck;  /* (people) True for people without a path in the base */
+    bool by_plan; /* True if all people who did not leave had no path: planning alone then decides most attempts */
     size_t tries, most;
     bool exhausted;
-    pthread_mutex_t lock; /* of who reports progress */
+    pthread_mutex_t lock; /* protects progress reports */
     size_t reported;      /* tries reported */
-    Arena arena;          /* holds lists of changes */
+    Arena arena;          /* memory of lists of changes */
 } Search;
 
-/* Fills `good` and `time` of all, or of none when the tries are used up or it is stopped. False: of none. */
+/* Fills in `good` and `time` of all attempts. Returns false, with none filled in, if the tries are used up or the
+ * search is stopped. */
 bool suggest_search_try(Search *search, Attempt *attempts, size_t count);
 
-/* Reads the house that the task is about, with these options. */
+/* Reads the house of the task with these options. */
 bool suggest_search_open(const SuggestTask *task, House *house, const HouseOptions *options, Fault *fault);
 
-/* Reads the house with its changes. False: there is none with them. */
+/* Reads the house with the changes of an attempt. Returns false if that house is invalid. */
 bool suggest_search_read(const Search *search, const Attempt *attempt, House *house);
 
-#define SUGGEST_SEARCH_WIDEST 1.5 /* m, of a door: a chair turns in it */
+#define SUGGEST_SEARCH_WIDEST 1.5 /* m, of a door: a chair can turn in it */
 
-/* The widest that the door can be made, to the centimetre. False: no wider than it is. */
+/* Finds the largest width of the door, to the centimetre. Returns false if the door cannot be widened. */
 bool suggest_search_widest(const Plan *plan, size_t door, Change *widest);
 
-/* A way of making the change that an element (a door at its widest, a piece away) stands for. */
+/* One variant of the change of an element (a door at its widest, a removed piece). */
 typedef struct Variant {
     Change change;
-    double time; /* s, until everybody was out with it */
+    double time; /* s, until all people were out */
 } Variant;
 
 enum { VARIANTS_MOST = 5 };
 
-/* With `others` (count) made too: the least widening of the door; of a piece the least move, turns, standing up, as far
- * as they let everybody out. Returns how many. */
+/* Finds variants that let all people out together with `others` (count): the least widening of a door; the least move,
+ * turns and standing up of a piece. Returns their number. */
 size_t suggest_search_variants(Search *search, const Change *others, size_t count, const Change *element,
                                Variant variants[VARIANTS_MOST]);

@@ -113,7 +113,7 @@ static void *read_list(Verification *read, const JsonNode *root, const char *key
     return list;
 }
 
-/* `file` from the directory of the case. */
+/* Returns the path of `file` in the directory of the case. */
 static const char *beside(Verification *verification, const char *file) {
     const char *slash = strrchr(verification->path, '/');
     size_t directory = slash && *file != '/' ? (size_t)(slash - verification->path) + 1 : 0;
@@ -239,7 +239,8 @@ static void check_against_plan(const Verification *read, size_t v, const Plan *p
     }
 }
 
-/* Faults of a variant's settings point at its `set`; those of the house name the house's file. */
+/* Adds errors of a house. Those of a variant's settings point at its `set`; those of the house name the house's file.
+ */
 static void add_house_faults(const Fault *faults, size_t v, const JsonNode *root, Fault *fault) {
     JsonNode list = json_member(root, "variants");
     JsonNode element = v ? json_element(&list, v - 1) : *root, set = json_member(&element, "set");

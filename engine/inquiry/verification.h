@@ -1,13 +1,13 @@
 /* Cases of public verification suites (RiMEA, IMO, NIST): a case file names a house, perhaps with variants, and checks:
- * a measure and the limits within which it has to be. A check may compare two variants or two groups of people, and be
- * the mean over several seeds. A case that cannot apply says why.
+ * a measure and its limits. A check may compare two variants or two groups of people, and may be the mean over several
+ * seeds. A case that does not apply gives the reason.
  *
  *     {"format": "clearance-case", "version": 1, "id": "rimea-01", "suite": "RiMEA 1", "title": "...", "note": "...",
  *      "house": "houses/corridor.json",
  *      "variants": [{"id": "wide", "house": "houses/wide.json", "set": "crowd.c1.count=20 run.until=300"}],
  *      "checks": [{"measure": "time", "of": ["p1"], "low": 26, "high": 34, "unit": "s", "seeds": 3}]}
  *
- * The value of a check with `than`, `than_of` or `than_area` is the ratio of the measure to the same measure of that
+ * The value of a check with `than`, `than_of` or `than_area` is the ratio of the measure to the same measure of the
  * other variant, group or area. */
 #pragma once
 
@@ -19,7 +19,7 @@
 #include "inquiry/measure.h"
 
 typedef enum Verdict {
-    VERDICT_NOT_RUN, /* interrupted, or a house that cannot be read */
+    VERDICT_NOT_RUN, /* interrupted, or the house cannot be read */
     VERDICT_PASSED,
     VERDICT_FAILED,
     VERDICT_DOES_NOT_APPLY,
@@ -27,49 +27,50 @@ typedef enum Verdict {
 
 typedef struct VerificationVariant {
     const char *id;
-    const char *house; /* path relative to the case file; "": the case's */
+    const char *house; /* path relative to the case file; "": the house of the case */
     const char *set;   /* NAME=VALUE NAME=VALUE ..., as with --set */
 } VerificationVariant;
 
 typedef struct VerificationCheck {
     const char *measure_name;
-    const char *title;        /* what is asked, or "" */
-    const char *variant;      /* id; "": the case's house as it is */
+    const char *title;        /* question of the check, or "" */
+    const char *variant;      /* id; "": the unchanged house of the case */
     const char *than;         /* id of the variant to compare with, or "" */
-    MeasureQuestion question; /* of the variant */
-    Ids than_of;              /* instead of question.of in what is compared with */
-    Points than_area;         /* m, instead of question.area */
+    MeasureQuestion question; /* question for the variant */
+    Ids than_of;              /* replaces question.of for the other side */
+    Points than_area;         /* m, replaces question.area for the other side */
     double low, high;         /* in the unit of the measure; of a ratio 1; infinite: no limit */
     const char *unit;
-    int seeds;       /* over which the mean is taken */
-    const char *why; /* said when the check is not passed */
+    int seeds;       /* number of seeds of the mean */
+    const char *why; /* text for a check that does not pass */
 
     const Measure *measure;
     bool is_ratio;
-    size_t sides[2]; /* the variant, and the one compared with: 0 the case's house, then its variants */
+    size_t
+        sides[2]; /* indices of the variant and of the one compared with: 0 the house of the case, then its variants */
     Verdict verdict;
     double value;   /* NAN: none */
-    char note[200]; /* from the measure */
+    char note[200]; /* note of the measure */
 } VerificationCheck;
 
 typedef struct Verification {
-    const char *path; /* of the case file */
+    const char *path; /* path of the case file */
     const char *id;
     const char *suite;
     const char *title;
     const char *note;
     const char *house; /* path relative to the case file */
     bool applies;
-    const char *reason;            /* why not */
-    VerificationVariant *variants; /* (variant_count); the first is the case's house as it is */
+    const char *reason;            /* why the case does not apply */
+    VerificationVariant *variants; /* (variant_count); the first is the unchanged house of the case */
     VerificationCheck *checks;     /* (check_count) */
     size_t variant_count, check_count;
     Arena arena;
 } Verification;
 
-/* Reads a case file and checks it against its houses. On false faults say where and what, and the case is as it was. */
+/* Reads a case file and checks it against its houses. Returns false after an error, with the case unchanged. */
 bool verification_read(Verification *verification, const char *path, Fault *fault);
 void verification_free(Verification *verification);
 
-/* The settings of a variant, one by one; kept by the case. Returns how many. */
+/* Splits the settings of a variant; the case owns them. Returns their number. */
 size_t verification_settings(Verification *verification, const VerificationVariant *variant, const char ***settings);
