@@ -56,7 +56,7 @@ static const Parameter item_rows[] = {
 
 static const ParameterTable item_table = {"piece", item_rows, sizeof item_rows / sizeof *item_rows};
 
-static const double LEAST_SIZE = 0.01; /* m, as of a plan's furniture */
+static const double LEAST_SIZE = 0.01; /* m, as for a plan's furniture */
 
 static bool is_sourced(const char *provenance) {
     return strncmp(provenance, "literature: ", 12) == 0 || strncmp(provenance, "assumed", 7) == 0;

@@ -15,7 +15,7 @@ _Static_assert((int)DRAFT_WALLS == (int)LIST_WALLS && (int)DRAFT_ROUTES == (int)
 
 /* The plan -------------------------------------------------------------------------------------------------------- */
 
-/* The whole as one value, of which the lists are borrowed. */
+/* Returns the whole as one value whose lists are borrowed. */
 static json_t *whole(const Draft *draft) {
     json_t *house = json_copy(draft->head);
     for (int l = 0; l < DRAFT_LISTS; l++)
@@ -35,7 +35,7 @@ bool draft_try(Draft *draft, Fault *fault) {
     return true;
 }
 
-/* What has stood before stands again; the plan is as good where nothing else has stood since. */
+/* Restores a former revision; the plan is read again only if another revision was current. */
 static void stand_again(Draft *draft, uint64_t revision) {
     if (draft->revision == revision)
         return;
@@ -45,12 +45,12 @@ static void stand_again(Draft *draft, uint64_t revision) {
     fault_clear(&none);
 }
 
-/* The revision of what is done. */
+/* Returns the revision after the last step in effect. */
 static uint64_t revision_done(const Draft *draft) {
     return draft->done ? draft->steps[draft->done - 1].revision : draft->first;
 }
 
-/* Takes over a house's values. */
+/* Copies a house's values into the draft. */
 static void take_values(Draft *draft, json_t *house) {
     draft->head = json_copy(house);
     for (int l = 0; l < DRAFT_LISTS; l++) {
@@ -111,7 +111,7 @@ const Plan *draft_plan(const Draft *draft) {
 
 const char *draft_text(const Draft *draft) {
     if (!draft->text)
-        ((Draft *)draft)->text = plan_text(&draft->plan); /* only now somebody wants it */
+        ((Draft *)draft)->text = plan_text(&draft->plan); /* made on demand */
     return draft->text;
 }
 
@@ -147,7 +147,7 @@ void draft_cancel(Draft *draft) {
     stand_again(draft, revision_done(draft));
 }
 
-/* The oldest steps are forgotten. */
+/* Drops the oldest step if there are too many. */
 static void make_room(Draft *draft) {
     if (draft->step_count < DRAFT_STEPS_MOST)
         return;
@@ -238,7 +238,7 @@ json_t *draft_element(const Draft *draft, const char *id) {
     return list < DRAFT_LISTS ? draft_at(draft, list, index) : NULL;
 }
 
-/* An id that nothing has: the list's letter and a number. It is good until the next call. */
+/* Returns an unused id: the list's letter and a number. It is valid until the next call. */
 static const char *free_id(Draft *draft, DraftList list) {
     static const char *const letters[DRAFT_LISTS] = {"w", "d", "f", "r", "e", "p", "c", "R"};
     size_t index;
@@ -261,7 +261,8 @@ const char *draft_add(Draft *draft, DraftList list, json_t *element) {
     return plan_json_text(element, "id");
 }
 
-/* Whatever names an element names another one, or none; NULL `to`: what cannot be without it goes, too. */
+/* Replaces all references to an element, or removes them if `to` is NULL, together with elements that cannot be without
+ * it. */
 static void rename_all(Draft *draft, const char *from, const char *to) {
     for (int l = 0; l < DRAFT_LISTS; l++)
         for (size_t i = draft_count(draft, (DraftList)l); i > 0; i--) {
@@ -284,7 +285,7 @@ bool draft_remove(Draft *draft, const char *id) {
     DraftList list = draft_find(draft, id, &index);
     if (list == DRAFT_LISTS)
         return false;
-    char *name = text_copy(id); /* which may be the element's own */
+    char *name = text_copy(id); /* `id` may be the element's own */
     draft_change_element(draft, list, index, NULL);
     rename_all(draft, name, NULL);
     memory_free(name);

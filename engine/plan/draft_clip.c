@@ -29,13 +29,13 @@ char *draft_clip_copy(const Draft *draft, const char *const *ids, size_t id_coun
     return text;
 }
 
-/* Other names for those pieces that have one which is taken: "old" to "new". */
+/* Adds the pieces and returns their new names: "old" to "new". */
 static json_t *new_names(Draft *draft, const json_t *pieces) {
     json_t *names = json_object();
     for (int l = 0; l < DRAFT_LISTS; l++) {
         const json_t *list = json_object_get(pieces, plan_tables_lists[l].key);
         for (size_t i = 0; i < json_array_size(list); i++) {
-            /* each has a place in the list at once, so that the next name is another one */
+            /* the piece is added at once, so that the next name differs */
             const char *id = draft_add(draft, (DraftList)l, json_incref(json_array_get(list, i)));
             json_object_set_new(names, plan_json_text(json_array_get(list, i), "id"), json_string(id));
         }
@@ -43,7 +43,7 @@ static json_t *new_names(Draft *draft, const json_t *pieces) {
     return names;
 }
 
-/* An added piece, with the names that the others have now; steals nothing. */
+/* Returns an added piece with the new names of the others; steals nothing. */
 static json_t *renamed_by(json_t *element, json_t *names) {
     static const char *const references[] = {"wall", "exit"};
     json_t *renamed = json_copy(element), *people = json_object_get(element, "people");

@@ -9,7 +9,7 @@
 #include "plan/plan_tables.h"
 
 static void keep_file(Draft *draft, const char *path, char *bytes, size_t byte_count) {
-    char *kept = text_copy(path); /* which may be the draft's own */
+    char *kept = text_copy(path); /* `path` may be the draft's own */
     memory_free(draft->path);
     memory_free(draft->saved);
     memory_free(draft->bytes);
@@ -32,7 +32,7 @@ Draft *draft_file_read(const char *path, const char *const *settings, size_t set
         return NULL;
     }
     Draft *draft = draft_of_plan(&plan);
-    if (setting_count) { /* the file's bytes are not what it is */
+    if (setting_count) { /* the file's bytes do not describe the house */
         memory_free(bytes);
         bytes = NULL;
     }

@@ -13,7 +13,7 @@ static void set_in_house(Draft *draft, const char *object, const char *member, j
     json_decref(empty);
 }
 
-/* "at.x" of an element: one number of its point; steals the value. False: it has no such point. */
+/* Sets one number of an element's point, "at.x"; steals the value. Returns false if there is no such point. */
 static bool set_component(Draft *draft, const char *id, const char *name, json_t *value) {
     char member[32];
     int used = 0;

@@ -1,8 +1,8 @@
-/* Numbers of a draft by the names that parameters have everywhere. */
+/* Sets numbers of a draft by their parameter names. */
 #pragma once
 
 #include "plan/draft.h"
 
 /* Sets a parameter as `--set NAME=VALUE` does: "door.d1.width", "furniture.f3.centre.x", "run.dt", "profile.adult.mass"
- * (kept as an override). False: a fault says what there is instead; whether the value is right tells draft_try. */
+ * (stored as an override). Returns false after an error if the name is unknown; draft_try checks the value. */
 bool draft_parameter_set(Draft *draft, const char *name, json_t *value, Fault *fault);

@@ -6,7 +6,8 @@
 #include "base/memory.h"
 #include "plan/plan_geometry.h"
 
-/* How far two rectangles overlap along the sides of the first, the shorter of both ways; at most 0: they are apart. */
+/* Returns the overlap of two rectangles along the sides of the first, the shorter of both directions; at most 0: they
+ * are apart. */
 static double overlap(const Vec2 a[4], const Vec2 b[4]) {
     double least = HUGE_VAL;
     for (int side = 0; side < 2; side++) {
@@ -24,7 +25,7 @@ static double overlap(const Vec2 a[4], const Vec2 b[4]) {
     return least;
 }
 
-/* The piece in the wall from one place of a segment to another; m. */
+/* Returns the depth, m, of the piece in the wall from one place of a segment to another. */
 static double depth_in(const Vec2 corners[4], Vec2 from, Vec2 to, double thickness) {
     if (!(vec2_distance(from, to) > 0) || !(thickness > 0))
         return 0;
@@ -38,7 +39,7 @@ static int compare_doors(const void *a, const void *b) {
     return (p->at > q->at) - (p->at < q->at);
 }
 
-/* The same in a segment, whose doors (count), in their order, are gaps. */
+/* Returns the depth in a segment, whose doors (count), in order, are gaps. */
 static double depth_in_segment(const Plan *plan, const Vec2 corners[4], const Wall *wall, size_t segment,
                                const Door *const *doors, size_t count) {
     Vec2 from = wall->points.at[segment];
@@ -52,7 +53,7 @@ static double depth_in_segment(const Plan *plan, const Vec2 corners[4], const Wa
     return fmax(deepest, depth_in(corners, from, wall->points.at[segment + 1], wall->thickness));
 }
 
-/* Can a piece with these corners be in the segment? */
+/* True if a piece with these corners may be in the segment. */
 static bool is_near(const Vec2 corners[4], Vec2 from, Vec2 to, double thickness) {
     Box piece = box_empty(), segment = box_expand(box_include(box_around(from, 0), to), thickness / 2);
     for (int i = 0; i < 4; i++)

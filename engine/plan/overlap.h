@@ -1,11 +1,11 @@
-/* Furniture that stands in a wall. Real plans have it, for walls are drawn thicker than they are and wardrobes deeper:
- * it is remarked, and is no fault. */
+/* Finds furniture that stands in a wall. Real plans contain it, since walls are drawn thicker than they are and
+ * wardrobes deeper, so it is reported as a warning, not an error. */
 #pragma once
 
 #include "plan/plan.h"
 
-#define OVERLAP_LEAST 0.01 /* m: what is less is not remarked */
+#define OVERLAP_LEAST 0.01 /* m: smaller overlaps are not reported */
 
-/* How deep a piece stands in walls, doorways apart, m: the shortest way out of the one it is deepest in, whose index
- * goes to `*wall`. 0: it stands free. */
+/* Returns how deep a piece stands in walls, m, without doorways: the shortest shift out of the deepest wall, whose
+ * index goes to `*wall`. 0: no overlap. */
 double overlap_depth(const Plan *plan, const Furniture *piece, size_t *wall);

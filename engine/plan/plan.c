@@ -16,7 +16,7 @@ static const char *const plan_keys[] = {"format",    "version",   "name",       
 
 /* Reading ---------------------------------------------------------------------------------------------------- */
 
-/* Where a value stands, to begin a fault with. */
+/* Stores the position of a value, to begin errors with. */
 static const char *keep_place(Plan *plan, const JsonFile *file, JsonPlace place) {
     size_t size = strlen(file->path) + 40;
     char *text = arena_allocate(&plan->arena, size);
@@ -25,7 +25,7 @@ static const char *keep_place(Plan *plan, const JsonFile *file, JsonPlace place)
     return text;
 }
 
-/* Faults about people and crowds are also found after reading. */
+/* Stores the positions of people and crowds, whose errors may be found after reading. */
 static void keep_places(Plan *plan, const JsonNode *root) {
     JsonNode people = json_member(root, plan_tables_lists[LIST_PEOPLE].key);
     JsonNode crowds = json_member(root, plan_tables_lists[LIST_CROWDS].key);
@@ -39,7 +39,7 @@ static void keep_places(Plan *plan, const JsonNode *root) {
     memory_free(places);
 }
 
-/* "door d1: ", which begins the faults of an element that is of no file; memory_free it. */
+/* Returns "door d1: ", which begins the errors of an element without a file; memory_free it. */
 static char *name_element(const PlanList *list, const JsonNode *element) {
     Text name = {0};
     const char *id = json_string_value(json_object_get(element->value, "id"));
@@ -47,7 +47,7 @@ static char *name_element(const PlanList *list, const JsonNode *element) {
     return name.text;
 }
 
-/* Returns which elements were read without a fault (count of the list). */
+/* Returns whether each element was read without an error (count of the list). */
 static const bool *read_list(Plan *plan, const PlanList *list, const JsonNode *root, Fault *fault) {
     JsonNode node = json_member(root, list->key);
     if (node.value && !json_is_array(node.value))
@@ -71,7 +71,7 @@ bool plan_is_of_profile(const char *name) {
     return sscanf(name, "profile.%*63[A-Za-z0-9_-].%n", &used) == 0 && used && name[used];
 }
 
-/* A parameter of a profile: for whoever reads the profiles. There is room in plan->overrides. */
+/* Stores a profile parameter until the profiles are read. There is room in plan->overrides. */
 static void keep_override(Plan *plan, const char *name, const JsonNode *node, const char *place) {
     char *value = json_line(node->value);
     plan->overrides[plan->override_count++] =
@@ -79,15 +79,15 @@ static void keep_override(Plan *plan, const char *name, const JsonNode *node, co
     memory_free(value);
 }
 
-/* What a setting's NAME means. */
+/* Target of a setting's NAME. */
 typedef struct Target {
     const Parameter *row;
     void *object;
-    const PlanList *list; /* NULL: the run's settings */
+    const PlanList *list; /* NULL: the settings of the run */
     size_t index;
 } Target;
 
-/* KIND.ID.NAME, the last beginning at name + used. False: a fault says what there is instead. */
+/* Finds KIND.ID.NAME; NAME begins at name + used. Returns false with an error that names the possible parameters. */
 static bool find_in_lists(const Plan *plan, Target *target, const char *kind, const char *id, const char *name,
                           const JsonNode *node, Fault *fault) {
     const char *kinds[PLAN_LISTS + 2] = {"profile", "run"};
@@ -118,7 +118,7 @@ static bool find_in_lists(const Plan *plan, Target *target, const char *kind, co
     return false;
 }
 
-/* Any name but a profile's. */
+/* Finds any name except a profile's. */
 static bool find_target(const Plan *plan, Target *target, const char *name, const JsonNode *node, Fault *fault) {
     char kind[32], id[256];
     int used = 0;
@@ -137,8 +137,8 @@ static bool find_target(const Plan *plan, Target *target, const char *name, cons
     return false;
 }
 
-/* One NAME = value: applied to the plan, or kept for the profiles. The node points at the value, which stands at
- * `place`, in the plan's arena. */
+/* Applies one NAME = value to the plan, or stores it for the profiles. The node points at the value, whose position
+ * `place` is in the plan's arena. */
 static void apply_setting(Plan *plan, const char *name, const JsonNode *node, const char *place, Fault *fault) {
     Target target;
     if (plan_is_of_profile(name))
@@ -176,7 +176,7 @@ static void read_overrides(Plan *plan, const JsonNode *node, Fault *fault) {
     memory_free(places);
 }
 
-/* A NAME=VALUE of the command line: VALUE is a number, a list, or else a word. */
+/* Reads a NAME=VALUE of the command line: VALUE is a number, a list, or otherwise a word. */
 static void read_setting(Plan *plan, const char *setting, Fault *fault) {
     const char *equals = strchr(setting, '=');
     if (!equals || equals == setting || !equals[1]) {
@@ -227,7 +227,7 @@ static void read_house(Plan *plan, const JsonNode *root, const char *const *sett
     plan_check_whole(&check);
 }
 
-/* Of a file that has been read, which is released. */
+/* Reads a plan from a parsed file, which is released. */
 static bool read_plan(Plan *plan, JsonFile *file, const char *const *settings, size_t setting_count, Fault *fault) {
     size_t before = fault->total;
     Plan read = {0};

@@ -1,8 +1,8 @@
-/* A house as its file gives it: walls, doors, furniture, rooms, exits, people and their routes.
+/* A house as described by its file: walls, doors, furniture, rooms, exits, people and their routes.
  *
  * SI units; x to the right, y up; angles in degrees counter-clockwise from +x, as in the file. A wall is a centre line
- * with a thickness; a door lies on one segment of its wall. Everything is described by parameter tables, from which
- * reading, writing, faults, `--set` and assets/schema/house.schema.json follow. */
+ * with a thickness; a door lies on one segment of its wall. Parameter tables describe everything; reading, writing,
+ * errors, `--set` and assets/schema/house.schema.json follow from them. */
 #pragma once
 
 #include <stdbool.h>
@@ -15,7 +15,7 @@
 
 typedef struct Wall {
     const char *id;
-    Points points;    /* m, the centre line, two or more; a closed wall repeats its first point */
+    Points points;    /* m, the centre line, at least two points; a closed wall repeats its first point */
     double thickness; /* m */
     double height;    /* m */
 } Wall;
@@ -28,9 +28,9 @@ typedef enum DoorSwing { SWING_LEFT, SWING_RIGHT } DoorSwing;
 typedef struct Door {
     const char *id;
     const char *wall;
-    int segment;         /* of the wall's points, from 0 */
-    double at;           /* m along the segment, of the door's middle */
-    double width;        /* m, clear */
+    int segment;         /* segment of the wall's points, from 0 */
+    double at;           /* m, position of the door's middle along the segment */
+    double width;        /* m, clear width */
     int kind;            /* DoorKind */
     int state;           /* DoorState */
     int hinge;           /* DoorHinge: the end of the segment that is nearer to the hinge */
@@ -49,8 +49,8 @@ typedef struct Furniture {
     double angle;       /* degree */
     double height;      /* m */
     int topples;        /* ToppleFace: front is its own -y, back +y, left -x, right +x */
-    double probability; /* 1, of toppling in a shake */
-    bool toppled;       /* lies on that face: the footprint has grown by the height */
+    double probability; /* 1, probability of toppling in a shake */
+    bool toppled;       /* True if it lies on that face: the footprint includes the height */
 } Furniture;
 
 typedef struct Room {
@@ -66,7 +66,7 @@ typedef struct Exit {
     double closes; /* s; infinite: never */
 } Exit;
 
-/* A `place`, of what is in a house file, begins the faults about it: "file:line:column: ", or "--set NAME: ". */
+/* A `place` in a house file begins the errors about it: "file:line:column: ", or "--set NAME: ". */
 
 typedef struct Person {
     const char *id;
@@ -75,7 +75,7 @@ typedef struct Person {
     double heading; /* degree */
     double delay;   /* s, before starting */
     double speed;   /* m/s, the free speed; 0: the profile's */
-    size_t route;   /* resolved: the place of the route that lists them; SIZE_MAX: none */
+    size_t route;   /* resolved: index of the route of the person; SIZE_MAX: none */
     const char *place;
 } Person;
 
@@ -85,11 +85,11 @@ typedef struct Crowd {
     int count;
     Points area; /* m, an outline */
     double delay;
-    size_t route; /* resolved, as a person's */
+    size_t route; /* resolved, as for a person */
     const char *place;
 } Crowd;
 
-/* What somebody measured for a route; mean 0: nobody has. */
+/* A measured time of a route; mean 0: not measured. */
 typedef struct Observed {
     double mean;      /* s */
     double deviation; /* s */
@@ -98,8 +98,8 @@ typedef struct Observed {
 
 typedef struct PlanRoute {
     const char *id;
-    Ids people; /* and crowds */
-    Points via; /* m, passed within a body's length, in order */
+    Ids people; /* people and crowds */
+    Points via; /* m, points to pass within a body's length, in order */
     const char *exit;
     Observed observed;
     size_t exit_index; /* resolved from `exit`; SIZE_MAX: the quickest */
@@ -107,40 +107,40 @@ typedef struct PlanRoute {
 
 typedef enum RunRoutes { ROUTES_TOGETHER, ROUTES_ALONE } RunRoutes;
 
-/* How to run the house. */
+/* Settings of a run. */
 typedef struct RunSettings {
     double dt;                /* s, the step */
-    double until;             /* s, when to give up */
+    double until;             /* s, time limit */
     double sample;            /* s, between rows of the trace */
-    int routes;               /* RunRoutes: everybody at once, or each route's people alone, as in an experiment */
+    int routes;               /* RunRoutes: all people together, or each route's people alone, as in an experiment */
     double cell;              /* m, of the grids of the route search */
     int reversals;            /* most changes of direction that a drivable route may need */
-    double patience;          /* s without getting on after which a person is blocked */
-    double clearance_warning; /* m, a body nearer to something than this is in danger */
-    double force_warning;     /* N, a contact harder than this is a danger */
-    double loss_warning;      /* s, a place that costs more than this is a hindrance */
+    double patience;          /* s without progress after which a person is blocked */
+    double clearance_warning; /* m, a smaller clearance is a danger */
+    double force_warning;     /* N, a harder contact is a danger */
+    double loss_warning;      /* s, a place that costs more time is a hindrance */
 } RunSettings;
 
-/* A parameter of a profile that this house changes. */
+/* A profile parameter that this house changes. */
 typedef struct Override {
     const char *name;  /* "profile.manual-chair.width" */
     const char *value; /* as JSON */
     const char *place;
 } Override;
 
-/* A picture that the plan was traced over. */
+/* A picture used as a template for the plan. */
 typedef struct Background {
-    const char *image;  /* its file, from the house file's folder on; NULL: there is none */
+    const char *image;  /* its file, relative to the house file's folder; NULL: none */
     Vec2 at;            /* m, its lower left corner */
     double width;       /* m */
     double angle;       /* degree, about that corner */
     double opacity;     /* 1 */
-    const char *digest; /* of the file's bytes, by which it is known again; "": unknown */
+    const char *digest; /* digest of the file's bytes, which identifies it; "": unknown */
 } Background;
 
-/* Zero is an empty plan. plan_free releases what a reader filled. */
+/* A zeroed plan is empty. plan_free releases it. */
 typedef struct Plan {
-    const char *path; /* of its file, as given */
+    const char *path; /* path of its file, as given */
     const char *name;
     const char *note;
     Wall *walls; /* (wall_count), and so on */
@@ -156,45 +156,47 @@ typedef struct Plan {
     size_t override_count;
     RunSettings run;
     Background background;
-    struct PlanIndex *index; /* finds what has an id */
-    Arena arena;             /* holds all of the above */
+    struct PlanIndex *index; /* finds elements by id */
+    Arena arena;             /* memory of all of the above */
 } Plan;
 
-/* Reads a house file, then applies `settings` ("door.d1.width=0.8", setting_count of them, NULL when 0) and checks
- * the whole. False: faults say where and what, and the plan is as it was. */
+/* Reads a house file, then applies `settings` ("door.d1.width=0.8", setting_count of them, NULL when 0) and checks the
+ * whole. Returns false after an error, with the plan unchanged. */
 bool plan_read(Plan *plan, const char *path, const char *const *settings, size_t setting_count, Fault *fault);
 
-/* The same of a house file's `text`, ended by 0, which need not be on the disk: faults and plan->path are of `path`. */
+/* Does the same with a house file's `text`, ended by 0, which need not be on disk: errors and plan->path use `path`. */
 bool plan_read_text(Plan *plan, const char *path, const char *text, const char *const *settings, size_t setting_count,
                     Fault *fault);
 
-/* The same of a house file's values; a fault begins with what it is about, "door d1: ", where it does not say that. */
+/* Does the same with a house file's values; an error begins with the element, "door d1: ", if its text does not name
+ * it. */
 bool plan_read_values(Plan *plan, const char *path, json_t *values, Fault *fault);
 
-/* The parameter that a setting's NAME means, "door.d1.width" or "person.p1.at.x", and what has it. NULL: a fault, which
- * begins with `place`, says what there is instead. */
+/* Returns the parameter of a setting's NAME, "door.d1.width" or "person.p1.at.x", and the object that holds it. NULL:
+ * an error, which begins with `place` and names the possible parameters. */
 const Parameter *plan_parameter(const Plan *plan, const char *name, const void **object, const char *place,
                                 Fault *fault);
 
-/* Is it "profile.ID.NAME", which only whoever has read the profiles can find? */
+/* True if the name is "profile.ID.NAME", which is only known after the profiles are read. */
 bool plan_is_of_profile(const char *name);
 
-/* Writes the plan so that reading it again gives the same plan. Beside and renamed. 0, or errno. */
+/* Writes the plan, so that reading it gives the same plan, to a temporary file that is then renamed. Returns 0 or
+ * errno. */
 int plan_write(const Plan *plan, const char *path);
 
-/* What plan_write writes; memory_free it. */
+/* Returns the text that plan_write writes; memory_free it. */
 char *plan_text(const Plan *plan);
 
 void plan_free(Plan *plan);
 
-/* JSON Schema (2020-12) of a house file, made from the tables. New; json_decref it. */
+/* Returns the JSON Schema (2020-12) of a house file, made from the tables. New; json_decref it. */
 json_t *plan_schema(void);
 
-/* The place of an id among the people, or SIZE_MAX; and so on. */
+/* Return the index of an id among the people, routes, doors or exits, or SIZE_MAX. */
 size_t plan_find_person(const Plan *plan, const char *id);
 size_t plan_find_route(const Plan *plan, const char *id);
 size_t plan_find_door(const Plan *plan, const char *id);
 size_t plan_find_exit(const Plan *plan, const char *id);
 
-/* The route that lists the person or crowd, or NULL. */
+/* Returns the route that lists the person or crowd, or NULL. */
 const PlanRoute *plan_route_of(const Plan *plan, const char *id);

@@ -11,11 +11,11 @@
 #include "mechanics/broadphase.h"
 #include "plan/plan_geometry.h"
 
-static const double ROUNDING = 1e-9;        /* m: a door may fill its wall to the last bit */
-static const double WALL_SHORTEST = 1e-6;   /* m, of a segment: what the outline's grid still resolves */
+static const double ROUNDING = 1e-9;        /* m: tolerance for a door that fills its wall exactly */
+static const double WALL_SHORTEST = 1e-6;   /* m, of a segment: the resolution of the outline's grid */
 static const double EXIT_SHORTEST = 0.01;   /* m */
 static const double FURNITURE_LEAST = 0.01; /* m, in both directions */
-static const double MOST_PEOPLE = 2e5;      /* 1: some 200 MB of moving house, and minutes to place */
+static const double MOST_PEOPLE = 2e5;      /* 1: a house of some 200 MB, and minutes to place */
 
 static bool is_sound(const PlanCheck *check, int list, size_t index) {
     return check->sound[list][index];
@@ -28,7 +28,7 @@ static bool all_sound(const PlanCheck *check, int list) {
     return true;
 }
 
-/* Adds a fault at member `key` (or the whole element when it has none) of element `index` of a list. */
+/* Adds an error at member `key` (or the whole element when it has none) of element `index` of a list. */
 __attribute__((format(printf, 5, 6))) static void add_fault(const PlanCheck *check, int list, size_t index,
                                                             const char *key, const char *format, ...) {
     char what[300];
@@ -90,7 +90,7 @@ static void check_wall(const PlanCheck *check, size_t w) {
     }
 }
 
-/* Doors in the order in which they lie: by wall, segment and beginning. */
+/* Doors ordered by wall, segment and beginning. */
 typedef struct Doorway {
     size_t wall, segment, door;
     double from, to; /* m, along the segment */
@@ -111,7 +111,7 @@ static bool same_segment(const Doorway *a, const Doorway *b) {
     return a->wall == b->wall && a->segment == b->segment;
 }
 
-/* Each door against the one before it that reaches farthest. */
+/* Checks each door against the one before it that reaches farthest. */
 static void check_overlaps(const PlanCheck *check, const Doorway *doorways, size_t count) {
     const Doorway *farthest = doorways;
     for (size_t i = 1; i < count; i++) {
@@ -128,7 +128,7 @@ static void check_overlaps(const PlanCheck *check, const Doorway *doorways, size
     }
 }
 
-/* Does it lie in its wall? Otherwise that is a fault, of the door or of the wall. */
+/* Checks that a door lies in its wall. Otherwise adds an error, of the door or of the wall. */
 static bool check_door(const PlanCheck *check, size_t d) {
     Door *door = &check->plan->doors[d];
     door->wall_index = plan_tables_find(check->plan, &plan_tables_lists[LIST_WALLS], door->wall);
@@ -207,7 +207,8 @@ static bool inside_corners(Vec2 p, const Vec2 *corners, size_t count) {
     return inside;
 }
 
-/* What people may stand inside of: furniture, then the segments of walls one by one, as items of a broad phase. */
+/* Solids in which people must not stand: furniture, then the segments of walls one by one, as items of a broad phase.
+ */
 typedef struct Solids {
     const Plan *plan;
     Broadphase *near;
@@ -271,7 +272,7 @@ static bool in_doorway(const Solids *solids, size_t wall, size_t segment, double
     return false;
 }
 
-/* Not in what lies: that has fallen on them, which is no mistake in the plan. */
+/* True inside standing furniture. A lying piece has fallen on the person, which is not an error of the plan. */
 static bool in_furniture(const Furniture *piece, Vec2 p) {
     Vec2 corners[4];
     plan_geometry_corners(piece, corners);
@@ -288,7 +289,7 @@ static bool in_wall(const Solids *solids, size_t w, size_t s, Vec2 p) {
 typedef struct Standing {
     const Solids *solids;
     Vec2 at;
-    int inside; /* the first item that holds it, INT_MAX: none */
+    int inside; /* the first item that contains the person, INT_MAX: none */
 } Standing;
 
 static bool visit_solid(void *context, int item) {

@@ -1,16 +1,16 @@
-/* What the tables of a house file cannot say: that ids differ and are found, that doors lie in their walls, that people
- * stand in free space. Only for the files of the plan. */
+/* Checks beyond the tables of a house file: ids are unique and known, doors lie in their walls, people stand in free
+ * space. Private to the files of the plan. */
 #pragma once
 
 #include "base/json.h"
 #include "plan/plan_tables.h"
 
 typedef struct PlanCheck {
-    Plan *plan;           /* its references are resolved */
-    const JsonNode *root; /* of its file, to point at */
+    Plan *plan;           /* its references are resolved here */
+    const JsonNode *root; /* root of its file, for positions of errors */
     Fault *fault;
-    const bool *sound[PLAN_LISTS]; /* (count) of each list: was the element read without a fault? */
+    const bool *sound[PLAN_LISTS]; /* (count) per list: True if the element was read without an error */
 } PlanCheck;
 
-/* Adds what is wrong; elements that are not sound, and what depends on them, are passed over. */
+/* Adds all errors; invalid elements and their dependants are skipped. */
 void plan_check_whole(const PlanCheck *check);

@@ -43,7 +43,7 @@ static json_t *point_moved(const json_t *value, Vec2 by) {
     return plan_json_point(vec2(by.x != 0 ? snap_tidy(x + by.x) : x, by.y != 0 ? snap_tidy(y + by.y) : y));
 }
 
-/* A point, or a list of them; NULL: neither. */
+/* Moves a point, or a list of points; NULL: neither. */
 static json_t *place_moved(const json_t *value, Vec2 by) {
     if (is_point(value))
         return point_moved(value, by);
@@ -74,7 +74,7 @@ json_t *plan_json_moved(const json_t *element, Vec2 by) {
 
 /* Names ----------------------------------------------------------------------------------------------------------- */
 
-/* A list of ids with another one, or without; NULL: it is not among them. */
+/* Replaces or removes an id in a list of ids; NULL: the list does not contain it. */
 static json_t *list_renamed(const json_t *list, const char *from, const char *to) {
     bool found = false;
     json_t *renamed = json_array();

@@ -1,5 +1,5 @@
-/* Elements of a house file as JSON values: what a draft does with any of them alike. Values are borrowed, and those
- * that are given back are new. */
+/* Elements of a house file as JSON values: operations of a draft that are common to all kinds. Arguments are borrowed,
+ * and results are new. */
 #pragma once
 
 #include <jansson.h>
@@ -9,27 +9,25 @@
 #include "base/fault.h"
 #include "base/vec2.h"
 
-/* The text of a member, or "". */
+/* Returns the text of a member, or "". */
 const char *plan_json_text(const json_t *element, const char *member);
 
-/* A point and a list of points, as a file has them. */
+/* Return a point and a list of points in the form of a file. */
 json_t *plan_json_point(Vec2 point);
 json_t *plan_json_points(const Vec2 *points, size_t count);
 
-/* The element, `by` m farther; a door stays where it is on its wall. */
+/* Returns the element displaced by `by` m; a door stays where it is on its wall. */
 json_t *plan_json_moved(const json_t *element, Vec2 by);
 
-/* The element with another member (steals the value; NULL: without the member). */
+/* Returns the element with a member replaced (steals the value; NULL: without the member). */
 json_t *plan_json_with(const json_t *element, const char *member, json_t *value);
 
-/* The element with `to` wherever it names `from`: as its id, its wall, its exit, among its people. NULL `to`: without
- * that name. The same value again where it does not name it. */
+/* Returns the element with every reference to `from` replaced by `to`: as its id, its wall, its exit, among its people.
+ * NULL `to`: without that name. Returns the same value if there is no reference. */
 json_t *plan_json_renamed(json_t *element, const char *from, const char *to);
 
-/* Is this a list of texts that has nothing in it? */
+/* True if this is an empty list. */
 bool plan_json_is_empty(const json_t *list);
 
-/* The pieces of a clipboard: an object of lists of elements, each an object with an id. NULL: faults say what it is
- * not.
- */
+/* Reads the pieces of a clipboard: an object of lists of elements, each an object with an id. NULL: an error. */
 json_t *plan_json_read(const char *text, Fault *fault);

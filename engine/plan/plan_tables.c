@@ -240,8 +240,8 @@ const char *plan_tables_id(const Plan *plan, const PlanList *list, size_t index)
     return *(const char *const *)plan_tables_element(plan, list, index);
 }
 
-/* A table of hashes, open addressing, at most half full. An id that has changed leaves its old slot behind, which is
- * then passed over: the element itself says what its id is. */
+/* A hash table with open addressing, at most half full. An id that has changed leaves its old slot behind, which is
+ * then skipped, since the element itself holds its present id. */
 typedef struct IndexSlot {
     const PlanList *list; /* NULL: empty */
     size_t index;
@@ -256,7 +256,7 @@ static bool slot_has(const Plan *plan, const IndexSlot *slot, const PlanList *li
     return slot->list == list && strcmp(plan_tables_id(plan, list, slot->index), id) == 0;
 }
 
-/* The slot of the id, or the empty one where it would be. */
+/* Returns the slot of the id, or the empty slot where it belongs. */
 static IndexSlot *find_slot(const Plan *plan, const PlanList *list, const char *id) {
     const PlanIndex *index = plan->index;
     uint64_t hash = 0xcbf29ce484222325u + (uint64_t)(list - plan_tables_lists); /* FNV-1a */
@@ -270,7 +270,7 @@ static IndexSlot *find_slot(const Plan *plan, const PlanList *list, const char *
 
 void plan_tables_renamed(Plan *plan, const PlanList *list, size_t index) {
     IndexSlot *slot = find_slot(plan, list, plan_tables_id(plan, list, index));
-    if (!slot->list) /* an id that is there twice, a fault, finds the first */
+    if (!slot->list) /* a repeated id, which is an error, finds its first element */
         *slot = (IndexSlot){list, index};
 }
 

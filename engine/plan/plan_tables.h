@@ -1,14 +1,14 @@
 /* The parameter tables of a house file, and its lists of walls, doors and so on as rows of one table, so that reading,
- * checking, writing, `--set` and the schema go through all of them alike. Only for the files of the plan. */
+ * checking, writing, `--set` and the schema treat all of them alike. Private to the files of the plan. */
 #pragma once
 
 #include "plan/plan.h"
 
 typedef struct PlanList {
-    const char *key; /* in the file: "walls" */
+    const char *key; /* key in the file: "walls" */
     ParameterTable table;
-    ParameterTable components; /* of its points, for whoever changes one number: "at.x" */
-    size_t array, count, size; /* offsets in Plan, bytes of an element; the first field of each is its id */
+    ParameterTable components; /* of its points, to change single numbers: "at.x" */
+    size_t array, count, size; /* offsets in Plan, bytes of an element; the first field of each element is its id */
 } PlanList;
 
 /* In the order of a file. */
@@ -33,13 +33,13 @@ void *plan_tables_allocate(Plan *plan, const PlanList *list, size_t count);
 size_t plan_tables_count(const Plan *plan, const PlanList *list);
 void *plan_tables_element(const Plan *plan, const PlanList *list, size_t index);
 
-/* "" where the id could not be read. */
+/* Returns "" if the id could not be read. */
 const char *plan_tables_id(const Plan *plan, const PlanList *list, size_t index);
 
-/* Makes what plan_tables_find looks in, when all lists are read; up to `changes` ids may then be given to
+/* Builds the index of plan_tables_find when all lists are read; up to `changes` ids may then be given to
  * plan_tables_renamed. */
 void plan_tables_index(Plan *plan, size_t changes);
 void plan_tables_renamed(Plan *plan, const PlanList *list, size_t index);
 
-/* The place of the id in the list, or SIZE_MAX. */
+/* Returns the index of the id in the list, or SIZE_MAX. */
 size_t plan_tables_find(const Plan *plan, const PlanList *list, const char *id);

@@ -6,7 +6,7 @@
 #include "base/provenance.h"
 #include "base/text.h"
 
-/* Who needs the row. */
+/* Driving models that use the row. */
 enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS };
 
 #define ROWS_OF_A_PROFILE(ROW)                                                                                         \
@@ -77,7 +77,7 @@ static const Parameter driving_row = {.name = "driving",
 static const char *const groups[] = {"body", "drive", "space", "contact"};
 enum { GROUPS = sizeof groups / sizeof *groups };
 
-/* How the provenance of a value in a file begins. */
+/* Allowed beginnings of a provenance in a file. */
 #define SOURCES "paper|reconstructed|literature: |assumed"
 
 const ParameterTable *profile_table(void) {
@@ -142,7 +142,7 @@ static void read_texts(Profile *profile, const JsonNode *root, Fault *fault) {
         json_fault(root, fault, "a profile has no \"driving\" (%s)", driving_row.meaning);
 }
 
-/* A walker is a disc; nothing is said twice. */
+/* Makes a walker a disc, since its file gives only one size. */
 static void round_walker(Profile *profile) {
     if (profile->driving != DRIVING_WALKER)
         return;
@@ -213,13 +213,13 @@ bool profile_set(Profile *profile, const char *name, const char *value, const ch
     return fault->total == before;
 }
 
-/* m: with more, those around one press so hard from all sides that they push one through a wall. */
+/* m: with a larger reach, neighbours on all sides press so hard that a person is pushed through a wall. */
 static const double WALKERS_REACH = 0.5;
 
 bool profile_check(const Profile *profile, double dt, const char *place, Fault *fault) {
     size_t before = fault->total;
     bool walks = profile->driving == DRIVING_WALKER;
-    /* A chair: two walls on either side, body and ring of the heavier law counted in full. Somebody in a crowd: six
+    /* A chair: two walls on either side, body and ring of the heavier law counted in full. A walker in a crowd: six
      * others, two of them against a wall behind. */
     const double most_contacts = walks ? 8 : 4;
     if (walks && profile->space_reach > WALKERS_REACH)
@@ -231,7 +231,7 @@ bool profile_check(const Profile *profile, double dt, const char *place, Fault *
     if (profile->corner_radius > fmin(profile->length, profile->width) / 2)
         fault_add(fault, "%s: corner_radius is %g m, at most half the smaller side, %g m", place,
                   profile->corner_radius, fmin(profile->length, profile->width) / 2);
-    /* At a corner of the body a force also turns it, which makes the mass there look smaller. */
+    /* At a corner of the body a force also turns the body, which makes the mass there appear smaller. */
     double arm = vec2_length(vec2(profile->length / 2, profile->width / 2)) / profile->radius_of_gyration;
     double mass = profile->driving == DRIVING_DRIVER ? profile->mass / (1 + arm * arm) : profile->mass;
     double longest = fmin(contact_longest_step(&profile->contact, mass, most_contacts),

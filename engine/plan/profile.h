@@ -1,5 +1,5 @@
-/* Who moves: the body, the way of driving, the personal space and the contact law of one kind of person, each number
- * with its provenance (`paper`, `reconstructed`, `literature: source`, `assumed`), read from assets/profiles.
+/* A kind of person: body, driving model, personal space and contact law, each number with its provenance (`paper`,
+ * `reconstructed`, `literature: source`, `assumed`), read from assets/profiles.
  *
  * The body is a rounded rectangle, length by width, its corners rounded by `corner_radius`; the reference point is the
  * middle of the drive axle, `axle` ahead of the rear edge, and the mass centre stands `mass_centre` ahead of the axle.
@@ -15,17 +15,17 @@
 #include "mechanics/contact.h"
 
 typedef enum Driving {
-    DRIVING_DRIVER, /* a chair that turns and does not slip sideways, along a planned path: ours */
-    DRIVING_MIURA,  /* the paper's: a disc on straight legs and corners */
-    DRIVING_WALKER, /* on foot: a disc that follows a distance field and keeps its distance to whoever is ahead */
+    DRIVING_DRIVER, /* own model: a chair that turns and does not slip sideways, along a planned path */
+    DRIVING_MIURA,  /* the paper's model: a disc on straight legs and corners */
+    DRIVING_WALKER, /* on foot: a disc that follows a floor field and keeps a distance to people ahead */
 } Driving;
 
 #define DRIVING_WORDS "driver|miura|walker"
 
-/* "driver", "miura", "walker" */
+/* Returns "driver", "miura", "walker". */
 const char *profile_driving_name(int driving);
 
-enum { PROFILE_NUMBERS = 48 /* room for the rows of the table */ };
+enum { PROFILE_NUMBERS = 48 /* capacity for the rows of the table */ };
 
 typedef struct Profile {
     const char *name;
@@ -47,8 +47,8 @@ typedef struct Profile {
     double deceleration;         /* m/s2, a_d */
     double lateral_acceleration; /* m/s2, comfortable in a corner */
     double turn_rate;            /* rad/s, largest */
-    double push;                 /* N, most that the driver pushes with */
-    double turning_moment;       /* N m, most that the driver turns with */
+    double push;                 /* N, largest push of the driver */
+    double turning_moment;       /* N m, largest turning moment of the driver */
     double speed_response;       /* s */
     double turn_response;        /* s */
     double lateral_gain;         /* 1/m2 */
@@ -56,33 +56,34 @@ typedef struct Profile {
     double side_friction;        /* 1, of the wheels, sideways */
     double reversing_speed;      /* m/s */
     double reversing_time;       /* s, to change direction */
-    double time_gap;             /* s, T of a walker's v = s / T, s the free way to whoever is ahead */
+    double time_gap;             /* s, T of a walker's v = s / T, s the free path to the person ahead */
 
     double space_reach; /* m, of the personal space beyond the body */
     ContactLaw space;
     ContactLaw contact;
 
-    const char *provenance[PROFILE_NUMBERS]; /* of each row of profile_table, in its order */
+    const char *provenance[PROFILE_NUMBERS]; /* per row of profile_table, in its order */
     Arena arena;
 } Profile;
 
-/* The rows, `body.width`, `drive.free_speed`, `space.reach`, `contact.normal_stiffness` and so on. */
+/* Returns the rows `body.width`, `drive.free_speed`, `space.reach`, `contact.normal_stiffness` and so on. */
 const ParameterTable *profile_table(void);
 
-/* Reads a profile file; on false faults say where and what, and the profile is as it was. */
+/* Reads a profile file. Returns false after an error, with the profile unchanged. */
 bool profile_read(Profile *profile, const char *path, Fault *fault);
 
-/* Changes one parameter, for instance "width" to the JSON value "0.70"; `place` begins the faults: "file:line:column:
+/* Changes one parameter, for instance "width" to the JSON value "0.70"; errors begin with `place`: "file:line:column:
  * ". */
 bool profile_set(Profile *profile, const char *name, const char *value, const char *place, Fault *fault);
 
-/* The row that profile_set would change. NULL: a fault, which begins with `place`, says what there is instead. */
+/* Returns the row that profile_set would change. NULL: an error, which begins with `place` and names the possible
+ * parameters. */
 const Parameter *profile_parameter(const Profile *profile, const char *name, const char *place, Fault *fault);
 
-/* Does the row with this index matter to somebody who gets about in this way? A file gives exactly those that do. */
+/* True if the driving model uses the row with this index. A file gives exactly these rows. */
 bool profile_row_matters(size_t row, int driving);
 
-/* What the rows cannot say: that the parts of the body fit together and the step `dt` (s) is stable. */
+/* Checks beyond the rows: the parts of the body fit together, and the step `dt` (s) is stable. */
 bool profile_check(const Profile *profile, double dt, const char *place, Fault *fault);
 
 void profile_free(Profile *profile);

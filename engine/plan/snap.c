@@ -7,15 +7,15 @@
 #include "base/real.h"
 #include "plan/plan_geometry.h"
 
-enum { LINES_MOST = 24 /* near a hand, at once: more are not looked at */ };
+enum { LINES_MOST = 24 /* lines near the pointer at once; further ones are ignored */ };
 
 /* A line that can be snapped to. */
 typedef struct Line {
     Vec2 origin, axis; /* m; unit */
-    double low, high;  /* m, how far it goes along the axis */
-    double cost;       /* 1, in reaches: how much less it is meant than another as near */
-    Vec2 guide;        /* m, from where it is shown; of a line that is there anyhow: its origin */
-    bool drawn;        /* it is there anyhow */
+    double low, high;  /* m, extent along the axis */
+    double cost;       /* 1, in reaches: handicap against another line at the same distance */
+    Vec2 guide;        /* m, where the displayed guide begins; for an existing line: its origin */
+    bool drawn;        /* True if the line exists in the plan */
     char words[SNAP_WORDS / 2];
 } Line;
 
@@ -24,12 +24,12 @@ typedef struct Search {
     const SnapAsk *ask;
     Line lines[LINES_MOST];
     size_t line_count;
-    double best; /* of the points */
+    double best; /* of the best point */
     Snap snap;
 } Search;
 
 static const double COST_RAY = 0.0, COST_WALL = 0.05, COST_AXIS = 0.3;
-static const double STEEP = 0.2; /* 1: the sine of the least angle at which two lines make a crossing */
+static const double STEEP = 0.2; /* 1: sine of the least angle at which two lines form a crossing */
 
 /* Numbers --------------------------------------------------------------------------------------------------------- */
 
@@ -112,7 +112,7 @@ static void offer_points(Search *search) {
 
 /* Lines ----------------------------------------------------------------------------------------------------------- */
 
-/* Where along a line the hand is, m. */
+/* Returns the position of the pointer along a line, m. */
 static double along_of(const Line *line, Vec2 at) {
     return vec2_dot(vec2_sub(at, line->origin), line->axis);
 }
@@ -154,9 +154,9 @@ static void offer_wall(Search *search, const Wall *wall) {
     }
 }
 
-/* The ends that an upright and a level line could go through: the nearest ones. */
+/* The nearest ends in line with an upright and a level line. */
 typedef struct Aligned {
-    const char *ids[2]; /* of the level line, of the upright one; NULL: none */
+    const char *ids[2]; /* of the level line and of the upright one; NULL: none */
     Vec2 ends[2];
     double best[2];
 } Aligned;
@@ -165,7 +165,7 @@ static void offer_end(const SnapAsk *ask, Aligned *aligned, Vec2 end, const char
     Vec2 to = vec2_sub(ask->at, end);
     double off[2] = {fabs(to.y), fabs(to.x)};
     for (int k = 0; k < 2; k++) {
-        double far = off[k] + 1e-3 * vec2_length(to); /* of those as well in line, the nearest */
+        double far = off[k] + 1e-3 * vec2_length(to); /* of ends equally in line, the nearest */
         if (off[k] > ask->reach || far >= aligned->best[k])
             continue;
         aligned->best[k] = far;
@@ -243,7 +243,7 @@ static void add_guide(Snap *snap, const Line *line) {
     snap->guides[snap->guide_count++][1] = snap->at;
 }
 
-/* Where two lines cross, within both. */
+/* Finds the crossing of two lines, within both. */
 static bool cross(const Line *a, const Line *b, Vec2 *at) {
     double turn = vec2_cross(a->axis, b->axis);
     if (fabs(turn) < STEEP)
@@ -295,7 +295,7 @@ static bool choose_line(Search *search) {
     return true;
 }
 
-/* Along one axis: to a whole centimetre, or where an end is in line. */
+/* Snaps along one axis: to a whole centimetre, or in line with an end. */
 static Snap snap_straight(Search *search) {
     const SnapAsk *ask = search->ask;
     Vec2 to = vec2_sub(ask->at, *ask->from);

@@ -1,5 +1,5 @@
-/* Where a hand means to point in a house: at an end of a wall, on a wall, in line with something, at an angle of 15
- * degrees, at a whole centimetre. Pure geometry: what is snapped to has a name to be said, and lines to be drawn. */
+/* Snaps the pointer in a house: to an end of a wall, onto a wall, in line with an element, to an angle of 15 degrees,
+ * to a whole centimetre. Pure geometry; the target has a text, and lines to draw. */
 #pragma once
 
 #include <stdbool.h>
@@ -9,48 +9,48 @@
 #include "plan/plan.h"
 
 #define SNAP_GRID 0.01       /* m */
-#define SNAP_FREE_GRID 0.001 /* m, of a hand that is free, so that files stay short */
+#define SNAP_FREE_GRID 0.001 /* m, of a free pointer, so that files stay short */
 #define SNAP_TURN 15.0       /* degree */
 
 enum { SNAP_WORDS = 96, SNAP_GUIDES = 2 };
 
-/* What is asked for. */
+/* Arguments of a snap. */
 typedef struct SnapAsk {
-    Vec2 at;          /* m, where the hand is */
-    double reach;     /* m: what is nearer than this is meant */
-    bool free;        /* nothing is snapped to */
-    bool straight;    /* only along the x or the y axis from `from` */
-    bool faces;       /* of walls and furniture, instead of the walls' axes */
-    bool doors;       /* the edges of openings, too */
-    const Vec2 *from; /* m, the other end of the line that is being drawn, or NULL */
-    double along;     /* degree, the direction in which that line's neighbour came to `from`; NAN: none did */
-    const Vec2 *own;  /* (own_count) m, points of what is being drawn so far; the first one closes it */
+    Vec2 at;          /* m, position of the pointer */
+    double reach;     /* m: targets within this distance count */
+    bool free;        /* True: snap to nothing */
+    bool straight;    /* True: only along the x or the y axis from `from` */
+    bool faces;       /* True: to faces of walls and furniture instead of the walls' axes */
+    bool doors;       /* True: also to the edges of openings */
+    const Vec2 *from; /* m, the other end of the line being drawn, or NULL */
+    double along;     /* degree, the direction in which the previous line came to `from`; NAN: none */
+    const Vec2 *own;  /* (own_count) m, points drawn so far; the first one closes the line */
     size_t own_count;
     bool closes;
-    const char *const *without; /* (without_count) ids of what moves itself */
+    const char *const *without; /* (without_count) ids of moving elements, which are excluded */
     size_t without_count;
 } SnapAsk;
 
-/* What is found. */
+/* Result of a snap. */
 typedef struct Snap {
     Vec2 at;                /* m */
-    char words[SNAP_WORDS]; /* "end of w3", "on w2, 90 degrees"; "": nothing, or the grid */
+    char words[SNAP_WORDS]; /* "end of w3", "on w2, 90 degrees"; "": no target, or the grid */
     Vec2 guides[SNAP_GUIDES][2];
     size_t guide_count;
 } Snap;
 
 Snap snap_point(const Plan *plan, const SnapAsk *ask);
 
-/* A length, or a coordinate, without the last digits that turning has left, m. */
+/* Returns a length or a coordinate, m, without the last digits that a rotation has left. */
 double snap_tidy(double value);
 
-/* The unit vector of an angle in degrees: exact along the axes. */
+/* Returns the unit vector of an angle in degrees, exact along the axes. */
 Vec2 snap_heading(double degrees);
 
-/* The direction of a vector, degree: exact along the axes, in (-180, 180]. */
+/* Returns the direction of a vector, degree, exact along the axes, in (-180, 180]. */
 double snap_angle(Vec2 along);
 
-/* An angle to the nearest multiple of SNAP_TURN, or to a tenth of a degree when `free`; in (-180, 180]. */
+/* Rounds an angle to the nearest multiple of SNAP_TURN, or to a tenth of a degree when `free`; in (-180, 180]. */
 double snap_turn(double degrees, bool free);
 
 /* A place on a wall's axis. */
@@ -58,8 +58,8 @@ typedef struct SnapWall {
     size_t wall, segment;
     double along;    /* m, from the segment's first point */
     double length;   /* m, of the segment */
-    double distance; /* m, from the place that was asked for */
+    double distance; /* m, from the requested place */
 } SnapWall;
 
-/* The wall nearest to a place. False: there is none. */
+/* Finds the wall nearest to a place. Returns false if there is none. */
 bool snap_wall(const Plan *plan, Vec2 at, SnapWall *nearest);

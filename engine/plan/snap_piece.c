@@ -6,11 +6,11 @@
 
 #include "plan/plan_geometry.h"
 
-static const double PARALLEL = 0.002; /* 1: the sine of the angle up to which a side lies along a face */
-static const double NEAR_WALL = 0.15; /* m: a back that is so near to a wall is put against it */
-static const double TOUCHING = 1e-9;  /* m: a face that begins here is not in the way */
+static const double PARALLEL = 0.002; /* 1: sine of the largest angle at which a side lies along a face */
+static const double NEAR_WALL = 0.15; /* m: a back this near to a wall is placed against it */
+static const double TOUCHING = 1e-9;  /* m: a face that begins here does not obstruct */
 
-/* A face that looks into free space to its right, seen from a to b. */
+/* A face with free space on its right, seen from a to b. */
 typedef struct SideFace {
     Vec2 a, b;
     const char *id;
@@ -57,13 +57,13 @@ static Vec2 normal_of(const SideFace *face) {
 /* Touching -------------------------------------------------------------------------------------------------------- */
 
 typedef struct Touch {
-    Vec2 corners[4]; /* of the piece, its middle at the hand */
+    Vec2 corners[4]; /* of the piece, with its middle at the pointer */
     double reach;
-    double move[2];     /* m, along the piece's own x and y; HUGE_VAL: nothing is near */
-    const char *ids[2]; /* of what is touched */
+    double move[2];     /* m, along the piece's own x and y; HUGE_VAL: no face is near */
+    const char *ids[2]; /* of the elements touched */
 } Touch;
 
-/* The stretch that points take up along an axis. */
+/* Returns the range of points along an axis. */
 static void stretch(const Vec2 *points, size_t count, Vec2 axis, double *low, double *high) {
     *low = HUGE_VAL;
     *high = -HUGE_VAL;
@@ -87,7 +87,7 @@ static void touch(void *context, const SideFace *face) {
         if (vec2_dot(out, normal) > 0 || fabs(vec2_cross(out, normal)) > PARALLEL)
             continue;
         double move = vec2_dot(vec2_sub(face->a, a), out);
-        int k = side % 2 == 0; /* front and back move it along its own y */
+        int k = side % 2 == 0; /* front and back move the piece along its own y */
         if (fabs(move) > touching->reach || fabs(move) >= fabs(touching->move[k]))
             continue;
         touching->move[k] = side == 0 || side == 3 ? -move : move;
