@@ -13,6 +13,9 @@
 #include "command/progress.h"
 #include "command/types_answer.h"
 #include "experiment/beam_experiment.h"
+#include "result/beam.h"
+#include "result/json.h"
+#include "result/text.h"
 
 /* Type ------------------------------------------------------------------------------------------------------------ */
 
@@ -67,11 +70,9 @@ static void print_orbit(const Response *response) {
                                                "positive: over 1, it would fold or part with its mirror image",
                                            [ORBIT_FLIP] = "negative: beyond -1, its period would double",
                                            [ORBIT_NEIMARK] = "one of a pair: over 1, it would become a torus"};
-    const Orbit *orbit = &response->orbit;
-    printf("The orbit closes after %zu cycle%s; its largest multiplier has the size %.3f, %s\n", orbit->period,
-           orbit->period == 1 ? "" : "s", orbit->largest, leavings[orbit->leaving]);
+    printf("The orbit's largest multiplier is %s\n", leavings[response->orbit.leaving]);
     if (!response->settled)
-        printf("The recorded cycles still hold the transient: a larger run.transient_cycles would leave it out\n");
+        printf("The recorded cycles still hold the transient: use more run.transient_cycles to leave it out\n");
 }
 
 static void print_verdict(const Response *response, const Beam *beam, const Rig *rig) {
@@ -96,65 +97,41 @@ static void print_verdict(const Response *response, const Beam *beam, const Rig 
     print_peaks(response, beam, rig);
     if (response->verdict == RESPONSE_PERIODIC)
         print_orbit(response);
-    else if (isfinite(response->exponent.value))
-        printf("The largest exponent is %+.3f +- %.3f per cycle, the 0-1 test's K is %.3f, over %zu cycles\n",
-               response->exponent.value, response->exponent.error, response->zero_one, response->cycles);
 }
 
-static void print_answer(const Response *response, const TypeAnswer *type, const Beam *beam, const Rig *rig) {
+/* What the response's numbers are, for people and for JSON. */
+typedef struct Facts {
+    ResultTable motion, forces;
+} Facts;
+
+static void print_answer(const Response *response, const Facts *facts, const TypeAnswer *type, const Beam *beam,
+                         const Rig *rig) {
+    Text text = {0};
     print_verdict(response, beam, rig);
     printf("\n");
     types_answer_print(&type->types, &type->quick, type->each);
-    printf("\nclearance            +-%.4g mm; without the joint the tip would move +-%.4g mm\n", 1000 * beam->clearance,
-           1000 * rig_free_amplitude(rig));
-    printf("switches             %.2f a cycle, in contact for %.0f %% of the time\n", response->switches,
-           100 * response->contact_share);
+    result_text_list(&text, (const ResultTable *const[]){&facts->motion, &facts->forces}, 2);
+    printf("\n%s", text.text);
+    memory_free(text.text);
     if (response->grazes)
-        printf("grazing              %zu times nearer than %.0e of the clearance without touching, or as deep in it\n",
-               response->grazes, MOTION_GRAZE);
-    printf("natural frequencies ");
-    for (size_t i = 0; i < rig->modes.count && i < 6; i++)
-        printf(" %.1f", rig->modes.frequency[i] / (2 * M_PI));
-    double lacking = rig->modes.residual * rig->stiffness;
-    printf("%s Hz (%zu modes)\n", rig->modes.count > 6 ? " ..." : "", rig->modes.count);
-    printf("compliance           the modes left out have %.2g %% of the contact's%s\n", 100 * fmax(0, lacking),
-           lacking > MODES_RESIDUAL_MOST ? ": too much, more beam.modes would be right" : "");
-    printf("digest               %016" PRIx64 "\n", response->digest);
+        printf(
+            "\nThe tip came nearer to the joint than %.0e of the clearance without touching, or only as deep into it\n",
+            MOTION_GRAZE);
+    if (rig->modes.residual * rig->stiffness > MODES_RESIDUAL_MOST)
+        printf("\nThe modes that are left out have too much compliance: use more beam.modes\n");
+    printf("\ndigest %016" PRIx64 "\n", response->digest);
 }
 
 /* JSON ------------------------------------------------------------------------------------------------------------ */
 
-static json_t *known(double value) {
-    return isfinite(value) ? json_number(value) : json_null();
-}
-
-static json_t *make_answer(const Response *response, const TypeAnswer *type, const Beam *beam, const Rig *rig) {
+static json_t *make_answer(const Response *response, const Facts *facts, const TypeAnswer *type, const Beam *beam) {
     char digest[17];
     snprintf(digest, sizeof digest, "%016" PRIx64, response->digest);
-    const SectionPeaks *peaks = &response->peaks;
-    json_t *frequencies = json_array();
-    for (size_t i = 0; i < rig->modes.count; i++)
-        json_array_append_new(frequencies, json_number(rig->modes.frequency[i] / (2 * M_PI)));
-    json_t *answer = json_pack("{s:s, s:s, s:s, s:o, s:o, s:s, s:I, s:b, s:o, s:o, s:o, s:I}", "kind", "beam", "beam",
-                               beam->name, "note", beam->note, "frequency", json_number(beam->frequency), "clearance",
-                               json_number(beam->clearance), "verdict", response_verdict_name(response->verdict),
-                               "period", (json_int_t)response->orbit.period, "settled", response->settled, "lyapunov",
-                               known(response->exponent.value), "lyapunov_error", known(response->exponent.error),
-                               "zero_one", known(response->zero_one), "cycles", (json_int_t)response->cycles);
+    json_t *answer = json_pack("{s:s, s:s, s:s}", "kind", "beam", "beam", beam->name, "note", beam->note);
+    result_json_add(answer, &facts->motion, 0);
     json_object_set_new(answer, "type", json_string(types_kind_name(type->types.kind)));
     json_object_set_new(answer, "types", types_answer_json(&type->types, &type->quick, type->each));
-    json_object_set_new(answer, "multiplier",
-                        response->verdict == RESPONSE_PERIODIC ? json_number(response->orbit.largest) : json_null());
-    json_object_set_new(answer, "peaks",
-                        json_pack("{s:o, s:o, s:o, s:I}", "min", json_number(peaks->min), "max",
-                                  json_number(peaks->max), "mean", json_number(peaks->mean), "count",
-                                  (json_int_t)peaks->count));
-    json_object_set_new(answer, "switches", json_number(response->switches));
-    json_object_set_new(answer, "contact_share", json_number(response->contact_share));
-    json_object_set_new(answer, "grazes", json_integer((json_int_t)response->grazes));
-    json_object_set_new(answer, "free_amplitude", json_number(rig_free_amplitude(rig)));
-    json_object_set_new(answer, "natural_frequencies", frequencies);
-    json_object_set_new(answer, "residual_compliance", json_number(rig->modes.residual));
+    result_json_add(answer, &facts->forces, 0);
     json_object_set_new(answer, "digest", json_string(digest));
     return answer;
 }
@@ -211,7 +188,8 @@ int run_beam_file(const Options *options) {
     if (progress_interrupted)
         fprintf(stderr, "clearance: interrupted after %zu recorded cycles; what came before is kept\n",
                 response.section.count);
-    json_t *answer = make_answer(&response, &type, &beam, &rig);
+    Facts facts = {result_beam_motion(&beam, &response), result_beam_forces(&rig, &response)};
+    json_t *answer = make_answer(&response, &facts, &type, &beam);
     bool written = (!options->out || (write_data(&response, answer, options->out) &&
                                       beam_files_write(&files, &response, &beam, options))) &&
                    beam_frames_write(&beam, &rig, &response, options);
@@ -219,11 +197,13 @@ int run_beam_file(const Options *options) {
     if (options->json)
         answer_print(json_incref(answer));
     else
-        print_answer(&response, &type, &beam, &rig);
+        print_answer(&response, &facts, &type, &beam, &rig);
     if (options->out && written && !options->json)
         printf("\nplots and data are in %s\n", options->out);
     bool resolved = response.verdict == RESPONSE_PERIODIC || response.verdict == RESPONSE_CHAOTIC;
     json_decref(answer);
+    result_clear(&facts.motion);
+    result_clear(&facts.forces);
     type_close(&type);
     response_clear(&response);
     rig_clear(&rig);

@@ -13,6 +13,13 @@ static json_t *number(double value, ResultNumbers numbers) {
                                     : json_number(value);
 }
 
+static json_t *list_of(const ResultRow *row, ResultNumbers numbers) {
+    json_t *list = json_array();
+    for (size_t i = 0; i < row->count; i++)
+        json_array_append_new(list, number(row->list[i], numbers));
+    return list;
+}
+
 static json_t *value_of(const ResultRow *row, ResultNumbers numbers) {
     switch (row->kind) {
     case RESULT_TEXT:
@@ -21,6 +28,8 @@ static json_t *value_of(const ResultRow *row, ResultNumbers numbers) {
         return json_boolean(row->number > 0);
     case RESULT_COUNT:
         return isfinite(row->number) ? json_integer((json_int_t)row->number) : json_null();
+    case RESULT_LIST:
+        return list_of(row, numbers);
     case RESULT_NUMBER:
         break;
     }

@@ -37,20 +37,44 @@ const ResultRow *result_find(const ResultTable *table, size_t record, const char
 
 /* Values ----------------------------------------------------------------------------------------------------------- */
 
+enum { LIST_READ = 6 /* numbers of a list that people read */ };
+
+static int decimals_of(const ResultRow *row, double value) {
+    if (row->significant <= 0)
+        return row->decimals;
+    return value == 0 ? 0 : (int)fmax(0, row->significant - 1 - floor(log10(fabs(value))));
+}
+
+static const char *number_of(const ResultRow *row, double number, Arena *arena) {
+    double value = number * (row->factor != 0 ? row->factor : 1);
+    int decimals = decimals_of(row, value);
+    bool nought = fabs(value) < 0.5 * pow(10, -decimals); /* drops the sign that rounding leaves */
+    if (nought)
+        return text_in_arena(arena, "%.*f", decimals, 0.0);
+    return text_in_arena(arena, row->sign ? "%+.*f" : "%.*f", decimals, value);
+}
+
+static const char *list_of(const ResultRow *row, Arena *arena) {
+    const char *list = NULL;
+    for (size_t i = 0; i < row->count && i < LIST_READ; i++) {
+        const char *number = number_of(row, row->list[i], arena);
+        list = list ? text_in_arena(arena, "%s, %s", list, number) : number;
+    }
+    return row->count > LIST_READ ? text_in_arena(arena, "%s, ...", list) : list;
+}
+
 const char *result_value(const ResultRow *row, Arena *arena) {
     if (row->unknown || row->omitted)
         return NULL;
     if (row->text)
         return *row->text ? row->text : NULL;
+    if (row->kind == RESULT_LIST)
+        return list_of(row, arena);
     if (row->kind == RESULT_TEXT || !isfinite(row->number))
         return NULL;
     if (row->kind == RESULT_FLAG)
         return row->number > 0 ? "yes" : "no";
-    double value = row->number * (row->factor != 0 ? row->factor : 1);
-    bool nought = fabs(value) < 0.5 * pow(10, -row->decimals); /* drops the sign that rounding leaves */
-    if (nought)
-        return text_in_arena(arena, "%.*f", row->decimals, 0.0);
-    return text_in_arena(arena, row->sign ? "%+.*f" : "%.*f", row->decimals, value);
+    return number_of(row, row->number, arena);
 }
 
 const char *result_value_and_unit(const ResultRow *row, Arena *arena) {
@@ -66,6 +90,32 @@ static bool is_known(const ResultTable *table, size_t row) {
         known = result_value(result_at(table, record, row), &arena) != NULL;
     arena_clear(&arena);
     return known;
+}
+
+ResultTable result_copy(const ResultTable *table) {
+    ResultTable copy = {.numbers = table->numbers};
+    for (size_t r = 0; r < table->used; r++) {
+        ResultRow row = table->rows[r];
+        if (row.text)
+            row.text = arena_text(&copy.arena, row.text);
+        if (row.list) {
+            double *list = arena_allocate(&copy.arena, row.count * sizeof *list);
+            memcpy(list, row.list, row.count * sizeof *list);
+            row.list = list;
+        }
+        result_add(&copy, row);
+    }
+    copy.row_count = table->row_count;
+    copy.record_count = table->record_count;
+    return copy;
+}
+
+ResultRow result_element(const ResultRow *list, size_t index, const char *label) {
+    ResultRow row = *list;
+    row.kind = RESULT_NUMBER;
+    row.label = label;
+    row.number = list->list[index];
+    return row;
 }
 
 size_t result_columns(const ResultTable *table, size_t *rows) {

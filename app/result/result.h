@@ -10,7 +10,7 @@
 #include "base/memory.h"
 #include "draw/scene.h"
 
-typedef enum ResultKind { RESULT_TEXT, RESULT_FLAG, RESULT_COUNT, RESULT_NUMBER } ResultKind;
+typedef enum ResultKind { RESULT_TEXT, RESULT_FLAG, RESULT_COUNT, RESULT_NUMBER, RESULT_LIST } ResultKind;
 
 /* Decides what `result_compare` makes of the values of two runs. */
 typedef enum ResultDifference {
@@ -24,11 +24,14 @@ typedef struct ResultRow {
     const char *label; /* for people: "personal space entered"; NULL: only in JSON */
     const char *head;  /* label of a table's column, where `label` is too long for one; or NULL */
     ResultKind kind;
-    double number;    /* of a count or a number, or a flag's 0 or 1; NAN: none */
-    const char *text; /* of a text, or NULL; otherwise the words that people read instead of the number, or NULL */
+    double number;      /* of a count or a number, or a flag's 0 or 1; NAN: none */
+    const char *text;   /* of a text, or NULL; otherwise the words that people read instead of the number, or NULL */
+    const double *list; /* (count) of a list of numbers */
+    size_t count;
     const char *unit; /* in which people read the number, or NULL */
     double factor;    /* number for people = factor x number; 0 counts as 1 */
-    int decimals;     /* digits behind the point, for people */
+    int decimals;     /* digits behind the point, for people; or, where `significant` is more than 0, */
+    int significant;  /* digits in all */
     bool sign;        /* people read the sign of positive numbers, too */
     bool unknown;     /* people read "-", although JSON has a value */
     bool omitted;     /* JSON leaves the key out, and people read "-" */
@@ -67,6 +70,12 @@ const ResultRow *result_find(const ResultTable *table, size_t record, const char
 /* The value as people read it, without and with its unit; NULL: there is none. Good as long as the arena lives. */
 const char *result_value(const ResultRow *row, Arena *arena);
 const char *result_value_and_unit(const ResultRow *row, Arena *arena);
+
+/* Copies rows and texts; keys, labels and units are not copied. */
+ResultTable result_copy(const ResultTable *table);
+
+/* Returns number `index` of a list as a row of its own, called `label`. */
+ResultRow result_element(const ResultRow *list, size_t index, const char *label);
 
 /* Lists the rows (row_count) that are columns of a table for people: those with a value in any record. Returns how
  * many; 0 when there are only names. */

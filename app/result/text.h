@@ -7,5 +7,5 @@
 /* Adds a table, a column for each row that has a value in any record, under a line of heads: "time s". */
 void result_text_table(Text *text, const ResultTable *table);
 
-/* Adds a line for each row of a record that has a value: "natural frequency   23.4 Hz". */
-void result_text_list(Text *text, const ResultTable *table, size_t record);
+/* Adds a line for each row of the first records of `count` tables that has a value: "time in contact   52 %". */
+void result_text_list(Text *text, const ResultTable *const *tables, size_t count);

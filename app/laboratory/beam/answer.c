@@ -4,7 +4,12 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { SETTLED = 100 /* cycles after a change, before it is said that the motion is another one than from rest */ };
+#include "result/panel.h"
+
+enum {
+    SETTLED = 100,   /* cycles after a change, before it is said that the motion is another one than from rest */
+    FREQUENCIES = 6, /* natural frequencies that are shown */
+};
 
 static const double ALIKE = 0.02; /* 1, of the largest force: so near, it is the same motion */
 
@@ -136,25 +141,28 @@ static void add_peaks(BeamAnswer *answer, const SectionPeaks *peaks) {
     add_row(answer, ROW_PLAIN, "largest peak", text_in_arena(arena, "%.0f N", peaks->max));
 }
 
-static void add_basis(BeamAnswer *answer, const BeamVerdict *verdict) {
-    Arena *arena = &answer->arena;
-    if (verdict->verdict == RESPONSE_PERIODIC)
-        add_row(answer, ROW_PLAIN, "largest multiplier", text_in_arena(arena, "%.3f", verdict->multiplier));
-    else if (isfinite(verdict->exponent.value))
-        add_row(answer, ROW_PLAIN, "exponent",
-                text_in_arena(arena, "%+.3f \u00B1 %.3f per cycle", verdict->exponent.value, verdict->exponent.error));
-    if (isfinite(verdict->zero_one))
-        add_row(answer, ROW_PLAIN, "K of the 0-1 test", text_in_arena(arena, "%.3f", verdict->zero_one));
-    add_row(answer, ROW_PLAIN, "cycles seen", text_in_arena(arena, "%zu", verdict->cycles));
-    add_row(answer, ROW_PLAIN, "tip without the joint",
-            text_in_arena(arena, "\u00B1%.3g mm", 1000 * verdict->free_amplitude));
+static void add_fact(BeamAnswer *answer, const ResultRow *row) {
+    SceneRow line;
+    if (!result_panel_row(&line, row, &answer->arena))
+        return;
+    line.cells[1] = arena_text(&answer->arena, line.cells[1]); /* the verdict may go before the rows */
+    add_row(answer, line.kind, line.cells[0], line.cells[1]);
+}
+
+/* Adds the facts that are single values. */
+static void add_facts(BeamAnswer *answer, const ResultTable *facts) {
+    for (size_t r = 0; r < facts->row_count; r++)
+        if (result_at(facts, 0, r)->kind != RESULT_LIST)
+            add_fact(answer, result_at(facts, 0, r));
 }
 
 static void add_natural(BeamAnswer *answer, const BeamVerdict *verdict) {
+    const ResultRow *list = result_find(&verdict->forces, 0, "natural_frequencies");
     add_row(answer, ROW_HEADING, "Natural frequencies", NULL);
-    for (size_t i = 0; i < verdict->natural_count; i++)
-        add_row(answer, ROW_PLAIN, text_in_arena(&answer->arena, "mode %zu", i + 1),
-                text_in_arena(&answer->arena, "%.1f Hz", verdict->natural[i]));
+    for (size_t i = 0; i < list->count && i < FREQUENCIES; i++) {
+        ResultRow row = result_element(list, i, text_in_arena(&answer->arena, "mode %zu", i + 1));
+        add_fact(answer, &row);
+    }
 }
 
 static void write_rows(BeamAnswer *answer, const BeamLately *lately, const BeamVerdict *verdict) {
@@ -167,8 +175,8 @@ static void write_rows(BeamAnswer *answer, const BeamLately *lately, const BeamV
     }
     add_type(answer, verdict);
     add_row(answer, ROW_HEADING, "From rest", NULL);
-    add_peaks(answer, &verdict->peaks);
-    add_basis(answer, verdict);
+    add_facts(answer, &verdict->motion);
+    add_facts(answer, &verdict->forces);
     if (is_another(lately, verdict)) {
         char words[100];
         another_words(lately, words, sizeof words);

@@ -7,12 +7,6 @@
 #include "visual/study/advice.h"
 #include "experiment/beam_experiment.h"
 
-static void take_rig(BeamVerdict *verdict, const Rig *rig) {
-    verdict->free_amplitude = rig_free_amplitude(rig);
-    for (size_t i = 0; i < rig->modes.count && i < BEAM_VERDICT_FREQUENCIES; i++)
-        verdict->natural[verdict->natural_count++] = rig->modes.frequency[i] / (2 * M_PI);
-}
-
 bool beam_verdict_tell(BeamVerdict *verdict, const Beam *beam, const volatile sig_atomic_t *stop) {
     *verdict = (BeamVerdict){.beam = *beam};
     Rig rig;
@@ -27,11 +21,8 @@ bool beam_verdict_tell(BeamVerdict *verdict, const Beam *beam, const volatile si
     verdict->period = response.orbit.period;
     verdict->peaks = response.peaks;
     verdict->exponent = response.exponent;
-    verdict->zero_one = response.zero_one;
-    verdict->multiplier = response.orbit.largest;
-    verdict->cycles = response.cycles;
-    verdict->settled = response.settled;
-    take_rig(verdict, &rig);
+    verdict->motion = result_beam_motion(beam, &response);
+    verdict->forces = result_beam_forces(&rig, &response);
     response_clear(&response);
     rig_clear(&rig);
     return !parallel_stopped(stop);
@@ -76,7 +67,17 @@ bool beam_verdict_tell_type(BeamVerdict *verdict, int jobs, const volatile sig_a
     return told;
 }
 
+BeamVerdict beam_verdict_copy(const BeamVerdict *verdict) {
+    BeamVerdict copy = *verdict;
+    copy.motion = result_copy(&verdict->motion);
+    copy.forces = result_copy(&verdict->forces);
+    copy.advice = verdict->advice ? text_copy(verdict->advice) : NULL;
+    return copy;
+}
+
 void beam_verdict_clear(BeamVerdict *verdict) {
+    result_clear(&verdict->motion);
+    result_clear(&verdict->forces);
     memory_free(verdict->advice);
     *verdict = (BeamVerdict){.advice = NULL};
 }

@@ -56,9 +56,7 @@ static void take_up(Question *question) {
 /* Hands a copy of the verdict over; the lock is held. */
 static void publish_verdict(BeamWorker *worker) {
     beam_verdict_clear(&worker->news.told);
-    worker->news.told = worker->own;
-    if (worker->own.advice)
-        worker->news.told.advice = text_copy(worker->own.advice);
+    worker->news.told = beam_verdict_copy(&worker->own);
     worker->news.verdict = true;
 }
 

@@ -88,7 +88,7 @@ TEST(a_table_has_columns_for_what_is_known) {
 TEST(a_list_has_a_line_for_each_fact_with_its_unit) {
     ResultTable table = sample();
     Text text = {0};
-    result_text_list(&text, &table, 0);
+    result_text_list(&text, (const ResultTable *const[]){&table}, 1);
     CHECK_TEXT(text.text, "person                p1\nresult                out\nchanges of direction  3\n"
                           "narrowest             0.000 m\nerror                 +1.2 %\n");
     memory_free(text.text);

@@ -1,0 +1,138 @@
+#include "result/beam.h"
+
+#include "base/text.h"
+
+/* A length on either side of the middle, which people read in millimetres. */
+static const char *either_side(Arena *arena, double length) {
+    return text_in_arena(arena, "\u00b1%.4g", 1000 * length);
+}
+
+ResultTable result_beam_motion(const Beam *beam, const Response *response) {
+    ResultTable table = {.numbers = RESULT_SHORTEST};
+    const ChaosExponent *exponent = &response->exponent;
+    bool periodic = response->verdict == RESPONSE_PERIODIC, known = isfinite(exponent->value);
+    const char *words =
+        known ? text_in_arena(&table.arena, "%+.3f \u00b1 %.3f", exponent->value, exponent->error) : NULL;
+    result_add(&table, (ResultRow){.key = "frequency",
+                                   .label = "drive frequency",
+                                   .kind = RESULT_NUMBER,
+                                   .number = beam->frequency,
+                                   .unit = "Hz",
+                                   .significant = 4});
+    result_add(&table, (ResultRow){.key = "clearance",
+                                   .label = "clearance",
+                                   .kind = RESULT_NUMBER,
+                                   .number = beam->clearance,
+                                   .text = either_side(&table.arena, beam->clearance),
+                                   .unit = "mm"});
+    result_add(&table,
+               (ResultRow){.key = "verdict", .label = "response", .text = response_verdict_name(response->verdict)});
+    result_add(&table, (ResultRow){.key = "period",
+                                   .label = "period in cycles",
+                                   .kind = RESULT_COUNT,
+                                   .number = (double)response->orbit.period,
+                                   .unknown = !response->orbit.period});
+    result_add(&table, (ResultRow){.key = "settled",
+                                   .label = "settled",
+                                   .kind = RESULT_FLAG,
+                                   .number = response->settled,
+                                   .unknown = !periodic});
+    result_add(&table, (ResultRow){.key = "lyapunov",
+                                   .label = "largest exponent per cycle",
+                                   .kind = RESULT_NUMBER,
+                                   .number = exponent->value,
+                                   .text = words});
+    result_add(&table, (ResultRow){.key = "lyapunov_error", .kind = RESULT_NUMBER, .number = exponent->error});
+    result_add(&table, (ResultRow){.key = "zero_one",
+                                   .label = "K of the 0-1 test",
+                                   .kind = RESULT_NUMBER,
+                                   .number = response->zero_one,
+                                   .decimals = 3});
+    result_add(&table, (ResultRow){.key = "cycles",
+                                   .label = "cycles analysed",
+                                   .kind = RESULT_COUNT,
+                                   .number = (double)response->cycles});
+    result_end(&table);
+    return table;
+}
+
+static const double *natural_frequencies(Arena *arena, const Rig *rig) {
+    double *list = arena_allocate(arena, rig->modes.count * sizeof *list);
+    for (size_t i = 0; i < rig->modes.count; i++)
+        list[i] = rig->modes.frequency[i] / (2 * M_PI);
+    return list;
+}
+
+ResultTable result_beam_forces(const Rig *rig, const Response *response) {
+    ResultTable table = {.numbers = RESULT_SHORTEST};
+    const SectionPeaks *peaks = &response->peaks;
+    bool periodic = response->verdict == RESPONSE_PERIODIC, touches = peaks->count > 0;
+    double free_amplitude = rig_free_amplitude(rig), lacking = fmax(0, rig->modes.residual * rig->stiffness);
+    result_add(&table, (ResultRow){.key = "multiplier",
+                                   .label = "largest multiplier",
+                                   .kind = RESULT_NUMBER,
+                                   .number = periodic ? response->orbit.largest : NAN,
+                                   .decimals = 3});
+    result_add(&table, (ResultRow){.key = "peaks.min",
+                                   .label = "smallest peak",
+                                   .kind = RESULT_NUMBER,
+                                   .number = peaks->min,
+                                   .unit = "N",
+                                   .significant = 4,
+                                   .unknown = !touches});
+    result_add(&table, (ResultRow){.key = "peaks.max",
+                                   .label = "largest peak",
+                                   .kind = RESULT_NUMBER,
+                                   .number = peaks->max,
+                                   .unit = "N",
+                                   .significant = 4,
+                                   .unknown = !touches});
+    result_add(&table, (ResultRow){.key = "peaks.mean",
+                                   .label = "mean peak",
+                                   .kind = RESULT_NUMBER,
+                                   .number = peaks->mean,
+                                   .unit = "N",
+                                   .significant = 4,
+                                   .unknown = !touches});
+    result_add(
+        &table,
+        (ResultRow){.key = "peaks.count", .label = "peaks", .kind = RESULT_COUNT, .number = (double)peaks->count});
+    result_add(&table, (ResultRow){.key = "switches",
+                                   .label = "switches per cycle",
+                                   .kind = RESULT_NUMBER,
+                                   .number = response->switches,
+                                   .decimals = 2,
+                                   .unknown = !touches});
+    result_add(&table, (ResultRow){.key = "contact_share",
+                                   .label = "time in contact",
+                                   .kind = RESULT_NUMBER,
+                                   .number = response->contact_share,
+                                   .unit = "%",
+                                   .factor = 100,
+                                   .unknown = !touches});
+    result_add(&table, (ResultRow){.key = "grazes",
+                                   .label = "grazing contacts",
+                                   .kind = RESULT_COUNT,
+                                   .number = (double)response->grazes});
+    result_add(&table, (ResultRow){.key = "free_amplitude",
+                                   .label = "tip without the joint",
+                                   .kind = RESULT_NUMBER,
+                                   .number = free_amplitude,
+                                   .text = either_side(&table.arena, free_amplitude),
+                                   .unit = "mm"});
+    result_add(&table, (ResultRow){.key = "natural_frequencies",
+                                   .label = "natural frequencies",
+                                   .kind = RESULT_LIST,
+                                   .list = natural_frequencies(&table.arena, rig),
+                                   .count = rig->modes.count,
+                                   .unit = "Hz",
+                                   .decimals = 1});
+    result_add(&table, (ResultRow){.key = "residual_compliance",
+                                   .label = "compliance left out",
+                                   .kind = RESULT_NUMBER,
+                                   .number = rig->modes.residual,
+                                   .text = text_in_arena(&table.arena, "%.2g", 100 * lacking),
+                                   .unit = "% of the contact's"});
+    result_end(&table);
+    return table;
+}
