@@ -21,11 +21,11 @@
 enum {
     NAME_LONGEST = 100, /* bytes of a file's name, without number and ending */
     NUMBERS_MOST = 100000,
-    LINE_MOST = 1000, /* characters of a line that a child says */
-    FAILED = 2,       /* exit code of what could not be done */
+    LINE_MOST = 1000, /* characters of a line of the child's standard error */
+    FAILED = 2,       /* the program's exit code when it fails */
 };
 
-/* s: so long a child may take to finish what it has begun, and to go when nobody waits for it. */
+/* s: how long a cancelled child may take to finish its file, and how long it may take when the window closes. */
 static const double PATIENCE = 5, LAST_PATIENCE = 1;
 
 /* Where ------------------------------------------------------------------------------------------------------------ */
@@ -47,11 +47,11 @@ char *export_folder(Fault *fault) {
     return NULL;
 }
 
-/* Without what is awkward in a file's name, in a shell or on another system. */
+/* Adds a name without the characters that are awkward in file names, in a shell or on another system. */
 static void add_name(Text *path, const char *name) {
     size_t begin = path->used;
     for (const char *c = name; *c; c++) {
-        bool inside = ((unsigned char)*c & 0xc0) == 0x80; /* of a character of UTF-8 */
+        bool inside = ((unsigned char)*c & 0xc0) == 0x80; /* a continuation byte of UTF-8 */
         bool plain = (unsigned char)*c > ' ' && *c != 127 && !strchr("/\\:*?\"'<>|$&;`()[]{}!#~^", *c);
         bool first = path->used == begin, after_blank = !first && path->text[path->used - 1] == '-';
         if (path->used - begin >= NAME_LONGEST && !inside)
@@ -93,7 +93,7 @@ char *export_free_name(const char *folder, const char *name, const char *const *
 
 /* A command -------------------------------------------------------------------------------------------------------- */
 
-/* 'word' when a shell would take it for something else. */
+/* Adds a word, in quotes where a shell would read it as something else. */
 static void add_quoted(Text *text, const char *word) {
     static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./,:=+@%";
     if (*word && !word[strspn(word, plain)]) {
@@ -117,21 +117,21 @@ char *export_command(const char *const *words, size_t count) {
 }
 
 struct Export {
-    pid_t child; /* 0: it is over */
-    int pipe;    /* its standard error */
+    pid_t child; /* 0: the child has ended */
+    int pipe;    /* the child's standard error */
     bool cancelled;
-    double asked;     /* s, by the clock, to end */
-    Text line;        /* what it is saying */
-    bool overwrites;  /* the line began with a carriage return: progress */
-    Text doing, said; /* the last progress, and the last line that is none */
+    double asked;     /* s, when the child was asked to end */
+    Text line;        /* the unfinished line of the child */
+    bool overwrites;  /* the line began with a carriage return, so it is progress */
+    Text doing, said; /* the last progress, and the last other line */
     const char *out, *movie;
     const char **files; /* (file_count) */
     size_t file_count, file_capacity;
     ExportStatus status;
-    Arena arena; /* holds the names */
+    Arena arena; /* holds the names of the files */
 };
 
-/* The words, and the environment with what makes it tell progress; memory_free both. */
+/* Returns the child's arguments, to be released by memory_free. */
 static char **make_arguments(const ExportOrder *order) {
     char **words = memory_zeroed(order->argument_count + order->option_count + 6, sizeof *words), **end = words;
     *end++ = (char *)"clearance";
@@ -162,7 +162,8 @@ static char **make_environment(void) {
     return copy;
 }
 
-/* In a group of its own, so that Ctrl-C in a terminal ends the window, which ends it. 0 or errno. */
+/* Starts the child in a process group of its own: Ctrl-C in a terminal ends the window, and the window ends the child.
+ * Returns 0 or errno. */
 static int spawn(Export *export, const ExportOrder *order, int writing) {
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
@@ -216,7 +217,7 @@ static void replace(Text *text, const char *words, size_t length) {
     text_format(text, "%.*s", (int)length, words);
 }
 
-/* A piece of progress, or the end of a line; what a carriage return begins is progress, unless a sentence follows. */
+/* Takes the line as progress or as a message: text after a carriage return is progress, unless a message follows it. */
 static void read_line(Export *export, bool ended) {
     const char *words = export->line.text, *sentence = strstr(words, "clearance: ");
     size_t length = export->line.used;
@@ -243,12 +244,13 @@ static void read_said(Export *export) {
             else if (said[i] && export->line.used < LINE_MOST)
                 text_add(&export->line, (char[]){said[i], 0});
         }
-    /* progress stands at the end of what has been said, and nothing follows it until the next */
+    /* the newest progress is at the end of the output, with nothing behind it yet */
     if (export->overwrites && export->line.used && !strstr(export->line.text, "clearance: "))
         replace(&export->doing, export->line.text, export->line.used);
 }
 
-/* "picture 40 of 300", "types: 40 of at most 768 runs". */
+/* Reads the share that is done out of "picture 40 of 300" or "types: 40 of at most 768 runs"; NAN if it is not known.
+ */
 static double part_of(const char *doing) {
     size_t done, all;
     const char *number = doing + strcspn(doing, "0123456789");
@@ -309,7 +311,7 @@ const ExportStatus *export_update(Export *export) {
         pid_t ended = waitpid(export->child, &how, WNOHANG);
         read_said(export);
         if (ended < 0)
-            how = FAILED << 8; /* nobody can tell how it ended */
+            how = FAILED << 8; /* the exit code is lost */
         if (ended)
             conclude(export, how);
         else if (export->cancelled && clock_now() - export->asked > PATIENCE)
@@ -334,7 +336,7 @@ void export_cancel(Export *export) {
     kill(export->child, SIGINT);
 }
 
-/* Nobody waits for it any more: it is given a moment. */
+/* Ends the child, after a moment in which it may finish its file. */
 static void end_child(Export *export) {
     export_cancel(export);
     export->asked = clock_now();

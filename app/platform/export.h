@@ -1,5 +1,5 @@
-/* Handing on what is shown, by the program's own command line in a child process: runs, frames, films and reports. No
- * file is ever written over: NAME, NAME-2, NAME-3 ... For files of what is seen now, see snapshot.h. */
+/* Exports what is shown by running the program's own command line in a child process: runs, frames, films and reports.
+ * No file is ever overwritten: NAME, NAME-2, NAME-3 ... For files of the present view, see snapshot.h. */
 #pragma once
 
 #include <stdbool.h>
@@ -9,20 +9,20 @@
 
 /* Where ------------------------------------------------------------------------------------------------------------ */
 
-/* The folder for what is handed on, made if needed: out/clearance when there is a folder out/ here that can be written
- * to, otherwise $HOME/clearance, otherwise clearance/ here. NULL: none can be written to, a fault says so. memory_free
- * it. */
+/* Returns the folder for exports and makes it if needed: out/clearance if the current folder has a writable out/,
+ * otherwise $HOME/clearance, otherwise clearance/ in the current folder. NULL: none is writable, and a fault says so.
+ * Release it by memory_free. */
 char *export_folder(Fault *fault);
 
-/* FOLDER/NAME.ENDING, or with -2, -3 ... behind the name, such that none of the `endings` (NULL-ended; "" for a folder)
- * is there yet: without the ending. Characters of `name` that are awkward in a file's name become "-". memory_free
- * it. */
+/* Returns FOLDER/NAME, or FOLDER/NAME-2, FOLDER/NAME-3 ..., such that no file with any of the `endings` (NULL-ended; ""
+ * for a folder) exists yet. Characters of `name` that are awkward in file names become "-". Release it by memory_free.
+ */
 char *export_free_name(const char *folder, const char *name, const char *const *endings);
 
 /* A command -------------------------------------------------------------------------------------------------------- */
 
-/* The arguments behind "clearance", quoted for a shell: "clearance run 'my house.json' --set door.d1.width=0.8".
- * memory_free it. */
+/* Returns the arguments after "clearance", quoted for a shell: "clearance run 'my house.json' --set door.d1.width=0.8".
+ * Release it by memory_free. */
 char *export_command(const char *const *arguments, size_t count);
 
 typedef struct Export Export;
@@ -33,11 +33,11 @@ typedef struct ExportStatus {
     ExportStage stage;
     double part;              /* 0 to 1; NAN: not known */
     const char *doing;        /* "picture 40 of 300", "simulated 12 s", "" */
-    const char *reason;       /* of what failed: its last line; of what was cancelled: that; otherwise "" */
+    const char *reason;       /* the last line of a child that failed; "cancelled"; otherwise "" */
     const char *folder;       /* --out, or "" */
-    const char *const *files; /* (file_count) there, once it is over: names within the folder, and the movie's path */
+    const char *const *files; /* (file_count) once it has ended: names within the folder, and the movie's path */
     size_t file_count;
-    bool no; /* done, but the answer is no: somebody does not get out */
+    bool no; /* done, but the answer is no: a person does not leave the house */
 } ExportStatus;
 
 typedef struct ExportOrder {
@@ -50,14 +50,15 @@ typedef struct ExportOrder {
     const char *movie; /* for --movie, or NULL */
 } ExportOrder;
 
-/* Starts it. NULL: a fault says why not. */
+/* Starts the child. NULL: a fault says why not. */
 Export *export_begin(const ExportOrder *order, Fault *fault);
 
-/* Where it is; never waits. Good until the next call. To be called now and then until it is over. */
+/* Reads what the child has written and returns its status, which is valid until the next call. Never waits; call it
+ * between frames until the child has ended. */
 const ExportStatus *export_update(Export *export);
 
-/* Asks it to end, keeping what is complete; one that does not within a few seconds is ended. */
+/* Asks the child to end and to keep complete files; kills it if it has not ended within a few seconds. */
 void export_cancel(Export *export);
 
-/* Ends it, if need be, and releases it. */
+/* Ends the child if it still runs, and releases the export. */
 void export_end(Export *export);

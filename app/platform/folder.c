@@ -11,9 +11,9 @@
 
 #include "base/text.h"
 
-enum { HEAD = 4096 /* bytes of a file in which it says what it is */ };
+enum { HEAD = 4096 /* bytes at the beginning of a file, in which it names its format */ };
 
-/* Runs of digits, without leading noughts. */
+/* Compares two runs of digits as numbers, without leading zeros. */
 static int compare_numbers(const char **a, const char **b) {
     *a += strspn(*a, "0");
     *b += strspn(*b, "0");
@@ -62,7 +62,7 @@ static const char *format_of(Folder *folder, int stream, const char *name) {
     return text_in_arena(&folder->arena, "%.*s", (int)length, format + sizeof begin - 1);
 }
 
-/* False: it is not to be listed. */
+/* True if the entry is listed: a folder or a JSON file that is not hidden. */
 static bool kind_of(int stream, const char *name, FolderKind *kind) {
     struct stat status;
     if (*name == '.' || fstatat(stream, name, &status, 0) != 0)

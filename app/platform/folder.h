@@ -1,5 +1,5 @@
-/* What a folder holds, to be chosen from: the folder above, folders, then JSON files, each in natural order (2 before
- * 10). What is hidden is left out. */
+/* Lists a folder for the open dialog: the folder above, folders, then JSON files, each group in natural order (2 before
+ * 10), without hidden entries. */
 #pragma once
 
 #include <stdbool.h>
@@ -22,15 +22,15 @@ typedef struct Folder {
     const char *path;     /* absolute */
     FolderEntry *entries; /* (count) */
     size_t count;
-    size_t left_out; /* files beyond FOLDER_MOST */
+    size_t left_out; /* number of entries beyond FOLDER_MOST */
     Arena arena;
 } Folder;
 
 enum { FOLDER_MOST = 5000 /* entries */ };
 
-/* False: a fault says why it cannot be looked into, and the folder is as it was. */
+/* Reads a folder. False: a fault says why it cannot be read, and `folder` is unchanged. */
 bool folder_read(Folder *folder, const char *path, Fault *fault);
 void folder_clear(Folder *folder);
 
-/* As strcmp, with runs of digits compared as numbers, and capitals as small letters. */
+/* Compares like strcmp, but runs of digits as numbers and without regard to case. */
 int folder_compare(const char *a, const char *b);

@@ -32,7 +32,7 @@ void frame_timer_note(FrameTimer *timer, double seconds, double simulating) {
     timer->worked += simulating;
 }
 
-/* s, for which this process has been there; by the system's ticks, of 10 ms mostly. */
+/* Returns the age of this process, s, to the system's tick (10 ms on most systems). */
 static double process_age(void) {
     enum { STARTED = 22 /* field of /proc/self/stat */ };
     size_t size;

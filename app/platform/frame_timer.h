@@ -1,33 +1,32 @@
-/* How quickly pictures come: what --benchmark-window prints, and what keeps them apart. */
+/* Times the frames of the window: waits until the next one is due, and measures them for --benchmark-window. */
 #pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#define FRAME_TIMER_RATE 60.0 /* pictures a s, at most */
+#define FRAME_TIMER_RATE 60.0 /* frames per second, at most */
 
 typedef struct FrameTimer {
-    double last;   /* s on the wall, when the last picture was begun */
-    double *times; /* (count) s, that the pictures took, when they are being counted */
+    double last;   /* s of wall time, when the last frame began */
+    double *times; /* (count) s that each frame took, while they are counted */
     size_t count, capacity;
     bool counting;
-    double begun, worked; /* s: when counting began; that simulating took since */
-    double first;         /* s, from the program's beginning to the first picture; 0: there has been none */
+    double begun, worked; /* s: when counting began; the time spent simulating since */
+    double first;         /* s, from the start of the program to the first frame; 0: there has been none */
 } FrameTimer;
 
-/* Waits until the next picture is due, unless nobody waits for it (`hurried`); returns the s on the wall since the
- * last.
- */
+/* Waits until the next frame is due, unless `hurried`, and returns the wall time since the last one, s. */
 double frame_timer_wait(FrameTimer *timer, bool hurried);
 
-/* A picture took so many s, of them so many for simulating. */
+/* Records the duration of a frame, s, and the part of it spent simulating, s. */
 void frame_timer_note(FrameTimer *timer, double seconds, double simulating);
 
-/* The first picture is shown now. */
+/* Records the moment of the first frame. */
 void frame_timer_note_first(FrameTimer *timer);
 
 void frame_timer_count(FrameTimer *timer);
 
-/* Prints pictures a s, median and 99th percentile, and the share of simulating; `what` is measured. */
+/* Prints frames per second, median and 99th percentile of their durations, and the share of simulating; `what` names
+ * the laboratory. */
 void frame_timer_print(FrameTimer *timer, const char *what, int width, int height);
 void frame_timer_clear(FrameTimer *timer);

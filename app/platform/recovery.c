@@ -22,7 +22,7 @@ struct Recovery {
 
 /* Processes -------------------------------------------------------------------------------------------------------- */
 
-/* When a process began, in the system's ticks; 0: there is none. */
+/* Returns when a process started, in the system's ticks; 0: there is no such process. */
 static unsigned long long began(long process) {
     enum { STARTED = 22 /* field of /proc/PID/stat */ };
     char name[64];
@@ -36,7 +36,7 @@ static unsigned long long began(long process) {
     return ticks;
 }
 
-/* Does the process live whose files are called so? */
+/* True if the process that wrote files of this name is still alive. */
 static bool is_alive(const char *name) {
     long process;
     unsigned long long start;
@@ -111,7 +111,7 @@ static int64_t time_of(const char *path) {
     return path && stat(path, &status) == 0 ? (int64_t)status.st_mtime : 0;
 }
 
-/* What is about it may be missing, or broken: then the house speaks for itself. */
+/* Reads the .about file; if that is missing or broken, takes the time from the house file. */
 static void read_about(RecoveryFound *found) {
     size_t size;
     char *text = text_read_file(found->about_path, ABOUT_LARGEST, &size);

@@ -1,11 +1,11 @@
-/* What is edited and not saved yet, for the next time when the program ends otherwise than it should. It lies in
+/* Keeps unsaved edits for the next start, in case the program crashes, in
  *
- *     $XDG_STATE_HOME/clearance/recovery/PID-START.json    the house, a file that can be opened by itself
- *     $XDG_STATE_HOME/clearance/recovery/PID-START.about   of which file it is, its name, how many edits, when
+ *     $XDG_STATE_HOME/clearance/recovery/PID-START.json    the house, a valid file by itself
+ *     $XDG_STATE_HOME/clearance/recovery/PID-START.about   path of the edited file, title, number of edits, time
  *
- * both written beside and renamed, the house first, so that at every moment what is there is whole. The file that is
- * edited is never touched. PID and START, when it began, tell a process from all others: what one that still lives has
- * left is not offered to another. */
+ * Each is written to a temporary file and then renamed, the house first, so that the files are complete at every
+ * moment. The edited file itself is never touched. PID and START (of the process) identify a process: files of a
+ * process that is still alive are not offered to another one. */
 #pragma once
 
 #include <stdbool.h>
@@ -15,36 +15,36 @@
 typedef struct Recovery Recovery;
 
 typedef struct RecoveryAbout {
-    const char *origin; /* path of the file; NULL: it has none yet */
+    const char *origin; /* path of the edited file; NULL: it has none yet */
     const char *name;
     size_t edits;
     int64_t when; /* s since 1970 */
 } RecoveryAbout;
 
-/* What was left behind. */
+/* A recovery file of a process that has ended. */
 typedef struct RecoveryFound {
-    char *path, *about_path; /* of the house, and of what is about it, which need not be there */
-    char *origin, *name;     /* origin: NULL: none */
+    char *path, *about_path; /* of the house and of the .about file, which may be missing */
+    char *origin, *name;     /* the origin is NULL if there was none */
     size_t edits;
-    int64_t when, origin_when; /* s since 1970; 0: not known, the file is gone */
+    int64_t when, origin_when; /* s since 1970; 0: unknown, or the file is gone */
 } RecoveryFound;
 
-/* Of this process. NULL: there is no place to write to. */
+/* Creates the recovery of this process. NULL: there is no writable folder. */
 Recovery *recovery_create(void);
-void recovery_destroy(Recovery *recovery); /* what has been written stays */
+void recovery_destroy(Recovery *recovery); /* leaves the files in place */
 
-/* 0, or errno: then what was written before is still there. */
+/* Writes both files. Returns 0, or errno, and then the previous ones are still there. */
 int recovery_write(Recovery *recovery, const char *text, const RecoveryAbout *about);
 void recovery_remove(Recovery *recovery);
 
-/* Where it is written to. */
+/* Returns the path of this process's recovery file. */
 const char *recovery_path(const Recovery *recovery);
 
-/* What processes that do not live any more have left, the newest first; `*count` of them. recovery_free_found releases
- * it. */
+/* Returns the recovery files of processes that have ended, `*count` of them, newest first. Release them by
+ * recovery_free_found. */
 RecoveryFound *recovery_find(const Recovery *recovery, size_t *count);
 void recovery_free_found(RecoveryFound *found, size_t count);
 
-/* Takes it over as this process's own; false: it is gone. And puts it away for good. */
+/* Takes a found recovery file over as this process's own (false: it is gone); removes one for good. */
 bool recovery_adopt(Recovery *recovery, const RecoveryFound *found);
 void recovery_forget(const RecoveryFound *found);

@@ -13,13 +13,14 @@ struct SdlWindow {
     SDL_Window *window;
     SDL_GLContext context;
     Gl gl;
-    char *clipboard; /* SDL's */
+    char *clipboard; /* allocated by SDL */
 };
 
 static GlFunction get_function(const char *name) {
     GlFunction function;
     void *address = SDL_GL_GetProcAddress(name);
-    memcpy(&function, &address, sizeof function); /* ISO C converts no object pointer to a function's */
+    memcpy(&function, &address,
+           sizeof function); /* ISO C has no conversion from object pointers to function pointers */
     return function;
 }
 
@@ -31,7 +32,7 @@ static void ask_for_context(void) {
     SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
 }
 
-/* Each step of opening; the first that fails is said. */
+/* Opens the window step by step; the first step that fails adds a fault. */
 static bool open_window(SdlWindow *sdl_window, int width, int height, Fault *fault) {
     SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
     SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
@@ -54,7 +55,7 @@ static bool open_window(SdlWindow *sdl_window, int width, int height, Fault *fau
         return false;
     }
     SDL_SetWindowMinimumSize(sdl_window->window, SMALLEST_WIDTH, SMALLEST_HEIGHT);
-    SDL_GL_SetSwapInterval(0); /* the loop paces itself: software rendering has no vertical retrace */
+    SDL_GL_SetSwapInterval(0); /* the loop times its frames itself: software rendering has no vertical retrace */
     SDL_StartTextInput();
     SDL_EventState(SDL_DROPFILE, SDL_ENABLE);
     return true;
@@ -126,7 +127,7 @@ static void translate_window(SdlWindowEvent *event, int what) {
     event->at = vec2(-1, -1);
 }
 
-/* What of SDL's events concerns the program. */
+/* Translates an event of SDL; the kind is SDL_WINDOW_EVENT_NOTHING if the program has no use for it. */
 static void translate(const SdlWindow *sdl_window, const SDL_Event *from, SdlWindowEvent *event) {
     double density = sdl_window_density(sdl_window);
     *event = (SdlWindowEvent){.kind = SDL_WINDOW_EVENT_NOTHING};

@@ -1,5 +1,5 @@
-/* The window itself, by SDL: its pixels, its OpenGL context and what is done with mouse and keys. Without a display SDL
- * takes its offscreen driver by itself; everything works there but being seen. */
+/* The window of the system, by SDL: its pixels, its OpenGL context, and the events of mouse and keyboard. Without a
+ * display SDL selects its offscreen driver; everything works there, but nobody sees it. */
 #pragma once
 
 #include <stdbool.h>
@@ -11,7 +11,7 @@
 
 typedef struct SdlWindow SdlWindow;
 
-/* What happened. */
+/* The kind of an event. */
 typedef enum SdlWindowKind {
     SDL_WINDOW_EVENT_NOTHING,
     SDL_WINDOW_EVENT_QUIT,
@@ -33,51 +33,51 @@ enum { SDL_WINDOW_EVENT_TEXT_MOST = 4096 };
 typedef struct SdlWindowEvent {
     SdlWindowKind kind;
     int32_t key; /* SDL's code: a letter's character, see sdl_window_key */
-    int mods;    /* SDL_WINDOW_EVENT_SHIFT, added up */
+    int mods;    /* sum of SDL_WINDOW_EVENT_SHIFT, _CONTROL and _ALT */
     bool repeat;
     Vec2 at; /* pixels */
     int button;
     bool down;
-    bool twice;   /* it is the second press of a double click */
+    bool twice;   /* the second press of a double click */
     double wheel; /* notches */
     char text[SDL_WINDOW_EVENT_TEXT_MOST];
 } SdlWindowEvent;
 
-/* A window of width x height pixels, shown; NULL: a fault says why there is none. */
+/* Opens and shows a window of width x height pixels. NULL: a fault says why not. */
 SdlWindow *sdl_window_create(int width, int height, Fault *fault);
 void sdl_window_destroy(SdlWindow *sdl_window);
 
-/* Is anybody able to see it? */
+/* True if the window is on a display. */
 bool sdl_window_is_seen(const SdlWindow *sdl_window);
 
 const Gl *sdl_window_gl(const SdlWindow *sdl_window);
 
-/* Pixels; and how many pixels the system makes of one of its points. */
+/* Returns the size in pixels, and how many pixels one point of the system has. */
 void sdl_window_size(const SdlWindow *sdl_window, int *width, int *height);
 double sdl_window_density(const SdlWindow *sdl_window);
 
-/* Shift, Ctrl and Alt as they are held now; and as if they were, for scripts. */
+/* Returns which of Shift, Ctrl and Alt are held; holds them as if they were pressed, for scripts. */
 int sdl_window_mods(const SdlWindow *sdl_window);
 void sdl_window_hold(SdlWindow *sdl_window, int mods);
 
-/* The next event; false: there is none. With `wait` it waits for one, up to so many s. */
+/* Fetches the next event, and waits for it up to `wait` s. False: there is none. */
 bool sdl_window_next(SdlWindow *sdl_window, SdlWindowEvent *event, double wait);
 
-/* As if it had been done; scripts do. */
+/* Adds an event as if a person had caused it, for scripts. */
 void sdl_window_push(SdlWindow *sdl_window, const SdlWindowEvent *event);
 
-/* Shows what was drawn. */
+/* Shows the frame that was drawn. */
 void sdl_window_swap(SdlWindow *sdl_window);
 
 void sdl_window_set_title(SdlWindow *sdl_window, const char *title);
 void sdl_window_set_fullscreen(SdlWindow *sdl_window, bool fullscreen);
 void sdl_window_resize(SdlWindow *sdl_window, int width, int height);
 
-/* Of the system; the text is good until the next call. */
+/* Read and write the system's clipboard; the text is valid until the next call. */
 const char *sdl_window_clipboard(void *sdl_window);
 void sdl_window_set_clipboard(void *sdl_window, const char *text);
 
-/* The code of a key by its name, "F1", "Space", "A", "Left", "Keypad +"; 0: there is none. */
+/* Returns the code of a key by its name, "F1", "Space", "A", "Left", "Keypad +"; 0: there is none. */
 int32_t sdl_window_key(const char *name);
 
 void sdl_window_sleep(double seconds);

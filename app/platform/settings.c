@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "draw/palette.h"
 
-/* 1, of a laboratory's pace. */
+/* Speeds, as multiples of the laboratory's own pace. */
 #define SPEED_LEAST 1e-6
 #define SPEED_MOST 1e6
 
@@ -63,7 +63,8 @@ static const ParameterTable state_table = {"state", state_rows, sizeof state_row
 
 /* Places ----------------------------------------------------------------------------------------------------------- */
 
-/* What an XDG variable names, or its place in the home; a relative path does not count. NULL: there is none. */
+/* Returns the folder that an XDG variable names, or its default in the home folder. Relative paths are ignored, as the
+ * standard requires. NULL: there is none. */
 static char *base_folder(const char *variable, const char *in_home) {
     Text text = {0};
     const char *value = getenv(variable), *home = getenv("HOME");
@@ -83,7 +84,7 @@ static char *file_in(const char *variable, const char *in_home, const char *name
     return text.text;
 }
 
-/* The same, there to be written to. */
+/* Returns the same folder and makes it if needed. NULL: it cannot be made. */
 static char *made_folder(const char *variable, const char *in_home) {
     char *folder = base_folder(variable, in_home);
     if (folder && text_make_folder(folder) == 0)
@@ -107,7 +108,7 @@ static void remember_recent(Settings *settings, const char *path) {
         settings->recent[settings->recent_count++] = text_copy(path);
 }
 
-/* Takes the list out of the file's values: it is of paths, which no table describes. */
+/* Takes the list of recent files out of the values: no table describes it. */
 static bool read_recent(Settings *settings, const JsonNode *root, Fault *fault) {
     JsonNode list = json_member(root, "recent");
     size_t before = fault->total;
@@ -125,7 +126,7 @@ static bool read_recent(Settings *settings, const JsonNode *root, Fault *fault) 
     return fault->total == before;
 }
 
-/* Takes the objects out of the file's values: each is of a laboratory, by its word. */
+/* Takes the objects out of the values: each belongs to a laboratory, and its key is the laboratory's word. */
 static bool read_laboratories(Settings *settings, const JsonNode *root, Fault *fault) {
     const char *word;
     json_t *value;
@@ -141,7 +142,7 @@ static bool read_laboratories(Settings *settings, const JsonNode *root, Fault *f
     return fault->total == before;
 }
 
-/* Forgets what no table resets: recent files, and laboratories. */
+/* Forgets the lists that no table resets: recent files and laboratories. */
 static void forget_lists(Settings *settings) {
     while (settings->recent_count)
         memory_free(settings->recent[--settings->recent_count]);
@@ -157,7 +158,7 @@ static void set_aside(const char *path, const Fault *fault, Fault *notes) {
     memory_free(bad.text);
 }
 
-/* Reads a file into `object`, which is reset when that is not possible; what was read is left in *written. */
+/* Reads a file into `object`, which is reset if the file is invalid; *written receives the text that was read. */
 static void read_file(Settings *settings, const char *path, const ParameterTable *table, void *object, char **written,
                       Fault *notes) {
     JsonFile file = {0};
@@ -197,7 +198,7 @@ void settings_open(Settings *settings, Fault *notes) {
 
 /* Writing ---------------------------------------------------------------------------------------------------------- */
 
-/* 0, or errno: ENOENT without a place. */
+/* Returns 0 or errno; ENOENT if there is no place for the file. */
 static int write_object(const char *path, json_t *object) {
     if (!path)
         return ENOENT;
@@ -216,7 +217,7 @@ static int write_object(const char *path, json_t *object) {
     return error;
 }
 
-/* Takes the object. */
+/* Writes the object if it has changed, and releases it. */
 static void save_object(Settings *settings, const char *path, json_t *object, char **written, Fault *notes) {
     char *line = json_line(object);
     bool same = *written ? strcmp(*written, line) == 0 : json_object_size(object) == 0;
@@ -284,7 +285,7 @@ const char *settings_store(Settings *settings, const char *text) {
     return arena_text(&settings->arena, text);
 }
 
-/* JSON holds UTF-8 and nothing else. */
+/* True if the text is UTF-8, the only encoding of JSON. */
 static bool can_be_written(const char *text) {
     json_t *value = json_string(text);
     json_decref(value);

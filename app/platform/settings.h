@@ -1,10 +1,11 @@
-/* What is remembered from one time to the next, where the XDG base directories (0.8) have it:
+/* Remembers preferences and session from one start to the next, in the XDG base directories (0.8):
  *
- *     $XDG_CONFIG_HOME/clearance/settings.json   how the person likes it
- *     $XDG_STATE_HOME/clearance/state.json       what was open, and how it was shown
+ *     $XDG_CONFIG_HOME/clearance/settings.json   preferences
+ *     $XDG_STATE_HOME/clearance/state.json       recent files, and how each laboratory was shown
  *
- * Only what differs from the program's own is written. A file that cannot be read is no error: it is kept beside as
- * FILE.bad, all is as at first, and one line says so. Without a place to write to everything works, unremembered. */
+ * Only values that differ from the defaults are written. An invalid file is not an error: it is renamed to FILE.bad,
+ * the defaults are used, and one line says so. Without a writable folder everything works, but nothing is remembered.
+ */
 #pragma once
 
 #include <stdbool.h>
@@ -21,13 +22,13 @@ enum {
     SETTINGS_SIDE_MOST = 16384,
 };
 
-/* settings.json. */
+/* The contents of settings.json. */
 typedef struct SettingsPreferences {
     int theme;           /* Theme */
     int text;            /* size of text, 1 to 3 */
     bool sound;          /* off at first */
-    bool reduced_motion; /* nothing moves but what is simulated */
-    bool single_keys;    /* single letters are keys */
+    bool reduced_motion; /* only the simulation moves */
+    bool single_keys;    /* single letters are shortcut keys */
     int width, height;   /* pixels of the window */
     bool full_screen;
 } SettingsPreferences;
@@ -35,51 +36,51 @@ typedef struct SettingsPreferences {
 /* How a laboratory was shown. */
 typedef struct SettingsLaboratory {
     const char *word;  /* "house": its key in the file */
-    double speed;      /* 1, of the laboratory's pace */
-    int layers;        /* bits; -1: as at first */
-    const char *plots; /* names parted by commas; "": as at first; "none" */
+    double speed;      /* as a multiple of the laboratory's own pace */
+    int layers;        /* bits; -1: the default */
+    const char *plots; /* names separated by commas; "": the default; "none" */
 } SettingsLaboratory;
 
-/* state.json. */
+/* The contents of state.json. */
 typedef struct SettingsState {
-    const char *folder;               /* last looked into, or "" */
-    SettingsLaboratory *laboratories; /* (laboratory_count) as they were asked for or read */
+    const char *folder;               /* of the last file that was opened, or "" */
+    SettingsLaboratory *laboratories; /* (laboratory_count) in the order in which they were asked for or read */
     size_t laboratory_count, laboratory_capacity;
 } SettingsState;
 
 typedef struct Settings {
     SettingsPreferences preferences;
-    SettingsState state; /* texts by settings_store, or as long-lived as the settings */
+    SettingsState state; /* its texts come from settings_store or live as long as the settings */
     char *recent[SETTINGS_RECENT_MOST];
     size_t recent_count;
-    char *preferences_path, *state_path;       /* NULL: there is no place for it */
-    char *preferences_written, *state_written; /* what the files hold, or NULL */
-    bool complained;                           /* that it cannot be remembered */
+    char *preferences_path, *state_path;       /* NULL: there is no folder for it */
+    char *preferences_written, *state_written; /* contents of the files, or NULL */
+    bool complained;                           /* a failure to write was reported */
     Arena arena;
 } Settings;
 
-/* Reads both files; `notes` gets a line for each that could not be read. */
+/* Reads both files; `notes` receives a line for each invalid file. */
 void settings_open(Settings *settings, Fault *notes);
 
-/* Writes what has changed, beside and renamed; quick when nothing has. A failure, also that there is
- * no place, adds a line the first time. */
+/* Writes the files that have changed, each to a temporary file that is then renamed. The first failure, or the lack of
+ * a folder, adds a line to `notes`. */
 void settings_save(Settings *settings, Fault *notes);
 void settings_close(Settings *settings);
 
-/* Returns how the laboratory with this word (Laboratory.word) was shown; good until another one is asked for. */
+/* Returns how the laboratory with this word (Laboratory.word) was shown; valid until the next call. */
 SettingsLaboratory *settings_laboratory(Settings *settings, const char *word);
 
-/* A copy of a text that lives as long as the settings, for the fields above. */
+/* Returns a copy of a text that lives as long as the settings, for the fields above. */
 const char *settings_store(Settings *settings, const char *text);
 
-/* Puts a file in front of the recent ones, by its absolute path. */
+/* Puts a file at the front of the recent files, by its absolute path. */
 void settings_add_recent(Settings *settings, const char *path);
 
-/* Those of the recent files that are there now, newest first: how many. */
+/* Lists the recent files that still exist, newest first, and returns their number. */
 size_t settings_recent(const Settings *settings, const char *paths[SETTINGS_RECENT_MOST]);
 
-/* $XDG_STATE_HOME/clearance/, made if needed; NULL: there is no place. memory_free it. */
+/* Returns $XDG_STATE_HOME/clearance/ and makes it if needed. NULL: it cannot be made. Release it by memory_free. */
 char *settings_state_folder(void);
 
-/* $XDG_CACHE_HOME/clearance/, made if needed; NULL: there is no place. memory_free it. */
+/* Returns $XDG_CACHE_HOME/clearance/ and makes it if needed. NULL: it cannot be made. Release it by memory_free. */
 char *settings_cache_folder(void);

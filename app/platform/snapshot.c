@@ -17,7 +17,7 @@ enum { KINDS = 4 };
 
 static const char *const endings[KINDS] = {"png", "svg", "pdf", "csv"};
 
-/* What can be written as several kinds of file: `kind` is a place among the endings. 0, or errno. */
+/* Writes `what` as a file of a kind, an index into the endings. Returns 0 or errno. */
 typedef int WriteKind(const void *what, int kind, const char *path);
 
 static int write_note(const SnapshotNote *note, const char *path) {
@@ -36,7 +36,7 @@ static int write_note(const SnapshotNote *note, const char *path) {
     return error;
 }
 
-/* All kinds, and the note; what has been written is removed when one of them cannot be. */
+/* Writes all kinds and the note; removes those written so far if one fails. */
 static char *write_kinds(WriteKind *write, const void *what, int kinds, const char *folder, const char *name,
                          const SnapshotNote *note, Fault *fault) {
     const char *wanted[KINDS + 2] = {"json"};
@@ -102,7 +102,7 @@ char *snapshot_view(const SnapshotView *view, int kinds, const char *folder, con
     return write_kinds(write_view, view, kinds & ~SNAPSHOT_CSV, folder, name, note, fault);
 }
 
-/* A plot that is written. */
+/* A plot and the size of its picture. */
 typedef struct PlotFile {
     const Plot *plot;
     int width, height;

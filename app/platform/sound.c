@@ -7,24 +7,24 @@
 #include "base/memory.h"
 
 enum {
-    DEVICE = 1024,     /* samples that the device takes at a time */
-    WANTED = 4 * 1024, /* samples queued: 93 ms, some frames of a slow machine */
+    DEVICE = 1024,     /* samples per request of the device */
+    WANTED = 4 * 1024, /* samples to keep queued: 93 ms, several frames of a slow machine */
     ROOM = 2 * WANTED,
-    PATIENCE = 500, /* ms, for a device to take the last of it */
+    PATIENCE = 500, /* ms that the device may take to play the rest */
     FADE = 256,     /* samples: 6 ms, from silence to full and back */
 };
 
 struct Sound {
     SDL_AudioDeviceID device;
     float queue[ROOM];   /* a ring */
-    size_t first, count; /* of what is queued */
-    float value;         /* taken from the queue last */
-    int gain;            /* of FADE */
-    bool falling;        /* down to silence, whatever is queued */
+    size_t first, count; /* of the queued samples */
+    float value;         /* the last sample taken from the queue */
+    int gain;            /* 0 to FADE */
+    bool falling;        /* fading to silence, whatever is queued */
 };
 
-/* The next sample to be heard. Where the queue runs dry, the last one is held and fades; only then the next is taken,
- * so that there is no jump. */
+/* Returns the next sample to play. If the queue runs dry, the last sample is held and faded to silence before the next
+ * one is taken, so that there is no jump. */
 static float next_sample(Sound *sound) {
     if (!sound->count && sound->gain)
         sound->falling = true;
@@ -40,7 +40,7 @@ static float next_sample(Sound *sound) {
     return sound->value * (float)sound->gain / FADE;
 }
 
-/* SDL's thread, with the device locked. */
+/* Runs on SDL's thread, with the device locked. */
 static void play(void *context, Uint8 *stream, int bytes) {
     float *samples = (float *)(void *)stream;
     for (int i = 0; i < bytes / (int)sizeof *samples; i++)
@@ -82,7 +82,7 @@ void sound_close(Sound *sound) {
     sound_hush(sound);
     for (int waited = 0; waited < PATIENCE && is_heard(sound); waited += 5)
         SDL_Delay(5);
-    SDL_CloseAudioDevice(sound->device); /* which plays what it has taken */
+    SDL_CloseAudioDevice(sound->device); /* the device plays the samples it has taken */
     SDL_QuitSubSystem(SDL_INIT_AUDIO);
     memory_free(sound);
 }

@@ -1,5 +1,5 @@
-/* Sound by SDL: one voice, mono, without clicks where it begins, ends or runs dry. Without a device there is a plain
- * sentence and silence. */
+/* Sound by SDL: one mono voice, without clicks where it begins, ends or runs dry. Without a device there is a message
+ * and silence. */
 #pragma once
 
 #include <stdbool.h>
@@ -12,17 +12,17 @@ enum {
     SOUND_MESSAGE = 200,
 };
 
-/* NULL: `message` says why there is none. */
+/* Opens the device. NULL: `message` says why there is none. */
 Sound *sound_open(char message[SOUND_MESSAGE]);
 
-/* Ends with what is queued faded out; NULL is none. */
+/* Fades the queued samples out and closes the device; NULL is allowed. */
 void sound_close(Sound *sound);
 
-/* How many samples are wanted now, so that it does not run dry before the next frame but follows what is shown. */
+/* Returns how many samples to feed now: enough to last until the next frame, few enough to follow the view. */
 size_t sound_room(Sound *sound);
 
-/* Queues samples, -1 to 1 (what is louder is cut, what is no number is silence); what has no room is left out. */
+/* Queues samples, -1 to 1 (louder ones are clipped, NAN is silence); those beyond the capacity are dropped. */
 void sound_feed(Sound *sound, const float *samples, size_t count);
 
-/* Fades out and forgets what is queued: paused, or gone to another time. */
+/* Fades out and drops the queued samples, for a pause or a jump in time. */
 void sound_hush(Sound *sound);
