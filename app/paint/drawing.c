@@ -42,7 +42,7 @@ static InkColour sheet_fill(const Sheet *sheet) {
 static InkPen sheet_pen(const Sheet *sheet) {
     const Primitive *primitive = sheet->primitive;
     InkColour colour = drawing_pen_colour(sheet->drawing, primitive->edge, primitive->edge_opacity);
-    InkPen pen = drawing_pen(sheet->drawing, colour, primitive->style, primitive->width);
+    InkPen pen = drawing_pen_make(sheet->drawing, colour, primitive->style, primitive->width);
     pen.begun = primitive->begun * sheet->layout->metre * sheet->drawing->unit;
     return pen;
 }

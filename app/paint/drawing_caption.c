@@ -11,7 +11,7 @@ static void add_tag(Drawing *drawing, Ink *ink, const Caption *caption) {
                           drawing_pen_page(drawing, box.high), drawing_pen_page(drawing, vec2(box.low.x, box.high.y))};
     ink_add_box(ink, drawing_pen_box(drawing, box), fill);
     /* round joints at the corners */
-    ink_add_line(ink, corners, 4, true, drawing_pen(drawing, fill, LINE_SOLID, PAINT_TAG_ROUNDING));
+    ink_add_line(ink, corners, 4, true, drawing_pen_make(drawing, fill, LINE_SOLID, PAINT_TAG_ROUNDING));
 }
 
 static void add_disc(Drawing *drawing, Ink *ink, const Caption *caption) {
@@ -33,9 +33,9 @@ void drawing_caption_add_leader(Drawing *drawing, Ink *ink, const Caption *capti
     InkColour halo = drawing_pen_colour(drawing, ROLE_PAPER, PAINT_HALO_OPACITY),
               line = drawing_pen_colour(drawing, ROLE_WALL, 1);
     drawing_pen_segment(drawing, ink, caption->pointed, edge,
-                        drawing_pen(drawing, halo, LINE_SOLID, PAINT_LEADER_WIDTH + PAINT_HALO_WIDTH));
+                        drawing_pen_make(drawing, halo, LINE_SOLID, PAINT_LEADER_WIDTH + PAINT_HALO_WIDTH));
     drawing_pen_segment(drawing, ink, caption->pointed, edge,
-                        drawing_pen(drawing, line, LINE_SOLID, PAINT_LEADER_WIDTH));
+                        drawing_pen_make(drawing, line, LINE_SOLID, PAINT_LEADER_WIDTH));
     ink_add_disc(ink, drawing_pen_page(drawing, caption->pointed), PAINT_LEADER_DOT * drawing->unit, line);
 }
 
@@ -65,7 +65,7 @@ void drawing_caption_add_sample(Drawing *drawing, Ink *ink, const Sample *sample
     Vec2 half = {PAINT_SYMBOL_BOX_LENGTH / 2, PAINT_SYMBOL_HALF};
     if (sample->width > 0)
         drawing_pen_segment(drawing, ink, sample->from, sample->to,
-                            drawing_pen(drawing, colour, sample->style, sample->width));
+                            drawing_pen_make(drawing, colour, sample->style, sample->width));
     if (sample->symbol == SYMBOL_DISC)
         ink_add_disc(ink, drawing_pen_page(drawing, middle), PAINT_SYMBOL_HALF * drawing->unit, colour);
     if (sample->symbol == SYMBOL_BOX)

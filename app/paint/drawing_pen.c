@@ -10,7 +10,7 @@ InkColour drawing_pen_colour(const Drawing *drawing, Role role, double opacity) 
     return (InkColour){palette_colour(drawing->theme, role), opacity};
 }
 
-InkPen drawing_pen(const Drawing *drawing, InkColour colour, LineStyle style, double width) {
+InkPen drawing_pen_make(const Drawing *drawing, InkColour colour, LineStyle style, double width) {
     return (InkPen){.colour = colour,
                     .width = width * drawing->unit,
                     .style = style,

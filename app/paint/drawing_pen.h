@@ -6,7 +6,7 @@
 
 /* For the texts around a picture: design points, not in perspective. */
 InkColour drawing_pen_colour(const Drawing *drawing, Role role, double opacity);
-InkPen drawing_pen(const Drawing *drawing, InkColour colour, LineStyle style, double width);
+InkPen drawing_pen_make(const Drawing *drawing, InkColour colour, LineStyle style, double width);
 InkPoint drawing_pen_page(const Drawing *drawing, Vec2 at);
 Box drawing_pen_box(const Drawing *drawing, Box box);
 void drawing_pen_segment(Drawing *drawing, Ink *ink, Vec2 from, Vec2 to, InkPen pen);

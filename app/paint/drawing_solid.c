@@ -72,10 +72,11 @@ static InkColour side_colour(const Solid *solid, Colour colour, Vec2 normal) {
 static InkPen edge_pen(const Solid *solid) {
     const Primitive *primitive = solid->primitive;
     if (primitive->width > 0)
-        return drawing_pen(solid->drawing, drawing_pen_colour(solid->drawing, primitive->edge, primitive->edge_opacity),
-                           primitive->style, primitive->width);
+        return drawing_pen_make(solid->drawing,
+                                drawing_pen_colour(solid->drawing, primitive->edge, primitive->edge_opacity),
+                                primitive->style, primitive->width);
     InkColour thin = {mixed((Colour){0, 0, 0}, fill_colour(solid), EDGE_SHADE), primitive->fill_opacity};
-    return drawing_pen(solid->drawing, thin, LINE_SOLID, EDGE_WIDTH);
+    return drawing_pen_make(solid->drawing, thin, LINE_SOLID, EDGE_WIDTH);
 }
 
 static InkPen thin_pen(const Solid *solid) {

@@ -213,7 +213,7 @@ static void draw_captions(PaintGl *paint, const Caption *captions, size_t captio
 static void draw_ground(PaintGl *paint, const Layout *layout) {
     Drawing *drawing = &paint->drawing;
     Ink *ink = &paint->shapes;
-    InkPen rule = drawing_pen(drawing, drawing_pen_colour(drawing, ROLE_GRID, 1), LINE_SOLID, PAINT_RULE_WIDTH);
+    InkPen rule = drawing_pen_make(drawing, drawing_pen_colour(drawing, ROLE_GRID, 1), LINE_SOLID, PAINT_RULE_WIDTH);
     Vec2 low = layout->list.low, high = layout->list.high;
     InkPoint corners[] = {drawing_pen_page(drawing, low), drawing_pen_page(drawing, vec2(high.x, low.y)),
                           drawing_pen_page(drawing, high), drawing_pen_page(drawing, vec2(low.x, high.y))};
