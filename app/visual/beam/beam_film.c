@@ -45,7 +45,7 @@ static void make_phase(BeamFilm *film) {
     PlotSeries *series = film->series[PLOT_PHASE];
     double edge = MILLI * film->beam->clearance;
     series[SERIES_LINE] = line_series(record->displacement, record->velocity, record->sample_count);
-    series[SERIES_SECTION] = (PlotSeries){.name = "once a cycle",
+    series[SERIES_SECTION] = (PlotSeries){.name = "once per cycle",
                                           .x = record->section_displacement,
                                           .y = record->section_velocity,
                                           .count = record->section_count,
@@ -70,7 +70,7 @@ static void make_force(BeamFilm *film) {
     film->series[PLOT_FORCE][SERIES_LINE] = line_series(record->times, record->force, record->sample_count);
     film->guides[PLOT_FORCE][0] = (PlotGuide){.at = 0, .role = ROLE_ROOM, .style = LINE_SOLID};
     film->plots[PLOT_FORCE] = (Plot){.title = "Force on the tip",
-                                     .note = "by the upper stop negative",
+                                     .note = "negative: by the upper stop",
                                      .x = {.title = "time", .unit = "ms"},
                                      .y = {.title = "force", .unit = "N"},
                                      .series = film->series[PLOT_FORCE],

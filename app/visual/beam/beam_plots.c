@@ -169,7 +169,7 @@ static void make_poincare(Plot *plot, const Given *given) {
 
 static void make_against_time(Plot *plot, const Given *given, size_t column) {
     size_t count, from = last_rows(&given->response->trace, CYCLES_SHOWN, &count);
-    plot->x = (PlotAxis){.title = "time from a phase 0 of the drive", .unit = "ms"};
+    plot->x = (PlotAxis){.title = "time since phase 0 of the drive", .unit = "ms"};
     plot->x.high = MILLI * (double)CYCLES_SHOWN / given->beam->frequency;
     add_nought(plot, false);
     add_line(plot, copy_column(given, RESPONSE_TIME, from, count), copy_column(given, column, from, count), count);
@@ -235,7 +235,7 @@ static void make_spectrum(Plot *plot, const Given *given) {
     }
     spectrum_clear(&spectrum);
     plot->title = "Spectrum of the deflection";
-    plot->x = (PlotAxis){.title = "frequency (dotted: multiples of the drive's)", .unit = "Hz", .high = end};
+    plot->x = (PlotAxis){.title = "frequency (dotted: multiples of the drive frequency)", .unit = "Hz", .high = end};
     plot->y = (PlotAxis){.title = "amplitude", .unit = "mm", .logarithmic = true};
     if (largest > 0) {
         plot->y.high = pow(10, ceil(log10(largest)));

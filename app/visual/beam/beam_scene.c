@@ -124,8 +124,8 @@ void beam_scene_labels(Scene *scene, const Beam *beam, const Rig *rig, const Res
                              1000 * scale->length, scale->joint[0].factor, scale->joint[1].factor);
     const char *moment = response->peaks.count ? "at the largest force" : "at the largest deflection";
     const char *slower = slow > 0 ? scene_text(scene, "%g times slower", slow) : moment;
-    scene->note = scene_text(scene, "%s; thickness%s to scale, %s", slower, scale->to_scale ? "" : " not",
-                             beam_text_provenance(scene, beam, "beam.thickness"));
+    scene->note = scene_text(scene, scale->to_scale ? "%s; thickness to scale, %s" : "%s; thickness not to scale, %s",
+                             slower, beam_text_provenance(scene, beam, "beam.thickness"));
 }
 
 /* Adds rows of text to one side of a place, downwards; the name of a part is bold, its numbers are not. */
@@ -191,7 +191,7 @@ static void still_joint(Scene *scene, const Beam *beam, const BeamScale *scale) 
                                      beam_text_quantity(scene, beam->contact.normal_damping, "N s/m")),
                           beam_text_provenance(scene, beam, "joint.stiffness")};
     if (!scale->stops)
-        rows[0] = scene_text(scene, "stops: far outside, at \u00b1%.4g mm", 1000 * beam->clearance);
+        rows[0] = scene_text(scene, "stops: outside the picture, at \u00b1%.4g mm", 1000 * beam->clearance);
     for (size_t i = 0; i < joint_count(scale) && scale->stops; i++)
         beam_joint_still(scene, beam, scale, &scale->joint[i]);
     if (scale->parts & BEAM_SCENE_LOUPE)
@@ -246,7 +246,7 @@ static void add_magnified(Scene *scene, Vec2 at, const char *text) {
 void beam_scene_magnified(Scene *scene, const BeamScale *scale) {
     double length = scale->length;
     add_magnified(scene, vec2(MAGNIFIED_AT * length, (LOW - 0.4 * ROW) * length),
-                  scene_text(scene, "deflection drawn %.9g times larger", scale->joint[0].factor));
+                  scene_text(scene, "deflection magnified %.9g times", scale->joint[0].factor));
     if (scale->parts & BEAM_SCENE_LOUPE)
         add_magnified(scene, vec2((1 + LOUPE_LEFT + LOUPE_RIM) * length, (HIGH - ROW) * length),
                       scene_text(scene, "\u00d7%.9g", scale->joint[1].factor));

@@ -57,10 +57,12 @@ const char *beam_text_title(Scene *scene, const Beam *beam, const Rig *rig, cons
 
 const char *beam_text_detail(Scene *scene, const Response *response) {
     if (response->verdict == RESPONSE_PERIODIC)
-        return scene_text(scene, "%s, multiplier %.3f", response->orbit.period == 1 ? "each cycle alike" : "it repeats",
+        return scene_text(scene,
+                          response->orbit.period == 1 ? "all cycles are equal, multiplier %.3f"
+                                                      : "the motion repeats, multiplier %.3f",
                           response->orbit.largest);
     if (isfinite(response->exponent.value))
-        return scene_text(scene, "exponent %+.2g \u00b1 %.1g a cycle", response->exponent.value,
+        return scene_text(scene, "exponent %+.2g \u00b1 %.1g per cycle", response->exponent.value,
                           response->exponent.error);
     return scene_text(scene, "after %zu cycles", response->cycles);
 }

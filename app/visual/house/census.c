@@ -187,8 +187,8 @@ static void format_hold(const House *house, const Hold *hold, bool with_widths, 
     if (house->people[hold->first].under)
         snprintf(text, size, "%s caught %s", who, what);
     else if (hold->reason == REASON_CANNOT_PASS)
-        snprintf(text, size, "%s cannot pass %s%s%s%s", who, *what ? what : "here", *widths ? " (" : "", widths,
-                 *widths ? ")" : "");
+        snprintf(text, size, *widths ? "%s cannot pass %s (%s)" : "%s cannot pass %s", who, *what ? what : "here",
+                 widths);
     else if (hold->reason == REASON_BLOCKED && severity(what))
         snprintf(text, size, "%s blocked at %s", who, what);
     else if (hold->reason == REASON_BLOCKED)
@@ -209,6 +209,13 @@ void census_reasons(const House *house, const Census *census, bool with_widths, 
     size_t rest = census->people - census->out - listed;
     if (rest && used < size)
         snprintf(text + used, size - used, ", %zu elsewhere", rest);
+}
+
+void census_contacts(const Census *census, char *text, size_t size) {
+    if (!census->contacts)
+        snprintf(text, size, "no contact");
+    else
+        snprintf(text, size, census->contacts == 1 ? "%d contact" : "%d contacts", census->contacts);
 }
 
 const Party *census_find_party(const House *house, const Census *census, const char *name, const char *profile) {

@@ -49,6 +49,9 @@ void census_clear(Census *census);
  * not out, with or without the widths. */
 void census_reasons(const House *house, const Census *census, bool with_widths, char *text, size_t size);
 
+/* Prints "no contact", "1 contact" or "12 contacts". */
+void census_contacts(const Census *census, char *text, size_t size);
+
 /* Returns the id of the crowd or of the only member, or "single people". */
 const char *census_party_name(const House *house, const Party *party);
 

@@ -90,15 +90,17 @@ void crowd_scene_answer(Scene *scene, const House *house, const Observation *obs
         census_reasons(house, census, census->hold_count == 1, why, sizeof why); /* longer texts would not fit */
         scene->title_role = ROLE_ERROR;
         scene->title = scene_text(scene, "%zu of %zu not out", stuck, census->people);
-        scene->detail = census->out ? scene_text(scene, "%s; the others in %.1f s", why, census->last)
+        scene->detail = census->out ? scene_text(scene, "%s; the others are out in %.1f s", why, census->last)
                                     : arena_text(&scene->arena, why);
         return;
     }
     bool alone = house->plan.run.routes == ROUTES_ALONE && house->plan.route_count > 1;
     scene->title_role = ROLE_TEXT;
     scene->title = scene_text(scene, "All %zu out in %.1f s", census->people, observation->time);
-    scene->detail = scene_text(scene, "%s%s, %d contact%s", alone ? "each route alone, " : "",
-                               mean_times(scene, census), census->contacts, census->contacts == 1 ? "" : "s");
+    char contacts[64];
+    census_contacts(census, contacts, sizeof contacts);
+    scene->detail =
+        scene_text(scene, alone ? "each route alone, %s, %s" : "%s, %s", mean_times(scene, census), contacts);
 }
 
 /* Ways --------------------------------------------------------------------------------------------------------------*/
@@ -262,8 +264,8 @@ void crowd_scene_ways(Scene *scene, const House *house, const Observation *obser
 /* Words -------------------------------------------------------------------------------------------------------------*/
 
 static void add_hold_label(Scene *scene, const Hold *hold) {
-    const char *what = hold->reason == REASON_BLOCKED ? "blocked" : "cannot pass";
-    const char *text = scene_text(scene, "%zu %s here", hold->people, what);
+    bool blocked = hold->reason == REASON_BLOCKED;
+    const char *text = scene_text(scene, blocked ? "%zu blocked here" : "%zu cannot pass here", hold->people);
     Vec2 middle = vec2_scale(vec2_add(hold->box.low, hold->box.high), 0.5);
     Primitive *tag = scene_add_label(scene, ROLE_TEXT, TEXT_SIZE, middle, text);
     tag->fill = ROLE_ERROR;
@@ -324,7 +326,7 @@ void crowd_scene_list(Scene *scene, const House *house, const Census *census) {
         listed++;
     }
     if (listed < profiles)
-        scene_add_row(scene, ROW_PLAIN, scene_text(scene, "and %zu profiles more", profiles - listed));
+        scene_add_row(scene, ROW_PLAIN, scene_text(scene, "more profiles: %zu", profiles - listed));
     size_t stuck = census->people - census->out;
     if (!stuck)
         return;

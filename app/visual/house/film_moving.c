@@ -195,5 +195,5 @@ void film_moving_make(Film *film) {
     bool alone = film->house->plan.run.routes == ROUTES_ALONE && film->several;
     if (film->options.live)
         return; /* a window has its own clock */
-    scene->clock = scene_text(scene, alone ? "%.1f s of separate runs, one over the other" : "%.1f s", film->time);
+    scene->clock = scene_text(scene, alone ? "%.1f s, separate runs overlaid" : "%.1f s", film->time);
 }

@@ -35,7 +35,9 @@ void headline_text(const House *house, const Observation *observation, char *tex
     } else {
         char why[HEADLINE_TEXT / 2], others[64] = "";
         if (census.out)
-            snprintf(others, sizeof others, "; the other%s out in %.1f s", census.out > 1 ? "s" : "", census.last);
+            snprintf(others, sizeof others,
+                     census.out > 1 ? "; the others are out in %.1f s" : "; the other person is out in %.1f s",
+                     census.last);
         if (stuck == 1) {
             format_stuck(house, observation, census.stuck, why, sizeof why);
             snprintf(text, size, "%s%s", why, others);

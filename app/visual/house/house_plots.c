@@ -90,7 +90,7 @@ static const HousePlot known[HOUSE_PLOTS_KNOWN] = {
     {"speed", TRACE_TIME, TRACE_SPEED, "time", "speed", add_speed_guides},
     {"clearance", TRACE_TIME, TRACE_CLEARANCE, "time", "clearance", add_clearance_guides},
     {"force", TRACE_TIME, TRACE_BODY_FORCE, "time", "contact force", add_force_guides},
-    {"ring", TRACE_TIME, TRACE_RING, "time", "ring compressed", add_nought},
+    {"ring", TRACE_TIME, TRACE_RING, "time", "compression of the personal space", add_nought},
     {"phase", TRACE_OFFSET, TRACE_OFFSET_RATE, "lateral offset", "lateral velocity", add_path_guides},
 };
 
@@ -182,7 +182,7 @@ static const char *note_of(const HousePlot *definition, const Subjects *subjects
         touching = touching || subjects->observation->people[subjects->list[i].person].peak_force > 0;
     }
     if (!moving || !touching)
-        return moving ? "no contact" : "nobody sets off";
+        return moving ? "no contact" : "nobody starts";
     if (subjects->count == subjects->people || subjects->alone)
         return NULL;
     return text_in_arena(arena, "%zu of %zu people", subjects->count, subjects->people);

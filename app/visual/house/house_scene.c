@@ -48,7 +48,7 @@ static const char *failure(Scene *scene, const Inhabitant *who, const PersonObse
     case REASON_INTERRUPTED:
         return scene_text(scene, "interrupted at %.1f s", person->time);
     case REASON_DIVERGED:
-        return scene_text(scene, "the numbers broke down at %.2f s", person->time);
+        return scene_text(scene, "the simulation diverged at %.2f s", person->time);
     }
     return "";
 }
@@ -60,12 +60,11 @@ static const char *capitalized(Scene *scene, const char *text) {
 /* Prints "narrowest 0.06 m at door d2" and the contacts. */
 static const char *findings(Scene *scene, const House *house, const Observation *observation, const Census *census) {
     size_t narrowest = people_scene_narrowest(house, observation);
-    const char *contacts = "no contact";
-    if (census->contacts)
-        contacts = scene_text(scene, "%d contact%s, up to %.0f N", census->contacts, census->contacts == 1 ? "" : "s",
-                              census->peak_force);
+    char counted[64];
+    census_contacts(census, counted, sizeof counted);
+    const char *contacts = scene_text(scene, census->contacts ? "%s, up to %.0f N" : "%s", counted, census->peak_force);
     if (narrowest == SIZE_MAX)
-        return scene_text(scene, "personal space stays free, %s", contacts);
+        return scene_text(scene, "nothing entered a personal space, %s", contacts);
     const PersonObservation *person = &observation->people[narrowest];
     char place[96];
     if (person->narrowest_other >= 0)
@@ -86,7 +85,7 @@ static void format_yes(Scene *scene, const House *house, const Observation *obse
         scene->title = scene_text(scene, "Out in %.1f s", observation->time);
     } else if (house->plan.run.routes == ROUTES_ALONE) {
         scene->title = scene_text(scene, "All %zu get out", census->people);
-        scene->detail = scene_text(scene, "each alone, at most %.1f s, %s", observation->time, scene->detail);
+        scene->detail = scene_text(scene, "each route alone, at most %.1f s, %s", observation->time, scene->detail);
     } else {
         scene->title = scene_text(scene, "All %zu out in %.1f s", census->people, observation->time);
     }
@@ -105,7 +104,7 @@ static void format_no(Scene *scene, const House *house, const Observation *obser
     }
     scene->title = scene_text(scene, "%zu of %zu out", census->out, census->people);
     scene->detail =
-        scene_text(scene, "%s: %s%s%s", house->people[census->stuck].id, why, *how_much ? ", " : "", how_much);
+        scene_text(scene, *how_much ? "%s: %s, %s" : "%s: %s", house->people[census->stuck].id, why, how_much);
 }
 
 static void format_answer(Scene *scene, const House *house, const Observation *observation, const Census *census) {
@@ -114,7 +113,7 @@ static void format_answer(Scene *scene, const House *house, const Observation *o
     scene->clock = observation->time > 0 ? scene_text(scene, "0 to %.1f s", observation->time) : "";
     if (!census->people) {
         scene->title_role = ROLE_TEXT;
-        scene->title = "Nobody is here";
+        scene->title = "The house has no people";
         scene->detail = "";
     } else if (is_crowd(census)) {
         crowd_scene_answer(scene, house, observation, census);
@@ -181,7 +180,7 @@ static void list_key(Scene *scene, const House *house, const Observation *observ
         return;
     scene_add_row(scene, ROW_HEADING, "Key");
     add_key(scene, "personal space", PEOPLE_SCENE_SPACE);
-    add_key(scene, "personal space, pressed", PEOPLE_SCENE_PRESSED);
+    add_key(scene, "personal space, compressed", PEOPLE_SCENE_PRESSED);
 }
 
 /* Returns the box of the plan and of all bodies during the run, also outside the door. */
@@ -241,9 +240,8 @@ void house_scene_add_before(Scene *scene, Before before) {
     if (!before.observation)
         return;
     headline_text(before.house, before.observation, headline, sizeof headline);
-    *headline = (char)tolower((unsigned char)*headline);
-    scene->detail = scene_text(scene, "%s: %s%s%s", house_scene_before_name(before), headline,
-                               *scene->detail ? "; now: " : "", scene->detail);
+    scene->detail = scene_text(scene, *scene->detail ? "%s: %s; now: %s" : "%s: %s", house_scene_before_name(before),
+                               headline, scene->detail);
 }
 
 void house_scene_make_compared(Scene *scene, const House *house, const Observation *observation, Before before) {

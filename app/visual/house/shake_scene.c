@@ -138,7 +138,7 @@ static void list_key(Scene *scene) {
     row->width = FALL_EDGE;
 }
 
-static void say(Scene *scene, const ShakeFindings *findings) {
+static void format_answer(Scene *scene, const ShakeFindings *findings) {
     const Plan *plan = &findings->house->plan;
     const Share *share = &findings->everybody;
     scene->name = scene_text(scene, "%s, %zu shakes", *plan->name ? plan->name : "house", findings->shakes);
@@ -146,16 +146,17 @@ static void say(Scene *scene, const ShakeFindings *findings) {
     scene->title = shake_findings_headline(findings, &scene->arena);
     scene->title_role = share->good == share->all ? ROLE_TEXT : ROLE_ERROR;
     const char *times = shake_findings_times(findings, &scene->arena);
-    scene->detail = share->good < share->all ? scene_text(scene, "95 %% sure: %.0f to %.0f %%%s%s", 100 * share->low,
-                                                          100 * share->high, *times ? "; " : "", times)
-                                             : times;
+    const char *interval = "95 %% confidence: %.0f to %.0f %%", *both = "95 %% confidence: %.0f to %.0f %%; %s";
+    scene->detail = times;
+    if (share->good < share->all)
+        scene->detail = scene_text(scene, *times ? both : interval, 100 * share->low, 100 * share->high, times);
 }
 
 void shake_scene_make(Scene *scene, const ShakeFindings *findings) {
     const House *house = findings->house;
     *scene = (Scene){.grid = HOUSE_SCENE_GRID, .top = PLAN_SCENE_CUT};
     scene->box = box_expand(house->outline.box, HOUSE_SCENE_MARGIN);
-    say(scene, findings);
+    format_answer(scene, findings);
     list_people(scene, findings);
     list_pieces(scene, findings);
     list_key(scene);

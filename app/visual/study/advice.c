@@ -18,29 +18,29 @@ typedef struct Terms {
 
 static const Terms all_terms[] = {
     {.kind = "beam",
-     .headline = {"No type can be told", "Type I: run it here", "Type II: run it here only with close tolerances",
+     .headline = {"The type is undecided", "Type I: run it here", "Type II: run it here only with close tolerances",
                   "Type III: do not run it here"},
      .regular = "It is periodic",
      .irregular = "It is not periodic",
-     .unsure = "It cannot be told whether it is periodic",
+     .unsure = "It is undecided whether it is periodic",
      .stays = "It stays periodic",
      .becomes_not = "It does not become periodic",
      .again = "it is periodic again",
      .measure = "the largest force",
      .changes = "has another period",
-     .longer = "a larger run.transient_cycles may tell"},
+     .longer = "a larger run.transient_cycles may decide it"},
     {.kind = "house",
-     .headline = {"No type can be told", "Type I: this way out can be relied on",
-                  "Type II: this way out depends on small things", "Type III: do not rely on this way out"},
+     .headline = {"The type is undecided", "Type I: this route can be relied on",
+                  "Type II: this route depends on small changes", "Type III: do not rely on this route"},
      .regular = "Everybody gets out",
      .irregular = "Not everybody gets out",
-     .unsure = "It cannot be told whether everybody gets out",
+     .unsure = "It is undecided whether everybody gets out",
      .stays = "Everybody gets out also",
      .becomes_not = "Not everybody gets out either",
      .again = "everybody gets out",
      .measure = "the time",
-     .changes = "goes another way",
-     .longer = "a larger run.until may tell"},
+     .changes = "takes another route",
+     .longer = "a larger run.until may decide it"},
 };
 enum { KINDS = sizeof all_terms / sizeof *all_terms };
 
@@ -252,10 +252,13 @@ static void add_neighbours(Text *text, const Types *types, const Experiment *exp
 }
 
 static void add_basis(Text *text, const Types *types, const char *each) {
-    text_format(text, "This rests on %zu runs%s%s from %d starts within 1 %% of here", types->runs, each ? " of " : "",
-                each ? each : "", TYPES_STARTS);
+    if (each)
+        text_format(text, "This rests on %zu runs of %s from %d starts within 1 %% of here", types->runs, each,
+                    TYPES_STARTS);
+    else
+        text_format(text, "This rests on %zu runs from %d starts within 1 %% of here", types->runs, TYPES_STARTS);
     if (types->thorough)
-        text_format(text, ", %zu of them made again thoroughly", types->thorough);
+        text_format(text, ", %zu of them repeated with the full analysis", types->thorough);
     if (types->neighbour_runs)
         text_format(text, ", and on %zu runs beyond, from %d starts", types->neighbour_runs, NEIGHBOURS_STARTS);
     text_format(text, "%s.\n", types->stopped ? "; it was stopped before it was complete" : "");

@@ -160,11 +160,11 @@ static bool was_run(const Map *map, size_t cell) {
 /* Uses the classes of the first run where a place has several runs. */
 static void note_first(Map *map) {
     if (map->study->runs > 1)
-        map->to->plot.note = text_in_arena(map->arena, "the first of %zu runs", map->study->runs);
+        map->to->plot.note = text_in_arena(map->arena, "first of %zu runs", map->study->runs);
 }
 
 #define UNDECIDED_CLASS                                                                                                \
-    { "cannot be told", "?", ROLE_CLASS_NONE, PLOT_PATTERN_RISING }
+    { "undecided", "?", ROLE_CLASS_NONE, PLOT_PATTERN_RISING }
 
 static void classify_regular(Map *map) {
     bool house = is_house(map);

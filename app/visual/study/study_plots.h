@@ -1,8 +1,8 @@
 /* A study as plots: those that fit its axes and observables.
  *
  *     no axis     how often each value came: bars, mean, what lies between 5 and 95 % of the runs
- *     one axis    the orbit diagram (all that each run lists, passes distinguished); each observable against the
- * parameter two axes    a map of each observable: classes, or a quantity from light to dark; over starts, the basins
+ *     one axis    the orbit diagram (all that each run lists, pass by pass); each observable against the parameter
+ *     two axes    a map of each observable: classes, or a quantity from light to dark; over starts, the basins
  *
  * A parameter in m or s is shown in mm or ms where its values are small. */
 #pragma once

@@ -383,7 +383,7 @@ TEST(somebody_who_is_out_is_the_answer) {
         "drawn from a measured plan");
     CHECK_TEXT(scene.title, "Out in 8.0 s");
     CHECK(scene.title_role == ROLE_TEXT);
-    CHECK_TEXT(scene.detail, "personal space stays free, no contact");
+    CHECK_TEXT(scene.detail, "nothing entered a personal space, no contact");
     CHECK_TEXT(scene.note, "");
     scene_clear(&scene);
 }
@@ -497,7 +497,7 @@ TEST(a_picture_of_a_crowd_names_nobody_and_counts_everybody) {
     Scene scene = crowd_scene(&census);
     CHECK_TEXT(scene.title, "4 of 41 not out");
     CHECK_TEXT(scene.detail,
-               "2 blocked at door d1, adults-7 blocked at wall w, adults-8 time limit; the others in 50.0 s");
+               "2 blocked at door d1, adults-7 blocked at wall w, adults-8 time limit; the others are out in 50.0 s");
     CHECK(find_label(&scene, "2 blocked here") && find_label(&scene, "1 blocked here"));
     CHECK(!find_label(&scene, "adults-1") && !find_label(&scene, "p1"));
     CHECK(find_label(&scene, "EXIT e1: 27") && find_label(&scene, "EXIT e2: 10"));

@@ -619,7 +619,7 @@ TEST(a_house_that_cannot_be_run_says_why) {
     kind->close(live);
     live = open_made(path, "");
     settle(live, 0);
-    CHECK_TEXT(kind->answer(live).title, "Nobody is here");
+    CHECK_TEXT(kind->answer(live).title, "The house has no people");
     CHECK(!kind->show(live, 0) && kind->still(live)->count > 0 && kind->span(live).end == 0);
     CHECK(set(live, "wall.w1.thickness", 0.3));
     settle(live, 0);

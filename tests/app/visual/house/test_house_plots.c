@@ -137,7 +137,7 @@ TEST(a_run_in_which_nobody_sets_off_says_so) {
     case_house(&house, "flat-0.910-module", -1, NULL);
     Observation observation = case_run(&house, 1);
     HousePlots plots = house_plots_make(&house, &observation, NULL, NULL, &ALL);
-    CHECK_TEXT(plots.plots[0].note, "nobody sets off");
+    CHECK_TEXT(plots.plots[0].note, "nobody starts");
     house_plots_free(&plots);
     observation_free(&observation);
     house_free(&house);
@@ -184,7 +184,7 @@ TEST(a_house_without_people_has_empty_plots_and_a_record_with_its_columns) {
     for (size_t p = 0; p < plots.choice.count; p++) {
         CHECK(plots.plots[p].series_count == 0);
         CHECK_TEXT(plots.plots[p].x.unit, p < 4 ? "s" : "m");
-        CHECK_TEXT(plots.plots[p].note, "nobody sets off");
+        CHECK_TEXT(plots.plots[p].note, "nobody starts");
     }
     house_plots_free(&plots);
     observation_free(&observation);

@@ -196,7 +196,7 @@ TEST(a_map_tells_what_cannot_be_told_from_what_is_not_run) {
     for (size_t n = 0; n < 2; n++) {
         const Plot *plot = find_plot(&plots, names[n]);
         CHECK(plot && plot->raster->class_count == 2 && isnan(plot->raster->values[2]));
-        CHECK_TEXT(plot->raster->classes[(size_t)plot->raster->values[1]].name, "cannot be told");
+        CHECK_TEXT(plot->raster->classes[(size_t)plot->raster->values[1]].name, "undecided");
     }
     study_plots_free(&plots);
     free_study(&study);
@@ -218,7 +218,7 @@ TEST(attractors_are_told_by_outcome_and_measure_the_most_visited_first) {
     CHECK(basins && basins->raster->class_count == 5);
     for (size_t t = 0; t < 9; t++)
         CHECK(basins->raster->values[t] == expected[t]);
-    CHECK_TEXT(basins->raster->classes[4].name, "cannot be told");
+    CHECK_TEXT(basins->raster->classes[4].name, "undecided");
     CHECK_TEXT(basins->raster->classes[0].name, "A: period 1, 759 N");
     study_plots_free(&plots);
     free_study(&study);
