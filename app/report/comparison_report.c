@@ -21,14 +21,16 @@ static const char *const names[] = {"A", "B", "B - A"};
 static const char *format_answer(Document *document, const Reported runs[2]) {
     const Observation *a = runs[0].observation, *b = runs[1].observation;
     if (a->completed != b->completed)
-        return document_text(document, "%s lets everybody out, %s does not", names[b->completed], names[a->completed]);
+        return b->completed ? "B lets everybody out, A does not" : "A lets everybody out, B does not";
     if (!a->completed)
         return "Neither A nor B lets everybody out";
     double gain = a->time - b->time;
     if (fabs(gain) < 0.05)
         return document_text(document, "Everybody is out in %.1f s in both", a->time);
-    return document_text(document, "Everybody is out %.1f s %s in B: in %.1f s instead of %.1f s", fabs(gain),
-                         gain > 0 ? "earlier" : "later", b->time, a->time);
+    return document_text(document,
+                         gain > 0 ? "Everybody is out %.1f s earlier in B: in %.1f s instead of %.1f s"
+                                  : "Everybody is out %.1f s later in B: in %.1f s instead of %.1f s",
+                         fabs(gain), b->time, a->time);
 }
 
 static const char *difference(Document *document, double a, double b, int digits) {
@@ -91,7 +93,7 @@ static void add_pair(Document *document, const char *caption, ResultTable a, Res
 }
 
 static void add_people(Document *document, const Reported runs[2]) {
-    add_pair(document, "Times and clearances have a difference where somebody gets out of both.",
+    add_pair(document, "Differences of times and clearances are given for people who get out of both houses.",
              result_house_people(runs[0].house, runs[0].observation),
              result_house_people(runs[1].house, runs[1].observation), "completed", NULL);
 }
@@ -107,7 +109,7 @@ static void add_routes(Document *document, const Reported runs[2]) {
     const Plan *a = &runs[0].house->plan, *b = &runs[1].house->plan;
     if (!a->route_count)
         return;
-    document_add_table(document, "Routes: mean time of those who take them, when all of them get out.", columns, 4);
+    document_add_table(document, "Routes: mean time of the people who take them, if all of them get out.", columns, 4);
     for (size_t r = 0; r < a->route_count; r++) {
         size_t other = plan_find_route(b, a->routes[r].id);
         double first = census_route_time(runs[0].house, runs[0].observation, &a->routes[r]);
@@ -130,7 +132,7 @@ static void add_hazards(Document *document, const Reported runs[2]) {
             document_add_paragraph(
                 document,
                 document_text(document, "%s: %s.", names[r],
-                              runs[r].observation->time > 0 ? "none" : "none is known, since nobody could set off"));
+                              runs[r].observation->time > 0 ? "none" : "none is known, since nobody could start"));
 }
 
 static bool same_numbers(const Profile *a, const Profile *b) {

@@ -21,12 +21,13 @@ static const char *caption_of(Document *document, const Reported *run) {
     const Observation *observation = run->observation;
     bool moved = observation->time > 0, crowd = run->house->person_count > PEOPLE_SCENE_INDIVIDUALS;
     bool rings = moved && run->house->person_count <= PEOPLE_SCENE_SEVERAL;
-    return document_text(document, "%s, seen from above%s.%s%s%s%s", house_report_name(run->house),
-                         moved ? ", and the ways that people took" : "",
-                         observation->hazard_count ? " Numbers: dangerous points." : "",
-                         rings ? " Dashed outlines: personal space, thick where it is pressed." : "",
-                         crowd ? " Grey discs: where people on foot began; lines in colour: chairs, by profile." : "",
-                         crowd && !observation->completed ? " Diamonds: who is not out, in the end." : "");
+    return document_text(document,
+                         moved ? "%s, seen from above, with the routes that people took.%s%s%s%s"
+                               : "%s, seen from above.%s%s%s%s",
+                         house_report_name(run->house), observation->hazard_count ? " Numbers: dangerous points." : "",
+                         rings ? " Dashed outlines: personal space, thick where it is compressed." : "",
+                         crowd ? " Grey discs: starts of people on foot; coloured lines: chairs, by profile." : "",
+                         crowd && !observation->completed ? " Diamonds: people who are not out at the end." : "");
 }
 
 /* Removes the answer from the picture, as it stands above the picture in the document. */
@@ -38,8 +39,7 @@ static void add_house(Document *document, const Reported *run, const Making *mak
         document_add_paragraph(document, document_text(document, "%c%s.", toupper((unsigned char)*detail), detail + 1));
     if (run->observation->time > 0)
         document_add_paragraph(document,
-                               "Times are of moving only: alarm, waking and the transfer into the chair are not in "
-                               "them.");
+                               "Times include movement only, not alarm, waking and the transfer into the chair.");
     if (*run->house->plan.note)
         document_add_note(document, run->house->plan.note);
     report_basis_add_changes(document, making);

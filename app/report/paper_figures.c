@@ -24,8 +24,8 @@ static const Source sources[PAPER_FIGURES] = {
     {"figure-6-spectrum", "Figures 3 to 6", "The spectrum of the tip's displacement at 300 Hz.", true, PAPER_CHAOTIC,
      "spectrum"},
     {"figure-8-peaks", "Figures 7 and 8",
-     "Largest force of each of 100 cycles against the drive's frequency: each from rest, and going on upwards and "
-     "downwards; where they differ, motions coexist.",
+     "Largest force of each of 100 cycles against the drive's frequency: each from rest, and swept upwards and "
+     "downwards; where these differ, motions coexist.",
      false, PAPER_FREQUENCIES, "peaks"},
     {"figure-9-map", "Figure 9",
      "Responses over frequency and clearance, from rest; on the right the clearance over the static deflection of the "

@@ -84,9 +84,9 @@ static void add_types(Document *document, const Paper *paper) {
 
 static void add_numbers(Document *document, const Paper *paper) {
     static const Column columns[] = {
-        {"number", ALIGN_LEFT}, {"value", ALIGN_RIGHT}, {"unit", ALIGN_LEFT}, {"where it comes from", ALIGN_LEFT}};
+        {"number", ALIGN_LEFT}, {"value", ALIGN_RIGHT}, {"unit", ALIGN_LEFT}, {"source", ALIGN_LEFT}};
     const ParameterTable *table = beam_table();
-    document_add_heading(document, 2, "Every number, and where it comes from");
+    document_add_heading(document, 2, "All numbers and their sources");
     document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
     for (size_t i = 0; i < table->count; i++) {
         char *value = parameters_words(&table->rows[i], &paper->beam);

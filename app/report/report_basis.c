@@ -15,7 +15,8 @@ static bool has_driving(const House *house, int driving) {
     return false;
 }
 
-/* Prints "Doors that are shut at first ...: door d7 4 s." */
+/* Prints "Doors that are shut at first take time to open, which counts as lost time there "
+"(opening_time in the house's file; assumed if the file does not give it): %s." */
 static void add_doors(Document *document, const Plan *plan) {
     const char *doors = "";
     for (size_t d = 0; d < plan->door_count; d++)
@@ -34,40 +35,40 @@ static void add_doors(Document *document, const Plan *plan) {
 void report_basis_add_method(Document *document, const House *house, bool both_ways) {
     document_add_heading(document, 3, "How it is computed");
     document_add_paragraph(document,
-                           "Times are of moving only: from when everybody may set off until their drive axle (on "
-                           "foot: their middle) has crossed the exit's line. Alarm, waking and the transfer into "
-                           "the chair are not in them. Single people have the mean free speed of their profile, "
-                           "or one of their own; only in crowds do speeds vary.");
-    document_add_paragraph(
-        document, "Everybody is a distinct element: a rigid body with a mass. Where a body meets a wall, a "
-                  "piece of furniture or another body, a spring and a dashpot push them apart, along the "
-                  "surface too, as far as Coulomb friction allows (the method of Cundall and Strack, as Miura, "
-                  "Takimoto and Kubodera use it for wheelchairs). A second, softer law of the same form acts in "
-                  "the personal space around the body.");
+                           "Times include movement only: from the start of the run until a person's drive axle "
+                           "(on foot: the middle of the body) has crossed the exit's line. They do not include "
+                           "alarm, waking and the transfer into the chair. Single people have the mean free "
+                           "speed of their profile, or one of their own; speeds vary only within crowds.");
+    document_add_paragraph(document,
+                           "Each person is a distinct element: a rigid body with a mass. Where a body meets a "
+                           "wall, a piece of furniture or another body, a spring and a dashpot push them apart, "
+                           "and along the surface within the limit of Coulomb friction (the method of Cundall "
+                           "and Strack, as Miura, Takimoto and Kubodera use it for wheelchairs). A second, "
+                           "softer law of the same form acts in the personal space around the body.");
     if (both_ways || has_driving(house, DRIVING_DRIVER))
-        document_add_paragraph(
-            document, "driver: a chair is its true rounded rectangle, rolls and turns about its drive axle and "
-                      "does not slip sideways. Its way is searched for the least time among all that can be "
-                      "driven, changes of direction included, and is then steered along with a limited push.");
+        document_add_paragraph(document,
+                               "driver: a chair is its true rounded rectangle, rolls and turns about its drive axle "
+                               "and does not slip sideways. It follows the quickest of all drivable routes, changes "
+                               "of direction included, with a limited push.");
     if (both_ways || has_driving(house, DRIVING_MIURA))
         document_add_paragraph(document,
-                               "miura: a chair is a disc on straight legs and corners, after the paper. It has "
-                               "no length, and therefore passes where a chair may not.");
+                               "miura: a chair is a disc on straight legs and corners, after the paper. It has no "
+                               "length, and therefore passes where a chair may not.");
     if (has_driving(house, DRIVING_WALKER))
-        document_add_paragraph(
-            document, "On foot: a disc that goes where the time to the exit falls fastest, keeps its distance to "
-                      "whoever is ahead, and steps aside where that makes more way good.");
+        document_add_paragraph(document,
+                               "On foot: a disc that moves where the time to the exit falls fastest, keeps its "
+                               "distance to the person ahead, and steps aside where that is quicker.");
     add_doors(document, &house->plan);
-    document_add_paragraph(document,
-                           document_text(document,
-                                         "\"Cannot pass\" is found before anything moves: to the geometry of the plan, "
-                                         "there is no way that can be driven. \"Blocked\" is what happens in the run: "
-                                         "there is a way, but whoever is on it has not got on for %g s.",
-                                         house->plan.run.patience));
     document_add_paragraph(
-        document, "What the model does not know: fatigue, fear, helpers, smoke, darkness, slopes, stairs, lifts, "
-                  "thresholds and wet floors. A run with one seed says nothing of how much times scatter. It is no "
-                  "substitute for a trial with the people who live there.");
+        document, document_text(document,
+                                "\"Cannot pass\" is found before anything moves: the geometry of the plan leaves no "
+                                "drivable route. \"Blocked\" happens during the run: there is a route, but the person"
+                                " on it has made no progress for %g s.",
+                                house->plan.run.patience));
+    document_add_paragraph(document,
+                           "The model does not include fatigue, fear, helpers, smoke, darkness, slopes, stairs, "
+                           "lifts, thresholds and wet floors. A run with one seed says nothing about the scatter"
+                           " of times. It does not replace a trial with the people who live there.");
 }
 
 /* Numbers -----------------------------------------------------------------------------------------------------------*/
@@ -90,7 +91,7 @@ void report_basis_add_settings(Document *document, const House *house) {
                                      {"Value", ALIGN_RIGHT},
                                      {"Unit", ALIGN_LEFT},
                                      {"Meaning", ALIGN_LEFT},
-                                     {"Where it comes from", ALIGN_LEFT}};
+                                     {"Source", ALIGN_LEFT}};
     RunSettings usual;
     parameters_reset(&plan_tables_run, &usual);
     document_add_heading(document, 3, "Settings of the run");
@@ -103,7 +104,7 @@ void report_basis_add_settings(Document *document, const House *house) {
                                row->meaning,
                                changed           ? "set for this house or this run"
                                : row->provenance ? row->provenance
-                                                 : "the usual"};
+                                                 : "default"};
         document_add_row(document, cells);
     }
 }
@@ -159,7 +160,7 @@ void report_basis_add_profile(Document *document, const House *house, const Prof
                                      {"Value", ALIGN_RIGHT},
                                      {"Unit", ALIGN_LEFT},
                                      {"Meaning", ALIGN_LEFT},
-                                     {"Where it comes from", ALIGN_LEFT}};
+                                     {"Source", ALIGN_LEFT}};
     document_add_heading(
         document, 3, document_text(document, "Profile %s (%s)", profile->name, profile_driving_name(profile->driving)));
     document_add_table(document, format_kinds(document, house, profile), columns, sizeof columns / sizeof *columns);
@@ -190,10 +191,10 @@ void report_basis_add_making(Document *document, const Making *making, const Rep
     document_add_heading(document, 2, "How this report was made");
     document_add_paragraph(document, document_text(document, "By %s, with this command:", making->program));
     document_add_command(document, making->command);
-    document_add_paragraph(document, document_text(document,
-                                                   "The same files, command and version give the same numbers to the "
-                                                   "last bit%s.",
-                                                   count ? "; the digest tells whether they did" : ""));
+    document_add_paragraph(document, count ? "The same files, command and version give the same numbers to the last "
+                                             "bit; the digest shows whether they did."
+                                           : "The same files, command and version give the same numbers to the last "
+                                             "bit.");
     if (!count)
         return;
     document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);

@@ -136,9 +136,10 @@ static Scene observed_scene(const House *house, const ObservedLoci *observed) {
 }
 
 static void add_pictures(Document *document, const HouseReport *report) {
-    static const char *const captions[] = {"miura: the paper's way, a disc on straight legs and corners.",
-                                           "driver: ours, the true rectangle of the chair on a planned path.",
-                                           "observed: what was measured."};
+    static const char *const captions[] = {
+        "miura: the driving model of the paper, a disc on straight legs and corners.",
+        "driver: our driving model, the true rectangle of the chair on a planned path.",
+        "observed: the measured loci."};
     Scene scenes[3] = {way_scene(&report->ways[DRIVING_MIURA]), way_scene(&report->ways[DRIVING_DRIVER])};
     Box box = report_pictures_box(scenes[0].box, scenes[1].box);
     if (report->observed) {
@@ -181,14 +182,18 @@ static LocusDistance ways_apart(const HouseReport *report, size_t person) {
 }
 
 static void add_ways(Document *document, const HouseReport *report) {
-    static const Column columns[] = {{"Person", ALIGN_LEFT},          {"Driven", ALIGN_LEFT},
-                                     {"Time, s", ALIGN_RIGHT},        {"Narrowest, m", ALIGN_RIGHT},
-                                     {"Contacts", ALIGN_RIGHT},       {"Lost, s", ALIGN_RIGHT},
-                                     {"Apart, mean, m", ALIGN_RIGHT}, {"Apart, most, m", ALIGN_RIGHT}};
+    static const Column columns[] = {{"Person", ALIGN_LEFT},
+                                     {"Driving model", ALIGN_LEFT},
+                                     {"Time, s", ALIGN_RIGHT},
+                                     {"Narrowest, m", ALIGN_RIGHT},
+                                     {"Contacts", ALIGN_RIGHT},
+                                     {"Lost, s", ALIGN_RIGHT},
+                                     {"Mean distance, m", ALIGN_RIGHT},
+                                     {"Largest distance, m", ALIGN_RIGHT}};
     const House *house = report->run.house;
-    document_add_table(document,
-                       "Apart: from the driver's locus to the paper's, both of the body's middle, where both get out.",
-                       columns, sizeof columns / sizeof *columns);
+    document_add_table(
+        document, "Distance: from the driver's locus to the paper's, both of the body's middle, where both get out.",
+        columns, sizeof columns / sizeof *columns);
     for (size_t i = 0; i < house->person_count; i++) {
         if (!report->run.observation->people[i].took_part || census_walks(house->people[i].profile))
             continue;
@@ -219,14 +224,17 @@ static void add_agreement(Document *document, const Reported *way, int driving, 
 }
 
 static void add_agreements(Document *document, const HouseReport *report) {
-    static const Column columns[] = {{"Person", ALIGN_LEFT},         {"Driven", ALIGN_LEFT},
-                                     {"Observed, s", ALIGN_RIGHT},   {"Simulated, s", ALIGN_RIGHT},
-                                     {"Error", ALIGN_RIGHT},         {"Apart, mean, m", ALIGN_RIGHT},
-                                     {"Apart, most, m", ALIGN_RIGHT}};
+    static const Column columns[] = {{"Person", ALIGN_LEFT},
+                                     {"Driving model", ALIGN_LEFT},
+                                     {"Observed, s", ALIGN_RIGHT},
+                                     {"Simulated, s", ALIGN_RIGHT},
+                                     {"Error", ALIGN_RIGHT},
+                                     {"Mean distance, m", ALIGN_RIGHT},
+                                     {"Largest distance, m", ALIGN_RIGHT}};
     document_add_table(
         document,
         document_text(document,
-                      "Observed (%s) against simulated. Apart: from the observed places to the simulated "
+                      "Observed (%s) against simulated. Distance: from the observed places to the simulated "
                       "locus of the body's middle.",
                       report->observed->path),
         columns, sizeof columns / sizeof *columns);
@@ -240,22 +248,23 @@ void report_loci_add(Document *document, const HouseReport *report) {
     document_add_heading(document, 2, "Loci side by side");
     if (!report_loci_make_sense(report->run.house)) {
         document_add_paragraph(
-            document, count_chairs(report->run.house)
-                          ? document_text(document,
-                                          "Left out: the loci of more than %d people cover each other, and in a "
-                                          "crowd they follow from the others more than from the way of driving.",
-                                          PEOPLE_SCENE_INDIVIDUALS)
-                          : "Left out: nobody is in a chair, and for people on foot there is one way only.");
+            document,
+            count_chairs(report->run.house)
+                ? document_text(document,
+                                "Left out: the loci of more than %d people cover each other, and in a crowd they "
+                                "depend on the other people more than on the driving model.",
+                                PEOPLE_SCENE_INDIVIDUALS)
+                : "Left out: nobody is in a chair, and people on foot have one model only.");
         return;
     }
     if (!report->ways[0].house || !report->ways[1].house) {
         document_add_paragraph(document, "Left out: the run was interrupted.");
         return;
     }
-    document_add_paragraph(
-        document, "The same people in the same house, driven both ways that the program knows: the ways of "
-                  "their bodies' middles, with a tick each second. Where the two differ, the answer depends on "
-                  "how the driver is modelled.");
+    document_add_paragraph(document,
+                           "The same people in the same house with both driving models: the loci of the middles "
+                           "of their bodies, with a tick each second. Where the two differ, the answer depends "
+                           "on the driving model.");
     add_pictures(document, report);
     add_ways(document, report);
     if (report->observed)

@@ -56,9 +56,9 @@ void report_motion_add_curves(Document *document, const Reported *run, const Rep
     static const struct {
         const char *name, *caption;
     } curves[] = {{"speed", "Speed against time."},
-                  {"clearance", "Clearance of the body against time: the least since the value before."},
-                  {"force", "Contact force against time: the greatest since the value before."},
-                  {"phase", "Distance from the planned way, to its left, against how fast it changes."}};
+                  {"clearance", "Clearance of the body against time: the least since the previous value."},
+                  {"force", "Contact force against time: the greatest since the previous value."},
+                  {"phase", "Distance from the planned route, positive to its left, against the rate of its change."}};
     for (size_t c = 0; c < sizeof curves / sizeof *curves; c++) {
         char fault[PLOT_CHOICE_FAULT];
         PlotChoice choice;

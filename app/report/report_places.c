@@ -37,12 +37,14 @@ static const char *format_hold(Document *document, const House *house, const Hol
     snprintf(who, sizeof who, "%zu people", hold->people);
     if (hold->people == 1)
         snprintf(who, sizeof who, "%s", house->people[hold->first].id);
-    const char *what = *blockage->what ? blockage->what : "a place on the way";
+    const char *what = *blockage->what ? blockage->what : "a place on the route";
     if (hold->reason == REASON_BLOCKED)
-        return document_text(document, "%s: on the way, but stuck at %s, and no longer getting on.", who, what);
-    return document_text(document,
-                         "%s cannot pass %s%s%s. That is known before anything moves: there is no way through.", who,
-                         what, *widths ? ": " : "", widths);
+        return document_text(document, "%s: on the route, but stuck at %s without further progress.", who, what);
+    return document_text(
+        document,
+        *widths ? "%s cannot pass %s: %s. This follows from the plan, before anything moves: no route leads through."
+                : "%s cannot pass %s. This follows from the plan, before anything moves: no route leads through.",
+        who, what, widths);
 }
 
 static bool has_place(const Hold *hold) {
@@ -85,19 +87,23 @@ static const char *format_hazard(Document *document, const House *house, const H
     char label[160];
     Text text = {0};
     if (hazard->clearance < run->clearance_warning) {
-        snprintf(label, sizeof label, "clearance %.3f m%s, below the %g m from which on this report warns",
-                 hazard->clearance, hazard->clearance <= 0 ? " (it touches)" : "", run->clearance_warning);
+        snprintf(label, sizeof label,
+                 hazard->clearance <= 0 ? "clearance %.3f m (contact), below the warning level of %g m"
+                                        : "clearance %.3f m, below the warning level of %g m",
+                 hazard->clearance, run->clearance_warning);
         add_text(&text, label);
     }
     if (hazard->peak_force > 0) {
         bool hard = hazard->peak_force > run->force_warning;
-        snprintf(label, sizeof label, "contact of up to %.0f N, %s the %g N from which on this report warns",
-                 hazard->peak_force, hard ? "above" : "not above", run->force_warning);
+        snprintf(label, sizeof label,
+                 hard ? "contact of up to %.0f N, above the warning level of %g N"
+                      : "contact of up to %.0f N, within the warning level of %g N",
+                 hazard->peak_force, run->force_warning);
         add_text(&text, label);
     }
     if (hazard->lost_time > run->loss_warning) {
-        snprintf(label, sizeof label, "%.1f s lost here, above the %g s from which on this report warns",
-                 hazard->lost_time, run->loss_warning);
+        snprintf(label, sizeof label, "%.1f s lost here, above the warning level of %g s", hazard->lost_time,
+                 run->loss_warning);
         add_text(&text, label);
     }
     const char *said = document_text(document, "%zu. %s: %s.", rank, hazard->what, text.text ? text.text : "");
@@ -115,7 +121,7 @@ void report_places_add_hazards(Document *document, const House *house, const Obs
     const RunSettings *run = &house->plan.run;
     document_add_heading(document, 2, "Dangerous points");
     if (observation->time <= 0) {
-        document_add_paragraph(document, "None is known: nobody could set off.");
+        document_add_paragraph(document, "None is known: nobody could start.");
         return;
     }
     if (!observation->hazard_count) {
@@ -130,10 +136,10 @@ void report_places_add_hazards(Document *document, const House *house, const Obs
         document, observation,
         document_text(
             document,
-            "Worst first. How near a body came is what its driver did, on the quickest way: it may pass close "
-            "although there is room. The score adds how far the clearance falls short of %g m, "
-            "the force over %g N and the lost time over %g s; reaching one of these is 1. "
-            "Lost time: of all who pass, together.",
+            "Worst first. The clearance is that of the quickest route: a body may pass close to an obstacle "
+            "although there is room. The score adds the missing clearance relative to %g m, "
+            "the force relative to %g N and the lost time relative to %g s; reaching one of these levels counts as 1. "
+            "Lost time: sum over all people who pass.",
             run->clearance_warning, run->force_warning, run->loss_warning));
     for (size_t h = 0; h < observation->hazard_count && h < PICTURES_MOST; h++) {
         const Hazard *hazard = &observation->hazards[h];

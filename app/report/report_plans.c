@@ -50,8 +50,8 @@ static void compare_lists(Differences *differences, const PlanList *list, const 
         const char *id = plan_tables_id(a, list, i);
         size_t other = plan_tables_find(b, list, id);
         if (other == SIZE_MAX)
-            add_difference(differences, document_text(differences->document, "%s %s", list->table.what, id), "is there",
-                           "is not there");
+            add_difference(differences, document_text(differences->document, "%s %s", list->table.what, id), "present",
+                           "absent");
         else
             compare_rows(differences, &list->table, id, plan_tables_element(a, list, i),
                          plan_tables_element(b, list, other));
@@ -60,7 +60,7 @@ static void compare_lists(Differences *differences, const PlanList *list, const 
         if (plan_tables_find(a, list, plan_tables_id(b, list, i)) == SIZE_MAX)
             add_difference(differences,
                            document_text(differences->document, "%s %s", list->table.what, plan_tables_id(b, list, i)),
-                           "is not there", "is there");
+                           "absent", "present");
 }
 
 static void compare_overrides(Differences *differences, const Plan *of, const Plan *other, bool of_a) {
@@ -71,22 +71,23 @@ static void compare_overrides(Differences *differences, const Plan *of, const Pl
             same |= strcmp(override->name, other->overrides[k].name) == 0 &&
                     strcmp(override->value, other->overrides[k].value) == 0;
         if (!same)
-            add_difference(differences, override->name, of_a ? override->value : "as in the other or in the profile",
-                           of_a ? "as in the other or in the profile" : override->value);
+            add_difference(differences, override->name,
+                           of_a ? override->value : "as in the other plan or in the profile",
+                           of_a ? "as in the other plan or in the profile" : override->value);
     }
 }
 
 void report_plans_add(Document *document, const Plan *a, const Plan *b) {
     Differences differences = {.document = document};
-    document_add_heading(document, 2, "What is different in the plans");
+    document_add_heading(document, 2, "Differences between the plans");
     for (size_t l = 0; l < PLAN_LISTS; l++)
         compare_lists(&differences, &plan_tables_lists[l], a, b);
     compare_rows(&differences, &plan_tables_run, "", &a->run, &b->run);
     compare_overrides(&differences, a, b, true);
     compare_overrides(&differences, b, a, false);
     if (!differences.count)
-        document_add_paragraph(document, "Nothing: walls, doors, furniture, people and settings are the same.");
+        document_add_paragraph(document, "None: walls, doors, furniture, people and settings are the same.");
     if (differences.count > ROWS_MOST)
         document_add_paragraph(document,
-                               document_text(document, "And %zu differences more.", differences.count - ROWS_MOST));
+                               document_text(document, "Further differences: %zu.", differences.count - ROWS_MOST));
 }

@@ -50,8 +50,8 @@ static void add_answer(Document *document, const ShakeFindings *findings, const 
                                 between(document, &findings->everybody)));
     if (*times)
         document_add_paragraph(document, document_text(document,
-                                                       "%c%s. Times are of moving only: the shake, alarm "
-                                                       "and the transfer into the chair are not in them.",
+                                                       "%c%s. Times include movement only, not the shake, alarm "
+                                                       "and the transfer into the chair.",
                                                        toupper((unsigned char)*times), times + 1));
     if (*findings->house->plan.note)
         document_add_note(document, findings->house->plan.note);
@@ -63,20 +63,20 @@ static void add_answer(Document *document, const ShakeFindings *findings, const 
         document, &scene,
         document_text(document,
                       "%s, seen from above, before a shake. Dashed: where furniture would "
-                      "fall. In colour: what stops somebody, and in how many of the shakes.",
+                      "fall. In colour: furniture that stops people, with the share of shakes in which it does.",
                       name),
         document_text(document, "Plan of %s with the furniture that stops people after a shake.", name));
 }
 
 static void add_people(Document *document, const ShakeFindings *findings) {
     static const Column columns[] = {
-        {"Person", ALIGN_LEFT},     {"Profile", ALIGN_LEFT},         {"People", ALIGN_RIGHT},
-        {"Out in", ALIGN_RIGHT},    {"95 % sure", ALIGN_RIGHT},      {"25 % within, s", ALIGN_RIGHT},
-        {"Median, s", ALIGN_RIGHT}, {"75 % within, s", ALIGN_RIGHT}, {"95 % within, s", ALIGN_RIGHT}};
+        {"Person", ALIGN_LEFT},     {"Profile", ALIGN_LEFT},          {"People", ALIGN_RIGHT},
+        {"Out in", ALIGN_RIGHT},    {"95 % confidence", ALIGN_RIGHT}, {"25 % within, s", ALIGN_RIGHT},
+        {"Median, s", ALIGN_RIGHT}, {"75 % within, s", ALIGN_RIGHT},  {"95 % within, s", ALIGN_RIGHT}};
     document_add_heading(document, 2, "Who gets out");
     document_add_table(document,
                        "Out in: shakes in which the person gets out, of a crowd all of it. Times: of those shakes. "
-                       "95 % sure: where the share is, by the number of shakes.",
+                       "95 % confidence: the interval of the share, from the number of shakes.",
                        columns, sizeof columns / sizeof *columns);
     for (size_t p = 0; p < findings->party_count; p++) {
         const ShakeParty *party = &findings->parties[p];
@@ -92,10 +92,11 @@ static void add_people(Document *document, const ShakeFindings *findings) {
         document_add_row(document, cells);
     }
     if (findings->caught.good)
-        document_add_paragraph(document, document_text(document,
-                                                       "In %zu shakes something falls on somebody: who is caught under "
-                                                       "furniture counts as not out.",
-                                                       findings->caught.good));
+        document_add_paragraph(document,
+                               document_text(document,
+                                             "Shakes in which furniture falls on somebody: %zu. People caught "
+                                             "under furniture count as not out.",
+                                             findings->caught.good));
 }
 
 static void add_times(Document *document, const ShakeFindings *findings) {
@@ -114,9 +115,9 @@ static void add_times(Document *document, const ShakeFindings *findings) {
 }
 
 static void add_pieces(Document *document, const ShakeFindings *findings) {
-    static const Column columns[] = {{"Furniture", ALIGN_LEFT},  {"Probability", ALIGN_RIGHT},
-                                     {"Falls in", ALIGN_RIGHT},  {"Stops somebody in", ALIGN_RIGHT},
-                                     {"95 % sure", ALIGN_RIGHT}, {"Fell and not all out", ALIGN_RIGHT}};
+    static const Column columns[] = {{"Furniture", ALIGN_LEFT},        {"Probability", ALIGN_RIGHT},
+                                     {"Falls in", ALIGN_RIGHT},        {"Stops somebody in", ALIGN_RIGHT},
+                                     {"95 % confidence", ALIGN_RIGHT}, {"Fell and not all out", ALIGN_RIGHT}};
     document_add_heading(document, 2, "What stops people");
     if (!findings->piece_count) {
         document_add_paragraph(document, "Nothing in this house can fall.");
@@ -142,7 +143,7 @@ static void add_pieces(Document *document, const ShakeFindings *findings) {
     }
     if (findings->elsewhere.good)
         document_add_paragraph(
-            document, document_text(document, "In %zu shakes somebody is stopped by a wall, a door or other people.",
+            document, document_text(document, "Shakes in which a wall, a door or other people stop somebody: %zu.",
                                     findings->elsewhere.good));
 }
 
@@ -152,10 +153,11 @@ static void add_assumptions(Document *document, const ShakeFindings *findings, c
     if (*house->plan.note)
         document_add_note(document, house->plan.note);
     document_add_paragraph(document,
-                           "In each shake every piece of furniture that can fall does so with its own probability, "
-                           "one independently of the other, before anybody moves. It lies on its face then and takes "
-                           "as much floor before it as it was high; it does not slide, bounce or break. Walls, doors "
-                           "and exits stay as they are. Ways are planned anew by people who know what lies where.");
+                           "In each shake every piece of furniture that can fall does so with its own "
+                           "probability, independently of the others, before anybody moves. It then lies on its "
+                           "face and covers as much floor in front of it as it was high; it does not slide, "
+                           "bounce or break. Walls, doors and exits stay unchanged. People know the positions of"
+                           " the fallen furniture and re-plan their routes.");
     report_basis_add_method(document, house, false);
     report_basis_add_settings(document, house);
     for (size_t p = 0; p < house->profile_count; p++)

@@ -115,15 +115,15 @@ def check_run():
 def check_no_way():
     root, words, paper = report(1, "run", house("flat-0.910-module"))
     check("cannot pass door d3" in words_of(next(root.iter(html + "h1"))), "the title says what stops")
-    check("nobody could set off" in words and "needs at least" in paper, "nobody gets out")
+    check("nobody could start" in words and "needs at least" in paper, "nobody gets out")
 
 
 def check_comparison():
     root, words, paper = report(1, "compare", house("flat-0.910-module"), house("flat-0.910-widened"))
     check(words_of(next(root.iter(html + "h1"))) == "B lets everybody out, A does not", "the title compares")
-    check(["door d3, width, m", "0.75", "0.84"] in rows_of(root, "What is different in the plans"), "the plans differ in d3")
+    check(["door d3, width, m", "0.75", "0.84"] in rows_of(root, "Differences between the plans"), "the plans differ in d3")
     root, words, _ = report(0, "compare", house("straight-corridor"), house("straight-corridor"))
-    check("Nothing: walls, doors" in words and "in both" in words, "a house does not differ from itself")
+    check("None: walls, doors" in words and "in both" in words, "a house does not differ from itself")
 
 
 def check_observed():
@@ -139,7 +139,7 @@ def check_observed():
         tables = [[[words_of(c) for c in row] for row in t.iter(html + "tr")] for t in root.iter(html + "table")]
         driver = next(t for t in tables if t[0][2] == "Observed, s")[2]
         check(driver[1] == "driver" and driver[4] == "-9.1 %" and driver[5] == "0.050" and float(driver[6]) < 0.06, "observed loci", driver)
-        check("observed: what was measured" in paper, "the observed locus is drawn")
+        check("observed: the measured loci" in paper, "the observed locus is drawn")
         file.write_text("time,x,y,person\n0,1,1,p1\n1,2,1,p9\n2,2,1,p9\n1,2,1,p1\n")
         expect(2, "run", house("straight-corridor"), "--observed", str(file), "--report", "--out", out,
                says='measured.csv:3:1: there is no person or route "p9"')
@@ -149,7 +149,7 @@ def check_observed():
 
 def check_crowd():
     root, words, paper = report(1, "run", house("hall-10000"), "--until", "0.1")
-    check("for people on foot there is one way only" in words, "loci of a crowd are left out")
+    check("people on foot have one model only" in words, "loci of a crowd are left out")
     check(all("svg" in i.get("src")[:30] or "png" in i.get("src")[:30] for i in root.iter(html + "img")), "pictures of a crowd")
 
 
