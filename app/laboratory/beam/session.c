@@ -5,16 +5,167 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "base/parameters_number.h"
 #include "base/text.h"
-#include "visual/beam/beam_film.h"
-#include "laboratory/beam/change.h"
-#include "laboratory/beam/show.h"
 #include "experiment/beam_numbers.h"
+#include "laboratory/beam/show.h"
 #include "laboratory/save_file.h"
+#include "visual/beam/beam_film.h"
 
 #define BUSY_MOST 2e-3 /* s, that the motion is followed at a time */
 
 enum { STEPS = 60 /* a cycle, from picture to picture */ };
+
+/* Records one more cycle, or notes why the record has ended. */
+static void advance(BeamSession *live) {
+    live->news |= live->tape.next ? LABORATORY_WORDS : 0;
+    if (beam_tape_advance(&live->tape))
+        return;
+    arena_clear(&live->troubles);
+    live->trouble = beam_answer_trouble(&live->tape, &live->troubles);
+    live->looked = SIZE_MAX;
+    live->news |= LABORATORY_TROUBLE | LABORATORY_WORDS;
+}
+
+/* Changes ----------------------------------------------------------------------------------------------------------*/
+
+static const char *const sweeps[] = {"from rest", "upwards and downwards"};
+
+enum { CHOICE_SWEEP, CHOICE_OVER, CHOICES };
+
+static void show_choices(BeamSession *live) {
+    live->choices[CHOICE_SWEEP] = (PanelChoice){.name = "Sweep",
+                                                .meaning = "how each value of the orbit diagram begins: at rest, or "
+                                                           "from where the value beside it has ended",
+                                                .words = sweeps,
+                                                .count = sizeof sweeps / sizeof *sweeps,
+                                                .chosen = live->diagram.carried};
+    live->choices[CHOICE_OVER] = (PanelChoice){.name = "Orbit over",
+                                               .meaning = "the number that the orbit diagram goes over",
+                                               .words = beam_diagram_words,
+                                               .count = BEAM_DIAGRAM_OVER,
+                                               .chosen = live->diagram.over};
+}
+
+static void ask_worker(BeamSession *live, bool verdict) {
+    live->news |= LABORATORY_WORDS | LABORATORY_PARAMETERS;
+    live->looked = SIZE_MAX;
+    live->told = live->told && beam_numbers_same(&live->verdict.beam, &live->beam);
+    beam_controls_show(&live->controls, &live->beam);
+    beam_diagram_ask(&live->diagram, &live->controls, &live->beam, live->worker);
+    if (verdict)
+        beam_worker_ask_verdict(live->worker, &live->beam);
+}
+
+/* From the end of the cycle that is shown on, the beam is this one. */
+static bool change(BeamSession *live, const Beam *beam, Fault *fault) {
+    BeamTape *tape = &live->tape;
+    double phase;
+    if (beam_numbers_same(beam, &live->beam))
+        return true;
+    size_t cycle = beam_tape_cycle_at(tape, live->shown, &phase) + 1;
+    if (!beam_tape_change(tape, beam, cycle < tape->front ? cycle : tape->front, fault))
+        return false;
+    live->beam = *beam;
+    ask_worker(live, true);
+    return true;
+}
+
+static const PanelParameter *parameters(const void *context, size_t *count) {
+    const BeamSession *live = context;
+    *count = live->controls.count;
+    return live->controls.parameters;
+}
+
+static bool set_number(void *context, const char *name, double value, Fault *fault) {
+    BeamSession *live = context;
+    Beam beam = live->beam;
+    return beam_controls_set(&live->controls, &beam, name, value, fault) && change(live, &beam, fault);
+}
+
+static void reset_numbers(void *context) {
+    BeamSession *live = context;
+    Fault none = {0};
+    change(live, &live->controls.file, &none);
+    fault_clear(&none);
+}
+
+static const Preset *presets(const void *context, size_t *count) {
+    const BeamSession *live = context;
+    *count = BEAM_PRESETS;
+    return live->controls.presets;
+}
+
+static void prefer(void *context, size_t preset) {
+    BeamSession *live = context;
+    Beam beam;
+    Fault none = {0};
+    beam_controls_prefer(&live->controls, preset, &beam);
+    change(live, &beam, &none);
+    fault_clear(&none);
+}
+
+static const PanelChoice *choices(void *context, size_t *count) {
+    *count = CHOICES;
+    return ((const BeamSession *)context)->choices;
+}
+
+static void choose(void *context, size_t choice, size_t word) {
+    BeamSession *live = context;
+    if (choice == CHOICE_SWEEP)
+        live->diagram.carried = word == 1;
+    else
+        live->diagram.over = word;
+    show_choices(live);
+    ask_worker(live, false);
+}
+
+static void again(void *context) {
+    BeamSession *live = context;
+    Fault none = {0};
+    if (beam_tape_restart(&live->tape, &live->beam, &none)) {
+        advance(live);
+        beam_traces_forget(&live->traces, 0);
+        live->shown = 0;
+        live->looked = SIZE_MAX;
+        live->news |= LABORATORY_WORDS;
+    }
+    fault_clear(&none);
+}
+
+static bool keep(void *context, double time) {
+    BeamSession *live = context;
+    beam_traces_keep(&live->traces, time);
+    beam_diagram_keep(&live->diagram, true);
+    return true;
+}
+
+static void clear(void *context, double time) {
+    BeamSession *live = context;
+    double phase;
+    beam_traces_keep(&live->traces, -1);
+    beam_diagram_keep(&live->diagram, false);
+    beam_traces_forget(&live->traces, beam_tape_cycle_at(&live->tape, time, &phase));
+    beam_traces_show(&live->traces, &live->tape, time);
+}
+
+static const char *const *command(void *context, size_t *count) {
+    BeamSession *live = context;
+    size_t used = 0;
+    arena_clear(&live->command_words);
+    live->command[used++] = "run";
+    live->command[used++] = live->path;
+    for (size_t i = 0; i < live->controls.count; i++) {
+        const PanelParameter *parameter = &live->controls.parameters[i];
+        if (parameter->value == parameter->initial)
+            continue;
+        const char *value = parameters_number_text(parameter->row, parameter->value, &live->command_words);
+        live->command[used++] = "--set";
+        live->command[used++] = text_in_arena(&live->command_words, "%s=%s", parameter->name, value);
+    }
+    *count = used;
+    return live->command;
+}
 
 /* Opening -----------------------------------------------------------------------------------------------------------*/
 
@@ -60,10 +211,10 @@ static void *open_live(const char *path, const LaboratoryOptions *options, Fault
     beam_traces_open(&live->traces);
     beam_diagram_open(&live->diagram);
     live->worker = beam_worker_start(options->jobs);
-    beam_change_show_choices(live);
+    show_choices(live);
     live->news = LABORATORY_ALL & ~LABORATORY_TROUBLE;
-    beam_session_advance(live);
-    beam_change_ask(live, true);
+    advance(live);
+    ask_worker(live, true);
     look_at_answer(live);
     return live;
 }
@@ -100,22 +251,12 @@ static RecordSpan span(const void *context) {
                         .fastest = 1024};
 }
 
-void beam_session_advance(BeamSession *live) {
-    live->news |= live->tape.next ? LABORATORY_WORDS : 0;
-    if (beam_tape_advance(&live->tape))
-        return;
-    arena_clear(&live->troubles);
-    live->trouble = beam_answer_trouble(&live->tape, &live->troubles);
-    live->looked = SIZE_MAX;
-    live->news |= LABORATORY_TROUBLE | LABORATORY_WORDS;
-}
-
 static double reach(void *context, double time) {
     BeamSession *live = context;
     BeamTape *tape = &live->tape;
     double until = clock_now() + BUSY_MOST;
     while (tape->front_time <= time && !beam_session_has_ended(live)) {
-        beam_session_advance(live);
+        advance(live);
         if (clock_now() > until)
             break;
     }
@@ -272,7 +413,7 @@ static size_t outline(const void *context, Item thing, double time, Vec2 *points
 
 static bool save(void *context, const char *path, Fault *fault) {
     size_t count;
-    const char *const *words = beam_change_command(context, &count);
+    const char *const *words = command(context, &count);
     return save_file_beam(words, count, path, fault);
 }
 
@@ -306,23 +447,23 @@ const Laboratory beam_laboratory = {
     .rows = rows,
     .ticks = ticks,
     .trouble = trouble,
-    .parameters = beam_change_parameters,
-    .set = beam_change_set,
-    .reset = beam_change_reset,
-    .presets = beam_change_presets,
-    .prefer = beam_change_prefer,
-    .choices = beam_change_choices,
-    .choose = beam_change_choose,
-    .again = beam_change_again,
-    .keep = beam_change_keep,
-    .clear = beam_change_clear,
+    .parameters = parameters,
+    .set = set_number,
+    .reset = reset_numbers,
+    .presets = presets,
+    .prefer = prefer,
+    .choices = choices,
+    .choose = choose,
+    .again = again,
+    .keep = keep,
+    .clear = clear,
     .pick = pick,
     .next = next,
     .select = select_thing,
     .selected = selected,
     .name_thing = name_thing,
     .outline = outline,
-    .command = beam_change_command,
+    .command = command,
     .save = save,
     .sound = beam_show_sound,
 };

@@ -35,9 +35,6 @@ typedef struct BeamSession {
     char clock[64];
 } BeamSession;
 
-/* Records one more cycle, or notes what is the trouble: the record has ended. */
-void beam_session_advance(BeamSession *live);
-
 /* Has the record come to an end, so that nothing more comes until something is changed? */
 static inline bool beam_session_has_ended(const BeamSession *live) {
     return live->tape.status != MOTION_GOOD && !live->tape.next;

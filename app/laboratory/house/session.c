@@ -4,7 +4,9 @@
 #include <string.h>
 
 #include "plan/draft_file.h"
+#include "laboratory/house/control.h"
 #include "laboratory/house/schedule.h"
+#include "laboratory/house/text.h"
 #include "laboratory/save_file.h"
 
 #define STEP (1.0 / 30) /* s, of one shown frame */
@@ -26,36 +28,17 @@ static void tell_editor(HouseSession *live) {
     editor_set_scene(live->editor, &scene);
 }
 
-static void set_selected(HouseSession *live, Item chosen) {
-    if (item_same(chosen, live->selected))
-        return;
-    bool people = chosen.kind == HOUSE_PERSON || live->selected.kind == HOUSE_PERSON;
-    live->selected = chosen;
-    live->changed |= LABORATORY_WORDS | LABORATORY_PARAMETERS | (people ? LABORATORY_PLOTS : 0);
-}
-
-HouseSession *house_session_current(void *context) {
-    HouseSession *live = context;
-    EditorShake shake;
-    set_selected(live, editor_selected(live->editor));
-    if (editor_next_change(live->editor))
-        house_schedule_apply_edit(live);
-    if (editor_next_shake(live->editor, &shake))
-        house_fall_shake(live, shake.seed, shake.ids, shake.count);
-    return live;
-}
-
 static Editor *editor(void *context) {
     return ((HouseSession *)context)->editor;
 }
 
 static unsigned update(void *context, double time) {
-    HouseSession *live = house_session_current(context);
+    HouseSession *live = house_control_sync(context);
     size_t rows = rows_recorded(live);
     live->time = time;
     house_schedule_update(live, time);
     house_fall_follow(live);
-    if (house_words_moved(live, time))
+    if (house_text_moved(live, time))
         live->changed |= LABORATORY_WORDS;
     unsigned changed = live->changed;
     live->changed = 0;
@@ -69,12 +52,12 @@ static unsigned update(void *context, double time) {
         if (changed & LABORATORY_PLOTS)
             house_session_plots_make(live, true);
         if (changed & LABORATORY_WORDS)
-            house_words_make(live, time);
+            house_text_make(live, time);
         if (changed & LABORATORY_PARAMETERS)
             house_value_sort(&live->values, &live->runs[RUN_SHOWN]->house, live->selected);
     }
     tell_editor(live);
-    bool other = house_words_does_other(live) || rows_recorded(live) != rows;
+    bool other = house_text_does_other(live) || rows_recorded(live) != rows;
     return changed | (other ? LABORATORY_WORDS : 0);
 }
 
@@ -149,7 +132,7 @@ static void close_house(void *context) {
     house_schedule_end(live);
     house_fall_clear(live);
     house_session_plots_clear(live);
-    house_words_clear(live);
+    house_text_clear(live);
     house_value_clear(&live->values);
     house_value_clear(&live->opened);
     draft_destroy(live->draft);
@@ -178,7 +161,7 @@ static double reach(void *context, double time) {
 }
 
 static bool show(void *context, double time) {
-    HouseSession *live = house_session_current(context);
+    HouseSession *live = house_control_sync(context);
     live->time = time;
     house_show_make(live, time);
     tell_editor(live);
@@ -198,7 +181,7 @@ static bool rests(const void *context, double time) {
 }
 
 static const Scene *still(void *context) {
-    HouseSession *live = house_session_current(context);
+    HouseSession *live = house_control_sync(context);
     house_show_make(live, live->time); /* if a call since the last update has made it void */
     return house_session_has_film(live) ? film_still(live->film) : &live->nothing;
 }
@@ -214,7 +197,7 @@ static const Scene *moving(const void *context) {
 }
 
 static void look(void *context, Camera camera) {
-    HouseSession *live = house_session_current(context);
+    HouseSession *live = house_control_sync(context);
     if (camera.kind != live->camera.kind)
         house_session_void_film(live);
     live->camera = camera;
@@ -245,7 +228,7 @@ static size_t until(const void *context, size_t plot, size_t series, double time
 /* Words ----------------------------------------------------------------------------------------------------------- */
 
 static Result answer(void *context) {
-    return house_words_answer(house_session_current(context));
+    return house_text_answer(house_control_sync(context));
 }
 
 static const char *say_clock(void *context, double time) {
@@ -262,7 +245,7 @@ static void add_note(HouseSession *live, const char *more) {
 }
 
 static const char *note(void *context) {
-    HouseSession *live = house_session_current(context);
+    HouseSession *live = house_control_sync(context);
     const HouseWish *wish = live->runs[RUN_SHOWN] ? &live->runs[RUN_SHOWN]->wish : NULL;
     const char *picture = editor_image_trouble(live->editor);
     *live->words.note = 0;
@@ -318,16 +301,16 @@ static Item next(const void *context, Item thing, int step) {
 }
 
 static void select_thing(void *context, Item thing) {
-    HouseSession *live = house_session_current(context);
+    HouseSession *live = house_control_sync(context);
     bool known = live->runs[RUN_SHOWN] &&
                  thing.index < house_item_count(&live->runs[RUN_SHOWN]->house, live->observation, thing.kind);
     Item chosen = known ? thing : (Item){0, 0};
-    set_selected(live, chosen);
+    house_control_select(live, chosen);
     editor_set_selected(live->editor, chosen);
 }
 
 static Item selected(void *context) {
-    return house_session_current(context)->selected;
+    return house_control_sync(context)->selected;
 }
 
 static const char *name_thing(void *context, Item thing) {
@@ -353,16 +336,12 @@ static size_t outline(const void *context, Item thing, double time, Vec2 *points
     return count;
 }
 
-static const char *const *command(void *context, size_t *count) {
-    return house_command_words(house_session_current(context), count);
-}
-
 static void animate(void *context, double seconds) {
-    house_fall_move(house_session_current(context), seconds);
+    house_fall_move(house_control_sync(context), seconds);
 }
 
 static const char *animation(void *context) {
-    return house_fall_words(house_session_current(context));
+    return house_fall_words(house_control_sync(context));
 }
 
 static bool save(void *context, const char *path, Fault *fault) {
@@ -379,7 +358,7 @@ static bool sound(void *context, double from, double to, float *samples, size_t 
 }
 
 uint64_t house_session_digest(void *context) {
-    const HouseSession *live = house_session_current(context);
+    const HouseSession *live = house_control_sync(context);
     return live->whole && !live->runs[RUN_LATEST] && !live->runs[RUN_MIXED] ? live->observation->digest : 0;
 }
 
@@ -432,29 +411,29 @@ const Laboratory house_laboratory = {
     .rows = rows,
     .ticks = ticks,
     .trouble = trouble,
-    .parameters = house_change_parameters,
-    .set = house_change_set,
-    .reset = house_change_reset,
-    .presets = house_change_presets,
-    .prefer = house_change_prefer,
-    .choices = house_change_choices,
-    .choose = house_change_choose,
-    .again = house_change_again,
-    .keep = house_change_keep,
-    .clear = house_change_clear,
+    .parameters = house_control_parameters,
+    .set = house_control_set,
+    .reset = house_control_reset,
+    .presets = house_control_presets,
+    .prefer = house_control_prefer,
+    .choices = house_control_choices,
+    .choose = house_control_choose,
+    .again = house_control_again,
+    .keep = house_control_keep,
+    .clear = house_control_clear,
     .pick = pick,
     .next = next,
     .select = select_thing,
     .selected = selected,
     .name_thing = name_thing,
     .outline = outline,
-    .command = command,
+    .command = house_control_command,
     .digest = house_session_digest,
     .save = save,
     .sound = sound,
     .editor = editor,
-    .hold = house_change_hold,
-    .settle = house_change_settle,
+    .hold = house_control_hold,
+    .settle = house_control_settle,
     .animate = animate,
     .animation = animation,
 };

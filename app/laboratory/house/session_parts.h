@@ -111,10 +111,6 @@ typedef struct HouseSession {
     Arena command_arena;
 } HouseSession;
 
-/* The session of a laboratory's context, with what was edited since the last call: every function that is called from
- * outside and depends on the draft or on the selection begins with it. */
-HouseSession *house_session_current(void *context);
-
 /* What can be pointed at. Something is shown. */
 static inline HouseScenery house_scenery(const HouseSession *live) {
     return (HouseScenery){&live->runs[RUN_SHOWN]->house, live->observation, live->trails.trails};
@@ -137,45 +133,3 @@ void house_show_make(HouseSession *live, double time);
 void house_session_plots_make(HouseSession *live, bool anew);
 void house_session_plots_clear(HouseSession *live);
 LaboratoryPlot house_session_plots_at(const HouseSession *live, size_t index);
-
-/* A row more; good until the next one. */
-PanelRow *house_words_add(HouseSession *live, RowKind kind, const char *first);
-
-/* Rows about what is selected, if anything is. */
-void house_about_say(HouseSession *live, double time);
-
-/* Makes the words that are not as they should be; `time` is shown. */
-void house_words_make(HouseSession *live, double time);
-void house_words_clear(HouseSession *live);
-
-/* Has what is said of the moment changed since? */
-bool house_words_moved(const HouseSession *live, double time);
-
-Result house_words_answer(HouseSession *live);
-
-/* Is something else in work, or farther, than when this was asked last? */
-bool house_words_does_other(HouseSession *live);
-
-/* Ghost, route, driving, as far as there is something to choose; good until the draft is tried again, whose names they
- * have. */
-const PanelChoice *house_choices_list(HouseSession *live, size_t *count);
-void house_choices_take(HouseSession *live, size_t choice, size_t word);
-
-/* As in Laboratory. */
-const PanelParameter *house_change_parameters(const void *context, size_t *count);
-bool house_change_set(void *context, const char *name, double value, Fault *fault);
-void house_change_reset(void *context);
-const Preset *house_change_presets(const void *context, size_t *count);
-void house_change_prefer(void *context, size_t preset);
-const PanelChoice *house_change_choices(void *context, size_t *count);
-void house_change_choose(void *context, size_t choice, size_t word);
-void house_change_again(void *context);
-bool house_change_keep(void *context, double time);
-void house_change_clear(void *context, double time);
-
-/* Numbers are dragged: as in Laboratory. */
-void house_change_hold(void *context, const char *name);
-void house_change_settle(void *context);
-
-/* The words behind "clearance" that make what is shown; the file is "" where none has it. */
-const char *const *house_command_words(HouseSession *live, size_t *count);

@@ -1,13 +1,15 @@
-/* What is said of a house at work: the answer, and the rows of the panel. */
+#include "laboratory/house/text.h"
+
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/clock.h"
-#include "visual/house/blockage_scene.h"
 #include "laboratory/house/runs.h"
 #include "result/house.h"
 #include "result/panel.h"
+#include "visual/house/blockage_scene.h"
 #include "visual/house/people_scene.h"
 
 #define MOMENT 0.1 /* s, of a steady clock, from one time that the present numbers are told to the next */
@@ -18,12 +20,104 @@ enum { TICKS_MOST = 2000 };
 
 #define NEW_CONTACT 0.1 /* s: a body that has been free for less is still touching */
 
-PanelRow *house_words_add(HouseSession *live, RowKind kind, const char *first) {
+static PanelRow *add_row(HouseSession *live, RowKind kind, const char *first) {
     HouseWords *words = &live->words;
     words->rows = memory_reserve(words->rows, &words->row_capacity, words->row_count + 1, sizeof *words->rows);
     PanelRow *row = &words->rows[words->row_count++];
     *row = (PanelRow){.row = {.kind = kind, .role = ROLE_TEXT, .cells = {first}}, .time = NAN};
     return row;
+}
+
+/* The selection ---------------------------------------------------------------------------------------------------- */
+
+static void add_pair(HouseSession *live, const char *what, const char *value) {
+    add_row(live, ROW_PLAIN, what)->row.cells[1] = value;
+}
+
+static void say_moment(HouseSession *live, size_t person, double time) {
+    Scene *scene = &live->words.moment;
+    const double *row = trail_row_at(&live->trails.trails[person], time);
+    if (!row)
+        return;
+    double reach = live->runs[RUN_SHOWN]->house.people[person].profile->space_reach;
+    bool free = row[TRACE_CLEARANCE] >= reach;
+    add_pair(live, "speed now", scene_text(scene, "%.2f m/s", row[TRACE_SPEED]));
+    add_pair(live, "clearance now",
+             free ? scene_text(scene, "over %.2f m", reach) : people_scene_clearance(scene, row[TRACE_CLEARANCE]));
+    add_pair(live, "contact force now", scene_text(scene, "%.0f N", row[TRACE_BODY_FORCE]));
+}
+
+/* Adds a row for each fact of a record that has a value, from row `first` on. */
+static void add_record(HouseSession *live, ResultTable *table, size_t first) {
+    Arena *arena = &live->words.moment.arena;
+    for (size_t r = first; r < table->row_count; r++) {
+        SceneRow line;
+        const ResultRow *row = result_at(table, 0, r);
+        if (!result_panel_row(&line, row, arena))
+            continue;
+        line.cells[1] = arena_text(arena, line.cells[1]);
+        add_row(live, line.kind, NULL)->row = line;
+    }
+    result_clear(table);
+}
+
+static void say_person(HouseSession *live, size_t i, double time) {
+    if (!live->observation->people[i].took_part) {
+        add_pair(live, "not in this run", NULL);
+        return;
+    }
+    ResultTable table = {0};
+    result_house_add_person(&table, &live->runs[RUN_SHOWN]->house, live->observation, i);
+    add_record(live, &table, 1); /* the name is the heading */
+    say_moment(live, i, time);
+}
+
+static void say_door(HouseSession *live, const Door *door) {
+    static const char *const kinds[] = {"opening", "hinged", "sliding"}, *const states[] = {"open", "closed", "locked"};
+    Scene *scene = &live->words.moment;
+    add_pair(live, "clear width", scene_text(scene, "%.3f m", door->width));
+    add_pair(live, "kind", kinds[door->kind]);
+    add_pair(live, "state", states[door->state]);
+    add_pair(live, "in wall", arena_text(&scene->arena, door->wall));
+}
+
+static void say_hazard(HouseSession *live, size_t hazard) {
+    ResultTable table = {0};
+    result_house_add_hazard(&table, live->observation, hazard);
+    add_record(live, &table, 1); /* the rank is in the heading */
+}
+
+static void add_selected(HouseSession *live, double time) {
+    Scene *scene = &live->words.moment;
+    const Plan *plan = &live->runs[RUN_SHOWN]->house.plan;
+    Item thing = live->selected;
+    char name[HOUSE_THING_NAME];
+    house_item_name(&live->runs[RUN_SHOWN]->house, live->observation, thing, name, sizeof name);
+    if (!*name)
+        return;
+    *name = (char)toupper((unsigned char)*name);
+    add_row(live, ROW_HEADING, scene_text(scene, "%s", name));
+    if (thing.kind == HOUSE_PERSON) {
+        say_person(live, thing.index, time);
+    } else if (thing.kind == HOUSE_HAZARD) {
+        say_hazard(live, thing.index);
+    } else if (thing.kind == HOUSE_STOP) {
+        const char *widths = blockage_scene_widths(scene, &live->observation->people[thing.index].blockage);
+        if (*widths)
+            add_row(live, ROW_PLAIN, widths);
+    } else if (thing.kind == HOUSE_DOOR) {
+        say_door(live, &plan->doors[thing.index]);
+    } else if (thing.kind == HOUSE_FURNITURE) {
+        const Furniture *piece = &plan->furniture[thing.index];
+        add_pair(live, "size", scene_text(scene, "%.2f x %.2f m", piece->size.x, piece->size.y));
+        add_pair(live, "height", scene_text(scene, "%.2f m", piece->height));
+        add_pair(live, "toppled", piece->toppled ? "yes" : "no");
+    } else if (thing.kind == HOUSE_WALL) {
+        add_pair(live, "thickness", scene_text(scene, "%.3f m", plan->walls[thing.index].thickness));
+    } else if (thing.kind == HOUSE_EXIT) {
+        const Exit *exit = &plan->exits[thing.index];
+        add_pair(live, "width", scene_text(scene, "%.2f m", vec2_distance(exit->from, exit->to)));
+    }
 }
 
 /* Before and now -------------------------------------------------------------------------------------------------- */
@@ -36,11 +130,11 @@ static void compare(HouseSession *live) {
         return;
     ResultTable before = result_house_totals(ghost.house, ghost.observation),
                 now = result_house_totals(&live->runs[RUN_SHOWN]->house, live->observation);
-    house_words_add(live, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_name(ghost)));
+    add_row(live, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_name(ghost)));
     for (size_t r = 0; r < now.row_count; r++) {
         SceneRow line;
         if (result_panel_pair(&line, result_at(&before, 0, r), result_at(&now, 0, r), &scene->arena))
-            house_words_add(live, line.kind, NULL)->row = line;
+            add_row(live, line.kind, NULL)->row = line;
     }
     result_clear(&before);
     result_clear(&now);
@@ -81,7 +175,7 @@ static void add_listed(HouseSession *live) {
     size_t hazard = 0, person = 0, stopped = first_stopped(live->observation);
     bool stops = live->whole && stopped < live->observation->person_count;
     for (size_t i = 0; i < scene->row_count; i++) {
-        PanelRow *row = house_words_add(live, ROW_PLAIN, NULL);
+        PanelRow *row = add_row(live, ROW_PLAIN, NULL);
         row->row = scene->rows[i];
         if (stops)
             row->place = (Item){HOUSE_STOP, stopped};
@@ -207,7 +301,7 @@ static void tell_run(HouseSession *live) {
     live->retell = false;
 }
 
-void house_words_make(HouseSession *live, double time) {
+void house_text_make(HouseSession *live, double time) {
     HouseWords *words = &live->words;
     words->row_count = 0;
     words->said = clock_now();
@@ -216,12 +310,12 @@ void house_words_make(HouseSession *live, double time) {
         tell_run(live);
     scene_clear(&words->moment);
     say_answer(live);
-    house_about_say(live, time);
+    add_selected(live, time);
     compare(live);
     add_listed(live);
 }
 
-void house_words_clear(HouseSession *live) {
+void house_text_clear(HouseSession *live) {
     scene_clear(&live->words.clean);
     scene_clear(&live->words.run);
     scene_clear(&live->words.moment);
@@ -230,7 +324,7 @@ void house_words_clear(HouseSession *live) {
     live->words = (HouseWords){.title = NULL};
 }
 
-bool house_words_moved(const HouseSession *live, double time) {
+bool house_text_moved(const HouseSession *live, double time) {
     if (!live->runs[RUN_SHOWN] || live->selected.kind != HOUSE_PERSON || time == live->words.time)
         return false;
     const Trail *trail = &live->trails.trails[live->selected.index];
@@ -266,7 +360,7 @@ static Result answer_nothing(HouseSession *live) {
                     .part = NAN};
 }
 
-Result house_words_answer(HouseSession *live) {
+Result house_text_answer(HouseSession *live) {
     const HouseWords *words = &live->words;
     if (!live->runs[RUN_SHOWN])
         return answer_nothing(live);
@@ -278,7 +372,7 @@ Result house_words_answer(HouseSession *live) {
                     .part = NAN};
 }
 
-bool house_words_does_other(HouseSession *live) {
+bool house_text_does_other(HouseSession *live) {
     HouseWords *words = &live->words;
     const char *doing = say_doing(live);
     bool other = strcmp(doing ? doing : "", words->done) != 0;

@@ -1,0 +1,16 @@
+/* Makes the texts about a house at work: the answer, the rows of the panel, the marks of the timeline. */
+#pragma once
+
+#include "laboratory/house/session_parts.h"
+
+/* Makes the words that are not as they should be; `time` is shown. */
+void house_text_make(HouseSession *live, double time);
+void house_text_clear(HouseSession *live);
+
+/* Has what is said of the moment changed since? */
+bool house_text_moved(const HouseSession *live, double time);
+
+Result house_text_answer(HouseSession *live);
+
+/* Is something else in work, or farther, than when this was asked last? */
+bool house_text_does_other(HouseSession *live);
