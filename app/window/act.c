@@ -16,7 +16,7 @@
 #define TEXT_STEP 0.25
 #define TEXT_MOST 3.0
 
-/* Sheets ----------------------------------------------------------------------------------------------------------- */
+/* Dialogs ---------------------------------------------------------------------------------------------------------- */
 
 static void show_menu(Window *window) {
     window->menu = MENU_FILE;
@@ -44,7 +44,7 @@ static void explain(Window *window) {
     dialog_pane_show(window, DIALOG_EXPLAIN);
 }
 
-/* Looks ------------------------------------------------------------------------------------------------------------ */
+/* Appearance ------------------------------------------------------------------------------------------------------- */
 
 static void set_text(Window *window, double size) {
     window->text = fmin(fmax(size, 1), TEXT_MOST);
@@ -60,7 +60,7 @@ static void set_theme(Window *window) {
         gallery_set_theme(window->gallery, window->theme);
 }
 
-/* Where it lies over the view it is closed at first. */
+/* As a drawer over the view the panel is closed at first. */
 static void toggle_panel(Window *window) {
     if (window->frame.drawer)
         window->drawer = !window->drawer;
@@ -99,9 +99,9 @@ static void toggle_sound(Window *window) {
     notice_post(window, "%s", window->sound ? "sound is on: the tip's motion is heard while a beam plays" : message);
 }
 
-/* Things ----------------------------------------------------------------------------------------------------------- */
+/* Items ------------------------------------------------------------------------------------------------------------ */
 
-/* Round the things of the view; past the last one the focus goes on. */
+/* Selects the next item of the view; after the last one the focus goes to the next pane. */
 static void walk_things(Window *window, Tab *tab, int step) {
     Item now = tab->kind->selected(tab->live), next = tab->kind->next(tab->live, now, step);
     Item first = tab->kind->next(tab->live, (Item){0}, step);
@@ -113,7 +113,7 @@ static void walk_things(Window *window, Tab *tab, int step) {
     tab_select(tab, next);
 }
 
-/* One step back: what is open, then what is typed or chosen, then the selection. */
+/* Goes one step back: closes the dialog, drops the zoom box, dismisses the message, or clears the selection. */
 static void escape(Window *window, Tab *tab) {
     PlotPane *pane = plot_panes_focused(&window_tab(window)->panes, window->ui);
     if (window->dialog != DIALOG_NONE)
@@ -139,7 +139,7 @@ void act_show_place(Window *window) {
     window->dirty = true;
 }
 
-/* What opens and closes sheets. */
+/* Does an action that opens or closes a dialog; false: it is another action. */
 static bool do_dialog(Window *window, Action action) {
     switch (action) {
     case ACTION_OPEN:
@@ -171,7 +171,7 @@ static bool do_dialog(Window *window, Action action) {
     }
 }
 
-/* What works without anything open. */
+/* Does an action that works with nothing open; false: it is another action. */
 static bool do_window(Window *window, Action action) {
     switch (action) {
     case ACTION_QUIT:
@@ -213,7 +213,7 @@ static bool do_window(Window *window, Action action) {
     }
 }
 
-/* What concerns the laboratory: its files and its things. */
+/* Does an action on the laboratory's files and items; false: it is another action. */
 static bool do_tab(Window *window, Tab *tab, Action action) {
     switch (action) {
     case ACTION_SAVE:
@@ -262,8 +262,8 @@ static bool do_tab(Window *window, Tab *tab, Action action) {
     }
 }
 
-/* An action on the selection that means another one where nothing is selected: arrows look about, and the command line
- * is copied. */
+/* Returns the meaning of an action on the selection when nothing is selected: arrows pan the view, and Copy copies the
+ * command line. */
 static Action without_selection(Action action) {
     if (action >= ACTION_NUDGE_LEFT && action <= ACTION_NUDGE_DOWN)
         return ACTION_PAN_LEFT + (action - ACTION_NUDGE_LEFT);

@@ -1,11 +1,11 @@
-/* What actions do to the clock of what is shown. */
+/* Carries out the actions of the transport. */
 #pragma once
 
 #include "window/keys.h"
 #include "window/tab.h"
 
-/* Plays, steps and goes to another time; any other action is nothing. */
+/* Plays, steps or goes to another time; ignores any other action. */
 void act_play_do(Tab *tab, Action action);
 
-/* From the beginning on, once more; it plays where it did. */
+/* Runs again from the beginning, and keeps playing if it was playing. */
 void act_play_again(Tab *tab);

@@ -6,7 +6,7 @@
 #include "window/autosave.h"
 #include "window/notice.h"
 
-#define BOX_STEP 0.02    /* of the axes, that a corner moves by a key */
+#define BOX_STEP 0.02    /* of the axes: how far a key moves a corner */
 #define CURSOR_STEP 0.01 /* of the axis */
 #define TENFOLD 10.0
 #define FRAMES_RATE "30"
@@ -34,7 +34,7 @@ static Vec2 value_at(const PlotPane *pane, Vec2 part) {
     return plot_canvas_value(pane->canvas, plot_panes_place(plot_canvas_frame(pane->canvas), part));
 }
 
-/* From no box to its first corner, its second, and the axes it encloses. */
+/* Begins a box, goes to its second corner, or zooms to it. */
 static void set_corner(PlotPane *pane) {
     PlotPaneBox *box = &pane->box;
     if (!box->corner)
@@ -95,7 +95,7 @@ static bool do_pane(Window *window, PlotPane *pane, Action action, int mods) {
     return true;
 }
 
-/* Handing on ------------------------------------------------------------------------------------------------------- */
+/* Exports ---------------------------------------------------------------------------------------------------------- */
 
 static SnapshotNote note_of(const Tab *tab) {
     SnapshotNote note = {.shows = tab->kind->title(tab->live), .time = tab->player.time};
@@ -109,7 +109,7 @@ static char *write_view(Tab *tab, const char *folder, const char *name, Fault *f
     paint_gl_read(view_layers->paint, pixels);
     RecordSpan span = tab->kind->span(tab->live);
     tab->kind->show(tab->live, span.begin);
-    tab->kind->show(tab->live, tab->player.time); /* from the beginning: all that has been added */
+    tab->kind->show(tab->live, tab->player.time); /* from the beginning, so that `added` holds everything */
     SnapshotView view = {.still = tab->kind->still(tab->live),
                          .added = tab->kind->added(tab->live),
                          .moving = tab->kind->moving(tab->live),
@@ -147,7 +147,7 @@ static void write_picture(Window *window) {
     memory_free(folder);
 }
 
-/* In a child process, so that the picture goes on. */
+/* Writes frames in a child process, so that the view goes on. */
 static void begin_frames(Window *window) {
     static const char *const options[] = {"--frames", FRAMES_RATE};
     static const char *const endings[] = {"", NULL};

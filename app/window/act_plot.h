@@ -1,10 +1,10 @@
-/* What actions do to a plot that has the focus, and how what is seen is handed on. */
+/* Carries out the actions on the focused plot, and those that write pictures and frames. */
 #pragma once
 
 #include "window/window_state.h"
 
-/* True: it was one of these. */
+/* Returns false if the action is another one. */
 bool act_plot_do(Window *window, Action action, int mods);
 
-/* Sets the number that a plot's cursor stands for to a value of x. */
+/* Sets the parameter of a plot's cursor to a value of x. */
 void act_plot_use(Window *window, const PlotPane *pane, double x);

@@ -12,7 +12,7 @@ static Vec2 looked_at(const Tab *tab) {
     return view_layers_floor(&tab->view_layers, vec2_scale(vec2_add(frame.low, frame.high), 0.5));
 }
 
-/* By parts of the view, on the page. */
+/* Pans by steps of the view's size. */
 static void pan(Tab *tab, double right, double down) {
     Box frame = tab->view_layers.still.frame;
     Vec2 middle = vec2_scale(vec2_add(frame.low, frame.high), 0.5);

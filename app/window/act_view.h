@@ -1,7 +1,7 @@
-/* What actions do to the eye: where it looks, from where, and which layers it sees. */
+/* Carries out the actions on the camera and the layers. */
 #pragma once
 
 #include "window/window_state.h"
 
-/* True: it was one of these; `key` says which layer. */
+/* Returns false if the action is another one; `key` selects the layer. */
 bool act_view_do(Window *window, Tab *tab, Action action, int32_t key);

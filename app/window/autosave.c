@@ -17,7 +17,7 @@ Tab *autosave_tab(Window *window) {
     return &window->tabs[index];
 }
 
-/* Another number after every edit, every undoing and every saving. */
+/* Returns a number that changes with every edit, undo, redo and save. */
 static uint64_t state_of(Editor *editor) {
     const char *undo = editor_undo_name(editor);
     uint64_t state = digest_text(DIGEST_START, undo ? undo : "");

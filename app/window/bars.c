@@ -7,7 +7,7 @@
 #include "window/plan_input.h"
 
 /* Design points. */
-#define TWO_LINES 1.8 /* times the width, that text of two lines take at most: lines end between text */
+#define TWO_LINES 1.8 /* widths that a text of two lines may take: lines break between words */
 #define MARGIN 14.0
 #define GAP 12.0
 #define BUTTON_PAD 20.0
@@ -20,7 +20,7 @@ static Vec2 middle_of(Box box) {
     return vec2_scale(vec2_add(box.low, box.high), 0.5);
 }
 
-/* A button as wide as its text, from `left` on; where it ends. */
+/* Adds a button as wide as its label at `left`, and returns its right edge. */
 static double add_button(Window *window, double left, Box bar, const UiButton *button, bool *pressed) {
     double width = ui_extent(window->ui, UI_BODY, button->label).x + BUTTON_PAD;
     ui_at(window->ui, (Box){{left, bar.low.y + 2}, {left + width, bar.high.y - 2}});
@@ -28,7 +28,7 @@ static double add_button(Window *window, double left, Box bar, const UiButton *b
     return left + width;
 }
 
-/* Words that end with an ellipsis where there is no more room. */
+/* Shows a line of text, shortened by an ellipsis where it does not fit. */
 static void show_text(Window *window, UiTextStyle size, Role role, double left, double right, double y,
                       const char *text) {
     double height = ui_extent(window->ui, size, text).y;
@@ -67,7 +67,7 @@ static double show_menus(Window *window, Box bar) {
     return left;
 }
 
-/* From the right; where they begin. */
+/* Shows the laboratories' buttons at the right end, and returns their left edge. */
 static double show_laboratories(Window *window, Box bar) {
     const char **labels = arena_allocate(&window->arena, laboratories_count * sizeof *labels);
     double width = 4;
@@ -124,7 +124,7 @@ static double show_place_button(Window *window, Tab *tab, Box bar) {
     return left - GAP;
 }
 
-/* What is being worked out, as a line that fills. */
+/* Shows the progress of the background work as a line that fills. */
 static void show_progress(Window *window, Box bar, const Result *answer) {
     if (!answer->doing || isnan(answer->part))
         return;
@@ -135,8 +135,8 @@ static void show_progress(Window *window, Box bar, const Result *answer) {
     ui_draw_box(window->ui, done, ROLE_CHAIR, 1);
 }
 
-/* In one line, or small in two: the numbers are what a class wants to read. What is being worked out stands behind
- * them, so that nothing moves when it is done. */
+/* Shows the result's numbers in one line, or small in two. The background work is named behind them, so that nothing
+ * moves when it ends. */
 static void show_detail(Window *window, const Result *answer, double left, double right, double y) {
     const char *detail = answer->detail ? answer->detail : "";
     Role role = answer->stale ? ROLE_DIM_TEXT : ROLE_TEXT;
@@ -155,7 +155,7 @@ static void show_detail(Window *window, const Result *answer, double left, doubl
         show_text(window, UI_BODY, ROLE_DIM_TEXT, left, right, y, answer->doing);
 }
 
-/* Large, unless the numbers would then have no room. */
+/* Returns the size of the title: large, unless the numbers would then not fit. */
 static UiTextStyle title_size(Window *window, const Result *answer, double right) {
     double width = ui_extent(window->ui, UI_ANSWER, answer->title).x, rest = right - MARGIN - width - 2 * GAP;
     double wanted = answer->detail ? ui_extent(window->ui, UI_BODY, answer->detail).x : 0;
@@ -191,7 +191,7 @@ static void show_export(Window *window, Box box) {
         export_cancel(window->export);
 }
 
-/* What the hand does, where there is no strip; and why it cannot be put down so. */
+/* Shows why the gesture cannot be completed, or, where there is no strip, its description. */
 static bool show_gesture(Window *window, Box box) {
     const Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);
@@ -252,7 +252,7 @@ static double key_width(Window *window, const KeyRow *row) {
            GAP;
 }
 
-/* Where the mouse points, m; and what is selected. */
+/* Returns the name of the selected item and the position of the pointer, m. */
 static const char *place_text(Window *window, Tab *tab) {
     Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
     Item thing = tab->kind->selected(tab->live);
@@ -263,7 +263,7 @@ static const char *place_text(Window *window, Tab *tab) {
     return text_in_arena(&window->arena, "%s   x %.2f  y %.2f m", name, floor.x, floor.y);
 }
 
-/* What the hand does, or can do next, while a tool is in it. */
+/* Shows what the gesture does, or what the tool can do next. */
 static double show_doing(Window *window, double left, double right, double y) {
     const Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);

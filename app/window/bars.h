@@ -1,4 +1,4 @@
-/* The bars: menu and answer above, what can be pressed below. */
+/* The bars: menu and result at the top, messages and shortcut keys at the bottom. */
 #pragma once
 
 #include "window/window_state.h"
@@ -6,6 +6,6 @@
 void bars_show_menu(Window *window);
 void bars_show_answer(Window *window);
 
-/* The last message, until it is put away; what is being written; and the strip of keys. */
+/* Show the last message until it is dismissed, or the progress of an export; and the strip of keys. */
 void bars_show_message(Window *window);
 void bars_show_strip(Window *window);

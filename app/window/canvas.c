@@ -12,7 +12,7 @@
 /* Design points. */
 #define MARGIN 12.0
 #define LEAST_SIDE 24.0
-#define SCALE_WIDTH 150.0 /* of the view's scale, to the right */
+#define SCALE_WIDTH 150.0 /* of the view's scale bar, at the right */
 
 enum { NOTE_LINES = 4 };
 
@@ -24,7 +24,7 @@ static Vec2 middle_of(Box box) {
 
 /* Pictures --------------------------------------------------------------------------------------------------------- */
 
-/* Whole pixels of a place in the window. */
+/* Converts a box of the window to whole pixels. */
 static void pixels_of(const Window *window, Box box, int *x, int *y, int *width, int *height) {
     *x = (int)lround(box.low.x * window->unit);
     *y = (int)lround(box.low.y * window->unit);
@@ -41,13 +41,13 @@ void canvas_paint(Window *window) {
     view_layers_fit(&tab->view_layers, sdl_window_gl(window->sdl_window), width, height, window->unit, window->theme);
     if (tab->view_layers.paint)
         view_layers_show(&tab->view_layers, tab->kind, tab->live, tab->player.time);
-    window->dirty |= tab->plot_panes_stale; /* they have their places with the next picture */
+    window->dirty |= tab->plot_panes_stale; /* the next frame lays them out */
     if (tab->plot_panes_stale)
         plot_panes_choose(&tab->panes, tab->kind, tab->live, tab->plots, window->screen);
     tab->plot_panes_stale = false;
 }
 
-/* The index of a chart's plot among the laboratory's. */
+/* Returns the index of a pane's plot among the laboratory's plots. */
 static size_t plot_of(const Tab *tab, const PlotPane *pane) {
     size_t count = tab->kind->plot_count(tab->live), i = 0;
     while (i < count && strcmp(tab->kind->plot(tab->live, i).name, pane->live.name) != 0)
@@ -57,8 +57,7 @@ static size_t plot_of(const Tab *tab, const PlotPane *pane) {
 
 /* The view --------------------------------------------------------------------------------------------------------- */
 
-/* One line after the other, from the foot of the view up, beside the scale; where letters are large from its top down.
- */
+/* Shows a note line by line, at the foot of the view next to the scale bar, or at its top if the text is large. */
 static void show_note(Window *window, const char *note) {
     Box view = window->frame.view;
     double height = ui_extent(window->ui, UI_BODY, "x").y, most = fmax(box_width(view) - SCALE_WIDTH, SCALE_WIDTH);
@@ -80,7 +79,7 @@ static void show_note(Window *window, const char *note) {
     }
 }
 
-/* In the middle of the upper edge. */
+/* Shows the name of an animation at the middle of the upper edge. */
 static void show_animation(Window *window, const char *text) {
     if (!text || !*text)
         return;
@@ -109,7 +108,7 @@ static Vec2 floor_at(const Window *window, const Tab *tab, Vec2 at) {
     return view_layers_floor(&tab->view_layers, vec2_sub(at, window->frame.view.low));
 }
 
-/* A click selects, a second one on the same place what lies below. */
+/* Selects the item under a click; another click at the same place selects the item below it. */
 static void pick(Window *window, Tab *tab, Vec2 place) {
     Item now = tab->kind->selected(tab->live);
     Vec2 at = floor_at(window, tab, place);
@@ -119,7 +118,8 @@ static void pick(Window *window, Tab *tab, Vec2 place) {
     window->dirty = true;
 }
 
-/* The right or middle button moves the view, the wheel enlarges it; what can be edited has the left one. */
+/* Pans by the right or middle button and zooms by the wheel; the left button edits, or selects where nothing can be
+ * edited. */
 static void use_mouse(Window *window, Tab *tab) {
     UiGrab grab = ui_grab(window->ui, "view", window->frame.view);
     if (!tab->view_layers.painted)
@@ -163,7 +163,7 @@ static void show_read_out(Window *window, Tab *tab, PlotPane *pane, size_t plot,
     ui_draw_text(window->ui, UI_BODY, ROLE_TEXT, vec2(left, top + extent.y / 2 + 2), 0, text);
 }
 
-/* A click sets what the cursor stands for; the wheel zooms about the pointer. */
+/* Sets the cursor's parameter by a click and zooms about the pointer by the wheel. */
 static void use_pane_mouse(Window *window, Tab *tab, PlotPane *pane, size_t plot) {
     Vec2 value;
     UiGrab grab = ui_grab(window->ui, pane->live.name, pane->place);

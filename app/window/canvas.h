@@ -1,10 +1,10 @@
-/* The view and the plots beside it, and what is done to them by mouse. */
+/* The view and the plots next to it, and their use by mouse. */
 #pragma once
 
 #include "window/window_state.h"
 
-/* Draws the pictures; before the panes. */
+/* Draws the view's picture; call it before the panes. */
 void canvas_paint(Window *window);
 
-/* The panes over the pictures: selection, words, mouse. */
+/* Shows the panes over the pictures: selection, labels, mouse. */
 void canvas_show(Window *window);

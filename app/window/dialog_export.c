@@ -14,13 +14,13 @@
 #define HEIGHT 560.0
 #define EDGE 16.0
 
-/* What can be made by the program's own command line. */
+/* A kind of export that the program's own command line makes. */
 typedef struct Making {
     const char *label, *meaning;
-    const char *options[12]; /* NULL-ended; behind the command of what is shown */
-    const char *name;        /* of the folder or file */
+    const char *options[12]; /* NULL-ended; appended to the command of what is shown */
+    const char *name;        /* of the exported folder or file */
     bool movie;
-    const char *ending; /* of a file that is all that is made of a house's plan, or NULL */
+    const char *ending; /* of a single file that is made from the plan alone, or NULL */
 } Making;
 
 static const Making makings[] = {

@@ -1,4 +1,4 @@
-/* Handing on what is shown: pictures, plots, data, films, reports, and a copy of the file with its changed numbers. */
+/* The dialogs that export pictures, plots, data, films and reports, and that save a copy of the file. */
 #pragma once
 
 #include "window/window_state.h"

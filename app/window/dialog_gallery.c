@@ -16,7 +16,7 @@
 
 /* The gallery ------------------------------------------------------------------------------------------------------ */
 
-/* `anew`: some have come, perhaps in another theme. */
+/* Uploads the pictures that are new; all of them if `anew`, when some have come or the theme has changed. */
 static void fill_pictures(Window *window, const GalleryItem *items, size_t count, bool anew) {
     for (size_t i = 0; i < count && i < GALLERY_MOST; i++)
         if (items[i].pixels && (anew || !window->pictures[i].name))
@@ -30,7 +30,7 @@ void dialog_gallery_clear(Window *window) {
             paint_gl_screen_release(window->screen, &window->pictures[i]);
 }
 
-/* A picture, a name and a line; true: it was chosen. */
+/* Shows a card with picture, name and line; true if it was chosen. */
 static bool show_item(Window *window, const GalleryItem *item, size_t index) {
     UiCard card = {.id = item->path,
                    .name = item->name,
@@ -72,7 +72,7 @@ static const char *kind_label(const FolderEntry *entry) {
     return entry->kind == FOLDER_ABOVE ? "folder above" : "folder";
 }
 
-/* Goes into a folder, or opens a file. */
+/* Enters a folder, or opens a file. */
 static void choose(Window *window, const FolderEntry *entry) {
     Fault fault = {0};
     const char *path = text_in_arena(&window->arena, "%s", entry->path);

@@ -1,4 +1,4 @@
-/* Choosing what to open: from pictures, or from folders. */
+/* The dialogs that open a file: from pictures, or from folders. */
 #pragma once
 
 #include "window/window_state.h"
@@ -6,5 +6,5 @@
 void dialog_gallery_show(Window *window);
 void dialog_gallery_show_open(Window *window);
 
-/* Releases the pictures' textures. */
+/* Releases the textures of the pictures. */
 void dialog_gallery_clear(Window *window);

@@ -36,7 +36,7 @@ void dialog_leave_show(Window *window) {
     ui_pane_end(window->ui);
 }
 
-/* "14:02", or with its day when that is another one. */
+/* Returns a time as "14:02", with its date if that is not today. */
 static const char *when_text(Window *window, int64_t when) {
     time_t moment = (time_t)when, now = time(NULL);
     struct tm then, today;
@@ -48,7 +48,7 @@ static const char *when_text(Window *window, int64_t when) {
     return text_in_arena(&window->arena, "%s", text);
 }
 
-/* True: it was chosen or put away, and there are others now. */
+/* Shows a recovered file; true if it was opened or discarded, which changes the list. */
 static bool show_found(Window *window, size_t index) {
     const RecoveryFound *found = &window->found[index];
     ui_heading(window->ui, text_in_arena(&window->arena, "%s, %s, %zu edit%s", found->name,

@@ -1,4 +1,4 @@
-/* Before something is lost, and after something was: the only questions that are asked. */
+/* The two dialogs that ask a question: before edits are lost, and after a crash. */
 #pragma once
 
 #include "window/window_state.h"

@@ -1,15 +1,15 @@
-/* A sheet lies over the window and takes what is done until it is closed. */
+/* A dialog lies over the window and receives all input until it is closed. */
 #pragma once
 
 #include "window/window_state.h"
 
-/* Begins its pane; ui_pane_end ends it. */
+/* Begins the dialog's pane, which ui_pane_end ends. */
 void dialog_pane_begin(Window *window, Box box);
 
-/* A box of that size in the middle of the page, or as much smaller as leaves `edge` of the page; all in design points.
- */
+/* Returns a box of that size in the middle of the page, smaller if less than `edge` of the page would be left; design
+ * points. */
 Box dialog_pane_centred(const Window *window, double width, double height, double edge);
 
-/* Shows a dialog in place of any that is shown; closes what is shown, and forgets what was to follow it. */
+/* Shows a dialog in place of the current one; closes the current one and cancels what was to follow it. */
 void dialog_pane_show(Window *window, Dialog dialog);
 void dialog_pane_close(Window *window);

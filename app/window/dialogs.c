@@ -29,12 +29,12 @@ static double menu_left(Window *window) {
     return left;
 }
 
-/* Rows of the plan are there only where one can be edited. */
+/* True if the row belongs to the menu; rows for plans only where a plan can be edited. */
 static bool is_there(Window *window, const KeyRow *row, KeyMenu menu) {
     return row->menu == menu && row->name && (row->place != KEY_PLAN || tab_editor(window_tab(window)));
 }
 
-/* Does its key mean it while the view has the focus? */
+/* True if the row's key has this meaning while the view has the focus. */
 static bool is_meant(Window *window, const KeyRow *row) {
     int32_t key;
     int mods;
@@ -44,7 +44,7 @@ static bool is_meant(Window *window, const KeyRow *row) {
     return keys_find(key, mods, tab_editor(window_tab(window)) ? KEY_PLAN : KEY_VIEW, true) == row->action;
 }
 
-/* True: the sheet is another one now. */
+/* Shows a row of a menu; true if it was chosen, which closes the menu. */
 static bool show_menu_row(Window *window, const KeyRow *row) {
     Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);
@@ -122,7 +122,7 @@ static const char *place_name(KeyPlace place) {
     return names[place];
 }
 
-/* All keys of an action in a place: "Space, Alt+K". */
+/* Returns all keys of an action in one place: "Space, Alt+K". */
 static const char *all_keys(Window *window, size_t index) {
     KeyRow row = keys_at(index);
     const char *text = row.key;
@@ -189,7 +189,7 @@ static void show_messages(Window *window) {
     ui_pane_end(window->ui);
 }
 
-/* Words ------------------------------------------------------------------------------------------------------------ */
+/* Small dialogs ---------------------------------------------------------------------------------------------------- */
 
 static bool show_close(Window *window) {
     ui_gap(window->ui, 8);

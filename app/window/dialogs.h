@@ -1,4 +1,4 @@
-/* What lies over the window, one at a time: menus, the card of keys, gallery, dialogs, the log. */
+/* The dialogs over the window, one at a time: menus, card of keys, gallery, files, log. */
 #pragma once
 
 #include "window/window_state.h"

@@ -9,15 +9,15 @@
 #include "base/order.h"
 #include "window/plan_input.h"
 
-#define WARM 3.0     /* s, before the piece is taken up */
-#define PATIENCE 1.0 /* s, that an answer is waited for */
+#define WARM 3.0     /* s, before the piece is grabbed */
+#define PATIENCE 1.0 /* s, to wait for a result */
 #define RADIUS 0.15  /* m */
 #define ROUND 40     /* steps */
 #define MILLI 1000.0
 
 /* Dragging --------------------------------------------------------------------------------------------------------- */
 
-/* Is it a piece of furniture, and what is it called? NULL: it is something else. Selects it. */
+/* Selects an item and returns its name if it is furniture; NULL: it is something else. */
 static const char *piece_name(Tab *tab, Item thing) {
     static const char begin[] = "furniture.", end[] = ".name";
     size_t count;
@@ -32,7 +32,7 @@ static const char *piece_name(Tab *tab, Item thing) {
     return NULL;
 }
 
-/* The first wardrobe, or else the first piece of furniture. */
+/* Returns the first wardrobe, or else the first piece of furniture. */
 static Item find_piece(Tab *tab) {
     Item first = tab->kind->next(tab->live, (Item){0}, 1), thing = first, found = {0};
     do {
@@ -46,7 +46,7 @@ static Item find_piece(Tab *tab) {
     return found;
 }
 
-/* Its middle, m; false: there is none. */
+/* Selects the piece to drag and finds its middle, m; false: there is none. */
 static bool find_middle(Tab *tab, Vec2 *middle) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
     Item thing = find_piece(tab);
@@ -66,7 +66,7 @@ static void push(Window *window, Vec2 floor, SdlWindowKind kind, bool down) {
     sdl_window_push(window->sdl_window, &event);
 }
 
-/* Takes it up; false: there is nothing to be dragged. */
+/* Grabs the piece; false: there is nothing to drag. */
 static bool begin(Window *window) {
     EditBenchmark *benchmark = &window->edit_benchmark;
     Tab *tab = window_tab(window);
@@ -88,7 +88,7 @@ static void step(Window *window) {
     benchmark->frames = 0;
 }
 
-/* What came of it -------------------------------------------------------------------------------------------------- */
+/* Results ---------------------------------------------------------------------------------------------------------- */
 
 static double part_of(const double *sorted, size_t count, double part) {
     return count ? sorted[(size_t)(part * (double)(count - 1))] : NAN;
@@ -115,14 +115,14 @@ static void print(Window *window) {
                benchmark->count + benchmark->missed, benchmark->missed, median, late, frame, slow, longest);
 }
 
-/* Has the answer to the last step come, or is it waited for in vain? The first frame after it still shows the old one:
- * it is the one in which the hand moved. */
+/* Records the delay of the last step's result, or that it did not come in time. The first frame after a step still
+ * shows the old result: it is the frame in which the pointer moved. */
 static void look(Window *window) {
     EditBenchmark *benchmark = &window->edit_benchmark;
     const Tab *tab = window_tab(window);
     double now = clock_now();
     if (benchmark->frames++ == 0) {
-        benchmark->edited = window->frame_timer.last; /* when that frame was begun */
+        benchmark->edited = window->frame_timer.last; /* the beginning of that frame */
         return;
     }
     if (!tab->kind->answer(tab->live).stale) {

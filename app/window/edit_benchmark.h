@@ -1,10 +1,9 @@
-/* How quickly the answer follows the hand: what --benchmark-edit prints. A piece of furniture is dragged along a small
- * circle, by the mouse as the window has it; each step waits until the answer to the one before is on the screen, or
- * for a second. */
+/* Measures how quickly the result follows an edit, for --benchmark-edit: drags a piece of furniture along a small
+ * circle by mouse events. Each step waits until the result of the one before is on the screen, at most one second. */
 #pragma once
 
 #include "window/window_state.h"
 
-/* After each frame; true: it is over, and what was measured has been printed. */
+/* Advances the benchmark; call it after each frame. True: it has ended and printed its results. */
 bool edit_benchmark_advance(Window *window, double begun);
 void edit_benchmark_clear(Window *window);

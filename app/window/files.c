@@ -17,7 +17,7 @@
 
 /* Saving ----------------------------------------------------------------------------------------------------------- */
 
-/* Those that come with the program are never written over. */
+/* True if the file comes with the program; such files are never overwritten. */
 static bool is_shipped(const char *path) {
     char file[PATH_MAX], folder[PATH_MAX];
     const Shipped *shipped = shipped_places();
@@ -116,7 +116,7 @@ void files_finish_leaving(Window *window) {
         opening_file(window, leave == LEAVE_OPEN ? window->leave_path : NULL);
 }
 
-/* Returns a tab with edits that would be lost; NULL: none would be. Opening a file closes only what its own tab has. */
+/* Returns a tab whose edits would be lost, or NULL. Opening a file closes only what is open in the same tab. */
 static const Tab *tab_to_save(Window *window, Leave leave, const char *path) {
     const Tab *closed = leave == LEAVE_OPEN  ? &window->tabs[laboratory_of(path)]
                         : leave == LEAVE_NEW ? autosave_tab(window)

@@ -1,25 +1,25 @@
-/* What is open and its file: saving, what is not saved yet, and what there is of it after a crash. */
+/* Saves the open file, asks before edits are lost, and recovers edits after a crash. */
 #pragma once
 
 #include "window/window_state.h"
 
-/* To its file; asks for a name where there is none, or none that may be written to. */
+/* Save to the tab's own file, or ask for a name if there is none that may be written to. */
 void files_save(Window *window);
 void files_ask_name(Window *window);
 
-/* To another file, which must not be there. False: a fault was said, and it is as unsaved as before. */
+/* Saves to another file, which must not exist yet. False: a fault was posted, and nothing was saved. */
 bool files_save_as(Window *window, const char *path);
 
-/* Quits, or opens something else (`path`, of LEAVE_OPEN); where something would be lost, asks before. */
+/* Quits or opens something else (`path` for LEAVE_OPEN), and asks first if edits would be lost. */
 void files_leave(Window *window, Leave leave, const char *path);
 
-/* What was asked about is saved, or need not be. */
+/* Quits or opens what files_leave was asked for, after the answer. */
 void files_finish_leaving(Window *window);
 
-/* Opens what was left behind; puts it away for good. */
+/* Opens a found recovery file; removes one for good. */
 void files_recover(Window *window, size_t found);
 void files_forget(Window *window, size_t found);
 
-/* Looks for what was left behind; a clean end. */
+/* Looks for recovery files at the start; removes the own one at a clean end. */
 void files_start(Window *window);
 void files_end(Window *window);

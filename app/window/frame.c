@@ -10,29 +10,29 @@
 #define PANEL_WIDTH 344.0
 #define GAP 6.0
 
-/* Of the rail. */
+/* The toolbar. */
 #define TOOL_WIDTH 78.0
 #define TOOL_NARROW 40.0
-#define TOOL_HEIGHT 42.0 /* at least, of a letter above a word; at least, of a letter */
+#define TOOL_HEIGHT 42.0 /* least height of a key above a name; of a key alone */
 #define TOOL_LEAST 28.0
-#define LABELLED_WIDTH 1000.0 /* a page at least so wide has room for them */
+#define LABELLED_WIDTH 1000.0 /* least width of a page that shows the tools' names */
 
-/* Below these a page is small. */
+/* Smaller pages are laid out compactly. */
 #define COMPACT_WIDTH 900.0
 #define COMPACT_HEIGHT 470.0
 #define DRAWER_WIDTH 1020.0
 #define COMPACT_ANSWER 48.0
 #define COMPACT_TIMELINE 44.0
 
-/* Of a plot, at least; and the shape that reads best. */
+/* Least size of a plot, and its best shape. */
 #define PLOT_WIDTH 230.0
 #define PLOT_HEIGHT 112.0
 #define PLOT_ASPECT 1.6
-#define FIRST_ROW 1.4     /* times as high as the others */
-#define BESIDE_WIDTH 0.38 /* of the place, of plots beside the view */
+#define FIRST_ROW 1.4     /* times the height of the other rows */
+#define BESIDE_WIDTH 0.38 /* of the place, for plots to the right of the view */
 #define BESIDE_MOST 440.0
 #define BELOW_HEIGHT 0.36
-#define WIDE_VIEW 3.0 /* what is wider than so many times its height leaves the plots all that it does not need */
+#define WIDE_VIEW 3.0 /* aspect above which a view gets only the height it needs, and the plots the rest */
 #define WIDE_LEAST 150.0
 #define WIDE_MOST 0.36 /* of the place */
 
@@ -40,12 +40,12 @@ static bool is_there(Box box) {
     return box_width(box) > 0 && box_height(box) > 0;
 }
 
-/* How many plots stand in each row: the later ones have one more where they do not come out even. */
+/* Returns the number of plots in a row: later rows have one more if the number is uneven. */
 static size_t in_row(size_t count, size_t rows, size_t row) {
     return count / rows + (row >= rows - count % rows);
 }
 
-/* How far from the best shape the plots would be in so many rows; infinite: too small. */
+/* Returns how far the plots would be from the best shape in that many rows; infinite: too small. */
 static double misfit(Box place, size_t count, size_t rows) {
     double width = box_width(place) / (double)in_row(count, rows, rows - 1), height = box_height(place) / (double)rows;
     if (width < PLOT_WIDTH || height < PLOT_HEIGHT)
@@ -68,7 +68,7 @@ static void place_rows(Frame *frame, Box place, size_t count, size_t rows) {
     }
 }
 
-/* As many plots as the place holds, the first ones first. */
+/* Places as many plots as fit, the first ones first. */
 static void place_panes(Frame *frame, Box place, size_t count) {
     for (; count > 0; count--) {
         size_t best = 0;
@@ -89,7 +89,7 @@ static double scale_of(Box place, double aspect) {
     return fmin(box_width(place) / aspect, box_height(place));
 }
 
-/* Divides what is left between the view and its plots: beside or below, whichever leaves the view larger. */
+/* Divides the place between the view and its plots: to the right or below, whichever leaves the view larger. */
 static void divide(Frame *frame, Box place, const FrameWish *wish) {
     size_t count = wish->plot_count < FRAME_PANES_MOST ? wish->plot_count : FRAME_PANES_MOST;
     frame->view = place;
@@ -114,7 +114,7 @@ static void divide(Frame *frame, Box place, const FrameWish *wish) {
         frame->view = is_below ? upper : left;
 }
 
-/* Left of the view; what is left of the place. */
+/* Places the toolbar left of the view, and returns the rest of the place. */
 static Box place_toolbar(Frame *frame, Box place, const FrameWish *wish) {
     if (!wish->tool_count || wish->present)
         return place;

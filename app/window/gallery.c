@@ -19,28 +19,28 @@
 
 enum {
     STRIDE = 4 * GALLERY_WIDTH, /* bytes a row */
-    DRAWING = 1,                /* of the pictures: another number when they are drawn in another way */
+    DRAWING = 1,                /* version of the drawing: to be increased when the pictures change */
 };
 
-/* What the thread has found out of a file; the texts and pixels are blocks of their own. */
+/* What the thread has read from a file; texts and pixels are separate blocks. */
 typedef struct Found {
     char *name, *line, *fault;
     unsigned char *pixels; /* STRIDE x GALLERY_HEIGHT */
 } Found;
 
 struct Gallery {
-    GalleryItem *items; /* (count) the caller's */
-    Found *shown;       /* (count) holds what they point at */
+    GalleryItem *items; /* (count) for the caller */
+    Found *shown;       /* (count) owns the texts and pixels of the items */
     size_t count;
     Arena arena;
     char *cache; /* folder, or NULL */
     pthread_t thread;
     bool runs;            /* there is a thread */
-    pthread_mutex_t lock; /* of all below */
+    pthread_mutex_t lock; /* of the members below */
     pthread_cond_t changed;
     Found *found; /* (count) since the last update */
     bool news, closing;
-    bool drawn; /* all pictures, in this theme */
+    bool drawn; /* all pictures are drawn in this theme */
     Theme theme;
     unsigned revision; /* of the theme */
 };
@@ -63,7 +63,7 @@ static bool read_thumbnail(Thumbnail *thumbnail, const GalleryItem *item, Fault 
     return laboratories[item->laboratory].read_thumbnail(thumbnail, item->path, fault);
 }
 
-/* Where a file's picture is kept; NULL: nowhere. memory_free it. */
+/* Returns the path of a file's cached picture, to be released by memory_free. NULL: there is no cache. */
 static char *cached_path(const Gallery *gallery, const char *path, Theme theme) {
     size_t size;
     char *text = gallery->cache ? text_read_file(path, JSON_LARGEST_FILE, &size) : NULL;
@@ -76,7 +76,7 @@ static char *cached_path(const Gallery *gallery, const char *path, Theme theme) 
     return cached.text;
 }
 
-/* False: it is not there, or of another kind. */
+/* Reads a cached picture; false: it does not exist, or has another format. */
 static bool read_cached(const char *path, unsigned char *pixels) {
     cairo_surface_t *surface = cairo_image_surface_create_from_png(path);
     bool good = cairo_surface_status(surface) == CAIRO_STATUS_SUCCESS &&
@@ -90,7 +90,7 @@ static bool read_cached(const char *path, unsigned char *pixels) {
     return good;
 }
 
-/* NULL: *fault says why. */
+/* Reads or draws the picture of an item. NULL: a fault says why not. */
 static unsigned char *picture_of(const Gallery *gallery, const GalleryItem *item, Theme theme, Fault *fault) {
     unsigned char *pixels = memory_zeroed(GALLERY_HEIGHT, STRIDE);
     char *cached = cached_path(gallery, item->path, theme);
@@ -111,7 +111,7 @@ static unsigned char *picture_of(const Gallery *gallery, const GalleryItem *item
 
 /* The thread ------------------------------------------------------------------------------------------------------- */
 
-/* Hands over what is not NULL, and releases what it replaces. */
+/* Moves the members that are not NULL, and releases those they replace. */
 static void hand_over(Found *to, Found *from) {
     char **texts[][2] = {{&to->name, &from->name}, {&to->line, &from->line}, {&to->fault, &from->fault}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
@@ -169,7 +169,7 @@ static void find_picture(Gallery *gallery, size_t i, Theme theme) {
     put(gallery, i, &found);
 }
 
-/* Is there still to be drawn in the theme of this revision? */
+/* True while the thread must go on drawing in the theme of this revision. */
 static bool goes_on(Gallery *gallery, unsigned revision) {
     pthread_mutex_lock(&gallery->lock);
     bool on = !gallery->closing && gallery->revision == revision;
@@ -177,7 +177,7 @@ static bool goes_on(Gallery *gallery, unsigned revision) {
     return on;
 }
 
-/* Waits for another theme; false: it is over. */
+/* Waits for another theme; false: the gallery is closing. */
 static bool wait_for_theme(Gallery *gallery, unsigned *revision, Theme *theme) {
     pthread_mutex_lock(&gallery->lock);
     gallery->drawn = gallery->revision == *revision;
@@ -240,7 +240,7 @@ Gallery *gallery_create(Theme theme) {
     pthread_mutex_init(&gallery->lock, NULL);
     pthread_cond_init(&gallery->changed, NULL);
     gallery->runs = pthread_create(&gallery->thread, NULL, work, gallery) == 0;
-    gallery->drawn = !gallery->runs; /* names without pictures, then */
+    gallery->drawn = !gallery->runs; /* without a thread there are names but no pictures */
     return gallery;
 }
 

@@ -216,12 +216,12 @@ void keys_read(const char *text, int32_t *key, int *mods) {
     *key = sdl_window_key(text);
 }
 
-/* A letter, a digit or a sign alone, which somebody who types by mistake presses too. */
+/* True for a letter, digit or sign alone, which is easily pressed by mistake. */
 static bool is_single(const KeyRow *row) {
     return !row->key[1];
 }
 
-/* How narrowly a row is meant for a place; 0: it means nothing there. */
+/* Returns how specific a row is for a place; 0: it does not apply there. */
 static int narrowness(const KeyRow *row, KeyPlace place) {
     bool view = place == KEY_VIEW || place == KEY_PLAN;
     switch (row->place) {

@@ -1,5 +1,5 @@
-/* What can be done, by key, menu and strip: one table. The dispatcher, the card of F1, the menus, the tooltips and the
- * strip at the foot all read it, so that they cannot differ. */
+/* The table of actions with their keys, menus and texts. The dispatcher, the card of keys, the menus, the tooltips and
+ * the strip all read this one table, so that they cannot differ. */
 #pragma once
 
 #include <stdbool.h>
@@ -75,7 +75,7 @@ typedef enum Action {
     ACTION_LARGER,
     ACTION_SMALLER,
     ACTION_NORMAL_SIZE,
-    ACTION_LAYER, /* 1 to 9: the key says which */
+    ACTION_LAYER, /* 1 to 9: the key selects the layer */
     ACTION_PLAY,
     ACTION_STEP,
     ACTION_STEP_BACK,
@@ -111,13 +111,13 @@ typedef enum Action {
     ACTIONS,
 } Action;
 
-/* Where a key means it. */
+/* The places where a key has a meaning. */
 typedef enum KeyPlace {
     KEY_ANYWHERE,
     KEY_CANVAS,   /* the plan, the beam or a plot has the focus */
     KEY_VIEW,     /* the plan or the beam */
     KEY_PLOT,     /* a plot */
-    KEY_PLAN,     /* the view, of what can be edited */
+    KEY_PLAN,     /* the view, if its contents can be edited */
     KEY_TIMELINE, /* the timeline, too */
 } KeyPlace;
 
@@ -127,13 +127,13 @@ typedef struct KeyRow {
     Action action;
     KeyPlace place;
     const char *key;   /* "Ctrl+O", "Space", "[" */
-    KeyMenu menu;      /* where it stands in the menus */
+    KeyMenu menu;      /* the menu that lists it */
     const char *name;  /* "Open"; NULL: another key of the row above */
     const char *help;  /* a sentence */
-    const char *strip; /* a word for the strip at the foot, or NULL */
+    const char *strip; /* a word for the strip, or NULL */
 } KeyRow;
 
-/* The rows, those of the laboratories last. */
+/* Return the number of rows and each of them, those of the laboratories last. */
 size_t keys_count(void);
 KeyRow keys_at(size_t i);
 
@@ -142,12 +142,12 @@ extern const char *const keys_menus[MENUS];
 /* Returns the row of an action that has its name; the name is NULL if there is none. */
 KeyRow keys_row(Action action);
 
-/* What a key means where a place of this kind has the focus, of several meanings that of the narrowest place;
- * `single_keys`: single letters mean something. ACTION_NONE: nothing. `mods` as in sdl_window.h. */
+/* Returns the meaning of a key while a place of this kind has the focus, the most specific one if there are several;
+ * ACTION_NONE: it has none. Single letters count only if `single_keys`; `mods` as in sdl_window.h. */
 Action keys_find(int32_t key, int mods, KeyPlace place, bool single_keys);
 
-/* The key's code and mods. */
+/* Parses a key's name into its code and mods. */
 void keys_read(const char *text, int32_t *key, int *mods);
 
-/* "Open (Ctrl+O): ..." */
+/* Returns the tooltip of an action: "Open (Ctrl+O): ..." */
 const char *keys_help(Arena *arena, Action action);

@@ -15,7 +15,7 @@ static bool is_repeated(const Messages *messages, MessageKind kind, double time,
     return last && last->kind == kind && same_time(last->time, time) && strcmp(last->text, text) == 0;
 }
 
-/* Takes the text. */
+/* Adds a message, which takes over the text. */
 static void add(Messages *messages, MessageKind kind, double time, char *text) {
     if (is_repeated(messages, kind, time, text)) {
         memory_free(text);
@@ -26,7 +26,7 @@ static void add(Messages *messages, MessageKind kind, double time, char *text) {
     *message = (Message){messages->total, kind, text, time};
 }
 
-/* A line of the log is one line. */
+/* Joins lines to one, since a message is one line. */
 static void join_lines(char *text) {
     for (char *end = text; (end = strpbrk(end, "\r\n"));)
         *end = ' ';

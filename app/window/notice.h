@@ -3,7 +3,7 @@
 
 #include "window/window_state.h"
 
-/* Posts a line that goes by itself after a while. */
+/* Posts a line that disappears by itself after a while. */
 void notice_post(Window *window, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Posts the lines of a fault, if there are any, which stay until they are dismissed, and releases it; `time`: the

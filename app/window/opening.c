@@ -69,7 +69,7 @@ bool opening_copy(Window *window, const char *path, const char *origin, const ch
 
 /* Other programs' files -------------------------------------------------------------------------------------------- */
 
-/* Line by line into the log; the line that is seen tells how much there is. */
+/* Posts what an import did and left out, one line each, then a summary. */
 static void tell(Window *window, const char *path, const ImportFile *import) {
     for (size_t i = 0; i < import->told.count; i++)
         notice_post(window, "%s: %s", path, import->told.lines[i]);
@@ -78,7 +78,7 @@ static void tell(Window *window, const char *path, const ImportFile *import) {
                 import->told.count ? " (F7 tells all)" : "");
 }
 
-/* A house is opened from a file: until it is saved that is where it would be recovered from, too. */
+/* Opens the imported house from the recovery file, from which it can be recovered until it is saved. */
 static bool open_text(Window *window, const char *path, const ImportFile *import) {
     RecoveryAbout about = {.name = import->name, .edits = 1, .when = (int64_t)time(NULL)};
     int error = recovery_write(window->recovery, import->text, &about);

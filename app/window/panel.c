@@ -10,11 +10,11 @@
 #include "window/plan_input.h"
 
 enum { DIGITS_MOST = 6, PRESETS_IN_ROW = 2 };
-#define STEPS_SHOWN 500.0 /* of a slider's range, that its digits tell apart */
+#define STEPS_SHOWN 500.0 /* steps of a slider's range that its digits distinguish */
 
-/* What came of it -------------------------------------------------------------------------------------------------- */
+/* Results ---------------------------------------------------------------------------------------------------------- */
 
-/* Can it be chosen? */
+/* True if the row can be chosen. */
 static bool is_usable(const PanelRow *row) {
     return row->thing.kind || !isnan(row->time);
 }
@@ -51,8 +51,8 @@ static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index
     window->dirty = true;
 }
 
-/* The row where the lists begin from which something can be chosen; those before only tell: of what is selected, and of
- * before and now. */
+/* Returns the first row of the lists with rows that can be chosen; the rows before them describe the selection and the
+ * comparison. */
 static size_t find_lists(const Tab *tab) {
     size_t count, begin = 0;
     const PanelRow *rows = tab->kind->rows(tab->live, &count);
@@ -66,7 +66,7 @@ static void show_rows(Window *window, Tab *tab, size_t from, size_t to) {
     const PanelRow *rows = tab->kind->rows(tab->live, &count);
     for (size_t i = from; i < count && i < to; i++) {
         show_row(window, tab, &rows[i], i);
-        rows = tab->kind->rows(tab->live, &count); /* choosing one may have changed them */
+        rows = tab->kind->rows(tab->live, &count); /* a choice may have changed the rows */
     }
 }
 
@@ -110,7 +110,7 @@ static double factor_of(const PanelParameter *parameter) {
     return parameter->factor > 0 ? parameter->factor : 1;
 }
 
-/* Digits behind the point that tell apart what a slider's steps do, and that the value has. */
+/* Returns the number of decimals that distinguishes the steps of a slider. */
 static int digits_of(const PanelParameter *parameter) {
     double range = (parameter->high - parameter->low) * factor_of(parameter) / STEPS_SHOWN;
     int digits = range > 0 ? (int)ceil(-log10(range)) : 0;
@@ -188,7 +188,7 @@ static void show_parameter(Window *window, const PanelParameter *parameter) {
     }
 }
 
-/* Those that are looked for most, or all. */
+/* Shows the most used parameters, or all others. */
 static void show_parameters(Window *window, Tab *tab, bool first) {
     size_t count;
     const PanelParameter *parameters = tab->kind->parameters(tab->live, &count);
@@ -200,7 +200,7 @@ static void show_parameters(Window *window, Tab *tab, bool first) {
             ui_heading(window->ui, parameters[i].group);
         group = text_in_arena(&window->arena, "%s", parameters[i].group);
         show_parameter(window, &parameters[i]);
-        parameters = tab->kind->parameters(tab->live, &count); /* a change may have made them anew */
+        parameters = tab->kind->parameters(tab->live, &count); /* a change may have rebuilt the parameters */
     }
 }
 
@@ -231,7 +231,7 @@ static void show_layers(Window *window, Tab *tab) {
     }
 }
 
-/* The names without one of them, or with it at the end. */
+/* Returns the names without one of them, or with it at the end. */
 static const char *toggled(Window *window, const char *names, const char *name, bool add) {
     Text text = {0};
     for (const char *at = names; *at; at += strcspn(at, ","), at += *at == ',') {
@@ -273,7 +273,8 @@ void panel_show(Window *window) {
         size_t lists = tab->kind->numbers_first ? 0 : selected ? find_lists(tab) : SIZE_MAX;
         panel_edit_show(window);
         show_rows(window, tab, 0, lists);
-        show_parameters(window, tab, true); /* of what is selected: Enter goes to the first that can be changed */
+        show_parameters(window, tab,
+                        true); /* parameters of the selection: Enter focuses the first one that can be changed */
         panel_edit_show_texts(window);
         show_presets(window, tab);
         show_rows(window, tab, lists, SIZE_MAX);

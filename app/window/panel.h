@@ -1,4 +1,4 @@
-/* The panel: what is selected, what came of the run, what may be chosen, every number that can be changed. */
+/* The panel: the selection, the results, the choices, and every parameter that can be changed. */
 #pragma once
 
 #include "window/window_state.h"

@@ -8,9 +8,9 @@
 #include "window/notice.h"
 #include "window/plan_input.h"
 
-enum { TEXT_MOST = 4096 + 1 /* bytes: what the editor takes, and its end */ };
+enum { TEXT_MOST = 4096 + 1 /* bytes: the longest text that the editor accepts, and the zero */ };
 
-/* What the tool places --------------------------------------------------------------------------------------------- */
+/* Catalogue -------------------------------------------------------------------------------------------------------- */
 
 static void show_items(Window *window, Editor *editor) {
     size_t count, chosen = editor_item(editor);
@@ -37,9 +37,9 @@ static void show_items(Window *window, Editor *editor) {
     }
 }
 
-/* Words of what is selected ---------------------------------------------------------------------------------------- */
+/* Texts of the selection ------------------------------------------------------------------------------------------- */
 
-/* True: it was changed, and what there is may be other texts now. */
+/* Shows a text field; true if the text was changed, which may change the list of texts. */
 static bool show_text(Window *window, Editor *editor, const EditText *text) {
     char typed[TEXT_MOST];
     Fault fault = {0};
@@ -53,7 +53,7 @@ static bool show_text(Window *window, Editor *editor, const EditText *text) {
     return true;
 }
 
-/* Those of the house itself, or all the others. */
+/* Shows the texts of the house itself, or all others. */
 static void show_texts(Window *window, Editor *editor, bool of_house) {
     static const char house[] = "house.";
     size_t count;
@@ -72,7 +72,7 @@ static void show_texts(Window *window, Editor *editor, bool of_house) {
 
 /* The picture ------------------------------------------------------------------------------------------------------ */
 
-/* A path that is typed, and how strongly the picture is seen. */
+/* Shows the path of the picture to trace and a slider for its opacity. */
 static void show_image(Window *window, Editor *editor) {
     TraceImage image = editor_image(editor);
     char path[WINDOW_PATH];
@@ -99,7 +99,7 @@ static void show_image(Window *window, Editor *editor) {
         editor_fade_image(editor, slider.value / 100);
 }
 
-/* What would let everybody out ------------------------------------------------------------------------------------- */
+/* Proposals -------------------------------------------------------------------------------------------------------- */
 
 static void show_proposals(Window *window, Editor *editor) {
     size_t count;

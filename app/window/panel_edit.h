@@ -1,11 +1,11 @@
-/* What the panel has of editing: what the tool places, the words of what is selected, the picture to trace over, and
- * what would let everybody out. */
+/* The editing part of the panel: the catalogue of the tool, the texts of the selection, the picture to trace, and the
+ * proposals that let everybody leave. */
 #pragma once
 
 #include "window/window_state.h"
 
 void panel_edit_show(Window *window);
 
-/* Names and ids of what is selected; the house's own name and note. */
+/* Show the names and ids of the selection; the house's own name and note. */
 void panel_edit_show_texts(Window *window);
 void panel_edit_show_house(Window *window);

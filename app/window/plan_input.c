@@ -6,7 +6,7 @@
 
 #include "window/notice.h"
 
-#define REACH 10.0 /* design points: what is nearer than this is meant */
+#define REACH 10.0 /* design points: items within this distance are hit */
 
 /* m; degrees. */
 #define NUDGE 0.01
@@ -15,7 +15,7 @@
 #define TURN 15.0
 #define TURN_LITTLE 1.0
 
-/* Has a handle the focus of the keys? Then Enter, or a number, takes it up. */
+/* True if a handle has the keyboard focus: then Enter or a number grabs it. */
 static bool has_handle(const GestureView *gesture) {
     bool held = false;
     for (size_t i = 0; i < gesture->mark_count; i++)
@@ -32,13 +32,13 @@ bool plan_input_listens(const Window *window) {
     return gesture->active || has_handle(gesture);
 }
 
-/* The hand --------------------------------------------------------------------------------------------------------- */
+/* The pointer ------------------------------------------------------------------------------------------------------ */
 
 static Vec2 floor_at(const Window *window, const Tab *tab, Vec2 at) {
     return view_layers_floor(&tab->view_layers, vec2_sub(at, window->frame.view.low));
 }
 
-/* The hand at a point of the window. */
+/* Returns the pointer at a point of the window. */
 static Pointer pointer_at(const Window *window, const Tab *tab, Vec2 at) {
     int mods = sdl_window_mods(window->sdl_window);
     Vec2 floor = floor_at(window, tab, at);
@@ -54,7 +54,7 @@ static bool same_pointer(const Pointer *a, const Pointer *b) {
            a->straight == b->straight && a->nowhere == b->nowhere;
 }
 
-/* Says where it is, unless it is there already. */
+/* Sends the pointer to the editor, unless it has not changed. */
 static void send_pointer(Window *window, Tab *tab, const Pointer *pointer) {
     if (window->plan_input.pointer_known && same_pointer(&window->plan_input.pointer, pointer))
         return;
@@ -64,7 +64,7 @@ static void send_pointer(Window *window, Tab *tab, const Pointer *pointer) {
     window->dirty = true;
 }
 
-/* Without a pointer the middle of the view is meant. */
+/* Sends the present pointer, or the middle of the view if the pointer is elsewhere. */
 static void send_pointer_now(Window *window, Tab *tab) {
     Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
     Box view = window->frame.view;
@@ -96,7 +96,7 @@ void plan_input_mouse(Window *window, const UiGrab *grab) {
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
 
-/* Lets go what is in the hand, then the tool. */
+/* Cancels the gesture, then the tool. */
 static bool escape(Editor *editor) {
     if (editor_escape(editor))
         return true;
@@ -158,14 +158,14 @@ bool plan_input_type(Window *window, const char *text) {
     return used;
 }
 
-/* Doing ------------------------------------------------------------------------------------------------------------ */
+/* Actions ---------------------------------------------------------------------------------------------------------- */
 
 static bool is_selected(const Tab *tab) {
     size_t count;
     return editor_selection(tab_editor(tab), &count) && count > 0;
 }
 
-/* What cannot be done says why, or that there is nothing to do it to. */
+/* Posts why an action failed, or that nothing suitable is selected. */
 static void report_result(Window *window, bool done, const char *what, Fault *fault) {
     if (!done && !fault->count)
         notice_post(window, "%s: nothing is selected that it could be done to", what);
@@ -204,7 +204,7 @@ static bool do_clipboard(Window *window, Tab *tab, Action action) {
     }
 }
 
-/* What is done to all that is selected. */
+/* Does an action on the whole selection; false: it is another action. */
 static bool do_pieces(Window *window, Tab *tab, Action action) {
     static const struct {
         Action action;
@@ -228,7 +228,7 @@ static bool do_pieces(Window *window, Tab *tab, Action action) {
     return false;
 }
 
-/* False: nothing is selected, and the view is meant. */
+/* Returns false if nothing is selected; the action then concerns the view. */
 static bool nudge(Window *window, Tab *tab, Action action, int mods) {
     static const Vec2 ways[] = {{-1, 0}, {1, 0}, {0, 1}, {0, -1}};
     size_t way = (size_t)(action - ACTION_NUDGE_LEFT);
@@ -240,7 +240,7 @@ static bool nudge(Window *window, Tab *tab, Action action, int mods) {
     return true;
 }
 
-/* False: nothing is selected, and the view is meant. */
+/* Returns false if nothing is selected; the action then concerns the view. */
 static bool turn(Window *window, Tab *tab, double degrees) {
     Fault fault = {0};
     if (!is_selected(tab))
@@ -357,14 +357,14 @@ void plan_input_hold_clock(Window *window) {
     input->holds = hold;
 }
 
-/* What moves in the picture alone --------------------------------------------------------------------------------- */
+/* Animation -------------------------------------------------------------------------------------------------------- */
 
 void plan_input_animate(Window *window, double seconds) {
     const Tab *tab = window_tab(window);
     bool unseen = window->options->script && !sdl_window_is_seen(window->sdl_window);
     if (!tab->live || !tab->kind->animate || window->reduced)
         return;
-    window->dirty |= tab->kind->animation(tab->live) != NULL; /* it may come to its end now */
+    window->dirty |= tab->kind->animation(tab->live) != NULL; /* it may end now */
     tab->kind->animate(tab->live, unseen ? 1 / FRAME_TIMER_RATE : seconds);
 }
 

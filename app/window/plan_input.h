@@ -1,40 +1,40 @@
-/* What is done by mouse and keys to what can be edited: they become calls of its editor. */
+/* Turns mouse and key events into calls of the editor. */
 #pragma once
 
 #include "laboratory/edit/editor.h"
 #include "window/window_state.h"
 
-/* Is something in the hand, or a tool other than the one that selects? Then letters and digits are the editor's. */
+/* True during a gesture or with a tool other than Select: then letters and digits go to the editor. */
 bool plan_input_listens(const Window *window);
 
-/* Return, Backspace, Tab, Escape while the editor listens; true: it was used. */
+/* Handles Return, Backspace, Tab and Escape while the editor listens; true if the key was used. */
 bool plan_input_key(Window *window, const SdlWindowEvent *event);
 
-/* A key that types something waits for what it types, which may be the editor's; false: it types nothing, or nobody
- * listens. plan_input_apply_text gives the letters (NULL: none came) to the editor; false: the key that waited is to
- * be done now. */
+/* Stores a key that types text until its text arrives, which the editor may use; false: it types none, or the editor
+ * does not listen. plan_input_apply_text passes the text (NULL: none came) to the editor; false: handle the stored key
+ * now. */
 bool plan_input_store_key(Window *window, const SdlWindowEvent *event);
 bool plan_input_apply_text(Window *window, const char *text);
 
-/* Letters that no key has announced, as an input method types them. */
+/* Passes text without a key, as input methods send it, to the editor; true if it was used. */
 bool plan_input_type(Window *window, const char *text);
 
-/* False: the action is none of editing. */
+/* Does an editing action; false: it is another action, or it concerns the view because nothing is selected. */
 bool plan_input_do(Window *window, Action action, int mods);
 
-/* What the mouse has done over the view since the frame before. */
+/* Handles what the mouse has done over the view since the last frame. */
 void plan_input_mouse(Window *window, const UiGrab *grab);
 
-/* A number changes under the hand: all of it is one step. */
+/* Begins to change a number by a slider: the whole drag is one step of undo. */
 void plan_input_hold_number(Window *window, const char *name);
 
-/* Once a frame: while something is in the hand the clock is held. */
+/* Pauses playback during a gesture; call it once per frame. */
 void plan_input_hold_clock(Window *window);
 
-/* Nothing is in the hand any more, and the tool is the one that selects. */
+/* Cancels the gesture and returns to the Select tool. */
 void plan_input_reset(Window *window);
 
-/* Moves on what an edit has set moving: by so many s on the wall, or, without anybody to see it, by a frame. */
+/* Advances the editor's animation by wall time, s, or by one frame if there is no display. */
 void plan_input_animate(Window *window, double seconds);
 
 /* Words for what moves so, or ""; NULL: nothing does. */

@@ -14,14 +14,14 @@
 #define DASH_GAP 5.0
 #define TICK 6.0
 #define DIAMOND 7.0
-#define HANDLE 6.0 /* half of it */
+#define HANDLE 6.0 /* half of its side */
 #define PAD 5.0
 #define EDGE 5.0   /* of the view, for the frame of what has the focus */
 #define ASIDE 14.0 /* from the pointer */
 
 enum { LABELS_MOST = 24, PLACES = 5 /* that a label tries */ };
 
-/* What has been written so far: nothing is written over it. */
+/* Boxes of the labels placed so far; no label covers another. */
 typedef struct Labels {
     Box boxes[LABELS_MOST];
     size_t count;
@@ -38,7 +38,7 @@ static size_t points_of(const Window *window, const Tab *tab, const EditMark *ma
     return mark->count;
 }
 
-/* Words ------------------------------------------------------------------------------------------------------------ */
+/* Small dialogs ---------------------------------------------------------------------------------------------------- */
 
 static bool overlap(Box a, Box b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
@@ -51,14 +51,14 @@ static bool is_free(const Labels *labels, Box box) {
     return true;
 }
 
-/* Moved so that it lies within. */
+/* Returns the box, moved so that it lies within another. */
 static Box kept_within(Box box, Box bounds) {
     Vec2 by = {fmax(0, bounds.low.x - box.low.x) - fmax(0, box.high.x - bounds.high.x),
                fmax(0, bounds.low.y - box.low.y) - fmax(0, box.high.y - bounds.high.y)};
     return (Box){vec2_add(box.low, by), vec2_add(box.high, by)};
 }
 
-/* The middle is wished for; it gives way up and down to what is written there. */
+/* Places a label at its middle, or above or below that if another label is there. */
 static Box place_label(const Window *window, Labels *labels, Vec2 middle, Vec2 size) {
     static const double steps[PLACES] = {0, 1, -1, 2, -2};
     Vec2 half = vec2_scale(size, 0.5);
@@ -83,7 +83,7 @@ static void write_label(Window *window, Labels *labels, Vec2 middle, Role ground
 
 /* Lines ------------------------------------------------------------------------------------------------------------ */
 
-/* The part of a line that lies in a box; false: none of it. */
+/* Clips a line to a box; false: it lies outside. */
 static bool clip(Box box, Vec2 *a, Vec2 *b) {
     Vec2 way = vec2_sub(*b, *a);
     const double p[] = {-way.x, way.x, -way.y, way.y};
@@ -117,13 +117,13 @@ static void draw_guide(Window *window, const Vec2 *points, size_t count) {
         draw_dashes(window, points[i], points[i + 1]);
 }
 
-/* Black within white, or the other way round: seen on everything. */
+/* Draws a line in two colours, so that it is visible on any background. */
 static void draw_twice(Window *window, const Vec2 *points, size_t count, bool closed, Role role, double width) {
     ui_draw_polyline(window->ui, points, count, closed, ROLE_PAPER, 2 * width);
     ui_draw_polyline(window->ui, points, count, closed, role, width);
 }
 
-/* A line with an end across at each of its points. */
+/* Draws a dimension line with an end mark at each of its points. */
 static void draw_dimension(Window *window, const Vec2 *points, size_t count) {
     for (size_t i = 0; i + 1 < count; i++) {
         Vec2 way = vec2_sub(points[i + 1], points[i]);
@@ -180,7 +180,7 @@ static void draw_mark(Window *window, const EditMark *mark, const Vec2 *points, 
     }
 }
 
-/* From the middle of a line to that of text as wide as that half on both sides: beside the line, not on it. */
+/* Returns the offset from the middle of a line to the middle of its label, which lies next to the line. */
 static Vec2 beside(Vec2 a, Vec2 b, double half) {
     Vec2 across = vec2_left(vec2_unit(vec2_sub(b, a)));
     if (across.y > 0 || (across.y == 0 && across.x < 0))
@@ -198,7 +198,7 @@ static void write_mark(Window *window, Labels *labels, const EditMark *mark, con
     write_label(window, labels, middle, mark->kind == MARK_GAP ? ROLE_ERROR : ROLE_TEXT, mark->words);
 }
 
-/* Lines first, then what can be taken up, then text. */
+/* Draws lines first, then handles, then labels. */
 static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Labels *labels) {
     Vec2 points[LABORATORY_MARK_POINTS];
     for (int pass = 0; pass < 3; pass++)
@@ -255,7 +255,7 @@ static const char *field_text(Window *window, const GestureView *gesture, size_t
                          field->unit, field->typed ? " (typed)" : "", cursor);
 }
 
-/* Beside the pointer; without one, in the middle of the view. */
+/* Shows the fields of the gesture next to the pointer, or in the middle of the view without one. */
 static Vec2 read_out_at(const Window *window) {
     Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
     Box view = window->frame.view;
@@ -308,7 +308,7 @@ void plan_overlay_show(Window *window) {
     if (!editor)
         return;
     const GestureView *gesture = editor_gesture(editor);
-    show_read_out(window, gesture, &labels); /* keeps its place free of text */
+    show_read_out(window, gesture, &labels); /* reserves its place before labels are placed */
     show_marks(window, tab, gesture, &labels);
-    show_read_out(window, gesture, &labels); /* and lies over what crosses it */
+    show_read_out(window, gesture, &labels); /* drawn again, over the labels' lines */
 }

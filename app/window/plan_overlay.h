@@ -1,4 +1,4 @@
-/* What is seen of editing over the view: what is selected, what is in the hand, and what is typed. */
+/* Draws the editing overlay of the view: the selection, the gesture and its typed fields. */
 #pragma once
 
 #include "window/window_state.h"

@@ -2,9 +2,9 @@
 
 #include <math.h>
 
-#define LOOK 0.5         /* s on the wall, over which the achieved speed is measured */
-#define LONGEST 0.1      /* s on the wall that one frame may move it by: after a hitch it goes on, it does not leap */
-#define WHOLE_FRAME 1e-6 /* frames: a time that is so near to a whole one is on it */
+#define LOOK 0.5         /* s of wall time over which the achieved speed is measured */
+#define LONGEST 0.1      /* s of wall time per frame, at most: playback does not jump after a delay */
+#define WHOLE_FRAME 1e-6 /* frames: a time this close to a whole frame is on it */
 
 Player player_start(void) {
     return (Player){.playing = true, .in = NAN, .out = NAN, .achieved = NAN};
@@ -28,7 +28,7 @@ void player_normal_speed(Player *player) {
     player->watched = player->moved = 0;
 }
 
-/* Of what is played again and again. */
+/* Returns the beginning of the loop. */
 static double loop_begin(const Player *player, const RecordSpan *span) {
     return isnan(player->in) ? span->begin : fmax(player->in, span->begin);
 }
@@ -46,7 +46,7 @@ double player_wish(const Player *player, double seconds, const RecordSpan *span)
     return wish;
 }
 
-/* What is measured begins anew with each look. */
+/* Measures the achieved speed, and restarts the measurement after LOOK seconds. */
 static void measure(Player *player, double seconds, double moved) {
     player->watched += seconds;
     player->moved += moved;

@@ -1,6 +1,6 @@
-/* The transport: which moment is shown. Wall time moves it on while it plays; what is simulated never sees the clock on
- * the wall. When the record does not come as fast as it is played, the picture waits at its end, and the achieved speed
- * says so. */
+/* The transport: the moment that is shown. While it plays, wall time advances it; the simulation itself never reads the
+ * wall clock. If the simulation is slower than playback, the view waits at the end of the record, and the achieved
+ * speed shows it. */
 #pragma once
 
 #include <stdbool.h>
@@ -11,34 +11,34 @@ enum { PLAYER_SLOWEST = -4 /* powers of two: 1/16 */ };
 
 typedef struct Player {
     bool playing;
-    int power;      /* it is asked to play 2^power times as fast as the laboratory's pace */
-    double time;    /* s, shown */
-    double in, out; /* s, the stretch that is played again and again; NAN: from the beginning, to the end */
+    int power;      /* requested speed: 2^power times the laboratory's pace */
+    double time;    /* s, of the moment shown */
+    double in, out; /* s, ends of the loop; NAN: the beginning, the end */
     bool loops;
-    double achieved;       /* the speed that was reached in the last moments; NAN: not known yet */
-    double watched, moved; /* s on the wall, and as many of `moved` at speed 1, since the last look */
+    double achieved;       /* speed reached recently; NAN: not known yet */
+    double watched, moved; /* s of wall time, and of playback at speed 1, since the last measurement */
 } Player;
 
 Player player_start(void);
 
-/* The speed asked for. */
+/* Returns the requested speed. */
 double player_speed(const Player *player);
 
-/* One step faster or slower, within the ladder of what is played; or back to 1. */
+/* Change the speed by steps of a factor 2, within the span's limits; reset it to 1. */
 void player_change_speed(Player *player, int steps, const RecordSpan *span);
 void player_normal_speed(Player *player);
 
-/* The moment that is wanted after so many s on the wall, which `reach` may not have. */
+/* Returns the time wanted after `seconds` of wall time, which may lie beyond the record. */
 double player_wish(const Player *player, double seconds, const RecordSpan *span);
 
-/* Moves there, as far as the record goes, and measures what came of it. At the end of what is complete it goes round or
+/* Advances to `wish` as far as the record goes and measures the speed. At the end of a complete record it loops or
  * stops. */
 void player_advance(Player *player, double seconds, double wish, const RecordSpan *span);
 
-/* Play, or pause on a whole frame; at the end, from the beginning. */
+/* Play, from the beginning if it is at the end, or pause on a whole frame. */
 void player_toggle(Player *player, const RecordSpan *span);
 void player_pause(Player *player, const RecordSpan *span);
 
-/* To a time within the span; and by so many frames, which pauses. */
+/* Go to a time within the span; step by frames, which pauses. */
 void player_seek(Player *player, double time, const RecordSpan *span);
 void player_step(Player *player, int frames, const RecordSpan *span);

@@ -4,12 +4,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#define NOW_RADIUS 5.0   /* design points, of the disc where a line has come to */
-#define TAIL_WIDTH 3.0   /* of the last piece of a line */
+#define NOW_RADIUS 5.0   /* design points, of the disc at the present end of a line */
+#define TAIL_WIDTH 3.0   /* of the tail of a line */
 #define NEAR 24.0        /* design points: farther points are not read out */
-#define CURSOR_WIDTH 3.0 /* of the upright line */
+#define CURSOR_WIDTH 3.0 /* of the cursor */
 
-/* Which plots ------------------------------------------------------------------------------------------------------ */
+/* Choice of plots -------------------------------------------------------------------------------------------------- */
 
 static void drop_canvas(PlotPane *pane) {
     if (pane->canvas)
@@ -29,7 +29,7 @@ void plot_panes_clear(PlotPanes *panes, PaintGlScreen *screen) {
     panes->count = 0;
 }
 
-/* The index of the plot with a name of so many bytes; the number of plots: there is none. */
+/* Returns the index of the plot with a name of `length` bytes; the number of plots if there is none. */
 static size_t find_plot(const Laboratory *kind, const void *live, const char *name, size_t length) {
     size_t count = kind->plot_count(live), i = 0;
     while (i < count &&
@@ -38,7 +38,7 @@ static size_t find_plot(const Laboratory *kind, const void *live, const char *na
     return i;
 }
 
-/* Takes a plot's chart out of those that there were, with the axes somebody has chosen; a new one: there was none. */
+/* Returns the existing pane of a plot, with its chosen axes, or a new one. */
 static PlotPane take_pane(PlotPanes *before, const LaboratoryPlot *plot) {
     for (size_t i = 0; i < before->count; i++)
         if (strcmp(before->panes[i].live.name, plot->name) == 0) {
@@ -85,7 +85,7 @@ static void set_axes(PlotPane *pane) {
     pane->shown.y.high = axes->y[1];
 }
 
-/* Takes over what the laboratory says now; a canvas for other axes, another size or another theme is made anew. */
+/* Takes over the laboratory's present plot, and rebuilds the canvas if axes, size or theme have changed. */
 static void refresh(PlotPane *pane, const LaboratoryPlot *now, int width, int height, double unit, Theme theme) {
     bool same = pane->canvas && pane->live.revision == now->revision &&
                 pane->shown.series_count == now->plot->series_count && pane->width == width && pane->height == height &&
@@ -127,14 +127,14 @@ static void draw(PlotPane *pane, const Laboratory *kind, const void *live, size_
                              plot_canvas_stride(pane->canvas), changed.x, changed.y, changed.width, changed.height);
 }
 
-/* Over the picture ------------------------------------------------------------------------------------------------- */
+/* Overlays --------------------------------------------------------------------------------------------------------- */
 
-/* Where a value is, design points of the window. */
+/* Returns the place of a value, design points of the window. */
 static Vec2 place_of(const PlotPane *pane, Vec2 value) {
     return vec2_along(pane->place.low, 1 / pane->unit, plot_canvas_place(pane->canvas, value));
 }
 
-/* What the axes enclose, design points of the window. */
+/* Returns the box within the axes, design points of the window. */
 static Box frame_of(const PlotPane *pane) {
     Box frame = plot_canvas_frame(pane->canvas);
     return (Box){vec2_along(pane->place.low, 1 / pane->unit, frame.low),
@@ -154,7 +154,7 @@ static void mark_tail(const PlotPane *pane, const PlotSeries *series, size_t fir
         ui_draw_polyline(ui, points, pieces, false, series->role, TAIL_WIDTH);
 }
 
-/* Where each series has come to. */
+/* Marks the present end of each series. */
 static void mark_present(const PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time,
                          Ui *ui) {
     Box frame = frame_of(pane);
@@ -173,7 +173,7 @@ static void mark_present(const PlotPane *pane, const Laboratory *kind, const voi
     }
 }
 
-/* An upright line with text on it. */
+/* Draws the cursor, a vertical line with a label. */
 static void draw_cursor(const PlotPane *pane, double x, const char *text, Ui *ui) {
     Box frame = frame_of(pane);
     double at = place_of(pane, vec2(x, plot_canvas_value(pane->canvas, vec2(0, 0)).y)).x;

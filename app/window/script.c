@@ -15,13 +15,13 @@
 
 enum {
     LARGEST_FILE = 1 << 20, /* bytes */
-    LINE_WORDS = 6,         /* of a line: the longest command, and one too many */
+    LINE_WORDS = 6,         /* of a line: those of the longest command, and one more */
     PIXELS_MOST = 16384,
 };
 
 /* Grammar ---------------------------------------------------------------------------------------------------------- */
 
-/* What stands where behind the command's word. */
+/* The kind of an argument of a command. */
 typedef enum ArgumentKind {
     ARGUMENT_NONE,
     ARGUMENT_WORD,
@@ -42,8 +42,8 @@ typedef struct Row {
     const char *word;
     const char *usage;
     Argument arguments[SCRIPT_NUMBERS + 1];
-    int least;       /* arguments that must be there */
-    double fallback; /* of the number that is not */
+    int least;       /* required arguments */
+    double fallback; /* value of an omitted number */
 } Row;
 
 #define WORD                                                                                                           \
@@ -96,7 +96,7 @@ const char *script_word(ScriptKind kind) {
 
 /* Words of a line -------------------------------------------------------------------------------------------------- */
 
-/* The file that is read, and the line. */
+/* The file that is read, and the present line. */
 typedef struct Reader {
     Script *script;
     Fault *fault;
@@ -126,12 +126,12 @@ static void fault_at(const Reader *reader, int column, const char *format, ...) 
     memory_free(text);
 }
 
-/* The character that is meant by a backslash and `letter`, or 0. */
+/* Returns the character for a backslash and `letter`, or 0. */
 static char escaped(char letter) {
     return letter == 'n' ? '\n' : letter == 't' ? '\t' : letter == '"' || letter == '\\' ? letter : 0;
 }
 
-/* A quoted word, from behind its first quote on. NULL: a fault says why. */
+/* Reads a quoted word from after its first quote. NULL: a fault says why not. */
 static const char *read_quoted(const Reader *reader, const char **at, const char *end) {
     const char *begin = *at - 1;
     char *word = arena_allocate(&reader->script->arena, (size_t)(end - *at) + 1), *to = word;
@@ -162,7 +162,7 @@ static const char *read_bare(const Reader *reader, const char **at, const char *
     return memcpy(arena_allocate(&reader->script->arena, length + 1), begin, length);
 }
 
-/* How many words there are, at most LINE_WORDS; -1: a fault says what is wrong with one. */
+/* Reads at most LINE_WORDS words and returns their number; -1: a fault says what is wrong with one. */
 static int read_words(const Reader *reader, const char *end, Word words[LINE_WORDS]) {
     int count = 0;
     for (const char *at = reader->begin;; count++) {
@@ -191,7 +191,7 @@ static bool read_double(const char *word, double *value) {
     return *word && !*end && plain && isfinite(*value);
 }
 
-/* How many words and numbers a command has so far. */
+/* The number of words and numbers that a command has so far. */
 typedef struct Filled {
     int words, numbers;
 } Filled;
@@ -252,7 +252,7 @@ static bool read_argument(const Reader *reader, const Argument *argument, const 
     return false;
 }
 
-/* The place of a command's word; SCRIPT_KINDS: a fault names the nearest. */
+/* Returns the kind of a command; SCRIPT_KINDS: it is unknown, and a fault names the nearest one. */
 static ScriptKind kind_of(const Reader *reader, const Word *word) {
     const char *names[SCRIPT_KINDS];
     for (ScriptKind kind = 0; kind < SCRIPT_KINDS; kind++) {
@@ -294,7 +294,7 @@ static void read_command(const Reader *reader, const Word *words, int count) {
         add_command(reader->script, &command);
 }
 
-/* The line up to its end; control characters, which no editor shows, and what is not UTF-8 are faults. */
+/* Checks the characters of a line: control characters, which editors do not show, and invalid UTF-8 are faults. */
 static bool check_characters(const Reader *reader, const char *end) {
     for (const char *c = reader->begin; c < end; c++)
         if (((unsigned char)*c < ' ' && *c != '\t') || *c == 127) {
@@ -350,7 +350,7 @@ const ScriptCommand *script_next(Script *script) {
     return script->at < script->count ? &script->commands[script->at++] : NULL;
 }
 
-/* Doing ------------------------------------------------------------------------------------------------------------ */
+/* Actions ---------------------------------------------------------------------------------------------------------- */
 
 void script_fault(const Script *script, const ScriptCommand *command, Fault *fault, const char *format, ...) {
     va_list arguments;
@@ -361,7 +361,7 @@ void script_fault(const Script *script, const ScriptCommand *command, Fault *fau
     memory_free(text);
 }
 
-/* The value at the end of a way "people.0.time", or NULL; the rest of a way may be one name, "door.d1.width". */
+/* Returns the value at a path "people.0.time", or NULL; the rest of a path may be a single name, "door.d1.width". */
 static const json_t *find_value(const json_t *state, const char *way) {
     const char *at = way;
     while (state && *at) {

@@ -1,5 +1,5 @@
-/* `--script FILE`: what a person would do, as a text file, for tests and lessons. One command a line; words are parted
- * by blanks, and quoted with " when they hold some (\" \\ \n \t within); from # on it is a comment.
+/* `--script FILE`: the actions of a person as a text file, for tests and lessons. One command per line; words are
+ * separated by blanks, and quoted with " if they contain any (\" \\ \n \t within); # begins a comment.
  *
  *     key Ctrl+M        type "2.5"         mouse X Y           click X Y [left|right|double]
  *     drag X1 Y1 X2 Y2  wheel NOTCHES      wait FRAMES         until complete|idle|answered [SECONDS]
@@ -23,15 +23,15 @@ typedef enum ScriptKind {
     SCRIPT_MOUSE, /* numbers: x, y, pixels of the window */
     SCRIPT_CLICK, /* numbers: x, y; choice: ScriptClick */
     SCRIPT_DRAG,  /* numbers: x, y, x, y */
-    SCRIPT_AT,    /* numbers: x, y, m on the floor: the mouse goes there */
-    SCRIPT_PRESS, /* the left button, where the mouse is; choice: 1: the second time of a double click */
+    SCRIPT_AT,    /* numbers: x, y, m on the floor, where the mouse moves to */
+    SCRIPT_PRESS, /* the left button at the position of the mouse; choice 1: the second press of a double click */
     SCRIPT_RELEASE,
-    SCRIPT_HOLD,       /* choice: ScriptHold: that key is held from now on, and no other */
+    SCRIPT_HOLD,       /* choice: ScriptHold, the only modifier that is held from now on */
     SCRIPT_WHEEL,      /* number: notches, up positive */
     SCRIPT_WAIT,       /* number: frames */
     SCRIPT_UNTIL,      /* choice: ScriptUntil; number: s of the wall clock after which it fails */
     SCRIPT_OPEN,       /* word: file */
-    SCRIPT_LABORATORY, /* word: "house", "beam"; choice: 0, 1 */
+    SCRIPT_LABORATORY, /* word: "house", "beam"; choice: index among `laboratories` */
     SCRIPT_SET,        /* words: name, value as typed; number: value, or NAN */
     SCRIPT_PLAY,
     SCRIPT_PAUSE,
@@ -50,7 +50,7 @@ typedef enum ScriptClick { SCRIPT_LEFT, SCRIPT_RIGHT, SCRIPT_DOUBLE } ScriptClic
 typedef enum ScriptHold { SCRIPT_NOTHING, SCRIPT_SHIFT, SCRIPT_CTRL, SCRIPT_ALT } ScriptHold;
 typedef enum ScriptUntil { SCRIPT_COMPLETE, SCRIPT_IDLE, SCRIPT_ANSWERED } ScriptUntil;
 
-enum { SCRIPT_WORDS = 2, SCRIPT_NUMBERS = 4, SCRIPT_PATIENCE = 60 /* s, that `until` waits when it does not say */ };
+enum { SCRIPT_WORDS = 2, SCRIPT_NUMBERS = 4, SCRIPT_PATIENCE = 60 /* s, that `until` waits by default */ };
 
 typedef struct ScriptCommand {
     ScriptKind kind;
@@ -69,21 +69,21 @@ typedef struct Script {
     Arena arena;
 } Script;
 
-/* False: faults `file:line:column: what`, for each line that is wrong, and the script is as it was. */
+/* Reads a script. False: a fault `file:line:column: what` for each invalid line, and `script` is unchanged. */
 bool script_read(Script *script, const char *path, Fault *fault);
 void script_free(Script *script);
 
-/* The next command; NULL: it is over. */
+/* Returns the next command; NULL: the script has ended. */
 const ScriptCommand *script_next(Script *script);
 
-/* The word of a kind, "click". */
+/* Returns the word of a kind, "click". */
 const char *script_word(ScriptKind kind);
 
-/* Adds a fault `file:line:1: what` about a command that could not be done. */
+/* Adds a fault `file:line:1: what` about a command that failed. */
 void script_fault(const Script *script, const ScriptCommand *command, Fault *fault, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* Does `state` have the value that an `expect` names? NAME is a way into it, "answer.title", "people.0.time"; a number
- * is expected within the tolerance, a text exactly, true, false and null by these words. False: a fault says what it
- * is. */
+/* True if `state` has the value that an `expect` names. NAME is a path, "answer.title", "people.0.time"; numbers are
+ * compared within the tolerance, texts exactly, true, false and null by these words. False: a fault gives the actual
+ * value. */
 bool script_expect(const Script *script, const ScriptCommand *command, const json_t *state, Fault *fault);

@@ -153,7 +153,7 @@ static void set_playing(Tab *tab, bool playing) {
         player_toggle(&tab->player, &span);
 }
 
-/* As if by a hand; false: it is another command. */
+/* Runs a command of mouse or keyboard; false: it is another command. */
 static bool run_input(Scripted *scripted, const ScriptCommand *command) {
     const double *numbers = command->numbers;
     switch (command->kind) {
@@ -180,7 +180,7 @@ static bool run_input(Scripted *scripted, const ScriptCommand *command) {
     }
 }
 
-/* The mouse to a place on the floor. */
+/* Moves the mouse to a place on the floor. */
 static void go_to(Scripted *scripted, Window *window, Vec2 floor) {
     const Tab *tab = window_tab(window);
     if (!tab->view_layers.painted)
@@ -279,7 +279,7 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
     }
 }
 
-/* Has come what it waits for? */
+/* True if the condition of `until` is met. */
 static bool has_come(const Scripted *scripted, Window *window) {
     const Tab *tab = window_tab(window);
     if (!tab->live)
@@ -306,7 +306,7 @@ static bool waits(Scripted *scripted, Window *window) {
         return false;
     if (has_come(scripted, window)) {
         scripted->until = NULL;
-        window->dirty = true; /* what follows is seen in a frame of its own */
+        window->dirty = true; /* the next command is drawn in a frame of its own */
         return true;
     }
     if (clock_now() - scripted->since > scripted->until->numbers[0]) {

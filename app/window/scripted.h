@@ -1,4 +1,4 @@
-/* Carries out a script, command by command. */
+/* Runs a script, command by command. */
 #pragma once
 
 #include "window/script.h"
@@ -12,17 +12,16 @@ typedef struct Scripted {
     size_t event_count, event_at;
     double waits;               /* frames */
     const ScriptCommand *until; /* NULL: it waits for nothing */
-    double since;               /* s on the wall, when that began */
+    double since;               /* s of wall time, when waiting began */
 } Scripted;
 
-/* False: faults, and there is no script. */
+/* Opens a script. False: faults say why not. */
 bool scripted_open(Scripted *scripted, const char *path, Fault *fault);
 void scripted_close(Scripted *scripted);
 
-/* After a frame has been drawn and before it is shown. What cannot be done, or is not as expected, goes to standard
- * error and ends the window with exit code 1. At the end of the script it goes on as if there had been none, unless the
- * script quits. */
+/* Advances the script; call it after a frame has been drawn and before it is shown. A command that fails is reported on
+ * standard error and ends the window with exit code 1. After its end the window stays open, unless the script quits. */
 void scripted_advance(Scripted *scripted, Window *window);
 
-/* Is there anything left to do? */
+/* True if the script has not ended. */
 bool scripted_is_busy(const Scripted *scripted);

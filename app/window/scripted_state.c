@@ -10,7 +10,7 @@ static json_t *json_box(const Window *window, Box box) {
     return json_pack("[f,f,f,f]", box.low.x * unit, box.low.y * unit, box.high.x * unit, box.high.y * unit);
 }
 
-/* JSON has no number for what is none. */
+/* Returns a JSON number, or null for NAN and infinity. */
 static json_t *number_or_null(double value) {
     return isfinite(value) ? json_real(value) : json_null();
 }
@@ -32,7 +32,7 @@ static json_t *frame_state(const Window *window) {
     return state;
 }
 
-/* Of each plot that is shown: its axes, and where its cursor stands. */
+/* Returns the axes and the cursor of each plot that is shown. */
 static json_t *plot_panes_state(const PlotPanes *panes) {
     json_t *state = json_object();
     for (size_t i = 0; i < panes->count; i++) {
@@ -67,7 +67,7 @@ static json_t *choices_state(const Tab *tab) {
     return state;
 }
 
-/* What the panel lists, cell by cell. */
+/* Returns the rows of the panel, cell by cell. */
 static json_t *rows_state(const Tab *tab) {
     size_t count;
     const PanelRow *rows = tab->kind->rows(tab->live, &count);
@@ -98,7 +98,7 @@ static json_t *command_state(const Tab *tab) {
     return state;
 }
 
-/* Words of all marks, as they are seen. */
+/* Returns the labels of all marks. */
 static json_t *marks_state(const GestureView *gesture) {
     static const char *const kinds[] = {
         [MARK_OUTLINE] = "outline", [MARK_LINE] = "line",     [MARK_GUIDE] = "guide", [MARK_DIMENSION] = "dimension",
@@ -163,7 +163,7 @@ static void add_editor(json_t *state, Window *window, const Tab *tab) {
     json_object_set_new(state, "proposing", text_or_null(doing));
 }
 
-/* Where 0, 0 is in the window, and how long a metre to the right and one up the plan: pixels. */
+/* Returns the places of (0, 0), (1, 0) and (0, 1) m in the window, pixels. */
 static json_t *floor_state(const Window *window, const Tab *tab) {
     Vec2 places[] = {{0, 0}, {1, 0}, {0, 1}};
     json_t *state = json_array();

@@ -1,9 +1,9 @@
-/* The window's state as a script asks for it: where its parts lie, what it shows, and what the laboratory says. */
+/* The window's state for scripts: the places of its parts, what it shows, and the laboratory's results. */
 #pragma once
 
 #include <jansson.h>
 
 #include "window/window_state.h"
 
-/* All that can be asked for; new, json_decref it. */
+/* Returns the whole state, to be released by json_decref. */
 json_t *scripted_state_of(Window *window);

@@ -7,12 +7,12 @@
 #include "base/text.h"
 #include "laboratory/edit/editor.h"
 
-#define LEAST_SEEN 8.0 /* m, of what can be edited: a house begins with nothing */
-#define ASPECT 1.5     /* of what has no size */
+#define LEAST_SEEN 8.0 /* m of an editable plan that are always visible: a new house is empty */
+#define ASPECT 1.5     /* of contents without a size */
 #define ZOOM_LEAST 0.2
 #define ZOOM_MOST 64.0
-#define ZOOM_NEAR 3.0   /* times its size is seen around what is selected */
-#define FOLLOW_FREE 0.2 /* of the view: who is followed moves freely within it */
+#define ZOOM_NEAR 3.0   /* times the size of the selection that zooming to it shows */
+#define FOLLOW_FREE 0.2 /* of the view, within which a followed person moves freely */
 
 Tab tab_make(const Laboratory *kind) {
     return (Tab){.kind = kind,
@@ -44,7 +44,7 @@ static void keep_shape(Tab *tab) {
     tab->aspect = width > 0 && height > 0 ? width / height : ASPECT;
 }
 
-/* All of it, but never from so near that there is no room to draw. */
+/* Fits the camera to the whole plan, but leaves room to draw in a small one. */
 static void fit(Tab *tab) {
     keep_shape(tab);
     tab->handled = false;
@@ -57,7 +57,7 @@ bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, Pain
     void *live = tab->kind->open(path, options, fault);
     if (!live)
         return false;
-    char *kept = path ? text_copy(path) : NULL; /* it may be the path of what is closed */
+    char *kept = path ? text_copy(path) : NULL; /* copied first: it may belong to what is closed */
     plot_panes_clear(&tab->panes, screen);
     drop_live(tab);
     tab->live = live;
@@ -75,7 +75,7 @@ bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, Pain
     return true;
 }
 
-/* What a thing takes up now, m; false: it is nowhere. */
+/* Finds the box of an item now, m; false: it is not in the view. */
 static bool box_of(const Tab *tab, Item thing, Box *box) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
     if (!tab->live || !thing.kind)
@@ -87,7 +87,7 @@ static bool box_of(const Tab *tab, Item thing, Box *box) {
     return count > 0;
 }
 
-/* Keeps what is followed in the middle of the view. */
+/* Keeps the followed item in the middle of the view. */
 static void follow(Tab *tab) {
     Box box;
     Item thing = tab->kind->selected(tab->live);
@@ -101,7 +101,7 @@ static void follow(Tab *tab) {
     tab_pan(tab, vec2_sub(view_layers_floor(&tab->view_layers, at), view_layers_floor(&tab->view_layers, middle)));
 }
 
-/* How many times as large a box is that fits the same place as another one. */
+/* Returns the ratio of the scales at which two boxes fit the view. */
 static double fitting(const Tab *tab, Box box, Box other) {
     Box place = tab->view_layers.still.plan;
     double aspect = box_height(place) > 0 ? box_width(place) / box_height(place) : tab->aspect;
@@ -116,7 +116,7 @@ Editor *tab_editor(const Tab *tab) {
     return tab->live && tab->kind->editor ? tab->kind->editor(tab->live) : NULL;
 }
 
-/* A plan that becomes larger or smaller under the hand does not move before the eye. */
+/* Keeps the view still while an edit changes the size of the plan. */
 static void keep_eye(Tab *tab) {
     Box box = tab->kind->still(tab->live)->box, shape = tab->shape;
     Editor *editor = tab_editor(tab);
@@ -154,7 +154,7 @@ unsigned tab_update(Tab *tab, double seconds) {
     follow(tab);
     if (changes & LABORATORY_VIEW) {
         keep_eye(tab);
-        changes |= kind->update(tab->live, tab->player.time); /* it is looked at so from this moment on */
+        changes |= kind->update(tab->live, tab->player.time); /* the new camera applies from now on */
         view_layers_invalidate(&tab->view_layers);
     }
     if (changes & LABORATORY_PLOTS)

@@ -1,4 +1,4 @@
-/* A laboratory in the window: what is open in it, which moment is shown, and how it is looked at. */
+/* A laboratory in the window: the open file, the moment shown, and the camera. */
 #pragma once
 
 #include "laboratory/laboratory.h"
@@ -10,59 +10,59 @@ typedef struct Tab {
     const Laboratory *kind;
     void *live;       /* NULL: nothing is open */
     char *path;       /* of the file; NULL: it has none */
-    char *origin;     /* of what was recovered: the file that it was of, or NULL */
-    const char *mark; /* " [Recovered]", " [Imported]": no file of its own holds it; otherwise NULL */
+    char *origin;     /* the file that recovered edits belong to, or NULL */
+    const char *mark; /* " [Recovered]", " [Imported]": it has no file of its own; otherwise NULL */
     Player player;
     Camera camera;
-    unsigned layers;   /* shown where there is room for them, bits */
-    bool cramped;      /* letters are so large that names have no room */
-    bool named;        /* they are shown all the same */
-    bool follows;      /* what is selected stays in the middle */
-    double aspect;     /* width over height that the view is laid out for: it stays while the plan changes */
+    unsigned layers;   /* bits of the layers shown where they fit */
+    bool cramped;      /* the text is so large that names do not fit */
+    bool named;        /* names are shown nevertheless */
+    bool follows;      /* the selection stays in the middle of the view */
+    double aspect;     /* width over height that the window is laid out for; it stays while the plan is edited */
     Box shape;         /* m, that the camera is fitted to */
-    bool fits;         /* all of it is seen, as nobody has looked nearer */
-    bool handled;      /* somebody has edited it: it does not move before the eye any more */
-    const char *plots; /* names of those shown, separated by commas; not owned */
+    bool fits;         /* the camera shows everything: it has not been moved */
+    bool handled;      /* it has been edited, so the view stays still */
+    const char *plots; /* names of the plots shown, separated by commas; not owned */
     ViewLayers view_layers;
     PlotPanes panes;
-    bool plot_panes_stale; /* they are to be chosen anew */
-    double worked;         /* s on the wall, that simulating has taken */
+    bool plot_panes_stale; /* the panes must be chosen again */
+    double worked;         /* s of wall time spent simulating */
 } Tab;
 
-/* Of a laboratory, empty. tab_close releases what it holds. */
+/* Makes an empty tab of a laboratory; tab_close releases what it holds. */
 Tab tab_make(const Laboratory *kind);
 void tab_close(Tab *tab, PaintGlScreen *screen);
 
-/* Opens a file in place of what is open. False: faults say why, and what is open stays. */
+/* Opens a file in place of the present one. False: faults say why not, and the present one stays open. */
 bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, PaintGlScreen *screen, Fault *fault);
 
-/* Moves on by so many s on the wall, and takes over what has come since; returns LIVE_... */
+/* Advances by `seconds` of wall time and takes over new results; returns a sum of LABORATORY_VIEW and the like. */
 unsigned tab_update(Tab *tab, double seconds);
 
-/* The layers that are shown now; shows or hides one; where letters are large, names are hidden at first. */
+/* Return the layers shown; show or hide one; set whether the text is so large that names are hidden at first. */
 unsigned tab_layers(const Tab *tab);
 void tab_toggle_layer(Tab *tab, size_t layer);
 void tab_set_cramped(Tab *tab, bool cramped);
 
-/* Shows what is in the camera now. */
+/* Applies the camera to the view. */
 void tab_apply_camera(Tab *tab);
 
-/* Enlarges about a place, m, that stays where it is; moves what is seen; shows all. */
+/* Zoom about a place, m, that stays fixed; pan; fit the whole plan. */
 void tab_zoom(Tab *tab, double times, Vec2 about);
 void tab_pan(Tab *tab, Vec2 metres);
 void tab_fit(Tab *tab);
 
-/* Selects a thing; brings what is selected before the eye. */
+/* Select an item; zoom to the selection. */
 void tab_select(Tab *tab, Item thing);
 void tab_show_selected(Tab *tab);
 
-/* Shows a moment. */
+/* Goes to a time. */
 void tab_seek(Tab *tab, double time);
 
 /* True if closing it would lose edits. */
 bool tab_unsaved(const Tab *tab);
 
-/* The editor of what is open; NULL: nothing is open, or it cannot be edited. */
+/* Returns the editor of what is open; NULL: nothing is open, or it cannot be edited. */
 Editor *tab_editor(const Tab *tab);
 
 /* Returns its title with its mark in the arena: "L corridor (edited)", "L corridor [Recovered]". */

@@ -23,13 +23,13 @@ static Vec2 middle_of(Box box) {
 typedef struct Row {
     Window *window;
     Box bar;
-    double left, right; /* what is still free */
+    double left, right; /* edges of the free part */
 } Row;
 
-/* A button for an action, at the left or at the right of what is free. */
+/* Adds a button for an action at the left or right end of the free part. */
 static void add_button(Row *row, Action action, const char *label, bool chosen, bool at_right) {
     double pad = row->window->frame.compact ? BUTTON_PAD / 2 : BUTTON_PAD;
-    const char *widest = action == ACTION_PLAY ? "Pause" : label; /* nothing moves when its text change */
+    const char *widest = action == ACTION_PLAY ? "Pause" : label; /* the width does not change with the label */
     double width = fmax(ui_extent(row->window->ui, UI_BOLD, widest).x + pad, LEAST_BUTTON);
     double left = at_right ? row->right - width : row->left;
     ui_at(row->window->ui, (Box){{left, row->bar.low.y + MARGIN}, {left + width, row->bar.high.y - MARGIN}});
@@ -43,7 +43,7 @@ static void add_button(Row *row, Action action, const char *label, bool chosen, 
         row->left = left + width + GAP;
 }
 
-/* The text keep their place whatever they are. */
+/* Adds a text whose place does not depend on its length. */
 static void add_text(Row *row, UiTextStyle size, const char *text, const char *widest, bool at_right) {
     double width = fmax(ui_extent(row->window->ui, size, text).x, ui_extent(row->window->ui, size, widest).x);
     double left = at_right ? row->right - width : row->left, y = middle_of(row->bar).y;
@@ -55,7 +55,7 @@ static void add_text(Row *row, UiTextStyle size, const char *text, const char *w
         row->left = left + width + 2 * GAP;
 }
 
-/* "2x", "1/4x"; asked and, while it plays, achieved. */
+/* Returns the requested speed and, while it plays, the achieved one: "2x (1.9x)", "1/4x". */
 static const char *speed_text(Window *window, const Player *player) {
     double speed = player_speed(player);
     const char *asked =
@@ -83,7 +83,8 @@ static double time_at(const Track *track, double x) {
     return track->span.begin + part * (track->span.end - track->span.begin);
 }
 
-/* Marks differ by shape: a touch is a stroke below, an exit a diamond, a change a box, trouble a stroke through. */
+/* Draws the marks, which differ by shape: a contact is a line below, an exit a diamond, a change a box, an error a line
+ * across. */
 static void show_ticks(Ui *ui, const Track *track, const Tab *tab) {
     size_t count;
     const TimelineMark *ticks = tab->kind->ticks(tab->live, &count);

@@ -1,4 +1,4 @@
-/* The transport: buttons, clock, the line of time with its marks, speed. */
+/* The transport: buttons, clock, timeline with its marks, speed. */
 #pragma once
 
 #include "window/window_state.h"

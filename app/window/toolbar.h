@@ -1,4 +1,4 @@
-/* The tools, left of the view. */
+/* The toolbar, left of the view. */
 #pragma once
 
 #include "window/window_state.h"

@@ -9,9 +9,9 @@
 #include "window/notice.h"
 #include "window/plan_input.h"
 
-enum { SIDE_MOST = 4096 /* pixels: a larger picture is shown smaller */, PIXELS_MOST = 1 << 26, HEAD = 24 /* bytes */ };
+enum { SIDE_MOST = 4096 /* pixels: larger pictures are scaled down */, PIXELS_MOST = 1 << 26, HEAD = 24 /* bytes */ };
 
-/* The width and height that a PNG file says; false: a line says what it is instead. */
+/* Reads the width and height of a PNG file; false: a message says what is wrong with the file. */
 static bool read_head(Window *window, const char *path, double *width, double *height) {
     unsigned char head[HEAD];
     FILE *file = fopen(path, "rb");
@@ -32,7 +32,7 @@ static bool read_head(Window *window, const char *path, double *width, double *h
     return false;
 }
 
-/* On white, no larger than a graphics card takes. */
+/* Returns the picture on white, at most as large as graphics cards accept. */
 static cairo_surface_t *shrunk(cairo_surface_t *picture, double width, double height) {
     double scale = fmin(1, SIDE_MOST / fmax(width, height));
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)fmax(1, round(scale * width)),

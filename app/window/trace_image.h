@@ -1,8 +1,8 @@
-/* The picture to trace over, on the floor of what is edited. */
+/* The picture to trace, on the floor of the plan. */
 #pragma once
 
 #include "window/window_state.h"
 
-/* Draws it over the view, within the view's pane; a file that cannot be read is said once. */
+/* Draws the picture within the view's pane; posts one message about a file that cannot be read. */
 void trace_image_show(Window *window);
 void trace_image_clear(Window *window);

@@ -33,7 +33,7 @@ static void paint_still(ViewLayers *view_layers, const Scene *scene) {
     view_layers->painted = true;
 }
 
-/* Lays the layer over what stays. */
+/* Adds a layer to the picture. */
 static void add_more(ViewLayers *view_layers, const Scene *scene) {
     if (!scene->count)
         return;
@@ -46,7 +46,7 @@ void view_layers_show(ViewLayers *view_layers, const Laboratory *kind, void *liv
         return;
     if (!view_layers->painted) {
         paint_still(view_layers, kind->still(live));
-        kind->show(live, kind->span(live).begin); /* back, so that what is added next is all of it */
+        kind->show(live, kind->span(live).begin); /* back to the beginning, so that `added` holds everything */
         add_more(view_layers, kind->added(live));
     }
     if (!kind->show(live, time))

@@ -24,18 +24,18 @@
 #include "window/trace_image.h"
 #include "window/window_state.h"
 
-enum { WIDTH = 1280, HEIGHT = 720 /* pixels, of a window that is new */ };
+enum { WIDTH = 1280, HEIGHT = 720 /* pixels of a new window */ };
 
-#define PRESENT_TEXT 1.5   /* times the size of letters, in front of a class */
-#define NOTE_STAY 6.0      /* s, that a line is seen which nobody has to act on: F7 keeps it */
+#define PRESENT_TEXT 1.5   /* times the text size, in presentation mode */
+#define NOTE_STAY 6.0      /* s, that a note stays visible; the log (F7) keeps it */
 #define IDLE_WAIT 0.05     /* s, for an event, while nothing moves */
-#define LEAST_UNIT 0.75    /* pixels a design point: letters are read on the smallest window, too */
+#define LEAST_UNIT 0.75    /* pixels per design point, so that the text is legible in the smallest window */
 #define SOUND_MOST 4096    /* samples a frame */
 #define BENCHMARK_WARM 3.0 /* s, before frames are counted */
 
 /* Keys ------------------------------------------------------------------------------------------------------------- */
 
-/* What kind of place has the focus. */
+/* Returns the kind of place that has the focus. */
 static KeyPlace place_of(const Window *window) {
     const char *pane = ui_focus_pane(window->ui);
     if (window->dialog != DIALOG_NONE)
@@ -55,7 +55,7 @@ typedef struct WidgetKey {
     bool control;
 } WidgetKey;
 
-/* The widgets' key, or UI_KEYS. */
+/* Returns the key for the widgets, or UI_KEYS if they have no use for it. */
 static UiKey widget_key(const SdlWindowEvent *event) {
     static const WidgetKey known[] = {
         {"Return", UI_KEY_ENTER, false},
@@ -95,12 +95,12 @@ static bool give_to_widgets(Window *window, const SdlWindowEvent *event) {
     return ui_key(window->ui, key, event->mods & SDL_WINDOW_EVENT_SHIFT, event->mods & SDL_WINDOW_EVENT_CONTROL);
 }
 
-/* What an open field has a meaning of its own for. */
+/* True for actions whose keys mean something else in a text field. */
 static bool is_of_field(Action action) {
     return action == ACTION_COPY_COMMAND || action == ACTION_UNDO || action == ACTION_REDO;
 }
 
-/* An open field has the letters; then what the focus is on; then the table; then the widgets again. */
+/* Handles a key: first the open text field, then the focused widget, then the table of keys, then the widgets again. */
 static void do_key(Window *window, const SdlWindowEvent *event) {
     KeyPlace place = place_of(window);
     bool view = place == KEY_VIEW || place == KEY_PLAN;
@@ -117,7 +117,7 @@ static void do_key(Window *window, const SdlWindowEvent *event) {
         give_to_widgets(window, event);
 }
 
-/* What is in the hand comes first. */
+/* Handles a key; a gesture comes first. */
 static void handle_key(Window *window, const SdlWindowEvent *event) {
     if (place_of(window) == KEY_PLAN && (plan_input_key(window, event) || plan_input_store_key(window, event)))
         return;
@@ -125,7 +125,7 @@ static void handle_key(Window *window, const SdlWindowEvent *event) {
     do_key(window, event);
 }
 
-/* The letters of the key that waited, or NULL: it types none. */
+/* Ends the wait of a stored key, with its text or NULL if it types none. */
 static void end_waiting(Window *window, const char *text) {
     if (!plan_input_apply_text(window, text))
         do_key(window, &window->plan_input.key);
@@ -133,7 +133,7 @@ static void end_waiting(Window *window, const char *text) {
 
 /* Events ----------------------------------------------------------------------------------------------------------- */
 
-/* A field that is open has what is typed, otherwise what is in the hand. */
+/* Passes typed text to the open text field, otherwise to the gesture. */
 static void type(Window *window, const char *text) {
     bool fresh = !window->plan_input.done && place_of(window) == KEY_PLAN && !ui_types(window->ui);
     window->plan_input.done = false;
@@ -181,7 +181,7 @@ static void handle_event(Window *window, const SdlWindowEvent *event) {
     }
 }
 
-/* A press and its release must be seen in two frames: the second waits. */
+/* Handles events up to a press or release: a press and its release must fall in two frames. */
 static void handle_events(Window *window, double wait) {
     SdlWindowEvent event;
     bool waited = window->plan_input.waits;
@@ -192,13 +192,13 @@ static void handle_events(Window *window, double wait) {
     }
     if (waited && window->plan_input.waits) {
         end_waiting(window, NULL);
-        window->plan_input.done = true; /* should its letters come late, they are done */
+        window->plan_input.done = true; /* text that comes later has been handled already */
     }
 }
 
 /* Frames ----------------------------------------------------------------------------------------------------------- */
 
-/* On whole pixels, so that pictures are copied and not blurred. */
+/* Rounds a box to whole pixels, so that pictures are copied without blur. */
 static Box snapped(const Window *window, Box box) {
     double unit = window->unit;
     return (Box){{round(box.low.x * unit) / unit, round(box.low.y * unit) / unit},
@@ -266,7 +266,7 @@ static void draw(Window *window, double seconds) {
     fill_input(window, seconds);
     ui_begin(window->ui, &window->input);
     show_panes(window);
-    plan_input_hold_clock(window); /* behind the sliders, which still move in the frame in which they are let go */
+    plan_input_hold_clock(window); /* after the sliders, which still move in the frame of their release */
     ui_end(window->ui);
     window->input.wheel = 0;
     window->input.twice = false;
@@ -309,7 +309,7 @@ static void make_sound(Window *window, const Tab *tab, double before) {
         sound_hush(window->sound);
 }
 
-/* What is being written by a child has come to its end. */
+/* Ends an export when its child process has ended. */
 static void end_export(Window *window) {
     if (!window->export)
         return;
@@ -324,7 +324,7 @@ static void end_export(Window *window) {
     window->export = NULL;
 }
 
-/* What was merely said goes by itself; what went wrong stays until it is put away. */
+/* Dismisses a note after a while; errors stay until a person dismisses them. */
 static void dismiss_old_note(Window *window) {
     const Message *last = messages_last(&window->messages);
     if (last && last->number != window->noted) {
@@ -338,7 +338,7 @@ static void dismiss_old_note(Window *window) {
     }
 }
 
-/* The system's frame says the same as the menu. */
+/* Shows the same title in the system's frame as in the menu. */
 static void show_title(Window *window) {
     const Tab *tab = window_tab(window);
     char title[WINDOW_TITLE];
@@ -441,7 +441,7 @@ static bool create_sdl_window(Window *window, Fault *fault) {
     window->screen = paint_gl_screen_create(sdl_window_gl(window->sdl_window));
     if (!sdl_window_is_seen(window->sdl_window))
         paint_gl_screen_leave_window(
-            window->screen); /* without a display a window's own picture keeps its first size */
+            window->screen); /* without a display the window's own framebuffer keeps its first size */
     window->ui = ui_create(window->screen, window->theme,
                            (UiClipboard){sdl_window_clipboard, sdl_window_set_clipboard, window->sdl_window});
     window->mouse = vec2(-1, -1);
@@ -485,7 +485,7 @@ static void loop(Window *window, Scripted *scripted) {
         frame_timer_print(&window->frame_timer, window_tab(window)->kind->name, window->width, window->height);
 }
 
-/* The first file: what was asked for, or what is opened when nothing is. */
+/* Opens the requested file, or the default one. */
 static void open_first(Window *window) {
     files_start(window);
     const char *file = window->options->file;

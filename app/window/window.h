@@ -1,4 +1,4 @@
-/* The window. */
+/* The interactive window. */
 #pragma once
 
 #include <stdbool.h>
@@ -12,15 +12,15 @@ typedef struct WindowOptions {
     const char *route; /* id, or NULL */
     int driving;       /* Driving, or -1 */
     uint64_t seed;
-    int width, height;   /* pixels; 0: as remembered */
-    int theme;           /* Theme; -1: as remembered */
-    int text;            /* 1 to 3; 0: as remembered */
-    bool reduced_motion; /* otherwise as remembered */
+    int width, height;   /* pixels; 0: from the settings */
+    int theme;           /* Theme; -1: from the settings */
+    int text;            /* 1 to 3; 0: from the settings */
+    bool reduced_motion; /* false: from the settings */
     const char *script;  /* file, or NULL */
     double benchmark;    /* s; 0: none */
     double benchmark_edit;
     int jobs; /* threads */
 } WindowOptions;
 
-/* Runs until it is closed; returns the program's exit code. */
+/* Runs the window until it is closed, and returns the program's exit code. */
 int window_run(const WindowOptions *options);

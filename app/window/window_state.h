@@ -1,4 +1,4 @@
-/* All that the window is made of; its parts, each in a file of its own, are functions of it. */
+/* The state of the window. Its parts, each in a file of its own, are functions of it. */
 #pragma once
 
 #include "laboratory/edit/editor.h"
@@ -19,7 +19,7 @@
 #include "widgets/ui.h"
 #include "window/window.h"
 
-/* What lies over the window, one at a time. */
+/* The dialogs, one of which is shown at a time. */
 typedef enum Dialog {
     DIALOG_NONE,
     DIALOG_MENU,
@@ -31,44 +31,44 @@ typedef enum Dialog {
     DIALOG_MESSAGES,
     DIALOG_EXPLAIN,
     DIALOG_ABOUT,
-    DIALOG_LEAVE,     /* something is not saved */
-    DIALOG_RECOVERED, /* something was left behind by a program that ended otherwise than it should */
+    DIALOG_LEAVE,     /* edits are not saved */
+    DIALOG_RECOVERED, /* a program that crashed has left edits */
     DIALOGS,
 } Dialog;
 
-/* What the hand does to what is edited. */
+/* The state of mouse and keys over the plan. */
 typedef struct PlanInput {
-    Pointer pointer;    /* as last told, */
-    bool pointer_known; /* if ever */
-    bool free;          /* there is no snapping until it is wished for again */
-    bool number;        /* one is being changed by its slider */
-    bool holds;         /* the clock, */
-    bool plays_on;      /* and it goes on afterwards */
-    bool waits;         /* the key, for the letters that it types */
-    bool done;          /* a key was, of itself: the letters that it types are nobody's */
+    Pointer pointer;    /* as last sent to the editor, */
+    bool pointer_known; /* if it was ever sent */
+    bool free;          /* snapping is off */
+    bool number;        /* a slider is being dragged */
+    bool holds;         /* playback is paused by a gesture, */
+    bool plays_on;      /* and resumes afterwards */
+    bool waits;         /* `key` waits for its text */
+    bool done;          /* the key was handled, so its text is ignored */
     SdlWindowEvent key;
 } PlanInput;
 
-/* When what is edited is to be written for the case of a crash. */
+/* When the recovery file must be written. */
 typedef struct Watch {
-    uint64_t state; /* of the steps, as last seen, */
-    double since;   /* s on the wall, and since when */
-    bool waits;     /* it is not written yet */
-    bool written;   /* something is */
+    uint64_t state; /* number of the edits' state, see autosave.c, */
+    double since;   /* s of wall time, since that state */
+    bool waits;     /* the state is not written yet */
+    bool written;   /* the recovery file exists */
     bool failed;
 } Watch;
 
-/* What is to be done once what is open has been saved, or need not be. */
+/* What follows after the question whether to save. */
 typedef enum Leave { LEAVE_NOTHING, LEAVE_QUIT, LEAVE_OPEN, LEAVE_NEW } Leave;
 
-/* What --benchmark-edit measures. */
+/* The measurements of --benchmark-edit. */
 typedef struct EditBenchmark {
-    double begun; /* s on the wall, when the piece was taken up; 0: not yet */
-    Vec2 middle;  /* m, of the piece then */
+    double begun; /* s of wall time, when the piece was grabbed; 0: not yet */
+    Vec2 middle;  /* m, of the piece at that time */
     size_t steps;
-    bool waits;      /* for an answer, */
-    int frames;      /* since so many, */
-    double edited;   /* since that moment */
+    bool waits;      /* for a result, */
+    int frames;      /* frames since the step, */
+    double edited;   /* s of wall time of the step */
     double *answers; /* (count) s */
     size_t count, capacity, missed;
 } EditBenchmark;
@@ -82,20 +82,20 @@ typedef struct Window {
     Ui *ui;
     Settings settings;
     Messages messages;
-    size_t dismissed;                     /* number of the last message that was put away */
-    size_t noted;                         /* number of the last message that was seen, */
-    double noted_at;                      /* s on the wall, and since when */
-    Gallery *gallery;                     /* NULL: not looked at yet */
+    size_t dismissed;                     /* number of the last dismissed message */
+    size_t noted;                         /* number of the last message noticed, */
+    double noted_at;                      /* s of wall time, since that state */
+    Gallery *gallery;                     /* NULL: not opened yet */
     ScreenTexture pictures[GALLERY_MOST]; /* of its items */
     Sound *sound;                         /* NULL: off */
-    Export *export;                       /* NULL: nothing is being written */
+    Export *export;                       /* NULL: no export runs */
     Tab *tabs;                            /* (laboratories_count) */
     size_t current;
 
     Theme theme;
-    double text; /* size of letters, 1 to 3 */
+    double text; /* text size, 1 to 3 */
     bool present, panel, plots, fullscreen, more;
-    bool drawer;  /* the panel is open where it lies over the view */
+    bool drawer;  /* the panel is open as a drawer over the view */
     bool reduced; /* nothing moves but what is simulated */
 
     int width, height; /* pixels */
@@ -105,26 +105,26 @@ typedef struct Window {
     Vec2 mouse; /* pixels */
 
     Dialog dialog;
-    KeyMenu menu; /* which one is open */
+    KeyMenu menu; /* the open menu */
     Folder folder;
-    char field[WINDOW_PATH]; /* typed into a sheet */
-    char hold[WINDOW_PATH];  /* explained by a sheet */
+    char field[WINDOW_PATH]; /* text typed into a dialog */
+    char hold[WINDOW_PATH];  /* text of DIALOG_EXPLAIN */
 
     PlanInput plan_input;
-    ScreenTexture trace_image; /* of the picture to trace over, */
+    ScreenTexture trace_image; /* of the picture to trace, */
     char *trace_image_path;    /* from this file; NULL: none */
     Leave leave;
     char leave_path[WINDOW_PATH]; /* of LEAVE_OPEN */
-    Recovery *recovery;           /* what there is for the next time; NULL: there is no place for it */
+    Recovery *recovery;           /* the recovery file; NULL: there is no folder for it */
     Watch watch;
-    char title[WINDOW_TITLE]; /* that the system shows */
-    RecoveryFound *found;     /* (found_count) of times before */
+    char title[WINDOW_TITLE]; /* in the system's frame */
+    RecoveryFound *found;     /* (found_count) recovery files of earlier runs */
     size_t found_count;
 
     FrameTimer frame_timer;
     EditBenchmark edit_benchmark;
     size_t inputs; /* presses and releases of keys and buttons that were handled, without repeated keys */
-    bool dirty;    /* something has changed that is to be seen */
+    bool dirty;    /* a new frame must be drawn */
     bool quit;
     int code;    /* exit code */
     Arena arena; /* of this frame */
