@@ -115,7 +115,7 @@ static void set_figures(Sheet *sheet, const Block *block) {
     sheet->y += height;
 }
 
-/* Words -------------------------------------------------------------------------------------------------------------*/
+/* Texts -------------------------------------------------------------------------------------------------------------*/
 
 static void set_text(Sheet *sheet, const char *text, TextStyle style) {
     PangoLayout *layout = layout_of(text, style);

@@ -28,7 +28,7 @@ static void add_detail(Document *document, const House *house, const Observation
     document_add_scene(document, &scene, DETAIL_SIZE, caption, alternative);
 }
 
-/* Where somebody is stopped -----------------------------------------------------------------------------------------*/
+/* Stops -------------------------------------------------------------------------------------------------------------*/
 
 static const char *format_hold(Document *document, const House *house, const Hold *hold) {
     const Blockage *blockage = &hold->blockage;

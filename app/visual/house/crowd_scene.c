@@ -103,7 +103,7 @@ void crowd_scene_answer(Scene *scene, const House *house, const Observation *obs
         scene_text(scene, alone ? "each route alone, %s, %s" : "%s, %s", mean_times(scene, census), contacts);
 }
 
-/* Ways --------------------------------------------------------------------------------------------------------------*/
+/* Loci --------------------------------------------------------------------------------------------------------------*/
 
 /* Lists points of a trail at least `step` apart, and its end; returns their number. */
 static size_t thin_trail(const Trail *trail, double step, Vec2 *points) {
@@ -261,7 +261,7 @@ void crowd_scene_ways(Scene *scene, const House *house, const Observation *obser
     trail_free_list(trails);
 }
 
-/* Words -------------------------------------------------------------------------------------------------------------*/
+/* Labels ------------------------------------------------------------------------------------------------------------*/
 
 static void add_hold_label(Scene *scene, const Hold *hold) {
     bool blocked = hold->reason == REASON_BLOCKED;

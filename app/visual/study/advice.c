@@ -174,7 +174,7 @@ static void add_reason(Text *text, const Types *types, const Experiment *experim
     text_add(text, ".\n");
 }
 
-/* What is beyond -------------------------------------------------------------------------------------------------- */
+/* Neighbours ------------------------------------------------------------------------------------------------------ */
 
 /* Returns the nearer side of a parameter on which a change was found; NULL: none. */
 static const Neighbour *nearer_side(const TypesParameter *parameter) {
