@@ -50,8 +50,7 @@ static void find_files(Paths *paths, const char *file, Fault *fault) {
     struct dirent **entries;
     int count = scandir(file, &entries, is_case_file, alphasort);
     if (count <= 0)
-        fault_add(fault, "%s:1:1: %s", file,
-                  count < 0 ? "cannot be read" : "there is no case here, must hold .json files");
+        fault_add(fault, "%s:1:1: %s", file, count < 0 ? "cannot be read" : "the directory holds no .json files");
     for (int i = 0; i < count; i++) {
         add_path(paths, file, entries[i]->d_name);
         free(entries[i]);
@@ -67,8 +66,8 @@ static Verification *read_cases(const Paths *paths, Fault *fault) {
         verification_read(&cases[i], paths->at[i], fault);
         for (size_t k = 0; k < i && fault->total == before; k++)
             if (cases[k].id && strcmp(cases[k].id, cases[i].id) == 0)
-                fault_add(fault, "%s:1:1: the id \"%s\" is that of %s, must be another", paths->at[i], cases[i].id,
-                          paths->at[k]);
+                fault_add(fault, "%s:1:1: the id \"%s\" is already used by %s; ids must be unique", paths->at[i],
+                          cases[i].id, paths->at[k]);
     }
     return cases;
 }
@@ -144,7 +143,7 @@ static bool all_passed(const Verification *cases, size_t count) {
 
 static int answer(const Verification *cases, size_t count, const Options *options, Fault *fault) {
     if (progress_interrupted)
-        fprintf(stderr, "clearance: interrupted; tests that had been run are kept\n");
+        fprintf(stderr, "clearance: interrupted; the results of finished tests are kept\n");
     bool written = !options->out || write_tables(cases, count, options);
     if (options->json)
         answer_print(cases_text_json(cases, count, options->seed));

@@ -124,7 +124,7 @@ static void print_answer(const House *house, const Journeys *journeys) {
         if (!many || census.parties[census.party_of[i]].people == 1)
             print_person(house, i, &journeys->of[i].route);
     if (!house->person_count)
-        printf("no faults; nobody lives here\n");
+        printf("no errors; the house has no people\n");
     census_clear(&census);
     observation_free(&observation);
 }

@@ -50,7 +50,7 @@ static int write_picture(const House *house, const Options *options, const char 
 static bool is_there(const char *path) {
     bool there = path && access(path, F_OK) == 0;
     if (there)
-        fprintf(stderr, "clearance: %s is there already and is not written over: --out says another place\n", path);
+        fprintf(stderr, "clearance: %s exists and is not overwritten; choose another file with --out\n", path);
     return there;
 }
 

@@ -26,7 +26,7 @@ int frames_check(const Options *options) {
     else if (options->measured)
         fprintf(stderr, "clearance: --measured is for beams, %s is a house\n", options->files[0]);
     else if (options->plots.count && !options->out && !options->movie)
-        fprintf(stderr, "clearance: --plots needs --out DIR, where they are written\n");
+        fprintf(stderr, "clearance: --plots needs --out DIR, the directory to write them to\n");
     else
         return studio_check(options);
     return EXIT_WRONG_INPUT;

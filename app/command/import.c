@@ -80,8 +80,7 @@ static void check_people(const Plan *plan, ImportReport *report, const char *pat
 int command_import(const Options *options) {
     const char *out = options->files[1];
     if (access(out, F_OK) == 0) {
-        fprintf(stderr, "clearance: %s is there already and is not written over: another name, or another place\n",
-                out);
+        fprintf(stderr, "clearance: %s exists and is not overwritten; choose another name\n", out);
         return EXIT_WRONG_INPUT;
     }
     ImportOptions wanted = {.unit = options->unit, .layers = options->layers, .level = options->level};

@@ -41,7 +41,7 @@ static bool compare_house(Comparison *comparison, const Options *options, size_t
         chosen.driving = driving;
         good = house_file_read(&house, &chosen, file, fault);
         if (good && !house.person_count) {
-            fault_add(fault, "%s:1:1: nobody lives here, a locus needs a person", options->files[file]);
+            fault_add(fault, "%s:1:1: the house has no people; a locus needs at least one", options->files[file]);
             good = false;
         }
         if (good) {

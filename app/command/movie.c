@@ -87,9 +87,10 @@ Movie *movie_begin(const char *path, int width, int height, double fps) {
         signal(SIGPIPE, SIG_IGN); /* a broken pipe is reported as an error and does not end the program */
         return movie;
     }
-    fprintf(stderr, "clearance: --movie needs ffmpeg%s%s\n",
-            error == ENOENT ? ", which is not installed: apt-get install ffmpeg" : ", which cannot be started: ",
-            error == ENOENT ? "" : strerror(error));
+    if (error == ENOENT)
+        fprintf(stderr, "clearance: --movie needs ffmpeg, which is not installed: apt-get install ffmpeg\n");
+    else
+        fprintf(stderr, "clearance: --movie needs ffmpeg, which cannot be started: %s\n", strerror(error));
     memory_free(movie);
     return NULL;
 }
@@ -113,8 +114,10 @@ bool movie_end(Movie *movie) {
     if (whole && rename(movie->beside, movie->path))
         error = errno;
     if (!whole || error) {
-        fprintf(stderr, "clearance: %s cannot be written%s%s\n", movie->path, error ? ": " : ", ffmpeg says why above",
-                error ? strerror(error) : "");
+        if (error)
+            fprintf(stderr, "clearance: %s cannot be written: %s\n", movie->path, strerror(error));
+        else
+            fprintf(stderr, "clearance: %s cannot be written, for the reason that ffmpeg gives above\n", movie->path);
         unlink(movie->beside);
     }
     memory_free(movie);

@@ -20,8 +20,8 @@ static bool can_be_seen(const Options *options) {
 int command_open(const Options *options) {
     if (!can_be_seen(options)) {
         fprintf(stderr,
-                "clearance: there is no display for a window here; without one, `clearance run %s` simulates, and "
-                "`clearance --help` tells more\n",
+                "clearance: there is no display for a window; use `clearance run %s` to simulate without one, or "
+                "see `clearance --help`\n",
                 options->file_count ? options->files[0] : "FILE");
         return EXIT_WRONG_INPUT;
     }

@@ -21,7 +21,7 @@ void output_failed(const char *path, int error) {
 
 void output_tell_interrupted(bool told) {
     if (progress_interrupted && !told)
-        fprintf(stderr, "clearance: interrupted; what is written is whole, but not all that was asked for is there\n");
+        fprintf(stderr, "clearance: interrupted; the files written so far are complete, the others are missing\n");
 }
 
 bool output_stills(const Scene *scene, const Options *options) {

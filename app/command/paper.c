@@ -67,7 +67,7 @@ int paper_answer(const Options *options) {
     Fault fault = {0};
     Paper paper;
     if (!beam_is_file(options->files[0])) {
-        fault_add(&fault, "clearance: --paper is of a beam, %s is no beam", options->files[0]);
+        fault_add(&fault, "clearance: --paper needs a beam file; %s is not one", options->files[0]);
         return house_file_report(&fault);
     }
     bool show = progress_is_shown(options);

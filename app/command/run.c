@@ -63,8 +63,8 @@ static void report_divergence(const House *house, const Observation *observation
         const PersonObservation *person = &observation->people[i];
         if (person->reason == REASON_DIVERGED)
             fprintf(stderr,
-                    "clearance: the numbers of person %s diverged at %.3f s, the run ends with the last good state: "
-                    "smaller run.dt or softer contact of %s would help\n",
+                    "clearance: the numbers of person %s diverged at %.3f s, the run ends with the last good state; "
+                    "try a smaller run.dt or a softer contact of %s\n",
                     house->people[i].id, person->time, house->people[i].profile->name);
     }
 }
@@ -97,7 +97,7 @@ int command_run(const Options *options) {
     report_divergence(&house, &observation);
     bool told = progress_interrupted;
     if (told)
-        fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; what came before is kept\n",
+        fprintf(stderr, "clearance: interrupted at %.2f s of simulated time; the results up to there are kept\n",
                 observation.time);
     bool written = write_results(&house, &observation, &observed, options, route);
     output_tell_interrupted(told);
@@ -106,7 +106,9 @@ int command_run(const Options *options) {
     else
         answer_text_print(&house, &observation);
     if (options->out && written && !options->json)
-        printf("\n%spictures and data are in %s\n", options->report ? "report.html, report.pdf, " : "", options->out);
+        printf(options->report ? "\nreport.html, report.pdf, pictures and data are in %s\n"
+                               : "\npictures and data are in %s\n",
+               options->out);
     bool whole = observation.completed && !progress_interrupted;
     int code = !written ? EXIT_WRONG_INPUT : whole ? EXIT_ANSWERED : EXIT_ANSWER_NO;
     observation_free(&observation);

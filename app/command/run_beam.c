@@ -66,10 +66,9 @@ static void print_peaks(const Response *response, const Beam *beam, const Rig *r
 }
 
 static void print_orbit(const Response *response) {
-    static const char *const leavings[] = {[ORBIT_FOLD] =
-                                               "positive: over 1, it would fold or part with its mirror image",
-                                           [ORBIT_FLIP] = "negative: beyond -1, its period would double",
-                                           [ORBIT_NEIMARK] = "one of a pair: over 1, it would become a torus"};
+    static const char *const leavings[] = {[ORBIT_FOLD] = "positive: beyond 1 the orbit folds or loses its symmetry",
+                                           [ORBIT_FLIP] = "negative: beyond -1 its period doubles",
+                                           [ORBIT_NEIMARK] = "one of a pair: beyond 1 the orbit becomes a torus"};
     printf("The orbit's largest multiplier is %s\n", leavings[response->orbit.leaving]);
     if (!response->settled)
         printf("The recorded cycles still hold the transient: use more run.transient_cycles to leave it out\n");
@@ -186,7 +185,7 @@ int run_beam_file(const Options *options) {
         return house_file_report(&fault);
     }
     if (progress_interrupted)
-        fprintf(stderr, "clearance: interrupted after %zu recorded cycles; what came before is kept\n",
+        fprintf(stderr, "clearance: interrupted after %zu recorded cycles; the results up to there are kept\n",
                 response.section.count);
     Facts facts = {result_beam_motion(&beam, &response), result_beam_forces(&rig, &response)};
     json_t *answer = make_answer(&response, &facts, &type, &beam);

@@ -16,7 +16,7 @@ int command_schema(const Options *options) {
     } else if (strcmp(kind, "beam") == 0) {
         answer_print(beam_schema());
     } else {
-        fprintf(stderr, "clearance: there is a schema of house, of profile and of beam, not of \"%s\"\n", kind);
+        fprintf(stderr, "clearance: there are schemas of house, profile and beam, not of \"%s\"\n", kind);
         return EXIT_WRONG_INPUT;
     }
     return EXIT_ANSWERED;

@@ -9,7 +9,8 @@ enum { ROWS_MOST = 20 };
 
 static void print_title(const ShakeFindings *findings, const char *file) {
     const Study *study = findings->study;
-    printf("%s: %zu shake%s from seed %" PRIu64 " on", file, study->runs, study->runs == 1 ? "" : "s", study->seed);
+    printf(study->runs == 1 ? "%s: %zu shake from seed %" PRIu64 " on" : "%s: %zu shakes from seed %" PRIu64 " on",
+           file, study->runs, study->seed);
     if (findings->shakes < study->runs)
         printf(", %zu of them simulated", findings->shakes);
     printf("\n");
@@ -81,7 +82,9 @@ static void print_faults(const ShakeFindings *findings) {
         first = first ? first : study->trials[t].fault;
     }
     if (faults)
-        printf("\n%zu shake%s could not be simulated; the first: %s\n", faults, faults == 1 ? "" : "s", first);
+        printf(faults == 1 ? "\n%zu shake could not be simulated: %s\n"
+                           : "\n%zu shakes could not be simulated; the first: %s\n",
+               faults, first);
 }
 
 void shake_words_print(const ShakeFindings *findings, const char *file) {

@@ -26,9 +26,9 @@ static bool is_film(const char *path) {
 
 int studio_check(const Options *options) {
     if (options->frames > 0 && !options->out)
-        fprintf(stderr, "clearance: --frames needs --out DIR, where they are written\n");
+        fprintf(stderr, "clearance: --frames needs --out DIR, the directory to write them to\n");
     else if (options->movie && !is_film(options->movie))
-        fprintf(stderr, "clearance: --movie %s: its name must end in .mp4, .mkv, .mov or .webm\n", options->movie);
+        fprintf(stderr, "clearance: --movie %s: the name must end in .mp4, .mkv, .mov or .webm\n", options->movie);
     else if (options->from >= 0 && options->to >= 0 && options->from > options->to)
         fprintf(stderr, "clearance: --from %g is after --to %g\n", options->from, options->to);
     else
@@ -48,7 +48,7 @@ static PaintGl *create_painter(Studio *studio) {
     PaintGl *paint = paint_gl_create(offscreen_gl(studio->offscreen), options->width, options->height,
                                      layout_unit(options->width, options->height), options->theme);
     if (!paint) {
-        fprintf(stderr, "clearance: OpenGL has no room for pictures of %d x %d pixels: smaller ones would do\n",
+        fprintf(stderr, "clearance: OpenGL cannot make pictures of %d x %d pixels; use a smaller --size\n",
                 options->width, options->height);
         offscreen_destroy(studio->offscreen);
     }
@@ -95,7 +95,9 @@ StudioTimes studio_times(double first, double last, double rate, double fps) {
 
 bool studio_can_take(const StudioTimes *times) {
     if (times->count > FRAMES_MOST)
-        fprintf(stderr, "clearance: these would be %zu pictures, at most %d: take fewer a second, or --from and --to\n",
+        fprintf(stderr,
+                "clearance: that makes %zu pictures, but at most %d are possible; use a smaller --frames, or --from "
+                "and --to\n",
                 times->count, FRAMES_MOST);
     return times->count <= FRAMES_MOST;
 }

@@ -127,8 +127,7 @@ static bool open_study(StudyJob *job, Fault *fault) {
         return false;
     make_study(job);
     if (!job->study.axis_count && job->study.runs < 2 && !job->options->study.shakes)
-        fault_add(fault,
-                  "clearance: nothing is studied: --vary NAME=FROM:TO:STEPS, --runs N or --shake N would be right");
+        fault_add(fault, "clearance: there is nothing to study; use --vary NAME=FROM:TO:STEPS, --runs N or --shake N");
     else if (study_check(&job->study, fault) && read_measured(job, fault))
         return true;
     close_experiment(job);
@@ -156,13 +155,14 @@ static void tell_found(const StudyJob *job) {
     if (done == all)
         fprintf(stderr, "clearance: all %zu runs are read back from %s/study.sqlite\n", all, job->options->out);
     else if (done)
-        fprintf(stderr, "clearance: goes on in %s/study.sqlite, where %zu of %zu runs are done\n", job->options->out,
+        fprintf(stderr, "clearance: continues in %s/study.sqlite, where %zu of %zu runs are done\n", job->options->out,
                 done, all);
     else if (job->found.others)
-        fprintf(stderr,
-                "clearance: %s/study.sqlite has another study: file, settings, range or program have changed since, "
-                "this one begins anew beside it\n",
-                job->options->out);
+        fprintf(
+            stderr,
+            "clearance: %s/study.sqlite holds another study, since the file, settings, range or program have changed; "
+            "this one starts from the beginning, and the old one is kept\n",
+            job->options->out);
 }
 
 static bool is_whole(const Study *study) {
@@ -183,8 +183,10 @@ static void run_study(StudyJob *job, Store *store) {
     if (job->shown)
         fprintf(stderr, "\r%50s\r", "");
     if (!is_whole(&job->study))
-        fprintf(stderr, "clearance: interrupted after %zu of %zu runs%s\n", study_done(&job->study),
-                job->study.trial_count, store ? "; the same command goes on from there" : "");
+        fprintf(stderr,
+                store ? "clearance: interrupted after %zu of %zu runs; the same command continues from there\n"
+                      : "clearance: interrupted after %zu of %zu runs\n",
+                study_done(&job->study), job->study.trial_count);
 }
 
 /* True if the files have not changed since the study began: each run of a house reads them. */
@@ -217,7 +219,7 @@ static bool run_kept(StudyJob *job, Fault *fault) {
     run_study(job, store);
     bool same = is_unchanged(job);
     if (!same)
-        fault_add(fault, "%s or a profile was changed while it was studied: the runs are of both and not kept",
+        fault_add(fault, "%s or a profile changed during the study; the runs mix both versions and are not kept",
                   options->files[0]);
     if (store && !same)
         store_forget(store);
@@ -308,15 +310,15 @@ static int answer_all(StudyJob *job) {
 static bool is_one_chance(const Options *options, Fault *fault) {
     const StudyRequest *asked = &options->study;
     if (asked->shakes && asked->runs)
-        fault_add(fault, "clearance: --runs has no effect with --shake, which says how many, must be left out");
+        fault_add(fault, "clearance: --runs has no effect with --shake N, which sets the number of runs; leave it out");
     else if (asked->shakes && options->types)
-        fault_add(fault, "clearance: --types has no effect with --shake, must be left out");
+        fault_add(fault, "clearance: --types has no effect with --shake; leave it out");
     else if (asked->shakes && options->measured && !asked->axis_count)
-        fault_add(fault, "clearance: --measured has no effect with --shake without --vary, must be left out");
+        fault_add(fault, "clearance: --measured has no effect with --shake without --vary; leave it out");
     else if (options->report && (!asked->shakes || asked->axis_count))
         fault_add(fault, "clearance: --report of a study needs --shake N, without --vary");
     else if (options->report && !options->out)
-        fault_add(fault, "clearance: --report needs --out DIR: where to write it");
+        fault_add(fault, "clearance: --report needs --out DIR, the directory to write it to");
     else
         return true;
     return false;
@@ -332,7 +334,7 @@ static bool is_one_question(const Options *options, Fault *fault) {
     const char *own = options->paper ? "--paper" : options->types && !ranges ? "--types without --vary" : NULL;
     for (size_t i = 0; own && i < (options->paper ? IDLE : IDLE_WITH_TYPES); i++)
         if (options_given(options, idle[i])) {
-            fault_add(fault, "clearance: %s has no effect with %s, must be left out", idle[i], own);
+            fault_add(fault, "clearance: %s has no effect with %s; leave it out", idle[i], own);
             return false;
         }
     return true;

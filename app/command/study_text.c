@@ -27,8 +27,8 @@ static void print_title(const Study *study, const char *file) {
         char from[WORD], to[WORD];
         study_number_step(study, a, 0, false, from);
         study_number_step(study, a, study->axes[a].steps - 1, true, to);
-        printf("%s %s from %s to %s in %zu step%s", a ? "," : ":", study->axes[a].name, from, to, study->axes[a].steps,
-               study->axes[a].steps == 1 ? "" : "s");
+        printf("%s %s from %s to %s in ", a ? "," : ":", study->axes[a].name, from, to);
+        printf(study->axes[a].steps == 1 ? "%zu step" : "%zu steps", study->axes[a].steps);
     }
     if (study->runs > 1)
         printf("%s %zu runs%s, seeds %" PRIu64 " to %" PRIu64, study->axis_count ? "," : ":", study->runs,
@@ -389,8 +389,8 @@ static void print_distributions(const Study *study, const StudyLaboratory *labor
 static void print_faults(const Study *study, size_t faults) {
     for (size_t t = 0; t < study->trial_count && faults; t++)
         if (study->trials[t].fault) {
-            printf("%zu run%s could not be made; the first: %s\n", faults, faults == 1 ? "" : "s",
-                   study->trials[t].fault);
+            printf(faults == 1 ? "%zu run could not be made: %s\n" : "%zu runs could not be made; the first: %s\n",
+                   faults, study->trials[t].fault);
             return;
         }
 }

@@ -230,8 +230,8 @@ def check_cases():
         check("it is &lt;far&gt;" in page and "<far>" not in page, "cases.html is escaped")
         check("a \\| b <c>" in table and "there are no stairs" in table, "cases.md is a table")
         check(json.loads(expect(1, "cases", folder, "--json", "--jobs", "2").stdout) == answer, "--jobs changes nothing")
-        expect(2, "cases", good, good, says="must be another")
-        expect(2, "cases", os.path.join(source, "assets"), says="there is no case here")
+        expect(2, "cases", good, good, says="ids must be unique")
+        expect(2, "cases", os.path.join(source, "assets"), says="holds no .json files")
         check_cases_interrupted(case("slow", house=corridor, variants=[slow],
                                      checks=[{"measure": "time", "variant": "slow", "high": 1, "unit": "s"}]))
 

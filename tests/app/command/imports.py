@@ -111,7 +111,7 @@ def check_files():
     """What is there stays, what cannot be written is told, nothing lies about."""
     flat, there = new("flat.dxf", drawing(FLAT)), folder / "there.json"
     there.write_text("mine")
-    expect(2, "import", flat, str(there), says="is there already and is not written over")
+    expect(2, "import", flat, str(there), says="exists and is not overwritten")
     check(there.read_text() == "mine", "a file that is there stays as it was")
     expect(2, "import", flat, str(folder / "nowhere" / "x.json"), says="cannot be written")
     expect(2, "import", str(folder / "nowhere.dxf"), str(folder / "y.json"), says="cannot be read")
@@ -128,7 +128,7 @@ def check_export():
     out = folder / "ube-techno-house.wkt"
     expect(0, "export", ube, "--to", "wkt", "--out", str(folder))
     check(out.read_text() == wkt, "export --out writes the same")
-    expect(2, "export", ube, "--out", str(out), says="is not written over")
+    expect(2, "export", ube, "--out", str(out), says="is not overwritten")
     out.rename(folder / "area.wkt")
     expect(0, "import", str(folder / "area.wkt"), str(folder / "area.json"))
     again = expect(0, "export", str(folder / "area.json")).stdout

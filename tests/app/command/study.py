@@ -117,7 +117,7 @@ def check_going_on(folder):
         before = summary(parts)
         if before["done"]:
             break
-    check(code == 1 and "interrupted after" in error and "the same command goes on" in error, "interrupted", error)
+    check(code == 1 and "interrupted after" in error and "the same command continues" in error, "interrupted", error)
     check(0 < before["done"] < 183, f"what is complete is kept: {before['done']} of 183")
     with open(os.path.join(parts, "study.csv")) as file:
         check(len(file.readlines()) == 1 + before["done"], "study.csv of an interrupted study")
@@ -129,9 +129,9 @@ def check_going_on(folder):
     check(again.stdout == done.stdout and time.monotonic() - begin < 5, "a finished study is read back")
     changed = draft(folder, people=[{"id": "p1", "profile": "manual-chair", "at": [1.2, 0.6]}])
     short = [changed, "--vary", "door.d1.width=0.9:1:2", "--out", parts]
-    expect(0, "study", *short, says="this one begins anew")
+    expect(0, "study", *short, says="this one starts from the beginning")
     expect(0, "study", *short, says="all 2 runs are read back")
-    expect(0, "study", *short, "--set", "person.p1.delay=1", says="this one begins anew")
+    expect(0, "study", *short, "--set", "person.p1.delay=1", says="this one starts from the beginning")
     draft(folder)
     expect(0, "study", *arguments, "--out", parts, says="all 183 runs are read back")
 
@@ -149,7 +149,7 @@ def check_killed(folder):
     process.kill()
     process.wait()
     check(process.returncode == -signal.SIGKILL, "killed while it ran")
-    expect(0, "study", *arguments, "--out", out, says="goes on in")
+    expect(0, "study", *arguments, "--out", out, says="continues in")
     plain = json.loads(expect(0, "study", *arguments, "--json").stdout)
     check(summary(out) == plain, "a study that was killed ends as one of one go")
 
@@ -162,10 +162,10 @@ def check_changed_while_running(folder):
         time.sleep(0.01)
     draft(folder, "changing", note="another")
     _, error = process.communicate(timeout=120)
-    check(process.returncode == 2 and "was changed while it was studied" in error, "a file that changes", error)
+    check(process.returncode == 2 and "changed during the study" in error, "a file that changes", error)
     draft(folder, "changing")
     done = expect(0, "study", flat, "--vary", "door.d1.width=0.85:1.1:61", "--runs", "2", "--out", out)
-    check("goes on" not in done.stderr and "read back" not in done.stderr, "nothing of both is kept", done.stderr)
+    check("continues" not in done.stderr and "read back" not in done.stderr, "nothing of both is kept", done.stderr)
 
 
 def check_beams(folder):
@@ -216,7 +216,7 @@ def check_paper(folder):
     check("identified" in page and "beam.modes" in page, "the page says what was changed and where numbers come from")
     check((out / "paper.pdf").read_bytes().startswith(b"%PDF"), "paper.pdf")
     check(len(list(out.glob("plot-figure-*.png"))) == 9, "a picture of each figure")
-    expect(2, "study", house("straight-corridor"), "--paper", says="is no beam")
+    expect(2, "study", house("straight-corridor"), "--paper", says="is not one")
 
 
 def check_wrong_stores(folder):
@@ -249,7 +249,7 @@ def check_wrong_use(folder):
     flat = draft(folder)
     delay = "person.p1.delay"
     wrong = {
-        (): "nothing is studied: --vary NAME=FROM:TO:STEPS, --runs N or --shake N would be right",
+        (): "there is nothing to study; use --vary NAME=FROM:TO:STEPS, --runs N or --shake N",
         ("--vary", "door.d2.width=1:2:3"): '--vary door.d2.width: there is no door "d2"',
         ("--vary", "door.d1.widht=1:2:3"): 'did you mean "width"?',
         ("--vary", "person.p1.at=1:2:3"): "at is a point, must be at.x or at.y",
@@ -270,7 +270,7 @@ def check_wrong_use(folder):
         ("--vary", f"{delay}=1:2:3", "--vary", f"{delay}=1:2:4"): "is given twice",
         ("--vary", f"{delay}=1:2:3", "--vary", "run.dt=1:2:3", "--vary", "run.cell=1:2:3"): "(at most twice)",
         ("--vary", f"{delay}=1:2:100000", "--runs", "100000"): "the study has 10000000000 runs",
-        ("--paper", "--vary", f"{delay}=1:2:3"): "--vary has no effect with --paper, must be left out",
+        ("--paper", "--vary", f"{delay}=1:2:3"): "--vary has no effect with --paper; leave it out",
         ("--paper", "--types", delay): "--types has no effect with --paper",
         ("--paper", "--route", "A"): "--route has no effect with --paper",
         ("--paper", "--seed", "3"): "--seed has no effect with --paper",
