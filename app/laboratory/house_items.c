@@ -12,7 +12,7 @@
 #define EXIT_DEPTH 0.20   /* m */
 #define HAZARD_SHOWN 0.25 /* m, radius */
 #define STOP_SHOWN 0.50   /* m, radius */
-#define STAY 1.0          /* s, that whoever is out is still there */
+#define STAY 1.0          /* s, for which a person who has left can still be selected */
 
 enum { CIRCLE = 24 /* points */ };
 
@@ -111,7 +111,7 @@ static size_t outline_circle(Vec2 middle, double radius, Vec2 *points) {
     return CIRCLE;
 }
 
-/* How far, and where to, a corner of a wall's face lies from the corner of its centre line. */
+/* Returns the vector from the corner of a wall's centre line to the corner of its face. */
 static Vec2 mitre(Vec2 before, Vec2 at, Vec2 after, double half) {
     Vec2 in = vec2_left(vec2_unit(vec2_sub(at, before))), out = vec2_left(vec2_unit(vec2_sub(after, at)));
     Vec2 sum = vec2_add(in, out);

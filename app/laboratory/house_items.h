@@ -1,5 +1,5 @@
-/* What of a house can be pointed at: people, dangerous points, doors, furniture, walls and exits. An observation that
- * is NULL has no dangerous points. */
+/* The items of a house that can be pointed at: people, dangerous points, doors, furniture, walls and exits. An
+ * observation that is NULL has no dangerous points. */
 #pragma once
 
 #include "house/house.h"
@@ -7,7 +7,7 @@
 #include "laboratory/laboratory.h"
 #include "visual/house/trail.h"
 
-/* What can be selected, in the order in which they follow one another. */
+/* The kinds of items, in the order in which Tab goes through them. */
 typedef enum HouseItem {
     HOUSE_NOTHING,
     HOUSE_PERSON,
@@ -24,10 +24,10 @@ enum { HOUSE_THING_NAME = 128 /* room for a name */ };
 
 size_t house_item_count(const House *house, const Observation *observation, int kind);
 
-/* As in the house file; "" for a dangerous point. */
+/* Returns the id as in the house file; "" for a dangerous point. */
 const char *house_item_id(const House *house, Item thing);
 
-/* What is called so, kind 0: nothing. */
+/* Finds the item with this id; kind 0: there is none. */
 Item house_item_find(const House *house, int kind, const char *id);
 
 /* "door d2", "wardrobe (f3)", "dangerous point 1: door d2" */
@@ -40,7 +40,7 @@ typedef struct HouseScenery {
     const Trail *trails;
 } HouseScenery;
 
-/* As live->outline, live->pick and live->next. */
+/* The same as outline, pick and next of a Laboratory. */
 size_t house_item_outline(const HouseScenery *scenery, Item thing, double time, Vec2 *points);
 Item house_item_at(const HouseScenery *scenery, Vec2 at, double time, Item below);
 Item house_item_next(const HouseScenery *scenery, Item thing, int step);

@@ -15,7 +15,7 @@ typedef struct ImportFile {
     const char *format; /* "Sweet Home 3D" */
 } ImportFile;
 
-/* Does the name end as one that can be read so? */
+/* True if the name has the ending of a file that can be imported. */
 bool import_file_knows(const char *path);
 
 /* False: faults say why not, and there is nothing. */

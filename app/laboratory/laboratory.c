@@ -8,7 +8,7 @@
 /* Longer than any house or beam that is opened in a window. */
 enum { LONGEST = 64 << 20 /* bytes */ };
 
-/* Does the text hold "clearance-WORD" in quotation marks? */
+/* True if the text has "clearance-WORD" in quotation marks. */
 static bool says(const char *text, const char *word) {
     Text format = {0};
     text_format(&format, "\"clearance-%s\"", word);

@@ -2,7 +2,7 @@
  * the window knows no more of houses and beams than what stands here, and they know no window, key or pixel.
  *
  * All calls come from one thread. What takes longer than a few milliseconds is done on threads of the laboratory's own;
- * live->update takes over what they have made. What is recorded can be shown at any time, in any order, and looks the
+ * `update` takes over their results. Everything that is recorded can be shown at any time, in any order, and looks the
  * same each time.
  *
  *     open -> { set, choose ... }   update -> reach -> show -> scenes, plots   answer, rows, ticks                   */
@@ -29,17 +29,17 @@ typedef struct LaboratoryOptions {
     int jobs; /* threads */
 } LaboratoryOptions;
 
-/* What has changed since the update before. */
+/* Changes since the last update: bits. */
 enum {
-    LABORATORY_VIEW = 1,       /* the layers: what stays must be painted anew */
+    LABORATORY_VIEW = 1,       /* the layers: the static one must be repainted */
     LABORATORY_PLOTS = 2,      /* how many plots there are, or which */
     LABORATORY_WORDS = 4,      /* answer, rows, ticks */
     LABORATORY_PARAMETERS = 8, /* which there are, or their values */
-    LABORATORY_TROUBLE = 16,   /* something new went wrong: see live->trouble */
+    LABORATORY_TROUBLE = 16,   /* a new error: see `trouble` */
     LABORATORY_ALL = 31,
 };
 
-/* What of time there is to be seen. */
+/* The stretch of time that can be displayed. */
 typedef struct RecordSpan {
     double begin, end; /* s, recorded */
     bool complete;     /* it is over: no more will come by itself */
@@ -106,7 +106,7 @@ typedef struct Preset {
     const char *meaning; /* a sentence */
 } Preset;
 
-/* A plot beside the view. Its series may grow from update to update; what of them is drawn, live->until tells. */
+/* A plot next to the view. Its series may grow from update to update; `until` says how many points are drawn. */
 typedef struct LaboratoryPlot {
     const char *name;  /* "phase": in names of files, of --plots where that knows it; lives as long as the program */
     const char *title; /* for menus */
@@ -115,7 +115,7 @@ typedef struct LaboratoryPlot {
     bool still;        /* it does not depend on the time shown */
     double cursor;     /* where an upright line stands, a value of x; NAN: none */
     const char *cursor_words;
-    const char *cursor_parameter; /* which live->set sets by a click at a value of x; NULL: none */
+    const char *cursor_parameter; /* that a click at a value of x sets; NULL: none */
     double cursor_factor;         /* value of x = this times the parameter's */
     Role now;                     /* of the disc where the series have come to; ROLE_PAPER: each series' own */
     double tail;                  /* s: the end of the lines that is drawn thick */
@@ -151,7 +151,7 @@ typedef struct Laboratory {
     void *(*open)(const char *path, const LaboratoryOptions *options, Fault *fault);
     void (*close)(void *live);
 
-    /* Takes over what has come since; returns LIVE_... `time` is what is shown now. */
+    /* Takes over new results; returns LABORATORY_... bits. `time` is displayed now. */
     unsigned (*update)(void *live, double time);
 
     RecordSpan (*span)(const void *live);
@@ -163,7 +163,7 @@ typedef struct Laboratory {
      * static layer must be forgotten, `added` holds all. */
     bool (*show)(void *live, double time);
 
-    /* Is what show would bring now to the pixel what it brought last? NULL: that cannot be told. */
+    /* True if drawing at `time` gives the same pixels as the last draw. NULL: unknown. */
     bool (*rests)(const void *live, double time);
     const Scene *(*still)(void *live);
     const Scene *(*added)(const void *live);
@@ -183,17 +183,17 @@ typedef struct Laboratory {
     /* "7.3 s", "cycle 481, 1.604 s": good until the next call. */
     const char *(*clock)(void *live, double time);
 
-    /* What must be said wherever it is shown: "assumed plan: not measured"; "". */
+    /* A remark that belongs to every picture: "assumed plan: not measured"; "". */
     const char *(*note)(void *live);
     const char *(*title)(const void *live); /* of what is shown: its name */
     const PanelRow *(*rows)(const void *live, size_t *count);
     const TimelineMark *(*ticks)(void *live, size_t *count);
 
-    /* What last went wrong, with cause and cure, and since when (s; NAN: at no moment of what is shown); NULL: nothing.
+    /* The last error, with cause and cure, and its time (s; NAN: it belongs to no moment of the record); NULL: none.
      * The last good state stays. */
     const char *(*trouble)(const void *live, double *time);
 
-    /* Parameters, good until the next update that changes them. False: a fault says what would be right, and the value
+    /* Parameters, good until the next update that changes them. False: a fault says what is allowed, and the value
      * is as it was. */
     const PanelParameter *(*parameters)(const void *live, size_t *count);
     bool (*set)(void *live, const char *name, double value, Fault *fault);
@@ -210,13 +210,13 @@ typedef struct Laboratory {
     const PanelChoice *(*choices)(void *live, size_t *count);
     void (*choose)(void *live, size_t choice, size_t word);
 
-    /* Begins anew with the same parameters; keeps what is shown as "before" (false: there is nothing to keep yet);
+    /* Restarts with the same parameters; saves the displayed run for comparison (false: there is nothing to save yet);
      * forgets that, and the trace and the points so far. */
     void (*again)(void *live);
     bool (*keep)(void *live, double time);
     void (*clear)(void *live, double time);
 
-    /* What lies at a place, m on the floor; `below`: what lies below this one there. */
+    /* Returns the item at a place, m on the floor; `below`: the next item under this one. */
     Item (*pick)(const void *live, Vec2 at, double time, Item below);
     Item (*next)(const void *live, Item thing, int step); /* round, in a fixed order */
     void (*select)(void *live, Item thing);

@@ -1,4 +1,4 @@
-/* What is shown, with all that was changed, as a file where no file is yet. */
+/* Writes the displayed house or beam, with its changes, to a new file. */
 #pragma once
 
 #include <stdbool.h>

@@ -17,7 +17,7 @@ const char *thumbnail_name_of(const char *path, Arena *arena) {
     return text_in_arena(arena, "%.*s", dot && dot > name ? (int)(dot - name) : (int)strlen(name), name);
 }
 
-/* How many bytes of a note are its first sentence. A point within a number, or behind a single letter, ends none. */
+/* Returns the bytes of a note's first sentence. A point in a number, or after a single letter, does not end it. */
 static size_t sentence_of(const char *note) {
     for (const char *c = note; (c = strchr(c, '.')); c++)
         if ((c[1] == ' ' || !c[1]) && c > note + 1 && c[-2] != ' ')
@@ -25,7 +25,7 @@ static size_t sentence_of(const char *note) {
     return strlen(note);
 }
 
-/* How many bytes of it can be shown: at most THUMBNAIL_LINE characters, up to the end of a word. */
+/* Returns the bytes of a text that fit: at most THUMBNAIL_LINE characters, up to the end of a word. */
 static size_t shortened(const char *words, size_t length) {
     size_t characters = 0, word = 0;
     for (size_t i = 0; i < length; i++) {
@@ -38,7 +38,7 @@ static size_t shortened(const char *words, size_t length) {
     return length;
 }
 
-/* What every note of an unmeasured plan begins with, put behind, where it is not cut off. */
+/* Moves the phrase that begins every note of an unmeasured plan to the end, where it is not cut off. */
 static const char *line_of(Thumbnail *thumbnail, const char *note) {
     static const char assumed[] = "assumed plan: ";
     bool is_assumed = strncmp(note, assumed, strlen(assumed)) == 0;
@@ -79,7 +79,7 @@ bool thumbnail_read_house(Thumbnail *thumbnail, const char *path, Fault *fault) 
     return good;
 }
 
-/* As the first mode of a clamped beam, near enough: the tip at the lower stop. */
+/* Bends the beam about as its first mode does, with the tip at the lower stop. */
 static void bend(BeamShape *shape, const Beam *beam) {
     for (size_t i = 0; i < shape->count; i++) {
         double part = (shape->place[i] - beam->pivot_position) / (beam->length - beam->pivot_position);
@@ -87,7 +87,7 @@ static void bend(BeamShape *shape, const Beam *beam) {
     }
 }
 
-/* Does it lie before where the loupe would be? */
+/* True if a primitive lies left of the loupe. */
 static bool is_seen(const Primitive *primitive, double right) {
     for (size_t i = 0; i < primitive->count; i++)
         if (primitive->points[i].x > right)

@@ -1,4 +1,4 @@
-/* What a running beam does, in words: at once by how the tip has returned lately, and then as it is told from rest. */
+/* The answer of a running beam: at once by the last returns of the tip, later by the verdict from rest. */
 #pragma once
 
 #include "laboratory/beam/tape.h"
@@ -7,7 +7,7 @@
 
 enum { BEAM_ANSWER_LATELY = 128 /* cycles that are looked at */ };
 
-/* Of the last cycles of the last part. */
+/* Facts of the last cycles of the last part. */
 typedef struct BeamLately {
     size_t cycles;      /* since the last change */
     int period;         /* as section_period */

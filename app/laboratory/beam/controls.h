@@ -1,4 +1,4 @@
-/* What of a running beam can be changed: its numbers, as sliders have them, and presets. */
+/* The numbers of a running beam that can be changed, as sliders show them, and its presets. */
 #pragma once
 
 #include "laboratory/laboratory.h"
@@ -16,7 +16,7 @@ typedef struct BeamControls {
     bool typed[BEAM_PRESETS]; /* the name says of which type it is */
 } BeamControls;
 
-/* Of a beam as in its file, which is taken over; beam_controls_close frees it. */
+/* Makes the controls of a beam as in its file and takes that beam over; beam_controls_close frees it. */
 void beam_controls_open(BeamControls *controls, Beam *file);
 void beam_controls_close(BeamControls *controls);
 
@@ -32,7 +32,7 @@ bool beam_controls_set(const BeamControls *controls, Beam *beam, const char *nam
 /* Makes `beam` the beam of a preset: as in the file, but for what the preset says. */
 void beam_controls_prefer(const BeamControls *controls, size_t preset, Beam *beam);
 
-/* The type of a beam has been told: a preset that is this beam says so in its name. True: one does now. */
+/* Notes the type of a beam: a preset with the same numbers gets the type in its name. True: one has it now. */
 bool beam_controls_name_type(BeamControls *controls, const Beam *beam, const char *type);
 
 /* "300.0 Hz": a value of a parameter as it is shown. */

@@ -18,7 +18,7 @@ static inline void beam_curve_reset(BeamCurve *curve) {
     curve->count = 0;
 }
 
-/* How many points are of that time or before. */
+/* Returns how many points are not later than a time. */
 size_t beam_curve_until(const BeamCurve *curve, double time);
 
 /* Makes `to` what is there of `from` at a time. */

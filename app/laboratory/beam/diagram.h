@@ -31,5 +31,5 @@ void beam_diagram_ask(BeamDiagram *diagram, const BeamControls *controls, const 
 /* Takes new points over. */
 void beam_diagram_take(BeamDiagram *diagram, BeamNews *news);
 
-/* What there is stays as "before", or is forgotten. */
+/* Saves the diagram for comparison, or forgets the saved one. */
 void beam_diagram_keep(BeamDiagram *diagram, bool keep);

@@ -1,4 +1,4 @@
-/* The running beam between its files: what it holds, and how they make a Laboratory of it (live.h). */
+/* The session of a running beam: its state, for the files of this folder. */
 #pragma once
 
 #include "laboratory/beam/answer.h"
@@ -21,10 +21,10 @@ typedef struct BeamSession {
     BeamWorker *worker;
     BeamAnswer answer;
     BeamVerdict verdict;
-    bool told;     /* the verdict is there */
+    bool told;     /* the verdict is known */
     size_t looked; /* at the front when the answer was written */
     double shown;  /* s */
-    unsigned news; /* LIVE_..., of the next update */
+    unsigned news; /* LABORATORY_... bits of the next update */
     Scene added;   /* nothing */
     const char *trouble;
     TimelineMark ticks[BEAM_TAPE_PARTS + 1];
@@ -35,7 +35,7 @@ typedef struct BeamSession {
     char clock[64];
 } BeamSession;
 
-/* Has the record come to an end, so that nothing more comes until something is changed? */
+/* True if the record has ended and grows only after a change. */
 static inline bool beam_session_has_ended(const BeamSession *live) {
     return live->tape.status != MOTION_GOOD && !live->tape.next;
 }

@@ -1,4 +1,4 @@
-/* What the running beam shows and lets be heard: as in Laboratory, with a BeamSession as `live`. */
+/* Pictures, plots and sound of a running beam: functions of Laboratory, with a BeamSession as context. */
 #pragma once
 
 #include "laboratory/beam/session.h"

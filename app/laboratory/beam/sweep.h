@@ -15,7 +15,7 @@ enum {
 
 typedef enum BeamSweepPass { BEAM_SWEEP_REST, BEAM_SWEEP_UP, BEAM_SWEEP_DOWN, BEAM_SWEEP_PASSES } BeamSweepPass;
 
-/* What is asked for. */
+/* The task of a sweep. */
 typedef struct BeamSweepTask {
     Beam beam;        /* its texts are another one's */
     const char *name; /* of the parameter, as in beam_table */
@@ -43,7 +43,7 @@ void beam_sweep_points_clear(BeamSweepPoints *points);
 bool beam_sweep_open(BeamSweep *sweep, const BeamSweepTask *task, Fault *fault);
 void beam_sweep_close(BeamSweep *sweep);
 
-/* How many values there are, and which the nth of them is; its pass. */
+/* Returns the number of values, the nth value, and its pass. */
 size_t beam_sweep_values(const BeamSweepTask *task);
 double beam_sweep_value(const BeamSweepTask *task, size_t nth, BeamSweepPass *pass);
 

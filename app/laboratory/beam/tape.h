@@ -18,7 +18,7 @@ enum {
     BEAM_TAPE_PARTS = 65, /* at most: with more changes than that, the oldest part is forgotten */
 };
 
-/* How far something goes. */
+/* The range of a quantity. */
 typedef struct BeamExtent {
     double reach;     /* m, deflection of any point of the beam */
     double tip_reach; /* m, of the tip */

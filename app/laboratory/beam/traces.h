@@ -26,7 +26,7 @@ enum {
     BEAM_TRACE_WAVES = 64,   /* samples of each of them */
 };
 
-/* What a page is of; when it is another one, what was drawn is void. */
+/* The contents of a page; if they change, the drawn page is void. */
 typedef struct BeamPage {
     unsigned serial, version; /* of part and tape */
     size_t stride;            /* from one cycle that is drawn to the next */
@@ -64,11 +64,11 @@ void beam_traces_close(BeamTraces *traces);
 /* Makes the curves reach a recorded time. */
 void beam_traces_show(BeamTraces *traces, BeamTape *tape, double time);
 
-/* How many points of a series are drawn at a time. */
+/* Returns how many points of a series are drawn at a time. */
 size_t beam_traces_until(const BeamTraces *traces, size_t plot, size_t series, double time);
 
 /* The phase plane as it is at a time, or nothing (a time below 0), stays as "before". */
 void beam_traces_keep(BeamTraces *traces, double time);
 
-/* What was drawn of the cycles before one is forgotten, and how far the axes went. */
+/* Forgets the drawn cycles before this one, and the extent of the axes. */
 void beam_traces_forget(BeamTraces *traces, size_t cycle);

@@ -1,4 +1,4 @@
-/* What a beam does from rest, told as `clearance run` tells it: the verdict first, then the type and advice. */
+/* The motion of a beam from rest, as `clearance run` prints it: the verdict first, then the type and advice. */
 #pragma once
 
 #include "base/text.h"
@@ -12,8 +12,8 @@ typedef struct BeamVerdict {
     size_t period; /* cycles; 0: not periodic */
     SectionPeaks peaks;
     ChaosExponent exponent;
-    ResultTable motion, forces; /* the facts; nothing before the verdict is told */
-    bool typed;                 /* the type is told */
+    ResultTable motion, forces; /* the facts; empty until the verdict is known */
+    bool typed;                 /* the type is known */
     TypesKind type;
     char *advice; /* sentences, each on a line; NULL: none; beam_verdict_clear releases it, and the facts */
 } BeamVerdict;

@@ -18,7 +18,7 @@ typedef struct BeamView {
 /* Moves to a recorded time. True: what stays is another picture. */
 bool beam_view_show(BeamView *view, const BeamTape *tape, double time);
 
-/* What stays is made anew when something is shown next. */
+/* Makes the static layer again when the beam is displayed next. */
 void beam_view_renew(BeamView *view);
 
 void beam_view_close(BeamView *view);

@@ -1,4 +1,4 @@
-/* What a running beam has worked out beside it, on a thread that gives way to others: the verdict, the orbit diagram
+/* Computes for a running beam, on a thread of low priority: the verdict, the orbit diagram
  * coarsely, the type, the rest of the diagram. The newest question wins. */
 #pragma once
 
@@ -17,7 +17,7 @@ void beam_worker_stop(BeamWorker *worker);
 void beam_worker_ask_verdict(BeamWorker *worker, const Beam *beam);
 void beam_worker_ask_sweep(BeamWorker *worker, const BeamSweepTask *task);
 
-/* What has come since the last call. */
+/* Results since the last call. */
 typedef struct BeamNews {
     bool verdict;                              /* a new one, or the type of it */
     BeamVerdict told;                          /* then; the taker's to clear */
@@ -25,7 +25,7 @@ typedef struct BeamNews {
     bool sweep_begins;                         /* those of another one: the points before are void */
     BeamSweepPoints points[BEAM_SWEEP_PASSES]; /* the taker's to clear */
     size_t sweep_done, sweep_all;              /* values of the orbit diagram */
-    size_t types_done, types_all;              /* runs, while the type is being told; else 0 */
+    size_t types_done, types_all;              /* runs, while the type is being determined; else 0 */
     bool telling;                              /* the verdict is on its way */
 } BeamNews;
 void beam_worker_take(BeamWorker *worker, BeamNews *news);

@@ -5,7 +5,7 @@
 
 static const double SAME = 1e-6; /* m: points that are the same */
 
-/* What a tool's chain is like. */
+/* The properties of a tool's chain. */
 typedef struct ChainKind {
     const char *what;   /* "wall" */
     const char *name;   /* of the step */
@@ -90,7 +90,7 @@ static void follow_place(Editor *edit) {
     edit->now.at = at;
 }
 
-/* Where a hand puts the next point. */
+/* Returns the next point of the pointer. */
 static Vec2 hand_point(Editor *edit) {
     Vec2 from = last_point(edit);
     return edit_gesture_snap(edit, (SnapAsk){.from = &from,

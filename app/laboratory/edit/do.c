@@ -1,4 +1,4 @@
-/* What is done to all that is selected: moved by keys, turned, toppled, removed, copied. Each is a step. */
+/* Actions on the selection: nudge, turn, topple, remove, copy. Each action is one step. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -27,7 +27,7 @@ static void open_step(Editor *edit, const char *verb) {
 /* Moving and turning ------------------------------------------------------------------------------------------------
  */
 
-/* Of a handle: the numbers that say where it is are typed for the hand. */
+/* Moves a handle by setting its fields as if they were typed. */
 static void nudge_fields(Editor *edit, Vec2 by) {
     EditField *fields = edit->fields;
     const EditHandle *grip = &edit->grip;
@@ -226,7 +226,7 @@ static Box include_places(Box box, const json_t *value) {
     return box;
 }
 
-/* How far what is pasted goes: to the hand; where there is none, or it would lie on what it was copied from, beside
+/* Returns the shift of pasted pieces: to the pointer; without a pointer, or on top of the originals, next to
  * that, the second time beside the first. */
 static Vec2 paste_by(Editor *edit, const char *text, Box box) {
     Vec2 to = vec2_sub(edit->hand.at, vec2_scale(vec2_add(box.low, box.high), 0.5));

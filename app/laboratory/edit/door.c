@@ -17,7 +17,7 @@ static double to_grid(const Editor *edit, double along) {
     return snap_tidy(round(along / grid) * grid);
 }
 
-/* Where on a wall a place means a door to be. False: there is no wall. */
+/* Finds the place on a wall that is nearest to a point. False: there is no wall. */
 static bool find_wall(Editor *edit, Vec2 at) {
     EditTarget *now = &edit->now;
     SnapWall wall;
@@ -97,7 +97,7 @@ static bool keep_within(Editor *edit, const char *self) {
     return now->along != before;
 }
 
-/* What is typed is meant as it is. */
+/* A typed place is taken literally. */
 bool edit_door_limit(Editor *edit) {
     double typed;
     bool placed = edit_field_typed(edit, FIELD_X, &typed) || edit_field_typed(edit, FIELD_Y, &typed) ||
@@ -117,14 +117,14 @@ static const Door *held_door(const Editor *edit) {
     return NULL;
 }
 
-/* Where along the door's own segment the hand is, m. */
+/* Returns the pointer's place along the door's own segment, m. */
 static double hand_along(const Editor *edit, const Door *door) {
     const Vec2 *ends = edit->begun.walls[door->wall_index].points.at + door->segment;
     Vec2 hand = vec2_add(edit->hand.at, edit->offset);
     return vec2_dot(vec2_sub(hand, ends[0]), vec2_unit(vec2_sub(ends[1], ends[0])));
 }
 
-/* An edge goes with the hand, the other one stays. */
+/* One edge follows the pointer, the other one stays. */
 static void follow_edge(Editor *edit, const Door *door) {
     bool last = edit->grip.index == 1;
     double fixed = door->at + (last ? -0.5 : 0.5) * door->width, edge = to_grid(edit, hand_along(edit, door));

@@ -4,7 +4,7 @@
  * An editor changes a draft. It does not know who runs and draws the house: the owner tells it what is displayed
  * (editor_set_scene) and asks it for what has changed since (editor_next_change, editor_next_shake, editor_selected).
  *
- * A gesture is something held in the hand: a wall that is being drawn, a wardrobe that is dragged. Dragging (press,
+ * A gesture is an edit in progress: a wall that is being drawn, a wardrobe that is dragged. Dragging (press,
  * point, release), click-move-click (press and release on a handle without moving takes it up, the next press puts it
  * down) and typing (take a tool, Enter, numbers, Enter) do the same. While a gesture lasts what it would make is
  * checked, run in the background and shown; Escape leaves exactly what was before. Each gesture is one step of undo. */
@@ -39,21 +39,21 @@ typedef struct EditToolRow {
         *strip; /* what to do next, before anything is begun: "click where the wall begins, or Enter to type it" */
 } EditToolRow;
 
-/* Where the hand is. */
+/* The pointer on the plan. */
 typedef struct Pointer {
     Vec2 at;       /* m */
     double reach;  /* m: what is nearer than this is meant */
     bool free;     /* no snapping now */
     bool straight; /* along one axis only */
     bool more;     /* to what is selected already, not in its place */
-    bool nowhere;  /* there is no pointer on the plan: the middle of what is seen is meant */
+    bool nowhere;  /* the pointer is not on the plan: the middle of the view is meant */
 } Pointer;
 
 /* A number of a gesture that can be typed. */
 typedef struct EditField {
     const char *name; /* "length" */
     const char *unit; /* "m", "degree" */
-    double value;     /* as the hand has it, or as typed */
+    double value;     /* by the pointer, or as typed */
     bool typed;
 } EditField;
 
@@ -75,20 +75,20 @@ typedef struct EditMark {
     size_t count;
     const char *words; /* or NULL */
     bool round;        /* of a handle: it turns something */
-    bool held;         /* of a handle: it is in the hand, or has the focus of the keys */
+    bool held;         /* of a handle: it is dragged, or has the keyboard focus */
 } EditMark;
 
-/* What is in the hand and what is to be seen of it; good until the next call of the editor or update. */
+/* The gesture in progress and its marks; good until the next call of the editor or update. */
 typedef struct GestureView {
     bool active;         /* the clock is to be held */
     const char *doing;   /* "wall 2.50 m, 90 degrees"; or what to do next; never NULL */
-    const char *refusal; /* why it cannot be put down so, with what would be right; NULL: it can */
+    const char *refusal; /* why it cannot be placed there, and what is allowed; NULL: it can */
     const EditMark *marks;
     size_t mark_count;
     const EditField *fields; /* that can be typed now, Tab goes round */
     size_t field_count, field;
     const char *typed; /* so far, into the field; "" : nothing */
-    const char *wrong; /* why what is typed is no value, NULL: it is one */
+    const char *wrong; /* why the typed text is not a value; NULL: it is one */
 } GestureView;
 
 /* Something that is placed: a wardrobe of a catalogue, a profile. */
@@ -107,7 +107,7 @@ typedef struct EditText {
     const char *help; /* a sentence */
 } EditText;
 
-/* A change that would let everybody out. */
+/* A change with which all people could leave. */
 typedef struct Proposal {
     const char *words;  /* "Widen door d2 from 0.75 m to 0.79 m" */
     const char *answer; /* "everybody out in 21.3 s" */
@@ -225,7 +225,7 @@ bool editor_paste(Editor *editor, const char *text, Fault *fault);
 bool editor_shake(Editor *editor, Fault *fault);
 const char *editor_shake_result(const Editor *editor);
 
-/* Undo; the names are for menus, NULL: there is no such step. */
+/* Undo; the names are for menus, NULL: there is nothing to undo or redo. */
 bool editor_undo(Editor *editor);
 bool editor_redo(Editor *editor);
 const char *editor_undo_name(const Editor *editor);

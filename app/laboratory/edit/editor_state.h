@@ -1,9 +1,9 @@
 /* The state of an editor, for the files of this folder only.
  *
- * A gesture is a row of functions. `follow` turns the hand and what is typed into a target; `make` turns the target
- * into changes of the draft. Both are done anew whenever the hand moves: the step is rewound, made, and tried.
+ * A gesture is a row of functions. `follow` turns the pointer and the typed numbers into a target; `make` turns the
+ * target into changes of the draft. Both are repeated whenever the pointer moves: the step is rewound, made, and tried.
  *
- *     hand, fields -> follow -> now -> make -> draft_try -> good, or a refusal */
+ *     pointer, fields -> follow -> now -> make -> draft_try -> good, or a refusal */
 #pragma once
 
 #include <stdbool.h>
@@ -26,7 +26,7 @@ enum {
     EDIT_MEASURES = 32, /* that are shown at once */
 };
 
-/* What a gesture has come to. */
+/* The target of a gesture. */
 typedef struct EditTarget {
     Vec2 at;       /* m: where the thing, the handle or the next point goes */
     Vec2 corner;   /* m: of a rectangle that is drawn, where it began */
@@ -50,7 +50,7 @@ typedef struct EditGesture {
     void (*end)(Editor *edit);  /* forgets what the gesture has collected; NULL: nothing */
 } EditGesture;
 
-/* What can be taken up of a thing. */
+/* The kinds of handles of an item. */
 typedef enum EditGrip {
     GRIP_POINT,   /* of a wall, an outline, a route; an end of an exit */
     GRIP_SEGMENT, /* the middle of a wall's piece */
@@ -76,7 +76,7 @@ typedef struct EditChain {
     size_t count, capacity, amount_capacity;
     bool floating;        /* the next point is a part of what is made */
     bool proposed;        /* length and angle of the next one stand in the fields */
-    Vec2 proposed_at;     /* m, where the hand was then */
+    Vec2 proposed_at;     /* m, where the pointer was then */
     char exit[EDIT_NAME]; /* of a route: the exit that was pointed at */
 } EditChain;
 
@@ -85,7 +85,7 @@ typedef struct EditMeasure {
     Vec2 from, to; /* m */
 } EditMeasure;
 
-/* What a press may turn into. */
+/* The gesture that a press may begin. */
 typedef enum EditPending { PENDING_NOTHING, PENDING_HANDLE, PENDING_WHOLE, PENDING_BOX } EditPending;
 
 /* An earthquake that was made here. */
@@ -111,19 +111,19 @@ struct Editor {
     bool moved;   /* since it is */
     Vec2 pressed; /* m, where it went down */
     EditPending pending;
-    bool seen; /* the hand has been anywhere */
+    bool seen; /* the pointer has been on the plan */
 
     char **ids; /* (id_count) of what is selected, the last one last */
     size_t id_count, id_capacity;
-    Item *things; /* (id_count) the same for whoever asks */
+    Item *things; /* (id_count) the same, as items of the displayed house */
     size_t thing_capacity;
-    Item told;  /* that was selected by itself for them */
+    Item told;  /* `selected`, when the two were last compared */
     int handle; /* that has the focus of the keys, -1: none */
 
     const EditGesture *gesture; /* NULL: there is none */
-    bool keys;                  /* the hand has no part in it: until its button is pressed, or */
+    bool keys;                  /* the pointer is ignored: until its button is pressed, or */
     bool clicked;               /* until it moves */
-    Vec2 keys_at;               /* m, where the hand was then */
+    Vec2 keys_at;               /* m, where the pointer was then */
     char name[EDIT_NAME];       /* of its step */
     Plan begun;                 /* the house before it */
     EditTarget now, good;
@@ -138,7 +138,7 @@ struct Editor {
     EditChain chain;
     EditHandle grip; /* that is held; its id is `held` */
     char *held;
-    Vec2 offset;          /* m, from the hand to the handle */
+    Vec2 offset;          /* m, from the pointer to the handle */
     bool taken;           /* by a click, not by dragging */
     bool sizing;          /* a rectangle is drawn out */
     char made[EDIT_NAME]; /* the id of what was added last */
@@ -160,7 +160,7 @@ struct Editor {
     EditMeasure measures[EDIT_MEASURES];
     size_t measure_count;
 
-    EditSearch *search;   /* for changes that let everybody out, or NULL */
+    EditSearch *search;   /* for changes with which all people could leave, or NULL */
     EditSearch *given_up; /* a list of those that have not ended yet */
     char proposing[64];
 
@@ -186,13 +186,13 @@ struct Editor {
 
 /* Gestures -------------------------------------------------------------------------------------------------------- */
 
-/* Begins one; `name` is of its step. `keys`: the hand has no part in it yet. */
+/* Begins a gesture; `name` is the name of its step. `keys`: the pointer is ignored at first. */
 void edit_gesture_begin(Editor *edit, const EditGesture *gesture, const char *name, bool keys);
 
-/* Does it anew, as the hand and the fields are. */
+/* Repeats the gesture with the pointer and the fields as they are. */
 void edit_gesture_follow(Editor *edit);
 
-/* Ends it as a step that stands, or lets it go; false: it does not stand, and is still in the hand. */
+/* Completes the gesture as one step, or cancels it; false: the step is refused, and the gesture goes on. */
 bool edit_gesture_end(Editor *edit);
 void edit_gesture_drop(Editor *edit);
 
@@ -203,7 +203,8 @@ bool edit_gesture_settle(Editor *edit);
 void edit_gesture_open(Editor *edit, const char *name);
 bool edit_gesture_close(Editor *edit, Fault *fault);
 
-/* Fields: sets how they are called, and what the hand gives; is it typed? then `*value` is what is typed. */
+/* Fields: sets their names, and the values of the pointer; true if a field is typed, then `*value` is the typed value.
+ */
 void edit_field_list(Editor *edit, const char *const *names, const char *const *units, size_t count);
 bool edit_field_typed(const Editor *edit, size_t field, double *value);
 void edit_field_show(Editor *edit, size_t field, double value);
@@ -213,7 +214,7 @@ bool edit_field_back(Editor *edit);
 bool edit_field_tab(Editor *edit, int step);
 bool edit_field_begins(const char *letters);
 
-/* Where the hand points, with snapping; `ask` as far as it is special. Keeps the snap. */
+/* Returns the snapped place of the pointer and stores the snap; `ask` has what differs from the usual. */
 Vec2 edit_gesture_snap(Editor *edit, SnapAsk ask);
 
 /* Tools ----------------------------------------------------------------------------------------------------------- */
@@ -225,8 +226,8 @@ void edit_way_make_exit(Editor *edit);
 void edit_way_make_room(Editor *edit);
 void edit_way_make_route(Editor *edit);
 void edit_way_find_exit(Editor *edit);
-const char *edit_way_person(const Editor *edit); /* whose route is drawn; NULL: there is nobody */
-bool edit_way_across(Editor *edit);              /* an exit across the door at the hand */
+const char *edit_way_person(const Editor *edit); /* whose route is drawn; NULL: the plan has no people */
+bool edit_way_across(Editor *edit);              /* an exit across the door at the pointer */
 void edit_place_begin(Editor *edit, bool keys);
 void edit_door_follow(Editor *edit);
 void edit_door_make(Editor *edit);
@@ -236,7 +237,7 @@ void edit_piece_make(Editor *edit);
 void edit_person_follow(Editor *edit);
 void edit_person_make(Editor *edit);
 
-/* The hand and the keys, as editing.h has them. */
+/* Pointer and keys, as in editor.h. */
 void edit_pointer_take(Editor *edit, EditTool tool);
 void edit_pointer_point(Editor *edit, const Pointer *hand);
 void edit_pointer_press(Editor *edit, const Pointer *hand, bool twice);
@@ -246,18 +247,18 @@ bool edit_pointer_enter(Editor *edit);
 bool edit_pointer_back(Editor *edit);
 bool edit_pointer_escape(Editor *edit);
 
-/* What can be placed: reads the catalogue and the names of the profiles once. */
+/* The rows that a tool can place: reads the catalogue and the names of the profiles once. */
 void edit_items_stock(Editor *edit);
 void edit_items_clear(Editor *edit);
 const CatalogueRow *edit_items_list(Editor *edit, size_t *count);
 
 /* Selection ------------------------------------------------------------------------------------------------------- */
 
-/* What is selected by itself, edit->selected, and what the editor has are brought together. */
+/* Makes `selected`, which the owner may have set, and the selected ids agree. */
 void edit_select_meet(Editor *edit);
 void edit_select_only(Editor *edit, const char *id); /* NULL: nothing */
 void edit_select_toggle(Editor *edit, const char *id);
-void edit_select_known(Editor *edit); /* forgets what is no longer there */
+void edit_select_known(Editor *edit); /* forgets the ids that were removed */
 bool edit_select_has(const Editor *edit, const char *id);
 void edit_select_within(Editor *edit, Box box, bool more);
 void edit_select_all(Editor *edit);
@@ -336,4 +337,4 @@ bool edit_text_set(Editor *edit, const char *name, const char *value, Fault *fau
 double edit_measure_chair(const Editor *edit);
 void edit_measure_say(double length, double chair, char *words, size_t size);
 void edit_measure_keep(Editor *edit, Vec2 from, Vec2 to);
-bool edit_measure_side(Editor *edit); /* the side at the hand; false: there is none */
+bool edit_measure_side(Editor *edit); /* the side at the pointer; false: there is none */

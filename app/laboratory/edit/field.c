@@ -38,7 +38,7 @@ bool edit_field_begins(const char *letters) {
     return (*letters >= '0' && *letters <= '9') || (*letters && strchr("-.,+", *letters));
 }
 
-/* May it stand within a number? Letters of units, signs, and what is beyond ASCII: degrees and minus. */
+/* True if the characters may stand in a number: letters of units, signs, and beyond ASCII degrees and minus. */
 static bool goes_on(const char *letters) {
     for (; *letters; letters++)
         if (!strchr("0123456789-+., '\"cmkftinrdeg", *letters) && (unsigned char)*letters < 0x80)
@@ -46,7 +46,7 @@ static bool goes_on(const char *letters) {
     return true;
 }
 
-/* What is typed is read; while it is no number, the last one stays. */
+/* Reads the typed text; while it is not a number, the last value stays. */
 static void read_typed(Editor *edit) {
     EditField *field = &edit->fields[edit->field];
     char reason[QUANTITY_REASON];

@@ -1,4 +1,4 @@
-/* What all gestures have in common: a step that is made anew with each movement, tried, and put down or let go. */
+/* The common part of all gestures: a step that is repeated with each movement, tried, and completed or cancelled. */
 #include <stdio.h>
 
 #include "laboratory/edit/editor_state.h"
@@ -82,7 +82,7 @@ void edit_gesture_follow(Editor *edit) {
     fault_clear(&again);
 }
 
-/* Nothing is in the hand any more. */
+/* Forgets the gesture. */
 static void empty_hand(Editor *edit) {
     if (edit->gesture->end)
         edit->gesture->end(edit);

@@ -1,4 +1,4 @@
-/* What can be taken up of what is selected: points, edges, corners, what turns it. */
+/* The handles of the selected item: points, edges, corners, rotation. */
 
 #include "laboratory/edit/editor_state.h"
 #include "plan/plan_geometry.h"

@@ -34,7 +34,7 @@ static double shape_of(const char *bytes, size_t count) {
     return width > 0 ? height / width : 0;
 }
 
-/* Shape and digest of a file; false: errno, or 0 where it is no such picture. */
+/* Reads shape and digest of a file; false: see errno, 0 if the file is not a PNG picture. */
 static bool look_at(const char *path, double *shape, char digest[17]) {
     size_t count = 0;
     char *bytes = text_read_file(path, IMAGE_LARGEST, &count);
@@ -211,7 +211,7 @@ static void follow(Editor *edit) {
     edit_field_show(edit, 1, now->at.y);
 }
 
-/* What lies at a point stays there, while the picture is turned and made larger about it. */
+/* Turns and scales the picture about a fixed point. */
 static void turn_about(Background *background, Vec2 point, double angle, double factor) {
     Vec2 from = vec2_scale(vec2_sub(background->at, point), factor);
     Vec2 at = vec2_add(point, vec2_turn(from, snap_heading(angle)));

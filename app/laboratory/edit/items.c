@@ -1,4 +1,4 @@
-/* What can be placed: furniture of the catalogue, people of the profiles, kinds of doors. */
+/* The rows that tools can place: furniture of the catalogue, people of the profiles, kinds of doors. */
 #include <dirent.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* What is to be seen of what is in the hand: lines, lengths, handles, what is snapped to, what does not fit. */
+/* The marks of a gesture: lines, lengths, handles, snaps, gaps. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "laboratory/edit/editor_state.h"
 #include "plan/plan_geometry.h"
 
-static const double FARTHEST_GAP = 5.0; /* m: what is farther from a piece is not told */
+static const double FARTHEST_GAP = 5.0; /* m: larger gaps next to a piece are not shown */
 static const double LEAST_TOLD = 0.005; /* m: shorter lengths are not */
 
 static EditMark *add_mark(Editor *edit, EditMarkKind kind, const char *words) {
@@ -66,7 +66,8 @@ void edit_marks_piece(Editor *edit, const Furniture *piece) {
     }
 }
 
-/* What is held ----------------------------------------------------------------------------------------------------- */
+/* The dragged item
+ * ----------------------------------------------------------------------------------------------------- */
 
 static void show_wall(Editor *edit, const Wall *wall) {
     const Vec2 *at = wall->points.at;
@@ -123,7 +124,7 @@ static void add_handles(Editor *edit) {
     }
 }
 
-/* Where the next thing would begin. */
+/* Marks where the next item would begin. */
 static void add_hover(Editor *edit) {
     bool faces = edit->tool == TOOL_AREA || edit->tool == TOOL_MEASURE || edit->tool == TOOL_FURNITURE;
     if (edit->tool == TOOL_SELECT || !edit->seen)

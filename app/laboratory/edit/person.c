@@ -6,7 +6,7 @@
 
 enum { FIELD_X, FIELD_Y, FIELD_HEADING };
 
-/* While its button is down the hand turns who has been placed, once it is far enough from there. */
+/* While its button is down, the pointer turns the placed person, once it is far enough away. */
 static void turn_to_hand(Editor *edit) {
     Vec2 to = vec2_sub(edit->hand.at, edit->now.at);
     if (edit->down && edit->moved && vec2_length(to) > edit->hand.reach)

@@ -20,7 +20,7 @@ static SnapAsk ask_of(const Editor *edit) {
     return (SnapAsk){.at = hand->at, .reach = hand->reach, .free = hand->free, .along = NAN};
 }
 
-/* A rectangle from where it began to the hand, or as it is typed. */
+/* Makes a rectangle from its first corner to the pointer, or as it is typed. */
 static void follow_rectangle(Editor *edit) {
     EditTarget *now = &edit->now;
     Vec2 to = edit_gesture_snap(edit, (SnapAsk){.along = NAN, .faces = true});
@@ -33,7 +33,7 @@ static void follow_rectangle(Editor *edit) {
                    snap_tidy(now->corner.y + copysign(now->size.y, size.y) / 2));
 }
 
-/* A piece at the hand: with its back to a wall, or beside what is there. */
+/* Places a piece at the pointer: with its back to a wall, or next to other furniture. */
 static void follow_piece(Editor *edit) {
     EditTarget *now = &edit->now;
     const CatalogueItem *item = chosen(edit);

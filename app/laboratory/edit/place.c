@@ -1,4 +1,4 @@
-/* One thing at the hand: a door, a piece of furniture, a person. */
+/* Places one item at the pointer: a door, a piece of furniture, a person. */
 #include <stdio.h>
 
 #include "laboratory/edit/editor_state.h"
@@ -6,7 +6,7 @@
 typedef struct PlaceKind {
     const char *name; /* of the step */
     const char *fields[EDIT_FIELDS], *units[EDIT_FIELDS];
-    size_t field_count, first; /* first: of the fields, where a hand has said where */
+    size_t field_count, first; /* first: the first field when the pointer gives the place */
     const EditGesture *gesture;
 } PlaceKind;
 
@@ -58,12 +58,12 @@ static bool put(Editor *edit, bool keys) {
     return true;
 }
 
-/* What is dropped where it cannot be is not put anywhere; a rectangle that has only begun goes on. */
+/* An item that is dropped at an invalid place is not placed; a rectangle that has only begun goes on. */
 static void release(Editor *edit, bool moved) {
     if (edit->sizing && !moved)
         edit->taken = true;
     else if (!put(edit, false))
-        edit->taken = true; /* it stays in the hand, with the reason, for another press */
+        edit->taken = true; /* the gesture goes on, with the reason, until another press */
 }
 
 static void say(Editor *edit, Text *words) {

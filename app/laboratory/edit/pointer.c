@@ -2,7 +2,7 @@
 
 #include "laboratory/edit/editor_state.h"
 
-static const double STIR = 0.4; /* 1, of the reach: a hand that moves less has not moved */
+static const double STIR = 0.4; /* times the reach: pointer travel below this is a click, not a drag */
 
 static bool is_chain(EditTool tool) {
     return tool == TOOL_WALL || tool == TOOL_EXIT || tool == TOOL_MEASURE || tool == TOOL_AREA || tool == TOOL_ROUTE;
@@ -25,7 +25,7 @@ static bool can_begin(const Editor *edit) {
     return edit->tool != TOOL_ROUTE || edit_way_person(edit);
 }
 
-/* What is drawn so far stays drawn. */
+/* Changes the tool; the points drawn so far stay. */
 void edit_pointer_take(Editor *edit, EditTool tool) {
     if (edit->gesture && edit->gesture->escape)
         edit->gesture->escape(edit);
@@ -45,7 +45,7 @@ static void keep_hand(Editor *edit, const Pointer *hand) {
         edit->keys = edit->clicked = false;
 }
 
-/* Of the handle that is now where the button went down: what was there then may be gone. */
+/* Grabs the handle under the press position; looks it up again, since the plan may have changed since the press. */
 static void begin_handle(Editor *edit, EditHold how) {
     Pointer was = edit->hand;
     EditHandle handle;
@@ -55,7 +55,7 @@ static void begin_handle(Editor *edit, EditHold how) {
         edit_drag_begin(edit, &handle, how);
 }
 
-/* The button is down and the hand has left the place: what was meant begins. */
+/* The button is down and the pointer has moved: begins the pending gesture. */
 static void begin_pending(Editor *edit) {
     EditPending pending = edit->pending;
     edit->pending = PENDING_NOTHING;

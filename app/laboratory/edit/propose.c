@@ -72,7 +72,7 @@ static void destroy(EditSearch *search) {
     memory_free(search);
 }
 
-/* Those that are given up and have ended. */
+/* Releases the cancelled searches that have ended. */
 static void reap(Editor *edit, bool wait) {
     EditSearch **at = &edit->given_up;
     while (*at) {
@@ -124,7 +124,7 @@ void edit_propose_ask(Editor *edit) {
     memory_free(search);
 }
 
-/* What is said when nothing is proposed. */
+/* Returns the text for an empty list of proposals. */
 static const char *say_nothing(const SuggestList *list) {
     return list->out_already  ? "everybody gets out as it is"
            : list->note_count ? list->notes[0]

@@ -1,4 +1,4 @@
-/* What is selected, by its ids: they stay what they are while the plan changes. */
+/* The selection, by ids: they stay the same while the plan changes. */
 #include <stdio.h>
 #include <string.h>
 
@@ -13,7 +13,8 @@ const char *edit_select_id(const Editor *edit, Item thing) {
     if (!house || thing.kind == HOUSE_HAZARD || thing.index >= house_item_count(house, NULL, thing.kind))
         return "";
     const char *id = house_item_id(house, thing);
-    return draft_find(edit->draft, id, &index) < DRAFT_LISTS ? id : ""; /* not somebody of a crowd, nor what is gone */
+    return draft_find(edit->draft, id, &index) < DRAFT_LISTS ? id
+                                                             : ""; /* neither a person of a crowd nor a removed item */
 }
 
 Item edit_select_thing(const Editor *edit, const char *id) {
@@ -57,13 +58,13 @@ static void append(Editor *edit, const char *id) {
     edit->ids[edit->id_count++] = copy.text;
 }
 
-/* What is selected by itself is the last of them, where the run that is shown has it. */
+/* Sets `selected` to the last of the selection, if the displayed house has it. */
 static void tell(Editor *edit) {
     edit->told = edit->id_count ? edit_select_thing(edit, edit->ids[edit->id_count - 1]) : (Item){0, 0};
     edit->selected = edit->told;
 }
 
-/* Forgets what is no longer there; has anything been? */
+/* Forgets removed ids; true if there were any. */
 static bool forget_gone(Editor *edit) {
     size_t index, before = edit->id_count;
     for (size_t i = edit->id_count; i > 0; i--)
@@ -83,7 +84,7 @@ void edit_select_meet(Editor *edit) {
         return;
     bool shown = edit_select_thing(edit, last).kind != HOUSE_NOTHING;
     if (!edit->selected.kind && !shown && *last) {
-        edit->told = (Item){0, 0}; /* of what is not shown yet, or cannot be selected by itself */
+        edit->told = (Item){0, 0}; /* the item is not displayed yet, or cannot be selected alone */
         return;
     }
     if (!edit->selected.kind && shown && !edit->told.kind) {
@@ -136,7 +137,7 @@ static Box box_of(const Vec2 *points, size_t count) {
     return box;
 }
 
-/* Where an element of a list lies; false: it is nowhere. */
+/* Finds the box of an element of a list; false: it has no place. */
 static bool find_box(const Plan *plan, DraftList list, size_t i, Box *box) {
     Vec2 corners[4];
     switch (list) {

@@ -89,7 +89,7 @@ static void follow_point(Editor *edit) {
     edit_field_show(edit, 1, edit->now.at.y);
 }
 
-/* Is a place a point of any wall but this one's own segment? */
+/* True if a place is a point of any wall except this wall's own segment. */
 static bool is_joined(const Plan *plan, const char *id, size_t segment, Vec2 at) {
     for (size_t w = 0; w < plan->wall_count; w++)
         for (size_t i = 0; i < plan->walls[w].points.count; i++) {
@@ -102,7 +102,7 @@ static bool is_joined(const Plan *plan, const char *id, size_t segment, Vec2 at)
     return false;
 }
 
-/* A piece of a wall, or an exit, goes with the hand; what is joined to others only to its sides. */
+/* A segment of a wall, or an exit, follows the pointer; joined segments move only sideways. */
 static void follow_piece(Editor *edit) {
     Vec2 ends[2];
     Points points = points_before(edit, ends);

@@ -83,7 +83,7 @@ const char *edit_way_person(const Editor *edit) {
     return plan->person_count ? plan->people[0].id : NULL;
 }
 
-/* The exit at the hand; NULL: none. */
+/* Returns the exit at the pointer; NULL: none. */
 static const char *exit_at(const Editor *edit) {
     for (size_t e = 0; e < edit->begun.exit_count; e++) {
         const Exit *exit = &edit->begun.exits[e];

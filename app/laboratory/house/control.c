@@ -51,7 +51,7 @@ void house_control_settle(void *context) {
     editor_settle(house_control_sync(context)->editor);
 }
 
-/* Sets what a row says in the draft: as a step of its own, unless numbers are in the hand. */
+/* Sets the value of a row in the draft: as its own step, unless a number is being dragged. */
 static bool set_in_draft(HouseSession *live, size_t row, Fault *fault) {
     const PanelParameter *value = &live->values.rows[row];
     char name[HOUSE_THING_NAME];
@@ -250,7 +250,7 @@ void house_control_clear(void *context, double time) {
 
 enum { WORDS = 8 /* besides settings: the verb, the file, and three options with their values */ };
 
-/* Is the draft what its file has, with the numbers changed that have been changed? Not a thing added, moved by hand or
+/* True if the draft equals its file with these settings: no item was added, moved by the pointer or
  * taken away. */
 static bool is_file_with(const HouseSession *live, const char *const *settings, size_t count) {
     const char *path = draft_file_path(live->draft);

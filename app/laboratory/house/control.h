@@ -8,7 +8,7 @@
 HouseSession *house_control_sync(void *context);
 void house_control_select(HouseSession *live, Item item);
 
-/* As in Laboratory. */
+/* Functions of Laboratory, with a HouseSession as context. */
 const PanelParameter *house_control_parameters(const void *context, size_t *count);
 bool house_control_set(void *context, const char *name, double value, Fault *fault);
 void house_control_reset(void *context);
@@ -24,5 +24,5 @@ void house_control_clear(void *context, double time);
 void house_control_hold(void *context, const char *name);
 void house_control_settle(void *context);
 
-/* As command in Laboratory. */
+/* The function `command` of Laboratory. */
 const char *const *house_control_command(void *context, size_t *count);

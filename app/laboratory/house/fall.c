@@ -15,7 +15,7 @@ static FurnitureFall *find(HouseFall *falls, const char *id) {
     return NULL;
 }
 
-/* It is as the piece will be from now on, under its own copy of the id. */
+/* Gives a fall the present piece, with the fall's own copy of the id. */
 static void take(FurnitureFall *fall, const Furniture *piece) {
     const char *id = fall->piece.id;
     fall->piece = *piece;
@@ -23,7 +23,7 @@ static void take(FurnitureFall *fall, const Furniture *piece) {
     fall->piece.name = "";
 }
 
-/* That of a piece, from now on: standing or lying as it did before, unless it is on its way. */
+/* Begins the fall of a piece from standing or lying, unless the piece is falling already. */
 static FurnitureFall *begin(HouseFall *falls, const Furniture *piece, bool lay) {
     FurnitureFall *fall = find(falls, piece->id);
     if (!fall) {
@@ -98,7 +98,7 @@ static bool begin_changed(HouseFall *falls, const Plan *plan) {
     return any;
 }
 
-/* Those on their way are where the hand has moved them meanwhile; what is removed is gone. */
+/* Moves falling pieces to where they were edited meanwhile, and forgets removed ones. */
 static bool follow_moved(HouseFall *falls, const Plan *plan) {
     size_t kept = 0, count = falls->count;
     for (size_t i = 0; i < count; i++) {
@@ -112,7 +112,7 @@ static bool follow_moved(HouseFall *falls, const Plan *plan) {
     return kept < count;
 }
 
-/* Is the house that is drawn the draft? */
+/* True if the drawn house is the draft. */
 static bool is_drawn(const HouseSession *live) {
     const HouseRun *run = live->runs[RUN_EARLY] ? live->runs[RUN_EARLY] : live->runs[RUN_SHOWN];
     return run && house_run_revision(run) == draft_revision(live->draft);

@@ -7,7 +7,7 @@
 typedef struct HouseSession HouseSession;
 
 typedef struct HouseFall {
-    bool wanted;           /* somebody moves it on */
+    bool wanted;           /* the owner animates the falls */
     FurnitureFall *pieces; /* (count) */
     size_t count, capacity;
     size_t drawn;    /* of them, by the film: all or none */
@@ -33,9 +33,9 @@ void house_fall_move(HouseSession *live, double seconds);
 /* "shaking (seed 3)", "" for other falls; NULL: all rests. */
 const char *house_fall_words(const HouseSession *live);
 
-/* How many of the pieces are to be drawn at a time, s; a time before the edit has none. */
+/* Returns how many pieces are drawn at a time, s; none at a time before the edit. */
 size_t house_fall_count(const HouseSession *live, double time);
 
-/* That is drawn with this id; NULL: none. */
+/* Returns the fall that is drawn for this id; NULL: none. */
 const FurnitureFall *house_fall_find(const HouseSession *live, const char *id);
 void house_fall_clear(HouseSession *live);

@@ -48,7 +48,7 @@ static void enter(HouseRun *run, HouseStage stage) {
 
 /* Making it ------------------------------------------------------------------------------------------------------- */
 
-/* Where somebody of the piece's house is among the people of the last one; SIZE_MAX: nowhere. */
+/* Finds a person of the piece's house among the people of the last house; SIZE_MAX: not there. */
 static size_t place_of(const HouseRun *run, const RunPiece *piece, size_t person) {
     return piece->house == &run->house ? person : house_find_person(&run->house, piece->house->people[person].id);
 }
@@ -84,7 +84,7 @@ static void take_piece(void *context, const RunPiece *piece) {
     pthread_mutex_unlock(&run->mutex);
 }
 
-/* What comes piece by piece has somewhere to go. */
+/* Makes room for the rows that arrive bit by bit. */
 static void make_room(HouseRun *run) {
     Observation empty = house_run_begin(run);
     run->people = empty.people;

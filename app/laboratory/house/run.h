@@ -1,4 +1,4 @@
-/* A run of a house for whoever watches it: made on a worker's thread, handed over bit by bit while it is made. */
+/* A run of a house: computed on a worker's thread, handed over bit by bit meanwhile. */
 #pragma once
 
 #include <pthread.h>
@@ -12,7 +12,7 @@
 #include "draw/scene.h"
 #include "laboratory/house/history.h"
 
-/* What is to be made. */
+/* The kinds of jobs of the worker. */
 typedef enum HouseJob {
     HOUSE_JOB_RUN,   /* the run of a plan */
     HOUSE_JOB_MIXED, /* one in which the plan changes */
@@ -82,7 +82,7 @@ static inline uint64_t house_run_revision(const HouseRun *run) {
 /* Which epoch a time is in. */
 size_t house_run_epoch(const HouseRun *run, double time);
 
-/* Have both the same people and the same exits? Then what is observed of one can be shown in the other. */
+/* True if both have the same people and exits: then the observation of one can be displayed in the other. */
 bool house_run_alike(const House *a, const House *b);
 
 /* The house of an epoch, as far as that is like the one at the end; otherwise that of the end. */
@@ -99,10 +99,10 @@ double house_run_age(HouseRun *run);
 /* s, up to when everything is recorded; more will come after it. */
 double house_run_reach(HouseRun *run);
 
-/* How far it is, in words behind `who`, "computed 12.3 s"; false: it is over. */
+/* Writes the progress after `who`, "computed 12.3 s"; false: the run is over. */
 bool house_run_say(HouseRun *run, const char *who, char *words, size_t size);
 
-/* An observation without rows, to be filled by house_run_take: of everybody who takes part. */
+/* Returns an observation of all people in the run, without rows; house_run_take fills it. */
 Observation house_run_begin(const HouseRun *run);
 
 /* Takes over what has been recorded since the last time, when that are at least so many rows; returns how many. */

@@ -88,7 +88,8 @@ bool house_runs_wants(const HouseSession *live, HouseRunRole role) {
     return roles[role].is_wanted && roles[role].is_wanted(live);
 }
 
-/* What they are ---------------------------------------------------------------------------------------------------- */
+/* Facts about the runs
+ * ---------------------------------------------------------------------------------------------------- */
 
 Before house_runs_compared(const HouseSession *live) {
     if (live->ghost == GHOST_BEFORE && live->runs[RUN_BEFORE] && live->runs[RUN_BEFORE] != live->runs[RUN_SHOWN])

@@ -16,7 +16,7 @@
 
 #include "laboratory/house/session_parts.h"
 
-/* What takes a role's run away: bits. */
+/* Events that take a run from its role: bits. */
 enum { RUNS_EDIT = 1, RUNS_ANSWER = 2, RUNS_DISPLAY = 4, RUNS_CLOSE = 8 };
 
 /* Gives a role to a run (NULL: to none), and takes it from the run that had it. */

@@ -13,7 +13,7 @@
 
 /* Asking ---------------------------------------------------------------------------------------------------------- */
 
-/* In brief, or with everything that can be said. */
+/* Asks for the latest run, in brief or with the reasons why somebody cannot leave. */
 static void ask_for_run(HouseSession *live, bool brief) {
     HouseRun *latest = live->runs[RUN_LATEST];
     if (latest && house_run_stage(latest) != HOUSE_WAITS)
@@ -28,35 +28,35 @@ static void ask_for_run(HouseSession *live, bool brief) {
     live->changed |= LABORATORY_PARAMETERS;
 }
 
-/* The answer comes first, why somebody cannot pass when there is time. */
+/* The answer comes first; the reasons follow when the worker is free. */
 void house_schedule_request(HouseSession *live) {
     ask_for_run(live, true);
 }
 
-/* Nothing that was asked for is waited for any more. */
+/* Drops the runs that were asked for. */
 static void forget_asked(HouseSession *live) {
     house_runs_drop(live, RUNS_ANSWER);
     live->changed |= LABORATORY_WORDS | LABORATORY_PARAMETERS;
 }
 
-/* The run of the answer is another one, or NULL. */
+/* Sets the run of the answer; NULL: the displayed one. */
 static void set_clean(HouseSession *live, HouseRun *run) {
     house_runs_set(live, RUN_CLEAN, run);
     live->retell = true;
     live->changed |= LABORATORY_WORDS;
 }
 
-/* Is what is shown, all of it, what is to be shown? */
+/* True if the displayed run is over and has the present history. */
 static bool is_up_to_date(const HouseSession *live) {
     return live->whole && house_runs_is_of(live, live->runs[RUN_SHOWN], live->history.at, live->history.count);
 }
 
-/* Is somebody on the way at what is shown? Then an edit goes on from there. */
+/* True if people move at the displayed time: then an edit applies from there on. */
 static bool is_under_way(const HouseSession *live) {
     return live->runs[RUN_SHOWN] && live->time > 0 && live->time < live->observation->time;
 }
 
-/* What is done is done at the moment that is shown; what is only in the hand is shown from the beginning on. */
+/* A completed edit applies at the displayed time; a gesture in progress is shown from the beginning on. */
 static void note_history(HouseSession *live) {
     const char *text = draft_text(live->draft);
     uint64_t revision = draft_revision(live->draft);
@@ -66,7 +66,7 @@ static void note_history(HouseSession *live) {
         house_history_begin(&live->history, text, revision);
 }
 
-/* Asks for what is missing of the answer and of what is to be shown. */
+/* Asks for the runs that the answer and the display still need. */
 static void ask_missing(HouseSession *live) {
     HouseEpoch now = {0, NULL, draft_revision(live->draft)};
     bool mixed = live->history.count > 1 && !draft_is_open(live->draft);
@@ -137,7 +137,7 @@ static void clear_trouble(HouseSession *live) {
     live->changed |= LABORATORY_WORDS;
 }
 
-/* Whose numbers were lost, when, and what would help. */
+/* Reports each person whose numbers diverged, when, and what would help. */
 static void tell_divergence(HouseSession *live) {
     for (size_t i = 0; i < live->observation->person_count; i++) {
         const PersonObservation *person = &live->observation->people[i];
@@ -152,7 +152,7 @@ static void tell_divergence(HouseSession *live) {
     }
 }
 
-/* There is no such house: the step that made it is undone, and the one that is shown is made again if it was stopped.
+/* The edited plan is invalid: undoes the edit, and restarts the displayed run if it was cancelled.
  */
 static void undo_invalid(HouseSession *live, HouseRun *run) {
     clear_trouble(live);
@@ -176,7 +176,7 @@ static void undo_invalid(HouseSession *live, HouseRun *run) {
 
 /* What is shown --------------------------------------------------------------------------------------------------- */
 
-/* A thing is the same by its name; a dangerous point of another run is another one. */
+/* Reselects by id; a dangerous point does not survive a new run. */
 static void select_again(HouseSession *live, const House *before, const House *now) {
     Item thing = live->selected;
     live->selected = (Item){0, 0};
@@ -187,7 +187,7 @@ static void select_again(HouseSession *live, const House *before, const House *n
     editor_set_selected(live->editor, live->selected);
 }
 
-/* The one shown is over: its own observation takes the place of the one that grew. */
+/* The displayed run is over: its own observation replaces the growing one. */
 static void finish(HouseSession *live) {
     house_session_void_film(live);
     trail_clear(&live->trails);
@@ -200,7 +200,7 @@ static void finish(HouseSession *live) {
     live->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
 }
 
-/* Another run takes the place of the one shown. */
+/* Displays another run. */
 static void swap_in(HouseSession *live, HouseRun *run) {
     const HouseRun *last = live->runs[RUN_SHOWN];
     house_session_void_film(live);
@@ -224,7 +224,7 @@ static void swap_in(HouseSession *live, HouseRun *run) {
     if (!live->opened.count)
         house_value_list(&live->opened, &run->house);
     if (!editor_holds_number(live->editor) &&
-        house_run_revision(run) == draft_revision(live->draft)) /* else it is not as the hand has it */
+        house_run_revision(run) == draft_revision(live->draft)) /* else the sliders are ahead of the run */
         house_value_list_again(&live->values, &live->opened, &run->house);
     live->retell = true;
     live->changed |= LABORATORY_ALL & ~LABORATORY_TROUBLE;
@@ -232,7 +232,7 @@ static void swap_in(HouseSession *live, HouseRun *run) {
 
 /* Following ------------------------------------------------------------------------------------------------------- */
 
-/* Is it time to show a run that has been asked for? */
+/* True if a run that was asked for can be displayed. */
 static bool is_ready(HouseSession *live, HouseRun *run, double time) {
     HouseStage stage = house_run_stage(run);
     if (stage == HOUSE_OVER || (!live->runs[RUN_SHOWN] && (stage == HOUSE_PLANS || stage == HOUSE_DRIVES)))
@@ -240,7 +240,7 @@ static bool is_ready(HouseSession *live, HouseRun *run, double time) {
     return stage == HOUSE_DRIVES && house_run_age(run) > GRACE && house_run_reach(run) > time + TAKE_NEAR;
 }
 
-/* A run that is the answer to an edit under way is not shown: it is what the answer says, and asks for what is. */
+/* True if a run only gives the answer to an edit while people move: the mixed run is displayed instead. */
 static bool is_answer_only(const HouseSession *live, const HouseRun *run) {
     return live->history.count > 1 && !draft_is_open(live->draft) &&
            house_run_revision(run) == draft_revision(live->draft);
@@ -274,7 +274,7 @@ static void update_asked(HouseSession *live, HouseRunRole role, double time) {
     }
 }
 
-/* What has begun before the latest was asked for may end, so that something is seen while a slider moves, but not for
+/* A run begun before the latest was asked for may end, so that a result is seen while a slider moves, but not for
  * long. */
 static void hurry(HouseSession *live) {
     if (!live->runs[RUN_LATEST] || house_run_stage(live->runs[RUN_LATEST]) != HOUSE_WAITS)
@@ -328,7 +328,7 @@ static void update_companions(HouseSession *live) {
     update_companion(live, RUN_ROUTES);
 }
 
-/* Where the answer takes long, walls and furniture are drawn before it: as soon as the house is read, with the same
+/* If the answer takes long, walls and furniture are drawn before it: as soon as the house is read, with the same
  * people in it. */
 static void update_plan(HouseSession *live) {
     HouseRun *run = live->runs[RUN_LATEST];
@@ -339,7 +339,7 @@ static void update_plan(HouseSession *live) {
         house_runs_set(live, RUN_EARLY, run);
 }
 
-/* Why somebody does not get out is looked for when nothing is in the hand. */
+/* Looks for the reasons why somebody cannot leave, unless an edit is in progress. */
 static void update_reasons(HouseSession *live) {
     const HouseRun *run = house_runs_answering(live);
     bool whole = live->runs[RUN_CLEAN] || live->whole;

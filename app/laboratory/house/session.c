@@ -44,7 +44,7 @@ static unsigned update(void *context, double time) {
     live->changed = 0;
     if (live->runs[RUN_SHOWN]) {
         house_show_make(live, time);
-        changed |= live->changed; /* the plan was another one then */
+        changed |= live->changed; /* another plan applies at that time */
         live->changed = 0;
         if (changed & LABORATORY_VIEW)
             film_look(live->film, live->camera);
@@ -182,7 +182,7 @@ static bool rests(const void *context, double time) {
 
 static const Scene *still(void *context) {
     HouseSession *live = house_control_sync(context);
-    house_show_make(live, live->time); /* if a call since the last update has made it void */
+    house_show_make(live, live->time); /* a call since the last update may have made the film stale */
     return house_session_has_film(live) ? film_still(live->film) : &live->nothing;
 }
 

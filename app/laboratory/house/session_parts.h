@@ -1,4 +1,4 @@
-/* What a house at work consists of: for the files house_laboratory*.c. */
+/* The state of a house session, for the files of this folder. */
 #pragma once
 
 #include "plan/draft.h"
@@ -38,12 +38,12 @@ typedef struct ShownPlots {
     Box grown[HOUSE_PLOTS_KNOWN]; /* while the run goes on */
 } ShownPlots;
 
-/* What is said of what is shown. */
+/* The texts about the displayed run. */
 typedef struct HouseWords {
     Scene clean;                 /* holds the answer of the draft when the run is mixed */
     Scene run;                   /* holds what is said of the run: its answer, its list */
     Scene moment;                /* holds what is said of what is selected, and of before and now */
-    double before[HAZARDS_MOST]; /* s, shortly before somebody comes to each dangerous point */
+    double before[HAZARDS_MOST]; /* s, shortly before a person reaches each dangerous point */
     PanelRow *rows;              /* (row_count) */
     TimelineMark *ticks;         /* (tick_count) */
     size_t row_count, row_capacity, tick_count, tick_capacity;
@@ -69,7 +69,7 @@ typedef enum HouseRunRole {
 } HouseRunRole;
 
 typedef struct HouseSession {
-    Draft *draft;            /* the house as it stands under the hand */
+    Draft *draft;            /* the house as it is edited */
     Editor *editor;          /* of that */
     HouseWish wish;          /* without the house; route and driving as they are now */
     LaboratoryOptions given; /* with which it was opened */
@@ -96,8 +96,8 @@ typedef struct HouseSession {
     Camera camera;
     unsigned layers;
     Item selected;
-    unsigned changed;           /* LIVE_... since the last update */
-    bool retell;                /* words of the run are to be made anew, not only those of the moment */
+    unsigned changed;           /* LABORATORY_... bits since the last update */
+    bool retell;                /* the texts of the run are out of date, not only those of the moment */
     HouseValues values, opened; /* as they are; and as they were at the opening */
     ShownPlots plots;
     HouseWords words;
@@ -111,7 +111,7 @@ typedef struct HouseSession {
     Arena command_arena;
 } HouseSession;
 
-/* What can be pointed at. Something is shown. */
+/* The items that can be pointed at; a run is displayed. */
 static inline HouseScenery house_scenery(const HouseSession *live) {
     return (HouseScenery){&live->runs[RUN_SHOWN]->house, live->observation, live->trails.trails};
 }
@@ -129,7 +129,7 @@ static inline bool house_session_has_film(const HouseSession *live) {
 /* Makes it, where that is to be, for a time. */
 void house_show_make(HouseSession *live, double time);
 
-/* The plots of what is shown now; `anew`: of another run, person or ghost, not only of more of the same. */
+/* Makes the plots of the displayed run; `anew`: of another run, person or ghost, not only with more rows. */
 void house_session_plots_make(HouseSession *live, bool anew);
 void house_session_plots_clear(HouseSession *live);
 LaboratoryPlot house_session_plots_at(const HouseSession *live, size_t index);

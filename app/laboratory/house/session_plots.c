@@ -5,7 +5,7 @@
 #include "laboratory/house/runs.h"
 
 #define FIRST_SECONDS 10.0 /* of the axes' time, at least, while a run goes on */
-#define THICK_TAIL 2.0     /* s, of a plot whose x is no time */
+#define THICK_TAIL 2.0     /* s, of a plot whose x axis is not time */
 
 static const char *const titles[HOUSE_PLOTS_KNOWN] = {"Speed", "Clearance", "Contact force", "Personal space pressed",
                                                       "Sideways phase plane"};

@@ -1,7 +1,7 @@
 /* The layers of a house that is shown. */
 #include "laboratory/house/runs.h"
 
-enum { GHOSTS_MOST = 60 /* people: of more nobody could be told apart */ };
+enum { GHOSTS_MOST = 60 /* people: of more, no person could be recognised */ };
 
 #define OUTSIDE 1.0 /* m, round exits: there people are seen to leave */
 

@@ -12,9 +12,9 @@
 #include "visual/house/blockage_scene.h"
 #include "visual/house/people_scene.h"
 
-#define MOMENT 0.1 /* s, of a steady clock, from one time that the present numbers are told to the next */
-#define ALIKE 0.05 /* s: times that are told alike */
-#define AHEAD 2.0  /* s, before somebody comes to a dangerous point: from there it is seen how */
+#define MOMENT 0.1 /* s, of a steady clock, between two updates of the numbers of the moment */
+#define ALIKE 0.05 /* s: times that differ less count as equal */
+#define AHEAD 2.0  /* s, before a person reaches a dangerous point: "go to" begins there */
 
 enum { TICKS_MOST = 2000 };
 
@@ -142,7 +142,7 @@ static void compare(HouseSession *live) {
 
 /* What the scene lists: dangerous points and people --------------------------------------------------------------- */
 
-/* When somebody is nearest to each dangerous point, less so much that one sees them come; s. */
+/* Finds the time when a person is nearest to each dangerous point, minus AHEAD; s. */
 static void find_times(HouseSession *live) {
     const Observation *observation = live->observation;
     double least[HAZARDS_MOST], *before = live->words.before;
@@ -160,7 +160,7 @@ static void find_times(HouseSession *live) {
     }
 }
 
-/* The first who is stopped somewhere; person_count: nobody. */
+/* Returns the first person who is stopped; person_count: none. */
 static size_t first_stopped(const Observation *observation) {
     size_t i = 0;
     while (i < observation->person_count && !blockage_scene_has(&observation->people[i]))
@@ -278,7 +278,7 @@ static void say_answer(HouseSession *live) {
         *than ? scene_text(&words->moment, "%s%s%s", than, *run->detail ? "; " : "", run->detail) : run->detail;
 }
 
-/* What is said of the draft from the beginning on, when the run shown is mixed. */
+/* Makes the answer of the draft from the beginning on, while a mixed run is displayed. */
 static void tell_clean(HouseSession *live) {
     scene_clear(&live->words.clean);
     if (!live->runs[RUN_CLEAN])
@@ -289,7 +289,7 @@ static void tell_clean(HouseSession *live) {
     census_clear(&census);
 }
 
-/* What is said of the run as a whole. */
+/* Makes the texts about the run as a whole. */
 static void tell_run(HouseSession *live) {
     tell_clean(live);
     Census census = census_make(&live->runs[RUN_SHOWN]->house, live->observation);
@@ -332,7 +332,7 @@ bool house_text_moved(const HouseSession *live, double time) {
            trail_row_at(trail, time) != trail_row_at(trail, live->words.time);
 }
 
-/* What is in work, in words; NULL: nothing. */
+/* Returns a text about the work in progress; NULL: there is none. */
 static const char *say_doing(HouseSession *live) {
     HouseWords *words = &live->words;
     char who[32] = "";

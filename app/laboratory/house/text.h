@@ -7,10 +7,10 @@
 void house_text_make(HouseSession *live, double time);
 void house_text_clear(HouseSession *live);
 
-/* Has what is said of the moment changed since? */
+/* True if the texts of the moment are out of date. */
 bool house_text_moved(const HouseSession *live, double time);
 
 Result house_text_answer(HouseSession *live);
 
-/* Is something else in work, or farther, than when this was asked last? */
+/* True if the text about the work in progress has changed since the last call. */
 bool house_text_does_other(HouseSession *live);

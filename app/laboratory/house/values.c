@@ -122,7 +122,7 @@ static PanelParameter *add_value(HouseValues *values, const House *house, const 
     return live;
 }
 
-/* Those of one thing of the plan: KIND.ID.NAME. */
+/* Adds the values of one item of the plan: KIND.ID.NAME. */
 static void add_offers(HouseValues *values, const House *house, const char *kind, const char *id, const char *group,
                        ValueOwner owner, const Offer *offers, size_t count) {
     for (size_t i = 0; i < count; i++) {
@@ -236,7 +236,7 @@ void house_value_clear(HouseValues *values) {
     *values = (HouseValues){0};
 }
 
-/* Of what is selected, and of a person's profile what tells most. */
+/* True if a value belongs to the selected item, or is a main one of the selected person's profile. */
 static bool comes_first(const ValueOwner *owner, const PanelParameter *live, const House *house, Item selected) {
     if (selected.kind == HOUSE_NOTHING || selected.kind == HOUSE_HAZARD || selected.kind == HOUSE_STOP)
         return owner->key && (owner->thing.kind != HOUSE_DOOR || strcmp(live->label, "width") == 0);
@@ -246,7 +246,7 @@ static bool comes_first(const ValueOwner *owner, const PanelParameter *live, con
            strcmp(owner->profile, house->people[selected.index].profile->name) == 0;
 }
 
-/* What is selected itself, before the profile that it has. */
+/* Ranks the selected item before its profile. */
 static int rank_of(const ValueOwner *owner, const PanelParameter *live, Item selected) {
     if (!live->first)
         return 2;

@@ -4,7 +4,7 @@
 #include "house/house.h"
 #include "laboratory/house/session.h"
 
-/* What a row belongs to. */
+/* The item or profile of a row. */
 typedef struct ValueOwner {
     Item thing;          /* of the plan; none: of the run or of a profile */
     const char *profile; /* its name, or NULL */
@@ -20,7 +20,7 @@ typedef struct HouseValues {
     Arena arena;
 } HouseValues;
 
-/* All that there are in a house, which may go before them. house_value_clear releases them. */
+/* Lists all values of a house, which the list does not need afterwards. house_value_clear releases them. */
 void house_value_list(HouseValues *values, const House *house);
 void house_value_clear(HouseValues *values);
 
@@ -30,10 +30,10 @@ void house_value_sort(HouseValues *values, const House *house, Item selected);
 /* The row called so; SIZE_MAX: none. */
 size_t house_value_find(const HouseValues *values, const char *name);
 
-/* Lists them anew; what there was in `opened` keeps that as its initial value, and its slider. */
+/* Lists the values again; those in `opened` keep their initial values and slider ranges. */
 void house_value_list_again(HouseValues *values, const HouseValues *opened, const House *house);
 
-/* Sets a value, or says with a fault what would be right. */
+/* Sets a value; false: a fault says what is allowed. */
 bool house_value_set(HouseValues *values, size_t row, double value, Fault *fault);
 
 /* NAME=VALUE for each that is not as at the opening; returns how many. They are the arena's; `settings` has room for

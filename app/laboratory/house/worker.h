@@ -5,7 +5,7 @@
 
 typedef struct HouseWorker HouseWorker;
 
-/* NULL: there is no thread to be had. house_worker_destroy stops what is in work and waits for that; all runs must
+/* NULL: the system has no more threads. house_worker_destroy stops the run in work and waits for it; all runs must
  * have been abandoned. */
 HouseWorker *house_worker_create(void);
 void house_worker_destroy(HouseWorker *worker);
