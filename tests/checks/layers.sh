@@ -79,7 +79,6 @@ app/laboratory/edit/[a-z]+\.c         app/laboratory/edit/editor_state.h # the f
 app/laboratory/laboratories\.c        app/laboratory/laboratory.h # it is a table only
 app/laboratory/house/[a-z_]+\.c       app/laboratory/house/session_parts.h # the files are one session
 app/widgets/ui_[a-z]+\.c              app/widgets/ui.h # the files are one toolkit
-engine/plan/draft_change\.c           engine/plan/draft_parts.h # the files are one draft
 END
 }
 
