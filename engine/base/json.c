@@ -56,7 +56,7 @@ static bool read_values(JsonFile *file, const char *path, char *text, size_t siz
         memory_free(text);
         return false;
     }
-    file->path = text_copy(path);
+    file->path = file->own_path = text_copy(path);
     file->text = text;
     file->root = root;
     return true;
@@ -79,7 +79,7 @@ bool json_read_memory(JsonFile *file, const char *path, const char *text, Fault 
 void json_free(JsonFile *file) {
     json_decref(file->root);
     memory_free(file->text);
-    memory_free(file->path);
+    memory_free(file->own_path);
     *file = (JsonFile){0};
 }
 

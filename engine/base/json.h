@@ -12,8 +12,9 @@
 
 /* A file's text and values. Owned by the caller of json_read; json_free releases it. */
 typedef struct JsonFile {
-    char *path; /* as given */
-    char *text; /* UTF-8, ended by 0; NULL: the value belongs to no file, and an error begins with `path` alone */
+    const char *path; /* as given */
+    char *own_path;   /* the copy that json_free releases, or NULL */
+    char *text;       /* UTF-8, ended by 0; NULL: the value belongs to no file, and an error begins with `path` alone */
     json_t *root;
 } JsonFile;
 

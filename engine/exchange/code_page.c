@@ -29,9 +29,9 @@ static iconv_t open_page(const char *page) {
     return converter;
 }
 
-char *code_page_convert(const char *text, size_t *size, const char *page) {
+char *code_page_convert(char *text, size_t *size, const char *page) {
     iconv_t converter = open_page(page);
-    char *copy = memory_zeroed(*size * LONGEST + 1, 1), *out = copy, *in = (char *)text;
+    char *copy = memory_zeroed(*size * LONGEST + 1, 1), *out = copy, *in = text;
     size_t left = *size, room = *size * LONGEST;
     while (left > 0) {
         if (converter != (iconv_t)-1 && iconv(converter, &in, &left, &out, &room) != (size_t)-1)

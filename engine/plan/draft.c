@@ -109,9 +109,9 @@ const Plan *draft_plan(const Draft *draft) {
     return &draft->plan;
 }
 
-const char *draft_text(const Draft *draft) {
+const char *draft_text(Draft *draft) {
     if (!draft->text)
-        ((Draft *)draft)->text = plan_text(&draft->plan); /* made on demand */
+        draft->text = plan_text(&draft->plan); /* made on demand */
     return draft->text;
 }
 
@@ -322,17 +322,17 @@ bool draft_set_points(Draft *draft, const char *id, const char *member, const Ve
 bool draft_rename(Draft *draft, const char *id, const char *to, Fault *fault) {
     size_t index;
     if (draft_find(draft, id, &index) == DRAFT_LISTS) {
-        fault_add(fault, "there is nothing called \"%.60s\"", id);
+        fault_add(fault, "unknown id \"%.60s\"", id);
         return false;
     }
     if (strcmp(id, to) == 0)
         return true;
     if (!*to || to[strspn(to, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_")]) {
-        fault_add(fault, "\"%.60s\" cannot be an id, must be one or more letters, digits, - or _", to);
+        fault_add(fault, "\"%.60s\" is not a valid id: it must be one or more letters, digits, - or _", to);
         return false;
     }
     if (draft_find(draft, to, &index) < DRAFT_LISTS) {
-        fault_add(fault, "there is something called \"%.60s\" already, ids must differ", to);
+        fault_add(fault, "the id \"%.60s\" is already used; ids must be unique", to);
         return false;
     }
     char *name = text_copy(id);

@@ -49,7 +49,7 @@ void draft_destroy(Draft *draft);
 const Plan *draft_plan(const Draft *draft);
 
 /* Returns that plan in the form of plan_write; owned by the draft and valid as long as the plan. */
-const char *draft_text(const Draft *draft);
+const char *draft_text(Draft *draft);
 
 /* Returns a number that identifies the plan. Undoing restores the former number. */
 uint64_t draft_revision(const Draft *draft);

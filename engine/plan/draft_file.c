@@ -44,7 +44,7 @@ const char *draft_file_path(const Draft *draft) {
     return draft->path;
 }
 
-bool draft_file_is_changed(const Draft *draft) {
+bool draft_file_is_changed(Draft *draft) {
     return !draft->saved || strcmp(draft->saved, draft_text(draft)) != 0;
 }
 

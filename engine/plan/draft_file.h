@@ -10,7 +10,7 @@ Draft *draft_file_read(const char *path, const char *const *settings, size_t set
 const char *draft_file_path(const Draft *draft);
 
 /* True if the plan differs from that file. */
-bool draft_file_is_changed(const Draft *draft);
+bool draft_file_is_changed(Draft *draft);
 
 /* Writes the plan to a temporary file, then renames it; the original bytes are written if they still describe the plan.
  * The path becomes the draft's file. Returns false after an error. */

@@ -20,10 +20,10 @@ static bool set_component(Draft *draft, const char *id, const char *name, json_t
     if (sscanf(name, "%31[a-z_].%n", member, &used) != 1 || !used ||
         (strcmp(name + used, "x") != 0 && strcmp(name + used, "y") != 0))
         return false;
-    const json_t *point = json_object_get(draft_element(draft, id), member);
+    json_t *point = json_object_get(draft_element(draft, id), member);
     if (json_array_size(point) != 2)
         return false;
-    json_t *moved = json_copy((json_t *)point);
+    json_t *moved = json_copy(point);
     json_array_set_new(moved, name[used] == 'y', value);
     return draft_set(draft, id, member, moved);
 }
@@ -45,7 +45,7 @@ bool draft_parameter_set(Draft *draft, const char *name, json_t *value, Fault *f
         if (list < DRAFT_LISTS && strcmp(plan_tables_lists[list].table.what, kind) == 0)
             return set_component(draft, id, name + used, value) || draft_set(draft, id, name + used, value);
     }
-    fault_add(fault, "there is nothing called \"%.100s\"", name);
+    fault_add(fault, "unknown parameter \"%.100s\"", name);
     json_decref(value);
     return false;
 }

@@ -22,8 +22,8 @@ json_t *plan_json_points(const Vec2 *points, size_t count) {
     return list;
 }
 
-json_t *plan_json_with(const json_t *element, const char *member, json_t *value) {
-    json_t *with = json_copy((json_t *)element); /* shallow: the members are shared */
+json_t *plan_json_with(json_t *element, const char *member, json_t *value) {
+    json_t *with = json_copy(element); /* shallow: the members are shared */
     if (value)
         json_object_set_new(with, member, value);
     else
@@ -60,9 +60,9 @@ static json_t *place_moved(const json_t *value, Vec2 by) {
     return moved;
 }
 
-json_t *plan_json_moved(const json_t *element, Vec2 by) {
+json_t *plan_json_moved(json_t *element, Vec2 by) {
     static const char *const places[] = {"points", "centre", "outline", "from", "to", "at", "area", "via"};
-    json_t *moved = json_copy((json_t *)element);
+    json_t *moved = json_copy(element);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         const json_t *value = json_object_get(element, places[i]);
         json_t *there = json_is_array(value) ? place_moved(value, by) : NULL;
@@ -142,7 +142,9 @@ json_t *plan_json_read(const char *text, Fault *fault) {
         fault_add(fault, "the pasted text is broken at its line %d, column %d: %s", error.line, error.column,
                   error.text);
     else if (!good)
-        fault_add(fault, "these are no pieces of a house: copy some here first, or paste a house file's text");
+        fault_add(
+            fault,
+            "the pasted text is not part of a house: copy elements here first, or paste the text of a house file");
     for (size_t l = 0; good && l < PLAN_LISTS; l++)
         good = check_list(pieces, plan_tables_lists[l].key, fault);
     if (good)

@@ -17,10 +17,10 @@ json_t *plan_json_point(Vec2 point);
 json_t *plan_json_points(const Vec2 *points, size_t count);
 
 /* Returns the element displaced by `by` m; a door stays where it is on its wall. */
-json_t *plan_json_moved(const json_t *element, Vec2 by);
+json_t *plan_json_moved(json_t *element, Vec2 by);
 
 /* Returns the element with a member replaced (steals the value; NULL: without the member). */
-json_t *plan_json_with(const json_t *element, const char *member, json_t *value);
+json_t *plan_json_with(json_t *element, const char *member, json_t *value);
 
 /* Returns the element with every reference to `from` replaced by `to`: as its id, its wall, its exit, among its people.
  * NULL `to`: without that name. Returns the same value if there is no reference. */
