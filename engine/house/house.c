@@ -29,8 +29,8 @@ static void read_profile(House *house, const char *house_path, const HouseOption
             return;
     const char *path = profile_path(house, house_path, options->profiles, name);
     if (access(path, R_OK) != 0) {
-        fault_add(fault, "%s%s has profile \"%s\", but there is no %s.json beside the house or in %s", place, who, name,
-                  name, options->profiles);
+        fault_add(fault, "%s%s has profile \"%s\", but there is no %s.json in the folder of the house or in %s", place,
+                  who, name, name, options->profiles);
         return;
     }
     Profile *profile = &house->profiles[house->profile_count];

@@ -197,7 +197,7 @@ bool populate_house(House *house, Fault *fault) {
     for (size_t i = 1; i < house->person_count; i++) {
         const char *id = house->people[i].id;
         if (strcmp(id, house->people[i - 1].id) == 0)
-            fault_add(fault, "%sperson %s has the name of a member of a crowd, must have another",
+            fault_add(fault, "%sperson %s has the name of a member of a crowd; ids must be unique",
                       plan->people[plan_find_person(plan, id)].place, id);
     }
     return fault->total == before;

@@ -14,7 +14,7 @@ static const Parameter item_rows[] = {
      .offset = offsetof(CatalogueItem, name),
      .unit = "",
      .needed = true,
-     .meaning = "name to show"},
+     .meaning = "displayed name"},
     {.name = "size",
      .kind = PARAMETER_POINT,
      .offset = offsetof(CatalogueItem, size),
@@ -84,7 +84,7 @@ static void read_items(Catalogue *catalogue, const JsonNode *root, Fault *fault)
     json_read_text(root, "note", &catalogue->arena, fault);
     JsonNode items = json_member(root, "items");
     if (!json_is_array(items.value)) {
-        json_fault(items.value ? &items : root, fault, "furniture has \"items\", a list [ ... ]");
+        json_fault(items.value ? &items : root, fault, "a furniture file has no \"items\", must be a list [ ... ]");
         return;
     }
     for (size_t i = 0; i < json_array_size(items.value); i++) {

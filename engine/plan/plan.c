@@ -57,11 +57,12 @@ static const bool *read_list(Plan *plan, const PlanList *list, const JsonNode *r
     bool *sound = arena_allocate(&plan->arena, count * sizeof *sound);
     for (size_t i = 0; i < count; i++) {
         JsonNode element = json_element(&node, i);
-        JsonFile alone = {.path = root->file->text ? NULL : name_element(list, &element)};
-        if (alone.path)
+        char *name = root->file->text ? NULL : name_element(list, &element);
+        JsonFile alone = {.path = name};
+        if (name)
             element.file = &alone;
         sound[i] = parameters_read(&list->table, plan_tables_element(plan, list, i), &element, &plan->arena, fault);
-        memory_free(alone.path);
+        memory_free(name);
     }
     return sound;
 }
@@ -82,7 +83,7 @@ static void keep_override(Plan *plan, const char *name, const JsonNode *node, co
 /* Target of a setting's NAME. */
 typedef struct Target {
     const Parameter *row;
-    void *object;
+    const void *object;
     const PlanList *list; /* NULL: the settings of the run */
     size_t index;
 } Target;
@@ -112,9 +113,13 @@ static bool find_in_lists(const Plan *plan, Target *target, const char *kind, co
         return true;
     }
     const char *nearest = text_nearest(kind, kinds, PLAN_LISTS + 2);
-    json_fault(node, fault, "unknown kind \"%s\"%s%s%s", kind,
-               nearest ? ", did you mean \"" : ", known are wall, door, ",
-               nearest ? nearest : "furniture, room, exit, person, crowd, route, profile, run", nearest ? "\"?" : "");
+    if (nearest)
+        json_fault(node, fault, "unknown kind \"%s\", did you mean \"%s\"?", kind, nearest);
+    else
+        json_fault(
+            node, fault,
+            "unknown kind \"%s\", known are wall, door, furniture, room, exit, person, crowd, route, profile, run",
+            kind);
     return false;
 }
 
@@ -123,7 +128,7 @@ static bool find_target(const Plan *plan, Target *target, const char *name, cons
     char kind[32], id[256];
     int used = 0;
     if (sscanf(name, "run.%n", &used) == 0 && used) {
-        *target = (Target){.row = parameters_find(&plan_tables_run, name + used), .object = (void *)&plan->run};
+        *target = (Target){.row = parameters_find(&plan_tables_run, name + used), .object = &plan->run};
         if (!target->row)
             parameters_fault_unknown(&plan_tables_run, name + used, node, fault);
         return target->row;
@@ -131,7 +136,7 @@ static bool find_target(const Plan *plan, Target *target, const char *name, cons
     if (sscanf(name, "%31[a-z].%255[A-Za-z0-9_-].%n", kind, id, &used) == 2 && used && name[used])
         return find_in_lists(plan, target, kind, id, name + used, node, fault);
     json_fault(node, fault,
-               "\"%.80s\" is no parameter's name: run.NAME, or KIND.ID.NAME such as door.d1.width or "
+               "\"%.80s\" is not a parameter name: it must be run.NAME, or KIND.ID.NAME such as door.d1.width or "
                "profile.manual-chair.width",
                name);
     return false;
@@ -141,16 +146,20 @@ static bool find_target(const Plan *plan, Target *target, const char *name, cons
  * `place` is in the plan's arena. */
 static void apply_setting(Plan *plan, const char *name, const JsonNode *node, const char *place, Fault *fault) {
     Target target;
-    if (plan_is_of_profile(name))
+    if (plan_is_of_profile(name)) {
         keep_override(plan, name, node, place);
-    else if (find_target(plan, &target, name, node, fault) &&
-             parameters_read_value(target.row, target.object, node, &plan->arena, fault) && target.list)
+        return;
+    }
+    if (!find_target(plan, &target, name, node, fault))
+        return;
+    void *object = target.list ? plan_tables_element(plan, target.list, target.index) : &plan->run;
+    if (parameters_read_value(target.row, object, node, &plan->arena, fault) && target.list)
         plan_tables_renamed(plan, target.list, target.index);
 }
 
 const Parameter *plan_parameter(const Plan *plan, const char *name, const void **object, const char *place,
                                 Fault *fault) {
-    JsonFile file = {.path = (char *)place};
+    JsonFile file = {.path = place};
     JsonNode node = json_root(&file);
     Target target;
     if (!find_target(plan, &target, name, &node, fault))
@@ -258,7 +267,7 @@ bool plan_read_text(Plan *plan, const char *path, const char *text, const char *
 }
 
 bool plan_read_values(Plan *plan, const char *path, json_t *values, Fault *fault) {
-    JsonFile file = {.path = memory_zeroed(1, 1), .root = json_incref(values)};
+    JsonFile file = {.path = "", .root = json_incref(values)};
     bool good = read_plan(plan, &file, NULL, 0, fault);
     if (good)
         plan->path = arena_text(&plan->arena, path);
@@ -335,7 +344,7 @@ json_t *plan_schema(void) {
     json_t *properties = json_object();
     json_object_set_new(properties, "format", json_pack("{s:s}", "const", "clearance-house"));
     json_object_set_new(properties, "version", json_pack("{s:i}", "const", 1));
-    json_object_set_new(properties, "name", json_pack("{s:s, s:s}", "type", "string", "description", "name to show"));
+    json_object_set_new(properties, "name", json_pack("{s:s, s:s}", "type", "string", "description", "displayed name"));
     json_object_set_new(
         properties, "note",
         json_pack("{s:s, s:s}", "type", "string", "description", "where the plan comes from, what is assumed"));

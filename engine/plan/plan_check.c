@@ -72,7 +72,7 @@ static void check_unique_ids(const PlanCheck *check) {
     for (size_t i = 1; i < count; i++)
         if (*places[i].id && strcmp(places[i].id, places[i - 1].id) == 0)
             add_fault(check, places[i].list, places[i].index, "id",
-                      "id \"%.60s\" is used twice, first by a %s; ids must differ", places[i].id,
+                      "id \"%.60s\" is used twice, first by a %s; ids must be unique", places[i].id,
                       plan_tables_lists[places[i - 1].list].table.what);
     memory_free(places);
 }
@@ -83,7 +83,7 @@ static void check_wall(const PlanCheck *check, size_t w) {
     const Wall *wall = &check->plan->walls[w];
     for (size_t i = 1; i < wall->points.count; i++) {
         if (vec2_distance(wall->points.at[i - 1], wall->points.at[i]) < WALL_SHORTEST) {
-            add_fault(check, LIST_WALLS, w, "points", "wall %.40s: points %zu and %zu are the same, must be apart",
+            add_fault(check, LIST_WALLS, w, "points", "wall %.40s: points %zu and %zu coincide; they must be apart",
                       wall->id, i, i + 1);
             break;
         }

@@ -55,12 +55,13 @@ static const Parameter wall_rows[] = {
 
 static const Parameter door_rows[] = {
     ID(Door, id, "name of the door"),
-    ID(Door, wall, "the wall it lies in"),
+    ID(Door, wall, "wall of the door"),
     WHOLE(Door, segment, 0, 1e6, 0, false, "segment of the wall's points, from 0", "the first"),
     NEEDED_NUMBER(Door, at, "m", 0, FARTHEST, "middle of the door, along its segment"),
     NEEDED_NUMBER(Door, width, "m", 0.01, 100, "clear width"),
-    CHOICE(Door, kind, "opening|hinged|sliding", DOOR_OPENING, "what closes it"),
-    CHOICE(Door, state, "open|closed|locked", DOOR_OPEN, "how it stands; closed ones cost time, locked ones are wall"),
+    CHOICE(Door, kind, "opening|hinged|sliding", DOOR_OPENING, "kind of door"),
+    CHOICE(Door, state, "open|closed|locked", DOOR_OPEN,
+           "state; a closed door costs time, a locked one counts as wall"),
     CHOICE(Door, hinge, "start|end", HINGE_START, "the end of the segment nearer to the hinge"),
     CHOICE(Door, swing, "left|right", SWING_LEFT, "the side of the wall's direction to which the leaf opens"),
     NUMBER(Door, opening_time, "s", 0, 600, 3, "time to open it when it is closed", "assumed"),
@@ -68,31 +69,31 @@ static const Parameter door_rows[] = {
 
 static const Parameter furniture_rows[] = {
     ID(Furniture, id, "name for references"),
-    NAME(Furniture, name, "name to show"),
-    POINT(Furniture, centre, "middle of the footprint as it stands"),
+    NAME(Furniture, name, "displayed name"),
+    POINT(Furniture, centre, "middle of the footprint of the standing piece"),
     POINT(Furniture, size, "footprint along its own x and y"),
     NUMBER(Furniture, angle, "degree", -360, 360, 0, "turned counter-clockwise by", "along the axes"),
     NUMBER(Furniture, height, "m", 0, 100, 0.7, "height", "assumed: a table's"),
     CHOICE(Furniture, topples, "front|back|left|right|no", TOPPLE_NO,
-           "the face it falls to: front is its own -y, back +y, left -x, right +x"),
+           "face to which it falls: front is its own -y, back +y, left -x, right +x"),
     NUMBER(Furniture, probability, "1", 0, 1, 0.5, "probability of toppling in a shake", "assumed"),
     {.name = "toppled",
      .kind = PARAMETER_FLAG,
      .offset = offsetof(Furniture, toppled),
      .unit = "",
-     .meaning = "lies on that face already"},
+     .meaning = "already lies on that face"},
 };
 
 static const Parameter room_rows[] = {
     ID(Room, id, "name for references"),
-    NAME(Room, name, "name to show"),
+    NAME(Room, name, "displayed name"),
     POINTS(Room, outline, 3, true, "outline"),
 };
 
 static const Parameter exit_rows[] = {
     ID(Exit, id, "name of the exit"),
     POINT(Exit, from, "one end of the line to cross"),
-    POINT(Exit, to, "its other end"),
+    POINT(Exit, to, "other end of the line to cross"),
     NUMBER(Exit, opens, "s", 0, 1e6, 0, "usable from", "from the beginning"),
     NUMBER(Exit, closes, "s", 0, HUGE_VAL, HUGE_VAL, "usable until; absent: always", "always"),
 };
@@ -110,14 +111,14 @@ static const Parameter crowd_rows[] = {
     ID(Crowd, id, "name of the crowd; its people are NAME-1, NAME-2, ..."),
     ID(Crowd, profile, "a profile in assets/profiles"),
     WHOLE(Crowd, count, 1, 1e5, 1, true, "number of people", ""),
-    POINTS(Crowd, area, 3, true, "outline of where they stand, placed by the seed"),
+    POINTS(Crowd, area, 3, true, "outline of the area in which the seed places them"),
     NUMBER(Crowd, delay, "s", 0, 1e6, 0, "time before starting", "none"),
 };
 
 static const Parameter observed_rows[] = {
     NEEDED_NUMBER(Observed, mean, "s", 0.001, 1e6, "mean time of the measured runs"),
     NUMBER(Observed, deviation, "s", 0, 1e6, 0, "their standard deviation", "unknown"),
-    WHOLE(Observed, runs, 1, 1e6, 1, false, "how many runs", "one"),
+    WHOLE(Observed, runs, 1, 1e6, 1, false, "number of runs", "one"),
 };
 
 static const ParameterTable observed_table = TABLE("observed", observed_rows);
@@ -135,23 +136,24 @@ static const Parameter route_rows[] = {
      .kind = PARAMETER_ID,
      .offset = offsetof(PlanRoute, exit),
      .unit = "",
-     .meaning = "the exit it leads to; absent: the quickest"},
+     .meaning = "exit of the route; absent: the quickest"},
     {.name = "observed",
      .kind = PARAMETER_TABLE,
      .offset = offsetof(PlanRoute, observed),
      .unit = "",
      .table = &observed_table,
-     .meaning = "what somebody measured"},
+     .meaning = "measured times"},
 };
 
 static const Parameter run_rows[] = {
     NUMBER(RunSettings, dt, "s", 1e-6, 0.1, 0.001, "time step", "chosen: times change by under 0.01 % when halved"),
     NUMBER(RunSettings, until, "s", 0, 1e5, 600, "time to give up at", "chosen"),
-    NUMBER(RunSettings, sample, "s", 1e-6, 100, 0.04, "time between two rows of the trace", "chosen: 25 a second"),
+    NUMBER(RunSettings, sample, "s", 1e-6, 100, 0.04, "time between two rows of the trace", "chosen: 25 per second"),
     CHOICE(RunSettings, routes, "together|alone", ROUTES_TOGETHER,
-           "everybody at once, or each route's people alone, as in an experiment"),
+           "all people together, or each route's people alone, as in an experiment"),
     NUMBER(RunSettings, cell, "m", 0.01, 0.2, 0.05, "cell of the route search", "chosen"),
-    WHOLE(RunSettings, reversals, 0, 20, 6, false, "most changes of direction in a drivable route", "assumed"),
+    WHOLE(RunSettings, reversals, 0, 20, 6, false, "largest number of changes of direction in a drivable route",
+          "assumed"),
     NUMBER(RunSettings, patience, "s", 0.1, 1e4, 20, "time without getting on before a person counts as blocked",
            "assumed"),
     NUMBER(RunSettings, clearance_warning, "m", 0, 2, 0.05, "clearance below which a place is dangerous", "assumed"),
@@ -167,8 +169,8 @@ static const Parameter background_rows[] = {
      .offset = offsetof(Background, image),
      .unit = "",
      .needed = true,
-     .meaning = "a picture's file, from the house file's folder on"},
-    POINT(Background, at, "its lower left corner"),
+     .meaning = "file of a picture, relative to the folder of the house file"},
+    POINT(Background, at, "lower left corner of the picture"),
     NEEDED_NUMBER(Background, width, "m", 0.01, FARTHEST, "its width"),
     NUMBER(Background, angle, "degree", -360, 360, 0, "turned counter-clockwise about that corner by",
            "along the axes"),

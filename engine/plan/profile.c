@@ -18,20 +18,20 @@ enum { CHAIRS = 1, WALKERS = 2, ALL = CHAIRS | WALKERS };
     ROW(CHAIRS, "body.mass_centre", mass_centre, "m", -1, 1, "mass centre ahead of the drive axle")                    \
     ROW(CHAIRS, "body.radius_of_gyration", radius_of_gyration, "m", 0.05, 2, "radius of gyration in yaw")              \
     ROW(ALL, "drive.free_speed", free_speed, "m/s", 0.05, 5, "free speed on the level, mean")                          \
-    ROW(ALL, "drive.free_speed_deviation", free_speed_deviation, "m/s", 0, 2, "its standard deviation")                \
+    ROW(ALL, "drive.free_speed_deviation", free_speed_deviation, "m/s", 0, 2, "standard deviation of the free speed")  \
     ROW(CHAIRS, "drive.minimum_speed", minimum_speed, "m/s", 0.01, 2, "v_min, floor of the speed through corners")     \
     ROW(CHAIRS, "drive.steering_time", steering_time, "s", 0, 10, "b of the steering law v = (W - w) / b")             \
     ROW(ALL, "drive.acceleration", acceleration, "m/s2", 0.01, 10, "a_0, initial acceleration")                        \
     ROW(CHAIRS, "drive.deceleration", deceleration, "m/s2", 0.01, 10, "a_d, deceleration")                             \
     ROW(CHAIRS, "drive.lateral_acceleration", lateral_acceleration, "m/s2", 0.01, 10, "comfortable in a corner")       \
     ROW(CHAIRS, "drive.turn_rate", turn_rate, "rad/s", 0.01, 10, "fastest turn")                                       \
-    ROW(ALL, "drive.push", push, "N", 0, 5000, "most that the driver pushes with; 0: nobody drives")                   \
-    ROW(CHAIRS, "drive.turning_moment", turning_moment, "N m", 0, 1000, "most that the driver turns with")             \
+    ROW(ALL, "drive.push", push, "N", 0, 5000, "largest push of the driver; 0: no driver")                             \
+    ROW(CHAIRS, "drive.turning_moment", turning_moment, "N m", 0, 1000, "largest turning moment of the driver")        \
     ROW(ALL, "drive.speed_response", speed_response, "s", 0.01, 10, "time to take up a speed")                         \
     ROW(CHAIRS, "drive.turn_response", turn_response, "s", 0.01, 10, "time to take up a turn")                         \
     ROW(CHAIRS, "drive.lateral_gain", lateral_gain, "1/m2", 0, 1000, "steering per distance off the path")             \
     ROW(CHAIRS, "drive.heading_gain", heading_gain, "1/m", 0, 1000, "steering per heading off the path")               \
-    ROW(CHAIRS, "drive.side_friction", side_friction, "1", 0, 10, "of the wheels sideways")                            \
+    ROW(CHAIRS, "drive.side_friction", side_friction, "1", 0, 10, "friction of the wheels sideways")                   \
     ROW(CHAIRS, "drive.reversing_speed", reversing_speed, "m/s", 0.01, 5, "speed backwards")                           \
     ROW(CHAIRS, "drive.reversing_time", reversing_time, "s", 0, 60, "time to change direction")                        \
     ROW(WALKERS, "drive.time_gap", time_gap, "s", 0.05, 10, "a walker's time gap to whoever is ahead")                 \
@@ -72,7 +72,7 @@ static const Parameter driving_row = {.name = "driving",
                                       .unit = "",
                                       .choices = DRIVING_WORDS,
                                       .needed = true,
-                                      .meaning = "the way of driving"};
+                                      .meaning = "driving model"};
 
 static const char *const groups[] = {"body", "drive", "space", "contact"};
 enum { GROUPS = sizeof groups / sizeof *groups };
@@ -181,15 +181,17 @@ static const Parameter *find_row(const Profile *profile, const char *name, const
     if (!row) {
         parameters_fault_unknown(&table, name, node, fault);
     } else if (row != &driving_row && !profile_row_matters((size_t)(row - profile_rows), profile->driving)) {
-        json_fault(node, fault, "%s has no meaning for %s, who %s", row->name, profile->name,
-                   profile->driving == DRIVING_WALKER ? "walks" : "drives");
+        json_fault(node, fault,
+                   profile->driving == DRIVING_WALKER ? "%s does not apply to %s: people of this profile walk"
+                                                      : "%s does not apply to %s: people of this profile drive",
+                   row->name, profile->name);
         row = NULL;
     }
     return row;
 }
 
 const Parameter *profile_parameter(const Profile *profile, const char *name, const char *place, Fault *fault) {
-    JsonFile file = {.path = (char *)place};
+    JsonFile file = {.path = place};
     JsonNode node = json_root(&file);
     return find_row(profile, name, &node, fault);
 }
@@ -205,7 +207,8 @@ bool profile_set(Profile *profile, const char *name, const char *value, const ch
         profile->provenance[row - profile_rows] = "assumed: set for this run";
     if ((before_driving == DRIVING_WALKER) != (profile->driving == DRIVING_WALKER)) {
         profile->driving = before_driving;
-        json_fault(&node, fault, "who walks cannot be made to drive, nor the other way round: take another profile");
+        json_fault(&node, fault,
+                   "a walking profile cannot be changed to a driving one, nor the reverse: use another profile");
     }
     round_walker(profile);
     json_decref(file.root);
@@ -223,13 +226,13 @@ bool profile_check(const Profile *profile, double dt, const char *place, Fault *
      * others, two of them against a wall behind. */
     const double most_contacts = walks ? 8 : 4;
     if (walks && profile->space_reach > WALKERS_REACH)
-        fault_add(fault, "%s: reach is %g m, at most %g m for somebody who walks", place, profile->space_reach,
+        fault_add(fault, "%s: reach is %g m, must be at most %g m for a walker", place, profile->space_reach,
                   WALKERS_REACH);
     if (profile->axle > profile->length)
-        fault_add(fault, "%s: axle is %g m ahead of the rear edge, at most the length, %g m", place, profile->axle,
-                  profile->length);
+        fault_add(fault, "%s: axle is %g m ahead of the rear edge, must be at most the length, %g m", place,
+                  profile->axle, profile->length);
     if (profile->corner_radius > fmin(profile->length, profile->width) / 2)
-        fault_add(fault, "%s: corner_radius is %g m, at most half the smaller side, %g m", place,
+        fault_add(fault, "%s: corner_radius is %g m, must be at most half the smaller side, %g m", place,
                   profile->corner_radius, fmin(profile->length, profile->width) / 2);
     /* At a corner of the body a force also turns the body, which makes the mass there appear smaller. */
     double arm = vec2_length(vec2(profile->length / 2, profile->width / 2)) / profile->radius_of_gyration;

@@ -205,8 +205,9 @@ TEST(what_cannot_be_varied_is_told_with_what_would_be_right) {
         {"profile.adult.width", "no person has the profile \"adult\""},
         {"profile.manual-chair.widht", "profile has no parameter \"widht\", did you mean \"width\"?"},
         {"profile.manual-chair.driving", "driving is not a number"},
-        {"profile.manual-chair.time_gap", "drive.time_gap has no meaning for manual-chair, who drives"},
-        {"crowds", "\"crowds\" is no parameter's name: run.NAME, or KIND.ID.NAME such as door.d1.width or "
+        {"profile.manual-chair.time_gap",
+         "drive.time_gap does not apply to manual-chair: people of this profile drive"},
+        {"crowds", "\"crowds\" is not a parameter name: it must be run.NAME, or KIND.ID.NAME such as door.d1.width or "
                    "profile.manual-chair.width"},
     };
     Case made;

@@ -311,7 +311,8 @@ TEST(a_setting_comes_after_an_override_and_is_named_in_its_fault) {
         {"person.p1.z=1", "--set person.p1.z: person has no parameter \"z\", it has id, profile, at, heading, delay, "
                           "speed"},
         {"dor.d1.width=1", "--set dor.d1.width: unknown kind \"dor\", did you mean \"door\"?"},
-        {"width=1", "--set width: \"width\" is no parameter's name: run.NAME, or KIND.ID.NAME such as door.d1.width or "
+        {"width=1", "--set width: \"width\" is not a parameter name: it must be run.NAME, or KIND.ID.NAME such as "
+                    "door.d1.width or "
                     "profile.manual-chair.width"},
         {"door.d1.width", "--set door.d1.width: must be NAME=VALUE, for instance door.d1.width=0.8"},
         {"door.d1.width=", "--set door.d1.width=: must be NAME=VALUE, for instance door.d1.width=0.8"},

@@ -107,8 +107,8 @@ TEST(a_wrong_change_of_a_parameter_leaves_it_and_names_the_place) {
          "contact.normal_stiffness"},
         {"driving", "\"flyer\"", "a.json:3:4: driving is \"flyer\", must be driver, miura or walker"},
         {"driving", "\"walker\"",
-         "a.json:3:4: who walks cannot be made to drive, nor the other way round: take another profile"},
-        {"time_gap", "1", "a.json:3:4: drive.time_gap has no meaning for manual-chair, who drives"},
+         "a.json:3:4: a walking profile cannot be changed to a driving one, nor the reverse: use another profile"},
+        {"time_gap", "1", "a.json:3:4: drive.time_gap does not apply to manual-chair: people of this profile drive"},
     };
     Profile profile = shipped("manual-chair");
     double width = profile.width;
@@ -126,8 +126,8 @@ TEST(a_wrong_change_of_a_parameter_leaves_it_and_names_the_place) {
 
 TEST(the_parts_of_a_body_must_fit_together) {
     static const char *const wrong[][3] = {
-        {"axle", "1.5", "here: axle is 1.5 m ahead of the rear edge, at most the length, 1.1 m"},
-        {"corner_radius", "0.4", "here: corner_radius is 0.4 m, at most half the smaller side, 0.315 m"},
+        {"axle", "1.5", "here: axle is 1.5 m ahead of the rear edge, must be at most the length, 1.1 m"},
+        {"corner_radius", "0.4", "here: corner_radius is 0.4 m, must be at most half the smaller side, 0.315 m"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         Profile profile = shipped("manual-chair");
