@@ -65,9 +65,9 @@ static bool all_out(MeasureAnswer *answer, const House *house, const Observation
         first = first == SIZE_MAX ? i : first;
     }
     if (!count)
-        no_value(answer, "nobody takes part");
+        no_value(answer, "no person takes part");
     else if (left)
-        no_value(answer, "%zu of %zu did not get out, the first of them %.60s: %s after %.1f s", left, count,
+        no_value(answer, "%zu of %zu people did not leave, the first of them %.60s: %s after %.1f s", left, count,
                  house->people[first].id, observation_reason(observation->people[first].reason),
                  observation->people[first].time);
     return count && !left;
@@ -138,11 +138,11 @@ static void take_assigned(MeasureAnswer *answer, const House *house, const Obser
         kept += good;
         if (!good && !*answer->note)
             snprintf(answer->note, sizeof answer->note, "%.60s %s%.60s", house->people[i].id,
-                     person->completed ? "left by " : "did not get out",
+                     person->completed ? "left by " : "did not leave",
                      person->completed ? house->plan.exits[person->exit].id : "");
     }
     if (!assigned)
-        no_value(answer, "nobody has an exit assigned");
+        no_value(answer, "no person has an assigned exit");
     else
         answer->value = (double)kept / (double)assigned;
 }
@@ -171,7 +171,7 @@ static void take_overtaking(MeasureAnswer *answer, const House *house, const Obs
         }
     }
     if (!pairs)
-        no_value(answer, "nobody starts behind one of the others");
+        no_value(answer, "no person starts behind another one");
     else
         answer->value = (double)before / (double)pairs;
 }
@@ -295,7 +295,7 @@ static void take_speed(MeasureAnswer *answer, const House *house, const Observat
         answer->value += speeds[i] / (double)count;
     memory_free(speeds);
     if (!count)
-        no_value(answer, "nobody crosses the area");
+        no_value(answer, "no person crosses the area");
 }
 
 static void take_speed_deviation(MeasureAnswer *answer, const House *house, const Observation *observation,
@@ -322,7 +322,7 @@ static void take_slowest(MeasureAnswer *answer, const House *house, const Observ
         answer->value = fmin(answer->value, speeds[i]);
     memory_free(speeds);
     if (!count)
-        no_value(answer, "nobody crosses the area");
+        no_value(answer, "no person crosses the area");
 }
 
 static void take_fastest(MeasureAnswer *answer, const House *house, const Observation *observation,
@@ -333,7 +333,7 @@ static void take_fastest(MeasureAnswer *answer, const House *house, const Observ
         answer->value = fmax(answer->value, speeds[i]);
     memory_free(speeds);
     if (!count)
-        no_value(answer, "nobody crosses the area");
+        no_value(answer, "no person crosses the area");
 }
 
 /* Returns the fraction of the path from a to b at which it passes between the line's ends; negative: it does not. */
@@ -385,7 +385,7 @@ static void take_flow(MeasureAnswer *answer, const House *house, const Observati
     size_t count = passing_times(&times, house, observation, question);
     size_t a = (size_t)(question->first * (double)count), b = (size_t)(question->last * (double)count);
     if (b < a + 2 || !(times[b - 1] > times[a]))
-        no_value(answer, "only %zu pass", count);
+        no_value(answer, "people who pass: only %zu", count);
     else
         answer->value = (double)(b - 1 - a) / (times[b - 1] - times[a]) / gate_width(house, question);
     memory_free(times);
@@ -417,7 +417,7 @@ static bool stay(double *time, double *way, MeasureAnswer *answer, const House *
                  const MeasureQuestion *question) {
     *time = *way = 0;
     if (!observation->completed && observation->time < question->until) {
-        no_value(answer, "the run ended at %.1f s, within the time asked about", observation->time);
+        no_value(answer, "the run ended at %.1f s, within the measured time", observation->time);
         return false;
     }
     Move move;
@@ -448,32 +448,33 @@ static void take_area_speed(MeasureAnswer *answer, const House *house, const Obs
     if (time > 0)
         answer->value = way / time;
     else
-        no_value(answer, "nobody is in the area then");
+        no_value(answer, "no person is in the area at that time");
 }
 
 /* The table ---------------------------------------------------------------------------------------------------------*/
 
 static const Measure measures[] = {
-    {"time", "s", 0, "when the last of them is out", take_time},
-    {"mean_time", "s", 0, "when they are out, in the mean", take_mean_time},
-    {"out", "1", 0, "how many of them get out", take_out},
-    {"exit_count", "1", MEASURE_EXIT, "how many of them leave by the exit", take_exit_count},
-    {"assigned_exit", "1", 0, "share of them who leave by the exit that their route names", take_assigned},
-    {"overtaking", "1", MEASURE_PAST, "share of the pairs in which one who starts behind is out before the other",
+    {"time", "s", 0, "time when the last of the people is out", take_time},
+    {"mean_time", "s", 0, "mean time when the people are out", take_mean_time},
+    {"out", "1", 0, "number of people who leave", take_out},
+    {"exit_count", "1", MEASURE_EXIT, "number of people who leave by the exit", take_exit_count},
+    {"assigned_exit", "1", 0, "share of people who leave by the exit of their route", take_assigned},
+    {"overtaking", "1", MEASURE_PAST, "share of pairs in which the person who starts behind leaves first",
      take_overtaking},
-    {"start", "s", 0, "greatest difference between somebody's start and their delay", take_start},
-    {"speed", "m/s", 0, "mean of their speeds on the way through the area, or from start to exit", take_speed},
-    {"speed_deviation", "m/s", 0, "standard deviation of the same", take_speed_deviation},
-    {"slowest", "m/s", 0, "least of the same", take_slowest},
-    {"fastest", "m/s", 0, "greatest of the same", take_fastest},
-    {"flow", "1/(m s)", MEASURE_GATE, "people per metre and second, between the shares first and last of them",
-     take_flow},
-    {"passed", "1", MEASURE_GATE, "how many of them pass", take_passed},
-    {"last_passing", "s", MEASURE_GATE, "when the last of them passes", take_last_passing},
-    {"density", "1/m2", MEASURE_AREA | MEASURE_WINDOW, "mean number of them in the area, per square metre",
+    {"start", "s", 0, "greatest difference between a person's start and delay", take_start},
+    {"speed", "m/s", 0, "mean speed through the area, or from start to exit", take_speed},
+    {"speed_deviation", "m/s", 0, "standard deviation of that speed", take_speed_deviation},
+    {"slowest", "m/s", 0, "least of these speeds", take_slowest},
+    {"fastest", "m/s", 0, "greatest of these speeds", take_fastest},
+    {"flow", "1/(m s)", MEASURE_GATE, "people per metre and second, between the shares first and last", take_flow},
+    {"passed", "1", MEASURE_GATE, "number of people who pass", take_passed},
+    {"last_passing", "s", MEASURE_GATE, "time when the last person passes", take_last_passing},
+    {"density", "1/m2", MEASURE_AREA | MEASURE_WINDOW, "mean number of people in the area per square metre",
      take_density},
-    {"wall_crossings", "1", 0, "times that the middle of a body went into a wall, at any step", take_wall_crossings},
-    {"area_speed", "m/s", MEASURE_AREA | MEASURE_WINDOW, "way covered per time spent in the area", take_area_speed},
+    {"wall_crossings", "1", 0, "number of times that the middle of a body entered a wall, at any step",
+     take_wall_crossings},
+    {"area_speed", "m/s", MEASURE_AREA | MEASURE_WINDOW, "distance covered per time spent in the area",
+     take_area_speed},
 };
 enum { MEASURES = sizeof measures / sizeof *measures };
 

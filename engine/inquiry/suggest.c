@@ -46,12 +46,12 @@ static void add_doors(Elements *elements, const Plan *plan, Vec2 stuck, SuggestL
         plan_geometry_door_ends(plan, door, &from, &to);
         Change widest;
         if (door->state == DOOR_LOCKED)
-            add_note(list, text_in_arena(&list->arena, "door %s is locked and stays so", door->id));
+            add_note(list, text_in_arena(&list->arena, "door %s is locked and stays locked", door->id));
         else if (suggest_search_widest(plan, d, &widest))
             add_element(elements, widest, vec2_scale(vec2_add(from, to), 0.5), stuck);
         else if (door->width < SUGGEST_SEARCH_WIDEST)
             add_note(list,
-                     text_in_arena(&list->arena, "door %s stays %.2f m wide: there is no wall beside it to take away",
+                     text_in_arena(&list->arena, "door %s stays %.2f m wide: there is no wall next to it to remove",
                                    door->id, door->width));
     }
 }
@@ -125,8 +125,8 @@ static void note_unfound(SuggestList *list, Search *search, const Change *elemen
     const char *words = suggest_change_words(&search->base->plan, element, &list->arena);
     bool cut_short = search->exhausted || parallel_stopped(search->task->stop);
     add_note(list, text_in_arena(&list->arena,
-                                 cut_short ? "it would help to %s: how much less is enough was not yet known"
-                                           : "it would help to %s, but nothing less than that was found",
+                                 cut_short ? "it would help to %s; the smallest sufficient change is not known yet"
+                                           : "it would help to %s; no smaller change was found",
                                  words));
 }
 
@@ -206,8 +206,8 @@ static void suggest_together(SuggestList *list, Search *search, const Elements *
         size_t count = elements->count ? put_back(search, elements, furniture_first, needed) : 0;
         double time;
         if (count > TOGETHER_MOST)
-            add_note(list,
-                     text_in_arena(&list->arena, "%zu changes would be needed together: too many to be of use", count));
+            add_note(list, text_in_arena(&list->arena,
+                                         "%zu changes would be needed together: too many for a suggestion", count));
         else if (count && shrink(search, needed, count, &time))
             add_suggestion(list, &search->base->plan, needed, count, time);
     }
@@ -245,8 +245,8 @@ static void explain_nothing(SuggestList *list, Search *search, const Elements *e
               &(RunOptions){.route = SIZE_MAX, .jobs = search->task->jobs, .stop = search->task->stop});
     if (!observation.completed && !parallel_stopped(search->task->stop))
         add_note(list, text_in_arena(&list->arena, "%s: %s. Walls are not moved",
-                                     elements->count ? "even with every door as wide as its wall lets it be and no "
-                                                       "furniture at all"
+                                     elements->count ? "even with every door as wide as its wall allows and without "
+                                                       "furniture"
                                                      : "there is no door to widen and no furniture to move",
                                      stuck_words(&house, &observation, &list->arena)));
     observation_free(&observation);

@@ -28,7 +28,7 @@
 static const Parameter case_rows[] = {
     TEXT(Verification, id, "id", PARAMETER_ID, true, "name of the case"),
     TEXT(Verification, suite, "suite", PARAMETER_TEXT, true, "suite and number of the test"),
-    TEXT(Verification, title, "title", PARAMETER_TEXT, true, "what is tested"),
+    TEXT(Verification, title, "title", PARAMETER_TEXT, true, "tested behaviour"),
     TEXT(Verification, note, "note", PARAMETER_TEXT, false, "source, and what is assumed"),
     TEXT(Verification, house, "house", PARAMETER_TEXT, false, "house file, from the case file's directory"),
     TEXT(Verification, reason, "reason", PARAMETER_TEXT, false, "why the test does not apply"),
@@ -37,36 +37,37 @@ static const Parameter case_rows[] = {
      .offset = offsetof(Verification, applies),
      .unit = "",
      .fallback = 1,
-     .meaning = "false: the program has nothing that could be tested so"},
+     .meaning = "false: the program has no feature that the test covers"},
 };
 enum { CASE_ROWS = sizeof case_rows / sizeof *case_rows };
 
 static const Parameter variant_rows[] = {
     TEXT(VerificationVariant, id, "id", PARAMETER_ID, true, "name of the variant"),
     TEXT(VerificationVariant, house, "house", PARAMETER_TEXT, false, "house file; absent: the case's"),
-    TEXT(VerificationVariant, set, "set", PARAMETER_TEXT, false, "NAME=VALUE NAME=VALUE ... that change it"),
+    TEXT(VerificationVariant, set, "set", PARAMETER_TEXT, false, "settings NAME=VALUE NAME=VALUE ... of the variant"),
 };
 static const ParameterTable variant_table = {"variant", variant_rows, sizeof variant_rows / sizeof *variant_rows};
 
 static const Parameter check_rows[] = {
-    TEXT(VerificationCheck, measure_name, "measure", PARAMETER_TEXT, true, "what is measured"),
-    TEXT(VerificationCheck, title, "title", PARAMETER_TEXT, false, "what is asked, in words"),
-    TEXT(VerificationCheck, question.of, "of", PARAMETER_IDS, false, "people and crowds; absent: everybody"),
+    TEXT(VerificationCheck, measure_name, "measure", PARAMETER_TEXT, true, "name of the measure"),
+    TEXT(VerificationCheck, title, "title", PARAMETER_TEXT, false, "question in words"),
+    TEXT(VerificationCheck, question.of, "of", PARAMETER_IDS, false, "people and crowds; absent: all people"),
     TEXT(VerificationCheck, question.past, "past", PARAMETER_IDS, false, "people and crowds who are overtaken"),
-    TEXT(VerificationCheck, variant, "variant", PARAMETER_ID, false, "in which variant; absent: the house as it is"),
-    TEXT(VerificationCheck, than, "than", PARAMETER_ID, false, "the variant that it is compared with"),
-    TEXT(VerificationCheck, than_of, "than_of", PARAMETER_IDS, false, "the people that they are compared with"),
-    POINTS(than_area, "than_area", 3, "the area that it is compared with"),
-    TEXT(VerificationCheck, question.exit, "exit", PARAMETER_ID, false, "the exit that they leave by"),
-    POINTS(question.line, "line", 2, "the line that they pass, from one end to the other"),
-    POINTS(question.area, "area", 3, "outline of where it is measured"),
-    NUMBER(question.width, "width", "m", 0, 1e4, 0, "width of the neck; absent: the exit's or line's length"),
-    NUMBER(question.from, "from", "s", 0, 1e6, 0, "when measuring begins"),
-    NUMBER(question.until, "until", "s", 0, 1e6, 0, "when it ends"),
-    NUMBER(question.first, "first", "1", 0, 1, 0, "share of those who pass before the flow counts"),
-    NUMBER(question.last, "last", "1", 0, 1, 1, "share of those who pass until it no longer counts"),
-    NUMBER(low, "low", "", -1e9, 1e9, -HUGE_VAL, "least that passes"),
-    NUMBER(high, "high", "", -1e9, 1e9, HUGE_VAL, "most that passes"),
+    TEXT(VerificationCheck, variant, "variant", PARAMETER_ID, false,
+         "variant of the house; absent: the unchanged house"),
+    TEXT(VerificationCheck, than, "than", PARAMETER_ID, false, "variant for comparison"),
+    TEXT(VerificationCheck, than_of, "than_of", PARAMETER_IDS, false, "people for comparison"),
+    POINTS(than_area, "than_area", 3, "area for comparison"),
+    TEXT(VerificationCheck, question.exit, "exit", PARAMETER_ID, false, "exit of the people"),
+    POINTS(question.line, "line", 2, "line that people cross, from one end to the other"),
+    POINTS(question.area, "area", 3, "outline of the measured area"),
+    NUMBER(question.width, "width", "m", 0, 1e4, 0, "width of the bottleneck; absent: the exit's or line's length"),
+    NUMBER(question.from, "from", "s", 0, 1e6, 0, "beginning of the measurement"),
+    NUMBER(question.until, "until", "s", 0, 1e6, 0, "end of the measurement"),
+    NUMBER(question.first, "first", "1", 0, 1, 0, "share of people who pass before the flow is measured"),
+    NUMBER(question.last, "last", "1", 0, 1, 1, "share of people who pass until the flow is no longer measured"),
+    NUMBER(low, "low", "", -1e9, 1e9, -HUGE_VAL, "lower limit"),
+    NUMBER(high, "high", "", -1e9, 1e9, HUGE_VAL, "upper limit"),
     TEXT(VerificationCheck, unit, "unit", PARAMETER_TEXT, true, "unit of the limits, 1 of a number or a ratio"),
     {.name = "seeds",
      .kind = PARAMETER_WHOLE,
@@ -76,7 +77,7 @@ static const Parameter check_rows[] = {
      .high = 1000,
      .fallback = 1,
      .meaning = "seeds over which the mean is taken"},
-    TEXT(VerificationCheck, why, "why", PARAMETER_TEXT, false, "said when it is not passed"),
+    TEXT(VerificationCheck, why, "why", PARAMETER_TEXT, false, "text for a check that is not passed"),
 };
 static const ParameterTable check_table = {"check", check_rows, sizeof check_rows / sizeof *check_rows};
 
@@ -186,7 +187,7 @@ static void check_needs(const VerificationCheck *check, const JsonNode *node, Fa
     if ((needs & MEASURE_WINDOW) && !(question->until > question->from))
         json_fault(node, fault, "%s needs a time, \"until\" after \"from\"", name);
     if ((needs & MEASURE_PAST) && !question->past.count)
-        json_fault(node, fault, "%s needs those who are overtaken, \"past\"", name);
+        json_fault(node, fault, "%s needs the people who are overtaken, \"past\"", name);
     if (question->line.count > 2)
         json_fault(node, fault, "line has %zu points, must have two", question->line.count);
     if (question->last <= question->first)
@@ -203,8 +204,10 @@ static void check_check(VerificationCheck *check, const Verification *read, cons
         for (size_t m = 0; m < count && m < 64; m++)
             names[m] = measures[m].name;
         const char *nearest = text_nearest(check->measure_name, names, count);
-        json_fault(&name, fault, "unknown measure \"%.40s\"%s%s%s", check->measure_name,
-                   nearest ? ", did you mean \"" : ", see measure.c", nearest ? nearest : "", nearest ? "\"?" : "");
+        if (nearest)
+            json_fault(&name, fault, "unknown measure \"%.40s\", did you mean \"%s\"?", check->measure_name, nearest);
+        else
+            json_fault(&name, fault, "unknown measure \"%.40s\"", check->measure_name);
         return;
     }
     check->is_ratio = *check->than || check->than_of.count || check->than_area.count;
@@ -276,7 +279,7 @@ static void read_variants(Verification *read, const JsonNode *root, Fault *fault
         VerificationVariant *variant = &read->variants[v];
         if (v && find_variant(read, variant->id) != v) {
             JsonNode element = json_element(&list, v - 1), id = json_member(&element, "id");
-            json_fault(&id, fault, "variant \"%.60s\" is there already", variant->id);
+            json_fault(&id, fault, "the variant id \"%.60s\" is already used; ids must be unique", variant->id);
         }
         variant->house = beside(read, *variant->house ? variant->house : read->house);
     }

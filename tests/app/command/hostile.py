@@ -127,7 +127,7 @@ def check_numbers():
     for setting, says in (("run.dt=0", "dt is 0"), ("run.dt=1e-300", "dt is 1e-300"), ("run.sample=1e-6", "step dt"),
                           ("run.sample=1e300", "sample is"), ("run.until=1e300", "until is"), ("run.cell=1e-9", "cell is"),
                           ("run.cell=1e9", "cell is"), ("run.reversals=1e18", "reversals is"), ("run.dt=NaN", "dt must"),
-                          ("run.until=-1", "until is"), ("door..=1", "is no parameter"), ("x" * 100_000 + "=1", "is no"),
+                          ("run.until=-1", "until is"), ("door..=1", "is not a parameter"), ("x" * 100_000 + "=1", "is not"),
                           ("run.dt=" + "[" * 100_000, "dt must")):
         expect(f"--set {setting[:30]}", house(**room), 2, "--set", setting, says=says)
     expect("the finest cell", house(**room), 1, "--set", "run.cell=0.01", says="no exit")

@@ -85,7 +85,7 @@ TEST(who_is_still_in_has_no_time_and_is_named) {
     observation.people[3].reason = REASON_BLOCKED;
     MeasureAnswer answer = take("time", &house, &observation, &everybody);
     CHECK(isnan(answer.value));
-    CHECK_TEXT(answer.note, "1 of 10 did not get out, the first of them p04: blocked after 16.0 s");
+    CHECK_TEXT(answer.note, "1 of 10 people did not leave, the first of them p04: blocked after 16.0 s");
     CHECK_NEAR(take("out", &house, &observation, &everybody).value, 9, 0);
     release(&house, &observation);
 }
