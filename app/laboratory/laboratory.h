@@ -149,104 +149,104 @@ typedef struct Laboratory {
      * update. NULL: faults say why. Reading that takes longer than some 50 ms is done in the background, and its faults
      * come as trouble. `close` ends all threads. */
     void *(*open)(const char *path, const LaboratoryOptions *options, Fault *fault);
-    void (*close)(void *live);
+    void (*close)(void *session);
 
     /* Takes over new results; returns LABORATORY_... bits. `time` is displayed now. */
-    unsigned (*update)(void *live, double time);
+    unsigned (*update)(void *session, double time);
 
-    RecordSpan (*span)(const void *live);
+    RecordSpan (*span)(const void *session);
 
     /* Makes the record go up to a time, as far as that can be done at once; returns how far it goes. */
-    double (*reach)(void *live, double time);
+    double (*reach)(void *session, double time);
 
     /* Moves the layers to a time within the span, s; false: back in time, or all is new: what had been added to the
      * static layer must be forgotten, `added` holds all. */
-    bool (*show)(void *live, double time);
+    bool (*show)(void *session, double time);
 
     /* True if drawing at `time` gives the same pixels as the last draw. NULL: unknown. */
-    bool (*rests)(const void *live, double time);
-    const Scene *(*still)(void *live);
-    const Scene *(*added)(const void *live);
-    const Scene *(*moving)(const void *live);
+    bool (*rests)(const void *session, double time);
+    const Scene *(*still)(void *session);
+    const Scene *(*added)(const void *session);
+    const Scene *(*moving)(const void *session);
 
     /* From where it is looked at; which layers are shown (bits). */
-    void (*look)(void *live, Camera camera);
-    void (*reveal)(void *live, unsigned layers);
+    void (*look)(void *session, Camera camera);
+    void (*reveal)(void *session, unsigned layers);
 
     /* Plots. `until`: how many points of a series are drawn at a time. */
-    size_t (*plot_count)(const void *live);
-    LaboratoryPlot (*plot)(const void *live, size_t index);
-    size_t (*until)(const void *live, size_t plot, size_t series, double time);
+    size_t (*plot_count)(const void *session);
+    LaboratoryPlot (*plot)(const void *session, size_t index);
+    size_t (*until)(const void *session, size_t plot, size_t series, double time);
 
-    Result (*answer)(void *live);
+    Result (*answer)(void *session);
 
     /* "7.3 s", "cycle 481, 1.604 s": good until the next call. */
-    const char *(*clock)(void *live, double time);
+    const char *(*clock)(void *session, double time);
 
     /* A remark that belongs to every picture: "assumed plan: not measured"; "". */
-    const char *(*note)(void *live);
-    const char *(*title)(const void *live); /* of what is shown: its name */
-    const PanelRow *(*rows)(const void *live, size_t *count);
-    const TimelineMark *(*ticks)(void *live, size_t *count);
+    const char *(*note)(void *session);
+    const char *(*title)(const void *session); /* of what is shown: its name */
+    const PanelRow *(*rows)(const void *session, size_t *count);
+    const TimelineMark *(*ticks)(void *session, size_t *count);
 
     /* The last error, with cause and cure, and its time (s; NAN: it belongs to no moment of the record); NULL: none.
      * The last good state stays. */
-    const char *(*trouble)(const void *live, double *time);
+    const char *(*trouble)(const void *session, double *time);
 
     /* Parameters, good until the next update that changes them. False: a fault says what is allowed, and the value
      * is as it was. */
-    const PanelParameter *(*parameters)(const void *live, size_t *count);
-    bool (*set)(void *live, const char *name, double value, Fault *fault);
-    void (*reset)(void *live); /* all of them as in the file */
+    const PanelParameter *(*parameters)(const void *session, size_t *count);
+    bool (*set)(void *session, const char *name, double value, Fault *fault);
+    void (*reset)(void *session); /* all of them as in the file */
 
     /* A slider that is dragged: all changes that `set` makes until `settle` are one step of undo, and the clock must be
      * held. NULL: there are no steps. */
-    void (*hold)(void *live, const char *name);
-    void (*settle)(void *live);
+    void (*hold)(void *session, const char *name);
+    void (*settle)(void *session);
 
-    const Preset *(*presets)(const void *live, size_t *count);
-    void (*prefer)(void *live, size_t preset);
+    const Preset *(*presets)(const void *session, size_t *count);
+    void (*prefer)(void *session, size_t preset);
 
-    const PanelChoice *(*choices)(void *live, size_t *count);
-    void (*choose)(void *live, size_t choice, size_t word);
+    const PanelChoice *(*choices)(void *session, size_t *count);
+    void (*choose)(void *session, size_t choice, size_t word);
 
     /* Restarts with the same parameters; saves the displayed run for comparison (false: there is nothing to save yet);
      * forgets that, and the trace and the points so far. */
-    void (*again)(void *live);
-    bool (*keep)(void *live, double time);
-    void (*clear)(void *live, double time);
+    void (*again)(void *session);
+    bool (*keep)(void *session, double time);
+    void (*clear)(void *session, double time);
 
     /* Returns the item at a place, m on the floor; `below`: the next item under this one. */
-    Item (*pick)(const void *live, Vec2 at, double time, Item below);
-    Item (*next)(const void *live, Item thing, int step); /* round, in a fixed order */
-    void (*select)(void *live, Item thing);
-    Item (*selected)(void *live);
-    const char *(*name_thing)(void *live, Item thing); /* "door d2" */
+    Item (*pick)(const void *session, Vec2 at, double time, Item below);
+    Item (*next)(const void *session, Item thing, int step); /* round, in a fixed order */
+    void (*select)(void *session, Item thing);
+    Item (*selected)(void *session);
+    const char *(*name_thing)(void *session, Item thing); /* "door d2" */
 
     /* Its outline at a time (m): how many points, at most LABORATORY_OUTLINE_MOST; 0: it is nowhere then. */
-    size_t (*outline)(const void *live, Item thing, double time, Vec2 *points);
+    size_t (*outline)(const void *session, Item thing, double time, Vec2 *points);
 
     /* The words behind "clearance" that make what is shown: "run", FILE, "--set", ... (count) */
-    const char *const *(*command)(void *live, size_t *count);
+    const char *const *(*command)(void *session, size_t *count);
 
     /* Digest of the run that is shown; NULL: it has none. */
-    uint64_t (*digest)(void *live);
+    uint64_t (*digest)(void *session);
 
     /* Writes what is shown, with its changed numbers, as a file that can be opened again; false: a fault says why not.
      */
-    bool (*save)(void *live, const char *path, Fault *fault);
+    bool (*save)(void *session, const char *path, Fault *fault);
 
     /* An edit may set something moving in the picture alone, as furniture that falls: moves it on by s of real time.
      * Where this is never called, everything is at once in its last place. `animation`: words for what moves, "shaking
      * (seed 3)", or ""; NULL: all rests. Both NULL: nothing ever moves so. */
-    void (*animate)(void *live, double seconds);
-    const char *(*animation)(void *live);
+    void (*animate)(void *session, double seconds);
+    const char *(*animation)(void *session);
 
     /* Fills mono samples, -1 to 1, of the stretch from one time to another; false: it is silent. */
-    bool (*sound)(void *live, double from, double to, float *samples, size_t count);
+    bool (*sound)(void *session, double from, double to, float *samples, size_t count);
 
     /* The editor of what is open; NULL: nothing can be edited. */
-    Editor *(*editor)(void *live);
+    Editor *(*editor)(void *session);
 } Laboratory;
 
 extern const Laboratory house_laboratory, beam_laboratory;

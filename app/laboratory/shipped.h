@@ -13,5 +13,5 @@ typedef struct Shipped {
     const char *missing; /* one line that names the places, if none of them holds profiles; NULL otherwise */
 } Shipped;
 
-/* The places are looked for once and live as long as the program. Any thread may ask. */
+/* The places are looked for once and session as long as the program. Any thread may ask. */
 const Shipped *shipped_places(void);

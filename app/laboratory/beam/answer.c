@@ -200,10 +200,10 @@ void beam_answer_write(BeamAnswer *answer, const BeamTape *tape, const Beam *bea
     write_detail(answer, beam, lately, verdict);
     write_rows(answer, lately, verdict);
     bool resolved = !verdict || verdict->verdict == RESPONSE_PERIODIC || verdict->verdict == RESPONSE_CHAOTIC;
-    answer->live.title = answer->title;
-    answer->live.detail = answer->detail;
-    answer->live.role = failed || !resolved ? ROLE_ERROR : ROLE_TEXT;
-    answer->live.stale = !verdict && !failed;
+    answer->result.title = answer->title;
+    answer->result.detail = answer->detail;
+    answer->result.role = failed || !resolved ? ROLE_ERROR : ROLE_TEXT;
+    answer->result.stale = !verdict && !failed;
 }
 
 void beam_answer_clear(BeamAnswer *answer) {

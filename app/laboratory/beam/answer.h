@@ -18,7 +18,7 @@ BeamLately beam_answer_look(const BeamTape *tape);
 
 typedef struct BeamAnswer {
     char title[64], detail[240], doing[80];
-    Result live;
+    Result result;
     PanelRow *rows; /* (row_count) */
     size_t row_count, row_capacity;
     Arena arena; /* their words */

@@ -17,14 +17,14 @@
 enum { STEPS = 60 /* a cycle, from picture to picture */ };
 
 /* Records one more cycle, or notes why the record has ended. */
-static void advance(BeamSession *live) {
-    live->news |= live->tape.next ? LABORATORY_WORDS : 0;
-    if (beam_tape_advance(&live->tape))
+static void advance(BeamSession *session) {
+    session->news |= session->tape.next ? LABORATORY_WORDS : 0;
+    if (beam_tape_advance(&session->tape))
         return;
-    arena_clear(&live->troubles);
-    live->trouble = beam_answer_trouble(&live->tape, &live->troubles);
-    live->looked = SIZE_MAX;
-    live->news |= LABORATORY_TROUBLE | LABORATORY_WORDS;
+    arena_clear(&session->troubles);
+    session->trouble = beam_answer_trouble(&session->tape, &session->troubles);
+    session->looked = SIZE_MAX;
+    session->news |= LABORATORY_TROUBLE | LABORATORY_WORDS;
 }
 
 /* Changes ----------------------------------------------------------------------------------------------------------*/
@@ -33,75 +33,75 @@ static const char *const sweeps[] = {"from rest", "upwards and downwards"};
 
 enum { CHOICE_SWEEP, CHOICE_OVER, CHOICES };
 
-static void show_choices(BeamSession *live) {
-    live->choices[CHOICE_SWEEP] = (PanelChoice){.name = "Sweep",
-                                                .meaning = "how each value of the orbit diagram begins: at rest, or "
-                                                           "from where the value beside it has ended",
-                                                .words = sweeps,
-                                                .count = sizeof sweeps / sizeof *sweeps,
-                                                .chosen = live->diagram.carried};
-    live->choices[CHOICE_OVER] = (PanelChoice){.name = "Orbit over",
-                                               .meaning = "the number that the orbit diagram goes over",
-                                               .words = beam_diagram_words,
-                                               .count = BEAM_DIAGRAM_OVER,
-                                               .chosen = live->diagram.over};
+static void show_choices(BeamSession *session) {
+    session->choices[CHOICE_SWEEP] = (PanelChoice){.name = "Sweep",
+                                                   .meaning = "how each value of the orbit diagram begins: at rest, or "
+                                                              "from where the value beside it has ended",
+                                                   .words = sweeps,
+                                                   .count = sizeof sweeps / sizeof *sweeps,
+                                                   .chosen = session->diagram.carried};
+    session->choices[CHOICE_OVER] = (PanelChoice){.name = "Orbit over",
+                                                  .meaning = "the number that the orbit diagram goes over",
+                                                  .words = beam_diagram_words,
+                                                  .count = BEAM_DIAGRAM_OVER,
+                                                  .chosen = session->diagram.over};
 }
 
-static void ask_worker(BeamSession *live, bool verdict) {
-    live->news |= LABORATORY_WORDS | LABORATORY_PARAMETERS;
-    live->looked = SIZE_MAX;
-    live->told = live->told && beam_numbers_same(&live->verdict.beam, &live->beam);
-    beam_controls_show(&live->controls, &live->beam);
-    beam_diagram_ask(&live->diagram, &live->controls, &live->beam, live->worker);
+static void ask_worker(BeamSession *session, bool verdict) {
+    session->news |= LABORATORY_WORDS | LABORATORY_PARAMETERS;
+    session->looked = SIZE_MAX;
+    session->told = session->told && beam_numbers_same(&session->verdict.beam, &session->beam);
+    beam_controls_show(&session->controls, &session->beam);
+    beam_diagram_ask(&session->diagram, &session->controls, &session->beam, session->worker);
     if (verdict)
-        beam_worker_ask_verdict(live->worker, &live->beam);
+        beam_worker_ask_verdict(session->worker, &session->beam);
 }
 
 /* From the end of the cycle that is shown on, the beam is this one. */
-static bool change(BeamSession *live, const Beam *beam, Fault *fault) {
-    BeamTape *tape = &live->tape;
+static bool change(BeamSession *session, const Beam *beam, Fault *fault) {
+    BeamTape *tape = &session->tape;
     double phase;
-    if (beam_numbers_same(beam, &live->beam))
+    if (beam_numbers_same(beam, &session->beam))
         return true;
-    size_t cycle = beam_tape_cycle_at(tape, live->shown, &phase) + 1;
+    size_t cycle = beam_tape_cycle_at(tape, session->shown, &phase) + 1;
     if (!beam_tape_change(tape, beam, cycle < tape->front ? cycle : tape->front, fault))
         return false;
-    live->beam = *beam;
-    ask_worker(live, true);
+    session->beam = *beam;
+    ask_worker(session, true);
     return true;
 }
 
 static const PanelParameter *parameters(const void *context, size_t *count) {
-    const BeamSession *live = context;
-    *count = live->controls.count;
-    return live->controls.parameters;
+    const BeamSession *session = context;
+    *count = session->controls.count;
+    return session->controls.parameters;
 }
 
 static bool set_number(void *context, const char *name, double value, Fault *fault) {
-    BeamSession *live = context;
-    Beam beam = live->beam;
-    return beam_controls_set(&live->controls, &beam, name, value, fault) && change(live, &beam, fault);
+    BeamSession *session = context;
+    Beam beam = session->beam;
+    return beam_controls_set(&session->controls, &beam, name, value, fault) && change(session, &beam, fault);
 }
 
 static void reset_numbers(void *context) {
-    BeamSession *live = context;
+    BeamSession *session = context;
     Fault none = {0};
-    change(live, &live->controls.file, &none);
+    change(session, &session->controls.file, &none);
     fault_clear(&none);
 }
 
 static const Preset *presets(const void *context, size_t *count) {
-    const BeamSession *live = context;
+    const BeamSession *session = context;
     *count = BEAM_PRESETS;
-    return live->controls.presets;
+    return session->controls.presets;
 }
 
 static void prefer(void *context, size_t preset) {
-    BeamSession *live = context;
+    BeamSession *session = context;
     Beam beam;
     Fault none = {0};
-    beam_controls_prefer(&live->controls, preset, &beam);
-    change(live, &beam, &none);
+    beam_controls_prefer(&session->controls, preset, &beam);
+    change(session, &beam, &none);
     fault_clear(&none);
 }
 
@@ -111,152 +111,153 @@ static const PanelChoice *choices(void *context, size_t *count) {
 }
 
 static void choose(void *context, size_t choice, size_t word) {
-    BeamSession *live = context;
+    BeamSession *session = context;
     if (choice == CHOICE_SWEEP)
-        live->diagram.carried = word == 1;
+        session->diagram.carried = word == 1;
     else
-        live->diagram.over = word;
-    show_choices(live);
-    ask_worker(live, false);
+        session->diagram.over = word;
+    show_choices(session);
+    ask_worker(session, false);
 }
 
 static void again(void *context) {
-    BeamSession *live = context;
+    BeamSession *session = context;
     Fault none = {0};
-    if (beam_tape_restart(&live->tape, &live->beam, &none)) {
-        advance(live);
-        beam_traces_forget(&live->traces, 0);
-        live->shown = 0;
-        live->looked = SIZE_MAX;
-        live->news |= LABORATORY_WORDS;
+    if (beam_tape_restart(&session->tape, &session->beam, &none)) {
+        advance(session);
+        beam_traces_forget(&session->traces, 0);
+        session->shown = 0;
+        session->looked = SIZE_MAX;
+        session->news |= LABORATORY_WORDS;
     }
     fault_clear(&none);
 }
 
 static bool keep(void *context, double time) {
-    BeamSession *live = context;
-    beam_traces_keep(&live->traces, time);
-    beam_diagram_keep(&live->diagram, true);
+    BeamSession *session = context;
+    beam_traces_keep(&session->traces, time);
+    beam_diagram_keep(&session->diagram, true);
     return true;
 }
 
 static void clear(void *context, double time) {
-    BeamSession *live = context;
+    BeamSession *session = context;
     double phase;
-    beam_traces_keep(&live->traces, -1);
-    beam_diagram_keep(&live->diagram, false);
-    beam_traces_forget(&live->traces, beam_tape_cycle_at(&live->tape, time, &phase));
-    beam_traces_show(&live->traces, &live->tape, time);
+    beam_traces_keep(&session->traces, -1);
+    beam_diagram_keep(&session->diagram, false);
+    beam_traces_forget(&session->traces, beam_tape_cycle_at(&session->tape, time, &phase));
+    beam_traces_show(&session->traces, &session->tape, time);
 }
 
 static const char *const *command(void *context, size_t *count) {
-    BeamSession *live = context;
+    BeamSession *session = context;
     size_t used = 0;
-    arena_clear(&live->command_words);
-    live->command[used++] = "run";
-    live->command[used++] = live->path;
-    for (size_t i = 0; i < live->controls.count; i++) {
-        const PanelParameter *parameter = &live->controls.parameters[i];
+    arena_clear(&session->command_words);
+    session->command[used++] = "run";
+    session->command[used++] = session->path;
+    for (size_t i = 0; i < session->controls.count; i++) {
+        const PanelParameter *parameter = &session->controls.parameters[i];
         if (parameter->value == parameter->initial)
             continue;
-        const char *value = parameters_number_text(parameter->row, parameter->value, &live->command_words);
-        live->command[used++] = "--set";
-        live->command[used++] = text_in_arena(&live->command_words, "%s=%s", parameter->name, value);
+        const char *value = parameters_number_text(parameter->row, parameter->value, &session->command_words);
+        session->command[used++] = "--set";
+        session->command[used++] = text_in_arena(&session->command_words, "%s=%s", parameter->name, value);
     }
     *count = used;
-    return live->command;
+    return session->command;
 }
 
 /* Opening -----------------------------------------------------------------------------------------------------------*/
 
-static bool read_files(BeamSession *live, const char *path, const LaboratoryOptions *options, Fault *fault) {
+static bool read_files(BeamSession *session, const char *path, const LaboratoryOptions *options, Fault *fault) {
     Beam file = {0};
-    if (!beam_read(&live->opened, path, options->settings, options->setting_count, fault))
+    if (!beam_read(&session->opened, path, options->settings, options->setting_count, fault))
         return false;
     if (!beam_read(&file, path, NULL, 0, fault)) {
-        beam_free(&live->opened);
+        beam_free(&session->opened);
         return false;
     }
-    live->beam = live->opened;
-    beam_controls_open(&live->controls, &file);
-    beam_controls_show(&live->controls, &live->beam);
+    session->beam = session->opened;
+    beam_controls_open(&session->controls, &file);
+    beam_controls_show(&session->controls, &session->beam);
     return true;
 }
 
 /* The answer goes with the record. */
-static void look_at_answer(BeamSession *live) {
-    if (live->looked == live->tape.front)
+static void look_at_answer(BeamSession *session) {
+    if (session->looked == session->tape.front)
         return;
-    live->looked = live->tape.front;
-    BeamLately lately = beam_answer_look(&live->tape);
-    beam_answer_write(&live->answer, &live->tape, &live->beam, &lately, live->told ? &live->verdict : NULL);
-    live->news |= LABORATORY_WORDS;
+    session->looked = session->tape.front;
+    BeamLately lately = beam_answer_look(&session->tape);
+    beam_answer_write(&session->answer, &session->tape, &session->beam, &lately,
+                      session->told ? &session->verdict : NULL);
+    session->news |= LABORATORY_WORDS;
 }
 
 static void *open_live(const char *path, const LaboratoryOptions *options, Fault *fault) {
-    BeamSession *live = memory_zeroed(1, sizeof *live);
-    if (!read_files(live, path, options, fault)) {
-        memory_free(live);
+    BeamSession *session = memory_zeroed(1, sizeof *session);
+    if (!read_files(session, path, options, fault)) {
+        memory_free(session);
         return NULL;
     }
-    if (!beam_tape_open(&live->tape, &live->beam, path, fault)) {
-        beam_controls_close(&live->controls);
-        beam_free(&live->opened);
-        memory_free(live);
+    if (!beam_tape_open(&session->tape, &session->beam, path, fault)) {
+        beam_controls_close(&session->controls);
+        beam_free(&session->opened);
+        memory_free(session);
         return NULL;
     }
-    live->path = text_copy(path);
-    live->tape.place = live->opened.name;
-    live->view.parts = BEAM_SCENE_ALL & ~BEAM_SCENE_SOURCES;
-    beam_traces_open(&live->traces);
-    beam_diagram_open(&live->diagram);
-    live->worker = beam_worker_start(options->jobs);
-    show_choices(live);
-    live->news = LABORATORY_ALL & ~LABORATORY_TROUBLE;
-    advance(live);
-    ask_worker(live, true);
-    look_at_answer(live);
-    return live;
+    session->path = text_copy(path);
+    session->tape.place = session->opened.name;
+    session->view.parts = BEAM_SCENE_ALL & ~BEAM_SCENE_SOURCES;
+    beam_traces_open(&session->traces);
+    beam_diagram_open(&session->diagram);
+    session->worker = beam_worker_start(options->jobs);
+    show_choices(session);
+    session->news = LABORATORY_ALL & ~LABORATORY_TROUBLE;
+    advance(session);
+    ask_worker(session, true);
+    look_at_answer(session);
+    return session;
 }
 
 static void close_live(void *context) {
-    BeamSession *live = context;
-    beam_worker_stop(live->worker);
-    beam_traces_close(&live->traces);
-    beam_diagram_close(&live->diagram);
-    beam_view_close(&live->view);
-    beam_tape_close(&live->tape);
-    beam_answer_clear(&live->answer);
-    beam_verdict_clear(&live->verdict);
-    beam_controls_close(&live->controls);
-    beam_free(&live->opened);
-    arena_clear(&live->command_words);
-    arena_clear(&live->troubles);
-    memory_free(live->path);
-    memory_free(live);
+    BeamSession *session = context;
+    beam_worker_stop(session->worker);
+    beam_traces_close(&session->traces);
+    beam_diagram_close(&session->diagram);
+    beam_view_close(&session->view);
+    beam_tape_close(&session->tape);
+    beam_answer_clear(&session->answer);
+    beam_verdict_clear(&session->verdict);
+    beam_controls_close(&session->controls);
+    beam_free(&session->opened);
+    arena_clear(&session->command_words);
+    arena_clear(&session->troubles);
+    memory_free(session->path);
+    memory_free(session);
 }
 
 /* Time --------------------------------------------------------------------------------------------------------------*/
 
 static RecordSpan span(const void *context) {
-    const BeamSession *live = context;
-    const BeamTape *tape = &live->tape;
-    double frequency = live->beam.frequency;
+    const BeamSession *session = context;
+    const BeamTape *tape = &session->tape;
+    double frequency = session->beam.frequency;
     return (RecordSpan){.begin = beam_tape_begin(tape, tape->first),
                         .end = tape->front_time,
-                        .complete = beam_session_has_ended(live),
-                        .endless = !beam_session_has_ended(live),
+                        .complete = beam_session_has_ended(session),
+                        .endless = !beam_session_has_ended(session),
                         .pace = 1 / beam_film_slow(frequency),
                         .step = 1 / frequency / STEPS,
                         .fastest = 1024};
 }
 
 static double reach(void *context, double time) {
-    BeamSession *live = context;
-    BeamTape *tape = &live->tape;
+    BeamSession *session = context;
+    BeamTape *tape = &session->tape;
     double until = clock_now() + BUSY_MOST;
-    while (tape->front_time <= time && !beam_session_has_ended(live)) {
-        advance(live);
+    while (tape->front_time <= time && !beam_session_has_ended(session)) {
+        advance(session);
         if (clock_now() > until)
             break;
     }
@@ -264,92 +265,93 @@ static double reach(void *context, double time) {
 }
 
 static bool show(void *context, double time) {
-    BeamSession *live = context;
-    live->shown = time;
-    bool anew = beam_view_show(&live->view, &live->tape, time);
-    beam_traces_show(&live->traces, &live->tape, time);
+    BeamSession *session = context;
+    session->shown = time;
+    bool anew = beam_view_show(&session->view, &session->tape, time);
+    beam_traces_show(&session->traces, &session->tape, time);
     if (anew)
-        live->news |= LABORATORY_VIEW;
+        session->news |= LABORATORY_VIEW;
     return !anew;
 }
 
 /* Answer ------------------------------------------------------------------------------------------------------------*/
 
-static void take_news(BeamSession *live, BeamNews *news) {
-    if (news->verdict && beam_numbers_same(&news->told.beam, &live->beam)) {
-        beam_verdict_clear(&live->verdict);
-        live->verdict = news->told;
-        live->told = true;
-        live->looked = SIZE_MAX;
-        bool typed = live->verdict.typed && live->verdict.type != TYPES_UNRESOLVED;
-        if (typed && beam_controls_name_type(&live->controls, &live->verdict.beam, types_kind_name(live->verdict.type)))
-            live->news |= LABORATORY_PARAMETERS;
+static void take_news(BeamSession *session, BeamNews *news) {
+    if (news->verdict && beam_numbers_same(&news->told.beam, &session->beam)) {
+        beam_verdict_clear(&session->verdict);
+        session->verdict = news->told;
+        session->told = true;
+        session->looked = SIZE_MAX;
+        bool typed = session->verdict.typed && session->verdict.type != TYPES_UNRESOLVED;
+        if (typed &&
+            beam_controls_name_type(&session->controls, &session->verdict.beam, types_kind_name(session->verdict.type)))
+            session->news |= LABORATORY_PARAMETERS;
     } else if (news->verdict) {
         beam_verdict_clear(&news->told);
     }
     if (news->swept)
-        beam_diagram_take(&live->diagram, news);
+        beam_diagram_take(&session->diagram, news);
 }
 
 /* What is being worked out, if anything. */
-static void note_doing(BeamSession *live, const BeamNews *news) {
-    BeamAnswer *answer = &live->answer;
+static void note_doing(BeamSession *session, const BeamNews *news) {
+    BeamAnswer *answer = &session->answer;
     size_t size = sizeof answer->doing, done = news->sweep_done, all = news->sweep_all;
-    answer->live.doing = answer->doing;
-    answer->live.part = NAN;
+    answer->result.doing = answer->doing;
+    answer->result.part = NAN;
     if (news->telling) {
         snprintf(answer->doing, size, "verdict: running it from rest");
     } else if (news->types_all) {
         snprintf(answer->doing, size, "type: %zu of at most %zu runs", news->types_done, news->types_all);
-        answer->live.part = (double)news->types_done / (double)news->types_all;
+        answer->result.part = (double)news->types_done / (double)news->types_all;
     } else if (done < all) {
         snprintf(answer->doing, size, "orbit diagram: %zu of %zu values", done, all);
-        answer->live.part = (double)done / (double)all;
+        answer->result.part = (double)done / (double)all;
     } else {
         *answer->doing = 0;
-        answer->live.doing = NULL;
+        answer->result.doing = NULL;
     }
 }
 
 static unsigned update(void *context, double time) {
     (void)time;
-    BeamSession *live = context;
+    BeamSession *session = context;
     BeamNews news;
-    beam_worker_take(live->worker, &news);
-    take_news(live, &news);
-    look_at_answer(live);
-    char before[sizeof live->answer.doing];
-    memcpy(before, live->answer.doing, sizeof before);
-    note_doing(live, &news);
-    if (strcmp(before, live->answer.doing) != 0)
-        live->news |= LABORATORY_WORDS;
-    unsigned changed = live->news;
-    live->news = 0;
+    beam_worker_take(session->worker, &news);
+    take_news(session, &news);
+    look_at_answer(session);
+    char before[sizeof session->answer.doing];
+    memcpy(before, session->answer.doing, sizeof before);
+    note_doing(session, &news);
+    if (strcmp(before, session->answer.doing) != 0)
+        session->news |= LABORATORY_WORDS;
+    unsigned changed = session->news;
+    session->news = 0;
     return changed;
 }
 
 static Result answer(void *context) {
-    return ((const BeamSession *)context)->answer.live;
+    return ((const BeamSession *)context)->answer.result;
 }
 
 static const PanelRow *rows(const void *context, size_t *count) {
-    const BeamSession *live = context;
-    *count = live->answer.row_count;
-    return live->answer.rows;
+    const BeamSession *session = context;
+    *count = session->answer.row_count;
+    return session->answer.rows;
 }
 
 static const char *clock_words(void *context, double time) {
-    BeamSession *live = context;
+    BeamSession *session = context;
     double phase;
-    size_t cycle = beam_tape_cycle_at(&live->tape, time, &phase);
-    snprintf(live->clock, sizeof live->clock, "cycle %zu, %.3f s", cycle + 1, time);
-    return live->clock;
+    size_t cycle = beam_tape_cycle_at(&session->tape, time, &phase);
+    snprintf(session->clock, sizeof session->clock, "cycle %zu, %.3f s", cycle + 1, time);
+    return session->clock;
 }
 
 static const char *note(void *context) {
-    const BeamSession *live = context;
+    const BeamSession *session = context;
     for (int i = 0; i < BEAM_VALUES; i++)
-        if (live->opened.provenance[i] && strstr(live->opened.provenance[i], "not published"))
+        if (session->opened.provenance[i] && strstr(session->opened.provenance[i], "not published"))
             return "identified, not published";
     return "";
 }
@@ -359,20 +361,20 @@ static const char *title(const void *context) {
 }
 
 static const TimelineMark *ticks(void *context, size_t *count) {
-    BeamSession *live = context;
-    const BeamTape *tape = &live->tape;
+    BeamSession *session = context;
+    const BeamTape *tape = &session->tape;
     *count = 0;
     for (size_t p = 1; p < tape->part_count; p++)
-        live->ticks[(*count)++] = (TimelineMark){tape->parts[p]->begin, TIMELINE_CHANGE};
-    if (beam_session_has_ended(live))
-        live->ticks[(*count)++] = (TimelineMark){tape->front_time, TIMELINE_TROUBLE};
-    return live->ticks;
+        session->ticks[(*count)++] = (TimelineMark){tape->parts[p]->begin, TIMELINE_CHANGE};
+    if (beam_session_has_ended(session))
+        session->ticks[(*count)++] = (TimelineMark){tape->front_time, TIMELINE_TROUBLE};
+    return session->ticks;
 }
 
 static const char *trouble(const void *context, double *time) {
-    const BeamSession *live = context;
-    *time = live->tape.front_time;
-    return beam_session_has_ended(live) ? live->trouble : NULL;
+    const BeamSession *session = context;
+    *time = session->tape.front_time;
+    return beam_session_has_ended(session) ? session->trouble : NULL;
 }
 
 static const char *const layer_names[] = {"loupe", "forces", "names", "sources"};

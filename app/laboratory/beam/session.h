@@ -36,6 +36,6 @@ typedef struct BeamSession {
 } BeamSession;
 
 /* True if the record has ended and grows only after a change. */
-static inline bool beam_session_has_ended(const BeamSession *live) {
-    return live->tape.status != MOTION_GOOD && !live->tape.next;
+static inline bool beam_session_has_ended(const BeamSession *session) {
+    return session->tape.status != MOTION_GOOD && !session->tape.next;
 }

@@ -3,18 +3,18 @@
 #include <math.h>
 
 void beam_show_look(void *context, Camera camera) {
-    BeamSession *live = context;
-    live->view.camera = camera;
-    beam_view_renew(&live->view);
-    beam_view_show(&live->view, &live->tape, live->shown);
-    live->news |= LABORATORY_VIEW;
+    BeamSession *session = context;
+    session->view.camera = camera;
+    beam_view_renew(&session->view);
+    beam_view_show(&session->view, &session->tape, session->shown);
+    session->news |= LABORATORY_VIEW;
 }
 
 void beam_show_reveal(void *context, unsigned layers) {
-    BeamSession *live = context;
-    live->view.parts = layers & BEAM_SCENE_ALL;
-    beam_view_show(&live->view, &live->tape, live->shown);
-    live->news |= LABORATORY_VIEW;
+    BeamSession *session = context;
+    session->view.parts = layers & BEAM_SCENE_ALL;
+    beam_view_show(&session->view, &session->tape, session->shown);
+    session->news |= LABORATORY_VIEW;
 }
 
 const Scene *beam_show_still(void *context) {
@@ -39,13 +39,13 @@ size_t beam_show_plot_count(const void *context) {
     return BEAM_TRACES + 1;
 }
 
-static LaboratoryPlot diagram_plot(const BeamSession *live) {
-    const BeamDiagram *diagram = &live->diagram;
+static LaboratoryPlot diagram_plot(const BeamSession *session) {
+    const BeamDiagram *diagram = &session->diagram;
     const char *over = beam_diagram_over[diagram->over];
     return (LaboratoryPlot){.plot = &diagram->plot,
                             .revision = diagram->revision,
                             .still = true,
-                            .cursor = diagram->factor * beam_controls_find(&live->controls, over)->value,
+                            .cursor = diagram->factor * beam_controls_find(&session->controls, over)->value,
                             .cursor_words = diagram->cursor,
                             .cursor_parameter = over,
                             .cursor_factor = diagram->factor,
@@ -53,13 +53,13 @@ static LaboratoryPlot diagram_plot(const BeamSession *live) {
 }
 
 LaboratoryPlot beam_show_plot(const void *context, size_t index) {
-    const BeamSession *live = context;
+    const BeamSession *session = context;
     LaboratoryPlot shown = {.cursor = NAN, .now = ROLE_DANGER_MIDDLE};
     if (index == BEAM_TRACES) {
-        shown = diagram_plot(live);
+        shown = diagram_plot(session);
     } else {
-        shown.plot = &live->traces.plots[index];
-        shown.revision = live->traces.revisions[index];
+        shown.plot = &session->traces.plots[index];
+        shown.revision = session->traces.revisions[index];
     }
     shown.name = plot_names[index];
     shown.title = plot_titles[index];
@@ -67,19 +67,19 @@ LaboratoryPlot beam_show_plot(const void *context, size_t index) {
 }
 
 size_t beam_show_until(const void *context, size_t index, size_t series, double time) {
-    const BeamSession *live = context;
-    return index == BEAM_TRACES ? live->diagram.series[series].count
-                                : beam_traces_until(&live->traces, index, series, time);
+    const BeamSession *session = context;
+    return index == BEAM_TRACES ? session->diagram.series[series].count
+                                : beam_traces_until(&session->traces, index, series, time);
 }
 
 bool beam_show_sound(void *context, double from, double to, float *samples, size_t count) {
-    BeamSession *live = context;
-    const BeamTape *tape = &live->tape;
-    double loudest = live->traces.seen.speed;
+    BeamSession *session = context;
+    const BeamTape *tape = &session->tape;
+    double loudest = session->traces.seen.speed;
     if (from < beam_tape_begin(tape, tape->first) || to > tape->front_time || !(to > from) || !(loudest > 0))
         return false;
     double *velocity = memory_zeroed(count, sizeof *velocity);
-    beam_tape_velocities(&live->tape, from, to, velocity, count);
+    beam_tape_velocities(&session->tape, from, to, velocity, count);
     for (size_t i = 0; i < count; i++)
         samples[i] = (float)fmax(-1, fmin(velocity[i] / loudest, 1));
     memory_free(velocity);

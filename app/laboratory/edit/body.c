@@ -28,16 +28,16 @@ static void show_place(Editor *edit) {
 
 static void follow_middle(Editor *edit, const Furniture *piece) {
     const char *without[] = {edit->held};
-    SnapAsk ask = {.at = vec2_add(edit->hand.at, edit->offset),
-                   .reach = edit->hand.reach,
-                   .free = edit->hand.free,
+    SnapAsk ask = {.at = vec2_add(edit->pointer.at, edit->offset),
+                   .reach = edit->pointer.reach,
+                   .free = edit->pointer.free,
                    .along = NAN,
                    .without = without,
                    .without_count = 1};
     Vec2 from = edit->grip.at;
-    if (edit->hand.straight && fabs(ask.at.x - from.x) >= fabs(ask.at.y - from.y))
+    if (edit->pointer.straight && fabs(ask.at.x - from.x) >= fabs(ask.at.y - from.y))
         ask.at.y = from.y;
-    else if (edit->hand.straight)
+    else if (edit->pointer.straight)
         ask.at.x = from.x;
     if (!edit->keys)
         edit->snap = piece ? snap_piece_place(&edit->begun, piece, &ask) : snap_point(&edit->begun, &ask);
@@ -67,9 +67,9 @@ static void follow_corner(Editor *edit, const Furniture *piece) {
 }
 
 static void follow_turn(Editor *edit, Vec2 centre, double angle, double ahead) {
-    Vec2 to = vec2_sub(vec2_add(edit->hand.at, edit->offset), centre);
+    Vec2 to = vec2_sub(vec2_add(edit->pointer.at, edit->offset), centre);
     if (!edit->keys && vec2_length(to) > 0)
-        angle = snap_turn(snap_angle(to) + ahead, edit->hand.free);
+        angle = snap_turn(snap_angle(to) + ahead, edit->pointer.free);
     edit_field_typed(edit, 0, &angle);
     edit_field_show(edit, 0, angle);
     edit->now.angle = angle;

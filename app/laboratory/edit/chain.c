@@ -78,7 +78,7 @@ void edit_chain_clear(Editor *edit) {
 /* Following ------------------------------------------------------------------------------------------------------- */
 
 static void follow_place(Editor *edit) {
-    Vec2 from = edit->chain.count ? last_point(edit) : edit->hand.at;
+    Vec2 from = edit->chain.count ? last_point(edit) : edit->pointer.at;
     Vec2 at = edit_gesture_snap(edit, (SnapAsk){.along = NAN,
                                                 .faces = kind_of(edit)->faces,
                                                 .doors = kind_of(edit)->doors,
@@ -91,7 +91,7 @@ static void follow_place(Editor *edit) {
 }
 
 /* Returns the next point of the pointer. */
-static Vec2 hand_point(Editor *edit) {
+static Vec2 pointer_point(Editor *edit) {
     Vec2 from = last_point(edit);
     return edit_gesture_snap(edit, (SnapAsk){.from = &from,
                                              .along = last_angle(edit),
@@ -103,7 +103,7 @@ static Vec2 hand_point(Editor *edit) {
 }
 
 static void follow_line(Editor *edit) {
-    Vec2 from = last_point(edit), at = hand_point(edit);
+    Vec2 from = last_point(edit), at = pointer_point(edit);
     double length = vec2_distance(from, at), angle = snap_angle(vec2_sub(at, from));
     if (length < SAME || edit->keys)
         angle = isfinite(last_angle(edit)) ? last_angle(edit) : 0;
@@ -130,7 +130,8 @@ static void follow_line(Editor *edit) {
 }
 
 static void follow(Editor *edit) {
-    if (edit->chain.proposed && !edit->keys && vec2_distance(edit->hand.at, edit->chain.proposed_at) > edit->hand.reach)
+    if (edit->chain.proposed && !edit->keys &&
+        vec2_distance(edit->pointer.at, edit->chain.proposed_at) > edit->pointer.reach)
         edit->chain.proposed = false;
     if (is_placed(edit))
         follow_place(edit);
@@ -178,7 +179,7 @@ static void propose(Editor *edit, bool keys) {
     double angle = remainder(last_angle(edit) - 90, 360);
     list_fields(edit);
     edit->chain.proposed = keys;
-    edit->chain.proposed_at = edit->hand.at;
+    edit->chain.proposed_at = edit->pointer.at;
     edit->fields[FIELD_LENGTH].value = snap_tidy(length);
     edit->fields[FIELD_ANGLE].value = angle <= -180 ? 180 : snap_tidy(angle);
 }

@@ -229,9 +229,9 @@ static Box include_places(Box box, const json_t *value) {
 /* Returns the shift of pasted pieces: to the pointer; without a pointer, or on top of the originals, next to
  * that, the second time beside the first. */
 static Vec2 paste_by(Editor *edit, const char *text, Box box) {
-    Vec2 to = vec2_sub(edit->hand.at, vec2_scale(vec2_add(box.low, box.high), 0.5));
+    Vec2 to = vec2_sub(edit->pointer.at, vec2_scale(vec2_add(box.low, box.high), 0.5));
     Vec2 by = vec2(round(to.x / SNAP_GRID) * SNAP_GRID, round(to.y / SNAP_GRID) * SNAP_GRID);
-    if (edit->seen && !edit->hand.nowhere && vec2_length(by) >= APART)
+    if (edit->seen && !edit->pointer.nowhere && vec2_length(by) >= APART)
         return by;
     uint64_t digest = digest_bytes(DIGEST_START, text, strlen(text));
     edit->copies = digest == edit->pasted ? edit->copies + 1 : 1;

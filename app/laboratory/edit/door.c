@@ -13,7 +13,7 @@ static const char *const door_kinds[] = {"hinged", "opening", "sliding"};
 enum { FIELD_X, FIELD_Y, FIELD_WIDTH, FIELD_AT };
 
 static double to_grid(const Editor *edit, double along) {
-    double grid = edit->hand.free ? SNAP_FREE_GRID : SNAP_GRID;
+    double grid = edit->pointer.free ? SNAP_FREE_GRID : SNAP_GRID;
     return snap_tidy(round(along / grid) * grid);
 }
 
@@ -35,7 +35,7 @@ static bool find_wall(Editor *edit, Vec2 at) {
 static void snap_middle(Editor *edit) {
     const Vec2 *ends = edit->begun.walls[edit->now.wall].points.at + edit->now.segment;
     double middle = vec2_distance(ends[0], ends[1]) / 2;
-    if (edit->hand.free || fabs(edit->now.along - middle) > edit->hand.reach)
+    if (edit->pointer.free || fabs(edit->now.along - middle) > edit->pointer.reach)
         return;
     edit->now.along = snap_tidy(middle);
     snprintf(edit->snap.words, SNAP_WORDS, "middle of %.40s", edit->begun.walls[edit->now.wall].id);
@@ -48,7 +48,7 @@ static Vec2 place_on_wall(const Editor *edit) {
 }
 
 void edit_door_follow(Editor *edit) {
-    Vec2 at = edit->hand.at;
+    Vec2 at = edit->pointer.at;
     bool placed = edit_field_typed(edit, FIELD_X, &at.x);
     placed |= edit_field_typed(edit, FIELD_Y, &at.y);
     edit_field_show(edit, FIELD_X, at.x);
@@ -118,16 +118,16 @@ static const Door *held_door(const Editor *edit) {
 }
 
 /* Returns the pointer's place along the door's own segment, m. */
-static double hand_along(const Editor *edit, const Door *door) {
+static double pointer_along(const Editor *edit, const Door *door) {
     const Vec2 *ends = edit->begun.walls[door->wall_index].points.at + door->segment;
-    Vec2 hand = vec2_add(edit->hand.at, edit->offset);
-    return vec2_dot(vec2_sub(hand, ends[0]), vec2_unit(vec2_sub(ends[1], ends[0])));
+    Vec2 pointer = vec2_add(edit->pointer.at, edit->offset);
+    return vec2_dot(vec2_sub(pointer, ends[0]), vec2_unit(vec2_sub(ends[1], ends[0])));
 }
 
 /* One edge follows the pointer, the other one stays. */
 static void follow_edge(Editor *edit, const Door *door) {
     bool last = edit->grip.index == 1;
-    double fixed = door->at + (last ? -0.5 : 0.5) * door->width, edge = to_grid(edit, hand_along(edit, door));
+    double fixed = door->at + (last ? -0.5 : 0.5) * door->width, edge = to_grid(edit, pointer_along(edit, door));
     double width = fmax(last ? edge - fixed : fixed - edge, LEAST_WIDTH);
     if (edit->keys)
         width = door->width;
@@ -145,7 +145,7 @@ void edit_door_slide_follow(Editor *edit) {
     if (edit->grip.grip == GRIP_EDGE) {
         follow_edge(edit, door);
     } else if (!edit->keys) {
-        find_wall(edit, vec2_add(edit->hand.at, edit->offset));
+        find_wall(edit, vec2_add(edit->pointer.at, edit->offset));
         snap_middle(edit);
     }
     edit_field_typed(edit, SLIDE_AT, &edit->now.along);

@@ -68,7 +68,7 @@ void edit_drag_begin(Editor *edit, const EditHandle *handle, EditHold how) {
     name_step(edit, &copy, name);
     hold(edit, &copy);
     edit_gesture_begin(edit, gesture_of(&edit->grip), name, how != HOLD_DRAG);
-    edit->offset = vec2_sub(copy.at, how == HOLD_KEYS ? edit->hand.at : edit->pressed);
+    edit->offset = vec2_sub(copy.at, how == HOLD_KEYS ? edit->pointer.at : edit->pressed);
     edit->taken = how != HOLD_DRAG;
     edit->clicked = how == HOLD_CLICK;
     list_fields(edit, &edit->grip);
@@ -129,14 +129,14 @@ static const EditGesture shape = DRAG(edit_shape_follow, edit_shape_make, NULL),
 /* All that is selected --------------------------------------------------------------------------------------------- */
 
 static void follow_whole(Editor *edit) {
-    Vec2 by = vec2_sub(edit->hand.at, edit->pressed);
-    if (edit->hand.straight && fabs(by.x) >= fabs(by.y))
+    Vec2 by = vec2_sub(edit->pointer.at, edit->pressed);
+    if (edit->pointer.straight && fabs(by.x) >= fabs(by.y))
         by.y = 0;
-    else if (edit->hand.straight)
+    else if (edit->pointer.straight)
         by.x = 0;
-    double grid = edit->hand.free ? SNAP_FREE_GRID : SNAP_GRID;
+    double grid = edit->pointer.free ? SNAP_FREE_GRID : SNAP_GRID;
     edit->now.at = vec2(snap_tidy(round(by.x / grid) * grid), snap_tidy(round(by.y / grid) * grid));
-    edit->snap = (Snap){.at = edit->hand.at};
+    edit->snap = (Snap){.at = edit->pointer.at};
     edit_field_typed(edit, 0, &edit->now.at.x);
     edit_field_typed(edit, 1, &edit->now.at.y);
     edit_field_show(edit, 0, edit->now.at.x);
@@ -202,12 +202,12 @@ void edit_drag_whole(Editor *edit) {
  */
 
 static void follow_box(Editor *edit) {
-    edit->now.at = edit->hand.at;
+    edit->now.at = edit->pointer.at;
 }
 
 static bool put_box(Editor *edit, bool keys) {
     Box within = box_include(box_include(box_empty(), edit->pressed), edit->now.at);
-    bool more = edit->hand.more;
+    bool more = edit->pointer.more;
     (void)keys;
     edit_gesture_drop(edit);
     edit_select_within(edit, within, more);

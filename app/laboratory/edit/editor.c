@@ -10,7 +10,7 @@ static const EditToolRow tools[EDIT_TOOLS] = {
     [TOOL_DOOR] = {"door", "Places doors and openings in walls.", "click on a wall, or Enter to type the place"},
     [TOOL_FURNITURE] = {"furniture", "Places furniture, its back to a wall that is near.",
                         "click where it stands, or Enter to type the place; a free rectangle is dragged out"},
-    [TOOL_PERSON] = {"person", "Places people, who look to where the hand is dragged.",
+    [TOOL_PERSON] = {"person", "Places people, who look to where the pointer is dragged.",
                      "click where somebody stands, or Enter to type the place"},
     [TOOL_EXIT] = {"exit", "Draws exits: lines that are left by.",
                    "click on a door, or where the exit begins, or Enter to type it"},

@@ -106,10 +106,10 @@ struct Editor {
     Item selected;     /* the last of the selection, in the displayed house */
 
     EditTool tool;
-    Pointer hand; /* the last one */
-    bool down;    /* its button */
-    bool moved;   /* since it is */
-    Vec2 pressed; /* m, where it went down */
+    Pointer pointer; /* the last one */
+    bool down;       /* its button */
+    bool moved;      /* since it is */
+    Vec2 pressed;    /* m, where it went down */
     EditPending pending;
     bool seen; /* the pointer has been on the plan */
 
@@ -239,9 +239,9 @@ void edit_person_make(Editor *edit);
 
 /* Pointer and keys, as in editor.h. */
 void edit_pointer_take(Editor *edit, EditTool tool);
-void edit_pointer_point(Editor *edit, const Pointer *hand);
-void edit_pointer_press(Editor *edit, const Pointer *hand, bool twice);
-void edit_pointer_release(Editor *edit, const Pointer *hand);
+void edit_pointer_point(Editor *edit, const Pointer *pointer);
+void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice);
+void edit_pointer_release(Editor *edit, const Pointer *pointer);
 bool edit_pointer_type(Editor *edit, const char *letters);
 bool edit_pointer_enter(Editor *edit);
 bool edit_pointer_back(Editor *edit);
@@ -274,7 +274,7 @@ void edit_select_names(const Editor *edit, char name[EDIT_NAME]);
 /* The handles of what is selected in a plan (EDIT_HANDLES); how many. */
 size_t edit_handle_list(const Editor *edit, const Plan *plan, EditHandle *handles);
 /* The nearest one within reach; false: none. */
-bool edit_handle_at(const Editor *edit, const Pointer *hand, EditHandle *handle);
+bool edit_handle_at(const Editor *edit, const Pointer *pointer, EditHandle *handle);
 
 /* Marks of the gesture, for what it shows. */
 void edit_marks_line(Editor *edit, Vec2 from, Vec2 to);

@@ -38,8 +38,8 @@ void edit_gesture_begin(Editor *edit, const EditGesture *gesture, const char *na
     edit_gesture_drop(edit);
     edit->gesture = gesture;
     edit->keys = keys;
-    edit->keys_at = edit->hand.at;
-    edit->now = edit->good = (EditTarget){.at = edit->hand.at};
+    edit->keys_at = edit->pointer.at;
+    edit->now = edit->good = (EditTarget){.at = edit->pointer.at};
     edit->has_good = edit->limited = false;
     snprintf(edit->name, sizeof edit->name, "%s", name);
     keep_begun(edit);
@@ -69,7 +69,7 @@ void edit_gesture_follow(Editor *edit) {
         keep_begun(edit);
         draft_begin(edit->draft, edit->name);
     }
-    edit->snap = (Snap){.at = edit->hand.at};
+    edit->snap = (Snap){.at = edit->pointer.at};
     edit->limited = false;
     edit->gesture->follow(edit);
     forget_refusal(edit);
@@ -83,7 +83,7 @@ void edit_gesture_follow(Editor *edit) {
 }
 
 /* Forgets the gesture. */
-static void empty_hand(Editor *edit) {
+static void forget_gesture(Editor *edit) {
     if (edit->gesture->end)
         edit->gesture->end(edit);
     edit->gesture = NULL;
@@ -102,7 +102,7 @@ void edit_gesture_drop(Editor *edit) {
         return;
     bool made = edit->gesture->make;
     uint64_t before = draft_revision(edit->draft);
-    empty_hand(edit);
+    forget_gesture(edit);
     if (made)
         draft_cancel(edit->draft);
     edit_select_known(edit);
@@ -116,7 +116,7 @@ bool edit_gesture_end(Editor *edit) {
     edit->gesture->make(edit);
     bool good = draft_end(edit->draft, &fault);
     if (good) {
-        empty_hand(edit);
+        forget_gesture(edit);
         edit_select_known(edit);
     } else {
         keep_refusal(edit, &fault);
@@ -136,10 +136,10 @@ bool edit_gesture_settle(Editor *edit) {
 }
 
 Vec2 edit_gesture_snap(Editor *edit, SnapAsk ask) {
-    ask.at = vec2_add(edit->hand.at, edit->offset);
-    ask.reach = edit->hand.reach;
-    ask.free = edit->hand.free;
-    ask.straight = edit->hand.straight;
+    ask.at = vec2_add(edit->pointer.at, edit->offset);
+    ask.reach = edit->pointer.reach;
+    ask.free = edit->pointer.free;
+    ask.straight = edit->pointer.straight;
     edit->snap = snap_point(edit->gesture ? &edit->begun : draft_plan(edit->draft), &ask);
     return edit->snap.at;
 }

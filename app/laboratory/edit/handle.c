@@ -109,16 +109,16 @@ size_t edit_handle_list(const Editor *edit, const Plan *plan, EditHandle *handle
     return made.count;
 }
 
-bool edit_handle_at(const Editor *edit, const Pointer *hand, EditHandle *handle) {
+bool edit_handle_at(const Editor *edit, const Pointer *pointer, EditHandle *handle) {
     EditHandle handles[EDIT_HANDLES];
     size_t count = edit_handle_list(edit, draft_plan(edit->draft), handles);
-    double nearest = hand->reach;
+    double nearest = pointer->reach;
     for (size_t i = 0; i < count; i++) {
-        double distance = vec2_distance(handles[i].at, hand->at);
+        double distance = vec2_distance(handles[i].at, pointer->at);
         if (distance > nearest)
             continue;
         nearest = distance;
         *handle = handles[i];
     }
-    return count && nearest < hand->reach;
+    return count && nearest < pointer->reach;
 }

@@ -204,7 +204,7 @@ static void follow(Editor *edit) {
         return;
     }
     if (!edit->keys)
-        now->at = edit->hand.at;
+        now->at = edit->pointer.at;
     edit_field_typed(edit, 0, &now->at.x);
     edit_field_typed(edit, 1, &now->at.y);
     edit_field_show(edit, 0, now->at.x);

@@ -129,9 +129,9 @@ static void add_hover(Editor *edit) {
     bool faces = edit->tool == TOOL_AREA || edit->tool == TOOL_MEASURE || edit->tool == TOOL_FURNITURE;
     if (edit->tool == TOOL_SELECT || !edit->seen)
         return;
-    SnapAsk ask = {.at = edit->hand.at,
-                   .reach = edit->hand.reach,
-                   .free = edit->hand.free,
+    SnapAsk ask = {.at = edit->pointer.at,
+                   .reach = edit->pointer.reach,
+                   .free = edit->pointer.free,
                    .faces = faces,
                    .doors = edit->tool == TOOL_EXIT,
                    .along = NAN};

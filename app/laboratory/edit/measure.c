@@ -39,21 +39,21 @@ static void offer(Side *side, Vec2 at, Vec2 from, Vec2 to) {
 
 bool edit_measure_side(Editor *edit) {
     const Plan *plan = draft_plan(edit->draft);
-    Side side = {.distance = edit->hand.reach};
+    Side side = {.distance = edit->pointer.reach};
     for (size_t w = 0; w < plan->wall_count; w++)
         for (size_t s = 0; s + 1 < plan->walls[w].points.count; s++) {
             const Vec2 *ends = plan->walls[w].points.at + s;
             Vec2 out = vec2_scale(vec2_left(vec2_unit(vec2_sub(ends[1], ends[0]))), plan->walls[w].thickness / 2);
-            offer(&side, edit->hand.at, vec2_add(ends[0], out), vec2_add(ends[1], out));
-            offer(&side, edit->hand.at, vec2_sub(ends[0], out), vec2_sub(ends[1], out));
+            offer(&side, edit->pointer.at, vec2_add(ends[0], out), vec2_add(ends[1], out));
+            offer(&side, edit->pointer.at, vec2_sub(ends[0], out), vec2_sub(ends[1], out));
         }
     for (size_t f = 0; f < plan->furniture_count; f++) {
         Vec2 corners[4];
         plan_geometry_corners(&plan->furniture[f], corners);
         for (int i = 0; i < 4; i++)
-            offer(&side, edit->hand.at, corners[i], corners[(i + 1) % 4]);
+            offer(&side, edit->pointer.at, corners[i], corners[(i + 1) % 4]);
     }
-    if (!(side.distance < edit->hand.reach))
+    if (!(side.distance < edit->pointer.reach))
         return false;
     edit_measure_keep(edit, side.from, side.to);
     return true;

@@ -7,10 +7,10 @@
 enum { FIELD_X, FIELD_Y, FIELD_HEADING };
 
 /* While its button is down, the pointer turns the placed person, once it is far enough away. */
-static void turn_to_hand(Editor *edit) {
-    Vec2 to = vec2_sub(edit->hand.at, edit->now.at);
-    if (edit->down && edit->moved && vec2_length(to) > edit->hand.reach)
-        edit->now.angle = snap_turn(snap_angle(to), edit->hand.free);
+static void turn_to_pointer(Editor *edit) {
+    Vec2 to = vec2_sub(edit->pointer.at, edit->now.at);
+    if (edit->down && edit->moved && vec2_length(to) > edit->pointer.reach)
+        edit->now.angle = snap_turn(snap_angle(to), edit->pointer.free);
 }
 
 void edit_person_follow(Editor *edit) {
@@ -22,7 +22,7 @@ void edit_person_follow(Editor *edit) {
                        snap_tidy(round(edit->pressed.y / SNAP_GRID) * SNAP_GRID));
     edit_field_typed(edit, FIELD_X, &now->at.x);
     edit_field_typed(edit, FIELD_Y, &now->at.y);
-    turn_to_hand(edit);
+    turn_to_pointer(edit);
     edit_field_typed(edit, FIELD_HEADING, &now->angle);
     edit_field_show(edit, FIELD_X, now->at.x);
     edit_field_show(edit, FIELD_Y, now->at.y);

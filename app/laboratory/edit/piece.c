@@ -16,8 +16,8 @@ static const CatalogueItem *chosen(Editor *edit) {
 }
 
 static SnapAsk ask_of(const Editor *edit) {
-    const Pointer *hand = &edit->hand;
-    return (SnapAsk){.at = hand->at, .reach = hand->reach, .free = hand->free, .along = NAN};
+    const Pointer *pointer = &edit->pointer;
+    return (SnapAsk){.at = pointer->at, .reach = pointer->reach, .free = pointer->free, .along = NAN};
 }
 
 /* Makes a rectangle from its first corner to the pointer, or as it is typed. */

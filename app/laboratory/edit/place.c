@@ -34,7 +34,7 @@ void edit_place_begin(Editor *edit, bool keys) {
     name_step(edit, kind, name);
     edit_gesture_begin(edit, kind->gesture, name, keys);
     edit->now.amount = edit->door_width;
-    edit->now.corner = edit->hand.at;
+    edit->now.corner = edit->pointer.at;
     edit_field_list(edit, kind->fields, kind->units, kind->field_count);
     edit->field = keys ? 0 : kind->first;
     if (edit->tool == TOOL_FURNITURE && edit->items[TOOL_FURNITURE] == 0 && !keys) {

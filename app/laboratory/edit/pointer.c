@@ -1,4 +1,4 @@
-/* The hand and the keys: which of them begins, follows and ends what. */
+/* The pointer and the keys: which of them begins, follows and ends what. */
 
 #include "laboratory/edit/editor_state.h"
 
@@ -36,18 +36,19 @@ void edit_pointer_take(Editor *edit, EditTool tool) {
     edit->tool = tool < EDIT_TOOLS ? tool : TOOL_SELECT;
 }
 
-/* The hand -------------------------------------------------------------------------------------------------------- */
+/* The pointer --------------------------------------------------------------------------------------------------------
+ */
 
-static void keep_hand(Editor *edit, const Pointer *hand) {
-    edit->hand = *hand;
+static void store_pointer(Editor *edit, const Pointer *pointer) {
+    edit->pointer = *pointer;
     edit->seen = true;
-    if (edit->clicked && vec2_distance(hand->at, edit->keys_at) > STIR * hand->reach)
+    if (edit->clicked && vec2_distance(pointer->at, edit->keys_at) > STIR * pointer->reach)
         edit->keys = edit->clicked = false;
 }
 
 /* Grabs the handle under the press position; looks it up again, since the plan may have changed since the press. */
 static void begin_handle(Editor *edit, EditHold how) {
-    Pointer was = edit->hand;
+    Pointer was = edit->pointer;
     EditHandle handle;
     was.at = edit->pressed;
     edit_select_meet(edit);
@@ -67,9 +68,9 @@ static void begin_pending(Editor *edit) {
         edit_drag_box(edit);
 }
 
-void edit_pointer_point(Editor *edit, const Pointer *hand) {
-    keep_hand(edit, hand);
-    if (edit->down && !edit->moved && vec2_distance(hand->at, edit->pressed) > STIR * hand->reach) {
+void edit_pointer_point(Editor *edit, const Pointer *pointer) {
+    store_pointer(edit, pointer);
+    if (edit->down && !edit->moved && vec2_distance(pointer->at, edit->pressed) > STIR * pointer->reach) {
         edit->moved = true;
         begin_pending(edit);
     }
@@ -84,15 +85,15 @@ static bool is_room(const Editor *edit, const char *id) {
 static void press_select(Editor *edit) {
     EditHandle handle;
     edit->pending = PENDING_BOX;
-    if (!edit->hand.more && edit_handle_at(edit, &edit->hand, &handle)) {
+    if (!edit->pointer.more && edit_handle_at(edit, &edit->pointer, &handle)) {
         edit->pending = PENDING_HANDLE;
         return;
     }
-    const char *id = edit_select_at(edit, edit->hand.at);
+    const char *id = edit_select_at(edit, edit->pointer.at);
     if (!id || is_room(edit, id))
         return; /* a room is selected when the button is up, unless a rectangle is drawn */
     edit->pending = PENDING_NOTHING;
-    if (edit->hand.more) {
+    if (edit->pointer.more) {
         edit_select_toggle(edit, id);
         return;
     }
@@ -101,12 +102,12 @@ static void press_select(Editor *edit) {
     edit->pending = PENDING_WHOLE;
 }
 
-void edit_pointer_press(Editor *edit, const Pointer *hand, bool twice) {
+void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice) {
     edit_select_meet(edit);
-    keep_hand(edit, hand);
+    store_pointer(edit, pointer);
     edit->down = true;
     edit->moved = false;
-    edit->pressed = hand->at;
+    edit->pressed = pointer->at;
     edit->pending = PENDING_NOTHING;
     edit->keys = edit->clicked = false; /* what was begun by keys goes on by hand */
     if (edit->gesture && twice && edit->tool == TOOL_MEASURE && edit_measure_side(edit)) {
@@ -130,18 +131,18 @@ static void release_pending(Editor *edit) {
     if (pending == PENDING_HANDLE) {
         begin_handle(edit, HOLD_CLICK);
     } else if (pending == PENDING_BOX) {
-        const char *id = edit_select_at(edit, edit->hand.at);
-        if (edit->hand.more && id)
+        const char *id = edit_select_at(edit, edit->pointer.at);
+        if (edit->pointer.more && id)
             edit_select_toggle(edit, id);
-        else if (!edit->hand.more)
+        else if (!edit->pointer.more)
             edit_select_only(edit, id);
     }
 }
 
-void edit_pointer_release(Editor *edit, const Pointer *hand) {
+void edit_pointer_release(Editor *edit, const Pointer *pointer) {
     if (!edit->down)
         return;
-    edit_pointer_point(edit, hand);
+    edit_pointer_point(edit, pointer);
     if (edit->gesture && edit->gesture->release)
         edit->gesture->release(edit, edit->moved);
     else if (!edit->gesture && !edit->moved)

@@ -208,7 +208,7 @@ static const char *find_at(const Editor *edit, Vec2 at) {
         for (size_t i = draft_count(edit->draft, order[k]); i > 0; i--) {
             Vec2 corners[4];
             Box box;
-            if (!find_box(plan, order[k], i - 1, &box) || !box_holds(box_expand(box, edit->hand.reach), at))
+            if (!find_box(plan, order[k], i - 1, &box) || !box_holds(box_expand(box, edit->pointer.reach), at))
                 continue;
             if (order[k] == DRAFT_FURNITURE)
                 plan_geometry_corners(&plan->furniture[i - 1], corners);
@@ -217,7 +217,8 @@ static const char *find_at(const Editor *edit, Vec2 at) {
             return json_string_value(json_object_get(draft_at(edit->draft, order[k], i - 1), "id"));
         }
     SnapWall wall;
-    if (snap_wall(plan, at, &wall) && wall.distance <= real_max(edit->hand.reach, plan->walls[wall.wall].thickness / 2))
+    if (snap_wall(plan, at, &wall) &&
+        wall.distance <= real_max(edit->pointer.reach, plan->walls[wall.wall].thickness / 2))
         return plan->walls[wall.wall].id;
     return NULL;
 }

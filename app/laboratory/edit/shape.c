@@ -183,7 +183,7 @@ void edit_shape_make(Editor *edit) {
     }
     Shift shift = {from, to, count};
     for (size_t w = 0; edit->grip.list == DRAFT_WALLS && w < edit->begun.wall_count; w++)
-        if (!edit->hand.free || strcmp(edit->begun.walls[w].id, edit->held) == 0)
+        if (!edit->pointer.free || strcmp(edit->begun.walls[w].id, edit->held) == 0)
             shift_wall(edit, &edit->begun, w, &shift);
     if (edit->grip.list == DRAFT_WALLS)
         return;
@@ -254,7 +254,7 @@ void edit_shape_move(Editor *edit, const Plan *plan, Vec2 by) {
     size_t index;
     Shift shift = shift_of_selected(edit, plan, by);
     for (size_t w = 0; shift.count && w < plan->wall_count; w++)
-        if (!edit->hand.free || edit_select_has(edit, plan->walls[w].id))
+        if (!edit->pointer.free || edit_select_has(edit, plan->walls[w].id))
             shift_wall(edit, plan, w, &shift);
     memory_free(shift.from);
     memory_free(shift.to);

@@ -25,7 +25,7 @@ static size_t nearest_segment(const Editor *edit, const Wall *wall) {
     double least = HUGE_VAL;
     for (size_t s = 0; s + 1 < wall->points.count; s++) {
         const Vec2 *ends = wall->points.at + s;
-        double distance = vec2_distance(edit->hand.at, vec2_nearest_on_segment(edit->hand.at, ends[0], ends[1]));
+        double distance = vec2_distance(edit->pointer.at, vec2_nearest_on_segment(edit->pointer.at, ends[0], ends[1]));
         if (distance >= least)
             continue;
         least = distance;

@@ -45,7 +45,7 @@ static const Door *door_at(const Plan *plan, Vec2 at, double reach) {
 
 bool edit_way_across(Editor *edit) {
     const Plan *plan = draft_plan(edit->draft);
-    const Door *door = door_at(plan, edit->hand.at, edit->hand.reach);
+    const Door *door = door_at(plan, edit->pointer.at, edit->pointer.reach);
     if (!door)
         return false;
     Vec2 from, to;
@@ -88,7 +88,7 @@ static const char *exit_at(const Editor *edit) {
     for (size_t e = 0; e < edit->begun.exit_count; e++) {
         const Exit *exit = &edit->begun.exits[e];
         if (vec2_distance(edit->now.at, vec2_nearest_on_segment(edit->now.at, exit->from, exit->to)) <=
-            edit->hand.reach)
+            edit->pointer.reach)
             return exit->id;
     }
     return NULL;

@@ -11,40 +11,40 @@
 
 /* The editor ------------------------------------------------------------------------------------------------------- */
 
-void house_control_select(HouseSession *live, Item chosen) {
-    if (item_same(chosen, live->selected))
+void house_control_select(HouseSession *session, Item chosen) {
+    if (item_same(chosen, session->selected))
         return;
-    bool people = chosen.kind == HOUSE_PERSON || live->selected.kind == HOUSE_PERSON;
-    live->selected = chosen;
-    live->changed |= LABORATORY_WORDS | LABORATORY_PARAMETERS | (people ? LABORATORY_PLOTS : 0);
+    bool people = chosen.kind == HOUSE_PERSON || session->selected.kind == HOUSE_PERSON;
+    session->selected = chosen;
+    session->changed |= LABORATORY_WORDS | LABORATORY_PARAMETERS | (people ? LABORATORY_PLOTS : 0);
 }
 
 HouseSession *house_control_sync(void *context) {
-    HouseSession *live = context;
+    HouseSession *session = context;
     EditorShake shake;
-    house_control_select(live, editor_selected(live->editor));
-    if (editor_next_change(live->editor))
-        house_schedule_apply_edit(live);
-    if (editor_next_shake(live->editor, &shake))
-        house_fall_shake(live, shake.seed, shake.ids, shake.count);
-    return live;
+    house_control_select(session, editor_selected(session->editor));
+    if (editor_next_change(session->editor))
+        house_schedule_apply_edit(session);
+    if (editor_next_shake(session->editor, &shake))
+        house_fall_shake(session, shake.seed, shake.ids, shake.count);
+    return session;
 }
 
 /* Numbers ---------------------------------------------------------------------------------------------------------- */
 
 const PanelParameter *house_control_parameters(const void *context, size_t *count) {
-    const HouseSession *live = context;
-    *count = live->values.count;
-    return live->values.listed;
+    const HouseSession *session = context;
+    *count = session->values.count;
+    return session->values.listed;
 }
 
 void house_control_hold(void *context, const char *name) {
-    HouseSession *live = house_control_sync(context);
-    size_t row = house_value_find(&live->values, name);
+    HouseSession *session = house_control_sync(context);
+    size_t row = house_value_find(&session->values, name);
     char step[2 * HOUSE_THING_NAME] = "Change a number";
     if (row != SIZE_MAX)
-        snprintf(step, sizeof step, "%s: %s", live->values.rows[row].group, live->values.rows[row].label);
-    editor_hold_number(live->editor, step);
+        snprintf(step, sizeof step, "%s: %s", session->values.rows[row].group, session->values.rows[row].label);
+    editor_hold_number(session->editor, step);
 }
 
 void house_control_settle(void *context) {
@@ -52,66 +52,67 @@ void house_control_settle(void *context) {
 }
 
 /* Sets the value of a row in the draft: as its own step, unless a number is being dragged. */
-static bool set_in_draft(HouseSession *live, size_t row, Fault *fault) {
-    const PanelParameter *value = &live->values.rows[row];
+static bool set_in_draft(HouseSession *session, size_t row, Fault *fault) {
+    const PanelParameter *value = &session->values.rows[row];
     char name[HOUSE_THING_NAME];
     snprintf(name, sizeof name, "%s: %s", value->group, value->label);
-    bool held = editor_holds_number(live->editor);
+    bool held = editor_holds_number(session->editor);
     if (held)
-        draft_rewind(live->draft);
+        draft_rewind(session->draft);
     else
-        draft_begin(live->draft, name);
-    bool known = draft_parameter_set(live->draft, value->name, parameters_number_json(value->row, value->value), fault);
+        draft_begin(session->draft, name);
+    bool known =
+        draft_parameter_set(session->draft, value->name, parameters_number_json(value->row, value->value), fault);
     if (held)
-        return known && draft_try(live->draft, fault);
+        return known && draft_try(session->draft, fault);
     if (known)
-        return draft_end(live->draft, fault);
-    draft_cancel(live->draft);
+        return draft_end(session->draft, fault);
+    draft_cancel(session->draft);
     return false;
 }
 
-static void put_back(HouseSession *live, size_t row) {
+static void put_back(HouseSession *session, size_t row) {
     Fault none = {0};
-    set_in_draft(live, row, &none);
+    set_in_draft(session, row, &none);
     fault_clear(&none);
 }
 
 bool house_control_set(void *context, const char *name, double value, Fault *fault) {
-    HouseSession *live = house_control_sync(context);
-    size_t row = house_value_find(&live->values, name);
+    HouseSession *session = house_control_sync(context);
+    size_t row = house_value_find(&session->values, name);
     if (row == SIZE_MAX) {
         fault_add(fault, "there is no number called \"%s\"", name);
         return false;
     }
-    double before = live->values.rows[row].value;
-    if (!house_value_set(&live->values, row, value, fault))
+    double before = session->values.rows[row].value;
+    if (!house_value_set(&session->values, row, value, fault))
         return false;
     if (value == before)
         return true;
-    if (!set_in_draft(live, row, fault)) {
-        live->values.rows[row].value = before;
-        if (editor_holds_number(live->editor)) /* the last that stood, if there was one, is what is put down */
-            put_back(live, row);
+    if (!set_in_draft(session, row, fault)) {
+        session->values.rows[row].value = before;
+        if (editor_holds_number(session->editor)) /* the last that stood, if there was one, is what is put down */
+            put_back(session, row);
         return false;
     }
-    house_schedule_apply_edit(live);
-    if (live->runs[RUN_SHOWN])
-        house_value_sort(&live->values, &live->runs[RUN_SHOWN]->house, live->selected);
+    house_schedule_apply_edit(session);
+    if (session->runs[RUN_SHOWN])
+        house_value_sort(&session->values, &session->runs[RUN_SHOWN]->house, session->selected);
     return true;
 }
 
 void house_control_reset(void *context) {
-    HouseSession *live = house_control_sync(context);
-    uint64_t before = draft_revision(live->draft);
-    editor_reset(live->editor, "Reset scene");
-    if (draft_revision(live->draft) == before)
+    HouseSession *session = house_control_sync(context);
+    uint64_t before = draft_revision(session->draft);
+    editor_reset(session->editor, "Reset scene");
+    if (draft_revision(session->draft) == before)
         return;
-    for (size_t i = 0; i < live->values.count; i++)
-        live->values.rows[i].value = live->values.rows[i].initial;
-    if (live->kept_itself)
-        house_schedule_clear(live);
-    house_history_begin(&live->history, draft_text(live->draft), draft_revision(live->draft));
-    house_schedule_apply_edit(live);
+    for (size_t i = 0; i < session->values.count; i++)
+        session->values.rows[i].value = session->values.rows[i].initial;
+    if (session->kept_itself)
+        house_schedule_clear(session);
+    house_history_begin(&session->history, draft_text(session->draft), draft_revision(session->draft));
+    house_schedule_apply_edit(session);
 }
 
 /* Choices ---------------------------------------------------------------------------------------------------------- */
@@ -120,20 +121,20 @@ void house_control_reset(void *context) {
 #define ROUTE "Route"
 #define DRIVING "Driving"
 
-static PanelChoice *add_choice(HouseSession *live, const char *name, const char *meaning) {
-    PanelChoice *choice = &live->choices[live->choice_count];
-    *choice = (PanelChoice){.name = name, .meaning = meaning, .words = live->choice_words[live->choice_count]};
-    live->choice_count++;
+static PanelChoice *add_choice(HouseSession *session, const char *name, const char *meaning) {
+    PanelChoice *choice = &session->choices[session->choice_count];
+    *choice = (PanelChoice){.name = name, .meaning = meaning, .words = session->choice_words[session->choice_count]};
+    session->choice_count++;
     return choice;
 }
 
 /* `chosen`: this is what is so now. */
-static void add_word(HouseSession *live, PanelChoice *choice, const char *word, bool chosen) {
+static void add_word(HouseSession *session, PanelChoice *choice, const char *word, bool chosen) {
     if (choice->count == HOUSE_CHOICE_WORDS)
         return;
     if (chosen)
         choice->chosen = choice->count;
-    live->choice_words[choice - live->choices][choice->count++] = word;
+    session->choice_words[choice - session->choices][choice->count++] = word;
 }
 
 static bool anybody_rides(const House *house) {
@@ -143,64 +144,65 @@ static bool anybody_rides(const House *house) {
     return false;
 }
 
-static void list(HouseSession *live) {
-    bool rides = live->runs[RUN_SHOWN] && anybody_rides(&live->runs[RUN_SHOWN]->house);
-    live->choice_count = 0;
-    PanelChoice *ghost = add_choice(live, GHOST,
+static void list(HouseSession *session) {
+    bool rides = session->runs[RUN_SHOWN] && anybody_rides(&session->runs[RUN_SHOWN]->house);
+    session->choice_count = 0;
+    PanelChoice *ghost = add_choice(session, GHOST,
                                     "What is shown behind, for comparison: the run that was kept with K, "
                                     "or the same house with the other way of driving.");
-    add_word(live, ghost, "none", live->ghost == GHOST_NONE);
-    if (live->runs[RUN_BEFORE])
-        add_word(live, ghost, "before", live->ghost == GHOST_BEFORE);
+    add_word(session, ghost, "none", session->ghost == GHOST_NONE);
+    if (session->runs[RUN_BEFORE])
+        add_word(session, ghost, "before", session->ghost == GHOST_BEFORE);
     if (rides)
-        add_word(live, ghost, profile_driving_name(house_runs_other_driving(live)), live->ghost == GHOST_RIVAL);
-    const Plan *plan = draft_plan(live->draft);
+        add_word(session, ghost, profile_driving_name(house_runs_other_driving(session)),
+                 session->ghost == GHOST_RIVAL);
+    const Plan *plan = draft_plan(session->draft);
     if (plan->route_count > 1) {
-        PanelChoice *route = add_choice(live, ROUTE, "Whose route is driven: everybody's, or one alone.");
-        add_word(live, route, "everybody", !live->wish.route);
+        PanelChoice *route = add_choice(session, ROUTE, "Whose route is driven: everybody's, or one alone.");
+        add_word(session, route, "everybody", !session->wish.route);
         for (size_t r = 0; r < plan->route_count; r++) {
             const char *id = plan->routes[r].id;
-            add_word(live, route, id, live->wish.route && strcmp(live->wish.route, id) == 0);
+            add_word(session, route, id, session->wish.route && strcmp(session->wish.route, id) == 0);
         }
     }
     if (!rides)
         return;
-    PanelChoice *driving = add_choice(live, DRIVING,
+    PanelChoice *driving = add_choice(session, DRIVING,
                                       "The way of driving: as each profile says, a driver who turns the "
                                       "chair, or the paper's disc on straight legs and corners.");
-    add_word(live, driving, "as in the file", live->wish.driving < 0);
+    add_word(session, driving, "as in the file", session->wish.driving < 0);
     for (int way = DRIVING_DRIVER; way <= DRIVING_MIURA; way++)
-        add_word(live, driving, profile_driving_name(way), live->wish.driving == way);
+        add_word(session, driving, profile_driving_name(way), session->wish.driving == way);
 }
 
-static void take_ghost(HouseSession *live, const char *word) {
-    live->ghost = strcmp(word, "none") == 0 ? GHOST_NONE : strcmp(word, "before") == 0 ? GHOST_BEFORE : GHOST_RIVAL;
-    live->retell = true;
-    live->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
-    house_session_void_film(live);
+static void take_ghost(HouseSession *session, const char *word) {
+    session->ghost = strcmp(word, "none") == 0 ? GHOST_NONE : strcmp(word, "before") == 0 ? GHOST_BEFORE : GHOST_RIVAL;
+    session->retell = true;
+    session->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
+    house_session_void_film(session);
 }
 
-static const PanelChoice *list_choices(HouseSession *live, size_t *count) {
-    list(live);
-    *count = live->choice_count;
-    return live->choices;
+static const PanelChoice *list_choices(HouseSession *session, size_t *count) {
+    list(session);
+    *count = session->choice_count;
+    return session->choices;
 }
 
-static void apply_choice(HouseSession *live, size_t choice, size_t word) {
-    list(live);
-    if (choice >= live->choice_count || word >= live->choices[choice].count)
+static void apply_choice(HouseSession *session, size_t choice, size_t word) {
+    list(session);
+    if (choice >= session->choice_count || word >= session->choices[choice].count)
         return;
-    const PanelChoice *taken = &live->choices[choice];
+    const PanelChoice *taken = &session->choices[choice];
     if (strcmp(taken->name, GHOST) == 0) {
-        take_ghost(live, taken->words[word]);
+        take_ghost(session, taken->words[word]);
     } else if (strcmp(taken->name, ROUTE) == 0) {
-        live->wish.route = word ? arena_text(&live->arena, taken->words[word]) : NULL;
-        house_schedule_request(live);
+        session->wish.route = word ? arena_text(&session->arena, taken->words[word]) : NULL;
+        house_schedule_request(session);
     } else {
-        live->wish.driving = (int)word - 1;
-        editor_set_driving(live->editor, live->wish.driving);
-        house_schedule_store(live, true);
-        house_schedule_request(live);
+        session->wish.driving = (int)word - 1;
+        editor_set_driving(session->editor, session->wish.driving);
+        house_schedule_store(session, true);
+        house_schedule_request(session);
     }
 }
 
@@ -228,17 +230,17 @@ void house_control_choose(void *context, size_t choice, size_t word) {
 /* What is recorded is what would come: only a run that was stopped or broke down is made again, or one in which the
  * plan changed. */
 void house_control_again(void *context) {
-    HouseSession *live = house_control_sync(context);
-    house_schedule_restart(live);
-    if (live->trouble.text && !live->runs[RUN_LATEST])
-        house_schedule_request(live);
+    HouseSession *session = house_control_sync(context);
+    house_schedule_restart(session);
+    if (session->trouble.text && !session->runs[RUN_LATEST])
+        house_schedule_request(session);
 }
 
 bool house_control_keep(void *context, double time) {
-    HouseSession *live = house_control_sync(context);
+    HouseSession *session = house_control_sync(context);
     (void)time;
-    live->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
-    return house_schedule_store(live, false);
+    session->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
+    return house_schedule_store(session, false);
 }
 
 void house_control_clear(void *context, double time) {
@@ -252,13 +254,13 @@ enum { WORDS = 8 /* besides settings: the verb, the file, and three options with
 
 /* True if the draft equals its file with these settings: no item was added, moved by the pointer or
  * taken away. */
-static bool is_file_with(const HouseSession *live, const char *const *settings, size_t count) {
-    const char *path = draft_file_path(live->draft);
+static bool is_file_with(const HouseSession *session, const char *const *settings, size_t count) {
+    const char *path = draft_file_path(session->draft);
     Fault none = {0};
     Plan plan = {0};
     bool same = path && plan_read(&plan, path, settings, count, &none);
     char *text = same ? plan_text(&plan) : NULL;
-    same = text && strcmp(text, draft_text(live->draft)) == 0;
+    same = text && strcmp(text, draft_text(session->draft)) == 0;
     memory_free(text);
     plan_free(&plan);
     fault_clear(&none);
@@ -266,28 +268,28 @@ static bool is_file_with(const HouseSession *live, const char *const *settings, 
 }
 
 /* The settings that make the draft of its file: those it was opened with, and what was changed since; (count). */
-static const char **make_settings(HouseSession *live, size_t *count) {
-    const LaboratoryOptions *given = &live->given;
-    const char **settings = memory_zeroed(given->setting_count + live->values.count + 1, sizeof *settings);
+static const char **make_settings(HouseSession *session, size_t *count) {
+    const LaboratoryOptions *given = &session->given;
+    const char **settings = memory_zeroed(given->setting_count + session->values.count + 1, sizeof *settings);
     *count = given->setting_count;
     for (size_t i = 0; i < given->setting_count; i++)
         settings[i] = given->settings[i];
-    *count += house_value_settings(&live->values, settings + *count, &live->command_arena);
+    *count += house_value_settings(&session->values, settings + *count, &session->command_arena);
     return settings;
 }
 
 const char *const *house_control_command(void *context, size_t *count) {
-    HouseSession *live = house_control_sync(context);
-    const HouseWish *wish = &live->wish;
-    Arena *arena = &live->command_arena;
+    HouseSession *session = house_control_sync(context);
+    const HouseWish *wish = &session->wish;
+    Arena *arena = &session->command_arena;
     arena_clear(arena);
-    memory_free(live->command);
+    memory_free(session->command);
     size_t setting_count, used = 0;
-    const char **settings = make_settings(live, &setting_count);
+    const char **settings = make_settings(session, &setting_count);
     const char **words = memory_zeroed(WORDS + 2 * setting_count, sizeof *words);
-    bool whole = is_file_with(live, NULL, 0), made = !whole && is_file_with(live, settings, setting_count);
+    bool whole = is_file_with(session, NULL, 0), made = !whole && is_file_with(session, settings, setting_count);
     words[used++] = "run";
-    words[used++] = whole || made ? draft_file_path(live->draft) : "";
+    words[used++] = whole || made ? draft_file_path(session->draft) : "";
     for (size_t i = 0; made && i < setting_count; i++) {
         words[used++] = "--set";
         words[used++] = settings[i];
@@ -305,7 +307,7 @@ const char *const *house_control_command(void *context, size_t *count) {
         words[used++] = text_in_arena(arena, "%llu", (unsigned long long)wish->seed);
     }
     memory_free(settings);
-    live->command = words;
+    session->command = words;
     *count = used;
     return words;
 }

@@ -6,7 +6,7 @@
 /* Returns the session of a laboratory's context, after it has taken over what was edited since the last call: every
  * function of the laboratory that depends on the draft or on the selection begins with this. */
 HouseSession *house_control_sync(void *context);
-void house_control_select(HouseSession *live, Item item);
+void house_control_select(HouseSession *session, Item item);
 
 /* Functions of Laboratory, with a HouseSession as context. */
 const PanelParameter *house_control_parameters(const void *context, size_t *count);

@@ -113,25 +113,25 @@ static bool follow_moved(HouseFall *falls, const Plan *plan) {
 }
 
 /* True if the drawn house is the draft. */
-static bool is_drawn(const HouseSession *live) {
-    const HouseRun *run = live->runs[RUN_EARLY] ? live->runs[RUN_EARLY] : live->runs[RUN_SHOWN];
-    return run && house_run_revision(run) == draft_revision(live->draft);
+static bool is_drawn(const HouseSession *session) {
+    const HouseRun *run = session->runs[RUN_EARLY] ? session->runs[RUN_EARLY] : session->runs[RUN_SHOWN];
+    return run && house_run_revision(run) == draft_revision(session->draft);
 }
 
-void house_fall_follow(HouseSession *live) {
-    HouseFall *falls = &live->fall;
+void house_fall_follow(HouseSession *session) {
+    HouseFall *falls = &session->fall;
     bool other = false;
-    if (!falls->noted || falls->revision != draft_revision(live->draft)) {
-        other = follow_moved(falls, draft_plan(live->draft));
-        other |= falls->wanted && falls->noted && begin_changed(falls, draft_plan(live->draft));
-        note(falls, live->draft);
+    if (!falls->noted || falls->revision != draft_revision(session->draft)) {
+        other = follow_moved(falls, draft_plan(session->draft));
+        other |= falls->wanted && falls->noted && begin_changed(falls, draft_plan(session->draft));
+        note(falls, session->draft);
     }
-    if (falls->count && all_rest(falls) && is_drawn(live)) {
+    if (falls->count && all_rest(falls) && is_drawn(session)) {
         forget(falls);
         other = true;
     }
     if (other)
-        house_session_void_film(live);
+        house_session_void_film(session);
 }
 
 /* The first one begins at once. */
@@ -144,9 +144,9 @@ static void hurry(HouseFall *falls) {
         falls->pieces[i].delay = fmax(0, falls->pieces[i].delay - least);
 }
 
-void house_fall_shake(HouseSession *live, uint64_t seed, const char *const *ids, size_t count) {
-    HouseFall *falls = &live->fall;
-    const Plan *plan = draft_plan(live->draft);
+void house_fall_shake(HouseSession *session, uint64_t seed, const char *const *ids, size_t count) {
+    HouseFall *falls = &session->fall;
+    const Plan *plan = draft_plan(session->draft);
     if (!falls->wanted)
         return;
     follow_moved(falls, plan);
@@ -162,33 +162,33 @@ void house_fall_shake(HouseSession *live, uint64_t seed, const char *const *ids,
     }
     hurry(falls);
     snprintf(falls->words, sizeof falls->words, "shaking (seed %" PRIu64 ")", seed);
-    note(falls, live->draft);
-    house_session_void_film(live);
+    note(falls, session->draft);
+    house_session_void_film(session);
 }
 
 /* What is seen ---------------------------------------------------------------------------------------------------- */
 
-void house_fall_move(HouseSession *live, double seconds) {
-    HouseFall *falls = &live->fall;
+void house_fall_move(HouseSession *session, double seconds) {
+    HouseFall *falls = &session->fall;
     falls->wanted = true;
     for (size_t i = 0; i < falls->count; i++)
         furniture_fall_move(&falls->pieces[i], seconds);
 }
 
-const char *house_fall_words(const HouseSession *live) {
-    return all_rest(&live->fall) ? NULL : live->fall.words;
+const char *house_fall_words(const HouseSession *session) {
+    return all_rest(&session->fall) ? NULL : session->fall.words;
 }
 
-size_t house_fall_count(const HouseSession *live, double time) {
-    return time >= live->history.at[live->history.count - 1].time ? live->fall.count : 0;
+size_t house_fall_count(const HouseSession *session, double time) {
+    return time >= session->history.at[session->history.count - 1].time ? session->fall.count : 0;
 }
 
-const FurnitureFall *house_fall_find(const HouseSession *live, const char *id) {
-    return live->fall.drawn ? find((HouseFall *)&live->fall, id) : NULL;
+const FurnitureFall *house_fall_find(const HouseSession *session, const char *id) {
+    return session->fall.drawn ? find((HouseFall *)&session->fall, id) : NULL;
 }
 
-void house_fall_clear(HouseSession *live) {
-    HouseFall *falls = &live->fall;
+void house_fall_clear(HouseSession *session) {
+    HouseFall *falls = &session->fall;
     memory_free(falls->pieces);
     memory_free(falls->seen);
     arena_clear(&falls->arena);

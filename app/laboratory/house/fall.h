@@ -21,21 +21,21 @@ typedef struct HouseFall {
 } HouseFall;
 
 /* Takes notice of what an edit has changed, and of what has come to its end. */
-void house_fall_follow(HouseSession *live);
+void house_fall_follow(HouseSession *session);
 
 /* A shake of this seed has just been made of the draft: pieces with these ids (count) fall, all others stand, or lie,
  * at once as they do in the draft. */
-void house_fall_shake(HouseSession *live, uint64_t seed, const char *const *ids, size_t count);
+void house_fall_shake(HouseSession *session, uint64_t seed, const char *const *ids, size_t count);
 
 /* Moves on by so many s on the wall. */
-void house_fall_move(HouseSession *live, double seconds);
+void house_fall_move(HouseSession *session, double seconds);
 
 /* "shaking (seed 3)", "" for other falls; NULL: all rests. */
-const char *house_fall_words(const HouseSession *live);
+const char *house_fall_words(const HouseSession *session);
 
 /* Returns how many pieces are drawn at a time, s; none at a time before the edit. */
-size_t house_fall_count(const HouseSession *live, double time);
+size_t house_fall_count(const HouseSession *session, double time);
 
 /* Returns the fall that is drawn for this id; NULL: none. */
-const FurnitureFall *house_fall_find(const HouseSession *live, const char *id);
-void house_fall_clear(HouseSession *live);
+const FurnitureFall *house_fall_find(const HouseSession *session, const char *id);
+void house_fall_clear(HouseSession *session);

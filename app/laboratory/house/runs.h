@@ -20,39 +20,39 @@
 enum { RUNS_EDIT = 1, RUNS_ANSWER = 2, RUNS_DISPLAY = 4, RUNS_CLOSE = 8 };
 
 /* Gives a role to a run (NULL: to none), and takes it from the run that had it. */
-void house_runs_set(HouseSession *live, HouseRunRole role, HouseRun *run);
+void house_runs_set(HouseSession *session, HouseRunRole role, HouseRun *run);
 
 /* The run stays good until house_runs_release, whatever roles it loses. */
 void house_runs_retain(HouseRun *run);
-void house_runs_release(HouseSession *live, HouseRun *run);
+void house_runs_release(HouseSession *session, HouseRun *run);
 
 /* Takes the roles that end with an event from their runs. */
-void house_runs_drop(HouseSession *live, unsigned event);
+void house_runs_drop(HouseSession *session, unsigned event);
 
 /* Asks for the run of a role with the draft as it is (mixed: with the whole history); `brief`: without the reasons why
  * somebody cannot leave, which take long. The role is vacant. */
-void house_runs_ask(HouseSession *live, HouseRunRole role, bool brief);
+void house_runs_ask(HouseSession *session, HouseRunRole role, bool brief);
 
 /* True if the run of this role is over and that was noticed. */
-bool house_runs_is_over(const HouseSession *live, HouseRunRole role);
+bool house_runs_is_over(const HouseSession *session, HouseRunRole role);
 
 /* The role (rival, routes) is wanted as the session is now. */
-bool house_runs_wants(const HouseSession *live, HouseRunRole role);
+bool house_runs_wants(const HouseSession *session, HouseRunRole role);
 
 /* The run that is displayed as a ghost; none: without an observation. */
-Before house_runs_compared(const HouseSession *live);
+Before house_runs_compared(const HouseSession *session);
 
 /* The driving model that the displayed house does not have. */
-int house_runs_other_driving(const HouseSession *live);
+int house_runs_other_driving(const HouseSession *session);
 
 /* The run whose answer is the draft's: the displayed one, unless that is mixed. */
-const HouseRun *house_runs_answering(const HouseSession *live);
+const HouseRun *house_runs_answering(const HouseSession *session);
 
 /* True if the run is the result of these epochs (count) with the route and the driving model as they are. */
-bool house_runs_is_of(const HouseSession *live, const HouseRun *run, const HouseEpoch *epochs, size_t count);
+bool house_runs_is_of(const HouseSession *session, const HouseRun *run, const HouseEpoch *epochs, size_t count);
 
 /* True if the only run in work finds out why somebody cannot leave: the answer is there. */
-bool house_runs_seeks_reasons(const HouseSession *live);
+bool house_runs_seeks_reasons(const HouseSession *session);
 
 /* s, up to where the record will not change any more. */
-double house_runs_reach(const HouseSession *live);
+double house_runs_reach(const HouseSession *session);

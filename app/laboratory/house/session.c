@@ -12,20 +12,20 @@
 #define STEP (1.0 / 30) /* s, of one shown frame */
 #define FASTEST 16.0
 
-static size_t rows_recorded(const HouseSession *live) {
-    return live->runs[RUN_SHOWN] ? live->observation->trace.rows : 0;
+static size_t rows_recorded(const HouseSession *session) {
+    return session->runs[RUN_SHOWN] ? session->observation->trace.rows : 0;
 }
 
 /* The editor ------------------------------------------------------------------------------------------------------- */
 
 /* Tells the editor what is displayed. */
-static void tell_editor(HouseSession *live) {
-    EditorScene scene = {.time = live->time};
-    if (live->runs[RUN_SHOWN]) {
-        scene.scenery = house_scenery(live);
-        scene.revision = house_run_revision(live->runs[RUN_SHOWN]);
+static void tell_editor(HouseSession *session) {
+    EditorScene scene = {.time = session->time};
+    if (session->runs[RUN_SHOWN]) {
+        scene.scenery = house_scenery(session);
+        scene.revision = house_run_revision(session->runs[RUN_SHOWN]);
     }
-    editor_set_scene(live->editor, &scene);
+    editor_set_scene(session->editor, &scene);
 }
 
 static Editor *editor(void *context) {
@@ -33,49 +33,49 @@ static Editor *editor(void *context) {
 }
 
 static unsigned update(void *context, double time) {
-    HouseSession *live = house_control_sync(context);
-    size_t rows = rows_recorded(live);
-    live->time = time;
-    house_schedule_update(live, time);
-    house_fall_follow(live);
-    if (house_text_moved(live, time))
-        live->changed |= LABORATORY_WORDS;
-    unsigned changed = live->changed;
-    live->changed = 0;
-    if (live->runs[RUN_SHOWN]) {
-        house_show_make(live, time);
-        changed |= live->changed; /* another plan applies at that time */
-        live->changed = 0;
+    HouseSession *session = house_control_sync(context);
+    size_t rows = rows_recorded(session);
+    session->time = time;
+    house_schedule_update(session, time);
+    house_fall_follow(session);
+    if (house_text_moved(session, time))
+        session->changed |= LABORATORY_WORDS;
+    unsigned changed = session->changed;
+    session->changed = 0;
+    if (session->runs[RUN_SHOWN]) {
+        house_show_make(session, time);
+        changed |= session->changed; /* another plan applies at that time */
+        session->changed = 0;
         if (changed & LABORATORY_VIEW)
-            film_look(live->film, live->camera);
-        live->fresh = live->fresh || changed & LABORATORY_VIEW;
+            film_look(session->film, session->camera);
+        session->fresh = session->fresh || changed & LABORATORY_VIEW;
         if (changed & LABORATORY_PLOTS)
-            house_session_plots_make(live, true);
+            house_session_plots_make(session, true);
         if (changed & LABORATORY_WORDS)
-            house_text_make(live, time);
+            house_text_make(session, time);
         if (changed & LABORATORY_PARAMETERS)
-            house_value_sort(&live->values, &live->runs[RUN_SHOWN]->house, live->selected);
+            house_value_sort(&session->values, &session->runs[RUN_SHOWN]->house, session->selected);
     }
-    tell_editor(live);
-    bool other = house_text_does_other(live) || rows_recorded(live) != rows;
+    tell_editor(session);
+    bool other = house_text_does_other(session) || rows_recorded(session) != rows;
     return changed | (other ? LABORATORY_WORDS : 0);
 }
 
 /* Opening and closing --------------------------------------------------------------------------------------------- */
 
-static void keep_wish(HouseSession *live, const char *path, const LaboratoryOptions *options) {
-    const char **settings = arena_allocate(&live->arena, (options->setting_count + 1) * sizeof *settings);
+static void keep_wish(HouseSession *session, const char *path, const LaboratoryOptions *options) {
+    const char **settings = arena_allocate(&session->arena, (options->setting_count + 1) * sizeof *settings);
     for (size_t i = 0; i < options->setting_count; i++)
-        settings[i] = arena_text(&live->arena, options->settings[i]);
-    live->given = *options;
-    live->given.settings = settings;
-    live->given.origin = NULL;
-    live->wish = (HouseWish){.path = arena_text(&live->arena, path),
-                             .profiles = arena_text(&live->arena, options->profiles),
-                             .route = options->route ? arena_text(&live->arena, options->route) : NULL,
-                             .driving = options->driving,
-                             .seed = options->seed,
-                             .jobs = options->jobs};
+        settings[i] = arena_text(&session->arena, options->settings[i]);
+    session->given = *options;
+    session->given.settings = settings;
+    session->given.origin = NULL;
+    session->wish = (HouseWish){.path = arena_text(&session->arena, path),
+                                .profiles = arena_text(&session->arena, options->profiles),
+                                .route = options->route ? arena_text(&session->arena, options->route) : NULL,
+                                .driving = options->driving,
+                                .seed = options->seed,
+                                .jobs = options->jobs};
 }
 
 static bool know_route(const Plan *plan, const char *path, const char *route, Fault *fault) {
@@ -108,48 +108,48 @@ static void *open_house(const char *path, const LaboratoryOptions *options, Faul
         draft_destroy(draft);
         return NULL;
     }
-    HouseSession *live = memory_zeroed(1, sizeof *live);
-    live->draft = draft;
-    live->nothing = (Scene){.box = {{0, 0}, {1, 1}}, .bare = true, .unscaled = true};
-    live->layers = house_laboratory.layers_at_first;
-    keep_wish(live, options->origin ? options->origin : path ? path : "", options);
-    live->editor = editor_create(draft, &(EditorOptions){.path = live->wish.path,
-                                                         .profiles = live->wish.profiles,
-                                                         .seed = live->wish.seed,
-                                                         .driving = live->wish.driving,
-                                                         .jobs = live->wish.jobs});
-    live->worker = worker;
-    house_history_begin(&live->history, draft_text(draft), draft_revision(draft));
-    house_schedule_request(live);
-    return live;
+    HouseSession *session = memory_zeroed(1, sizeof *session);
+    session->draft = draft;
+    session->nothing = (Scene){.box = {{0, 0}, {1, 1}}, .bare = true, .unscaled = true};
+    session->layers = house_laboratory.layers_at_first;
+    keep_wish(session, options->origin ? options->origin : path ? path : "", options);
+    session->editor = editor_create(draft, &(EditorOptions){.path = session->wish.path,
+                                                            .profiles = session->wish.profiles,
+                                                            .seed = session->wish.seed,
+                                                            .driving = session->wish.driving,
+                                                            .jobs = session->wish.jobs});
+    session->worker = worker;
+    house_history_begin(&session->history, draft_text(draft), draft_revision(draft));
+    house_schedule_request(session);
+    return session;
 }
 
 static void close_house(void *context) {
-    HouseSession *live = context;
-    editor_destroy(live->editor);
-    if (live->film)
-        film_destroy(live->film);
-    house_schedule_end(live);
-    house_fall_clear(live);
-    house_session_plots_clear(live);
-    house_text_clear(live);
-    house_value_clear(&live->values);
-    house_value_clear(&live->opened);
-    draft_destroy(live->draft);
-    house_history_clear(&live->history);
-    memory_free(live->trouble.text);
-    memory_free(live->command);
-    arena_clear(&live->command_arena);
-    arena_clear(&live->arena);
-    memory_free(live);
+    HouseSession *session = context;
+    editor_destroy(session->editor);
+    if (session->film)
+        film_destroy(session->film);
+    house_schedule_end(session);
+    house_fall_clear(session);
+    house_session_plots_clear(session);
+    house_text_clear(session);
+    house_value_clear(&session->values);
+    house_value_clear(&session->opened);
+    draft_destroy(session->draft);
+    house_history_clear(&session->history);
+    memory_free(session->trouble.text);
+    memory_free(session->command);
+    arena_clear(&session->command_arena);
+    arena_clear(&session->arena);
+    memory_free(session);
 }
 
 /* Showing --------------------------------------------------------------------------------------------------------- */
 
 static RecordSpan span(const void *context) {
-    const HouseSession *live = context;
-    return (RecordSpan){.end = house_runs_reach(live),
-                        .complete = live->whole || (!live->runs[RUN_SHOWN] && !live->runs[RUN_LATEST]),
+    const HouseSession *session = context;
+    return (RecordSpan){.end = house_runs_reach(session),
+                        .complete = session->whole || (!session->runs[RUN_SHOWN] && !session->runs[RUN_LATEST]),
                         .pace = 1,
                         .step = STEP,
                         .fastest = FASTEST};
@@ -161,59 +161,59 @@ static double reach(void *context, double time) {
 }
 
 static bool show(void *context, double time) {
-    HouseSession *live = house_control_sync(context);
-    live->time = time;
-    house_show_make(live, time);
-    tell_editor(live);
-    if (!house_session_has_film(live))
+    HouseSession *session = house_control_sync(context);
+    session->time = time;
+    house_show_make(session, time);
+    tell_editor(session);
+    if (!house_session_has_film(session))
         return false;
-    if (live->fresh)
-        film_restart(live->film);
-    bool onwards = film_show(live->film, time) && !live->fresh;
-    live->fresh = false;
+    if (session->fresh)
+        film_restart(session->film);
+    bool onwards = film_show(session->film, time) && !session->fresh;
+    session->fresh = false;
     return onwards;
 }
 
 static bool rests(const void *context, double time) {
-    const HouseSession *live = context;
-    return house_session_has_film(live) && !live->fresh && !live->fall.count &&
-           house_run_epoch(live->runs[RUN_SHOWN], time) == live->epoch && film_is_unchanged(live->film, time);
+    const HouseSession *session = context;
+    return house_session_has_film(session) && !session->fresh && !session->fall.count &&
+           house_run_epoch(session->runs[RUN_SHOWN], time) == session->epoch && film_is_unchanged(session->film, time);
 }
 
 static const Scene *still(void *context) {
-    HouseSession *live = house_control_sync(context);
-    house_show_make(live, live->time); /* a call since the last update may have made the film stale */
-    return house_session_has_film(live) ? film_still(live->film) : &live->nothing;
+    HouseSession *session = house_control_sync(context);
+    house_show_make(session, session->time); /* a call since the last update may have made the film stale */
+    return house_session_has_film(session) ? film_still(session->film) : &session->nothing;
 }
 
 static const Scene *added(const void *context) {
-    const HouseSession *live = context;
-    return house_session_has_film(live) ? film_added(live->film) : &live->nothing;
+    const HouseSession *session = context;
+    return house_session_has_film(session) ? film_added(session->film) : &session->nothing;
 }
 
 static const Scene *moving(const void *context) {
-    const HouseSession *live = context;
-    return house_session_has_film(live) ? film_moving(live->film) : &live->nothing;
+    const HouseSession *session = context;
+    return house_session_has_film(session) ? film_moving(session->film) : &session->nothing;
 }
 
 static void look(void *context, Camera camera) {
-    HouseSession *live = house_control_sync(context);
-    if (camera.kind != live->camera.kind)
-        house_session_void_film(live);
-    live->camera = camera;
-    live->changed |= LABORATORY_VIEW;
+    HouseSession *session = house_control_sync(context);
+    if (camera.kind != session->camera.kind)
+        house_session_void_film(session);
+    session->camera = camera;
+    session->changed |= LABORATORY_VIEW;
 }
 
 static void reveal(void *context, unsigned layers) {
-    HouseSession *live = context;
-    if (layers != live->layers)
-        house_session_void_film(live);
-    live->layers = layers;
+    HouseSession *session = context;
+    if (layers != session->layers)
+        house_session_void_film(session);
+    session->layers = layers;
 }
 
 static size_t plot_count(const void *context) {
-    const HouseSession *live = context;
-    return live->plots.made ? HOUSE_PLOTS_KNOWN : 0;
+    const HouseSession *session = context;
+    return session->plots.made ? HOUSE_PLOTS_KNOWN : 0;
 }
 
 static LaboratoryPlot plot(const void *context, size_t index) {
@@ -221,8 +221,8 @@ static LaboratoryPlot plot(const void *context, size_t index) {
 }
 
 static size_t until(const void *context, size_t plot, size_t series, double time) {
-    const HouseSession *live = context;
-    return house_plots_until(&live->plots.plots, plot, series, time);
+    const HouseSession *session = context;
+    return house_plots_until(&session->plots.plots, plot, series, time);
 }
 
 /* Words ----------------------------------------------------------------------------------------------------------- */
@@ -232,81 +232,81 @@ static Result answer(void *context) {
 }
 
 static const char *say_clock(void *context, double time) {
-    HouseSession *live = context;
-    HouseWords *words = &live->words;
+    HouseSession *session = context;
+    HouseWords *words = &session->words;
     snprintf(words->clock, sizeof words->clock, "%.1f s", time);
     return words->clock;
 }
 
-static void add_note(HouseSession *live, const char *more) {
-    char *words = live->words.note;
+static void add_note(HouseSession *session, const char *more) {
+    char *words = session->words.note;
     size_t used = strlen(words);
-    snprintf(words + used, sizeof live->words.note - used, "%s%s", used ? "; " : "", more);
+    snprintf(words + used, sizeof session->words.note - used, "%s%s", used ? "; " : "", more);
 }
 
 static const char *note(void *context) {
-    HouseSession *live = house_control_sync(context);
-    const HouseWish *wish = live->runs[RUN_SHOWN] ? &live->runs[RUN_SHOWN]->wish : NULL;
-    const char *picture = editor_image_trouble(live->editor);
-    *live->words.note = 0;
+    HouseSession *session = house_control_sync(context);
+    const HouseWish *wish = session->runs[RUN_SHOWN] ? &session->runs[RUN_SHOWN]->wish : NULL;
+    const char *picture = editor_image_trouble(session->editor);
+    *session->words.note = 0;
     if (wish && wish->epoch_count > 1) {
         char mixed[64];
         snprintf(mixed, sizeof mixed, "mixed: plan changed at %.1f s, R runs it clean",
                  wish->epochs[wish->epoch_count - 1].time);
-        add_note(live, mixed);
+        add_note(session, mixed);
     }
-    if (house_scene_is_assumed(draft_plan(live->draft)))
-        add_note(live, "assumed plan: not measured");
+    if (house_scene_is_assumed(draft_plan(session->draft)))
+        add_note(session, "assumed plan: not measured");
     if (picture)
-        add_note(live, picture);
-    return live->words.note;
+        add_note(session, picture);
+    return session->words.note;
 }
 
 static const char *title(const void *context) {
-    const HouseSession *live = context;
-    const char *name = draft_plan(live->draft)->name;
+    const HouseSession *session = context;
+    const char *name = draft_plan(session->draft)->name;
     return *name ? name : "house";
 }
 
 static const PanelRow *rows(const void *context, size_t *count) {
-    const HouseSession *live = context;
-    *count = live->words.row_count;
-    return live->words.rows;
+    const HouseSession *session = context;
+    *count = session->words.row_count;
+    return session->words.rows;
 }
 
 static const TimelineMark *ticks(void *context, size_t *count) {
-    const HouseSession *live = context;
-    *count = live->words.tick_count;
-    return live->words.ticks;
+    const HouseSession *session = context;
+    *count = session->words.tick_count;
+    return session->words.ticks;
 }
 
 static const char *trouble(const void *context, double *time) {
-    const HouseSession *live = context;
-    *time = live->trouble_time;
-    return live->trouble.text;
+    const HouseSession *session = context;
+    *time = session->trouble_time;
+    return session->trouble.text;
 }
 
 /* Pointing -------------------------------------------------------------------------------------------------------- */
 
 static Item pick(const void *context, Vec2 at, double time, Item below) {
-    const HouseSession *live = context;
-    HouseScenery scenery = live->runs[RUN_SHOWN] ? house_scenery(live) : (HouseScenery){NULL, NULL, NULL};
-    return live->runs[RUN_SHOWN] ? house_item_at(&scenery, at, time, below) : (Item){0, 0};
+    const HouseSession *session = context;
+    HouseScenery scenery = session->runs[RUN_SHOWN] ? house_scenery(session) : (HouseScenery){NULL, NULL, NULL};
+    return session->runs[RUN_SHOWN] ? house_item_at(&scenery, at, time, below) : (Item){0, 0};
 }
 
 static Item next(const void *context, Item thing, int step) {
-    const HouseSession *live = context;
-    HouseScenery scenery = live->runs[RUN_SHOWN] ? house_scenery(live) : (HouseScenery){NULL, NULL, NULL};
-    return live->runs[RUN_SHOWN] ? house_item_next(&scenery, thing, step) : (Item){0, 0};
+    const HouseSession *session = context;
+    HouseScenery scenery = session->runs[RUN_SHOWN] ? house_scenery(session) : (HouseScenery){NULL, NULL, NULL};
+    return session->runs[RUN_SHOWN] ? house_item_next(&scenery, thing, step) : (Item){0, 0};
 }
 
 static void select_thing(void *context, Item thing) {
-    HouseSession *live = house_control_sync(context);
-    bool known = live->runs[RUN_SHOWN] &&
-                 thing.index < house_item_count(&live->runs[RUN_SHOWN]->house, live->observation, thing.kind);
+    HouseSession *session = house_control_sync(context);
+    bool known = session->runs[RUN_SHOWN] &&
+                 thing.index < house_item_count(&session->runs[RUN_SHOWN]->house, session->observation, thing.kind);
     Item chosen = known ? thing : (Item){0, 0};
-    house_control_select(live, chosen);
-    editor_set_selected(live->editor, chosen);
+    house_control_select(session, chosen);
+    editor_set_selected(session->editor, chosen);
 }
 
 static Item selected(void *context) {
@@ -314,23 +314,23 @@ static Item selected(void *context) {
 }
 
 static const char *name_thing(void *context, Item thing) {
-    HouseSession *live = context;
-    HouseWords *words = &live->words;
+    HouseSession *session = context;
+    HouseWords *words = &session->words;
     *words->name = 0;
-    if (live->runs[RUN_SHOWN])
-        house_item_name(&live->runs[RUN_SHOWN]->house, live->observation, thing, words->name, sizeof words->name);
+    if (session->runs[RUN_SHOWN])
+        house_item_name(&session->runs[RUN_SHOWN]->house, session->observation, thing, words->name, sizeof words->name);
     return words->name;
 }
 
 static size_t outline(const void *context, Item thing, double time, Vec2 *points) {
-    const HouseSession *live = context;
-    if (!live->runs[RUN_SHOWN])
+    const HouseSession *session = context;
+    if (!session->runs[RUN_SHOWN])
         return 0;
-    HouseScenery scenery = house_scenery(live);
+    HouseScenery scenery = house_scenery(session);
     size_t count = house_item_outline(&scenery, thing, time, points);
     const FurnitureFall *fall = NULL;
     if (count && thing.kind == HOUSE_FURNITURE)
-        fall = house_fall_find(live, house_item_id(&live->runs[RUN_SHOWN]->house, thing));
+        fall = house_fall_find(session, house_item_id(&session->runs[RUN_SHOWN]->house, thing));
     if (fall)
         furniture_fall_corners(&fall->piece, furniture_fall_share(fall), points);
     return count;
@@ -358,8 +358,8 @@ static bool sound(void *context, double from, double to, float *samples, size_t 
 }
 
 uint64_t house_session_digest(void *context) {
-    const HouseSession *live = house_control_sync(context);
-    return live->whole && !live->runs[RUN_LATEST] && !live->runs[RUN_MIXED] ? live->observation->digest : 0;
+    const HouseSession *session = house_control_sync(context);
+    return session->whole && !session->runs[RUN_LATEST] && !session->runs[RUN_MIXED] ? session->observation->digest : 0;
 }
 
 static const char *const layer_names[LAYERS] = {

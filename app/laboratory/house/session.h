@@ -6,4 +6,4 @@
 #include "laboratory/laboratory.h"
 
 /* Returns the digest of all states of the displayed run; 0 while this or another run is in work. */
-uint64_t house_session_digest(void *live);
+uint64_t house_session_digest(void *session);

@@ -112,24 +112,24 @@ typedef struct HouseSession {
 } HouseSession;
 
 /* The items that can be pointed at; a run is displayed. */
-static inline HouseScenery house_scenery(const HouseSession *live) {
-    return (HouseScenery){&live->runs[RUN_SHOWN]->house, live->observation, live->trails.trails};
+static inline HouseScenery house_scenery(const HouseSession *session) {
+    return (HouseScenery){&session->runs[RUN_SHOWN]->house, session->observation, session->trails.trails};
 }
 
 /* The film must be made again before it is displayed. */
-static inline void house_session_void_film(HouseSession *live) {
-    live->film_is_stale = true;
-    live->changed |= LABORATORY_VIEW;
+static inline void house_session_void_film(HouseSession *session) {
+    session->film_is_stale = true;
+    session->changed |= LABORATORY_VIEW;
 }
 
-static inline bool house_session_has_film(const HouseSession *live) {
-    return live->film && !live->film_is_stale;
+static inline bool house_session_has_film(const HouseSession *session) {
+    return session->film && !session->film_is_stale;
 }
 
 /* Makes it, where that is to be, for a time. */
-void house_show_make(HouseSession *live, double time);
+void house_show_make(HouseSession *session, double time);
 
 /* Makes the plots of the displayed run; `anew`: of another run, person or ghost, not only with more rows. */
-void house_session_plots_make(HouseSession *live, bool anew);
-void house_session_plots_clear(HouseSession *live);
-LaboratoryPlot house_session_plots_at(const HouseSession *live, size_t index);
+void house_session_plots_make(HouseSession *session, bool anew);
+void house_session_plots_clear(HouseSession *session);
+LaboratoryPlot house_session_plots_at(const HouseSession *session, size_t index);

@@ -46,37 +46,37 @@ static bool grow_axes(Plot *plot, Box *grown, bool timed) {
     return memcmp(&before, grown, sizeof before) != 0;
 }
 
-void house_session_plots_make(HouseSession *live, bool anew) {
+void house_session_plots_make(HouseSession *session, bool anew) {
     static const PlotChoice all = {.indices = {0, 1, 2, 3, 4}, .count = HOUSE_PLOTS_KNOWN};
-    ShownPlots *plots = &live->plots;
-    size_t person = live->selected.kind == HOUSE_PERSON ? live->selected.index : SIZE_MAX;
+    ShownPlots *plots = &session->plots;
+    size_t person = session->selected.kind == HOUSE_PERSON ? session->selected.index : SIZE_MAX;
     if (plots->made)
         house_plots_free(&plots->plots);
     plots->made = true;
-    plots->plots = house_plots_make_of(&live->runs[RUN_SHOWN]->house, live->observation, live->trails.trails,
-                                       house_runs_compared(live), person, &all);
+    plots->plots = house_plots_make_of(&session->runs[RUN_SHOWN]->house, session->observation, session->trails.trails,
+                                       house_runs_compared(session), person, &all);
     for (size_t i = 0; i < HOUSE_PLOTS_KNOWN; i++) {
         Plot *plot = &plots->plots.plots[i];
         if (anew)
             plots->grown[i] = (Box){{0, 0}, {0, 0}};
         bool timed = strcmp(house_plots_name(i), "phase") != 0;
-        bool other = !live->whole && grow_axes(plot, &plots->grown[i], timed);
+        bool other = !session->whole && grow_axes(plot, &plots->grown[i], timed);
         plots->revision[i] += anew || other;
     }
 }
 
-void house_session_plots_clear(HouseSession *live) {
-    if (live->plots.made)
-        house_plots_free(&live->plots.plots);
-    live->plots.made = false;
+void house_session_plots_clear(HouseSession *session) {
+    if (session->plots.made)
+        house_plots_free(&session->plots.plots);
+    session->plots.made = false;
 }
 
-LaboratoryPlot house_session_plots_at(const HouseSession *live, size_t index) {
+LaboratoryPlot house_session_plots_at(const HouseSession *session, size_t index) {
     const char *name = house_plots_name(index);
     return (LaboratoryPlot){.name = name,
                             .title = titles[index],
-                            .plot = &live->plots.plots.plots[index],
-                            .revision = live->plots.revision[index],
+                            .plot = &session->plots.plots.plots[index],
+                            .revision = session->plots.revision[index],
                             .cursor = NAN,
                             .now = ROLE_PAPER,
                             .tail = strcmp(name, "phase") == 0 ? THICK_TAIL : 0};

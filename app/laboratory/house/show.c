@@ -27,37 +27,38 @@ static int hidden_of(unsigned layers) {
     return hidden;
 }
 
-void house_show_make(HouseSession *live, double time) {
-    size_t epoch = live->runs[RUN_SHOWN] ? house_run_epoch(live->runs[RUN_SHOWN], time) : 0;
-    size_t falling = house_fall_count(live, time);
-    if (epoch != live->epoch || falling != live->fall.drawn)
-        house_session_void_film(live);
-    if (house_session_has_film(live) || !live->runs[RUN_SHOWN])
+void house_show_make(HouseSession *session, double time) {
+    size_t epoch = session->runs[RUN_SHOWN] ? house_run_epoch(session->runs[RUN_SHOWN], time) : 0;
+    size_t falling = house_fall_count(session, time);
+    if (epoch != session->epoch || falling != session->fall.drawn)
+        house_session_void_film(session);
+    if (house_session_has_film(session) || !session->runs[RUN_SHOWN])
         return;
-    if (live->film)
-        film_destroy(live->film);
-    bool last = epoch + 1 == live->runs[RUN_SHOWN]->wish.epoch_count;
-    const House *house =
-        last && live->runs[RUN_EARLY] ? &live->runs[RUN_EARLY]->house : house_run_house(live->runs[RUN_SHOWN], epoch);
-    Before ghost = house_runs_compared(live);
+    if (session->film)
+        film_destroy(session->film);
+    bool last = epoch + 1 == session->runs[RUN_SHOWN]->wish.epoch_count;
+    const House *house = last && session->runs[RUN_EARLY] ? &session->runs[RUN_EARLY]->house
+                                                          : house_run_house(session->runs[RUN_SHOWN], epoch);
+    Before ghost = house_runs_compared(session);
     bool is_crowd = ghost.house && ghost.house->person_count > GHOSTS_MOST;
-    bool ways = house_runs_is_over(live, RUN_ROUTES) && live->layers & 1u << LAYER_WIDTHS;
-    FilmOptions options = {.camera = live->camera,
-                           .bare = true,
-                           .shown = live->layers & 1u << LAYER_CIRCLES ? FILM_CIRCLES : 0,
-                           .hidden = hidden_of(live->layers),
-                           .before = is_crowd ? (Before){.house = NULL} : ghost,
-                           .live = true,
-                           .ahead = live->whole && live->ghost == GHOST_BEFORE && ghost.house, /* both to compare */
-                           .observed = house == &live->runs[RUN_SHOWN]->house ? NULL : &live->runs[RUN_SHOWN]->house,
-                           .trails = live->trails.trails,
-                           .ways = ways ? &live->runs[RUN_ROUTES]->ways : NULL,
-                           .falling = live->fall.pieces,
-                           .falling_count = falling,
-                           .box = box_of(&live->runs[RUN_SHOWN]->house)};
-    live->epoch = epoch;
-    live->fall.drawn = falling;
-    live->film = film_create(house, live->observation, &options);
-    live->film_is_stale = false;
-    live->fresh = true;
+    bool ways = house_runs_is_over(session, RUN_ROUTES) && session->layers & 1u << LAYER_WIDTHS;
+    FilmOptions options = {
+        .camera = session->camera,
+        .bare = true,
+        .shown = session->layers & 1u << LAYER_CIRCLES ? FILM_CIRCLES : 0,
+        .hidden = hidden_of(session->layers),
+        .before = is_crowd ? (Before){.house = NULL} : ghost,
+        .live = true,
+        .ahead = session->whole && session->ghost == GHOST_BEFORE && ghost.house, /* both to compare */
+        .observed = house == &session->runs[RUN_SHOWN]->house ? NULL : &session->runs[RUN_SHOWN]->house,
+        .trails = session->trails.trails,
+        .ways = ways ? &session->runs[RUN_ROUTES]->ways : NULL,
+        .falling = session->fall.pieces,
+        .falling_count = falling,
+        .box = box_of(&session->runs[RUN_SHOWN]->house)};
+    session->epoch = epoch;
+    session->fall.drawn = falling;
+    session->film = film_create(house, session->observation, &options);
+    session->film_is_stale = false;
+    session->fresh = true;
 }

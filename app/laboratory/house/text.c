@@ -20,8 +20,8 @@ enum { TICKS_MOST = 2000 };
 
 #define NEW_CONTACT 0.1 /* s: a body that has been free for less is still touching */
 
-static PanelRow *add_row(HouseSession *live, RowKind kind, const char *first) {
-    HouseWords *words = &live->words;
+static PanelRow *add_row(HouseSession *session, RowKind kind, const char *first) {
+    HouseWords *words = &session->words;
     words->rows = memory_reserve(words->rows, &words->row_capacity, words->row_count + 1, sizeof *words->rows);
     PanelRow *row = &words->rows[words->row_count++];
     *row = (PanelRow){.row = {.kind = kind, .role = ROLE_TEXT, .cells = {first}}, .time = NAN};
@@ -30,111 +30,111 @@ static PanelRow *add_row(HouseSession *live, RowKind kind, const char *first) {
 
 /* The selection ---------------------------------------------------------------------------------------------------- */
 
-static void add_pair(HouseSession *live, const char *what, const char *value) {
-    add_row(live, ROW_PLAIN, what)->row.cells[1] = value;
+static void add_pair(HouseSession *session, const char *what, const char *value) {
+    add_row(session, ROW_PLAIN, what)->row.cells[1] = value;
 }
 
-static void say_moment(HouseSession *live, size_t person, double time) {
-    Scene *scene = &live->words.moment;
-    const double *row = trail_row_at(&live->trails.trails[person], time);
+static void say_moment(HouseSession *session, size_t person, double time) {
+    Scene *scene = &session->words.moment;
+    const double *row = trail_row_at(&session->trails.trails[person], time);
     if (!row)
         return;
-    double reach = live->runs[RUN_SHOWN]->house.people[person].profile->space_reach;
+    double reach = session->runs[RUN_SHOWN]->house.people[person].profile->space_reach;
     bool free = row[TRACE_CLEARANCE] >= reach;
-    add_pair(live, "speed now", scene_text(scene, "%.2f m/s", row[TRACE_SPEED]));
-    add_pair(live, "clearance now",
+    add_pair(session, "speed now", scene_text(scene, "%.2f m/s", row[TRACE_SPEED]));
+    add_pair(session, "clearance now",
              free ? scene_text(scene, "over %.2f m", reach) : people_scene_clearance(scene, row[TRACE_CLEARANCE]));
-    add_pair(live, "contact force now", scene_text(scene, "%.0f N", row[TRACE_BODY_FORCE]));
+    add_pair(session, "contact force now", scene_text(scene, "%.0f N", row[TRACE_BODY_FORCE]));
 }
 
 /* Adds a row for each fact of a record that has a value, from row `first` on. */
-static void add_record(HouseSession *live, ResultTable *table, size_t first) {
-    Arena *arena = &live->words.moment.arena;
+static void add_record(HouseSession *session, ResultTable *table, size_t first) {
+    Arena *arena = &session->words.moment.arena;
     for (size_t r = first; r < table->row_count; r++) {
         SceneRow line;
         const ResultRow *row = result_at(table, 0, r);
         if (!result_panel_row(&line, row, arena))
             continue;
         line.cells[1] = arena_text(arena, line.cells[1]);
-        add_row(live, line.kind, NULL)->row = line;
+        add_row(session, line.kind, NULL)->row = line;
     }
     result_clear(table);
 }
 
-static void say_person(HouseSession *live, size_t i, double time) {
-    if (!live->observation->people[i].took_part) {
-        add_pair(live, "not in this run", NULL);
+static void say_person(HouseSession *session, size_t i, double time) {
+    if (!session->observation->people[i].took_part) {
+        add_pair(session, "not in this run", NULL);
         return;
     }
     ResultTable table = {0};
-    result_house_add_person(&table, &live->runs[RUN_SHOWN]->house, live->observation, i);
-    add_record(live, &table, 1); /* the name is the heading */
-    say_moment(live, i, time);
+    result_house_add_person(&table, &session->runs[RUN_SHOWN]->house, session->observation, i);
+    add_record(session, &table, 1); /* the name is the heading */
+    say_moment(session, i, time);
 }
 
-static void say_door(HouseSession *live, const Door *door) {
+static void say_door(HouseSession *session, const Door *door) {
     static const char *const kinds[] = {"opening", "hinged", "sliding"}, *const states[] = {"open", "closed", "locked"};
-    Scene *scene = &live->words.moment;
-    add_pair(live, "clear width", scene_text(scene, "%.3f m", door->width));
-    add_pair(live, "kind", kinds[door->kind]);
-    add_pair(live, "state", states[door->state]);
-    add_pair(live, "in wall", arena_text(&scene->arena, door->wall));
+    Scene *scene = &session->words.moment;
+    add_pair(session, "clear width", scene_text(scene, "%.3f m", door->width));
+    add_pair(session, "kind", kinds[door->kind]);
+    add_pair(session, "state", states[door->state]);
+    add_pair(session, "in wall", arena_text(&scene->arena, door->wall));
 }
 
-static void say_hazard(HouseSession *live, size_t hazard) {
+static void say_hazard(HouseSession *session, size_t hazard) {
     ResultTable table = {0};
-    result_house_add_hazard(&table, live->observation, hazard);
-    add_record(live, &table, 1); /* the rank is in the heading */
+    result_house_add_hazard(&table, session->observation, hazard);
+    add_record(session, &table, 1); /* the rank is in the heading */
 }
 
-static void add_selected(HouseSession *live, double time) {
-    Scene *scene = &live->words.moment;
-    const Plan *plan = &live->runs[RUN_SHOWN]->house.plan;
-    Item thing = live->selected;
+static void add_selected(HouseSession *session, double time) {
+    Scene *scene = &session->words.moment;
+    const Plan *plan = &session->runs[RUN_SHOWN]->house.plan;
+    Item thing = session->selected;
     char name[HOUSE_THING_NAME];
-    house_item_name(&live->runs[RUN_SHOWN]->house, live->observation, thing, name, sizeof name);
+    house_item_name(&session->runs[RUN_SHOWN]->house, session->observation, thing, name, sizeof name);
     if (!*name)
         return;
     *name = (char)toupper((unsigned char)*name);
-    add_row(live, ROW_HEADING, scene_text(scene, "%s", name));
+    add_row(session, ROW_HEADING, scene_text(scene, "%s", name));
     if (thing.kind == HOUSE_PERSON) {
-        say_person(live, thing.index, time);
+        say_person(session, thing.index, time);
     } else if (thing.kind == HOUSE_HAZARD) {
-        say_hazard(live, thing.index);
+        say_hazard(session, thing.index);
     } else if (thing.kind == HOUSE_STOP) {
-        const char *widths = blockage_scene_widths(scene, &live->observation->people[thing.index].blockage);
+        const char *widths = blockage_scene_widths(scene, &session->observation->people[thing.index].blockage);
         if (*widths)
-            add_row(live, ROW_PLAIN, widths);
+            add_row(session, ROW_PLAIN, widths);
     } else if (thing.kind == HOUSE_DOOR) {
-        say_door(live, &plan->doors[thing.index]);
+        say_door(session, &plan->doors[thing.index]);
     } else if (thing.kind == HOUSE_FURNITURE) {
         const Furniture *piece = &plan->furniture[thing.index];
-        add_pair(live, "size", scene_text(scene, "%.2f x %.2f m", piece->size.x, piece->size.y));
-        add_pair(live, "height", scene_text(scene, "%.2f m", piece->height));
-        add_pair(live, "toppled", piece->toppled ? "yes" : "no");
+        add_pair(session, "size", scene_text(scene, "%.2f x %.2f m", piece->size.x, piece->size.y));
+        add_pair(session, "height", scene_text(scene, "%.2f m", piece->height));
+        add_pair(session, "toppled", piece->toppled ? "yes" : "no");
     } else if (thing.kind == HOUSE_WALL) {
-        add_pair(live, "thickness", scene_text(scene, "%.3f m", plan->walls[thing.index].thickness));
+        add_pair(session, "thickness", scene_text(scene, "%.3f m", plan->walls[thing.index].thickness));
     } else if (thing.kind == HOUSE_EXIT) {
         const Exit *exit = &plan->exits[thing.index];
-        add_pair(live, "width", scene_text(scene, "%.2f m", vec2_distance(exit->from, exit->to)));
+        add_pair(session, "width", scene_text(scene, "%.2f m", vec2_distance(exit->from, exit->to)));
     }
 }
 
 /* Before and now -------------------------------------------------------------------------------------------------- */
 
 /* Adds the facts of the whole run before and now. */
-static void compare(HouseSession *live) {
-    Before ghost = house_runs_compared(live);
-    Scene *scene = &live->words.moment;
-    if (!ghost.observation || !live->whole)
+static void compare(HouseSession *session) {
+    Before ghost = house_runs_compared(session);
+    Scene *scene = &session->words.moment;
+    if (!ghost.observation || !session->whole)
         return;
     ResultTable before = result_house_totals(ghost.house, ghost.observation),
-                now = result_house_totals(&live->runs[RUN_SHOWN]->house, live->observation);
-    add_row(live, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_name(ghost)));
+                now = result_house_totals(&session->runs[RUN_SHOWN]->house, session->observation);
+    add_row(session, ROW_HEADING, scene_text(scene, "Compare: %s, now", house_scene_before_name(ghost)));
     for (size_t r = 0; r < now.row_count; r++) {
         SceneRow line;
         if (result_panel_pair(&line, result_at(&before, 0, r), result_at(&now, 0, r), &scene->arena))
-            add_row(live, line.kind, NULL)->row = line;
+            add_row(session, line.kind, NULL)->row = line;
     }
     result_clear(&before);
     result_clear(&now);
@@ -143,9 +143,9 @@ static void compare(HouseSession *live) {
 /* What the scene lists: dangerous points and people --------------------------------------------------------------- */
 
 /* Finds the time when a person is nearest to each dangerous point, minus AHEAD; s. */
-static void find_times(HouseSession *live) {
-    const Observation *observation = live->observation;
-    double least[HAZARDS_MOST], *before = live->words.before;
+static void find_times(HouseSession *session) {
+    const Observation *observation = session->observation;
+    double least[HAZARDS_MOST], *before = session->words.before;
     for (size_t h = 0; h < observation->hazard_count; h++)
         least[h] = HUGE_VAL;
     for (size_t r = 0; r < observation->trace.rows && observation->hazard_count; r++) {
@@ -169,22 +169,22 @@ static size_t first_stopped(const Observation *observation) {
 }
 
 /* Rows of the scene's list with what they mean: the n-th below a heading is the n-th of its kind. */
-static void add_listed(HouseSession *live) {
-    const Scene *scene = &live->words.run;
-    const House *house = &live->runs[RUN_SHOWN]->house;
-    size_t hazard = 0, person = 0, stopped = first_stopped(live->observation);
-    bool stops = live->whole && stopped < live->observation->person_count;
+static void add_listed(HouseSession *session) {
+    const Scene *scene = &session->words.run;
+    const House *house = &session->runs[RUN_SHOWN]->house;
+    size_t hazard = 0, person = 0, stopped = first_stopped(session->observation);
+    bool stops = session->whole && stopped < session->observation->person_count;
     for (size_t i = 0; i < scene->row_count; i++) {
-        PanelRow *row = add_row(live, ROW_PLAIN, NULL);
+        PanelRow *row = add_row(session, ROW_PLAIN, NULL);
         row->row = scene->rows[i];
         if (stops)
             row->place = (Item){HOUSE_STOP, stopped};
         if (row->row.kind == ROW_DISC) {
             row->thing = (Item){HOUSE_HAZARD, hazard};
             row->place = stops ? row->place : row->thing;
-            row->time = live->words.before[hazard++];
+            row->time = session->words.before[hazard++];
         } else if (row->row.kind == ROW_LINE && house->person_count <= PEOPLE_SCENE_INDIVIDUALS) {
-            while (person < house->person_count && !live->observation->people[person].took_part)
+            while (person < house->person_count && !session->observation->people[person].took_part)
                 person++;
             if (person < house->person_count)
                 row->thing = (Item){HOUSE_PERSON, person++};
@@ -194,8 +194,8 @@ static void add_listed(HouseSession *live) {
 
 /* Ticks ----------------------------------------------------------------------------------------------------------- */
 
-static void add_tick(HouseSession *live, double time, TimelineMarkKind kind) {
-    HouseWords *words = &live->words;
+static void add_tick(HouseSession *session, double time, TimelineMarkKind kind) {
+    HouseWords *words = &session->words;
     if (words->tick_count == TICKS_MOST)
         return;
     words->ticks = memory_reserve(words->ticks, &words->tick_capacity, words->tick_count + 1, sizeof *words->ticks);
@@ -207,41 +207,42 @@ static int compare_ticks(const void *a, const void *b) {
     return p->time != q->time ? (p->time > q->time) - (p->time < q->time) : (int)p->kind - (int)q->kind;
 }
 
-static void make_ticks(HouseSession *live) {
-    const Observation *observation = live->observation;
-    live->words.tick_count = 0;
+static void make_ticks(HouseSession *session) {
+    const Observation *observation = session->observation;
+    session->words.tick_count = 0;
     for (size_t i = 0; i < observation->person_count; i++) {
         const PersonObservation *person = &observation->people[i];
-        const Trail *trail = &live->trails.trails[i];
+        const Trail *trail = &session->trails.trails[i];
         double touched = -HUGE_VAL;
         for (size_t r = 0; r < trail->count; r++) {
             const double *row = trail->rows[r];
             if (!(row[TRACE_BODY_FORCE] > 0))
                 continue;
             if (row[TRACE_TIME] - touched > NEW_CONTACT)
-                add_tick(live, row[TRACE_TIME], TIMELINE_CONTACT);
+                add_tick(session, row[TRACE_TIME], TIMELINE_CONTACT);
             touched = row[TRACE_TIME];
         }
         if (person->completed)
-            add_tick(live, person->time, TIMELINE_EXIT);
+            add_tick(session, person->time, TIMELINE_EXIT);
         if (person->reason == REASON_DIVERGED)
-            add_tick(live, person->time, TIMELINE_TROUBLE);
+            add_tick(session, person->time, TIMELINE_TROUBLE);
     }
-    for (size_t i = 1; i < live->runs[RUN_SHOWN]->wish.epoch_count; i++)
-        add_tick(live, live->runs[RUN_SHOWN]->wish.epochs[i].time, TIMELINE_CHANGE);
-    if (live->words.tick_count > 1)
-        qsort(live->words.ticks, live->words.tick_count, sizeof *live->words.ticks, compare_ticks);
+    for (size_t i = 1; i < session->runs[RUN_SHOWN]->wish.epoch_count; i++)
+        add_tick(session, session->runs[RUN_SHOWN]->wish.epochs[i].time, TIMELINE_CHANGE);
+    if (session->words.tick_count > 1)
+        qsort(session->words.ticks, session->words.tick_count, sizeof *session->words.ticks, compare_ticks);
 }
 
 /* The answer ------------------------------------------------------------------------------------------------------ */
 
 /* "before 24.1 s, -5.7 s (-24 %)" */
-static const char *against(HouseSession *live, const Observation *now) {
-    Before ghost = house_runs_compared(live);
-    if (!ghost.observation && live->runs[RUN_CLEAN] &&
-        live->runs[RUN_BEFORE]) /* which is shown still: the answer is newer */
-        ghost = (Before){.house = &live->runs[RUN_BEFORE]->house, .observation = &live->runs[RUN_BEFORE]->observation};
-    Scene *scene = &live->words.moment;
+static const char *against(HouseSession *session, const Observation *now) {
+    Before ghost = house_runs_compared(session);
+    if (!ghost.observation && session->runs[RUN_CLEAN] &&
+        session->runs[RUN_BEFORE]) /* which is shown still: the answer is newer */
+        ghost = (Before){.house = &session->runs[RUN_BEFORE]->house,
+                         .observation = &session->runs[RUN_BEFORE]->observation};
+    Scene *scene = &session->words.moment;
     if (!ghost.observation)
         return "";
     const char *word = house_scene_before_name(ghost);
@@ -255,23 +256,23 @@ static const char *against(HouseSession *live, const Observation *now) {
     return scene_text(scene, "%s %.1f s, %+.1f s (%+.0f %%)", word, before, more, 100 * more / before);
 }
 
-static void say_answer(HouseSession *live) {
-    HouseWords *words = &live->words;
-    const Scene *run = live->runs[RUN_CLEAN] ? &words->clean : &words->run;
-    if (!live->whole && !live->runs[RUN_CLEAN]) {
-        words->title = live->observation->trace.rows ? "Driving ..." : "Planning ...";
+static void say_answer(HouseSession *session) {
+    HouseWords *words = &session->words;
+    const Scene *run = session->runs[RUN_CLEAN] ? &words->clean : &words->run;
+    if (!session->whole && !session->runs[RUN_CLEAN]) {
+        words->title = session->observation->trace.rows ? "Driving ..." : "Planning ...";
         words->role = ROLE_TEXT;
         words->detail = "";
         return;
     }
-    const HouseRun *answering = house_runs_answering(live);
+    const HouseRun *answering = house_runs_answering(session);
     if (!answering->house.person_count) {
         words->title = run->title;
         words->role = run->title_role;
         words->detail = "W draws walls, D a door, X an exit; P places a person, who then tries to get out";
         return;
     }
-    const char *than = against(live, live->runs[RUN_CLEAN] ? &answering->observation : live->observation);
+    const char *than = against(session, session->runs[RUN_CLEAN] ? &answering->observation : session->observation);
     words->title = run->title;
     words->role = run->title_role;
     words->detail =
@@ -279,102 +280,103 @@ static void say_answer(HouseSession *live) {
 }
 
 /* Makes the answer of the draft from the beginning on, while a mixed run is displayed. */
-static void tell_clean(HouseSession *live) {
-    scene_clear(&live->words.clean);
-    if (!live->runs[RUN_CLEAN])
+static void tell_clean(HouseSession *session) {
+    scene_clear(&session->words.clean);
+    if (!session->runs[RUN_CLEAN])
         return;
-    Census census = census_make(&live->runs[RUN_CLEAN]->house, &live->runs[RUN_CLEAN]->observation);
-    house_scene_add_answer(&live->words.clean, &live->runs[RUN_CLEAN]->house, &live->runs[RUN_CLEAN]->observation,
-                           &census);
+    Census census = census_make(&session->runs[RUN_CLEAN]->house, &session->runs[RUN_CLEAN]->observation);
+    house_scene_add_answer(&session->words.clean, &session->runs[RUN_CLEAN]->house,
+                           &session->runs[RUN_CLEAN]->observation, &census);
     census_clear(&census);
 }
 
 /* Makes the texts about the run as a whole. */
-static void tell_run(HouseSession *live) {
-    tell_clean(live);
-    Census census = census_make(&live->runs[RUN_SHOWN]->house, live->observation);
-    scene_clear(&live->words.run);
-    house_scene_add_answer(&live->words.run, &live->runs[RUN_SHOWN]->house, live->observation, &census);
+static void tell_run(HouseSession *session) {
+    tell_clean(session);
+    Census census = census_make(&session->runs[RUN_SHOWN]->house, session->observation);
+    scene_clear(&session->words.run);
+    house_scene_add_answer(&session->words.run, &session->runs[RUN_SHOWN]->house, session->observation, &census);
     census_clear(&census);
-    find_times(live);
-    make_ticks(live);
-    live->retell = false;
+    find_times(session);
+    make_ticks(session);
+    session->retell = false;
 }
 
-void house_text_make(HouseSession *live, double time) {
-    HouseWords *words = &live->words;
+void house_text_make(HouseSession *session, double time) {
+    HouseWords *words = &session->words;
     words->row_count = 0;
     words->said = clock_now();
     words->time = time;
-    if (live->retell)
-        tell_run(live);
+    if (session->retell)
+        tell_run(session);
     scene_clear(&words->moment);
-    say_answer(live);
-    add_selected(live, time);
-    compare(live);
-    add_listed(live);
+    say_answer(session);
+    add_selected(session, time);
+    compare(session);
+    add_listed(session);
 }
 
-void house_text_clear(HouseSession *live) {
-    scene_clear(&live->words.clean);
-    scene_clear(&live->words.run);
-    scene_clear(&live->words.moment);
-    memory_free(live->words.rows);
-    memory_free(live->words.ticks);
-    live->words = (HouseWords){.title = NULL};
+void house_text_clear(HouseSession *session) {
+    scene_clear(&session->words.clean);
+    scene_clear(&session->words.run);
+    scene_clear(&session->words.moment);
+    memory_free(session->words.rows);
+    memory_free(session->words.ticks);
+    session->words = (HouseWords){.title = NULL};
 }
 
-bool house_text_moved(const HouseSession *live, double time) {
-    if (!live->runs[RUN_SHOWN] || live->selected.kind != HOUSE_PERSON || time == live->words.time)
+bool house_text_moved(const HouseSession *session, double time) {
+    if (!session->runs[RUN_SHOWN] || session->selected.kind != HOUSE_PERSON || time == session->words.time)
         return false;
-    const Trail *trail = &live->trails.trails[live->selected.index];
-    return clock_now() - live->words.said >= MOMENT &&
-           trail_row_at(trail, time) != trail_row_at(trail, live->words.time);
+    const Trail *trail = &session->trails.trails[session->selected.index];
+    return clock_now() - session->words.said >= MOMENT &&
+           trail_row_at(trail, time) != trail_row_at(trail, session->words.time);
 }
 
 /* Returns a text about the work in progress; NULL: there is none. */
-static const char *say_doing(HouseSession *live) {
-    HouseWords *words = &live->words;
+static const char *say_doing(HouseSession *session) {
+    HouseWords *words = &session->words;
     char who[32] = "";
-    if (house_runs_seeks_reasons(live))
+    if (house_runs_seeks_reasons(session))
         return "looking for the reason";
-    HouseRun *run = live->runs[RUN_LATEST] ? live->runs[RUN_LATEST] : live->runs[RUN_MIXED];
-    if (!run && live->runs[RUN_SHOWN] && !live->whole)
-        run = live->runs[RUN_SHOWN];
-    if (!run && live->runs[RUN_RIVAL] && !house_runs_is_over(live, RUN_RIVAL)) {
-        run = live->runs[RUN_RIVAL];
+    HouseRun *run = session->runs[RUN_LATEST] ? session->runs[RUN_LATEST] : session->runs[RUN_MIXED];
+    if (!run && session->runs[RUN_SHOWN] && !session->whole)
+        run = session->runs[RUN_SHOWN];
+    if (!run && session->runs[RUN_RIVAL] && !house_runs_is_over(session, RUN_RIVAL)) {
+        run = session->runs[RUN_RIVAL];
         snprintf(who, sizeof who, "%s: ", profile_driving_name(run->wish.driving));
     }
-    if (!run && live->runs[RUN_ROUTES] && !house_runs_is_over(live, RUN_ROUTES))
-        run = live->runs[RUN_ROUTES];
+    if (!run && session->runs[RUN_ROUTES] && !house_runs_is_over(session, RUN_ROUTES))
+        run = session->runs[RUN_ROUTES];
     return run && house_run_say(run, who, words->doing, sizeof words->doing) ? words->doing : NULL;
 }
 
 /* Before anything is shown. */
-static Result answer_nothing(HouseSession *live) {
-    if (live->runs[RUN_LATEST])
-        return (Result){.title = "Reading ...", .role = ROLE_TEXT, .detail = "", .doing = say_doing(live), .part = NAN};
+static Result answer_nothing(HouseSession *session) {
+    if (session->runs[RUN_LATEST])
+        return (Result){
+            .title = "Reading ...", .role = ROLE_TEXT, .detail = "", .doing = say_doing(session), .part = NAN};
     return (Result){.title = "This house cannot be run",
                     .role = ROLE_ERROR,
-                    .detail = live->trouble.text ? live->trouble.text : "",
+                    .detail = session->trouble.text ? session->trouble.text : "",
                     .part = NAN};
 }
 
-Result house_text_answer(HouseSession *live) {
-    const HouseWords *words = &live->words;
-    if (!live->runs[RUN_SHOWN])
-        return answer_nothing(live);
+Result house_text_answer(HouseSession *session) {
+    const HouseWords *words = &session->words;
+    if (!session->runs[RUN_SHOWN])
+        return answer_nothing(session);
     return (Result){.title = words->title ? words->title : "Planning ...",
                     .role = words->role,
                     .detail = words->detail ? words->detail : "",
-                    .stale = live->runs[RUN_LATEST] && !house_runs_seeks_reasons(live),
-                    .doing = say_doing(live),
+                    .stale = session->runs[RUN_LATEST] && !house_runs_seeks_reasons(session),
+                    .doing = say_doing(session),
                     .part = NAN};
 }
 
-bool house_text_does_other(HouseSession *live) {
-    HouseWords *words = &live->words;
-    const char *doing = say_doing(live);
+bool house_text_does_other(HouseSession *session) {
+    HouseWords *words = &session->words;
+    const char *doing = say_doing(session);
     bool other = strcmp(doing ? doing : "", words->done) != 0;
     snprintf(words->done, sizeof words->done, "%s", doing ? doing : "");
     return other;

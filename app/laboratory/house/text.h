@@ -4,13 +4,13 @@
 #include "laboratory/house/session_parts.h"
 
 /* Makes the words that are not as they should be; `time` is shown. */
-void house_text_make(HouseSession *live, double time);
-void house_text_clear(HouseSession *live);
+void house_text_make(HouseSession *session, double time);
+void house_text_clear(HouseSession *session);
 
 /* True if the texts of the moment are out of date. */
-bool house_text_moved(const HouseSession *live, double time);
+bool house_text_moved(const HouseSession *session, double time);
 
-Result house_text_answer(HouseSession *live);
+Result house_text_answer(HouseSession *session);
 
 /* True if the text about the work in progress has changed since the last call. */
-bool house_text_does_other(HouseSession *live);
+bool house_text_does_other(HouseSession *session);

@@ -72,27 +72,27 @@ static bool is_place(const Offer *offer) {
             strcmp(offer->name + length - 2, ".y") == 0);
 }
 
-static void set_range(PanelParameter *live, const Offer *offer) {
-    const Parameter *row = live->row;
-    double value = live->initial;
-    live->low = value / 2;
-    live->high = value > 0 ? 2 * value : 1;
+static void set_range(PanelParameter *parameter, const Offer *offer) {
+    const Parameter *row = parameter->row;
+    double value = parameter->initial;
+    parameter->low = value / 2;
+    parameter->high = value > 0 ? 2 * value : 1;
     if (offer && offer->low < offer->high) {
-        live->low = fmin(offer->low, value);
-        live->high = fmax(offer->high, 1.5 * value);
+        parameter->low = fmin(offer->low, value);
+        parameter->high = fmax(offer->high, 1.5 * value);
     } else if (is_place(offer)) {
-        live->low = value - AROUND;
-        live->high = value + AROUND;
+        parameter->low = value - AROUND;
+        parameter->high = value + AROUND;
     } else if (spans_decades(row, value)) {
-        live->logarithmic = true;
-        live->low = value / DECADE;
-        live->high = value * DECADE;
+        parameter->logarithmic = true;
+        parameter->low = value / DECADE;
+        parameter->high = value * DECADE;
     } else if (row->kind == PARAMETER_WHOLE) {
-        live->low = floor(live->low);
-        live->high = ceil(fmax(live->high, value + 1));
+        parameter->low = floor(parameter->low);
+        parameter->high = ceil(fmax(parameter->high, value + 1));
     }
-    live->low = fmax(live->low, row->low);
-    live->high = fmin(live->high, row->high);
+    parameter->low = fmax(parameter->low, row->low);
+    parameter->high = fmin(parameter->high, row->high);
 }
 
 /* Adds the parameter called `name`, when the house has it. */
@@ -108,18 +108,18 @@ static PanelParameter *add_value(HouseValues *values, const House *house, const 
     values->owners = memory_reserve(values->owners, &values->owner_capacity, values->count + 1, sizeof owner);
     values->rows = memory_reserve(values->rows, &values->capacity, values->count + 1, sizeof *values->rows);
     values->owners[values->count] = owner;
-    PanelParameter *live = &values->rows[values->count++];
-    *live = (PanelParameter){.name = name,
-                             .row = row,
-                             .label = offer && offer->label ? offer->label : row->meaning,
-                             .meaning = sentence(&values->arena, row->meaning),
-                             .value = value,
-                             .initial = value};
+    PanelParameter *parameter = &values->rows[values->count++];
+    *parameter = (PanelParameter){.name = name,
+                                  .row = row,
+                                  .label = offer && offer->label ? offer->label : row->meaning,
+                                  .meaning = sentence(&values->arena, row->meaning),
+                                  .value = value,
+                                  .initial = value};
     if (row->provenance && !row->needed && value == row->fallback && *row->provenance)
-        live->provenance = row->provenance;
+        parameter->provenance = row->provenance;
     if (row->kind == PARAMETER_NUMBER || row->kind == PARAMETER_WHOLE)
-        set_range(live, offer);
-    return live;
+        set_range(parameter, offer);
+    return parameter;
 }
 
 /* Adds the values of one item of the plan: KIND.ID.NAME. */
@@ -127,9 +127,9 @@ static void add_offers(HouseValues *values, const House *house, const char *kind
                        ValueOwner owner, const Offer *offers, size_t count) {
     for (size_t i = 0; i < count; i++) {
         const char *name = text_in_arena(&values->arena, "%s.%s.%s", kind, id, offers[i].name);
-        PanelParameter *live = add_value(values, house, name, &offers[i], owner);
-        if (live)
-            live->group = group;
+        PanelParameter *parameter = add_value(values, house, name, &offers[i], owner);
+        if (parameter)
+            parameter->group = group;
     }
 }
 
@@ -185,12 +185,12 @@ static void add_profile(HouseValues *values, const House *house, const Profile *
         for (size_t k = 0; k < COUNT(key_rows); k++)
             owner.key = owner.key || strcmp(row, key_rows[k]) == 0;
         const char *name = text_in_arena(&values->arena, "profile.%s.%s", profile->name, row);
-        PanelParameter *live = add_value(values, house, name, NULL, owner);
-        if (!live)
+        PanelParameter *parameter = add_value(values, house, name, NULL, owner);
+        if (!parameter)
             continue;
-        live->label = leaf_words(&values->arena, row);
-        live->group = text_in_arena(&values->arena, "%s %s: %s", what, profile->name, part_of_profile(row));
-        live->provenance = arena_text(&values->arena, profile->provenance[r]);
+        parameter->label = leaf_words(&values->arena, row);
+        parameter->group = text_in_arena(&values->arena, "%s %s: %s", what, profile->name, part_of_profile(row));
+        parameter->provenance = arena_text(&values->arena, profile->provenance[r]);
     }
 }
 
@@ -203,9 +203,10 @@ void house_value_list(HouseValues *values, const House *house) {
     add_things(values, house, HOUSE_WALL, "wall", wall_offers, COUNT(wall_offers));
     add_things(values, house, HOUSE_EXIT, "exit", exit_offers, COUNT(exit_offers));
     for (size_t i = 0; i < COUNT(run_offers); i++) {
-        PanelParameter *live = add_value(values, house, text_in_arena(&values->arena, "run.%s", run_offers[i].name),
-                                         &run_offers[i], (ValueOwner){.key = false});
-        live->group = "Run";
+        PanelParameter *parameter =
+            add_value(values, house, text_in_arena(&values->arena, "run.%s", run_offers[i].name), &run_offers[i],
+                      (ValueOwner){.key = false});
+        parameter->group = "Run";
     }
     values->listed = memory_zeroed(values->count, sizeof *values->listed);
 }
@@ -214,17 +215,17 @@ void house_value_list_again(HouseValues *values, const HouseValues *opened, cons
     house_value_clear(values);
     house_value_list(values, house);
     for (size_t i = 0, next = 0; i < values->count; i++) {
-        PanelParameter *live = &values->rows[i];
+        PanelParameter *parameter = &values->rows[i];
         /* mostly in the same order */
-        size_t at = next < opened->count && strcmp(opened->rows[next].name, live->name) == 0
+        size_t at = next < opened->count && strcmp(opened->rows[next].name, parameter->name) == 0
                         ? next
-                        : house_value_find(opened, live->name);
+                        : house_value_find(opened, parameter->name);
         if (at == SIZE_MAX)
             continue;
         next = at + 1;
-        live->initial = opened->rows[at].value;
-        live->low = fmin(opened->rows[at].low, live->value);
-        live->high = fmax(opened->rows[at].high, live->value);
+        parameter->initial = opened->rows[at].value;
+        parameter->low = fmin(opened->rows[at].low, parameter->value);
+        parameter->high = fmax(opened->rows[at].high, parameter->value);
     }
 }
 
@@ -237,9 +238,9 @@ void house_value_clear(HouseValues *values) {
 }
 
 /* True if a value belongs to the selected item, or is a main one of the selected person's profile. */
-static bool comes_first(const ValueOwner *owner, const PanelParameter *live, const House *house, Item selected) {
+static bool comes_first(const ValueOwner *owner, const PanelParameter *parameter, const House *house, Item selected) {
     if (selected.kind == HOUSE_NOTHING || selected.kind == HOUSE_HAZARD || selected.kind == HOUSE_STOP)
-        return owner->key && (owner->thing.kind != HOUSE_DOOR || strcmp(live->label, "width") == 0);
+        return owner->key && (owner->thing.kind != HOUSE_DOOR || strcmp(parameter->label, "width") == 0);
     if (item_same(owner->thing, selected))
         return true;
     return selected.kind == HOUSE_PERSON && owner->key && owner->profile &&
@@ -247,8 +248,8 @@ static bool comes_first(const ValueOwner *owner, const PanelParameter *live, con
 }
 
 /* Ranks the selected item before its profile. */
-static int rank_of(const ValueOwner *owner, const PanelParameter *live, Item selected) {
-    if (!live->first)
+static int rank_of(const ValueOwner *owner, const PanelParameter *parameter, Item selected) {
+    if (!parameter->first)
         return 2;
     return selected.kind && item_same(owner->thing, selected) ? 0 : 1;
 }
@@ -273,23 +274,23 @@ size_t house_value_find(const HouseValues *values, const char *name) {
 }
 
 bool house_value_set(HouseValues *values, size_t row, double value, Fault *fault) {
-    PanelParameter *live = &values->rows[row];
-    const Parameter *is = live->row;
+    PanelParameter *parameter = &values->rows[row];
+    const Parameter *is = parameter->row;
     bool number = is->kind == PARAMETER_NUMBER || is->kind == PARAMETER_WHOLE;
     double low = number ? is->low : 0, high = number ? is->high : 1;
     if (is->kind == PARAMETER_CHOICE)
         high = (double)choice_count(is->choices) - 1;
     const char *unit = parameters_unit(is), *space = *unit ? " " : "";
     if (!(value >= low && value <= high)) {
-        fault_add(fault, "%s: %g%s%s is out of range, %g%s%s to %g%s%s", live->label, value, space, unit, low, space,
-                  unit, high, space, unit);
+        fault_add(fault, "%s: %g%s%s is out of range, %g%s%s to %g%s%s", parameter->label, value, space, unit, low,
+                  space, unit, high, space, unit);
         return false;
     }
     if (is->kind != PARAMETER_NUMBER && value != floor(value)) {
-        fault_add(fault, "%s: %g must be a whole number", live->label, value);
+        fault_add(fault, "%s: %g must be a whole number", parameter->label, value);
         return false;
     }
-    live->value = value;
+    parameter->value = value;
     return true;
 }
 
