@@ -42,7 +42,7 @@ char *export_folder(Fault *fault) {
         if (*places[i] && !error)
             return text_copy(places[i]);
     }
-    fault_add(fault, "there is no folder to write to: neither %s nor clearance/ here can be made: %s",
+    fault_add(fault, "no folder for exports can be made, neither %s nor clearance/ in the current folder: %s",
               *in_home ? in_home : "$HOME/clearance", strerror(error));
     return NULL;
 }
@@ -302,7 +302,7 @@ static void conclude(Export *export, int how) {
     else if (!ended)
         replace(&export->said, strsignal(WTERMSIG(how)), LINE_MOST);
     else if (!export->said.used)
-        text_format(&export->said, "it ended with the exit code %d", code);
+        text_format(&export->said, "the export ended with exit code %d", code);
 }
 
 const ExportStatus *export_update(Export *export) {

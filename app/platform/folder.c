@@ -112,7 +112,7 @@ bool folder_read(Folder *folder, const char *path, Fault *fault) {
     char *whole = realpath(*path ? path : ".", NULL);
     DIR *stream = whole ? opendir(whole) : NULL;
     if (!stream) {
-        fault_add(fault, "%s cannot be looked into: %s", path, strerror(errno));
+        fault_add(fault, "%s cannot be opened: %s", path, strerror(errno));
         free(whole);
         return false;
     }

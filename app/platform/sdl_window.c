@@ -38,7 +38,7 @@ static bool open_window(SdlWindow *sdl_window, int width, int height, Fault *fau
     SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
-        fault_add(fault, "no window can be opened (%s): `clearance run FILE --out DIR` makes pictures without one",
+        fault_add(fault, "no window can be opened (%s); `clearance run FILE --out DIR` writes pictures without one",
                   SDL_GetError());
         return false;
     }
@@ -48,10 +48,10 @@ static bool open_window(SdlWindow *sdl_window, int width, int height, Fault *fau
         SDL_CreateWindow("clearance", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height, flags);
     sdl_window->context = sdl_window->window ? SDL_GL_CreateContext(sdl_window->window) : NULL;
     if (!sdl_window->context || !gl_load(&sdl_window->gl, get_function)) {
-        fault_add(fault,
-                  "no window with OpenGL 3.3 can be opened (%s): the package libgl1-mesa-dri draws without a "
-                  "graphics card",
-                  SDL_GetError());
+        fault_add(
+            fault,
+            "no window with OpenGL 3.3 can be opened (%s): the package libgl1-mesa-dri draws without a graphics card",
+            SDL_GetError());
         return false;
     }
     SDL_SetWindowMinimumSize(sdl_window->window, SMALLEST_WIDTH, SMALLEST_HEIGHT);

@@ -23,21 +23,20 @@
 
 static const Parameter preferences_rows[] = {
     {PREFERENCE(PARAMETER_CHOICE, theme), .choices = THEME_NAMES, .meaning = "light or dark"},
-    {PREFERENCE(PARAMETER_WHOLE, text), .low = 1, .high = SETTINGS_TEXT_MOST, .fallback = 1,
-     .meaning = "size of the text"},
-    {PREFERENCE(PARAMETER_FLAG, sound), .meaning = "is it to be heard"},
-    {PREFERENCE(PARAMETER_FLAG, reduced_motion), .meaning = "does nothing move but what is simulated"},
+    {PREFERENCE(PARAMETER_WHOLE, text), .low = 1, .high = SETTINGS_TEXT_MOST, .fallback = 1, .meaning = "text size"},
+    {PREFERENCE(PARAMETER_FLAG, sound), .meaning = "sound is on"},
+    {PREFERENCE(PARAMETER_FLAG, reduced_motion), .meaning = "only the simulation moves"},
     {.name = "letters",
      .kind = PARAMETER_FLAG,
      .offset = offsetof(SettingsPreferences, single_keys),
      .unit = "1",
      .fallback = 1,
-     .meaning = "are single letters keys"},
+     .meaning = "single letters are shortcut keys"},
     {PREFERENCE(PARAMETER_WHOLE, width), .low = SETTINGS_WIDTH_LEAST, .high = SETTINGS_SIDE_MOST, .fallback = 1280,
      .meaning = "pixels of the window"},
     {PREFERENCE(PARAMETER_WHOLE, height), .low = SETTINGS_HEIGHT_LEAST, .high = SETTINGS_SIDE_MOST, .fallback = 720,
      .meaning = "pixels of the window"},
-    {PREFERENCE(PARAMETER_FLAG, full_screen), .meaning = "does the window fill the screen"},
+    {PREFERENCE(PARAMETER_FLAG, full_screen), .meaning = "the window fills the screen"},
 };
 static const ParameterTable preferences_table = {"settings", preferences_rows,
                                                  sizeof preferences_rows / sizeof *preferences_rows};
@@ -46,9 +45,9 @@ static const ParameterTable preferences_table = {"settings", preferences_rows,
 
 static const Parameter laboratory_rows[] = {
     {SHOWN(PARAMETER_NUMBER, speed), .low = SPEED_LEAST, .high = SPEED_MOST, .fallback = 1,
-     .meaning = "of the usual pace"},
-    {SHOWN(PARAMETER_WHOLE, layers), .low = -1, .high = 65535, .fallback = -1, .meaning = "which are shown, as bits"},
-    {SHOWN(PARAMETER_TEXT, plots), .meaning = "which are shown"},
+     .meaning = "speed, as a multiple of the usual pace"},
+    {SHOWN(PARAMETER_WHOLE, layers), .low = -1, .high = 65535, .fallback = -1, .meaning = "layers shown, as bits"},
+    {SHOWN(PARAMETER_TEXT, plots), .meaning = "plots shown"},
 };
 static const ParameterTable laboratory_table = {"laboratory", laboratory_rows,
                                                 sizeof laboratory_rows / sizeof *laboratory_rows};
@@ -57,7 +56,7 @@ static const Parameter state_rows[] = {
     {.name = "folder",
      .kind = PARAMETER_TEXT,
      .offset = offsetof(SettingsState, folder),
-     .meaning = "last looked into"},
+     .meaning = "folder of the last opened file"},
 };
 static const ParameterTable state_table = {"state", state_rows, sizeof state_rows / sizeof *state_rows};
 
@@ -153,8 +152,11 @@ static void set_aside(const char *path, const Fault *fault, Fault *notes) {
     Text bad = {0};
     text_format(&bad, "%s.bad", path);
     bool kept = rename(path, bad.text) == 0;
-    fault_add(notes, "%s; all is as at first%s%s", fault->count ? fault->lines[0] : path,
-              kept ? ", and what stood there is kept as " : "", kept ? bad.text : "");
+    const char *why = fault->count ? fault->lines[0] : path;
+    if (kept)
+        fault_add(notes, "%s; the defaults are used, and the file is kept as %s", why, bad.text);
+    else
+        fault_add(notes, "%s; the defaults are used", why);
     memory_free(bad.text);
 }
 
@@ -224,8 +226,10 @@ static void save_object(Settings *settings, const char *path, json_t *object, ch
     int error = same ? 0 : write_object(path, object);
     if (error && !settings->complained) {
         settings->complained = true;
-        fault_add(notes, "what is set here cannot be remembered: %s%s%s", path ? path : "there is no HOME",
-                  path ? ": " : "", path ? strerror(error) : "");
+        if (path)
+            fault_add(notes, "settings cannot be saved to %s: %s", path, strerror(error));
+        else
+            fault_add(notes, "settings cannot be saved: HOME is not set");
     }
     if (same || error) {
         memory_free(line);

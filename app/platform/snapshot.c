@@ -96,7 +96,7 @@ static int write_view(const void *what, int kind, const char *path) {
 char *snapshot_view(const SnapshotView *view, int kinds, const char *folder, const char *name, const SnapshotNote *note,
                     Fault *fault) {
     if (view->still->camera.kind == VIEW_RAISED && (kinds != SNAPSHOT_PNG || !view->pixels)) {
-        fault_add(fault, "the raised view can be written as PNG only; the plan also as SVG and PDF");
+        fault_add(fault, "the raised view can only be written as PNG; use the plan for SVG and PDF");
         return NULL;
     }
     return write_kinds(write_view, view, kinds & ~SNAPSHOT_CSV, folder, name, note, fault);

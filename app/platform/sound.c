@@ -62,7 +62,7 @@ Sound *sound_open(char message[SOUND_MESSAGE]) {
         SDL_PauseAudioDevice(sound->device, 0);
         return sound;
     }
-    snprintf(message, SOUND_MESSAGE, "there is no sound here: %s", SDL_GetError());
+    snprintf(message, SOUND_MESSAGE, "Sound is not available: %s", SDL_GetError());
     if (ready)
         SDL_QuitSubSystem(SDL_INIT_AUDIO);
     memory_free(sound);

@@ -40,7 +40,7 @@ static void show_open(Window *window) {
 static void explain(Window *window) {
     const char *help = ui_focus_help(window->ui);
     snprintf(window->hold, sizeof window->hold, "%s",
-             help ? help : "Tab goes from widget to widget, F6 from pane to pane; F1 shows all keys");
+             help ? help : "Press Tab for the next control, F6 for the next pane, F1 for all keys");
     dialog_pane_show(window, DIALOG_EXPLAIN);
 }
 
@@ -49,7 +49,7 @@ static void explain(Window *window) {
 static void set_text(Window *window, double size) {
     window->text = fmin(fmax(size, 1), TEXT_MOST);
     window->settings.preferences.text = (int)lround(window->text);
-    notice_post(window, "letters: %.0f %%", 100 * window->text);
+    notice_post(window, "Text size: %.0f %%", 100 * window->text);
 }
 
 static void set_theme(Window *window) {
@@ -84,11 +84,11 @@ static void next_word(Window *window, Tab *tab, const char *name) {
             tab->kind->choose(tab->live, i, word);
             return;
         }
-    notice_post(window, "there is no %s here", name);
+    notice_post(window, "This laboratory has no choice \"%s\".", name);
 }
 
 static void toggle_sound(Window *window) {
-    char message[SOUND_MESSAGE] = "sound is off";
+    char message[SOUND_MESSAGE] = "Sound: off";
     if (window->sound) {
         sound_close(window->sound);
         window->sound = NULL;
@@ -96,7 +96,8 @@ static void toggle_sound(Window *window) {
         window->sound = sound_open(message);
     }
     window->settings.preferences.sound = window->sound;
-    notice_post(window, "%s", window->sound ? "sound is on: the tip's motion is heard while a beam plays" : message);
+    notice_post(window, "%s",
+                window->sound ? "Sound: on. The motion of the tip is audible while a beam plays." : message);
 }
 
 /* Items ------------------------------------------------------------------------------------------------------------ */
@@ -227,13 +228,13 @@ static bool do_tab(Window *window, Tab *tab, Action action) {
         return true;
     case ACTION_UNDO_ALL:
         tab->kind->reset(tab->live);
-        notice_post(window, "everything is as in the file");
+        notice_post(window, "Everything is reset to the values in the file.");
         return true;
     case ACTION_KEEP:
         notice_post(window, "%s",
                     tab->kind->keep(tab->live, tab->player.time)
-                        ? "kept as \"before\""
-                        : "nothing is kept yet: the run is still being computed");
+                        ? "Saved for comparison"
+                        : "Nothing to save yet: the run is still being computed");
         return true;
     case ACTION_GHOST:
         next_word(window, tab, "Ghost");

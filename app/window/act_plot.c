@@ -140,7 +140,7 @@ static void write_picture(Window *window) {
     else
         path = write_view(tab, folder, name, &fault);
     if (path)
-        notice_post(window, "written: %s.png%s%s and .json", path,
+        notice_post(window, "Written: %s.png%s%s and .json", path,
                     !pane && tab->camera.kind == VIEW_RAISED ? "" : ", .svg", pane ? ", .csv" : "");
     notice_fault(window, &fault, NAN);
     memory_free(path);
@@ -154,7 +154,7 @@ static void begin_frames(Window *window) {
     Tab *tab = window_tab(window);
     char name[WINDOW_PATH];
     if (window->export) {
-        notice_post(window, "something is being written already: when it is done, or cancelled, the next can begin");
+        notice_post(window, "An export is running already. Cancel it or wait until it ends.");
         return;
     }
     char *folder = notice_folder(window);
@@ -167,7 +167,7 @@ static void begin_frames(Window *window) {
     order.arguments = autosave_command(window, &order.argument_count);
     window->export = export_begin(&order, &fault);
     if (window->export)
-        notice_post(window, "writing frames to %s", out);
+        notice_post(window, "Writing frames to %s", out);
     notice_fault(window, &fault, NAN);
     memory_free(out);
     memory_free(folder);
@@ -178,12 +178,12 @@ static void copy_command(Window *window) {
     size_t count;
     const char *const *words = tab->kind->command(tab->live, &count);
     if (count > 1 && !*words[1]) {
-        notice_post(window, "no file holds what is shown yet: saved (Ctrl+S) it has a command");
+        notice_post(window, "Save the house first (Ctrl+S): the command line needs a file.");
         return;
     }
     char *command = export_command(words, count);
     sdl_window_set_clipboard(window->sdl_window, command);
-    notice_post(window, "copied: %s", command);
+    notice_post(window, "Copied: %s", command);
     memory_free(command);
 }
 

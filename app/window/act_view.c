@@ -27,7 +27,7 @@ static void turn(Tab *tab, double degrees) {
 
 static void toggle_raised(Window *window, Tab *tab) {
     if (!tab->kind->raised) {
-        notice_post(window, "a beam is seen from the side only");
+        notice_post(window, "A beam has no raised view.");
         return;
     }
     tab->camera.kind = tab->camera.kind == VIEW_RAISED ? VIEW_PLAN : VIEW_RAISED;
@@ -40,7 +40,7 @@ static void follow(Window *window, Tab *tab) {
         tab_select(tab, tab->kind->next(tab->live, (Item){0}, 1));
     if (tab->follows && tab->camera.zoom < 2)
         tab_show_selected(tab);
-    notice_post(window, tab->follows ? "following what is selected" : "not following");
+    notice_post(window, tab->follows ? "Following the selection" : "Following: off");
 }
 
 static void toggle_layer(Window *window, Tab *tab, int32_t key) {

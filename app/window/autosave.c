@@ -34,8 +34,8 @@ static void write_recovery(Window *window, const Tab *tab, Editor *editor) {
     int error = recovery_write(window->recovery, editor_text(editor), &about);
     window->watch.written |= !error;
     if (error && !window->watch.failed)
-        notice_post(window, "what is edited cannot be kept in %s for the case of a crash: %s",
-                    recovery_path(window->recovery), strerror(error));
+        notice_post(window, "The recovery file %s cannot be written: %s", recovery_path(window->recovery),
+                    strerror(error));
     window->watch.failed = error;
 }
 

@@ -117,8 +117,7 @@ static double show_place_button(Window *window, Tab *tab, Box bar) {
         return bar.high.x - MARGIN;
     double left = bar.high.x - MARGIN - width, y = middle_of(bar).y, half = fmin(SHOW_HEIGHT, box_height(bar) - 8) / 2;
     ui_at(window->ui, (Box){{left, y - half}, {left + width, y + half}});
-    UiButton button = {.label = label,
-                       .help = "Show place: selects the most dangerous point and goes to 2 s before it"};
+    UiButton button = {.label = label, .help = "Show place: Select the most dangerous point and go to 2 s before it"};
     if (ui_button(window->ui, &button))
         act_show_place(window);
     return left - GAP;
@@ -183,11 +182,11 @@ void bars_show_answer(Window *window) {
 
 static void show_export(Window *window, Box box) {
     const ExportStatus *status = export_update(window->export);
-    const char *text = text_in_arena(&window->arena, "writing to %s: %s", status->folder, status->doing);
+    const char *text = text_in_arena(&window->arena, "Writing to %s: %s", status->folder, status->doing);
     show_text(window, UI_BODY, ROLE_TEXT, box.low.x + MARGIN, box.high.x - 100, middle_of(box).y, text);
     ui_at(window->ui, (Box){{box.high.x - 94, box.low.y + 3}, {box.high.x - 6, box.high.y - 3}});
     if (ui_button(window->ui,
-                  &(UiButton){.label = "Cancel", .help = "Cancel: ends the writing; what is complete is kept"}))
+                  &(UiButton){.label = "Cancel", .help = "Cancel: Stop the export and keep complete files"}))
         export_cancel(window->export);
 }
 
@@ -225,9 +224,9 @@ void bars_show_message(Window *window) {
         show_text(window, UI_BODY, fault ? ROLE_ERROR : ROLE_TEXT, box.low.x + MARGIN, box.high.x - 40,
                   middle_of(box).y, text);
         ui_at(window->ui, (Box){{box.high.x - 34, box.low.y + 3}, {box.high.x - 6, box.high.y - 3}});
-        if (ui_button(
-                window->ui,
-                &(UiButton){.id = "dismiss", .label = "\u00d7", .help = "Dismiss (Escape): F7 shows all messages"}))
+        if (ui_button(window->ui, &(UiButton){.id = "dismiss",
+                                              .label = "\u00d7",
+                                              .help = "Dismiss (Escape): Hide this message; F7 shows all messages"}))
             window->dismissed = last->number;
     } else {
         show_export(window, box);

@@ -24,30 +24,25 @@ typedef struct Making {
 } Making;
 
 static const Making makings[] = {
-    {"Data", "summary.json, trace.csv, the end as PNG, SVG and PDF", {NULL}, "data", false, NULL},
-    {"Plots", "every plot as PNG, SVG, PDF and CSV, with units", {"--plots", NULL}, "plots", false, NULL},
-    {"Report", "a page to be handed on, as HTML and PDF (houses)", {"--report", NULL}, "report", false, NULL},
-    {"Frames",
-     "a picture for every 1/30 of a simulated second, 1280 x 720",
-     {"--frames", "30", NULL},
-     "frames",
-     false,
-     NULL},
+    {"Data", "summary.json, trace.csv, and the final state as PNG, SVG and PDF", {NULL}, "data", false, NULL},
+    {"Plots", "Every plot as PNG, SVG, PDF and CSV, with units", {"--plots", NULL}, "plots", false, NULL},
+    {"Report", "A report as HTML and PDF (houses only)", {"--report", NULL}, "report", false, NULL},
+    {"Frames", "30 pictures per simulated second, 1280 x 720", {"--frames", "30", NULL}, "frames", false, NULL},
     {"Frames, raised",
-     "the same, seen from the side (houses)",
+     "30 pictures per simulated second, raised view (houses only)",
      {"--frames", "30", "--view", "raised", NULL},
      "frames",
      false,
      NULL},
-    {"Film", "the same as film.mp4, when ffmpeg is installed", {NULL}, "film", true, NULL},
-    {"Film, 1920 x 1080", "larger", {"--size", "1920x1080", NULL}, "film", true, NULL},
+    {"Film", "film.mp4, 1280 x 720; needs ffmpeg", {NULL}, "film", true, NULL},
+    {"Film, 1920 x 1080", "film.mp4, 1920 x 1080; needs ffmpeg", {"--size", "1920x1080", NULL}, "film", true, NULL},
     {"Walkable area",
-     "what is left between walls and furniture, as WKT (houses)",
+     "The free area between walls and furniture, as WKT (houses only)",
      {"--to", "wkt", NULL},
      "area",
      false,
      "wkt"},
-    {"Plan", "the plan alone, as SVG (houses)", {"--to", "svg", NULL}, "plan", false, "svg"},
+    {"Plan", "The plan alone, as SVG (houses only)", {"--to", "svg", NULL}, "plan", false, "svg"},
 };
 enum { MAKINGS = sizeof makings / sizeof *makings, OPTIONS_MOST = 16 };
 
@@ -67,7 +62,7 @@ static void make(Window *window, const Making *making) {
         options[count++] = window->theme == THEME_BOARD ? "board" : "paper";
     }
     if (window->export) {
-        notice_post(window, "something is being written already: cancel it, or wait until it is over");
+        notice_post(window, "An export is running already. Cancel it or wait until it ends.");
         return;
     }
     char *folder = notice_folder(window);
@@ -87,7 +82,7 @@ static void make(Window *window, const Making *making) {
     }
     window->export = export_begin(&order, &fault);
     if (window->export)
-        notice_post(window, "writing %s", movie ? movie : out);
+        notice_post(window, "Writing %s", movie ? movie : out);
     notice_fault(window, &fault, NAN);
     memory_free(free_name);
     memory_free(folder);
@@ -96,7 +91,7 @@ static void make(Window *window, const Making *making) {
 static void show_now(Window *window) {
     UiRow now = {.id = "now",
                  .shape = ROW_PLAIN,
-                 .cells = {"What is seen now: PNG and SVG, and the command that makes it", "F9"},
+                 .cells = {"The present view as PNG and SVG, with its command line", "F9"},
                  .usable = true};
     if (ui_list_row(window->ui, &now)) {
         dialog_pane_close(window);
@@ -116,9 +111,9 @@ void dialog_export_show(Window *window) {
     if (ui_button(window->ui,
                   &(UiButton){.label = "Copy command", .help = keys_help(&window->arena, ACTION_COPY_COMMAND)}))
         act_do(window, ACTION_COPY_COMMAND, 0, 0);
-    ui_heading(window->ui, "Now");
+    ui_heading(window->ui, "Present view");
     show_now(window);
-    ui_heading(window->ui, "From the run, in the background");
+    ui_heading(window->ui, "Whole run, in the background");
     for (size_t i = 0; i < MAKINGS && window->dialog == DIALOG_EXPORT; i++) {
         if (makings[i].ending && !tab_editor(tab))
             continue;
@@ -140,13 +135,12 @@ void dialog_export_show_save(Window *window) {
     dialog_pane_begin(window, box);
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save as");
     ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT,
-            "The file that was opened stays as it is. The new one holds what is shown now.");
-    bool typed =
-        ui_field(window->ui, "path", "path of the new file", "Path: Return saves", window->field, sizeof window->field);
+            "The original file stays unchanged. The new file holds the present state.");
+    bool typed = ui_field(window->ui, "path", "path of the new file",
+                          "Path: Type the path of the new file; Return saves", window->field, sizeof window->field);
     ui_row(window->ui, 2);
-    bool pressed =
-        ui_button(window->ui, &(UiButton){.label = "Save", .help = "Save: writes the file beside and renames it"});
-    if (ui_button(window->ui, &(UiButton){.label = "Cancel", .help = "Cancel (Escape)"}))
+    bool pressed = ui_button(window->ui, &(UiButton){.label = "Save", .help = "Save: Write the file"});
+    if (ui_button(window->ui, &(UiButton){.label = "Cancel", .help = "Cancel (Escape): Close without saving"}))
         dialog_pane_close(window);
     else if (typed || pressed)
         files_save_as(window, text_in_arena(&window->arena, "%s", window->field));

@@ -49,7 +49,7 @@ void dialog_gallery_show(Window *window) {
     fill_pictures(window, items, count, news);
     Box box = box_expand((Box){{0, 0}, window->frame.page}, -EDGE);
     dialog_pane_begin(window, box);
-    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Gallery: choose one to open it; Escape goes back");
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Gallery: choose a file to open; Escape closes");
     int columns = (int)fmax(1, floor(box_width(box) / (ITEM_WIDTH + GAP)));
     for (size_t i = 0; i < count; i++) {
         if (i % (size_t)columns == 0)
@@ -91,7 +91,7 @@ void dialog_gallery_show_open(Window *window) {
     dialog_pane_begin(window, box);
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Open a house or a beam");
     ui_line(window->ui, UI_BODY, ROLE_DIM_TEXT, window->folder.path);
-    if (ui_field(window->ui, "path", "or type its path", "Path: Return opens it", window->field,
+    if (ui_field(window->ui, "path", "or type its path", "Path: Type a path; Return opens it", window->field,
                  sizeof window->field)) {
         const char *path = text_in_arena(&window->arena, "%s", window->field);
         dialog_pane_close(window);

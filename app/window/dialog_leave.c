@@ -20,14 +20,14 @@ void dialog_leave_show(Window *window) {
     dialog_pane_begin(window, dialog_pane_centred(window, WIDTH, HEIGHT, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save before closing?");
     ui_text(window->ui, UI_BODY, ROLE_TEXT,
-            text_in_arena(&window->arena, "%s has %zu edit%s that no file holds yet.", tab->kind->title(tab->live),
-                          edits, edits == 1 ? "" : "s"));
-    ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, tab->path ? tab->path : "It has no file of its own yet.");
+            text_in_arena(&window->arena, edits == 1 ? "%s has %zu unsaved edit." : "%s has %zu unsaved edits.",
+                          tab->kind->title(tab->live), edits));
+    ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, tab->path ? tab->path : "It has no file yet.");
     ui_row(window->ui, 3);
-    bool saves = ui_button(window->ui, &(UiButton){.label = "Save", .help = "Save: writes it to its file, or asks"});
-    bool drops =
-        ui_button(window->ui, &(UiButton){.label = "Don't save", .help = "Don't save: what was edited is lost"});
-    if (ui_button(window->ui, &(UiButton){.label = "Cancel", .help = "Cancel (Escape): goes on with what is open"}))
+    bool saves =
+        ui_button(window->ui, &(UiButton){.label = "Save", .help = "Save: Save to its file, or ask for a name"});
+    bool drops = ui_button(window->ui, &(UiButton){.label = "Don't save", .help = "Don't save: Discard the edits"});
+    if (ui_button(window->ui, &(UiButton){.label = "Cancel", .help = "Cancel (Escape): Return to the house"}))
         dialog_pane_close(window);
     else if (saves)
         files_save(window);
@@ -51,22 +51,23 @@ static const char *when_text(Window *window, int64_t when) {
 /* Shows a recovered file; true if it was opened or discarded, which changes the list. */
 static bool show_found(Window *window, size_t index) {
     const RecoveryFound *found = &window->found[index];
-    ui_heading(window->ui, text_in_arena(&window->arena, "%s, %s, %zu edit%s", found->name,
-                                         when_text(window, found->when), found->edits, found->edits == 1 ? "" : "s"));
-    ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, text_in_arena(&window->arena, "kept in %s", found->path));
-    const char *origin = !found->origin ? "it had no file of its own"
+    ui_heading(window->ui, text_in_arena(&window->arena, found->edits == 1 ? "%s, %s, %zu edit" : "%s, %s, %zu edits",
+                                         found->name, when_text(window, found->when), found->edits));
+    ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, text_in_arena(&window->arena, "Recovery file: %s", found->path));
+    const char *origin = !found->origin ? "It had no file yet."
                          : found->origin_when
-                             ? text_in_arena(&window->arena, "its file: %s, saved %s", found->origin,
+                             ? text_in_arena(&window->arena, "Its file: %s, saved %s", found->origin,
                                              when_text(window, found->origin_when))
-                             : text_in_arena(&window->arena, "its file: %s, which is not there now", found->origin);
+                             : text_in_arena(&window->arena, "Its file no longer exists: %s", found->origin);
     ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, origin);
     ui_row(window->ui, 2);
-    bool opens = ui_button(window->ui, &(UiButton){.id = text_in_arena(&window->arena, "open %zu", index),
-                                                   .label = "Open",
-                                                   .help = "Open: shows it; no file is changed until it is saved"});
+    bool opens =
+        ui_button(window->ui, &(UiButton){.id = text_in_arena(&window->arena, "open %zu", index),
+                                          .label = "Open",
+                                          .help = "Open: Open the recovered house; no file changes until you save"});
     bool forgets = ui_button(window->ui, &(UiButton){.id = text_in_arena(&window->arena, "forget %zu", index),
-                                                     .label = "Forget",
-                                                     .help = "Forget: puts it away for good"});
+                                                     .label = "Discard",
+                                                     .help = "Discard: Delete this recovery file"});
     if (opens)
         files_recover(window, index);
     else if (forgets)
@@ -76,15 +77,15 @@ static bool show_found(Window *window, size_t index) {
 
 void dialog_leave_show_recovered(Window *window) {
     dialog_pane_begin(window, dialog_pane_centred(window, WIDE, HIGH, EDGE));
-    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Edited, not saved, and kept");
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Recovered edits");
     ui_text(window->ui, UI_BODY, ROLE_TEXT,
-            "The program ended before this was saved. The files themselves are as they were.");
+            "The program ended before these edits were saved. The original files are unchanged.");
     bool changed = false;
     for (size_t i = 0; i < window->found_count && !changed; i++)
         changed = show_found(window, i);
     ui_gap(window->ui, 8);
     if (!changed &&
-        ui_button(window->ui, &(UiButton){.label = "Later", .help = "Later (Escape): asks again next time"}))
+        ui_button(window->ui, &(UiButton){.label = "Later", .help = "Later (Escape): Ask again at the next start"}))
         dialog_pane_close(window);
     ui_pane_end(window->ui);
 }

@@ -137,13 +137,14 @@ static void show_keys(Window *window) {
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Keys");
     ui_text(
         window->ui, UI_BODY, ROLE_DIM_TEXT,
-        "Tab and Shift+Tab go from widget to widget, F6 and Shift+F6 from pane to pane; Return or Space presses a "
-        "button. On a number: arrows a twentieth of its range, with Shift a hundredth, PageUp and PageDown a tenth, "
-        "Home and End its ends, Return types, Delete takes the file's value. With a tool in the hand: Return begins or "
-        "puts "
-        "down, digits are typed into its numbers, Tab goes to the next number, Backspace takes back, Escape lets go; "
-        "Ctrl "
-        "held is free of snapping, Shift keeps to one axis or adds to what is selected.");
+        "Tab and Shift+Tab go to the next and previous control, F6 and Shift+F6 to the next and previous pane; Return "
+        "or "
+        "Space presses a button. On a number, arrows change it by 1/20 of its range (Shift: 1/100), PageUp and "
+        "PageDown "
+        "by 1/10, Home and End go to its limits, Return types a value, Delete restores the file's value. With a tool, "
+        "Return begins or completes a gesture, digits type its numbers, Tab goes to the next number, Backspace removes "
+        "the last step, Escape cancels; Ctrl switches snapping off while held, Shift keeps to one axis or adds to the "
+        "selection.");
     for (KeyPlace place = KEY_ANYWHERE; place <= KEY_TIMELINE; place++) {
         ui_heading(window->ui, place_name(place));
         for (size_t i = 0; i < keys_count(); i++) {
@@ -166,7 +167,7 @@ static void show_messages(Window *window) {
     dialog_pane_begin(window, dialog_pane_centred(window, 1000, 560, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Messages");
     if (!messages_count(&window->messages))
-        ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, "Nothing has been said yet.");
+        ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, "There are no messages yet.");
     for (size_t i = messages_count(&window->messages); i-- > 0;) {
         const Message *message = messages_at(&window->messages, i);
         bool timed = !isnan(message->time);
@@ -193,7 +194,7 @@ static void show_messages(Window *window) {
 
 static bool show_close(Window *window) {
     ui_gap(window->ui, 8);
-    if (!ui_button(window->ui, &(UiButton){.label = "Close", .help = "Close (Escape)"}))
+    if (!ui_button(window->ui, &(UiButton){.label = "Close", .help = "Close (Escape): Close this dialog"}))
         return false;
     dialog_pane_close(window);
     return true;
@@ -201,7 +202,7 @@ static bool show_close(Window *window) {
 
 static void show_explanation(Window *window) {
     dialog_pane_begin(window, dialog_pane_centred(window, SMALL_WIDTH, SMALL_HEIGHT, EDGE));
-    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "What has the focus");
+    ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Focused control");
     ui_text(window->ui, UI_BODY, ROLE_TEXT, window->hold);
     show_close(window);
     ui_pane_end(window->ui);
@@ -210,18 +211,18 @@ static void show_explanation(Window *window) {
 static void show_about(Window *window) {
     dialog_pane_begin(window, dialog_pane_centred(window, 760, 420, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "clearance " CLEARANCE_VERSION);
-    ui_text(
-        window->ui, UI_BODY, ROLE_TEXT,
-        "Does a wheelchair user get out, how long does it take, where is the danger? And a beam that rattles in its "
-        "clearance: is it periodic or chaotic, and what does that mean?");
+    ui_text(window->ui, UI_BODY, ROLE_TEXT,
+            "Can a wheelchair user leave the house, how long does it take, and where is it dangerous? Does a beam that "
+            "rattles "
+            "in its clearance move periodically or chaotically?");
     ui_text(
         window->ui, UI_BODY, ROLE_TEXT,
         "House: Miura, Takimoto and Kubodera's simulation of evacuation by wheelchair with distinct elements. Beam: Gu "
-        "and Dubowsky's impact beam system. What is reconstructed, identified or assumed is said at each number.");
-    ui_text(
-        window->ui, UI_BODY, ROLE_DIM_TEXT,
-        "A screen reader cannot read this window. The same is there as text: clearance run FILE --json, and --report "
-        "for a page with tables.");
+        "and Dubowsky's impact beam system. Each number says whether it is reconstructed, identified or assumed.");
+    ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT,
+            "Screen readers cannot read this window. The same results are available as text: clearance run FILE "
+            "--json, and --report "
+            "for a page with tables.");
     show_close(window);
     ui_pane_end(window->ui);
 }

@@ -41,7 +41,7 @@ static void note_saved(Window *window, Tab *tab, const char *path) {
     settings_add_recent(&window->settings, path);
     if (tab == autosave_tab(window))
         autosave_drop(window);
-    notice_post(window, "saved: %s", path);
+    notice_post(window, "Saved: %s", path);
 }
 
 static bool save(Window *window, const char *path) {
@@ -53,9 +53,9 @@ static bool save(Window *window, const char *path) {
     if (saved && editor)
         note_saved(window, tab, path);
     else if (saved)
-        notice_post(window, "saved: %s", path);
+        notice_post(window, "Saved: %s", path);
     else if (window->watch.written)
-        notice_post(window, "not saved; what was edited is kept in %s", recovery_path(window->recovery));
+        notice_post(window, "Not saved. The edits are in the recovery file %s", recovery_path(window->recovery));
     return saved;
 }
 
@@ -90,8 +90,7 @@ bool files_save_as(Window *window, const char *path) {
     bool own = (tab->origin && strcmp(path, tab->origin) == 0) ||
                (tab->path && strcmp(path, tab->path) == 0 && !is_shipped(path));
     if (!own && access(path, F_OK) == 0) {
-        messages_add(&window->messages, MESSAGE_FAULT, NAN,
-                     "%s: there is such a file already, the new one must have another name", path);
+        messages_add(&window->messages, MESSAGE_FAULT, NAN, "%s already exists. Choose another name.", path);
         window->dirty = true;
         return false;
     }
@@ -149,11 +148,13 @@ void files_recover(Window *window, size_t found) {
     if (!opening_copy(window, one->path, one->origin, " [Recovered]"))
         return;
     if (!recovery_adopt(window->recovery, one))
-        notice_post(window, "%s has been moved away meanwhile", one->path);
+        notice_post(window, "The recovery file %s no longer exists.", one->path);
     tab->origin = one->origin ? text_copy(one->origin) : NULL;
     window->watch.written = true;
-    notice_post(window, "recovered%s%s: save it to keep it", one->origin ? ", of " : "",
-                one->origin ? one->origin : "");
+    if (one->origin)
+        notice_post(window, "Recovered the edits of %s. Save them to keep them.", one->origin);
+    else
+        notice_post(window, "Recovered an unsaved house. Save it to keep it.");
     dialog_pane_close(window);
 }
 

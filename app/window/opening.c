@@ -73,9 +73,11 @@ bool opening_copy(Window *window, const char *path, const char *origin, const ch
 static void tell(Window *window, const char *path, const ImportFile *import) {
     for (size_t i = 0; i < import->told.count; i++)
         notice_post(window, "%s: %s", path, import->told.lines[i]);
-    const char *left = import->left.text;
-    notice_post(window, "a new house, from %s%s%s%s", import->format, left ? "; left out: " : "", left ? left : "",
-                import->told.count ? " (F7 tells all)" : "");
+    const char *more = import->told.count ? " Press F7 for details." : "";
+    if (import->left.text)
+        notice_post(window, "Imported a new house from %s. Left out: %s.%s", import->format, import->left.text, more);
+    else
+        notice_post(window, "Imported a new house from %s.%s", import->format, more);
 }
 
 /* Opens the imported house from the recovery file, from which it can be recovered until it is saved. */
@@ -97,7 +99,7 @@ static bool import(Window *window, const char *path) {
     Fault fault = {0};
     bool read = window->recovery && import_file_read(&import, path, &fault);
     if (!window->recovery)
-        notice_post(window, "%s cannot be imported: there is no folder to keep it in", path);
+        notice_post(window, "%s cannot be imported: no folder for recovery files is writable", path);
     notice_fault(window, &fault, NAN);
     read = read && open_text(window, path, &import);
     if (read)

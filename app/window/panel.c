@@ -36,8 +36,8 @@ static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index
                    .shape = (int)scene->kind,
                    .style = (int)scene->style,
                    .cells = {scene->cells[0], scene->cells[1], scene->cells[2]},
-                   .help =
-                       usable ? text_in_arena(&window->arena, "%s: selects it and goes there", scene->cells[0]) : NULL,
+                   .help = usable ? text_in_arena(&window->arena, "%s: Select it and go to its time", scene->cells[0])
+                                  : NULL,
                    .selected = row->thing.kind && item_same(row->thing, tab->kind->selected(tab->live)),
                    .usable = usable};
     Item thing = row->thing;
@@ -210,7 +210,7 @@ static void show_more(Window *window, Tab *tab) {
     if (ui_button(window->ui, &(UiButton){.label = "Reset all", .help = keys_help(&window->arena, ACTION_UNDO_ALL)}))
         act_do(window, ACTION_UNDO_ALL, 0, 0);
     if (ui_button(window->ui, &(UiButton){.label = window->more ? "Fewer numbers" : "All numbers",
-                                          .help = "All numbers: shows every number that can be changed",
+                                          .help = "All numbers: Show or hide the less used numbers",
                                           .chosen = window->more}))
         window->more = !window->more;
     if (window->more)
@@ -254,7 +254,7 @@ static void show_plots(Window *window, Tab *tab) {
         bool shown = false;
         for (size_t c = 0; c < tab->panes.count; c++)
             shown |= strcmp(tab->panes.panes[c].live.name, plot.name) == 0;
-        const char *help = text_in_arena(&window->arena, "%s: shows the plot, or not", plot.title);
+        const char *help = text_in_arena(&window->arena, "%s: Show or hide the plot", plot.title);
         if (ui_flag(window->ui, text_in_arena(&window->arena, "plot %s", plot.name), plot.title, help, &shown)) {
             tab->plots = toggled(window, tab->plots, plot.name, shown);
             tab->plot_panes_stale = true;

@@ -44,7 +44,7 @@ static bool show_text(Window *window, Editor *editor, const EditText *text) {
     char typed[TEXT_MOST];
     Fault fault = {0};
     snprintf(typed, sizeof typed, "%s", text->value);
-    const char *help = text_in_arena(&window->arena, "%s: %s; Return takes it", text->label, text->help);
+    const char *help = text_in_arena(&window->arena, "%s: %s; Return applies it", text->label, text->help);
     const char *name = text_in_arena(&window->arena, "%s", text->name);
     if (!ui_field(window->ui, name, text->label, help, typed, sizeof typed) || strcmp(typed, text->value) == 0)
         return false;
@@ -77,10 +77,10 @@ static void show_image(Window *window, Editor *editor) {
     TraceImage image = editor_image(editor);
     char path[WINDOW_PATH];
     Fault fault = {0};
-    ui_heading(window->ui, "Picture to trace over");
+    ui_heading(window->ui, "Picture to trace");
     snprintf(path, sizeof path, "%s", image.path ? image.path : "");
-    if (ui_field(window->ui, "image path", "PNG file", "PNG file: its path; Return takes it, an empty one puts it away",
-                 path, sizeof path)) {
+    if (ui_field(window->ui, "image path", "PNG file",
+                 "PNG file: Type its path; Return shows the picture, an empty path removes it", path, sizeof path)) {
         editor_set_image(editor, *path ? path : NULL, &fault);
         notice_fault(window, &fault, NAN);
         return;
@@ -88,9 +88,9 @@ static void show_image(Window *window, Editor *editor) {
     if (!image.path)
         return;
     UiSlider slider = {.id = "image opacity",
-                       .label = "strength",
+                       .label = "opacity",
                        .unit = "%",
-                       .help = "strength: how strongly the picture is seen",
+                       .help = "opacity: Opacity of the picture",
                        .value = 100 * image.opacity,
                        .initial = 50,
                        .high = 100,
@@ -110,8 +110,8 @@ static void show_proposals(Window *window, Editor *editor) {
         ui_text(window->ui, UI_BODY, ROLE_TEXT,
                 text_in_arena(&window->arena, "%s: %s", proposals[i].words, proposals[i].answer));
         UiButton button = {.id = text_in_arena(&window->arena, "proposal %zu", i),
-                           .label = "Do it",
-                           .help = "Do it: changes the house so; it can be undone"};
+                           .label = "Apply",
+                           .help = "Apply: Change the house; Undo reverts it"};
         if (ui_button(window->ui, &button)) {
             editor_accept(editor, i, &fault);
             notice_fault(window, &fault, NAN);
@@ -133,11 +133,12 @@ static void show_way_out(Window *window, Tab *tab, Editor *editor) {
     if (answer.detail && answer.role == ROLE_ERROR)
         ui_text(window->ui, UI_BODY, ROLE_ERROR, answer.detail);
     if (tab_first_place(tab) &&
-        ui_button(window->ui, &(UiButton){.id = "show", .label = "Show", .help = "Show: the place, from near"}))
+        ui_button(window->ui, &(UiButton){.id = "show", .label = "Show", .help = "Show: Zoom to the place"}))
         act_show_place(window);
-    if (!doing && ui_button(window->ui, &(UiButton){.label = "Smallest change",
-                                                    .help = "Smallest change: what lets everybody out; tries wider "
-                                                            "doors and moved furniture, each by simulation"}))
+    if (!doing &&
+        ui_button(window->ui, &(UiButton){.label = "Smallest change",
+                                          .help = "Smallest change: Find the smallest change that lets everybody "
+                                                  "leave, by simulating wider doors and moved furniture"}))
         editor_ask_proposals(editor);
     show_proposals(window, editor);
 }

@@ -168,7 +168,7 @@ static bool is_selected(const Tab *tab) {
 /* Posts why an action failed, or that nothing suitable is selected. */
 static void report_result(Window *window, bool done, const char *what, Fault *fault) {
     if (!done && !fault->count)
-        notice_post(window, "%s: nothing is selected that it could be done to", what);
+        notice_post(window, "%s: nothing suitable is selected", what);
     notice_fault(window, fault, NAN);
 }
 
@@ -177,7 +177,7 @@ static void copy(Window *window, Editor *editor) {
     if (!text)
         return;
     sdl_window_set_clipboard(window->sdl_window, text);
-    notice_post(window, "copied");
+    notice_post(window, "Copied");
     memory_free(text);
 }
 
@@ -196,7 +196,7 @@ static bool do_clipboard(Window *window, Tab *tab, Action action) {
     case ACTION_PASTE:
         send_pointer_now(window, tab);
         if (!editor_paste(editor, sdl_window_clipboard(window->sdl_window), &fault) && !fault.count)
-            notice_post(window, "there is nothing in the clipboard that could be put here");
+            notice_post(window, "The clipboard has nothing that can be pasted here.");
         notice_fault(window, &fault, NAN);
         return true;
     default:
@@ -255,16 +255,15 @@ static void step(Window *window, Tab *tab, Action action) {
     const char *name = undoes ? editor_undo_name(editor) : editor_redo_name(editor);
     name = text_in_arena(&window->arena, "%s", name ? name : "");
     bool done = undoes ? editor_undo(editor) : editor_redo(editor);
-    const char *word = undoes ? "undone" : "done again";
     if (done)
-        notice_post(window, "%s: %s", word, name);
+        notice_post(window, undoes ? "Undone: %s" : "Redone: %s", name);
     else
-        notice_post(window, "there is nothing to be %s", word);
+        notice_post(window, undoes ? "There is nothing to undo." : "There is nothing to redo.");
 }
 
 static void toggle_snapping(Window *window) {
     window->plan_input.free = !window->plan_input.free;
-    notice_post(window, "snapping is %s", window->plan_input.free ? "off: the hand is free" : "on");
+    notice_post(window, window->plan_input.free ? "Snapping: off" : "Snapping: on");
 }
 
 static bool do_selection(Window *window, Tab *tab, Action action, int mods) {

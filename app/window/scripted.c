@@ -134,7 +134,7 @@ static void set(Scripted *scripted, Window *window, const ScriptCommand *command
     Fault fault = {0};
     Tab *tab = window_tab(window);
     if (isnan(command->numbers[0]))
-        script_fault(&scripted->script, command, &fault, "%s is no number", command->words[1]);
+        script_fault(&scripted->script, command, &fault, "%s is not a number", command->words[1]);
     else
         tab->kind->set(tab->live, command->words[0], command->numbers[0], &fault);
     if (fault.count)
@@ -311,7 +311,7 @@ static bool waits(Scripted *scripted, Window *window) {
     }
     if (clock_now() - scripted->since > scripted->until->numbers[0]) {
         Fault fault = {0};
-        script_fault(&scripted->script, scripted->until, &fault, "it has not come in %g s",
+        script_fault(&scripted->script, scripted->until, &fault, "the condition was not met within %g s",
                      scripted->until->numbers[0]);
         scripted->until = NULL;
         fail(scripted, window, &fault);

@@ -23,11 +23,11 @@ static bool read_head(Window *window, const char *path, double *width, double *h
         *height = ((double)head[20] * 256 + head[21]) * 65536 + head[22] * 256 + head[23];
         if (*width >= 1 && *height >= 1 && *width * *height <= PIXELS_MOST)
             return true;
-        notice_post(window, "%s: a picture must have at most %d million pixels", path, PIXELS_MOST / 1000000);
+        notice_post(window, "%s has too many pixels. The limit is %d million.", path, PIXELS_MOST / 1000000);
     } else if (count > 1 && head[0] == 0xff && head[1] == 0xd8) {
-        notice_post(window, "%s is a JPEG file, which is not read: saved as PNG it is", path);
+        notice_post(window, "%s is a JPEG file. Save it as PNG to use it.", path);
     } else {
-        notice_post(window, "%s: %s", path, file ? "only PNG files can be shown" : "it cannot be read");
+        notice_post(window, file ? "%s is not a PNG file." : "%s cannot be read.", path);
     }
     return false;
 }

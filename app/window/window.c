@@ -317,7 +317,8 @@ static void end_export(Window *window) {
     if (status->stage == EXPORT_RUNNING)
         return;
     if (status->stage == EXPORT_DONE)
-        notice_post(window, "written: %s (%zu files)", status->folder, status->file_count);
+        notice_post(window, status->file_count == 1 ? "Written: %s (%zu file)" : "Written: %s (%zu files)",
+                    status->folder, status->file_count);
     else
         messages_add(&window->messages, MESSAGE_FAULT, NAN, "%s", status->reason);
     export_end(window->export);

@@ -71,7 +71,7 @@ TEST(a_folder_that_is_not_there_is_a_fault_and_nothing_is_lost) {
     CHECK(folder_read(&folder, "", &fault) && folder.count == 2);
     CHECK(!folder_read(&folder, "nowhere", &fault) && folder.count == 2);
     CHECK(!folder_read(&folder, "a.json", &fault) && folder.count == 2);
-    CHECK_TEXT(fault.count ? fault.lines[0] : "", "nowhere cannot be looked into: No such file or directory");
+    CHECK_TEXT(fault.count ? fault.lines[0] : "", "nowhere cannot be opened: No such file or directory");
     fault_clear(&fault);
     folder_clear(&folder);
     desk_remove();

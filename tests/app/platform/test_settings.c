@@ -145,7 +145,7 @@ TEST(without_a_place_it_works_and_says_so_once) {
     settings_save(&settings, &notes);
     settings_save(&settings, &notes);
     CHECK(notes.count == 1);
-    CHECK_TEXT(notes.count ? notes.lines[0] : "", "what is set here cannot be remembered: there is no HOME");
+    CHECK_TEXT(notes.count ? notes.lines[0] : "", "settings cannot be saved: HOME is not set");
     CHECK(settings_cache_folder() == NULL);
     settings_close(&settings);
     fault_clear(&notes);

@@ -261,8 +261,8 @@ plan.shot("keys")
 check(done["answer"]["title"].startswith("Out in"), "11: the flat is drawn, and left, by keys alone",
       (done["answer"], done["edits"], done["undo_name"]))
 plan.keys("F9")
-told = plan.until(lambda s: (s["message"] or "").startswith("written: "))["message"] or ""
-picture = told.removeprefix("written: ").split(",")[0]
+told = plan.until(lambda s: (s["message"] or "").startswith("Written: "))["message"] or ""
+picture = told.removeprefix("Written: ").split(",")[0]
 check(picture.endswith(".png") and open(picture, "rb").read(8) == b"\x89PNG\r\n\x1a\n", "11: F9 writes its picture", told)
 typed = plan.place / "keys.json"
 plan.save_as(typed)

@@ -127,7 +127,7 @@ check(state["laboratory"] == "beam" and not state["answer"]["stale"], "F3 is the
 screen.keys("F4")
 check(screen.state()["sheet"] == "gallery", "F4 is the gallery")
 screen.keys("Escape", "F9")
-check("written" in (screen.state()["message"] or ""), "F9 writes a picture", screen.state()["message"])
+check("Written" in (screen.state()["message"] or ""), "F9 writes a picture", screen.state()["message"])
 screen.keys("ctrl+e", "Escape", "ctrl+t", "F2")
 check(screen.state()["laboratory"] == "house", "F2 is the house again")
 

@@ -122,7 +122,7 @@ check(tables and "[s]" in rows[0][0] and len(rows) > 100, "a plot's CSV has unit
 pngs = [made / n for n in names if n.endswith(".png")]
 check(len(pngs) == 3 and pngs[1].read_bytes() == pngs[2].read_bytes() or pngs[0].read_bytes() == pngs[1].read_bytes(),
       "the same picture twice is the same bytes")
-check("copied: clearance run" in found[2]["message"], "Ctrl+C copies the command", found[2]["message"])
+check("Copied: clearance run" in found[2]["message"], "Ctrl+C copies the command", found[2]["message"])
 
 # a copy with its changed numbers, never over another file
 mine = stage.folder / "mine.json"
