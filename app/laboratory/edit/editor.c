@@ -4,24 +4,26 @@
 #include "laboratory/edit/editor_state.h"
 
 static const EditToolRow tools[EDIT_TOOLS] = {
-    [TOOL_SELECT] = {"select", "Selects what is clicked on, and moves it by its handles.",
-                     "click on something, or drag a rectangle round it"},
-    [TOOL_WALL] = {"wall", "Draws walls, one after another.", "click where the wall begins, or Enter to type it"},
-    [TOOL_DOOR] = {"door", "Places doors and openings in walls.", "click on a wall, or Enter to type the place"},
-    [TOOL_FURNITURE] = {"furniture", "Places furniture, its back to a wall that is near.",
-                        "click where it stands, or Enter to type the place; a free rectangle is dragged out"},
-    [TOOL_PERSON] = {"person", "Places people, who look to where the pointer is dragged.",
-                     "click where somebody stands, or Enter to type the place"},
-    [TOOL_EXIT] = {"exit", "Draws exits: lines that are left by.",
-                   "click on a door, or where the exit begins, or Enter to type it"},
-    [TOOL_MEASURE] = {"measure", "Measures how far two points are apart, and whether a chair goes through.",
-                      "click two points, or double-click a side; Enter types them; Delete forgets what is measured"},
-    [TOOL_AREA] = {"room", "Draws the outline of a room, to give it a name.",
-                   "click the corners one after another, or Enter to type them"},
-    [TOOL_ROUTE] = {"route", "Draws the way of the person who is selected, by points to the exit.",
-                    "click the points to pass, at last the exit, or Enter to type them"},
-    [TOOL_IMAGE] = {"picture", "Gives the picture that is traced over its scale, and makes it level.",
-                    "click two points a known distance apart, then type it"},
+    [TOOL_SELECT] = {"select", "Select an item with a click, and move it by its handles.",
+                     "Click an item, or drag a rectangle round several."},
+    [TOOL_WALL] = {"wall", "Draw walls, one after another.",
+                   "Click where the wall begins, or press Enter to type the place."},
+    [TOOL_DOOR] = {"door", "Place doors and openings in walls.", "Click a wall, or press Enter to type the place."},
+    [TOOL_FURNITURE] = {"furniture", "Place furniture, with its back to a near wall.",
+                        "Click where the piece stands, or press Enter to type the place; drag a free rectangle."},
+    [TOOL_PERSON] = {"person", "Place people; drag to turn them.",
+                     "Click where the person stands, or press Enter to type the place."},
+    [TOOL_EXIT] = {"exit", "Draw exits: lines across which people leave.",
+                   "Click a door, or where the exit begins, or press Enter to type the place."},
+    [TOOL_MEASURE] =
+        {"measure", "Measure a distance, and whether a chair fits through.",
+         "Click two points, double-click a side, or press Enter to type them; Delete removes the measures."},
+    [TOOL_AREA] = {"room", "Draw the outline of a room, to give it a name.",
+                   "Click the corners one after another, or press Enter to type them."},
+    [TOOL_ROUTE] = {"route", "Draw the route of the selected person, by points to the exit.",
+                    "Click the points to pass, then the exit, or press Enter to type them."},
+    [TOOL_IMAGE] = {"picture", "Set the scale of the picture to trace over, and level it.",
+                    "Click two points a known distance apart, then type the distance."},
 };
 
 const EditToolRow *editor_tool_row(EditTool tool) {
@@ -190,11 +192,11 @@ static const char *strip_text(Editor *edit) {
     if (trouble)
         return trouble;
     if (edit->tool == TOOL_IMAGE && !plan->background.image)
-        return "name the picture's file first, in the panel";
+        return "First enter the picture's file in the panel.";
     if (edit->tool == TOOL_ROUTE && !edit_way_person(edit))
-        return "place somebody first, whose route it is";
+        return "First place the person whose route you draw.";
     if (edit->tool == TOOL_DOOR && !plan->wall_count)
-        return "draw a wall first, for the door to be in";
+        return "First draw a wall for the door.";
     return tools[edit->tool].strip;
 }
 

@@ -33,10 +33,10 @@ typedef enum EditTool {
 } EditTool;
 
 typedef struct EditToolRow {
-    const char *name; /* "wall" */
-    const char *help; /* a sentence */
-    const char
-        *strip; /* what to do next, before anything is begun: "click where the wall begins, or Enter to type it" */
+    const char *name;  /* "wall" */
+    const char *help;  /* a sentence */
+    const char *strip; /* what to do next, before anything is begun: "Click where the wall begins, or press Enter to
+                          type the place." */
 } EditToolRow;
 
 /* The pointer on the plan. */
