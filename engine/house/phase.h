@@ -1,5 +1,5 @@
-/* Phases of people in the moving house: waiting, moving, stuck, out. A person starts when the delay is over, leaves across
- * an open exit, gives up when stalled for too long, and tries again after others have left. */
+/* Phases of people in the moving house: waiting, moving, stuck, out. A person starts when the delay is over, leaves
+ * across an open exit, gives up when stalled for too long, and tries again after others have left. */
 #pragma once
 
 #include <stdbool.h>
@@ -7,11 +7,12 @@
 
 #include "house/world.h"
 
-/* Starts people whose delay is over, lets blocked people try again after a departure, and ends the motion of chairs that
- * have been stalled for longer than the run's patience. Walkers give up by their own decision (walk.c). */
+/* Starts people whose delay is over, lets blocked people try again after a departure, and ends the motion of chairs
+ * that have been stalled for longer than the run's patience. Walkers give up by their own decision (walk.c). */
 void phase_update(World *world);
 
-/* Lets person i, who has moved from `before` to `after`, leave if an open exit's line was crossed. Returns true then. */
+/* Lets person i, who has moved from `before` to `after`, leave if an open exit's line was crossed. Returns true then.
+ */
 bool phase_leave(World *world, size_t i, Vec2 before, Vec2 after);
 
 /* Ends the motion of person i for a Reason. */

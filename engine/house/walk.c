@@ -2,7 +2,7 @@
  *
  *     v = min(v_0, s / T)
  *
- *     v_0  free speed, m/s                 s  free way to the nearest body ahead, m
+ *     v_0  free speed, m/s                 s  free path to the nearest body, m
  *     T    time gap, s                     l  sum of both radii, m
  *
  * which is the collision-free speed model of Tordeux, Chraibi and Seyfried (2016): the slope of speed against spacing

@@ -61,7 +61,7 @@ static bool entry_before(FastMarchingEntry a, FastMarchingEntry b) {
 
 HEAP_DEFINE(heap, FastMarchingEntry, entry_before)
 
-/* The smallest final time beside a point on one axis, as q and a of the equation above. */
+/* The smallest final time next to a point on one axis, as q and a of the equation above. */
 typedef struct Upwind {
     double time;   /* s, t1; infinite: none */
     double value;  /* s, q */

@@ -25,9 +25,8 @@
  *
  * Exits are lines that have to be crossed:
  *
- *              outside   ^  ^  ^        T is 0 on the line. Near the line, directions are straight across it,
- * away from
- *     ------+- - e1 - - - - - +------   the side on which the place is, however near: so nobody turns back before it.
+ *              outside   ^  ^  ^        T is 0 on the line. Near the line, directions lead straight across, away from
+ *     ------+- - e1 - - - - - +------   the side on which the place is, however near: so no walker turns back.
  *           |  inside    ^    |         Where only one side is outside, they go on for FLOOR_FIELD_BEYOND behind it. */
 
 #define DOOR_BAND 2.0  /* cells, half the width of the hat function */

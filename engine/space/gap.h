@@ -5,7 +5,7 @@
  * within the wedge of its two faces' normals, where the corner is nearer than any face.
  *
  * Several gaps to one surface are one contact: each one has the share delta_i / sum_j delta_j max(0, n_i . n_j)^2 of
- * the contact, so that a side against a wall, a wall in two pieces, or a corner beside its face push as one, and walls
+ * the contact, so that a side against a wall, a wall in two pieces, or a corner next to its face push as one, and walls
  * at right angles or on opposite sides push in full. delta is the compression of the personal space, continuous as gaps
  * come and go. */
 #pragma once
