@@ -224,7 +224,7 @@ typedef struct Laboratory {
     const char *(*name_thing)(void *session, Item thing); /* "door d2" */
 
     /* Its outline at a time (m): how many points, at most LABORATORY_OUTLINE_MOST; 0: it is nowhere then. */
-    size_t (*outline)(const void *session, Item thing, double time, Vec2 *points);
+    size_t (*outline)(void *session, Item thing, double time, Vec2 *points);
 
     /* The words behind "clearance" that make what is shown: "run", FILE, "--set", ... (count) */
     const char *const *(*command)(void *session, size_t *count);

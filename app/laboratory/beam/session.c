@@ -408,7 +408,7 @@ static const char *name_thing(void *context, Item thing) {
     return "";
 }
 
-static size_t outline(const void *context, Item thing, double time, Vec2 *points) {
+static size_t outline(void *context, Item thing, double time, Vec2 *points) {
     (void)context, (void)thing, (void)time, (void)points;
     return 0;
 }

@@ -183,8 +183,8 @@ size_t house_fall_count(const HouseSession *session, double time) {
     return time >= session->history.at[session->history.count - 1].time ? session->fall.count : 0;
 }
 
-const FurnitureFall *house_fall_find(const HouseSession *session, const char *id) {
-    return session->fall.drawn ? find((HouseFall *)&session->fall, id) : NULL;
+const FurnitureFall *house_fall_find(HouseSession *session, const char *id) {
+    return session->fall.drawn ? find(&session->fall, id) : NULL;
 }
 
 void house_fall_clear(HouseSession *session) {

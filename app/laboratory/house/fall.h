@@ -37,5 +37,5 @@ const char *house_fall_words(const HouseSession *session);
 size_t house_fall_count(const HouseSession *session, double time);
 
 /* Returns the fall that is drawn for this id; NULL: none. */
-const FurnitureFall *house_fall_find(const HouseSession *session, const char *id);
+const FurnitureFall *house_fall_find(HouseSession *session, const char *id);
 void house_fall_clear(HouseSession *session);

@@ -322,8 +322,8 @@ static const char *name_thing(void *context, Item thing) {
     return words->name;
 }
 
-static size_t outline(const void *context, Item thing, double time, Vec2 *points) {
-    const HouseSession *session = context;
+static size_t outline(void *context, Item thing, double time, Vec2 *points) {
+    HouseSession *session = context;
     if (!session->runs[RUN_SHOWN])
         return 0;
     HouseScenery scenery = house_scenery(session);
