@@ -30,7 +30,7 @@ engine/house        mechanics plan route space
 engine/inquiry      house plan space
 engine/beam         mechanics
 engine/study        -
-engine/experiment   beam house study
+engine/experiment   beam house plan study
 engine/exchange     house mechanics plan space
 app/draw            -
 app/paint           draw
