@@ -131,34 +131,42 @@ struct Export {
     Arena arena; /* holds the names of the files */
 };
 
-/* Returns the child's arguments, to be released by memory_free. */
-static char **make_arguments(const ExportOrder *order) {
-    char **words = memory_zeroed(order->argument_count + order->option_count + 6, sizeof *words), **end = words;
-    *end++ = (char *)"clearance";
+static char *copy_in(Arena *arena, const char *text) {
+    size_t size = strlen(text) + 1;
+    return memcpy(arena_allocate(arena, size), text, size);
+}
+
+/* Returns the child's arguments, copied into the arena, as posix_spawn may change them; release the array by
+ * memory_free. */
+static char **make_arguments(const ExportOrder *order, Arena *arena) {
+    char **arguments = memory_zeroed(order->argument_count + order->option_count + 6, sizeof *arguments);
+    char **end = arguments;
+    *end++ = copy_in(arena, "clearance");
     for (size_t i = 0; i < order->argument_count; i++)
-        *end++ = (char *)order->arguments[i];
+        *end++ = copy_in(arena, order->arguments[i]);
     for (size_t i = 0; i < order->option_count; i++)
-        *end++ = (char *)order->options[i];
+        *end++ = copy_in(arena, order->options[i]);
     if (order->out) {
-        *end++ = (char *)"--out";
-        *end++ = (char *)order->out;
+        *end++ = copy_in(arena, "--out");
+        *end++ = copy_in(arena, order->out);
     }
     if (order->movie) {
-        *end++ = (char *)"--movie";
-        *end++ = (char *)order->movie;
+        *end++ = copy_in(arena, "--movie");
+        *end++ = copy_in(arena, order->movie);
     }
-    return words;
+    return arguments;
 }
 
 extern char **environ;
 
-static char **make_environment(void) {
+/* Returns the environment with the variable that makes the child print progress; release the array by memory_free. */
+static char **make_environment(Arena *arena) {
     size_t count = 0;
     while (environ[count])
         count++;
     char **copy = memory_zeroed(count + 2, sizeof *copy);
     memcpy(copy, environ, count * sizeof *copy);
-    copy[count] = (char *)"CLEARANCE_PROGRESS=1";
+    copy[count] = copy_in(arena, "CLEARANCE_PROGRESS=1");
     return copy;
 }
 
@@ -178,10 +186,10 @@ static int spawn(Export *export, const ExportOrder *order, int writing) {
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setsigdefault(&attributes, &usual);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-    char **words = make_arguments(order), **environment = make_environment();
+    char **arguments = make_arguments(order, &export->arena), **environment = make_environment(&export->arena);
     const char *program = order->program ? order->program : "/proc/self/exe";
-    int error = posix_spawn(&export->child, program, &actions, &attributes, words, environment);
-    memory_free(words);
+    int error = posix_spawn(&export->child, program, &actions, &attributes, arguments, environment);
+    memory_free(arguments);
     memory_free(environment);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
@@ -201,6 +209,7 @@ Export *export_begin(const ExportOrder *order, Fault *fault) {
     }
     if (error) {
         fault_add(fault, "the program cannot start itself: %s", strerror(error));
+        arena_clear(&export->arena);
         memory_free(export);
         return NULL;
     }
