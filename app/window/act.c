@@ -76,12 +76,12 @@ static void set_fullscreen(Window *window) {
 
 static void next_word(Window *window, Tab *tab, const char *name) {
     size_t count;
-    const PanelChoice *choices = tab->kind->choices(tab->live, &count);
+    const PanelChoice *choices = tab->laboratory->choices(tab->session, &count);
     for (size_t i = 0; i < count; i++)
         if (strcmp(choices[i].name, name) == 0) {
             size_t word = (choices[i].chosen + 1) % choices[i].count;
             notice_post(window, "%s: %s", name, choices[i].words[word]);
-            tab->kind->choose(tab->live, i, word);
+            tab->laboratory->choose(tab->session, i, word);
             return;
         }
     notice_post(window, "This laboratory has no choice \"%s\".", name);
@@ -104,8 +104,8 @@ static void toggle_sound(Window *window) {
 
 /* Selects the next item of the view; after the last one the focus goes to the next pane. */
 static void walk_things(Window *window, Tab *tab, int step) {
-    Item now = tab->kind->selected(tab->live), next = tab->kind->next(tab->live, now, step);
-    Item first = tab->kind->next(tab->live, (Item){0}, step);
+    Item now = tab->laboratory->selected(tab->session), next = tab->laboratory->next(tab->session, now, step);
+    Item first = tab->laboratory->next(tab->session, (Item){0}, step);
     if (!next.kind || (now.kind && item_same(next, first))) {
         tab_select(tab, (Item){0});
         ui_key(window->ui, step > 0 ? UI_KEY_PANE : UI_KEY_PANE_BACK, false, false);
@@ -123,7 +123,7 @@ static void escape(Window *window, Tab *tab) {
         pane->box.corner = 0;
     else if (messages_last(&window->messages) && messages_last(&window->messages)->number > window->dismissed)
         window->dismissed = messages_last(&window->messages)->number;
-    else if (tab->live)
+    else if (tab->session)
         tab_select(tab, (Item){0});
 }
 
@@ -227,12 +227,12 @@ static bool do_tab(Window *window, Tab *tab, Action action) {
         dialog_pane_show(window, DIALOG_EXPORT);
         return true;
     case ACTION_UNDO_ALL:
-        tab->kind->reset(tab->live);
+        tab->laboratory->reset(tab->session);
         notice_post(window, "Everything is reset to the values in the file.");
         return true;
     case ACTION_KEEP:
         notice_post(window, "%s",
-                    tab->kind->keep(tab->live, tab->player.time)
+                    tab->laboratory->keep(tab->session, tab->player.time)
                         ? "Saved for comparison"
                         : "Nothing to save yet: the run is still being computed");
         return true;
@@ -243,7 +243,7 @@ static bool do_tab(Window *window, Tab *tab, Action action) {
         next_word(window, tab, "Sweep");
         return true;
     case ACTION_CLEAR:
-        tab->kind->clear(tab->live, tab->player.time);
+        tab->laboratory->clear(tab->session, tab->player.time);
         return true;
     case ACTION_AGAIN:
         act_play_again(tab);
@@ -274,7 +274,7 @@ static Action without_selection(Action action) {
 void act_do(Window *window, Action action, int32_t key, int mods) {
     Tab *tab = window_tab(window);
     window->dirty = true;
-    if (do_dialog(window, action) || do_window(window, action) || !tab->live || act_plot_do(window, action, mods) ||
+    if (do_dialog(window, action) || do_window(window, action) || !tab->session || act_plot_do(window, action, mods) ||
         plan_input_do(window, action, mods))
         return;
     Action meant = without_selection(action);

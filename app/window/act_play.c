@@ -4,7 +4,7 @@ enum { STEPS_MANY = 10 };
 
 void act_play_do(Tab *tab, Action action) {
     Player *player = &tab->player;
-    RecordSpan span = tab->kind->span(tab->live);
+    RecordSpan span = tab->laboratory->span(tab->session);
     double second = span.pace;
     switch (action) {
     case ACTION_PLAY:
@@ -53,8 +53,8 @@ void act_play_do(Tab *tab, Action action) {
 
 void act_play_again(Tab *tab) {
     bool playing = tab->player.playing;
-    tab->kind->again(tab->live);
-    RecordSpan span = tab->kind->span(tab->live);
+    tab->laboratory->again(tab->session);
+    RecordSpan span = tab->laboratory->span(tab->session);
     player_seek(&tab->player, span.begin, &span);
     tab->player.playing = playing;
 }

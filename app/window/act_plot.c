@@ -49,18 +49,18 @@ static void set_corner(PlotPane *pane) {
 }
 
 static void move_cursor(PlotPane *pane, double direction, double times) {
-    if (!pane->live.cursor_parameter)
+    if (!pane->source.cursor_parameter)
         return;
     PlotPaneAxes axes = plot_panes_axes(pane);
-    double from = isnan(pane->cursor) ? pane->live.cursor : pane->cursor;
+    double from = isnan(pane->cursor) ? pane->source.cursor : pane->cursor;
     double to = from + direction * times * CURSOR_STEP * (axes.x[1] - axes.x[0]);
     pane->cursor = fmin(fmax(to, axes.x[0]), axes.x[1]);
 }
 
 void act_plot_use(Window *window, const PlotPane *pane, double x) {
     Fault fault = {0};
-    if (pane->live.cursor_parameter)
-        tab_set(window_tab(window), pane->live.cursor_parameter, x / pane->live.cursor_factor, &fault);
+    if (pane->source.cursor_parameter)
+        tab_set(window_tab(window), pane->source.cursor_parameter, x / pane->source.cursor_factor, &fault);
     notice_fault(window, &fault, NAN);
 }
 
@@ -98,8 +98,8 @@ static bool do_pane(Window *window, PlotPane *pane, Action action, int mods) {
 /* Exports ---------------------------------------------------------------------------------------------------------- */
 
 static SnapshotNote note_of(const Tab *tab) {
-    SnapshotNote note = {.shows = tab->kind->title(tab->live), .time = tab->player.time};
-    note.command = tab->kind->command(tab->live, &note.command_count);
+    SnapshotNote note = {.shows = tab->laboratory->title(tab->session), .time = tab->player.time};
+    note.command = tab->laboratory->command(tab->session, &note.command_count);
     return note;
 }
 
@@ -107,12 +107,12 @@ static char *write_view(Tab *tab, const char *folder, const char *name, Fault *f
     const ViewLayers *view_layers = &tab->view_layers;
     unsigned char *pixels = memory_zeroed((size_t)view_layers->width * (size_t)view_layers->height, 4);
     paint_gl_read(view_layers->paint, pixels);
-    RecordSpan span = tab->kind->span(tab->live);
-    tab->kind->show(tab->live, span.begin);
-    tab->kind->show(tab->live, tab->player.time); /* from the beginning, so that `added` holds everything */
-    SnapshotView view = {.still = tab->kind->still(tab->live),
-                         .added = tab->kind->added(tab->live),
-                         .moving = tab->kind->moving(tab->live),
+    RecordSpan span = tab->laboratory->span(tab->session);
+    tab->laboratory->show(tab->session, span.begin);
+    tab->laboratory->show(tab->session, tab->player.time); /* from the beginning, so that `added` holds everything */
+    SnapshotView view = {.still = tab->laboratory->still(tab->session),
+                         .added = tab->laboratory->added(tab->session),
+                         .moving = tab->laboratory->moving(tab->session),
                          .width = view_layers->width,
                          .height = view_layers->height,
                          .theme = view_layers->theme,
@@ -133,7 +133,8 @@ static void write_picture(Window *window) {
         return;
     const PlotPane *pane = plot_panes_focused(&window_tab(window)->panes, window->ui);
     SnapshotNote note = note_of(tab);
-    snprintf(name, sizeof name, "%s%s%s", tab->kind->title(tab->live), pane ? " " : "", pane ? pane->live.name : "");
+    snprintf(name, sizeof name, "%s%s%s", tab->laboratory->title(tab->session), pane ? " " : "",
+             pane ? pane->source.name : "");
     if (pane)
         path = snapshot_plot(&pane->shown, PLOT_WIDTH, PLOT_HEIGHT, window->theme,
                              SNAPSHOT_PNG | SNAPSHOT_SVG | SNAPSHOT_CSV, folder, name, &note, &fault);
@@ -161,7 +162,7 @@ static void begin_frames(Window *window) {
     if (!folder)
         return;
     Fault fault = {0};
-    snprintf(name, sizeof name, "%s frames", tab->kind->title(tab->live));
+    snprintf(name, sizeof name, "%s frames", tab->laboratory->title(tab->session));
     char *out = export_free_name(folder, name, endings);
     ExportOrder order = {.options = options, .option_count = sizeof options / sizeof *options, .out = out};
     order.arguments = autosave_command(window, &order.argument_count);
@@ -176,7 +177,7 @@ static void begin_frames(Window *window) {
 static void copy_command(Window *window) {
     Tab *tab = window_tab(window);
     size_t count;
-    const char *const *words = tab->kind->command(tab->live, &count);
+    const char *const *words = tab->laboratory->command(tab->session, &count);
     if (count > 1 && !*words[1]) {
         notice_post(window, "Save the house first (Ctrl+S): the command line needs a file.");
         return;

@@ -26,7 +26,7 @@ static void turn(Tab *tab, double degrees) {
 }
 
 static void toggle_raised(Window *window, Tab *tab) {
-    if (!tab->kind->raised) {
+    if (!tab->laboratory->raised) {
         notice_post(window, "A beam has no raised view.");
         return;
     }
@@ -36,8 +36,8 @@ static void toggle_raised(Window *window, Tab *tab) {
 
 static void follow(Window *window, Tab *tab) {
     tab->follows = !tab->follows;
-    if (tab->follows && !tab->kind->selected(tab->live).kind)
-        tab_select(tab, tab->kind->next(tab->live, (Item){0}, 1));
+    if (tab->follows && !tab->laboratory->selected(tab->session).kind)
+        tab_select(tab, tab->laboratory->next(tab->session, (Item){0}, 1));
     if (tab->follows && tab->camera.zoom < 2)
         tab_show_selected(tab);
     notice_post(window, tab->follows ? "Following the selection" : "Following: off");
@@ -45,10 +45,10 @@ static void follow(Window *window, Tab *tab) {
 
 static void toggle_layer(Window *window, Tab *tab, int32_t key) {
     size_t layer = (size_t)(key - '1');
-    if (key < '1' || layer >= tab->kind->layer_count)
+    if (key < '1' || layer >= tab->laboratory->layer_count)
         return;
     tab_toggle_layer(tab, layer);
-    notice_post(window, "%s: %s", tab->kind->layers[layer], tab_layers(tab) & 1u << layer ? "shown" : "hidden");
+    notice_post(window, "%s: %s", tab->laboratory->layers[layer], tab_layers(tab) & 1u << layer ? "shown" : "hidden");
 }
 
 bool act_view_do(Window *window, Tab *tab, Action action, int32_t key) {

@@ -28,7 +28,7 @@ static uint64_t state_of(Editor *editor) {
 
 static void write_recovery(Window *window, const Tab *tab, Editor *editor) {
     RecoveryAbout about = {.origin = tab->origin ? tab->origin : tab->path,
-                           .name = tab->kind->title(tab->live),
+                           .name = tab->laboratory->title(tab->session),
                            .edits = editor_edit_count(editor),
                            .when = (int64_t)time(NULL)};
     int error = recovery_write(window->recovery, editor_text(editor), &about);
@@ -43,7 +43,7 @@ const char *const *autosave_command(Window *window, size_t *count) {
     enum { FILE_WORD = 1 };
     Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);
-    const char *const *arguments = tab->kind->command(tab->live, count);
+    const char *const *arguments = tab->laboratory->command(tab->session, count);
     if (*arguments[FILE_WORD] || !editor || !window->recovery)
         return arguments;
     write_recovery(window, tab, editor);

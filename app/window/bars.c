@@ -98,7 +98,7 @@ void bars_show_menu(Window *window) {
     ui_pane_begin(window->ui, &(UiPane){.name = "menu", .box = bar, .ground = ROLE_SHADE});
     double left = show_menus(window, bar), right = show_laboratories(window, bar);
     const Tab *tab = window_tab(window);
-    if (tab->live) {
+    if (tab->session) {
         const char *title = tab_title(tab, &window->arena);
         double width = ui_extent(window->ui, UI_BOLD, title).x;
         double begin = fmax(left + GAP, middle_of(bar).x - width / 2);
@@ -165,8 +165,8 @@ void bars_show_answer(Window *window) {
     Box bar = window->frame.answer;
     Tab *tab = window_tab(window);
     ui_pane_begin(window->ui, &(UiPane){.name = "answer", .box = bar, .ground = ROLE_PAPER});
-    if (tab->live) {
-        Result answer = tab->kind->answer(tab->live);
+    if (tab->session) {
+        Result answer = tab->laboratory->answer(tab->session);
         double right = show_place_button(window, tab, bar), y = middle_of(bar).y;
         UiTextStyle size = title_size(window, &answer, right);
         double width = ui_extent(window->ui, size, answer.title).x;
@@ -254,8 +254,8 @@ static double key_width(Window *window, const KeyRow *row) {
 /* Returns the name of the selected item and the position of the pointer, m. */
 static const char *place_text(Window *window, Tab *tab) {
     Vec2 at = vec2_scale(window->mouse, 1 / window->unit);
-    Item thing = tab->kind->selected(tab->live);
-    const char *name = thing.kind ? tab->kind->name_thing(tab->live, thing) : "";
+    Item thing = tab->laboratory->selected(tab->session);
+    const char *name = thing.kind ? tab->laboratory->name_thing(tab->session, thing) : "";
     if (!tab_editor(tab) || !box_holds(window->frame.view, at) || !tab->view_layers.painted)
         return name;
     Vec2 floor = view_layers_floor(&tab->view_layers, vec2_sub(at, window->frame.view.low));
@@ -281,7 +281,7 @@ void bars_show_strip(Window *window) {
         return;
     ui_pane_begin(window->ui, &(UiPane){.name = "strip", .box = bar, .ground = ROLE_PAPER});
     double y = middle_of(bar).y, left = MARGIN / 2, right = bar.high.x - MARGIN;
-    const char *place = tab->live ? place_text(window, tab) : "";
+    const char *place = tab->session ? place_text(window, tab) : "";
     ui_draw_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, vec2(right, y), 1, place);
     right -= ui_extent(window->ui, UI_SMALL, place).x + GAP;
     left = show_doing(window, left, right, y);

@@ -36,21 +36,21 @@ void canvas_paint(Window *window) {
     Tab *tab = window_tab(window);
     int x, y, width, height;
     pixels_of(window, window->frame.view, &x, &y, &width, &height);
-    if (!tab->live || width < LEAST_SIDE || height < LEAST_SIDE)
+    if (!tab->session || width < LEAST_SIDE || height < LEAST_SIDE)
         return;
     view_layers_fit(&tab->view_layers, sdl_window_gl(window->sdl_window), width, height, window->unit, window->theme);
     if (tab->view_layers.paint)
-        view_layers_show(&tab->view_layers, tab->kind, tab->live, tab->player.time);
+        view_layers_show(&tab->view_layers, tab->laboratory, tab->session, tab->player.time);
     window->dirty |= tab->plot_panes_stale; /* the next frame lays them out */
     if (tab->plot_panes_stale)
-        plot_panes_choose(&tab->panes, tab->kind, tab->live, tab->plots, window->screen);
+        plot_panes_choose(&tab->panes, tab->laboratory, tab->session, tab->plots, window->screen);
     tab->plot_panes_stale = false;
 }
 
 /* Returns the index of a pane's plot among the laboratory's plots. */
 static size_t plot_of(const Tab *tab, const PlotPane *pane) {
-    size_t count = tab->kind->plot_count(tab->live), i = 0;
-    while (i < count && strcmp(tab->kind->plot(tab->live, i).name, pane->live.name) != 0)
+    size_t count = tab->laboratory->plot_count(tab->session), i = 0;
+    while (i < count && strcmp(tab->laboratory->plot(tab->session, i).name, pane->source.name) != 0)
         i++;
     return i;
 }
@@ -93,7 +93,7 @@ static void show_animation(Window *window, const char *text) {
 
 static void show_view_text(Window *window, const Tab *tab) {
     Box view = window->frame.view;
-    show_note(window, tab->kind->note(tab->live));
+    show_note(window, tab->laboratory->note(tab->session));
     show_animation(window, plan_input_animation(tab));
     if (tab->player.playing || (window->plan_input.holds && window->plan_input.plays_on))
         return;
@@ -110,10 +110,10 @@ static Vec2 floor_at(const Window *window, const Tab *tab, Vec2 at) {
 
 /* Selects the item under a click; another click at the same place selects the item below it. */
 static void pick(Window *window, Tab *tab, Vec2 place) {
-    Item now = tab->kind->selected(tab->live);
+    Item now = tab->laboratory->selected(tab->session);
     Vec2 at = floor_at(window, tab, place);
-    Item top = tab->kind->pick(tab->live, at, tab->player.time, (Item){0});
-    tab_select(tab, item_same(top, now) ? tab->kind->pick(tab->live, at, tab->player.time, now) : top);
+    Item top = tab->laboratory->pick(tab->session, at, tab->player.time, (Item){0});
+    tab_select(tab, item_same(top, now) ? tab->laboratory->pick(tab->session, at, tab->player.time, now) : top);
     ui_focus(window->ui, "view");
     window->dirty = true;
 }
@@ -139,7 +139,7 @@ static void use_mouse(Window *window, Tab *tab) {
 static void show_view(Window *window, Tab *tab) {
     Box view = window->frame.view;
     ui_pane_begin(window->ui, &(UiPane){.name = "view", .box = view, .ground = ROLE_COUNT, .stop = true});
-    if (tab->live) {
+    if (tab->session) {
         trace_image_show(window);
         use_mouse(window, tab);
         show_view_text(window, tab);
@@ -153,7 +153,7 @@ static void show_view(Window *window, Tab *tab) {
 static void show_read_out(Window *window, Tab *tab, PlotPane *pane, size_t plot, Vec2 at) {
     char text[PLOT_PANES_TEXT];
     Vec2 nearest;
-    if (!plot_panes_read(pane, tab->kind, tab->live, plot, tab->player.time, at, &nearest, text))
+    if (!plot_panes_read(pane, tab->laboratory, tab->session, plot, tab->player.time, at, &nearest, text))
         return;
     Vec2 extent = ui_extent(window->ui, UI_BODY, text);
     double left = fmin(fmax(nearest.x + 10, pane->place.low.x), pane->place.high.x - extent.x - 8);
@@ -166,7 +166,7 @@ static void show_read_out(Window *window, Tab *tab, PlotPane *pane, size_t plot,
 /* Sets the cursor's parameter by a click and zooms about the pointer by the wheel. */
 static void use_pane_mouse(Window *window, Tab *tab, PlotPane *pane, size_t plot) {
     Vec2 value;
-    UiGrab grab = ui_grab(window->ui, pane->live.name, pane->place);
+    UiGrab grab = ui_grab(window->ui, pane->source.name, pane->place);
     if (!pane->canvas || !plot_panes_value(pane, grab.at, &value))
         return;
     if (grab.hovered && grab.wheel != 0) {
@@ -177,7 +177,7 @@ static void use_pane_mouse(Window *window, Tab *tab, PlotPane *pane, size_t plot
         return;
     }
     if (grab.pressed) {
-        ui_focus(window->ui, text_in_arena(&window->arena, "plot:%s", pane->live.name));
+        ui_focus(window->ui, text_in_arena(&window->arena, "plot:%s", pane->source.name));
         act_plot_use(window, pane, value.x);
     }
     if (grab.hovered)
@@ -187,13 +187,13 @@ static void use_pane_mouse(Window *window, Tab *tab, PlotPane *pane, size_t plot
 static void show_pane(Window *window, Tab *tab, size_t index) {
     PlotPane *pane = &tab->panes.panes[index];
     Box box = window->frame.panes[index];
-    ui_pane_begin(window->ui, &(UiPane){.name = text_in_arena(&window->arena, "plot:%s", pane->live.name),
+    ui_pane_begin(window->ui, &(UiPane){.name = text_in_arena(&window->arena, "plot:%s", pane->source.name),
                                         .box = box,
                                         .ground = ROLE_PAPER,
                                         .stop = true});
     size_t plot = plot_of(tab, pane);
-    if (plot < tab->kind->plot_count(tab->live)) {
-        plot_panes_show(pane, tab->kind, tab->live, plot, tab->player.time, box, window->unit, window->theme,
+    if (plot < tab->laboratory->plot_count(tab->session)) {
+        plot_panes_show(pane, tab->laboratory, tab->session, plot, tab->player.time, box, window->unit, window->theme,
                         window->screen, window->ui);
         use_pane_mouse(window, tab, pane, plot);
     }
@@ -203,6 +203,6 @@ static void show_pane(Window *window, Tab *tab, size_t index) {
 void canvas_show(Window *window) {
     Tab *tab = window_tab(window);
     show_view(window, tab);
-    for (size_t i = 0; tab->live && i < window->frame.pane_count && i < tab->panes.count; i++)
+    for (size_t i = 0; tab->session && i < window->frame.pane_count && i < tab->panes.count; i++)
         show_pane(window, tab, i);
 }

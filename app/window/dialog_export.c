@@ -68,7 +68,7 @@ static void make(Window *window, const Making *making) {
     char *folder = notice_folder(window);
     if (!folder)
         return;
-    const char *name = text_in_arena(&window->arena, "%s %s", tab->kind->title(tab->live), making->name);
+    const char *name = text_in_arena(&window->arena, "%s %s", tab->laboratory->title(tab->session), making->name);
     const char *const alone[] = {making->ending, NULL};
     char *free_name = export_free_name(folder, name, making->ending ? alone : making->movie ? films : folders);
     const char *out = making->ending ? text_in_arena(&window->arena, "%s.%s", free_name, making->ending) : free_name;
@@ -104,7 +104,7 @@ void dialog_export_show(Window *window) {
     dialog_pane_begin(window, dialog_pane_centred(window, WIDTH, HEIGHT, EDGE));
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Export");
     size_t count;
-    const char *const *words = tab->live ? tab->kind->command(tab->live, &count) : NULL;
+    const char *const *words = tab->session ? tab->laboratory->command(tab->session, &count) : NULL;
     char *command = words ? export_command(words, count) : NULL;
     ui_text(window->ui, UI_BODY, ROLE_DIM_TEXT, command ? command : "");
     memory_free(command);

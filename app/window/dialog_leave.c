@@ -21,7 +21,7 @@ void dialog_leave_show(Window *window) {
     ui_line(window->ui, UI_HEADING, ROLE_TEXT, "Save before closing?");
     ui_text(window->ui, UI_BODY, ROLE_TEXT,
             text_in_arena(&window->arena, edits == 1 ? "%s has %zu unsaved edit." : "%s has %zu unsaved edits.",
-                          tab->kind->title(tab->live), edits));
+                          tab->laboratory->title(tab->session), edits));
     ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, tab->path ? tab->path : "It has no file yet.");
     ui_row(window->ui, 3);
     bool saves =

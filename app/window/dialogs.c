@@ -182,7 +182,7 @@ static void show_messages(Window *window) {
                      .shape = ROW_PLAIN,
                      .cells = {text, when},
                      .usable = true};
-        if (ui_list_row(window->ui, &row) && window_tab(window)->live) {
+        if (ui_list_row(window->ui, &row) && window_tab(window)->session) {
             tab_seek(window_tab(window), message->time);
             dialog_pane_close(window);
         }

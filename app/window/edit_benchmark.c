@@ -34,14 +34,14 @@ static const char *piece_name(Tab *tab, Item thing) {
 
 /* Returns the first wardrobe, or else the first piece of furniture. */
 static Item find_piece(Tab *tab) {
-    Item first = tab->kind->next(tab->live, (Item){0}, 1), thing = first, found = {0};
+    Item first = tab->laboratory->next(tab->session, (Item){0}, 1), thing = first, found = {0};
     do {
         const char *name = thing.kind ? piece_name(tab, thing) : NULL;
         if (name && strstr(name, "wardrobe"))
             return thing;
         if (name && !found.kind)
             found = thing;
-        thing = tab->kind->next(tab->live, thing, 1);
+        thing = tab->laboratory->next(tab->session, thing, 1);
     } while (thing.kind && !item_same(thing, first));
     return found;
 }
@@ -50,7 +50,7 @@ static Item find_piece(Tab *tab) {
 static bool find_middle(Tab *tab, Vec2 *middle) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
     Item thing = find_piece(tab);
-    size_t count = thing.kind ? tab->kind->outline(tab->live, thing, tab->player.time, points) : 0;
+    size_t count = thing.kind ? tab->laboratory->outline(tab->session, thing, tab->player.time, points) : 0;
     tab_select(tab, thing);
     *middle = vec2(0, 0);
     for (size_t i = 0; i < count; i++)
@@ -106,7 +106,7 @@ static void print(Window *window) {
     double longest = MILLI * part_of(frames->times, frames->count, 1);
     printf("%s, %d x %d, dragged for %.1f s: %zu edits, %zu unanswered; from an edit to its answer on the screen %.1f "
            "ms (median), %.1f ms (99 of 100); a frame takes %.1f ms (median), %.1f ms (99 of 100), %.1f ms (longest)\n",
-           window_tab(window)->kind->title(window_tab(window)->live), window->width, window->height,
+           window_tab(window)->laboratory->title(window_tab(window)->session), window->width, window->height,
            clock_now() - benchmark->begun, benchmark->count + benchmark->missed, benchmark->missed, median, late, frame,
            slow, longest);
     if (benchmark->count && frames->count)
@@ -125,7 +125,7 @@ static void look(Window *window) {
         benchmark->edited = window->frame_timer.last; /* the beginning of that frame */
         return;
     }
-    if (!tab->kind->answer(tab->live).stale) {
+    if (!tab->laboratory->answer(tab->session).stale) {
         benchmark->answers =
             memory_reserve(benchmark->answers, &benchmark->capacity, benchmark->count + 1, sizeof *benchmark->answers);
         benchmark->answers[benchmark->count++] = now - benchmark->edited;

@@ -48,7 +48,7 @@ static bool save(Window *window, const char *path) {
     Tab *tab = window_tab(window);
     Editor *editor = tab_editor(tab);
     Fault fault = {0};
-    bool saved = editor ? editor_save(editor, path, &fault) : tab->kind->save(tab->live, path, &fault);
+    bool saved = editor ? editor_save(editor, path, &fault) : tab->laboratory->save(tab->session, path, &fault);
     notice_fault(window, &fault, NAN);
     if (saved && editor)
         note_saved(window, tab, path);
@@ -75,7 +75,7 @@ void files_ask_name(Window *window) {
     if (tab->origin) {
         snprintf(window->field, sizeof window->field, "%s", tab->origin);
     } else if (folder) {
-        char *name = export_free_name(folder, tab->kind->title(tab->live), endings);
+        char *name = export_free_name(folder, tab->laboratory->title(tab->session), endings);
         snprintf(window->field, sizeof window->field, "%s.json", name);
         memory_free(name);
     } else {

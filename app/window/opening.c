@@ -28,7 +28,7 @@ static bool open_in(Window *window, size_t index, const char *path, const char *
     Fault fault = {0};
     Tab *tab = &window->tabs[index];
     const char *first = window->options->file ? window->options->file : laboratory_file(0, &window->arena);
-    bool given = path && strcmp(path, first) == 0 && !tab->live;
+    bool given = path && strcmp(path, first) == 0 && !tab->session;
     LaboratoryOptions options = options_of(window, given);
     options.origin = origin;
     bool opened = tab_open(tab, path, &options, window->screen, &fault);
@@ -43,9 +43,9 @@ static bool open_in(Window *window, size_t index, const char *path, const char *
 
 static void enter(Window *window, size_t index) {
     Tab *left = window_tab(window);
-    if (window->current != index && left->live) {
+    if (window->current != index && left->session) {
         plan_input_reset(window);
-        RecordSpan span = left->kind->span(left->live);
+        RecordSpan span = left->laboratory->span(left->session);
         player_pause(&left->player, &span);
     }
     Tab *entered = &window->tabs[index];
@@ -122,6 +122,6 @@ bool opening_file(Window *window, const char *path) {
 }
 
 void opening_tab(Window *window, size_t index) {
-    if (window->tabs[index].live || open_in(window, index, laboratory_file(index, &window->arena), NULL, true))
+    if (window->tabs[index].session || open_in(window, index, laboratory_file(index, &window->arena), NULL, true))
         enter(window, index);
 }

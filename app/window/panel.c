@@ -38,7 +38,7 @@ static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index
                    .cells = {scene->cells[0], scene->cells[1], scene->cells[2]},
                    .help = usable ? text_in_arena(&window->arena, "%s: Select it and go to its time", scene->cells[0])
                                   : NULL,
-                   .selected = row->thing.kind && item_same(row->thing, tab->kind->selected(tab->live)),
+                   .selected = row->thing.kind && item_same(row->thing, tab->laboratory->selected(tab->session)),
                    .usable = usable};
     Item thing = row->thing;
     double time = row->time;
@@ -55,7 +55,7 @@ static void show_row(Window *window, Tab *tab, const PanelRow *row, size_t index
  * comparison. */
 static size_t find_lists(const Tab *tab) {
     size_t count, begin = 0;
-    const PanelRow *rows = tab->kind->rows(tab->live, &count);
+    const PanelRow *rows = tab->laboratory->rows(tab->session, &count);
     for (size_t i = 0; i < count && !is_usable(&rows[i]); i++)
         begin = rows[i].row.kind == ROW_HEADING ? i : begin;
     return begin;
@@ -63,16 +63,16 @@ static size_t find_lists(const Tab *tab) {
 
 static void show_rows(Window *window, Tab *tab, size_t from, size_t to) {
     size_t count;
-    const PanelRow *rows = tab->kind->rows(tab->live, &count);
+    const PanelRow *rows = tab->laboratory->rows(tab->session, &count);
     for (size_t i = from; i < count && i < to; i++) {
         show_row(window, tab, &rows[i], i);
-        rows = tab->kind->rows(tab->live, &count); /* a choice may have changed the rows */
+        rows = tab->laboratory->rows(tab->session, &count); /* a choice may have changed the rows */
     }
 }
 
 static void show_choices(Window *window, Tab *tab) {
     size_t count;
-    const PanelChoice *choices = tab->kind->choices(tab->live, &count);
+    const PanelChoice *choices = tab->laboratory->choices(tab->session, &count);
     for (size_t i = 0; i < count; i++) {
         size_t chosen = choices[i].chosen;
         if (choices[i].count < 2)
@@ -80,8 +80,8 @@ static void show_choices(Window *window, Tab *tab) {
         const char *help = text_in_arena(&window->arena, "%s: %s", choices[i].name, choices[i].meaning);
         if (ui_choice(window->ui, choices[i].name, choices[i].name, help, choices[i].words, choices[i].count,
                       &chosen)) {
-            tab->kind->choose(tab->live, i, chosen);
-            choices = tab->kind->choices(tab->live, &count);
+            tab->laboratory->choose(tab->session, i, chosen);
+            choices = tab->laboratory->choices(tab->session, &count);
             window->dirty = true;
         }
     }
@@ -89,7 +89,7 @@ static void show_choices(Window *window, Tab *tab) {
 
 static void show_presets(Window *window, Tab *tab) {
     size_t count;
-    const Preset *presets = tab->kind->presets(tab->live, &count);
+    const Preset *presets = tab->laboratory->presets(tab->session, &count);
     if (!count)
         return;
     ui_heading(window->ui, "Presets");
@@ -98,7 +98,7 @@ static void show_presets(Window *window, Tab *tab) {
             ui_row(window->ui, PRESETS_IN_ROW);
         const char *help = text_in_arena(&window->arena, "%s: %s", presets[i].name, presets[i].meaning);
         if (ui_button(window->ui, &(UiButton){.label = presets[i].name, .help = help})) {
-            tab->kind->prefer(tab->live, i);
+            tab->laboratory->prefer(tab->session, i);
             return;
         }
     }
@@ -191,7 +191,7 @@ static void show_parameter(Window *window, const PanelParameter *parameter) {
 /* Shows the most used parameters, or all others. */
 static void show_parameters(Window *window, Tab *tab, bool first) {
     size_t count;
-    const PanelParameter *parameters = tab->kind->parameters(tab->live, &count);
+    const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
     const char *group = "";
     for (size_t i = 0; i < count; i++) {
         if (parameters[i].first != first)
@@ -200,7 +200,7 @@ static void show_parameters(Window *window, Tab *tab, bool first) {
             ui_heading(window->ui, parameters[i].group);
         group = text_in_arena(&window->arena, "%s", parameters[i].group);
         show_parameter(window, &parameters[i]);
-        parameters = tab->kind->parameters(tab->live, &count); /* a change may have rebuilt the parameters */
+        parameters = tab->laboratory->parameters(tab->session, &count); /* a change may have rebuilt the parameters */
     }
 }
 
@@ -221,11 +221,11 @@ static void show_more(Window *window, Tab *tab) {
 
 static void show_layers(Window *window, Tab *tab) {
     ui_heading(window->ui, "Layers");
-    for (size_t i = 0; i < tab->kind->layer_count; i++) {
+    for (size_t i = 0; i < tab->laboratory->layer_count; i++) {
         bool shown = tab_layers(tab) >> i & 1;
-        const char *label = text_in_arena(&window->arena, "%zu  %s", i + 1, tab->kind->layers[i]);
-        const char *help =
-            text_in_arena(&window->arena, "%s (%zu): %s", tab->kind->layers[i], i + 1, tab->kind->meanings[i]);
+        const char *label = text_in_arena(&window->arena, "%zu  %s", i + 1, tab->laboratory->layers[i]);
+        const char *help = text_in_arena(&window->arena, "%s (%zu): %s", tab->laboratory->layers[i], i + 1,
+                                         tab->laboratory->meanings[i]);
         if (ui_flag(window->ui, label, label, help, &shown))
             act_do(window, ACTION_LAYER, '1' + (int32_t)i, 0);
     }
@@ -248,12 +248,12 @@ static const char *toggled(Window *window, const char *names, const char *name, 
 
 static void show_plots(Window *window, Tab *tab) {
     ui_heading(window->ui, "Plots");
-    size_t count = tab->kind->plot_count(tab->live);
+    size_t count = tab->laboratory->plot_count(tab->session);
     for (size_t i = 0; i < count; i++) {
-        LaboratoryPlot plot = tab->kind->plot(tab->live, i);
+        LaboratoryPlot plot = tab->laboratory->plot(tab->session, i);
         bool shown = false;
         for (size_t c = 0; c < tab->panes.count; c++)
-            shown |= strcmp(tab->panes.panes[c].live.name, plot.name) == 0;
+            shown |= strcmp(tab->panes.panes[c].source.name, plot.name) == 0;
         const char *help = text_in_arena(&window->arena, "%s: Show or hide the plot", plot.title);
         if (ui_flag(window->ui, text_in_arena(&window->arena, "plot %s", plot.name), plot.title, help, &shown)) {
             tab->plots = toggled(window, tab->plots, plot.name, shown);
@@ -268,9 +268,9 @@ void panel_show(Window *window) {
         return;
     ui_pane_begin(window->ui,
                   &(UiPane){.name = "panel", .box = window->frame.panel, .ground = ROLE_PANEL, .scrolls = true});
-    if (tab->live) {
-        bool selected = tab->kind->selected(tab->live).kind;
-        size_t lists = tab->kind->numbers_first ? 0 : selected ? find_lists(tab) : SIZE_MAX;
+    if (tab->session) {
+        bool selected = tab->laboratory->selected(tab->session).kind;
+        size_t lists = tab->laboratory->numbers_first ? 0 : selected ? find_lists(tab) : SIZE_MAX;
         panel_edit_show(window);
         show_rows(window, tab, 0, lists);
         show_parameters(window, tab,

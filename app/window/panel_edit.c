@@ -125,7 +125,7 @@ static void show_proposals(Window *window, Editor *editor) {
 static void show_way_out(Window *window, Tab *tab, Editor *editor) {
     size_t count;
     const char *doing = NULL;
-    Result answer = tab->kind->answer(tab->live);
+    Result answer = tab->laboratory->answer(tab->session);
     bool asked = editor_proposals(editor, &count, &doing) && count > 0;
     if (answer.role != ROLE_ERROR && !asked && !doing)
         return;

@@ -330,10 +330,10 @@ const char *plan_input_step_label(Window *window, Action action) {
 
 void plan_input_hold_number(Window *window, const char *name) {
     Tab *tab = window_tab(window);
-    if (!tab->live || !tab->kind->hold || window->plan_input.number)
+    if (!tab->session || !tab->laboratory->hold || window->plan_input.number)
         return;
     window->plan_input.number = true;
-    tab->kind->hold(tab->live, name);
+    tab->laboratory->hold(tab->session, name);
 }
 
 void plan_input_hold_clock(Window *window) {
@@ -344,7 +344,7 @@ void plan_input_hold_clock(Window *window) {
         return;
     if (input->number && !window->input.down[SDL_WINDOW_EVENT_LEFT]) {
         input->number = false;
-        tab->kind->settle(tab->live);
+        tab->laboratory->settle(tab->session);
     }
     bool hold = input->number || editor_gesture(editor)->active;
     if (hold && !input->holds)
@@ -361,14 +361,14 @@ void plan_input_hold_clock(Window *window) {
 void plan_input_animate(Window *window, double seconds) {
     const Tab *tab = window_tab(window);
     bool unseen = window->options->script && !sdl_window_is_seen(window->sdl_window);
-    if (!tab->live || !tab->kind->animate || window->reduced)
+    if (!tab->session || !tab->laboratory->animate || window->reduced)
         return;
-    window->dirty |= tab->kind->animation(tab->live) != NULL; /* it may end now */
-    tab->kind->animate(tab->live, unseen ? 1 / FRAME_TIMER_RATE : seconds);
+    window->dirty |= tab->laboratory->animation(tab->session) != NULL; /* it may end now */
+    tab->laboratory->animate(tab->session, unseen ? 1 / FRAME_TIMER_RATE : seconds);
 }
 
 const char *plan_input_animation(const Tab *tab) {
-    return tab->live && tab->kind->animation ? tab->kind->animation(tab->live) : NULL;
+    return tab->session && tab->laboratory->animation ? tab->laboratory->animation(tab->session) : NULL;
 }
 
 void plan_input_reset(Window *window) {
@@ -377,7 +377,7 @@ void plan_input_reset(Window *window) {
     if (!editor)
         return;
     if (window->plan_input.number)
-        tab->kind->settle(tab->live);
+        tab->laboratory->settle(tab->session);
     editor_set_tool(editor, TOOL_SELECT);
     if (window->plan_input.holds)
         tab->player.playing = window->plan_input.plays_on;

@@ -219,7 +219,7 @@ static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Lab
 
 static void frame_thing(Window *window, Tab *tab, Item thing) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
-    size_t count = thing.kind ? tab->kind->outline(tab->live, thing, tab->player.time, points) : 0;
+    size_t count = thing.kind ? tab->laboratory->outline(tab->session, thing, tab->player.time, points) : 0;
     for (size_t i = 0; i < count; i++)
         points[i] = on_page(window, tab, points[i]);
     if (!count)
@@ -230,7 +230,7 @@ static void frame_thing(Window *window, Tab *tab, Item thing) {
 
 static void show_selection(Window *window, Tab *tab) {
     Editor *editor = tab_editor(tab);
-    Item last = tab->kind->selected(tab->live);
+    Item last = tab->laboratory->selected(tab->session);
     size_t count = 0;
     const Item *things = editor ? editor_selection(editor, &count) : NULL;
     bool framed = false;

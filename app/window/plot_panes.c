@@ -30,10 +30,10 @@ void plot_panes_clear(PlotPanes *panes, PaintGlScreen *screen) {
 }
 
 /* Returns the index of the plot with a name of `length` bytes; the number of plots if there is none. */
-static size_t find_plot(const Laboratory *kind, const void *live, const char *name, size_t length) {
-    size_t count = kind->plot_count(live), i = 0;
+static size_t find_plot(const Laboratory *kind, const void *session, const char *name, size_t length) {
+    size_t count = kind->plot_count(session), i = 0;
     while (i < count &&
-           (strlen(kind->plot(live, i).name) != length || memcmp(kind->plot(live, i).name, name, length) != 0))
+           (strlen(kind->plot(session, i).name) != length || memcmp(kind->plot(session, i).name, name, length) != 0))
         i++;
     return i;
 }
@@ -41,22 +41,23 @@ static size_t find_plot(const Laboratory *kind, const void *live, const char *na
 /* Returns the existing pane of a plot, with its chosen axes, or a new one. */
 static PlotPane take_pane(PlotPanes *before, const LaboratoryPlot *plot) {
     for (size_t i = 0; i < before->count; i++)
-        if (strcmp(before->panes[i].live.name, plot->name) == 0) {
+        if (strcmp(before->panes[i].source.name, plot->name) == 0) {
             PlotPane pane = before->panes[i];
             before->panes[i] = before->panes[--before->count];
             return pane;
         }
-    return (PlotPane){.live = *plot, .cursor = NAN};
+    return (PlotPane){.source = *plot, .cursor = NAN};
 }
 
-void plot_panes_choose(PlotPanes *panes, const Laboratory *kind, void *live, const char *names, PaintGlScreen *screen) {
+void plot_panes_choose(PlotPanes *panes, const Laboratory *kind, void *session, const char *names,
+                       PaintGlScreen *screen) {
     PlotPanes before = *panes;
     panes->count = 0;
     for (const char *at = names; *at && panes->count < PLOT_PANES_MOST; at += strcspn(at, ","), at += *at == ',') {
-        size_t plot = find_plot(kind, live, at, strcspn(at, ","));
-        if (plot == kind->plot_count(live))
+        size_t plot = find_plot(kind, session, at, strcspn(at, ","));
+        if (plot == kind->plot_count(session))
             continue;
-        LaboratoryPlot shown = kind->plot(live, plot);
+        LaboratoryPlot shown = kind->plot(session, plot);
         panes->panes[panes->count++] = take_pane(&before, &shown);
     }
     plot_panes_clear(&before, screen);
@@ -67,7 +68,7 @@ PlotPane *plot_panes_focused(PlotPanes *panes, const Ui *ui) {
     if (strncmp(pane, "plot:", 5) != 0)
         return NULL;
     for (size_t i = 0; i < panes->count; i++)
-        if (strcmp(panes->panes[i].live.name, pane + 5) == 0)
+        if (strcmp(panes->panes[i].source.name, pane + 5) == 0)
             return &panes->panes[i];
     return NULL;
 }
@@ -75,7 +76,7 @@ PlotPane *plot_panes_focused(PlotPanes *panes, const Ui *ui) {
 /* Drawing ---------------------------------------------------------------------------------------------------------- */
 
 static void set_axes(PlotPane *pane) {
-    pane->shown = *pane->live.plot;
+    pane->shown = *pane->source.plot;
     if (!pane->view_count)
         return;
     const PlotPaneAxes *axes = &pane->views[pane->view_count - 1];
@@ -87,10 +88,10 @@ static void set_axes(PlotPane *pane) {
 
 /* Takes over the laboratory's present plot, and rebuilds the canvas if axes, size or theme have changed. */
 static void refresh(PlotPane *pane, const LaboratoryPlot *now, int width, int height, double unit, Theme theme) {
-    bool same = pane->canvas && pane->live.revision == now->revision &&
+    bool same = pane->canvas && pane->source.revision == now->revision &&
                 pane->shown.series_count == now->plot->series_count && pane->width == width && pane->height == height &&
                 pane->unit == unit && pane->theme == theme;
-    pane->live = *now;
+    pane->source = *now;
     set_axes(pane);
     if (same)
         return;
@@ -112,16 +113,16 @@ static PlotPixels together(PlotPixels a, PlotPixels b) {
     return (PlotPixels){left, top, right - left, bottom - top};
 }
 
-static void draw(PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time,
+static void draw(PlotPane *pane, const Laboratory *kind, const void *session, size_t index, double time,
                  PaintGlScreen *screen) {
     PlotPixels changed = {0};
-    if (isnan(pane->time) || (time < pane->time && !pane->live.still)) {
+    if (isnan(pane->time) || (time < pane->time && !pane->source.still)) {
         plot_canvas_restart(pane->canvas);
         changed = plot_canvas_all(pane->canvas);
     }
     pane->time = time;
     for (size_t s = 0; s < pane->shown.series_count; s++)
-        changed = together(changed, plot_canvas_advance(pane->canvas, s, kind->until(live, index, s, time)));
+        changed = together(changed, plot_canvas_advance(pane->canvas, s, kind->until(session, index, s, time)));
     if (changed.width > 0)
         paint_gl_screen_fill(screen, &pane->texture, plot_canvas_pixels(pane->canvas), pane->width, pane->height,
                              plot_canvas_stride(pane->canvas), changed.x, changed.y, changed.width, changed.height);
@@ -155,21 +156,21 @@ static void mark_tail(const PlotPane *pane, const PlotSeries *series, size_t fir
 }
 
 /* Marks the present end of each series. */
-static void mark_present(const PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time,
+static void mark_present(const PlotPane *pane, const Laboratory *kind, const void *session, size_t index, double time,
                          Ui *ui) {
     Box frame = frame_of(pane);
-    for (size_t s = 0; s < pane->shown.series_count && !pane->live.still; s++) {
+    for (size_t s = 0; s < pane->shown.series_count && !pane->source.still; s++) {
         const PlotSeries *series = &pane->shown.series[s];
-        size_t count = kind->until(live, index, s, time);
+        size_t count = kind->until(session, index, s, time);
         count = count < series->count ? count : series->count;
         if (!count || series->role == ROLE_GHOST || series->width <= 0)
             continue;
-        size_t first = pane->live.tail > 0 ? kind->until(live, index, s, time - pane->live.tail) : count;
+        size_t first = pane->source.tail > 0 ? kind->until(session, index, s, time - pane->source.tail) : count;
         if (first < count)
             mark_tail(pane, series, first, count, frame, ui);
         Vec2 at = place_of(pane, plot_value(series, count - 1));
         if (isfinite(at.x) && isfinite(at.y) && box_holds(frame, at))
-            ui_draw_disc(ui, at, NOW_RADIUS, pane->live.now == ROLE_PAPER ? series->role : pane->live.now);
+            ui_draw_disc(ui, at, NOW_RADIUS, pane->source.now == ROLE_PAPER ? series->role : pane->source.now);
     }
 }
 
@@ -203,15 +204,15 @@ static void draw_box(const PlotPane *pane, Ui *ui) {
         ui_draw_frame(ui, box_include(box_include(box_empty(), from), to), ROLE_IMPACT, CURSOR_WIDTH);
 }
 
-void plot_panes_show(PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time, Box place,
+void plot_panes_show(PlotPane *pane, const Laboratory *kind, const void *session, size_t index, double time, Box place,
                      double unit, Theme theme, PaintGlScreen *screen, Ui *ui) {
-    LaboratoryPlot now = kind->plot(live, index);
+    LaboratoryPlot now = kind->plot(session, index);
     int width = (int)lround(box_width(place) * unit), height = (int)lround(box_height(place) * unit);
     pane->place = place;
     refresh(pane, &now, width, height, unit, theme);
-    draw(pane, kind, live, index, time, screen);
+    draw(pane, kind, session, index, time, screen);
     ui_image(ui, &pane->texture, place);
-    mark_present(pane, kind, live, index, time, ui);
+    mark_present(pane, kind, session, index, time, ui);
     if (!isnan(now.cursor))
         draw_cursor(pane, now.cursor, now.cursor_words, ui);
     if (!isnan(pane->cursor))
@@ -233,15 +234,15 @@ static void format_axis(char *text, size_t size, const PlotAxis *axis, double va
     snprintf(text, size, "%s %.6g%s%s", axis->title, value, pure ? "" : " ", pure ? "" : axis->unit);
 }
 
-bool plot_panes_read(const PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time, Vec2 at,
-                     Vec2 *nearest, char text[PLOT_PANES_TEXT]) {
+bool plot_panes_read(const PlotPane *pane, const Laboratory *kind, const void *session, size_t index, double time,
+                     Vec2 at, Vec2 *nearest, char text[PLOT_PANES_TEXT]) {
     double least = NEAR;
     Vec2 value = {0};
     if (!pane->canvas)
         return false;
     for (size_t s = 0; s < pane->shown.series_count; s++) {
         const PlotSeries *series = &pane->shown.series[s];
-        size_t count = kind->until(live, index, s, time);
+        size_t count = kind->until(session, index, s, time);
         for (size_t i = 0; i < count && i < series->count; i++) {
             Vec2 place = place_of(pane, plot_value(series, i));
             double apart = vec2_distance(place, at);

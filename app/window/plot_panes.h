@@ -21,8 +21,8 @@ typedef struct PlotPaneBox {
 } PlotPaneBox;
 
 typedef struct PlotPane {
-    LaboratoryPlot live;
-    Plot shown; /* live.plot with the axes that are shown */
+    LaboratoryPlot source;
+    Plot shown; /* source.plot with the axes that are shown */
     PlotCanvas *canvas;
     ScreenTexture texture;
     int width, height;
@@ -43,22 +43,23 @@ typedef struct PlotPanes {
 
 /* Chooses the plots with the given names, separated by commas, in that order. Panes that stay keep their pictures and
  * axes. */
-void plot_panes_choose(PlotPanes *panes, const Laboratory *kind, void *live, const char *names, PaintGlScreen *screen);
+void plot_panes_choose(PlotPanes *panes, const Laboratory *kind, void *session, const char *names,
+                       PaintGlScreen *screen);
 void plot_panes_clear(PlotPanes *panes, PaintGlScreen *screen);
 
 /* Returns the plot that has the focus; NULL: none has. */
 PlotPane *plot_panes_focused(PlotPanes *panes, const Ui *ui);
 
 /* Draws a plot in its place, design points of `unit` pixels. */
-void plot_panes_show(PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time, Box place,
+void plot_panes_show(PlotPane *pane, const Laboratory *kind, const void *session, size_t index, double time, Box place,
                      double unit, Theme theme, PaintGlScreen *screen, Ui *ui);
 
 /* Finds the values at a point of the window; false: it is outside of the axes. */
 bool plot_panes_value(const PlotPane *pane, Vec2 at, Vec2 *value);
 
 /* Formats the point of a series nearest to a point of the window, "x 0.12 mm, y 0.3 m/s"; false: none is near. */
-bool plot_panes_read(const PlotPane *pane, const Laboratory *kind, const void *live, size_t index, double time, Vec2 at,
-                     Vec2 *nearest, char text[PLOT_PANES_TEXT]);
+bool plot_panes_read(const PlotPane *pane, const Laboratory *kind, const void *session, size_t index, double time,
+                     Vec2 at, Vec2 *nearest, char text[PLOT_PANES_TEXT]);
 
 /* Zoom to the box between two points (values); go back to the previous axes; go back to the plot's own axes. */
 void plot_panes_zoom(PlotPane *pane, Vec2 from, Vec2 to);

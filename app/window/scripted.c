@@ -136,19 +136,19 @@ static void set(Scripted *scripted, Window *window, const ScriptCommand *command
     if (isnan(command->numbers[0]))
         script_fault(&scripted->script, command, &fault, "%s is not a number", command->words[1]);
     else
-        tab->kind->set(tab->live, command->words[0], command->numbers[0], &fault);
+        tab->laboratory->set(tab->session, command->words[0], command->numbers[0], &fault);
     if (fault.count)
         notice_fault(window, &fault, NAN);
 }
 
 static void set_speed(Tab *tab, double speed) {
-    RecordSpan span = tab->kind->span(tab->live);
+    RecordSpan span = tab->laboratory->span(tab->session);
     player_normal_speed(&tab->player);
     player_change_speed(&tab->player, (int)lround(log2(speed)), &span);
 }
 
 static void set_playing(Tab *tab, bool playing) {
-    RecordSpan span = tab->kind->span(tab->live);
+    RecordSpan span = tab->laboratory->span(tab->session);
     if (tab->player.playing != playing)
         player_toggle(&tab->player, &span);
 }
@@ -200,7 +200,7 @@ static int hold_mods(int choice) {
 static void run_in_tab(Scripted *scripted, Window *window, const ScriptCommand *command) {
     Tab *tab = window_tab(window);
     Fault fault = {0};
-    if (!tab->live) {
+    if (!tab->session) {
         script_fault(&scripted->script, command, &fault, "%s: nothing is open", script_word(command->kind));
         fail(scripted, window, &fault);
         return;
@@ -282,10 +282,10 @@ static void run(Scripted *scripted, Window *window, const ScriptCommand *command
 /* True if the condition of `until` is met. */
 static bool has_come(const Scripted *scripted, Window *window) {
     const Tab *tab = window_tab(window);
-    if (!tab->live)
+    if (!tab->session)
         return false;
-    Result answer = tab->kind->answer(tab->live);
-    RecordSpan span = tab->kind->span(tab->live);
+    Result answer = tab->laboratory->answer(tab->session);
+    RecordSpan span = tab->laboratory->span(tab->session);
     switch (scripted->until->choice) {
     case SCRIPT_COMPLETE:
         return span.complete && !answer.stale;

@@ -27,7 +27,7 @@ static json_t *frame_state(const Window *window) {
     json_object_set_new(state, "timeline", json_box(window, frame->timeline));
     json_object_set_new(state, "strip", json_box(window, frame->strip));
     for (size_t i = 0; i < frame->pane_count && i < panes->count; i++)
-        json_object_set_new(plots, panes->panes[i].live.name, json_box(window, frame->panes[i]));
+        json_object_set_new(plots, panes->panes[i].source.name, json_box(window, frame->panes[i]));
     json_object_set_new(state, "plots", plots);
     return state;
 }
@@ -42,9 +42,9 @@ static json_t *plot_panes_state(const PlotPanes *panes) {
         PlotPaneAxes axes = plot_panes_axes(pane);
         json_t *one = json_pack("{s:[f,f],s:[f,f],s:i,s:i}", "x", axes.x[0], axes.x[1], "y", axes.y[0], axes.y[1],
                                 "views", (int)pane->view_count, "corner", pane->box.corner);
-        json_object_set_new(one, "cursor", number_or_null(pane->live.cursor));
+        json_object_set_new(one, "cursor", number_or_null(pane->source.cursor));
         json_object_set_new(one, "own_cursor", number_or_null(pane->cursor));
-        json_object_set_new(state, pane->live.name, one);
+        json_object_set_new(state, pane->source.name, one);
     }
     return state;
 }
@@ -52,7 +52,7 @@ static json_t *plot_panes_state(const PlotPanes *panes) {
 static json_t *parameters_state(const Tab *tab) {
     json_t *state = json_object();
     size_t count;
-    const PanelParameter *parameters = tab->kind->parameters(tab->live, &count);
+    const PanelParameter *parameters = tab->laboratory->parameters(tab->session, &count);
     for (size_t i = 0; i < count; i++)
         json_object_set_new(state, parameters[i].name, number_or_null(parameters[i].value));
     return state;
@@ -61,7 +61,7 @@ static json_t *parameters_state(const Tab *tab) {
 static json_t *choices_state(const Tab *tab) {
     json_t *state = json_object();
     size_t count;
-    const PanelChoice *choices = tab->kind->choices(tab->live, &count);
+    const PanelChoice *choices = tab->laboratory->choices(tab->session, &count);
     for (size_t i = 0; i < count; i++)
         json_object_set_new(state, choices[i].name, json_string(choices[i].words[choices[i].chosen]));
     return state;
@@ -70,7 +70,7 @@ static json_t *choices_state(const Tab *tab) {
 /* Returns the rows of the panel, cell by cell. */
 static json_t *rows_state(const Tab *tab) {
     size_t count;
-    const PanelRow *rows = tab->kind->rows(tab->live, &count);
+    const PanelRow *rows = tab->laboratory->rows(tab->session, &count);
     json_t *state = json_array();
     for (size_t i = 0; i < count; i++) {
         json_t *cells = json_array();
@@ -82,7 +82,7 @@ static json_t *rows_state(const Tab *tab) {
 }
 
 static json_t *answer_state(const Tab *tab) {
-    Result answer = tab->kind->answer(tab->live);
+    Result answer = tab->laboratory->answer(tab->session);
     json_t *state = json_pack("{s:s,s:b}", "title", answer.title, "stale", answer.stale);
     json_object_set_new(state, "detail", answer.detail ? json_string(answer.detail) : json_null());
     json_object_set_new(state, "doing", answer.doing ? json_string(answer.doing) : json_null());
@@ -91,7 +91,7 @@ static json_t *answer_state(const Tab *tab) {
 
 static json_t *command_state(const Tab *tab) {
     size_t count;
-    const char *const *words = tab->kind->command(tab->live, &count);
+    const char *const *words = tab->laboratory->command(tab->session, &count);
     char *command = export_command(words, count);
     json_t *state = json_string(command);
     memory_free(command);
@@ -132,7 +132,7 @@ static json_t *selection_state(const Tab *tab, Editor *editor) {
     size_t count;
     const Item *things = editor_selection(editor, &count);
     for (size_t i = 0; i < count; i++)
-        json_array_append_new(state, json_string(tab->kind->name_thing(tab->live, things[i])));
+        json_array_append_new(state, json_string(tab->laboratory->name_thing(tab->session, things[i])));
     return state;
 }
 
@@ -177,13 +177,13 @@ static json_t *floor_state(const Window *window, const Tab *tab) {
 static void add_tab(json_t *state, Window *window) {
     const Tab *tab = window_tab(window);
     const Player *player = &tab->player;
-    RecordSpan span = tab->kind->span(tab->live);
-    Item thing = tab->kind->selected(tab->live);
+    RecordSpan span = tab->laboratory->span(tab->session);
+    Item thing = tab->laboratory->selected(tab->session);
     char digest[32];
     snprintf(digest, sizeof digest, "%016llx",
-             tab->kind->digest ? (unsigned long long)tab->kind->digest(tab->live) : 0ull);
+             tab->laboratory->digest ? (unsigned long long)tab->laboratory->digest(tab->session) : 0ull);
     json_object_set_new(state, "file", tab->path ? json_string(tab->path) : json_null());
-    json_object_set_new(state, "title", json_string(tab->kind->title(tab->live)));
+    json_object_set_new(state, "title", json_string(tab->laboratory->title(tab->session)));
     json_object_set_new(state, "digest", json_string(digest));
     json_object_set_new(state, "time", number_or_null(player->time));
     json_object_set_new(state, "begin", number_or_null(span.begin));
@@ -199,9 +199,9 @@ static void add_tab(json_t *state, Window *window) {
     json_object_set_new(state, "zoom", number_or_null(tab->camera.zoom));
     json_object_set_new(state, "azimuth", number_or_null(tab->camera.azimuth));
     json_object_set_new(state, "layers", json_integer(tab_layers(tab)));
-    json_object_set_new(state, "clock", json_string(tab->kind->clock(tab->live, player->time)));
+    json_object_set_new(state, "clock", json_string(tab->laboratory->clock(tab->session, player->time)));
     json_object_set_new(state, "selected",
-                        thing.kind ? json_string(tab->kind->name_thing(tab->live, thing)) : json_null());
+                        thing.kind ? json_string(tab->laboratory->name_thing(tab->session, thing)) : json_null());
     json_object_set_new(state, "floor", floor_state(window, tab));
     json_object_set_new(state, "answer", answer_state(tab));
     json_object_set_new(state, "rows", rows_state(tab));
@@ -217,7 +217,7 @@ json_t *scripted_state_of(Window *window) {
                                                  "export", "messages", "explain", "about",   "leave", "recovered"};
     const Message *last = messages_last(&window->messages);
     json_t *state = json_object();
-    json_object_set_new(state, "laboratory", json_string(window_tab(window)->kind->word));
+    json_object_set_new(state, "laboratory", json_string(window_tab(window)->laboratory->word));
     json_object_set_new(state, "width", json_integer(window->width));
     json_object_set_new(state, "height", json_integer(window->height));
     json_object_set_new(state, "text", number_or_null(window->text));
@@ -238,7 +238,7 @@ json_t *scripted_state_of(Window *window) {
     json_object_set_new(state, "inputs", json_integer((json_int_t)window->inputs));
     json_object_set_new(state, "messages", json_integer((json_int_t)window->messages.total));
     json_object_set_new(state, "frame", frame_state(window));
-    if (window_tab(window)->live)
+    if (window_tab(window)->session)
         add_tab(state, window);
     return state;
 }

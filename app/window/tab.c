@@ -15,30 +15,30 @@
 #define FOLLOW_FREE 0.2 /* of the view, within which a followed person moves freely */
 
 Tab tab_make(const Laboratory *kind) {
-    return (Tab){.kind = kind,
+    return (Tab){.laboratory = kind,
                  .player = player_start(),
                  .layers = kind->layers_at_first,
                  .plots = kind->plots_at_first,
                  .plot_panes_stale = true};
 }
 
-static void drop_live(Tab *tab) {
-    if (tab->live)
-        tab->kind->close(tab->live);
+static void close_session(Tab *tab) {
+    if (tab->session)
+        tab->laboratory->close(tab->session);
     memory_free(tab->path);
     memory_free(tab->origin);
-    tab->live = NULL;
+    tab->session = NULL;
     tab->path = tab->origin = NULL;
 }
 
 void tab_close(Tab *tab, PaintGlScreen *screen) {
     plot_panes_clear(&tab->panes, screen);
     view_layers_clear(&tab->view_layers);
-    drop_live(tab);
+    close_session(tab);
 }
 
 static void keep_shape(Tab *tab) {
-    Box box = tab->kind->still(tab->live)->box;
+    Box box = tab->laboratory->still(tab->session)->box;
     double width = box_width(box), height = box_height(box);
     tab->shape = box;
     tab->aspect = width > 0 && height > 0 ? width / height : ASPECT;
@@ -50,17 +50,17 @@ static void fit(Tab *tab) {
     tab->handled = false;
     tab->fits = true;
     double size = fmax(box_width(tab->shape), box_height(tab->shape));
-    tab->camera.zoom = tab->kind->editor ? fmin(1, fmax(size / LEAST_SEEN, ZOOM_LEAST)) : 1;
+    tab->camera.zoom = tab->laboratory->editor ? fmin(1, fmax(size / LEAST_SEEN, ZOOM_LEAST)) : 1;
 }
 
 bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, PaintGlScreen *screen, Fault *fault) {
-    void *live = tab->kind->open(path, options, fault);
-    if (!live)
+    void *session = tab->laboratory->open(path, options, fault);
+    if (!session)
         return false;
     char *kept = path ? text_copy(path) : NULL; /* copied first: it may belong to what is closed */
     plot_panes_clear(&tab->panes, screen);
-    drop_live(tab);
-    tab->live = live;
+    close_session(tab);
+    tab->session = session;
     tab->path = kept;
     int power = tab->player.power;
     tab->player = player_start();
@@ -70,7 +70,7 @@ bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, Pain
     tab->plot_panes_stale = true;
     fit(tab);
     view_layers_invalidate(&tab->view_layers);
-    tab->kind->reveal(live, tab_layers(tab));
+    tab->laboratory->reveal(session, tab_layers(tab));
     tab_apply_camera(tab);
     return true;
 }
@@ -78,9 +78,9 @@ bool tab_open(Tab *tab, const char *path, const LaboratoryOptions *options, Pain
 /* Finds the box of an item now, m; false: it is not in the view. */
 static bool box_of(const Tab *tab, Item thing, Box *box) {
     Vec2 points[LABORATORY_OUTLINE_MOST];
-    if (!tab->live || !thing.kind)
+    if (!tab->session || !thing.kind)
         return false;
-    size_t count = tab->kind->outline(tab->live, thing, tab->player.time, points);
+    size_t count = tab->laboratory->outline(tab->session, thing, tab->player.time, points);
     *box = box_empty();
     for (size_t i = 0; i < count; i++)
         *box = box_include(*box, points[i]);
@@ -90,7 +90,7 @@ static bool box_of(const Tab *tab, Item thing, Box *box) {
 /* Keeps the followed item in the middle of the view. */
 static void follow(Tab *tab) {
     Box box;
-    Item thing = tab->kind->selected(tab->live);
+    Item thing = tab->laboratory->selected(tab->session);
     if (!tab->follows || !tab->view_layers.painted || !box_of(tab, thing, &box))
         return;
     Vec2 at = view_layers_point(&tab->view_layers, vec2_scale(vec2_add(box.low, box.high), 0.5));
@@ -113,12 +113,12 @@ static Vec2 middle_of(Box box) {
 }
 
 Editor *tab_editor(const Tab *tab) {
-    return tab->live && tab->kind->editor ? tab->kind->editor(tab->live) : NULL;
+    return tab->session && tab->laboratory->editor ? tab->laboratory->editor(tab->session) : NULL;
 }
 
 /* Keeps the view still while an edit changes the size of the plan. */
 static void keep_eye(Tab *tab) {
-    Box box = tab->kind->still(tab->live)->box, shape = tab->shape;
+    Box box = tab->laboratory->still(tab->session)->box, shape = tab->shape;
     Editor *editor = tab_editor(tab);
     tab->handled |= editor && (editor_edit_count(editor) > 0 || editor_gesture(editor)->active);
     if (!tab->handled) {
@@ -140,21 +140,21 @@ static void keep_eye(Tab *tab) {
 }
 
 unsigned tab_update(Tab *tab, double seconds) {
-    if (!tab->live)
+    if (!tab->session)
         return 0;
-    const Laboratory *kind = tab->kind;
+    const Laboratory *kind = tab->laboratory;
     double begun = clock_now();
-    RecordSpan span = kind->span(tab->live);
+    RecordSpan span = kind->span(tab->session);
     double wish = player_wish(&tab->player, seconds, &span);
-    kind->reach(tab->live, wish);
-    unsigned changes = kind->update(tab->live, tab->player.time);
-    span = kind->span(tab->live);
+    kind->reach(tab->session, wish);
+    unsigned changes = kind->update(tab->session, tab->player.time);
+    span = kind->span(tab->session);
     player_advance(&tab->player, seconds, wish, &span);
     tab->worked += clock_now() - begun;
     follow(tab);
     if (changes & LABORATORY_VIEW) {
         keep_eye(tab);
-        changes |= kind->update(tab->live, tab->player.time); /* the new camera applies from now on */
+        changes |= kind->update(tab->session, tab->player.time); /* the new camera applies from now on */
         view_layers_invalidate(&tab->view_layers);
     }
     if (changes & LABORATORY_PLOTS)
@@ -165,12 +165,12 @@ unsigned tab_update(Tab *tab, double seconds) {
 /* Layers ----------------------------------------------------------------------------------------------------------- */
 
 static bool is_names(const Tab *tab, size_t layer) {
-    return strcmp(tab->kind->layers[layer], "names") == 0;
+    return strcmp(tab->laboratory->layers[layer], "names") == 0;
 }
 
 unsigned tab_layers(const Tab *tab) {
     unsigned layers = tab->layers;
-    for (size_t i = 0; i < tab->kind->layer_count && tab->cramped; i++)
+    for (size_t i = 0; i < tab->laboratory->layer_count && tab->cramped; i++)
         if (is_names(tab, i))
             layers = tab->named ? layers | 1u << i : layers & ~(1u << i);
     return layers;
@@ -181,7 +181,7 @@ void tab_toggle_layer(Tab *tab, size_t layer) {
         tab->named = !tab->named;
     else
         tab->layers ^= 1u << layer;
-    tab->kind->reveal(tab->live, tab_layers(tab));
+    tab->laboratory->reveal(tab->session, tab_layers(tab));
 }
 
 void tab_set_cramped(Tab *tab, bool cramped) {
@@ -189,20 +189,20 @@ void tab_set_cramped(Tab *tab, bool cramped) {
         return;
     tab->cramped = cramped;
     tab->named = false;
-    if (tab->live)
-        tab->kind->reveal(tab->live, tab_layers(tab));
+    if (tab->session)
+        tab->laboratory->reveal(tab->session, tab_layers(tab));
 }
 
 /* Looking ---------------------------------------------------------------------------------------------------------- */
 
 void tab_apply_camera(Tab *tab) {
-    if (tab->live)
-        tab->kind->look(tab->live, tab->camera);
+    if (tab->session)
+        tab->laboratory->look(tab->session, tab->camera);
 }
 
 void tab_zoom(Tab *tab, double times, Vec2 about) {
     double zoom = fmin(fmax(tab->camera.zoom * times, ZOOM_LEAST), ZOOM_MOST);
-    const Scene *still = tab->kind->still(tab->live);
+    const Scene *still = tab->laboratory->still(tab->session);
     Vec2 middle = vec2_add(vec2_scale(vec2_add(still->box.low, still->box.high), 0.5), tab->camera.pan);
     Vec2 moved = vec2_scale(vec2_sub(about, middle), 1 - tab->camera.zoom / zoom);
     tab->fits = false;
@@ -227,15 +227,15 @@ void tab_fit(Tab *tab) {
 }
 
 void tab_select(Tab *tab, Item thing) {
-    tab->kind->select(tab->live, thing);
+    tab->laboratory->select(tab->session, thing);
 }
 
 void tab_show_selected(Tab *tab) {
     Box box;
-    if (!box_of(tab, tab->kind->selected(tab->live), &box))
+    if (!box_of(tab, tab->laboratory->selected(tab->session), &box))
         return;
     tab->fits = false;
-    const Scene *still = tab->kind->still(tab->live);
+    const Scene *still = tab->laboratory->still(tab->session);
     Vec2 all = vec2_scale(vec2_add(still->box.low, still->box.high), 0.5);
     double size = ZOOM_NEAR * fmax(fmax(box_width(box), box_height(box)), 0.25);
     tab->camera.pan = vec2_sub(vec2_scale(vec2_add(box.low, box.high), 0.5), all);
@@ -244,7 +244,7 @@ void tab_show_selected(Tab *tab) {
 }
 
 void tab_seek(Tab *tab, double time) {
-    RecordSpan span = tab->kind->span(tab->live);
+    RecordSpan span = tab->laboratory->span(tab->session);
     player_seek(&tab->player, time, &span);
 }
 
@@ -260,16 +260,16 @@ bool tab_unsaved(const Tab *tab) {
 
 const char *tab_title(const Tab *tab, Arena *arena) {
     const char *mark = tab->mark ? tab->mark : tab_unsaved(tab) ? " (edited)" : "";
-    return text_in_arena(arena, "%s%s", tab->kind->title(tab->live), mark);
+    return text_in_arena(arena, "%s%s", tab->laboratory->title(tab->session), mark);
 }
 
 bool tab_set(Tab *tab, const char *name, double value, Fault *fault) {
-    return tab->live && tab->kind->set(tab->live, name, value, fault);
+    return tab->session && tab->laboratory->set(tab->session, name, value, fault);
 }
 
 const PanelRow *tab_first_place(const Tab *tab) {
     size_t count;
-    const PanelRow *rows = tab->kind->rows(tab->live, &count);
+    const PanelRow *rows = tab->laboratory->rows(tab->session, &count);
     for (size_t i = 0; i < count; i++)
         if (rows[i].place.kind)
             return &rows[i];

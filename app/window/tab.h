@@ -7,8 +7,8 @@
 #include "window/view_layers.h"
 
 typedef struct Tab {
-    const Laboratory *kind;
-    void *live;       /* NULL: nothing is open */
+    const Laboratory *laboratory;
+    void *session;    /* NULL: nothing is open */
     char *path;       /* of the file; NULL: it has none */
     char *origin;     /* the file that recovered edits belong to, or NULL */
     const char *mark; /* " [Recovered]", " [Imported]": it has no file of its own; otherwise NULL */

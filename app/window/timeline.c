@@ -87,7 +87,7 @@ static double time_at(const Track *track, double x) {
  * across. */
 static void show_ticks(Ui *ui, const Track *track, const Tab *tab) {
     size_t count;
-    const TimelineMark *ticks = tab->kind->ticks(tab->live, &count);
+    const TimelineMark *ticks = tab->laboratory->ticks(tab->session, &count);
     double y = middle_of(track->box).y;
     for (size_t i = 0; i < count; i++) {
         if (ticks[i].time < track->span.begin || ticks[i].time > track->span.end)
@@ -116,7 +116,7 @@ static void show_marks(Ui *ui, const Track *track, const Player *player) {
 
 static void show_track(Window *window, Tab *tab, Box box) {
     Ui *ui = window->ui;
-    Track track = {box, tab->kind->span(tab->live)};
+    Track track = {box, tab->laboratory->span(tab->session)};
     double y = middle_of(box).y, head = place_of(&track, tab->player.time);
     Box line = {{box.low.x, y - TRACK_HEIGHT / 2}, {box.high.x, y + TRACK_HEIGHT / 2}};
     ui_draw_box(ui, line, ROLE_FURNITURE_LINE, 0.45);
@@ -137,7 +137,7 @@ void timeline_show(Window *window) {
     Row row = {window, window->frame.timeline, MARGIN, window->frame.timeline.high.x - MARGIN};
     bool compact = window->frame.compact;
     ui_pane_begin(window->ui, &(UiPane){.name = "timeline", .box = row.bar, .ground = ROLE_SHADE, .stop = true});
-    if (tab->live) {
+    if (tab->session) {
         if (!compact)
             add_button(&row, ACTION_START, "|<", false, false);
         if (!compact)
@@ -147,8 +147,8 @@ void timeline_show(Window *window) {
             add_button(&row, ACTION_STEP, ">", false, false);
         if (!compact)
             add_button(&row, ACTION_LOOP, "Loop", tab->player.loops, false);
-        add_text(&row, compact ? UI_BOLD : UI_CLOCK, tab->kind->clock(tab->live, tab->player.time), CLOCK_WIDEST,
-                 false);
+        add_text(&row, compact ? UI_BOLD : UI_CLOCK, tab->laboratory->clock(tab->session, tab->player.time),
+                 CLOCK_WIDEST, false);
         if (!compact)
             add_button(&row, ACTION_NOW, "Now", false, true);
         add_button(&row, ACTION_FASTER, "+", false, true);

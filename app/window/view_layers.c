@@ -41,19 +41,19 @@ static void add_more(ViewLayers *view_layers, const Scene *scene) {
     paint_gl_add(view_layers->paint, (Layer){scene, &view_layers->added});
 }
 
-void view_layers_show(ViewLayers *view_layers, const Laboratory *kind, void *live, double time) {
-    if (view_layers->painted && kind->rests && kind->rests(live, time))
+void view_layers_show(ViewLayers *view_layers, const Laboratory *kind, void *session, double time) {
+    if (view_layers->painted && kind->rests && kind->rests(session, time))
         return;
     if (!view_layers->painted) {
-        paint_still(view_layers, kind->still(live));
-        kind->show(live, kind->span(live).begin); /* back to the beginning, so that `added` holds everything */
-        add_more(view_layers, kind->added(live));
+        paint_still(view_layers, kind->still(session));
+        kind->show(session, kind->span(session).begin); /* back to the beginning, so that `added` holds everything */
+        add_more(view_layers, kind->added(session));
     }
-    if (!kind->show(live, time))
+    if (!kind->show(session, time))
         paint_gl_rewind(view_layers->paint);
-    add_more(view_layers, kind->added(live));
-    layout_make_over(&view_layers->moving, &view_layers->still, kind->moving(live));
-    paint_gl_frame(view_layers->paint, (Layer){kind->moving(live), &view_layers->moving});
+    add_more(view_layers, kind->added(session));
+    layout_make_over(&view_layers->moving, &view_layers->still, kind->moving(session));
+    paint_gl_frame(view_layers->paint, (Layer){kind->moving(session), &view_layers->moving});
 }
 
 Vec2 view_layers_floor(const ViewLayers *view_layers, Vec2 at) {

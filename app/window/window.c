@@ -215,8 +215,8 @@ static void make_frame(Window *window) {
     FrameWish wish = {.panel = window->panel,
                       .plots = window->plots,
                       .present = window->present,
-                      .plot_count = tab->plot_panes_stale && tab->live && !tab->panes.count
-                                        ? tab->kind->plot_count(tab->live)
+                      .plot_count = tab->plot_panes_stale && tab->session && !tab->panes.count
+                                        ? tab->laboratory->plot_count(tab->session)
                                         : tab->panes.count,
                       .tool_count = tab_editor(tab) ? EDIT_TOOLS : 0,
                       .aspect = tab->aspect};
@@ -259,7 +259,7 @@ static void draw(Window *window, double seconds) {
     tab_set_cramped(tab, window->frame.compact);
     canvas_paint(window);
     paint_gl_screen_begin(window->screen, window->width, window->height, palette_colour(window->theme, ROLE_PAPER));
-    if (tab->live && tab->view_layers.paint)
+    if (tab->session && tab->view_layers.paint)
         paint_gl_screen_show(window->screen, tab->view_layers.paint,
                              (int)lround(window->frame.view.low.x * window->unit),
                              (int)lround(window->frame.view.low.y * window->unit));
@@ -277,7 +277,7 @@ static bool is_lively(Window *window) {
     const Tab *tab = window_tab(window);
     bool draws = window->dialog == DIALOG_GALLERY && !gallery_complete(window->gallery);
     return window->dirty || ui_is_busy(window->ui) || window->frame_timer.counting ||
-           window->options->benchmark_edit > 0 || window->export || draws || (tab->live && tab->player.playing) ||
+           window->options->benchmark_edit > 0 || window->export || draws || (tab->session && tab->player.playing) ||
            plan_input_animation(tab);
 }
 
@@ -285,13 +285,13 @@ static bool is_lively(Window *window) {
 
 static void report_trouble(Window *window, Tab *tab) {
     double time = NAN;
-    const char *trouble = tab->kind->trouble(tab->live, &time);
+    const char *trouble = tab->laboratory->trouble(tab->session, &time);
     if (!trouble)
         return;
     messages_add(&window->messages, MESSAGE_FAULT, time, "%s", trouble);
     if (isnan(time))
         return;
-    RecordSpan span = tab->kind->span(tab->live);
+    RecordSpan span = tab->laboratory->span(tab->session);
     player_pause(&tab->player, &span);
     player_seek(&tab->player, time, &span);
 }
@@ -303,7 +303,7 @@ static void make_sound(Window *window, const Tab *tab, double before) {
     if (!wanted)
         return;
     if (tab->player.playing && tab->player.time > before &&
-        tab->kind->sound(tab->live, before, tab->player.time, samples, wanted))
+        tab->laboratory->sound(tab->session, before, tab->player.time, samples, wanted))
         sound_feed(window->sound, samples, wanted);
     else
         sound_hush(window->sound);
@@ -360,10 +360,10 @@ static void update(Window *window, double seconds) {
             report_trouble(window, &window->tabs[i]);
         window->dirty |= changes && i == window->current;
     }
-    if (tab->live)
+    if (tab->session)
         make_sound(window, tab, before);
     end_export(window);
-    if (tab->live)
+    if (tab->session)
         show_title(window);
     autosave_update(window);
     dismiss_old_note(window);
@@ -405,7 +405,7 @@ static void apply_preferences(Window *window) {
     window->tabs = memory_zeroed(laboratories_count, sizeof *window->tabs);
     for (size_t i = 0; i < laboratories_count; i++) {
         window->tabs[i] = tab_make(laboratories[i].laboratory);
-        const SettingsLaboratory *kept = settings_laboratory(&window->settings, window->tabs[i].kind->word);
+        const SettingsLaboratory *kept = settings_laboratory(&window->settings, window->tabs[i].laboratory->word);
         if (kept->layers >= 0)
             window->tabs[i].layers = (unsigned)kept->layers;
         if (*kept->plots)
@@ -418,9 +418,9 @@ static void store_preferences(Window *window) {
     Fault notes = {0};
     for (size_t i = 0; i < laboratories_count; i++) {
         const Tab *tab = &window->tabs[i];
-        SettingsLaboratory *kept = settings_laboratory(&window->settings, tab->kind->word);
-        kept->layers = tab->layers == tab->kind->layers_at_first ? -1 : (int)tab->layers;
-        kept->plots = strcmp(tab->plots, tab->kind->plots_at_first) == 0 ? "" : tab->plots;
+        SettingsLaboratory *kept = settings_laboratory(&window->settings, tab->laboratory->word);
+        kept->layers = tab->layers == tab->laboratory->layers_at_first ? -1 : (int)tab->layers;
+        kept->plots = strcmp(tab->plots, tab->laboratory->plots_at_first) == 0 ? "" : tab->plots;
         kept->speed = player_speed(&tab->player);
     }
     if (!window->fullscreen) {
@@ -483,7 +483,7 @@ static void loop(Window *window, Scripted *scripted) {
             window->quit = true;
     }
     if (window->options->benchmark > 0 && window->frame_timer.counting)
-        frame_timer_print(&window->frame_timer, window_tab(window)->kind->name, window->width, window->height);
+        frame_timer_print(&window->frame_timer, window_tab(window)->laboratory->name, window->width, window->height);
 }
 
 /* Opens the requested file, or the default one. */
