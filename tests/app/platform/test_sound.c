@@ -122,5 +122,5 @@ TEST(without_a_device_there_is_a_sentence) {
     setenv("SDL_AUDIODRIVER", "nothing", 1);
     char message[SOUND_MESSAGE] = "";
     CHECK(!sound_open(message));
-    CHECK(strncmp(message, "there is no sound here: ", 24) == 0 && message[24]);
+    CHECK(strncmp(message, "Sound is not available: ", 24) == 0 && message[24]);
 }
