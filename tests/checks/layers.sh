@@ -10,7 +10,7 @@ forbid() {
     why=$1
     pattern=$2
     shift 2
-    grep -nE "$pattern" "$@" /dev/null | sed "s/^/$why: /" >>"$breaches"
+    grep -nE "$pattern" "$@" /dev/null | sed "s|^|$why: |" >>"$breaches"
 }
 
 sources() {
