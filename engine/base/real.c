@@ -164,6 +164,9 @@ static inline Quarters reduce(double x) {
     static const double PART[3] = {0x1.921fb54400000p+0, 0x1.0b4611a600000p-34, 0x1.3198a2e037073p-69};
     static const double MOST = 0x1p+20;  /* quarters whose products with 33 bits are exact */
     static const double EXACT = 0x1p-57; /* the rest's error is 2^-123 a quarter */
+    static const double SMALL = 0.785;   /* below pi/4 the angle is the rest */
+    if (fabs(x) <= SMALL)
+        return (Quarters){{x, 0}, 0};
     double shifted = x * 0x1.45f306dc9c883p-1 + ROUNDER, count = shifted - ROUNDER;
     if (!(fabs(count) < MOST))
         return reduce_exactly(x);
@@ -208,7 +211,13 @@ SineCosine real_sincos(double angle) {
 }
 
 double real_sin(double angle) {
-    return real_sincos(angle).sine;
+    if (fabs(angle) < 0x1p-27)
+        return angle;
+    if (!(fabs(angle) <= DBL_MAX))
+        return NOT_A_NUMBER;
+    Quarters quarters = reduce(angle);
+    double size = quarters.count & 1 ? cosine_of(quarters.rest) : sine_of(quarters.rest);
+    return signed_by(size, quarters.count >> 1 & 1);
 }
 
 double real_cos(double angle) {
