@@ -93,7 +93,7 @@ def check_walls():
     expect("the same wall again", house(walls=[wall(f"w{i}", [0, 0], [4, 0]) for i in range(MANY)]), 2,
            says="meet in more than")
     expect("walls of no length", house(walls=[wall(f"w{i}", [i, 0], [i, 1e-7]) for i in range(MANY)]), 2,
-           says="points 1 and 2 are the same")
+           says="points 1 and 2 coincide")
     expect("bad walls", house(walls=[wall(f"w{i}", [i, "x"], [0]) for i in range(MANY)]), 2, says="must be a point")
     crossing = [wall(f"{c}{i}", *([[-1, i], [30, i]] if c == "h" else [[i, -1], [i, 30]])) for c in "hv" for i in range(30)]
     expect("some crossing walls", house(walls=crossing, people=[chair("p1", 0.5, 0.5)]), 1, says="no exit")
