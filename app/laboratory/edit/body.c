@@ -1,4 +1,4 @@
-/* Furniture and people that are moved, turned and resized. */
+/* Moves, turns and resizes furniture and people. */
 #include <math.h>
 #include <string.h>
 
@@ -45,7 +45,7 @@ static void follow_middle(Editor *edit, const Furniture *piece) {
     show_place(edit);
 }
 
-/* The corner opposite stays where it is. */
+/* Resizes a piece by its corner; the opposite corner stays in place. */
 static void follow_corner(Editor *edit, const Furniture *piece) {
     static const Vec2 signs[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     Vec2 sign = signs[edit->grip.index], axis = snap_heading(piece->angle);

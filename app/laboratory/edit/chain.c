@@ -1,19 +1,19 @@
-/* Points one after another: walls, exits, outlines of rooms, routes, distances. */
+/* Draws chains of points: walls, exits, outlines of rooms, routes, measured distances. */
 #include <math.h>
 
 #include "laboratory/edit/editor_state.h"
 
-static const double SAME = 1e-6; /* m: points that are the same */
+static const double SAME = 1e-6; /* m: points closer than this coincide */
 
 /* The properties of a tool's chain. */
 typedef struct ChainKind {
     const char *what;   /* "wall" */
-    const char *name;   /* of the step */
-    size_t least, most; /* points; 0: as many as one likes */
-    bool closes;        /* the first point again ends it */
-    bool thick;         /* each piece has a thickness */
+    const char *name;   /* name of the undo step */
+    size_t least, most; /* number of points; most 0: unlimited */
+    bool closes;        /* clicking the first point again closes the chain */
+    bool thick;         /* each segment has a thickness */
     bool places;        /* each point is typed as x and y */
-    bool faces, doors;  /* snaps to them */
+    bool faces, doors;  /* the points snap to wall faces, to doors */
     const EditGesture *gesture;
 } ChainKind;
 
@@ -45,7 +45,7 @@ static Vec2 last_point(const Editor *edit) {
     return edit->chain.points[edit->chain.count - 1];
 }
 
-/* The direction of the last piece, degree; NAN: there is none. */
+/* Returns the direction of the last segment, degree; NAN: there is none. */
 static double last_angle(const Editor *edit) {
     const EditChain *chain = &edit->chain;
     if (chain->count < 2)
@@ -120,7 +120,7 @@ static void follow_line(Editor *edit) {
         at = vec2_along(from, length, snap_heading(angle));
         at = vec2(snap_tidy(at.x), snap_tidy(at.y));
         if (kind_of(edit)->closes && vec2_distance(at, edit->chain.points[0]) < SAME)
-            at = edit->chain.points[0]; /* to the last bit */
+            at = edit->chain.points[0]; /* equal to the last bit */
         edit->snap = (Snap){.at = at};
     }
     edit->now.at = at;
@@ -142,9 +142,9 @@ static void follow(Editor *edit) {
     edit->chain.floating = !edit->chain.count || vec2_distance(edit->now.at, last_point(edit)) >= SAME;
 }
 
-/* Putting down ---------------------------------------------------------------------------------------------------- */
+/* Placing points -------------------------------------------------------------------------------------------------- */
 
-/* Ends with the points that were put down. */
+/* Completes the chain with the points placed so far. */
 static bool finish(Editor *edit) {
     const ChainKind *kind = kind_of(edit);
     if (edit->chain.count < kind->least && !*edit->chain.exit) {
@@ -173,7 +173,7 @@ static void add_point(Editor *edit) {
     chain->amount[chain->count++] = edit->now.amount;
 }
 
-/* The same length again, a quarter to the right. */
+/* Proposes the next point: the same length again, a quarter turn to the right. */
 static void propose(Editor *edit, bool keys) {
     double length = vec2_distance(edit->chain.points[edit->chain.count - 2], last_point(edit));
     double angle = remainder(last_angle(edit) - 90, 360);
@@ -233,7 +233,7 @@ static void release(Editor *edit, bool moved) {
         put(edit, false);
 }
 
-/* Words and marks -------------------------------------------------------------------------------------------------- */
+/* Texts and marks ------------------------------------------------------------------------------------------------- */
 
 static void say(Editor *edit, Text *words) {
     const ChainKind *kind = kind_of(edit);

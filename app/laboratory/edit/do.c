@@ -7,7 +7,8 @@
 #include "plan/draft_clip.h"
 #include "laboratory/edit/editor_state.h"
 
-static const double APART = 0.30; /* m, to the right and below: where a copy goes that no pointer leads */
+static const double APART =
+    0.30; /* m, to the right and downwards: offset of a copy that is pasted without the pointer */
 
 static bool is_anything(const Editor *edit, Fault *fault) {
     if (edit->id_count)
@@ -16,7 +17,7 @@ static bool is_anything(const Editor *edit, Fault *fault) {
     return false;
 }
 
-/* Opens a step called "VERB THINGS". */
+/* Opens an undo step called "VERB NAMES". */
 static void open_step(Editor *edit, const char *verb) {
     char name[EDIT_NAME], things[EDIT_NAME];
     edit_select_names(edit, things);
@@ -42,7 +43,7 @@ static void nudge_fields(Editor *edit, Vec2 by) {
         return;
     }
     if (grip->grip == GRIP_TURN) {
-        fields[0].value += fabs(by.x) > fabs(by.y) ? -by.x * 100 : by.y * 100; /* a degree for each centimetre */
+        fields[0].value += fabs(by.x) > fabs(by.y) ? -by.x * 100 : by.y * 100; /* one degree per centimetre */
         fields[0].typed = true;
         return;
     }
@@ -209,7 +210,7 @@ bool edit_do_duplicate(Editor *edit, Fault *fault) {
     return good;
 }
 
-/* All places within a value: pairs of numbers, however deep. */
+/* Extends the box by all places within a value: pairs of numbers at any depth. */
 static Box include_places(Box box, const json_t *value) {
     size_t i;
     json_t *inner;
@@ -226,8 +227,8 @@ static Box include_places(Box box, const json_t *value) {
     return box;
 }
 
-/* Returns the shift of pasted pieces: to the pointer; without a pointer, or on top of the originals, next to
- * that, the second time beside the first. */
+/* Returns the offset of pasted pieces: their middle moves to the pointer. Without a pointer, or close to the
+ * originals, each copy is placed APART farther to the right and below. */
 static Vec2 paste_by(Editor *edit, const char *text, Box box) {
     Vec2 to = vec2_sub(edit->pointer.at, vec2_scale(vec2_add(box.low, box.high), 0.5));
     Vec2 by = vec2(round(to.x / SNAP_GRID) * SNAP_GRID, round(to.y / SNAP_GRID) * SNAP_GRID);

@@ -1,12 +1,12 @@
-/* Doors and openings: placed on a wall, slid along it, made wider. */
+/* Places doors and openings on a wall, slides them along it, and changes their width. */
 #include <stdio.h>
 #include <string.h>
 
 #include "laboratory/edit/editor_state.h"
 
-static const double LEAST_WIDTH = 0.10; /* m, of a door whose edge is dragged */
+static const double LEAST_WIDTH = 0.10; /* m, least width of a door whose edge is dragged */
 
-/* Kinds to choose from. */
+/* Kinds of doors to choose from. */
 static const char *const door_kinds[] = {"hinged", "opening", "sliding"};
 
 /* The fields of a new door. */
@@ -31,7 +31,7 @@ static bool find_wall(Editor *edit, Vec2 at) {
     return true;
 }
 
-/* The middle of a segment attracts a door, as a wall's end does. */
+/* Snaps a door to the middle of a segment, as to the ends of a wall. */
 static void snap_middle(Editor *edit) {
     const Vec2 *ends = edit->begun.walls[edit->now.wall].points.at + edit->now.segment;
     double middle = vec2_distance(ends[0], ends[1]) / 2;
@@ -73,7 +73,7 @@ void edit_door_make(Editor *edit) {
     snprintf(edit->made, EDIT_NAME, "%s", draft_add(edit->draft, DRAFT_DOORS, element));
 }
 
-/* Keeps a door within its segment and beside the others; false: it is that already, or cannot be. */
+/* Moves a door into its segment and clear of the other doors. False: it needs no move, or there is no space for it. */
 static bool keep_within(Editor *edit, const char *self) {
     EditTarget *now = &edit->now;
     if (now->wall >= edit->begun.wall_count)
@@ -97,7 +97,7 @@ static bool keep_within(Editor *edit, const char *self) {
     return now->along != before;
 }
 
-/* A typed place is taken literally. */
+/* Limits the door's place, unless the place is typed: typed values are taken literally. */
 bool edit_door_limit(Editor *edit) {
     double typed;
     bool placed = edit_field_typed(edit, FIELD_X, &typed) || edit_field_typed(edit, FIELD_Y, &typed) ||
@@ -124,7 +124,7 @@ static double pointer_along(const Editor *edit, const Door *door) {
     return vec2_dot(vec2_sub(pointer, ends[0]), vec2_unit(vec2_sub(ends[1], ends[0])));
 }
 
-/* One edge follows the pointer, the other one stays. */
+/* Moves one edge of the door to the pointer; the other edge stays in place. */
 static void follow_edge(Editor *edit, const Door *door) {
     bool last = edit->grip.index == 1;
     double fixed = door->at + (last ? -0.5 : 0.5) * door->width, edge = to_grid(edit, pointer_along(edit, door));

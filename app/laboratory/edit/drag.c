@@ -1,4 +1,4 @@
-/* Taking up what is there: a handle, or all that is selected; and the rectangle that selects. */
+/* Drags a handle or the whole selection, and draws the selection rectangle. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -86,7 +86,7 @@ static bool put(Editor *edit, bool keys) {
     return true;
 }
 
-/* A click takes it up, and the next one puts it down. */
+/* Ends the drag, unless the press was a click: a click grabs the handle, and the next click drops it. */
 static void release(Editor *edit, bool moved) {
     if (moved || edit->taken)
         put(edit, false);
@@ -94,7 +94,7 @@ static void release(Editor *edit, bool moved) {
         edit->taken = true;
 }
 
-/* Remarks a piece that is held in a wall. */
+/* Reports that the dragged piece overlaps a wall. */
 static void say_overlap(const Editor *edit, Text *words) {
     const Plan *plan = draft_plan(edit->draft);
     size_t index, wall = 0;
@@ -126,7 +126,7 @@ static const EditGesture shape = DRAG(edit_shape_follow, edit_shape_make, NULL),
                          body = DRAG(edit_body_follow, edit_body_make, NULL),
                          slide = DRAG(edit_door_slide_follow, edit_door_slide_make, edit_door_slide_limit);
 
-/* All that is selected --------------------------------------------------------------------------------------------- */
+/* The whole selection --------------------------------------------------------------------------------------------- */
 
 static void follow_whole(Editor *edit) {
     Vec2 by = vec2_sub(edit->pointer.at, edit->pressed);
@@ -161,7 +161,7 @@ static void show_whole(Editor *edit) {
 static const EditGesture whole = {
     .follow = follow_whole, .make = make_whole, .put = put, .release = release, .say = say_whole, .show = show_whole};
 
-/* From where the button went down to a piece of a wall, m. */
+/* Returns the distance from the press position to a segment of a wall, m. */
 static double distance_to_piece(const Editor *edit, const EditHandle *handle) {
     const Plan *plan = draft_plan(edit->draft);
     size_t w = 0;
@@ -178,7 +178,7 @@ void edit_drag_whole(Editor *edit) {
     char name[EDIT_NAME], things[EDIT_NAME];
     EditHandle handles[EDIT_HANDLES];
     size_t count = edit_handle_list(edit, draft_plan(edit->draft), handles);
-    const EditHandle *meant = NULL; /* the middle, or the nearest piece of a wall: they snap, as their handles do */
+    const EditHandle *meant = NULL; /* the middle, or the nearest segment of a wall: it snaps as its handle does */
     double nearest = HUGE_VAL;
     for (size_t i = 0; i < count; i++) {
         double distance = handles[i].grip == GRIP_MIDDLE    ? 0
@@ -198,8 +198,7 @@ void edit_drag_whole(Editor *edit) {
     edit_gesture_follow(edit);
 }
 
-/* The rectangle that selects ----------------------------------------------------------------------------------------
- */
+/* The selection rectangle ----------------------------------------------------------------------------------------- */
 
 static void follow_box(Editor *edit) {
     edit->now.at = edit->pointer.at;

@@ -61,7 +61,7 @@ void editor_destroy(Editor *edit) {
     memory_free(edit);
 }
 
-/* The owner -------------------------------------------------------------------------------------------------------- */
+/* Calls of the owner ---------------------------------------------------------------------------------------------- */
 
 void editor_set_scene(Editor *edit, const EditorScene *scene) {
     edit->scene = *scene;
@@ -100,7 +100,7 @@ void editor_set_selected(Editor *edit, Item item) {
 }
 
 void editor_settle(Editor *edit) {
-    Fault none = {0}; /* a value that was refused was reported when it was set */
+    Fault none = {0}; /* a refused value was reported when it was set */
     if (!edit->number_held)
         return;
     edit->number_held = false;
@@ -109,7 +109,7 @@ void editor_settle(Editor *edit) {
     edit->changed = true;
 }
 
-/* Cancels the gesture and completes the number that is dragged, before another thing is done to the selection. */
+/* Cancels the gesture and completes the dragged number, before another action on the selection. */
 static void prepare(Editor *edit) {
     editor_settle(edit);
     edit_gesture_drop(edit);
@@ -123,7 +123,8 @@ void editor_hold_number(Editor *edit, const char *step) {
 }
 
 bool editor_holds_number(Editor *edit) {
-    edit->number_held = edit->number_held && draft_is_open(edit->draft); /* the end of the step releases its numbers */
+    edit->number_held =
+        edit->number_held && draft_is_open(edit->draft); /* the end of the step also ends the dragging of its number */
     return edit->number_held;
 }
 
@@ -185,7 +186,7 @@ bool editor_escape(Editor *edit) {
     return edit_pointer_escape(edit);
 }
 
-/* The text of the tool's strip while there is no gesture. */
+/* Returns the text of the tool's strip while there is no gesture. */
 static const char *strip_text(Editor *edit) {
     const Plan *plan = draft_plan(edit->draft);
     const char *trouble = edit->tool == TOOL_IMAGE ? edit_image_trouble(edit) : NULL;
@@ -233,7 +234,8 @@ void editor_select_all(Editor *edit) {
 void editor_focus_handle(Editor *edit, int step) {
     EditHandle handles[EDIT_HANDLES];
     edit_select_meet(edit);
-    int count = (int)edit_handle_list(edit, draft_plan(edit->draft), handles) + 1; /* and none of them */
+    int count =
+        (int)edit_handle_list(edit, draft_plan(edit->draft), handles) + 1; /* and the position without a handle */
     edit->handle = step ? (edit->handle + 1 + count + step % count) % count - 1 : -1;
 }
 
@@ -317,8 +319,7 @@ const char *editor_redo_name(const Editor *edit) {
     return draft_redo_name(edit->draft);
 }
 
-/* Texts, catalogue, proposals, picture ------------------------------------------------------------------------------
- */
+/* Texts, catalogue, proposals, picture ---------------------------------------------------------------------------- */
 
 const EditText *editor_texts(Editor *edit, size_t *count) {
     edit_select_meet(edit);

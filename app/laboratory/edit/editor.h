@@ -1,13 +1,13 @@
-/* Editing a house while it runs: tools, gestures, selection, undo. The window turns mouse and keys into these calls and
- * knows nothing of walls and doors; the editor knows no pixels: all places are m on the floor.
+/* Edits a house while it runs: tools, gestures, selection, undo. The window translates mouse and keys into these
+ * calls and does not depend on walls and doors; the editor does not depend on pixels: all places are m on the floor.
  *
- * An editor changes a draft. It does not know who runs and draws the house: the owner tells it what is displayed
- * (editor_set_scene) and asks it for what has changed since (editor_next_change, editor_next_shake, editor_selected).
+ * An editor changes a draft. It does not run or draw the house: the owner reports the displayed house
+ * (editor_set_scene) and polls for changes (editor_next_change, editor_next_shake, editor_selected).
  *
- * A gesture is an edit in progress: a wall that is being drawn, a wardrobe that is dragged. Dragging (press,
- * point, release), click-move-click (press and release on a handle without moving takes it up, the next press puts it
- * down) and typing (take a tool, Enter, numbers, Enter) do the same. While a gesture lasts what it would make is
- * checked, run in the background and shown; Escape leaves exactly what was before. Each gesture is one step of undo. */
+ * A gesture is an edit in progress: a wall that is being drawn, a wardrobe that is being dragged. Dragging (press,
+ * point, release), click-move-click (press and release on a handle without moving grabs it, the next press drops it)
+ * and typing (choose a tool, Enter, numbers, Enter) are equivalent. During a gesture its result is checked, run in
+ * the background and displayed; Escape restores exactly the previous state. Each gesture is one undo step. */
 #pragma once
 
 #include <stdbool.h>
@@ -28,43 +28,43 @@ typedef enum EditTool {
     TOOL_MEASURE,
     TOOL_AREA,
     TOOL_ROUTE,
-    TOOL_IMAGE, /* places the picture to trace over: two points a known length apart, then two on a level line */
+    TOOL_IMAGE, /* places the trace image: two points a known length apart, then two points on a level line */
     EDIT_TOOLS,
 } EditTool;
 
 typedef struct EditToolRow {
     const char *name;  /* "wall" */
     const char *help;  /* a sentence */
-    const char *strip; /* what to do next, before anything is begun: "Click where the wall begins, or press Enter to
-                          type the place." */
+    const char *strip; /* what to do next before a gesture begins: "Click where the wall begins, or press Enter to type
+                          the place." */
 } EditToolRow;
 
 /* The pointer on the plan. */
 typedef struct Pointer {
     Vec2 at;       /* m */
-    double reach;  /* m: what is nearer than this is meant */
-    bool free;     /* no snapping now */
+    double reach;  /* m: items closer than this are hit */
+    bool free;     /* snapping is off */
     bool straight; /* along one axis only */
-    bool more;     /* to what is selected already, not in its place */
-    bool nowhere;  /* the pointer is not on the plan: the middle of the view is meant */
+    bool more;     /* extends the selection instead of replacing it */
+    bool nowhere;  /* the pointer is not on the plan: the middle of the view is used */
 } Pointer;
 
 /* A number of a gesture that can be typed. */
 typedef struct EditField {
     const char *name; /* "length" */
     const char *unit; /* "m", "degree" */
-    double value;     /* by the pointer, or as typed */
+    double value;     /* from the pointer, or typed */
     bool typed;
 } EditField;
 
 typedef enum EditMarkKind {
-    MARK_OUTLINE,   /* what is being made or moved, a closed line */
-    MARK_LINE,      /* the same, open */
-    MARK_GUIDE,     /* thin and dashed: what it is snapped to */
-    MARK_DIMENSION, /* a line with ends, words at its middle */
-    MARK_SNAP,      /* a small diamond, words beside it: "end of w3" */
-    MARK_HANDLE,    /* a small square that can be taken up; a disc where it turns something */
-    MARK_GAP,       /* what does not fit or overlaps: bold, words at its middle */
+    MARK_OUTLINE,   /* the item being made or moved, a closed line */
+    MARK_LINE,      /* the item being made or moved, an open line */
+    MARK_GUIDE,     /* thin and dashed: the snap target */
+    MARK_DIMENSION, /* a line with end ticks, text at its middle */
+    MARK_SNAP,      /* a small diamond, text next to it: "end of w3" */
+    MARK_HANDLE,    /* a small square that can be grabbed; a disc for rotation */
+    MARK_GAP,       /* a misfit or an overlap: bold, text at its middle */
 } EditMarkKind;
 
 enum { LABORATORY_MARK_POINTS = 64 };
@@ -74,34 +74,34 @@ typedef struct EditMark {
     Vec2 points[LABORATORY_MARK_POINTS]; /* (count) m */
     size_t count;
     const char *words; /* or NULL */
-    bool round;        /* of a handle: it turns something */
-    bool held;         /* of a handle: it is dragged, or has the keyboard focus */
+    bool round;        /* a handle that rotates the item */
+    bool held;         /* a handle that is being dragged or has the keyboard focus */
 } EditMark;
 
-/* The gesture in progress and its marks; good until the next call of the editor or update. */
+/* The gesture in progress and its marks; valid until the next call of the editor or update. */
 typedef struct GestureView {
-    bool active;         /* the clock is to be held */
-    const char *doing;   /* "wall 2.50 m, 90 degrees"; or what to do next; never NULL */
-    const char *refusal; /* why it cannot be placed there, and what is allowed; NULL: it can */
+    bool active;         /* the clock must be paused */
+    const char *doing;   /* "wall 2.50 m, 90 degrees", or the next action; never NULL */
+    const char *refusal; /* why the place is invalid, and which places are allowed; NULL: the place is valid */
     const EditMark *marks;
     size_t mark_count;
-    const EditField *fields; /* that can be typed now, Tab goes round */
+    const EditField *fields; /* numbers that can be typed now; Tab cycles through them */
     size_t field_count, field;
-    const char *typed; /* so far, into the field; "" : nothing */
-    const char *wrong; /* why the typed text is not a value; NULL: it is one */
+    const char *typed; /* text typed into the field so far; "": none */
+    const char *wrong; /* why the typed text is not a value; NULL: the text is valid */
 } GestureView;
 
-/* Something that is placed: a wardrobe of a catalogue, a profile. */
+/* An item that can be placed: a wardrobe of the catalogue, a profile. */
 typedef struct CatalogueRow {
     const char *name;  /* "wardrobe" */
     const char *group; /* "Japanese", "European" */
     const char *words; /* "0.90 x 0.60 m, 1.80 m high" */
 } CatalogueRow;
 
-/* A word or a text of what is selected: names, ids, notes. */
+/* A text of the selected item: a name, an id, a note. */
 typedef struct EditText {
     const char *name;  /* "furniture.f3.name", "house.name" */
-    const char *group; /* as of a PanelParameter */
+    const char *group; /* group heading, as in PanelParameter */
     const char *label; /* "name" */
     const char *value;
     const char *help; /* a sentence */
@@ -113,60 +113,60 @@ typedef struct Proposal {
     const char *answer; /* "everybody out in 21.3 s" */
 } Proposal;
 
-/* The picture to trace over. */
+/* The picture to trace over (the trace image). */
 typedef struct TraceImage {
     const char *path;
     Vec2 corners[4]; /* m: lower left, lower right, upper right, upper left */
     double opacity;  /* 0 to 1 */
 } TraceImage;
 
-/* With whose profiles, seed and driving model the house is run, and by how many threads. */
+/* Profiles, driving model and number of threads with which the editor runs the house. */
 typedef struct EditorOptions {
-    const char *path;     /* of the house file; "": it has none yet */
+    const char *path;     /* path of the house file; "": the house has no file yet */
     const char *profiles; /* directory of the shipped profiles */
     uint64_t seed;
     int driving; /* Driving, or -1 */
     int jobs;    /* threads */
 } EditorOptions;
 
-/* The house that is displayed; house NULL: nothing is displayed yet. */
+/* The displayed house; house NULL: nothing is displayed yet. */
 typedef struct EditorScene {
     HouseScenery scenery;
-    uint64_t revision; /* of the draft that this house was made from */
-    double time;       /* s, that is displayed */
+    uint64_t revision; /* the draft's revision that this house was made from */
+    double time;       /* s, the displayed time */
 } EditorScene;
 
-/* An earthquake that was made by editor_shake: the pieces with these ids (count) fell. */
+/* An earthquake made by editor_shake: the pieces with these ids (count) fell. */
 typedef struct EditorShake {
     uint64_t seed;
     const char *const *ids;
     size_t count;
 } EditorShake;
 
-/* The draft stays the caller's and must outlive the editor. editor_destroy releases the editor with its threads. */
+/* Creates an editor. The draft stays the caller's and must outlive the editor. editor_destroy ends the editor's
+ * threads and releases it. */
 Editor *editor_create(Draft *draft, const EditorOptions *options);
 void editor_destroy(Editor *editor);
 
-/* What the owner of the editor tells it and asks it -----------------------------------------------------------------
- */
+/* Exchange with the owner of the editor --------------------------------------------------------------------------- */
 
 void editor_set_scene(Editor *editor, const EditorScene *scene);
 void editor_set_driving(Editor *editor, int driving);
 
-/* The file of the house, "": it has none; it changes when the house is saved. The text stays good. */
+/* Returns the path of the house file, "": none. The path changes when the house is saved; the text stays valid. */
 const char *editor_path(const Editor *editor);
 
-/* True once after each change of the draft, and after the end of a step. */
+/* True once after each change of the draft, and after the end of each undo step. */
 bool editor_next_change(Editor *editor);
 
-/* True once after each earthquake, with what fell in it; the ids stay good as long as the editor. */
+/* True once after each earthquake, with the pieces that fell; the ids stay valid as long as the editor. */
 bool editor_next_shake(Editor *editor, EditorShake *shake);
 
-/* The selected item of the displayed house: the last one of the selection. */
+/* Returns the selected item of the displayed house: the last one of the selection. */
 Item editor_selected(const Editor *editor);
 void editor_set_selected(Editor *editor, Item item);
 
-/* A number of the panel is being dragged: all its changes are one step, called `step`, until editor_settle. */
+/* Starts dragging a number of the panel: all its changes until editor_settle form one undo step, called `step`. */
 void editor_hold_number(Editor *editor, const char *step);
 bool editor_holds_number(Editor *editor);
 void editor_settle(Editor *editor);
@@ -174,23 +174,24 @@ void editor_settle(Editor *editor);
 /* Sets all numbers back to those in the file, as one step. */
 void editor_reset(Editor *editor, const char *step);
 
-/* Why the picture to trace over is missing or another one, in a line; NULL: it is as it was, or there is none. */
+/* Returns one line that says why the trace image is missing or differs from the original; NULL: it is unchanged, or
+ * there is none. */
 const char *editor_image_trouble(Editor *editor);
 
 /* Tools, pointer and keys ------------------------------------------------------------------------------------------ */
 
 const EditToolRow *editor_tool_row(EditTool tool);
-void editor_set_tool(Editor *editor, EditTool tool); /* a gesture that was begun ends */
+void editor_set_tool(Editor *editor, EditTool tool); /* ends the gesture in progress */
 EditTool editor_tool(const Editor *editor);
 
-/* `press` and `release` are of the main button; `twice`: the second press of a double click. */
+/* Pass the pointer's movement and the main button; `twice`: the second press of a double click. */
 void editor_point(Editor *editor, const Pointer *pointer);
 void editor_press(Editor *editor, const Pointer *pointer, bool twice);
 void editor_release(Editor *editor, const Pointer *pointer);
 
-/* Keys while the plan has the focus; true if the key was used. `type` takes characters that begin or continue a number
- * ("2", ",", "-", "c"); `enter` completes the gesture, or begins one with typed places; `back` removes the last point
- * or character; `tab` goes to the next field (-1: the one before); `escape` cancels. */
+/* Keys while the plan has the focus; true if the key was used. `type` takes characters that begin or continue a
+ * number ("2", ",", "-", "c"); `enter` completes the gesture, or begins one with typed places; `back` removes the
+ * last point or character; `tab` goes to the next field (-1: the previous field); `escape` cancels. */
 bool editor_type(Editor *editor, const char *letters);
 bool editor_enter(Editor *editor);
 bool editor_back(Editor *editor);
@@ -201,60 +202,60 @@ const GestureView *editor_gesture(Editor *editor);
 
 /* Selection -------------------------------------------------------------------------------------------------------- */
 
-/* All selected items (count) of the displayed house. */
+/* Returns all selected items (count) of the displayed house. */
 const Item *editor_selection(Editor *editor, size_t *count);
-void editor_toggle(Editor *editor, Item item); /* adds it to the selection, or takes it away */
+void editor_toggle(Editor *editor, Item item); /* adds the item to the selection, or removes it */
 void editor_select_all(Editor *editor);
 
-/* Goes round the handles of the selected item, so that a nudge moves that handle; step 0: no handle. */
+/* Cycles through the handles of the selected item; nudging moves the focused handle. Step 0: no handle. */
 void editor_focus_handle(Editor *editor, int step);
 
-/* Done to the selection, each as one step; false: nothing was done, and the fault says why. A wall is split in the
- * middle of its segment nearest to the pointer; `paste` puts the pieces at the pointer. */
+/* Actions on the selection, each as one undo step; false: nothing changed, and the fault says why. A wall is split
+ * in the middle of its segment nearest to the pointer; `paste` puts the pieces at the pointer. */
 bool editor_nudge(Editor *editor, Vec2 by, Fault *fault);
 bool editor_turn(Editor *editor, double degrees, Fault *fault);
-bool editor_topple(Editor *editor, Fault *fault); /* or stands it up */
+bool editor_topple(Editor *editor, Fault *fault); /* topples the piece, or stands it up */
 bool editor_split(Editor *editor, Fault *fault);
 bool editor_remove(Editor *editor, Fault *fault);
 bool editor_duplicate(Editor *editor, Fault *fault);
-char *editor_copy(Editor *editor); /* text for a clipboard, NULL: nothing is selected; memory_free it */
+char *editor_copy(Editor *editor); /* text for a clipboard, NULL: nothing is selected; release it with memory_free */
 bool editor_paste(Editor *editor, const char *text, Fault *fault);
 
-/* Makes an earthquake with the next seed, of the house as it stood before the last earthquake if nothing was edited
- * since. `editor_shake_result`: "shake 3: 4 of 11 pieces fell". */
+/* Makes an earthquake with the next seed. It starts from the house as it stood before the last earthquake if nothing
+ * was edited since. `editor_shake_result`: "shake 3: 4 of 11 pieces fell". */
 bool editor_shake(Editor *editor, Fault *fault);
 const char *editor_shake_result(const Editor *editor);
 
-/* Undo; the names are for menus, NULL: there is nothing to undo or redo. */
+/* Undo and redo; the names are for menus, NULL: there is nothing to undo or redo. */
 bool editor_undo(Editor *editor);
 bool editor_redo(Editor *editor);
 const char *editor_undo_name(const Editor *editor);
 const char *editor_redo_name(const Editor *editor);
 
-/* Texts, catalogue, proposals, picture ------------------------------------------------------------------------------
- */
+/* Texts, catalogue, proposals, picture ---------------------------------------------------------------------------- */
 
 const EditText *editor_texts(Editor *editor, size_t *count);
 bool editor_set_text(Editor *editor, const char *name, const char *value, Fault *fault);
 
-/* The rows that the current tool can place, and the chosen one. */
+/* Returns the rows that the current tool can place, and the chosen row. */
 const CatalogueRow *editor_items(Editor *editor, size_t *count);
 size_t editor_item(const Editor *editor);
 void editor_choose_item(Editor *editor, size_t item);
 
-/* Looks in the background for changes that let all people leave. `doing`: how far the search is, NULL: it is over. */
+/* Searches in the background for changes that let all people leave. `doing`: the progress of the search, NULL: the
+ * search is over. */
 void editor_ask_proposals(Editor *editor);
 const Proposal *editor_proposals(Editor *editor, size_t *count, const char **doing);
 bool editor_accept(Editor *editor, size_t proposal, Fault *fault);
 
-/* The picture to trace over; path NULL: none. */
+/* Sets the trace image; path NULL: none. */
 bool editor_set_image(Editor *editor, const char *path, Fault *fault);
 void editor_fade_image(Editor *editor, double opacity);
 TraceImage editor_image(Editor *editor);
 
 /* Files ------------------------------------------------------------------------------------------------------------ */
 
-size_t editor_edit_count(const Editor *editor); /* steps since the file was read or saved */
+size_t editor_edit_count(const Editor *editor); /* undo steps since the file was read or saved */
 bool editor_is_changed(const Editor *editor);
-const char *editor_text(const Editor *editor); /* the text that a file would hold, good until the next call */
+const char *editor_text(const Editor *editor); /* the house as file text, valid until the next call */
 bool editor_save(Editor *editor, const char *path, Fault *fault);

@@ -1,7 +1,8 @@
 /* The state of an editor, for the files of this folder only.
  *
- * A gesture is a row of functions. `follow` turns the pointer and the typed numbers into a target; `make` turns the
- * target into changes of the draft. Both are repeated whenever the pointer moves: the step is rewound, made, and tried.
+ * A gesture is a table of functions. `follow` turns the pointer and the typed numbers into a target; `make` turns
+ * the target into changes of the draft. Both are repeated whenever the pointer moves: the step is rewound, made, and
+ * tried.
  *
  *     pointer, fields -> follow -> now -> make -> draft_try -> good, or a refusal */
 #pragma once
@@ -20,67 +21,67 @@ typedef struct EditSearch EditSearch;
 
 enum {
     EDIT_FIELDS = 6,
-    EDIT_TYPED = 48,    /* letters of a number that is being typed */
-    EDIT_NAME = 128,    /* of a step or a thing */
-    EDIT_HANDLES = 128, /* of what is selected */
-    EDIT_MEASURES = 32, /* that are shown at once */
+    EDIT_TYPED = 48,    /* characters of a number that is being typed */
+    EDIT_NAME = 128,    /* characters of the name of a step or an item */
+    EDIT_HANDLES = 128, /* handles of the selection */
+    EDIT_MEASURES = 32, /* measured distances displayed at once */
 };
 
 /* The target of a gesture. */
 typedef struct EditTarget {
-    Vec2 at;       /* m: where the thing, the handle or the next point goes */
-    Vec2 corner;   /* m: of a rectangle that is drawn, where it began */
-    Vec2 size;     /* m, of a piece of furniture */
+    Vec2 at;       /* m: the target place of the item, the handle or the next point */
+    Vec2 corner;   /* m: first corner of the drawn rectangle */
+    Vec2 size;     /* m: size of a piece of furniture */
     double angle;  /* degree */
-    double amount; /* m: a wall's thickness, a door's width */
-    double along;  /* m: a door's middle on its segment */
+    double amount; /* m: thickness of a wall, width of a door */
+    double along;  /* m: the middle of a door along its segment */
     size_t wall, segment;
 } EditTarget;
 
 typedef struct EditGesture {
     void (*follow)(Editor *edit);
-    void (*make)(Editor *edit);           /* NULL: the draft is not changed by it */
-    bool (*limit)(Editor *edit);          /* brings a refused target to where it may stand; NULL or false: nowhere */
-    bool (*put)(Editor *edit, bool keys); /* a press, or Enter */
-    bool (*back)(Editor *edit);           /* Backspace; NULL: lets go */
-    bool (*escape)(Editor *edit);         /* NULL: lets go */
-    void (*release)(Editor *edit, bool moved); /* of the press that began it, or came later */
+    void (*make)(Editor *edit);  /* NULL: the gesture does not change the draft */
+    bool (*limit)(Editor *edit); /* moves a refused target to the nearest valid place; NULL or false: there is none */
+    bool (*put)(Editor *edit, bool keys);      /* a press, or Enter */
+    bool (*back)(Editor *edit);                /* Backspace; NULL: cancels the gesture */
+    bool (*escape)(Editor *edit);              /* Escape; NULL: cancels the gesture */
+    void (*release)(Editor *edit, bool moved); /* of the press that began the gesture, or of a later press */
     void (*say)(Editor *edit, Text *words);
     void (*show)(Editor *edit); /* adds marks */
-    void (*end)(Editor *edit);  /* forgets what the gesture has collected; NULL: nothing */
+    void (*end)(Editor *edit);  /* releases the data of the gesture; NULL: there are none */
 } EditGesture;
 
 /* The kinds of handles of an item. */
 typedef enum EditGrip {
-    GRIP_POINT,   /* of a wall, an outline, a route; an end of an exit */
-    GRIP_SEGMENT, /* the middle of a wall's piece */
-    GRIP_EDGE,    /* of a door: its width */
-    GRIP_CORNER,  /* of a piece of furniture: its size */
+    GRIP_POINT,   /* a point of a wall, an outline or a route; an end of an exit */
+    GRIP_SEGMENT, /* the middle of a wall's segment */
+    GRIP_EDGE,    /* an edge of a door: changes its width */
+    GRIP_CORNER,  /* a corner of a piece of furniture: changes its size */
     GRIP_TURN,
     GRIP_MIDDLE,
-    GRIP_WHOLE, /* all that is selected */
+    GRIP_WHOLE, /* the whole selection */
 } EditGrip;
 
 typedef struct EditHandle {
     EditGrip grip;
-    const char *id; /* of the element, good as long as the selection and the plan */
+    const char *id; /* id of the element, valid until the selection or the plan changes */
     DraftList list;
-    size_t index; /* of a point, segment, edge or corner */
+    size_t index; /* index of the point, segment, edge or corner */
     Vec2 at;      /* m */
 } EditHandle;
 
-/* Points one after another: a wall, an outline, a way, a distance. */
+/* A chain of points: a wall, an outline, a route, a distance. */
 typedef struct EditChain {
-    Vec2 *points;   /* (count) put down */
-    double *amount; /* (count) m, the thickness of what ends there */
+    Vec2 *points;   /* (count) placed points */
+    double *amount; /* (count) m, thickness of the segment that ends at the point */
     size_t count, capacity, amount_capacity;
-    bool floating;        /* the next point is a part of what is made */
-    bool proposed;        /* length and angle of the next one stand in the fields */
-    Vec2 proposed_at;     /* m, where the pointer was then */
-    char exit[EDIT_NAME]; /* of a route: the exit that was pointed at */
+    bool floating;        /* the next point is shown as a part of the chain */
+    bool proposed;        /* length and angle of the next segment are proposed in the fields */
+    Vec2 proposed_at;     /* m, the pointer's place at the time of the proposal */
+    char exit[EDIT_NAME]; /* routes only: the exit that was clicked */
 } EditChain;
 
-/* Something measured, which stays until it is deleted. */
+/* A measured distance; it stays until it is deleted. */
 typedef struct EditMeasure {
     Vec2 from, to; /* m */
 } EditMeasure;
@@ -88,44 +89,44 @@ typedef struct EditMeasure {
 /* The gesture that a press may begin. */
 typedef enum EditPending { PENDING_NOTHING, PENDING_HANDLE, PENDING_WHOLE, PENDING_BOX } EditPending;
 
-/* An earthquake that was made here. */
+/* An earthquake made in the editor. */
 typedef struct EditShake {
-    uint64_t revision;      /* of the draft after it */
-    const char *const *ids; /* (count) of what fell */
+    uint64_t revision;      /* the draft's revision after the earthquake */
+    const char *const *ids; /* (count) ids of the pieces that fell */
     size_t count;
 } EditShake;
 
 struct Editor {
-    Draft *draft; /* the house as it is edited; the owner's */
+    Draft *draft; /* the edited house; belongs to the owner */
     Arena kept;   /* holds the texts of the options */
     EditorOptions options;
-    EditorScene scene; /* that is displayed */
-    bool changed;      /* the draft, since the owner asked last */
-    bool shook;        /* an earthquake was made since the owner asked last */
-    bool number_held;  /* a number is being dragged: its step is open */
-    Item selected;     /* the last of the selection, in the displayed house */
+    EditorScene scene; /* the displayed house */
+    bool changed;      /* the draft has changed since the owner's last request */
+    bool shook;        /* an earthquake was made since the owner's last request */
+    bool number_held;  /* a number is being dragged: its undo step is open */
+    Item selected;     /* the last item of the selection, in the displayed house */
 
     EditTool tool;
-    Pointer pointer; /* the last one */
-    bool down;       /* its button */
-    bool moved;      /* since it is */
-    Vec2 pressed;    /* m, where it went down */
+    Pointer pointer; /* the last position of the pointer */
+    bool down;       /* the pointer's button is down */
+    bool moved;      /* the pointer has moved since the press */
+    Vec2 pressed;    /* m, the place of the press */
     EditPending pending;
     bool seen; /* the pointer has been on the plan */
 
-    char **ids; /* (id_count) of what is selected, the last one last */
+    char **ids; /* (id_count) ids of the selection, in the order of selecting */
     size_t id_count, id_capacity;
-    Item *things; /* (id_count) the same, as items of the displayed house */
+    Item *things; /* (id_count) the selection as items of the displayed house */
     size_t thing_capacity;
-    Item told;  /* `selected`, when the two were last compared */
-    int handle; /* that has the focus of the keys, -1: none */
+    Item told;  /* `selected` when it was last synchronised with the ids */
+    int handle; /* the handle that has the keyboard focus, -1: none */
 
     const EditGesture *gesture; /* NULL: there is none */
-    bool keys;                  /* the pointer is ignored: until its button is pressed, or */
-    bool clicked;               /* until it moves */
-    Vec2 keys_at;               /* m, where the pointer was then */
-    char name[EDIT_NAME];       /* of its step */
-    Plan begun;                 /* the house before it */
+    bool keys;                  /* the pointer is ignored until its button is pressed, or, */
+    bool clicked;               /* if `clicked`, until the pointer moves */
+    Vec2 keys_at;               /* m, the pointer's place when the keys took over */
+    char name[EDIT_NAME];       /* name of the gesture's undo step */
+    Plan begun;                 /* the house before the gesture */
     EditTarget now, good;
     bool has_good, limited;
     char *refusal;
@@ -133,53 +134,53 @@ struct Editor {
     size_t field_count, field;
     char typed[EDIT_TYPED];
     char wrong[128];
-    Snap snap; /* of the target */
+    Snap snap; /* snap of the target */
 
     EditChain chain;
-    EditHandle grip; /* that is held; its id is `held` */
+    EditHandle grip; /* the dragged handle; its id is `held` */
     char *held;
     Vec2 offset;          /* m, from the pointer to the handle */
-    bool taken;           /* by a click, not by dragging */
-    bool sizing;          /* a rectangle is drawn out */
-    char made[EDIT_NAME]; /* the id of what was added last */
+    bool taken;           /* grabbed by a click, not by dragging */
+    bool sizing;          /* a rectangle is being drawn */
+    char made[EDIT_NAME]; /* id of the item added last */
 
-    size_t items[EDIT_TOOLS]; /* chosen */
+    size_t items[EDIT_TOOLS]; /* index of the chosen row of each tool */
     CatalogueRow *item_rows;
     size_t item_capacity;
     Arena item_words;
     Catalogue catalogue;
-    char **profiles; /* (profile_count) names of the shipped ones */
+    char **profiles; /* (profile_count) names of the shipped profiles */
     size_t profile_count;
-    bool stocked;                      /* the two are read */
-    double door_width, wall_thickness; /* m, of the next one */
+    bool stocked;                      /* catalogue and profiles have been read */
+    double door_width, wall_thickness; /* m, of the next door, of the next wall */
 
-    char *image;        /* path of the picture to trace over that was looked for last, or NULL */
-    double image_shape; /* 1, its height by its width; 0: there is none */
-    bool image_other;   /* its bytes are not those that were traced over */
+    char *image;        /* path of the trace image that was read last, or NULL */
+    double image_shape; /* 1, height / width of the trace image; 0: there is none */
+    bool image_other;   /* the image's bytes differ from the ones that were traced */
 
     EditMeasure measures[EDIT_MEASURES];
     size_t measure_count;
 
-    EditSearch *search;   /* for changes with which all people could leave, or NULL */
-    EditSearch *given_up; /* a list of those that have not ended yet */
+    EditSearch *search;   /* search for changes that let all people leave, or NULL */
+    EditSearch *given_up; /* list of cancelled searches that have not ended yet */
     char proposing[64];
 
     EditShake *shakes; /* (shake_count) */
     size_t shake_count, shake_capacity;
-    uint64_t seed;          /* of the last one */
-    char shaken[EDIT_NAME]; /* what came of it */
+    uint64_t seed;          /* seed of the last earthquake */
+    char shaken[EDIT_NAME]; /* result of the last earthquake */
     Arena shake_arena;
 
     EditText *texts;
     size_t text_capacity;
     Arena text_arena;
 
-    EditMark *marks; /* of the gesture that is shown */
+    EditMark *marks; /* marks of the displayed gesture */
     size_t mark_count, mark_capacity;
     Arena words;
-    uint64_t pasted;    /* digest of what was pasted last without a pointer, */
-    int copies;         /* so often */
-    size_t saved_steps; /* that could be undone when it was saved */
+    uint64_t pasted;    /* digest of the text that was last pasted without a pointer, */
+    int copies;         /* and how many times it was pasted */
+    size_t saved_steps; /* number of undo steps at the last save */
     Text doing;
     GestureView shown;
 };
@@ -189,17 +190,18 @@ struct Editor {
 /* Begins a gesture; `name` is the name of its step. `keys`: the pointer is ignored at first. */
 void edit_gesture_begin(Editor *edit, const EditGesture *gesture, const char *name, bool keys);
 
-/* Repeats the gesture with the pointer and the fields as they are. */
+/* Repeats the gesture with the present pointer and fields. */
 void edit_gesture_follow(Editor *edit);
 
-/* Completes the gesture as one step, or cancels it; false: the step is refused, and the gesture goes on. */
+/* Completes the gesture as one step, or cancels it. False: the step is refused, and the gesture continues. */
 bool edit_gesture_end(Editor *edit);
 void edit_gesture_drop(Editor *edit);
 
-/* Puts the last good target down, where there is one. False: refused, and nothing has happened. */
+/* Applies the last valid target, if there is one. False: the target is refused, and nothing has changed. */
 bool edit_gesture_settle(Editor *edit);
 
-/* A step of its own: begins it; ends it, and has it followed. False: a fault says why it cannot be. */
+/* Open and close an undo step without a gesture; closing reports the change to the owner. False: the fault says why
+ * the step is invalid. */
 void edit_gesture_open(Editor *edit, const char *name);
 bool edit_gesture_close(Editor *edit, Fault *fault);
 
@@ -214,7 +216,7 @@ bool edit_field_back(Editor *edit);
 bool edit_field_tab(Editor *edit, int step);
 bool edit_field_begins(const char *letters);
 
-/* Returns the snapped place of the pointer and stores the snap; `ask` has what differs from the usual. */
+/* Returns the snapped place of the pointer and stores the snap; `ask` holds the deviations from the usual request. */
 Vec2 edit_gesture_snap(Editor *edit, SnapAsk ask);
 
 /* Tools ----------------------------------------------------------------------------------------------------------- */
@@ -226,8 +228,8 @@ void edit_way_make_exit(Editor *edit);
 void edit_way_make_room(Editor *edit);
 void edit_way_make_route(Editor *edit);
 void edit_way_find_exit(Editor *edit);
-const char *edit_way_person(const Editor *edit); /* whose route is drawn; NULL: the plan has no people */
-bool edit_way_across(Editor *edit);              /* an exit across the door at the pointer */
+const char *edit_way_person(const Editor *edit); /* the person whose route is drawn; NULL: the plan has no people */
+bool edit_way_across(Editor *edit);              /* places an exit across the door at the pointer */
 void edit_place_begin(Editor *edit, bool keys);
 void edit_door_follow(Editor *edit);
 void edit_door_make(Editor *edit);
@@ -247,53 +249,53 @@ bool edit_pointer_enter(Editor *edit);
 bool edit_pointer_back(Editor *edit);
 bool edit_pointer_escape(Editor *edit);
 
-/* The rows that a tool can place: reads the catalogue and the names of the profiles once. */
+/* Prepares the rows that a tool can place: reads the catalogue and the names of the profiles once. */
 void edit_items_stock(Editor *edit);
 void edit_items_clear(Editor *edit);
 const CatalogueRow *edit_items_list(Editor *edit, size_t *count);
 
 /* Selection ------------------------------------------------------------------------------------------------------- */
 
-/* Makes `selected`, which the owner may have set, and the selected ids agree. */
+/* Synchronises the selected ids with `selected`, which the owner may have set. */
 void edit_select_meet(Editor *edit);
-void edit_select_only(Editor *edit, const char *id); /* NULL: nothing */
+void edit_select_only(Editor *edit, const char *id); /* id NULL: clears the selection */
 void edit_select_toggle(Editor *edit, const char *id);
-void edit_select_known(Editor *edit); /* forgets the ids that were removed */
+void edit_select_known(Editor *edit); /* removes ids of removed items from the selection */
 bool edit_select_has(const Editor *edit, const char *id);
 void edit_select_within(Editor *edit, Box box, bool more);
 void edit_select_all(Editor *edit);
-const char *edit_select_id(const Editor *edit, Item thing); /* "": it has none */
+const char *edit_select_id(const Editor *edit, Item thing); /* "": the item has no id */
 Item edit_select_thing(const Editor *edit, const char *id);
-const char *edit_select_at(Editor *edit, Vec2 at); /* what lies there, NULL: nothing */
+const char *edit_select_at(Editor *edit, Vec2 at); /* id of the item at a place, NULL: none */
 
 /* "door d2", "wardrobe (f3)" */
 void edit_select_name(const Editor *edit, const char *id, char name[EDIT_NAME]);
-/* The same, or "5 things". */
+/* Writes the name of the selection: as edit_select_name, or "5 items". */
 void edit_select_names(const Editor *edit, char name[EDIT_NAME]);
 
-/* The handles of what is selected in a plan (EDIT_HANDLES); how many. */
+/* Lists the handles of the selection in a plan (at most EDIT_HANDLES); returns their number. */
 size_t edit_handle_list(const Editor *edit, const Plan *plan, EditHandle *handles);
-/* The nearest one within reach; false: none. */
+/* Finds the nearest handle within reach; false: none. */
 bool edit_handle_at(const Editor *edit, const Pointer *pointer, EditHandle *handle);
 
-/* Marks of the gesture, for what it shows. */
+/* Add marks to the displayed gesture. */
 void edit_marks_line(Editor *edit, Vec2 from, Vec2 to);
 void edit_marks_outline(Editor *edit, const Vec2 *points, size_t count);
 void edit_marks_length(Editor *edit, Vec2 from, Vec2 to);
-void edit_marks_piece(Editor *edit, const Furniture *piece); /* and the room that it leaves */
+void edit_marks_piece(Editor *edit, const Furniture *piece); /* also marks the free space around the piece */
 void edit_marks_door(Editor *edit, const Plan *plan, const Door *door);
 void edit_marks_held(Editor *edit);
-const GestureView *edit_marks_make(Editor *edit, const char *idle); /* `idle`: the text without a gesture */
+const GestureView *edit_marks_make(Editor *edit, const char *idle); /* `idle`: the text while there is no gesture */
 
-/* Takes a handle up. */
+/* How a handle is grabbed. */
 typedef enum EditHold { HOLD_DRAG, HOLD_CLICK, HOLD_KEYS } EditHold;
 void edit_drag_begin(Editor *edit, const EditHandle *handle, EditHold how);
 void edit_drag_whole(Editor *edit);
 void edit_drag_box(Editor *edit);
-void edit_shape_follow(Editor *edit); /* points, segments, rectangles: of walls, rooms, exits, routes */
+void edit_shape_follow(Editor *edit); /* points, segments, rectangles of walls, rooms, exits, routes */
 void edit_shape_make(Editor *edit);
-/* Moves all that is selected in the open step: walls with the corners of others that lie on theirs, doors along their
- * walls. The plan is what it was before. */
+/* Moves the whole selection in the open step: selected walls with the corners of other walls that lie on them, doors
+ * along their walls. `plan` is the plan before the move. */
 void edit_shape_move(Editor *edit, const Plan *plan, Vec2 by);
 void edit_body_follow(Editor *edit); /* furniture and people */
 void edit_body_make(Editor *edit);
@@ -301,7 +303,7 @@ void edit_door_slide_follow(Editor *edit); /* doors */
 void edit_door_slide_make(Editor *edit);
 bool edit_door_slide_limit(Editor *edit);
 
-/* What is done to the selection ------------------------------------------------------------------------------------ */
+/* Actions on the selection ---------------------------------------------------------------------------------------- */
 
 bool edit_do_nudge(Editor *edit, Vec2 by, Fault *fault);
 bool edit_do_turn(Editor *edit, double by, Fault *fault);
@@ -311,7 +313,7 @@ char *edit_do_copy(const Editor *edit);
 bool edit_do_duplicate(Editor *edit, Fault *fault);
 bool edit_do_paste(Editor *edit, const char *text, Fault *fault);
 bool edit_split_wall(Editor *edit, Fault *fault);
-bool edit_split_can_join(const Editor *edit); /* the point that has the focus of the keys can be taken out */
+bool edit_split_can_join(const Editor *edit); /* true if the focused point can be removed */
 bool edit_split_join(Editor *edit, Fault *fault);
 
 extern const EditGesture edit_image_gesture;
@@ -319,7 +321,7 @@ void edit_image_begin(Editor *edit, bool keys);
 bool edit_image_set(Editor *edit, const char *path, Fault *fault);
 void edit_image_fade(Editor *edit, double opacity);
 TraceImage edit_image_get(Editor *edit);
-/* Why the picture is not as it was, in a line; NULL: it is, or there is none. */
+/* Returns one line that says why the trace image differs from the original; NULL: it is unchanged, or there is none. */
 const char *edit_image_trouble(Editor *edit);
 
 void edit_propose_ask(Editor *edit);
@@ -333,8 +335,8 @@ void edit_shake_clear(Editor *edit);
 const EditText *edit_text_list(Editor *edit, size_t *count);
 bool edit_text_set(Editor *edit, const char *name, const char *value, Fault *fault);
 
-/* m, of the narrowest chair in the house; infinite: there is none. */
+/* Returns the width of the narrowest wheelchair in the house, m; infinite: there is none. */
 double edit_measure_chair(const Editor *edit);
 void edit_measure_say(double length, double chair, char *words, size_t size);
 void edit_measure_keep(Editor *edit, Vec2 from, Vec2 to);
-bool edit_measure_side(Editor *edit); /* the side at the pointer; false: there is none */
+bool edit_measure_side(Editor *edit); /* uses the side at the pointer; false: there is none */

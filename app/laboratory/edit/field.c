@@ -1,4 +1,4 @@
-/* The numbers of a gesture, that can be typed while it lasts. */
+/* The number fields of a gesture, which can be typed while it lasts. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -38,7 +38,8 @@ bool edit_field_begins(const char *letters) {
     return (*letters >= '0' && *letters <= '9') || (*letters && strchr("-.,+", *letters));
 }
 
-/* True if the characters may stand in a number: letters of units, signs, and beyond ASCII degrees and minus. */
+/* True if the characters may continue a number: letters of units, signs and, beyond ASCII, the degree and minus
+ * signs. */
 static bool goes_on(const char *letters) {
     for (; *letters; letters++)
         if (!strchr("0123456789-+., '\"cmkftinrdeg", *letters) && (unsigned char)*letters < 0x80)
@@ -46,7 +47,7 @@ static bool goes_on(const char *letters) {
     return true;
 }
 
-/* Reads the typed text; while it is not a number, the last value stays. */
+/* Reads the typed text; the last value stays while the text is not a number. */
 static void read_typed(Editor *edit) {
     EditField *field = &edit->fields[edit->field];
     char reason[QUANTITY_REASON];
@@ -81,7 +82,7 @@ bool edit_field_back(Editor *edit) {
     if (!used)
         return false;
     while (used > 1 && ((unsigned char)edit->typed[used - 1] & 0xC0) == 0x80)
-        used--; /* the bytes that go on with a letter */
+        used--; /* continuation bytes of a UTF-8 character */
     edit->typed[used - 1] = 0;
     read_typed(edit);
     return true;
@@ -91,7 +92,7 @@ bool edit_field_tab(Editor *edit, int step) {
     if (!edit->gesture || !edit->field_count)
         return false;
     if (*edit->wrong)
-        return true; /* not before it is a number, or taken back */
+        return true; /* not before the text is a number or has been removed */
     size_t count = edit->field_count;
     edit->field = (edit->field + count + (size_t)(step < 0 ? count - 1 : 1)) % count;
     *edit->typed = 0;

@@ -1,4 +1,5 @@
-/* The common part of all gestures: a step that is repeated with each movement, tried, and completed or cancelled. */
+/* The common part of all gestures: a step that is repeated at each pointer movement, tried, and completed or
+ * cancelled. */
 #include <stdio.h>
 
 #include "laboratory/edit/editor_state.h"
@@ -47,7 +48,7 @@ void edit_gesture_begin(Editor *edit, const EditGesture *gesture, const char *na
         draft_begin(edit->draft, name);
 }
 
-/* Makes the target in the draft and tries it. */
+/* Applies the target to the draft and tries the result. */
 static bool try_now(Editor *edit, Fault *fault) {
     uint64_t before = draft_revision(edit->draft);
     draft_rewind(edit->draft);
@@ -65,7 +66,7 @@ void edit_gesture_follow(Editor *edit) {
     Fault fault = {0}, again = {0};
     if (!edit->gesture)
         return;
-    if (edit->gesture->make && !draft_is_open(edit->draft)) { /* a number was set meanwhile: a step of its own */
+    if (edit->gesture->make && !draft_is_open(edit->draft)) { /* a number was set meanwhile, as its own step */
         keep_begun(edit);
         draft_begin(edit->draft, edit->name);
     }

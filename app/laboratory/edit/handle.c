@@ -3,7 +3,7 @@
 #include "laboratory/edit/editor_state.h"
 #include "plan/plan_geometry.h"
 
-static const double ARM = 0.45; /* m, of the handle that turns, beyond the piece or from the person */
+static const double ARM = 0.45; /* m, distance of the rotation handle from the piece or the person */
 
 typedef struct Handles {
     EditHandle *list;
@@ -26,7 +26,7 @@ static void add_points(Handles *handles, const Points *points, size_t count) {
         add(handles, GRIP_POINT, i, points->at[i]);
 }
 
-/* A closed wall's first point is its last one, too. */
+/* Adds the handles of a wall. The first point of a closed wall is also its last point. */
 static void add_wall(Handles *handles, const Wall *wall) {
     const Points *points = &wall->points;
     bool closed = points->count > 3 && vec2_distance(points->at[0], points->at[points->count - 1]) < 1e-9;

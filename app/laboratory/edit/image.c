@@ -1,4 +1,5 @@
-/* The picture to trace over: its scale by two points that are a known length apart, level by two points that are. */
+/* The picture to trace over (trace image): two points a known length apart set its scale, two points on a level line
+ * set its angle. */
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
@@ -11,19 +12,19 @@
 #include "plan/draft_file.h"
 #include "laboratory/edit/editor_state.h"
 
-static const double FIRST_WIDTH = 10; /* m, before its scale is known */
+static const double FIRST_WIDTH = 10; /* m, width before the scale is known */
 static const double FIRST_OPACITY = 0.5;
-static const double LEAST_APART = 0.01; /* m, of two points that say something */
+static const double LEAST_APART = 0.01; /* m, least distance of two points that define a scale or an angle */
 
-enum { IMAGE_LARGEST = 256 * 1024 * 1024 /* bytes */, HEADER = 24 /* of a PNG, with its size */ };
+enum { IMAGE_LARGEST = 256 * 1024 * 1024 /* bytes */, HEADER = 24 /* bytes of a PNG header that includes the size */ };
 
-enum { ITEM_SCALE, ITEM_LEVEL }; /* of the tool */
+enum { ITEM_SCALE, ITEM_LEVEL }; /* the rows of the tool */
 
 #define FADE "Fade picture"
 
 /* Files ----------------------------------------------------------------------------------------------------------- */
 
-/* Height by width of a PNG file's bytes; 0: it is none. */
+/* Returns height / width of a PNG file's bytes; 0: not a PNG file. */
 static double shape_of(const char *bytes, size_t count) {
     static const unsigned char signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     const unsigned char *at = (const unsigned char *)bytes;
@@ -34,7 +35,7 @@ static double shape_of(const char *bytes, size_t count) {
     return width > 0 ? height / width : 0;
 }
 
-/* Reads shape and digest of a file; false: see errno, 0 if the file is not a PNG picture. */
+/* Reads shape and digest of a file. False: errno gives the reason, 0 if the file is not a PNG picture. */
 static bool look_at(const char *path, double *shape, char digest[17]) {
     size_t count = 0;
     char *bytes = text_read_file(path, IMAGE_LARGEST, &count);
@@ -48,7 +49,7 @@ static bool look_at(const char *path, double *shape, char digest[17]) {
     return *shape > 0;
 }
 
-/* The folder of the house's file with its "/"; memory_free it. "": it has no file. */
+/* Returns the folder of the house file with its "/"; release it with memory_free. "": the house has no file. */
 static char *folder_of(const Editor *edit) {
     const char *path = edit->options.path;
     char whole[PATH_MAX];
@@ -61,7 +62,8 @@ static char *folder_of(const Editor *edit) {
     return folder.text;
 }
 
-/* As it stands in the house file: from its folder on where it is within it. memory_free it. */
+/* Returns the path as written to the house file: relative to the house's folder if the image lies within it. Release
+ * the path with memory_free. */
 static char *as_written(const Editor *edit, const char *path) {
     char whole[PATH_MAX], *folder = folder_of(edit);
     size_t length = strlen(folder);
@@ -72,7 +74,7 @@ static char *as_written(const Editor *edit, const char *path) {
     return text.text;
 }
 
-/* The other way round. */
+/* Returns the path that a house file's `image` stands for: the inverse of as_written. */
 static char *as_found(const Editor *edit, const char *image) {
     char *folder = *image == '/' ? NULL : folder_of(edit);
     Text text = {0};
@@ -81,7 +83,7 @@ static char *as_found(const Editor *edit, const char *image) {
     return text.text;
 }
 
-/* Looks for the picture again when it is another one. */
+/* Looks for the trace image again if its path has changed. */
 static void find(Editor *edit) {
     const Background *background = &draft_plan(edit->draft)->background;
     char *path = background->image ? as_found(edit, background->image) : NULL;
@@ -138,7 +140,7 @@ bool edit_image_set(Editor *edit, const char *path, Fault *fault) {
     draft_set_house(edit->draft, "background", element_of(&background));
     memory_free(image);
     edit->items[TOOL_IMAGE] = ITEM_SCALE;
-    memory_free(edit->image); /* it is looked at again */
+    memory_free(edit->image); /* the image will be read again */
     edit->image = NULL;
     return edit_gesture_close(edit, fault);
 }
@@ -155,7 +157,7 @@ void edit_image_fade(Editor *edit, double opacity) {
     const char *last = draft_undo_name(edit->draft);
     edit_gesture_drop(edit);
     if (last && strcmp(last, FADE) == 0)
-        draft_undo(edit->draft); /* one step, however often a slider says where it is */
+        draft_undo(edit->draft); /* one undo step, however often the slider reports its position */
     edit_gesture_open(edit, FADE);
     draft_set_house(edit->draft, "background", element_of(&background));
     edit_gesture_close(edit, &none);

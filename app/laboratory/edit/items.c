@@ -6,7 +6,7 @@
 #include "laboratory/edit/editor_state.h"
 #include "laboratory/shipped.h"
 
-#define USUAL_PROFILE "manual-chair" /* that is placed unless another one is chosen */
+#define USUAL_PROFILE "manual-chair" /* profile that is placed by default */
 
 static int is_json(const struct dirent *entry) {
     size_t length = strlen(entry->d_name);
@@ -34,7 +34,7 @@ void edit_items_stock(Editor *edit) {
     if (edit->stocked)
         return;
     edit->stocked = true;
-    Fault none = {0}; /* what is wrong with a shipped file is seen by its test */
+    Fault none = {0}; /* the unit tests report errors in shipped files */
     catalogue_read_folder(&edit->catalogue, shipped_places()->furniture, &none);
     fault_clear(&none);
     stock_profiles(edit);

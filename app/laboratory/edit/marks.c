@@ -7,7 +7,7 @@
 #include "plan/plan_geometry.h"
 
 static const double FARTHEST_GAP = 5.0; /* m: larger gaps next to a piece are not shown */
-static const double LEAST_TOLD = 0.005; /* m: shorter lengths are not */
+static const double LEAST_TOLD = 0.005; /* m: shorter lengths are not displayed */
 
 static EditMark *add_mark(Editor *edit, EditMarkKind kind, const char *words) {
     edit->marks = memory_reserve(edit->marks, &edit->mark_capacity, edit->mark_count + 1, sizeof *edit->marks);
@@ -74,7 +74,7 @@ static void show_wall(Editor *edit, const Wall *wall) {
     size_t s = edit->grip.index, last = wall->points.count - 1;
     bool closed = vec2_distance(at[0], at[last]) < 1e-9;
     if (edit->grip.grip == GRIP_SEGMENT)
-        s++; /* of the pieces beside it, and itself */
+        s++; /* labels the segment and its neighbours */
     size_t first = s >= 2 && edit->grip.grip == GRIP_SEGMENT ? s - 2 : s > 0 ? s - 1 : 0;
     for (size_t i = first; i <= s && i < last; i++)
         edit_marks_length(edit, at[i], at[i + 1]);
@@ -102,7 +102,7 @@ void edit_marks_held(Editor *edit) {
         edit_marks_length(edit, plan->exits[i].from, plan->exits[i].to);
 }
 
-/* The rest -------------------------------------------------------------------------------------------------------- */
+/* Snaps, measured distances, gesture ------------------------------------------------------------------------------ */
 
 static void add_snap(Editor *edit, const Snap *snap) {
     for (size_t i = 0; i < snap->guide_count; i++)
@@ -139,7 +139,7 @@ static void add_hover(Editor *edit) {
     add_snap(edit, &snap);
 }
 
-/* "0.78 m: 0.08 m to spare" */
+/* Adds the measured distances: "0.78 m: 0.08 m to spare". */
 static void add_measures(Editor *edit) {
     double width = edit_measure_chair(edit);
     for (size_t i = 0; i < edit->measure_count; i++) {

@@ -1,4 +1,4 @@
-/* Distances that are measured, and whether a chair goes through. */
+/* Measures distances, and says whether a wheelchair fits through. */
 #include <math.h>
 #include <stdio.h>
 
@@ -25,7 +25,7 @@ void edit_measure_say(double length, double chair, char *words, size_t size) {
         snprintf(words, size, "%.2f m: %.2f m too narrow", length, chair - length);
 }
 
-/* The side of something that is nearest to a place, within reach. */
+/* The side of an item that is nearest to a place, within reach. */
 typedef struct Side {
     Vec2 from, to;
     double distance; /* m */

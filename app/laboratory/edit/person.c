@@ -1,4 +1,4 @@
-/* People who are placed. */
+/* Places people. */
 #include <math.h>
 #include <stdio.h>
 
@@ -6,7 +6,7 @@
 
 enum { FIELD_X, FIELD_Y, FIELD_HEADING };
 
-/* While its button is down, the pointer turns the placed person, once it is far enough away. */
+/* Turns the placed person to the pointer while the button is down, once the pointer is far enough away. */
 static void turn_to_pointer(Editor *edit) {
     Vec2 to = vec2_sub(edit->pointer.at, edit->now.at);
     if (edit->down && edit->moved && vec2_length(to) > edit->pointer.reach)

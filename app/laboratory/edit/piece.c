@@ -1,4 +1,4 @@
-/* Furniture that is placed. */
+/* Places furniture. */
 #include <math.h>
 #include <stdio.h>
 
@@ -8,7 +8,7 @@ static const double LEAST_SIZE = 0.01; /* m */
 
 enum { FIELD_X, FIELD_Y, FIELD_ANGLE, FIELD_WIDTH, FIELD_DEPTH };
 
-/* The chosen piece; NULL: a rectangle as it is drawn. */
+/* Returns the chosen piece; NULL: a rectangle is drawn. */
 static const CatalogueItem *chosen(Editor *edit) {
     size_t item = edit->items[TOOL_FURNITURE];
     edit_items_stock(edit);
@@ -20,7 +20,7 @@ static SnapAsk ask_of(const Editor *edit) {
     return (SnapAsk){.at = pointer->at, .reach = pointer->reach, .free = pointer->free, .along = NAN};
 }
 
-/* Makes a rectangle from its first corner to the pointer, or as it is typed. */
+/* Makes a rectangle from its first corner to the pointer, or as typed. */
 static void follow_rectangle(Editor *edit) {
     EditTarget *now = &edit->now;
     Vec2 to = edit_gesture_snap(edit, (SnapAsk){.along = NAN, .faces = true});

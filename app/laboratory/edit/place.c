@@ -4,9 +4,9 @@
 #include "laboratory/edit/editor_state.h"
 
 typedef struct PlaceKind {
-    const char *name; /* of the step */
+    const char *name; /* name of the undo step */
     const char *fields[EDIT_FIELDS], *units[EDIT_FIELDS];
-    size_t field_count, first; /* first: the first field when the pointer gives the place */
+    size_t field_count, first; /* first: the first field used while the pointer gives the place */
     const EditGesture *gesture;
 } PlaceKind;
 
@@ -19,7 +19,7 @@ static const PlaceKind kinds[EDIT_TOOLS] = {
     [TOOL_PERSON] = {"Place person", {"x", "y", "heading"}, {"m", "m", "degree"}, 3, 2, &person},
 };
 
-/* "Place wardrobe" */
+/* Writes the name of the step: "Place wardrobe". */
 static void name_step(Editor *edit, const PlaceKind *kind, char name[EDIT_NAME]) {
     size_t count, item = edit->items[edit->tool];
     const CatalogueRow *items = edit_items_list(edit, &count);
@@ -58,12 +58,13 @@ static bool put(Editor *edit, bool keys) {
     return true;
 }
 
-/* An item that is dropped at an invalid place is not placed; a rectangle that has only begun goes on. */
+/* Ends the placement. An item that is dropped at an invalid place is not placed; a rectangle whose drawing has only
+ * begun continues. */
 static void release(Editor *edit, bool moved) {
     if (edit->sizing && !moved)
         edit->taken = true;
     else if (!put(edit, false))
-        edit->taken = true; /* the gesture goes on, with the reason, until another press */
+        edit->taken = true; /* the gesture continues, with the reason, until another press */
 }
 
 static void say(Editor *edit, Text *words) {

@@ -1,8 +1,8 @@
-/* The pointer and the keys: which of them begins, follows and ends what. */
+/* The pointer and the keys: decides which of them begins, moves and ends each gesture. */
 
 #include "laboratory/edit/editor_state.h"
 
-static const double STIR = 0.4; /* times the reach: pointer travel below this is a click, not a drag */
+static const double STIR = 0.4; /* share of the reach: pointer travel below this is a click, not a drag */
 
 static bool is_chain(EditTool tool) {
     return tool == TOOL_WALL || tool == TOOL_EXIT || tool == TOOL_MEASURE || tool == TOOL_AREA || tool == TOOL_ROUTE;
@@ -56,7 +56,7 @@ static void begin_handle(Editor *edit, EditHold how) {
         edit_drag_begin(edit, &handle, how);
 }
 
-/* The button is down and the pointer has moved: begins the pending gesture. */
+/* Begins the pending gesture: the button is down and the pointer has moved. */
 static void begin_pending(Editor *edit) {
     EditPending pending = edit->pending;
     edit->pending = PENDING_NOTHING;
@@ -91,7 +91,7 @@ static void press_select(Editor *edit) {
     }
     const char *id = edit_select_at(edit, edit->pointer.at);
     if (!id || is_room(edit, id))
-        return; /* a room is selected when the button is up, unless a rectangle is drawn */
+        return; /* a room is selected at the release, unless a rectangle is drawn */
     edit->pending = PENDING_NOTHING;
     if (edit->pointer.more) {
         edit_select_toggle(edit, id);
@@ -109,7 +109,7 @@ void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice) {
     edit->moved = false;
     edit->pressed = pointer->at;
     edit->pending = PENDING_NOTHING;
-    edit->keys = edit->clicked = false; /* what was begun by keys goes on by hand */
+    edit->keys = edit->clicked = false; /* a gesture begun by keys continues by pointer */
     if (edit->gesture && twice && edit->tool == TOOL_MEASURE && edit_measure_side(edit)) {
         edit_gesture_drop(edit);
     } else if (edit->gesture) {
@@ -124,7 +124,7 @@ void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice) {
     }
 }
 
-/* A click on a handle takes it up; one beside everything selects the room, or nothing. */
+/* Ends a click. A click on a handle grabs the handle; a click outside all items selects the room, or nothing. */
 static void release_pending(Editor *edit) {
     EditPending pending = edit->pending;
     edit->pending = PENDING_NOTHING;
@@ -153,7 +153,7 @@ void edit_pointer_release(Editor *edit, const Pointer *pointer) {
 
 /* Keys ------------------------------------------------------------------------------------------------------------ */
 
-/* Takes up the handle that has the focus of the keys. */
+/* Grabs the handle that has the keyboard focus. */
 static bool take_focused(Editor *edit) {
     EditHandle handles[EDIT_HANDLES];
     edit_select_meet(edit);

@@ -1,4 +1,4 @@
-/* Changes that let everybody out, looked for on a thread of their own. */
+/* Searches for changes that let all people leave, on a separate thread. */
 #include <pthread.h>
 #include <signal.h>
 #include <stdio.h>
@@ -10,22 +10,22 @@
 #include "inquiry/suggest.h"
 #include "laboratory/edit/editor_state.h"
 
-/* Somebody has asked. */
+/* A search that was requested. */
 struct EditSearch {
     pthread_t thread;
     volatile sig_atomic_t stop;
-    uint64_t revision; /* of the draft that it is about */
+    uint64_t revision; /* the draft's revision that the search is for */
     char *text, *path, *profiles;
     HouseOptions options;
     int jobs;
-    pthread_mutex_t mutex; /* of all that follows */
+    pthread_mutex_t mutex; /* guards all members that follow */
     size_t tries;
     bool over;
-    /* When it is over. */
+    /* The result, once the search is over. */
     SuggestList list;
     Proposal rows[SUGGEST_MOST];
     char answers[SUGGEST_MOST][64];
-    EditSearch *next; /* of those that are given up and have not ended yet */
+    EditSearch *next; /* the next search in the list of cancelled searches that have not ended yet */
 };
 
 static void count_tries(void *context, size_t tries) {
@@ -37,7 +37,7 @@ static void count_tries(void *context, size_t tries) {
 
 static void *look(void *context) {
     EditSearch *search = context;
-    Fault none = {0}; /* a house that cannot be read has no changes; that it cannot is said of its run */
+    Fault none = {0}; /* an invalid house has no proposals; its run reports the error */
     SuggestTask task = {.path = search->path,
                         .text = search->text,
                         .options = &search->options,
@@ -136,7 +136,7 @@ const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doin
     *count = 0;
     *doing = NULL;
     if (search && search->revision != draft_revision(edit->draft))
-        give_up(edit); /* it is about another house */
+        give_up(edit); /* the search is for another house */
     reap(edit, false);
     search = edit->search;
     if (!search)
@@ -158,7 +158,7 @@ const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doin
     return search->rows;
 }
 
-/* One NAME=VALUE of a proposal. */
+/* Sets one NAME=VALUE of a proposal. */
 static bool set(Editor *edit, const char *setting, Fault *fault) {
     const char *equals = strchr(setting, '=');
     char name[2 * EDIT_NAME];

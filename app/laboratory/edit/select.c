@@ -1,11 +1,11 @@
-/* The selection, by ids: they stay the same while the plan changes. */
+/* The selection, stored by ids, which stay the same while the plan changes. */
 #include <stdio.h>
 #include <string.h>
 
 #include "laboratory/edit/editor_state.h"
 #include "plan/plan_geometry.h"
 
-/* Things and ids --------------------------------------------------------------------------------------------------- */
+/* Items and ids --------------------------------------------------------------------------------------------------- */
 
 const char *edit_select_id(const Editor *edit, Item thing) {
     const House *house = edit->scene.scenery.house;
@@ -58,13 +58,13 @@ static void append(Editor *edit, const char *id) {
     edit->ids[edit->id_count++] = copy.text;
 }
 
-/* Sets `selected` to the last of the selection, if the displayed house has it. */
+/* Sets `selected` to the last item of the selection that the displayed house has. */
 static void tell(Editor *edit) {
     edit->told = edit->id_count ? edit_select_thing(edit, edit->ids[edit->id_count - 1]) : (Item){0, 0};
     edit->selected = edit->told;
 }
 
-/* Forgets removed ids; true if there were any. */
+/* Removes ids of removed items; true if there were any. */
 static bool forget_gone(Editor *edit) {
     size_t index, before = edit->id_count;
     for (size_t i = edit->id_count; i > 0; i--)
@@ -88,10 +88,10 @@ void edit_select_meet(Editor *edit) {
         return;
     }
     if (!edit->selected.kind && shown && !edit->told.kind) {
-        tell(edit); /* it is shown now */
+        tell(edit); /* the item is displayed now */
         return;
     }
-    char *kept = text_copy(id); /* which may be one that is cleared */
+    char *kept = text_copy(id); /* `id` may point into the list that is cleared */
     clear(edit);
     if (*kept)
         append(edit, kept);
@@ -128,7 +128,7 @@ bool edit_select_has(const Editor *edit, const char *id) {
     return find(edit, id) < edit->id_count;
 }
 
-/* Many ------------------------------------------------------------------------------------------------------------ */
+/* Several items --------------------------------------------------------------------------------------------------- */
 
 static Box box_of(const Vec2 *points, size_t count) {
     Box box = box_empty();
@@ -137,7 +137,7 @@ static Box box_of(const Vec2 *points, size_t count) {
     return box;
 }
 
-/* Finds the box of an element of a list; false: it has no place. */
+/* Finds the box of an element of a list; false: the element has no place. */
 static bool find_box(const Plan *plan, DraftList list, size_t i, Box *box) {
     Vec2 corners[4];
     switch (list) {
@@ -200,7 +200,8 @@ static bool holds(const Points *points, Vec2 p) {
     return inside;
 }
 
-/* The smallest thing of the draft that lies at a place, walls last; NULL: none. For what no run shows yet. */
+/* Returns the id of the smallest item of the draft at a place, walls last; NULL: none. Finds items that no run
+ * displays yet. */
 static const char *find_at(const Editor *edit, Vec2 at) {
     static const DraftList order[] = {DRAFT_PEOPLE, DRAFT_DOORS, DRAFT_FURNITURE, DRAFT_EXITS};
     const Plan *plan = draft_plan(edit->draft);

@@ -1,4 +1,4 @@
-/* The earthquake: each shake is one of the house as it stood before the last one, so that they do not add up. */
+/* The earthquake: each shake starts from the house as it stood before the last one, so shakes do not add up. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 #include "house/shake.h"
 #include "laboratory/edit/editor_state.h"
 
-/* The shake whose outcome the draft still is, or has become again by undoing; NULL: it is of none. */
+/* Returns the shake whose outcome is the present draft, also after undoing; NULL: none. */
 static const EditShake *last_shake(const Editor *edit) {
     uint64_t revision = draft_revision(edit->draft);
     for (size_t i = edit->shake_count; i-- > 0;)
@@ -16,7 +16,7 @@ static const EditShake *last_shake(const Editor *edit) {
     return NULL;
 }
 
-/* The furniture as before that shake (furniture_count). New; memory_free it. */
+/* Returns the furniture as before that shake (furniture_count). Release it with memory_free. */
 static Furniture *furniture_before(const Plan *plan, const EditShake *shake) {
     Furniture *before = memory_zeroed(plan->furniture_count + 1, sizeof *before);
     for (size_t i = 0; i < plan->furniture_count; i++) {
@@ -28,7 +28,7 @@ static Furniture *furniture_before(const Plan *plan, const EditShake *shake) {
     return before;
 }
 
-/* Remembers which pieces have fallen. */
+/* Stores which pieces have fallen. */
 static EditShake *keep(Editor *edit, const Plan *plan, const bool *topples, size_t count) {
     edit->shakes = memory_reserve(edit->shakes, &edit->shake_capacity, edit->shake_count + 1, sizeof *edit->shakes);
     EditShake *shake = &edit->shakes[edit->shake_count++];
@@ -48,7 +48,7 @@ static void say(Editor *edit, size_t fallen, size_t all) {
              all == 1 ? "" : "s");
 }
 
-/* One step from the house as it is to what the seed makes of the house before. */
+/* Makes one undo step from the present house to the seed's outcome for the house before the shakes. */
 static bool make(Editor *edit, const Furniture *before, const bool *topples, Fault *fault) {
     const Plan *plan = draft_plan(edit->draft);
     char name[EDIT_NAME];

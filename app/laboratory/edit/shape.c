@@ -1,21 +1,21 @@
-/* What has points: walls, outlines of rooms, exits, routes. A wall's point takes with it the points of other walls that
- * lie there, so that corners stay closed. */
+/* Edits elements made of points: walls, outlines of rooms, exits, routes. Moving a point of a wall also moves the
+ * points of other walls at the same place, so corners stay closed. */
 #include <math.h>
 #include <string.h>
 
 #include "laboratory/edit/editor_state.h"
 
-static const double JOINED = 1e-6; /* m: points of walls that lie so near are one corner */
+static const double JOINED = 1e-6; /* m: points of walls closer than this form one corner */
 
 enum { FIELD_LENGTH, FIELD_ANGLE, FIELD_X, FIELD_Y };
 
-/* Places that move, and where to. */
+/* Places that move, and their targets. */
 typedef struct Shift {
     Vec2 *from, *to; /* (count) m */
     size_t count;
 } Shift;
 
-/* The points that the held element had at the beginning; an exit's two ends are `ends`. */
+/* Returns the points of the dragged element before the gesture; an exit's two points are stored in `ends`. */
 static Points points_before(const Editor *edit, Vec2 ends[2]) {
     const Plan *plan = &edit->begun;
     const char *id = edit->held;
@@ -37,7 +37,7 @@ static Points points_before(const Editor *edit, Vec2 ends[2]) {
     return (Points){.count = 0};
 }
 
-/* The point that the held one is drawn from: its neighbour. NULL: it has none. */
+/* Returns the neighbour of the dragged point, from which lengths and angles are measured. NULL: it has none. */
 static const Vec2 *neighbour(const Editor *edit, const Points *points) {
     size_t i = edit->grip.index;
     if (points->count < 2)
@@ -102,7 +102,7 @@ static bool is_joined(const Plan *plan, const char *id, size_t segment, Vec2 at)
     return false;
 }
 
-/* A segment of a wall, or an exit, follows the pointer; joined segments move only sideways. */
+/* Moves a segment of a wall, or an exit, with the pointer; joined segments move only sideways. */
 static void follow_piece(Editor *edit) {
     Vec2 ends[2];
     Points points = points_before(edit, ends);
@@ -133,9 +133,9 @@ void edit_shape_follow(Editor *edit) {
         follow_piece(edit);
 }
 
-/* Making ---------------------------------------------------------------------------------------------------------- */
+/* Changing the draft ---------------------------------------------------------------------------------------------- */
 
-/* Doors stay where they are on a segment whose beginning moves: as far from its other end. */
+/* Keeps the doors in place on a segment whose first point moves: their distance from its other end stays the same. */
 static void keep_doors(Editor *edit, const Plan *plan, size_t w, const Vec2 *moved) {
     const Vec2 *before = plan->walls[w].points.at;
     for (size_t d = 0; d < plan->door_count; d++) {
@@ -200,9 +200,9 @@ void edit_shape_make(Editor *edit) {
     memory_free(moved);
 }
 
-/* All that is selected --------------------------------------------------------------------------------------------- */
+/* The whole selection --------------------------------------------------------------------------------------------- */
 
-/* The corners of all walls that are selected, and where they go; memory_free both. */
+/* Returns the corners of all selected walls and their targets; release both with memory_free. */
 static Shift shift_of_selected(Editor *edit, const Plan *plan, Vec2 by) {
     size_t most = 0, count = 0;
     for (size_t w = 0; w < plan->wall_count; w++)
@@ -217,7 +217,7 @@ static Shift shift_of_selected(Editor *edit, const Plan *plan, Vec2 by) {
     return shift;
 }
 
-/* Along their walls, unless those go too. */
+/* Slides the selected doors along their walls, unless the walls move too. */
 static void slide_doors(Editor *edit, const Plan *plan, Vec2 by) {
     for (size_t d = 0; d < plan->door_count; d++) {
         const Door *door = &plan->doors[d];
@@ -230,13 +230,13 @@ static void slide_doors(Editor *edit, const Plan *plan, Vec2 by) {
     }
 }
 
-/* A place that turning and adding have left digits on. */
+/* Returns a place moved by a vector, without the rounding digits of the addition. */
 static json_t *tidy_place(const json_t *place, Vec2 by) {
     return json_pack("[o, o]", json_number(snap_tidy(json_number_value(json_array_get(place, 0)) + by.x)),
                      json_number(snap_tidy(json_number_value(json_array_get(place, 1)) + by.y)));
 }
 
-/* Any element but a wall or a door: each of its places. */
+/* Moves each place of an element that is neither a wall nor a door. */
 static void move_element(Editor *edit, const char *id, Vec2 by) {
     static const char *const members[] = {"centre", "from", "to", "at", "outline", "area", "via"};
     for (size_t m = 0; m < sizeof members / sizeof *members; m++) {

@@ -1,4 +1,4 @@
-/* A wall's pieces: one made into two, two into one; the doors stay where they are. */
+/* Splits a segment of a wall into two, and joins two into one; the doors stay in place. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "laboratory/edit/editor_state.h"
 #include "plan/plan_geometry.h"
 
-/* The wall that is selected; NULL: another thing, or more. */
+/* Returns the selected wall; NULL: another item, or several, are selected. */
 static const Wall *selected_wall(const Editor *edit, size_t *index) {
     const Plan *plan = draft_plan(edit->draft);
     if (edit->id_count != 1 || draft_find(edit->draft, edit->ids[0], index) != DRAFT_WALLS)
@@ -14,7 +14,7 @@ static const Wall *selected_wall(const Editor *edit, size_t *index) {
     return &plan->walls[*index];
 }
 
-/* Another place on the wall for a door. */
+/* Gives a door another place on the wall. */
 static void put_door(Editor *edit, const Door *door, size_t segment, double at) {
     draft_set(edit->draft, door->id, "segment", json_integer((json_int_t)segment));
     draft_set_number(edit->draft, door->id, "at", snap_tidy(at));
@@ -79,10 +79,9 @@ bool edit_split_wall(Editor *edit, Fault *fault) {
     return edit_gesture_close(edit, fault);
 }
 
-/* Taking a point out ------------------------------------------------------------------------------------------------
- */
+/* Removing a point ------------------------------------------------------------------------------------------------ */
 
-/* The handle that has the focus of the keys; false: none. */
+/* Finds the handle that has the keyboard focus; false: none. */
 static bool focused(const Editor *edit, EditHandle *handle) {
     EditHandle handles[EDIT_HANDLES];
     size_t count = edit_handle_list(edit, draft_plan(edit->draft), handles);
@@ -92,7 +91,7 @@ static bool focused(const Editor *edit, EditHandle *handle) {
     return handle->grip == GRIP_POINT;
 }
 
-/* The points of an element; none: it has no list of them. */
+/* Returns the points of an element; empty if it has no list of points. */
 static Points points_of(const Plan *plan, const EditHandle *handle) {
     for (size_t i = 0; handle->list == DRAFT_WALLS && i < plan->wall_count; i++)
         if (strcmp(plan->walls[i].id, handle->id) == 0)
@@ -110,8 +109,8 @@ bool edit_split_can_join(const Editor *edit) {
     return focused(edit, &handle) && points_of(draft_plan(edit->draft), &handle).count > least[handle.list];
 }
 
-/* Doors of the pieces beside a point that goes: where they are nearest to on the piece that comes instead; at an end of
- * the wall they go with their piece. */
+/* Moves the doors of the segments next to a removed point to the nearest place on the new segment; if the point is
+ * an end of the wall, the doors are removed with their segment. */
 static void keep_doors(Editor *edit, const Points *points, size_t point, const char *wall) {
     const Plan *plan = draft_plan(edit->draft);
     bool end = point == 0 || point + 1 == points->count;

@@ -1,4 +1,4 @@
-/* Names, ids and notes: of what is selected and of the house. */
+/* Names, ids and notes of the selected item and of the house. */
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
@@ -55,7 +55,7 @@ const EditText *edit_text_list(Editor *edit, size_t *count) {
     return edit->texts;
 }
 
-/* "KIND.ID.MEMBER" in its parts; false: it is none of an element that is there. */
+/* Splits "KIND.ID.MEMBER" into its parts; false: there is no such element. */
 static bool split(const Editor *edit, const char *name, char id[EDIT_NAME], const char **member) {
     size_t index, kind = strcspn(name, ".");
     const char *last = strrchr(name, '.');

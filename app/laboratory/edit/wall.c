@@ -1,4 +1,4 @@
-/* Walls that are drawn: a chain of points becomes a wall for each thickness in it. */
+/* Draws walls: a chain of points becomes one wall per run of equal thickness. */
 #include <stdio.h>
 
 #include "laboratory/edit/editor_state.h"
@@ -23,7 +23,7 @@ void edit_wall_make(Editor *edit) {
     Vec2 *points = memory_zeroed(count, sizeof *points);
     for (size_t i = 0; i < count; i++)
         points[i] = i < chain->count ? chain->points[i] : edit->now.at;
-    for (size_t i = 1; i < count; i++) { /* each piece has the thickness of its second point */
+    for (size_t i = 1; i < count; i++) { /* each segment has the thickness of its second point */
         double thickness = i < chain->count ? chain->amount[i] : edit->now.amount;
         double next = i + 1 < chain->count ? chain->amount[i + 1] : i + 1 < count ? edit->now.amount : -1;
         if (thickness == next)

@@ -1,4 +1,4 @@
-/* Exits, rooms and routes that are drawn. */
+/* Draws exits, rooms and routes. */
 #include <stdio.h>
 
 #include "laboratory/edit/editor_state.h"
@@ -29,7 +29,7 @@ void edit_way_make_exit(Editor *edit) {
     add(edit, DRAFT_EXITS, json_pack("{s:o, s:o}", "from", point(edit->chain.points[0]), "to", point(to)));
 }
 
-/* The door whose opening holds a place, grown by a reach; NULL: none. */
+/* Returns the door whose opening, enlarged by a reach, contains a place; NULL: none. */
 static const Door *door_at(const Plan *plan, Vec2 at, double reach) {
     for (size_t d = 0; d < plan->door_count; d++) {
         Vec2 from, to;
