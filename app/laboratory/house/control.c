@@ -91,7 +91,7 @@ bool house_control_set(void *context, const char *name, double value, Fault *fau
         return true;
     if (!set_in_draft(session, row, fault)) {
         session->values.rows[row].value = before;
-        if (editor_holds_number(session->editor)) /* the last that stood, if there was one, is what is put down */
+        if (editor_holds_number(session->editor)) /* an earlier valid value, if there was one, is put back */
             put_back(session, row);
         return false;
     }
@@ -128,7 +128,7 @@ static PanelChoice *add_choice(HouseSession *session, const char *name, const ch
     return choice;
 }
 
-/* `chosen`: this is what is so now. */
+/* Adds a word to a choice; `chosen`: the word is the present value. */
 static void add_word(HouseSession *session, PanelChoice *choice, const char *word, bool chosen) {
     if (choice->count == HOUSE_CHOICE_WORDS)
         return;
@@ -227,8 +227,8 @@ void house_control_choose(void *context, size_t choice, size_t word) {
     apply_choice(house_control_sync(context), choice, word);
 }
 
-/* What is recorded is what would come: only a run that was stopped or broke down is made again, or one in which the
- * plan changed. */
+/* Restarts the displayed run. A run is deterministic, so it is computed again only if it was stopped, diverged, or
+ * contains a change of the plan. */
 void house_control_again(void *context) {
     HouseSession *session = house_control_sync(context);
     house_schedule_restart(session);
@@ -252,8 +252,7 @@ void house_control_clear(void *context, double time) {
 
 enum { WORDS = 8 /* besides settings: the verb, the file, and three options with their values */ };
 
-/* True if the draft equals its file with these settings: no item was added, moved by the pointer or
- * taken away. */
+/* True if the draft equals its file with these settings: no item was added, moved with the pointer or removed. */
 static bool is_file_with(const HouseSession *session, const char *const *settings, size_t count) {
     const char *path = draft_file_path(session->draft);
     Fault none = {0};
@@ -267,7 +266,7 @@ static bool is_file_with(const HouseSession *session, const char *const *setting
     return same;
 }
 
-/* The settings that make the draft of its file: those it was opened with, and what was changed since; (count). */
+/* Returns the settings that turn the file into the draft (count): the settings at the opening and the later changes. */
 static const char **make_settings(HouseSession *session, size_t *count) {
     const LaboratoryOptions *given = &session->given;
     const char **settings = memory_zeroed(given->setting_count + session->values.count + 1, sizeof *settings);

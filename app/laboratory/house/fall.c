@@ -58,7 +58,8 @@ static const Furniture *find_piece(const Furniture *pieces, size_t count, const 
     return NULL;
 }
 
-/* The plan's i-th piece as it was seen last: most often in the same place of the list. NULL: it is new. */
+/* Returns the plan's i-th piece as it was last seen, most often at the same index of the list. NULL: the piece is
+ * new. */
 static const Furniture *find_seen(const HouseFall *falls, const Plan *plan, size_t i) {
     const char *id = plan->furniture[i].id;
     bool same = i < falls->seen_count && strcmp(falls->seen[i].id, id) == 0;
@@ -83,7 +84,7 @@ static bool same_place(const Furniture *a, const Furniture *b) {
            a->size.y == b->size.y && a->angle == b->angle && a->height == b->height && a->topples == b->topples;
 }
 
-/* Pieces that lie where they stood, or the other way round. */
+/* Begins the fall of each piece that was toppled or stood up since the plan was last seen. */
 static bool begin_changed(HouseFall *falls, const Plan *plan) {
     bool any = false;
     for (size_t i = 0; i < plan->furniture_count; i++) {
@@ -98,7 +99,7 @@ static bool begin_changed(HouseFall *falls, const Plan *plan) {
     return any;
 }
 
-/* Moves falling pieces to where they were edited meanwhile, and forgets removed ones. */
+/* Moves falling pieces to their edited places, and forgets removed pieces. */
 static bool follow_moved(HouseFall *falls, const Plan *plan) {
     size_t kept = 0, count = falls->count;
     for (size_t i = 0; i < count; i++) {
@@ -134,7 +135,7 @@ void house_fall_follow(HouseSession *session) {
         house_session_void_film(session);
 }
 
-/* The first one begins at once. */
+/* Shortens all delays so that the first waiting fall begins at once. */
 static void hurry(HouseFall *falls) {
     double least = FURNITURE_FALL_SPREAD;
     for (size_t i = 0; i < falls->count; i++)
@@ -166,7 +167,7 @@ void house_fall_shake(HouseSession *session, uint64_t seed, const char *const *i
     house_session_void_film(session);
 }
 
-/* What is seen ---------------------------------------------------------------------------------------------------- */
+/* Display --------------------------------------------------------------------------------------------------------- */
 
 void house_fall_move(HouseSession *session, double seconds) {
     HouseFall *falls = &session->fall;

@@ -1,5 +1,5 @@
-/* Furniture that falls in the window after an edit: until it rests, and the house that is drawn has it so, it is drawn
- * with what moves. Nothing that is simulated knows of it. */
+/* Animates the fall of furniture after an edit, in the window only. A piece is drawn with the moving layer until it
+ * rests and the drawn house contains its new position. The simulation does not depend on it. */
 #pragma once
 
 #include "visual/house/furniture_fall.h"
@@ -10,27 +10,27 @@ typedef struct HouseFall {
     bool wanted;           /* the owner animates the falls */
     FurnitureFall *pieces; /* (count) */
     size_t count, capacity;
-    size_t drawn;    /* of them, by the film: all or none */
-    Arena arena;     /* holds their ids */
-    Furniture *seen; /* (seen_count) the furniture of the draft as it was looked at last, */
+    size_t drawn;    /* number of pieces that the film draws as falling: all or none */
+    Arena arena;     /* holds the ids of the pieces */
+    Furniture *seen; /* (seen_count) the draft's furniture at the last look, */
     size_t seen_count, seen_capacity;
-    Arena seen_arena;  /* which holds its ids, */
-    uint64_t revision; /* and the draft's then */
+    Arena seen_arena;  /* the arena of its ids, */
+    uint64_t revision; /* and the draft's revision at the last look */
     bool noted;
     char words[48];
 } HouseFall;
 
-/* Takes notice of what an edit has changed, and of what has come to its end. */
+/* Begins the falls caused by the last edit, and removes the falls that have ended. */
 void house_fall_follow(HouseSession *session);
 
-/* A shake of this seed has just been made of the draft: pieces with these ids (count) fall, all others stand, or lie,
- * at once as they do in the draft. */
+/* Animates an earthquake of this seed that was just made in the draft: the pieces with these ids (count) fall, all
+ * other pieces take their position in the draft at once. */
 void house_fall_shake(HouseSession *session, uint64_t seed, const char *const *ids, size_t count);
 
-/* Moves on by so many s on the wall. */
+/* Advances the animation by a number of seconds of real time. */
 void house_fall_move(HouseSession *session, double seconds);
 
-/* "shaking (seed 3)", "" for other falls; NULL: all rests. */
+/* Returns "shaking (seed 3)", "" for other falls; NULL: all pieces rest. */
 const char *house_fall_words(const HouseSession *session);
 
 /* Returns how many pieces are drawn at a time, s; none at a time before the edit. */

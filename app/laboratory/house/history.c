@@ -1,6 +1,6 @@
 #include "laboratory/house/history.h"
 
-/* Takes the first epochs of what there is and one more. */
+/* Keeps the first epochs and appends one. */
 static void take(HouseHistory *history, size_t kept, HouseEpoch last) {
     Arena arena = {0};
     HouseEpoch *epochs = arena_allocate(&arena, (kept + 1) * sizeof *epochs);
@@ -25,7 +25,7 @@ void house_history_change(HouseHistory *history, double time, const char *text, 
     while (kept > 1 && history->at[kept - 1].time >= time)
         kept--;
     if (history->at[kept - 1].revision == revision)
-        history->count = kept; /* undone where it was done */
+        history->count = kept; /* an edit that was undone at the time at which it was made */
     else
         take(history, kept, (HouseEpoch){time, text, revision});
 }

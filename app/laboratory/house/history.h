@@ -1,4 +1,4 @@
-/* Which plan a house had from when on: what was edited while people were in it. */
+/* The plans of a house over time: the edits that were made while people moved in it. */
 #pragma once
 
 #include <stdbool.h>
@@ -7,28 +7,28 @@
 
 #include "base/memory.h"
 
-/* A plan from some time on. */
+/* A plan that applies from a time on. */
 typedef struct HouseEpoch {
-    double time; /* s; 0 of the first */
+    double time; /* s; 0 for the first epoch */
     const char *text;
-    uint64_t revision; /* of the draft that has that text */
+    uint64_t revision; /* revision of the draft with that text */
 } HouseEpoch;
 
-/* One epoch at least; zero is none yet. */
+/* At least one epoch; a zeroed history is empty. */
 typedef struct HouseHistory {
-    HouseEpoch *at; /* (count) in rising order */
+    HouseEpoch *at; /* (count) in order of time */
     size_t count;
     Arena arena;
 } HouseHistory;
 
-/* One plan from the beginning on. */
+/* Starts a history with one plan. */
 void house_history_begin(HouseHistory *history, const char *text, uint64_t revision);
 
-/* Another plan from a time on: what was to come after it is forgotten. Nothing changes when the last plan before then
+/* Applies another plan from a time on, and removes later epochs. Nothing changes if the last plan before that time
  * is the same. */
 void house_history_change(HouseHistory *history, double time, const char *text, uint64_t revision);
 
-/* The same history, kept by an arena. */
+/* Copies the history into an arena. */
 const HouseEpoch *house_history_copy(const HouseEpoch *epochs, size_t count, Arena *arena);
 
 bool house_history_same(const HouseEpoch *a, size_t a_count, const HouseEpoch *b, size_t b_count);

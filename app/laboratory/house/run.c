@@ -46,9 +46,9 @@ static void enter(HouseRun *run, HouseStage stage) {
     pthread_mutex_unlock(&run->mutex);
 }
 
-/* Making it ------------------------------------------------------------------------------------------------------- */
+/* Computing a run ------------------------------------------------------------------------------------------------- */
 
-/* Finds a person of the piece's house among the people of the last house; SIZE_MAX: not there. */
+/* Finds a person of the piece's house among the people of the last house; SIZE_MAX: not found. */
 static size_t place_of(const HouseRun *run, const RunPiece *piece, size_t person) {
     return piece->house == &run->house ? person : house_find_person(&run->house, piece->house->people[person].id);
 }
@@ -84,7 +84,7 @@ static void take_piece(void *context, const RunPiece *piece) {
     pthread_mutex_unlock(&run->mutex);
 }
 
-/* Makes room for the rows that arrive bit by bit. */
+/* Allocates the record into which rows are added while the run is computed. */
 static void make_room(HouseRun *run) {
     Observation empty = house_run_begin(run);
     run->people = empty.people;
@@ -117,7 +117,7 @@ static void make_ways(HouseRun *run) {
     observation_free(&all);
 }
 
-/* The houses of all epochs. */
+/* Reads the houses of all epochs. */
 static bool read_houses(HouseRun *run) {
     const HouseWish *wish = &run->wish;
     HouseOptions options = {.profiles = wish->profiles, .seed = wish->seed, .driving = wish->driving};
@@ -165,7 +165,7 @@ const House *house_run_house(const HouseRun *run, size_t epoch) {
     return house_run_alike(house, last) ? house : last;
 }
 
-/* Watching it ----------------------------------------------------------------------------------------------------- */
+/* Watching a run -------------------------------------------------------------------------------------------------- */
 
 HouseStage house_run_stage(HouseRun *run) {
     pthread_mutex_lock(&run->mutex);
@@ -181,7 +181,7 @@ double house_run_age(HouseRun *run) {
     return age;
 }
 
-/* The mutex is locked. */
+/* Returns the time up to which all groups are recorded, s. The mutex must be locked. */
 static double reach_of(const HouseRun *run) {
     double least = HUGE_VAL, most = 0;
     for (size_t g = 0; g < run->group_count; g++) {

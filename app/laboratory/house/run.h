@@ -1,4 +1,4 @@
-/* A run of a house: computed on a worker's thread, handed over bit by bit meanwhile. */
+/* A run of a house: computed on a worker's thread and handed over in parts meanwhile. */
 #pragma once
 
 #include <pthread.h>
@@ -15,19 +15,19 @@
 /* The kinds of jobs of the worker. */
 typedef enum HouseJob {
     HOUSE_JOB_RUN,   /* the run of a plan */
-    HOUSE_JOB_MIXED, /* one in which the plan changes */
-    HOUSE_JOB_RIVAL, /* one to compare it with */
-    HOUSE_JOB_WAYS,  /* only the planned ways, as a scene */
+    HOUSE_JOB_MIXED, /* the run of a plan that changes */
+    HOUSE_JOB_RIVAL, /* the run of another driving model, for comparison */
+    HOUSE_JOB_WAYS,  /* only the planned routes, as a scene */
     HOUSE_JOBS,
 } HouseJob;
 
 typedef struct HouseWish {
     HouseJob job;
-    const char *path;         /* of the house file, for faults and for profiles beside it */
-    const HouseEpoch *epochs; /* (epoch_count) of the plan */
+    const char *path;         /* path of the house file, for faults and for profiles in the same folder */
+    const HouseEpoch *epochs; /* (epoch_count) the plans */
     size_t epoch_count;
-    const char *profiles; /* directory of the shipped ones */
-    const char *route;    /* id, or NULL: everybody */
+    const char *profiles; /* directory of the shipped profiles */
+    const char *route;    /* id, or NULL: all people */
     int driving;          /* Driving, or -1 */
     uint64_t seed;
     int jobs;   /* threads */
@@ -37,66 +37,66 @@ typedef struct HouseWish {
 typedef enum HouseStage {
     HOUSE_WAITS,
     HOUSE_READS,
-    HOUSE_PLANS,   /* the house is there, nothing is recorded */
-    HOUSE_DRIVES,  /* something is */
-    HOUSE_OVER,    /* the observation, or the ways, are there */
-    HOUSE_FAILED,  /* the fault says why there is no house */
-    HOUSE_STOPPED, /* what is recorded is all that there will be */
+    HOUSE_PLANS,   /* the house is read, nothing is recorded */
+    HOUSE_DRIVES,  /* a part is recorded */
+    HOUSE_OVER,    /* the observation, or the routes, are complete */
+    HOUSE_FAILED,  /* the fault says why the house is invalid */
+    HOUSE_STOPPED, /* the record ends here: no more rows follow */
 } HouseStage;
 
 typedef struct HouseRun {
     HouseWish wish;
-    Arena arena; /* holds it */
+    Arena arena; /* holds the texts of the wish */
 
-    /* The worker's, until the stage says that they are there; then they stay as they are. */
-    House house;    /* of the last epoch */
-    House *earlier; /* (wish.epoch_count - 1) of those before */
+    /* Belongs to the worker until the stage says that it is complete; constant afterwards. */
+    House house;    /* the house of the last epoch */
+    House *earlier; /* (wish.epoch_count - 1) the houses of the earlier epochs */
     Observation observation;
     Scene ways;
     Fault fault;
 
-    unsigned roles; /* in which the session has it: see runs.h */
-    bool noticed;   /* by the session, that it is over */
+    unsigned roles; /* the run's roles in the session: see runs.h */
+    bool noticed;   /* the session has noticed the end of the run */
 
     volatile sig_atomic_t stop;
-    pthread_mutex_t mutex; /* of all that follows */
+    pthread_mutex_t mutex; /* guards all members that follow */
     HouseStage stage;
     double begun;  /* s, of a steady clock, when the worker began */
-    Trace fresh;   /* recorded and not taken yet */
-    double *reach; /* (group_count) s, recorded of each group; infinite: to its end */
+    Trace fresh;   /* rows that are recorded and not taken yet */
+    double *reach; /* (group_count) s, end of each group's record; infinite: the group is complete */
     size_t group_count;
-    PersonObservation *people; /* (house.person_count) as they stand */
+    PersonObservation *people; /* (house.person_count) the present state */
     double *door_opened;       /* (doors of the plan) */
 } HouseRun;
 
-/* A copy of the wish. house_run_destroy releases it; a run that has been given to a worker is abandoned instead.
- */
+/* Creates a run with a copy of the wish. house_run_destroy releases it; a run that has been given to a worker is
+ * abandoned instead. */
 HouseRun *house_run_create(const HouseWish *wish);
 void house_run_destroy(HouseRun *run);
 
-/* The draft's revision at its end. */
+/* Returns the draft's revision of the last epoch. */
 static inline uint64_t house_run_revision(const HouseRun *run) {
     return run->wish.epochs[run->wish.epoch_count - 1].revision;
 }
 
-/* Which epoch a time is in. */
+/* Returns the index of the epoch at a time. */
 size_t house_run_epoch(const HouseRun *run, double time);
 
 /* True if both have the same people and exits: then the observation of one can be displayed in the other. */
 bool house_run_alike(const House *a, const House *b);
 
-/* The house of an epoch, as far as that is like the one at the end; otherwise that of the end. */
+/* Returns the house of an epoch if it has the same people and exits as the last one, otherwise the last house. */
 const House *house_run_house(const HouseRun *run, size_t epoch);
 
-/* Makes the run, on this thread, until it is over, has failed or is stopped. */
+/* Computes the run on this thread until it is complete, has failed or is stopped. */
 void house_run_make(HouseRun *run);
 
 HouseStage house_run_stage(HouseRun *run);
 
-/* s, for how long it has been in work. */
+/* Returns the time since the worker began the run, s. */
 double house_run_age(HouseRun *run);
 
-/* s, up to when everything is recorded; more will come after it. */
+/* Returns the time up to which everything is recorded, s; further rows come after it. */
 double house_run_reach(HouseRun *run);
 
 /* Writes the progress after `who`, "computed 12.3 s"; false: the run is over. */
@@ -105,5 +105,5 @@ bool house_run_say(HouseRun *run, const char *who, char *words, size_t size);
 /* Returns an observation of all people in the run, without rows; house_run_take fills it. */
 Observation house_run_begin(const HouseRun *run);
 
-/* Takes over what has been recorded since the last time, when that are at least so many rows; returns how many. */
+/* Takes over the rows recorded since the last call if there are at least `least`; returns their number. */
 size_t house_run_take(HouseRun *run, Observation *growing, size_t least);

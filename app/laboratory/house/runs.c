@@ -19,8 +19,9 @@ static bool wants_routes(const HouseSession *session) {
 
 typedef struct RoleRow {
     HouseJob job;
-    unsigned dropped;                               /* by these events */
-    bool (*is_wanted)(const HouseSession *session); /* a companion of the displayed run; NULL: asked for by an edit */
+    unsigned dropped;                               /* the events that end the role */
+    bool (*is_wanted)(const HouseSession *session); /* true if a companion of the displayed run is wanted; NULL: an edit
+                                                       requests the run */
 } RoleRow;
 
 static const RoleRow roles[RUN_ROLES] = {
@@ -89,8 +90,7 @@ bool house_runs_wants(const HouseSession *session, HouseRunRole role) {
     return roles[role].is_wanted && roles[role].is_wanted(session);
 }
 
-/* Facts about the runs
- * ---------------------------------------------------------------------------------------------------- */
+/* Facts about the runs -------------------------------------------------------------------------------------------- */
 
 Before house_runs_compared(const HouseSession *session) {
     if (session->ghost == GHOST_BEFORE && session->runs[RUN_BEFORE] &&

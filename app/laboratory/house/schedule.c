@@ -6,14 +6,17 @@
 #include "base/parallel.h"
 #include "visual/house/people_scene.h"
 
-#define GRACE 0.3    /* s: a run that is over within so much is waited for before anything of it is shown, or stopped */
-#define EARLY 0.15   /* s: an answer that takes longer is not waited for before the plan is drawn */
-#define TAKE_PART 16 /* rows are taken over when they are such a part of all, so that this costs little in sum */
-#define TAKE_NEAR 1.0 /* s: or when what is shown comes so near to the end */
+#define GRACE                                                                                                          \
+    0.3 /* s: a run that ends within this time is waited for before a part of it is displayed, or before it is stopped \
+         */
+#define EARLY 0.15 /* s: the plan is drawn before the answer if the answer takes longer */
+#define TAKE_PART                                                                                                      \
+    16 /* new rows are copied only once they make up this share of the record, so total copying stays linear */
+#define TAKE_NEAR 1.0 /* s: or once the displayed time is this close to the end of the record */
 
-/* Asking ---------------------------------------------------------------------------------------------------------- */
+/* Requests -------------------------------------------------------------------------------------------------------- */
 
-/* Asks for the latest run, in brief or with the reasons why somebody cannot leave. */
+/* Requests the latest run, in brief or with the reasons why a person cannot leave. */
 static void ask_for_run(HouseSession *session, bool brief) {
     HouseRun *latest = session->runs[RUN_LATEST];
     if (latest && house_run_stage(latest) != HOUSE_WAITS)
@@ -21,19 +24,19 @@ static void ask_for_run(HouseSession *session, bool brief) {
     house_runs_set(session, RUN_LATEST, NULL);
     if ((session->runs[RUN_RIVAL] && !house_runs_is_over(session, RUN_RIVAL)) ||
         (session->runs[RUN_ROUTES] && !house_runs_is_over(session, RUN_ROUTES))) {
-        house_runs_drop(session, RUNS_DISPLAY); /* the worker has something else to do */
+        house_runs_drop(session, RUNS_DISPLAY); /* the worker must compute the latest run first */
         house_session_void_film(session);
     }
     house_runs_ask(session, RUN_LATEST, brief);
     session->changed |= LABORATORY_PARAMETERS;
 }
 
-/* The answer comes first; the reasons follow when the worker is free. */
+/* Requests the answer first; the reasons follow when the worker is free. */
 void house_schedule_request(HouseSession *session) {
     ask_for_run(session, true);
 }
 
-/* Drops the runs that were asked for. */
+/* Drops the requested runs. */
 static void forget_asked(HouseSession *session) {
     house_runs_drop(session, RUNS_ANSWER);
     session->changed |= LABORATORY_WORDS | LABORATORY_PARAMETERS;
@@ -57,7 +60,8 @@ static bool is_under_way(const HouseSession *session) {
     return session->runs[RUN_SHOWN] && session->time > 0 && session->time < session->observation->time;
 }
 
-/* A completed edit applies at the displayed time; a gesture in progress is shown from the beginning on. */
+/* Adds the draft to the history. A completed edit applies at the displayed time; a gesture in progress is shown from
+ * the beginning on. */
 static void note_history(HouseSession *session) {
     const char *text = draft_text(session->draft);
     uint64_t revision = draft_revision(session->draft);
@@ -67,7 +71,7 @@ static void note_history(HouseSession *session) {
         house_history_begin(&session->history, text, revision);
 }
 
-/* Asks for the runs that the answer and the display still need. */
+/* Requests the runs that the answer and the display still need. */
 static void ask_missing(HouseSession *session) {
     HouseEpoch now = {0, NULL, draft_revision(session->draft)};
     bool mixed = session->history.count > 1 && !draft_is_open(session->draft);
@@ -95,7 +99,7 @@ void house_schedule_apply_edit(HouseSession *session) {
         note_history(session);
     ask_missing(session);
     if (session->kept_itself && house_run_revision(session->runs[RUN_BEFORE]) == draft_revision(session->draft))
-        house_schedule_clear(session); /* all is as before */
+        house_schedule_clear(session); /* nothing has changed */
 }
 
 void house_schedule_restart(HouseSession *session) {
@@ -125,7 +129,7 @@ void house_schedule_clear(HouseSession *session) {
     house_session_void_film(session);
 }
 
-/* Trouble --------------------------------------------------------------------------------------------------------- */
+/* Errors ---------------------------------------------------------------------------------------------------------- */
 
 static void say_trouble(HouseSession *session, double time) {
     session->trouble_time = time;
@@ -138,7 +142,7 @@ static void clear_trouble(HouseSession *session) {
     session->changed |= LABORATORY_WORDS;
 }
 
-/* Reports each person whose numbers diverged, when, and what would help. */
+/* Reports each person whose numbers diverged, with the time and a remedy. */
 static void tell_divergence(HouseSession *session) {
     for (size_t i = 0; i < session->observation->person_count; i++) {
         const PersonObservation *person = &session->observation->people[i];
@@ -176,7 +180,7 @@ static void undo_invalid(HouseSession *session, HouseRun *run) {
         ask_missing(session);
 }
 
-/* What is shown --------------------------------------------------------------------------------------------------- */
+/* Display --------------------------------------------------------------------------------------------------------- */
 
 /* Reselects by id; a dangerous point does not survive a new run. */
 static void select_again(HouseSession *session, const House *before, const House *now) {
@@ -189,7 +193,7 @@ static void select_again(HouseSession *session, const House *before, const House
     editor_set_selected(session->editor, session->selected);
 }
 
-/* The displayed run is over: its own observation replaces the growing one. */
+/* Completes the displayed run: its own observation replaces the growing one. */
 static void finish(HouseSession *session) {
     house_session_void_film(session);
     trail_clear(&session->trails);
@@ -226,15 +230,15 @@ static void swap_in(HouseSession *session, HouseRun *run) {
     if (!session->opened.count)
         house_value_list(&session->opened, &run->house);
     if (!editor_holds_number(session->editor) &&
-        house_run_revision(run) == draft_revision(session->draft)) /* else the sliders are ahead of the run */
+        house_run_revision(run) == draft_revision(session->draft)) /* otherwise the sliders are ahead of the run */
         house_value_list_again(&session->values, &session->opened, &run->house);
     session->retell = true;
     session->changed |= LABORATORY_ALL & ~LABORATORY_TROUBLE;
 }
 
-/* Following ------------------------------------------------------------------------------------------------------- */
+/* Updates --------------------------------------------------------------------------------------------------------- */
 
-/* True if a run that was asked for can be displayed. */
+/* True if a requested run can be displayed. */
 static bool is_ready(HouseSession *session, HouseRun *run, double time) {
     HouseStage stage = house_run_stage(run);
     if (stage == HOUSE_OVER || (!session->runs[RUN_SHOWN] && (stage == HOUSE_PLANS || stage == HOUSE_DRIVES)))
@@ -276,8 +280,8 @@ static void update_asked(HouseSession *session, HouseRunRole role, double time) 
     }
 }
 
-/* A run begun before the latest was asked for may end, so that a result is seen while a slider moves, but not for
- * long. */
+/* Limits the time for which the latest request waits: a run begun before it may end, so that a result is seen while
+ * a slider moves, but not for long. */
 static void hurry(HouseSession *session) {
     if (!session->runs[RUN_LATEST] || house_run_stage(session->runs[RUN_LATEST]) != HOUSE_WAITS)
         return;
@@ -308,7 +312,7 @@ static void update_shown(HouseSession *session, double time) {
     }
 }
 
-/* Asks for a companion of the displayed run if it is wanted and not there; true: it has come just now. */
+/* Requests a companion of the displayed run if it is wanted and missing; true: it has just been completed. */
 static bool update_companion(HouseSession *session, HouseRunRole role) {
     if (!house_runs_wants(session, role) || house_runs_is_over(session, role))
         return false;
@@ -330,8 +334,8 @@ static void update_companions(HouseSession *session) {
     update_companion(session, RUN_ROUTES);
 }
 
-/* If the answer takes long, walls and furniture are drawn before it: as soon as the house is read, with the same
- * people in it. */
+/* Draws walls and furniture before the answer if the answer takes long: as soon as the house is read, if it has the
+ * same people. */
 static void update_plan(HouseSession *session) {
     HouseRun *run = session->runs[RUN_LATEST];
     if (!run || run == session->runs[RUN_EARLY] || !session->runs[RUN_SHOWN] || house_run_age(run) < EARLY)
@@ -342,7 +346,7 @@ static void update_plan(HouseSession *session) {
         house_runs_set(session, RUN_EARLY, run);
 }
 
-/* Looks for the reasons why somebody cannot leave, unless an edit is in progress. */
+/* Searches for the reasons why a person cannot leave, unless an edit is in progress. */
 static void update_reasons(HouseSession *session) {
     const HouseRun *run = house_runs_answering(session);
     bool whole = session->runs[RUN_CLEAN] || session->whole;

@@ -9,7 +9,7 @@
 #include "laboratory/house/text.h"
 #include "laboratory/save_file.h"
 
-#define STEP (1.0 / 30) /* s, of one shown frame */
+#define STEP (1.0 / 30) /* s, duration of one displayed frame */
 #define FASTEST 16.0
 
 static size_t rows_recorded(const HouseSession *session) {
@@ -18,7 +18,7 @@ static size_t rows_recorded(const HouseSession *session) {
 
 /* The editor ------------------------------------------------------------------------------------------------------- */
 
-/* Tells the editor what is displayed. */
+/* Passes the displayed house to the editor. */
 static void tell_editor(HouseSession *session) {
     EditorScene scene = {.time = session->time};
     if (session->runs[RUN_SHOWN]) {
@@ -144,7 +144,7 @@ static void close_house(void *context) {
     memory_free(session);
 }
 
-/* Showing --------------------------------------------------------------------------------------------------------- */
+/* Display --------------------------------------------------------------------------------------------------------- */
 
 static RecordSpan span(const void *context) {
     const HouseSession *session = context;
@@ -225,7 +225,7 @@ static size_t until(const void *context, size_t plot, size_t series, double time
     return house_plots_until(&session->plots.plots, plot, series, time);
 }
 
-/* Words ----------------------------------------------------------------------------------------------------------- */
+/* Texts ----------------------------------------------------------------------------------------------------------- */
 
 static Result answer(void *context) {
     return house_text_answer(house_control_sync(context));
@@ -286,7 +286,7 @@ static const char *trouble(const void *context, double *time) {
     return session->trouble.text;
 }
 
-/* Pointing -------------------------------------------------------------------------------------------------------- */
+/* Picking --------------------------------------------------------------------------------------------------------- */
 
 static Item pick(const void *context, Vec2 at, double time, Item below) {
     const HouseSession *session = context;

@@ -1,16 +1,16 @@
-/* The plots beside a house: of who is selected, or of all. While a run goes on their axes reach to round numbers and
- * only grow; of a whole run they fit. */
+/* The plots next to a house, for the selected person or for all people. While a run is in progress the axes end at
+ * round numbers and only grow; for a complete run they fit the data. */
 #include <string.h>
 
 #include "laboratory/house/runs.h"
 
-#define FIRST_SECONDS 10.0 /* of the axes' time, at least, while a run goes on */
-#define THICK_TAIL 2.0     /* s, of a plot whose x axis is not time */
+#define FIRST_SECONDS 10.0 /* s, least length of the time axis while a run is in progress */
+#define THICK_TAIL 2.0     /* s, end of the line that is drawn thick in a plot whose x axis is not time */
 
 static const char *const titles[HOUSE_PLOTS_KNOWN] = {"Speed", "Clearance", "Contact force", "Personal space pressed",
                                                       "Sideways phase plane"};
 
-/* The next 1, 2 or 5 times a power of ten away from nought. */
+/* Rounds away from zero to 1, 2 or 5 times a power of ten. */
 static double round_out(double value) {
     if (!(fabs(value) > 0))
         return 0;
@@ -32,7 +32,7 @@ static Box extent_of(const Plot *plot) {
     return box;
 }
 
-/* Gives a plot axes that hold it; true: others than before. */
+/* Extends the axes until they contain the plot's data; true: the axes have changed. */
 static bool grow_axes(Plot *plot, Box *grown, bool timed) {
     Box box = extent_of(plot), before = *grown;
     if (timed)

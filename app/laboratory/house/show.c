@@ -1,11 +1,12 @@
-/* The layers of a house that is shown. */
+/* The layers of a displayed house. */
 #include "laboratory/house/runs.h"
 
-enum { GHOSTS_MOST = 60 /* people: of more, no person could be recognised */ };
+enum { GHOSTS_MOST = 60 /* people: larger crowds have no ghosts, since no person could be recognised */ };
 
-#define OUTSIDE 1.0 /* m, round exits: there people are seen to leave */
+#define OUTSIDE 1.0 /* m, margin around exits, in which people are seen to leave */
 
-/* The plan, and room before its exits: the same while people go out and wherever they drive. */
+/* Returns the box of the plan and the space outside its exits: it stays the same wherever people drive and after
+ * they leave. */
 static Box box_of(const House *house) {
     Box box = house->outline.box;
     for (size_t e = 0; e < house->plan.exit_count; e++) {
@@ -42,20 +43,21 @@ void house_show_make(HouseSession *session, double time) {
     Before ghost = house_runs_compared(session);
     bool is_crowd = ghost.house && ghost.house->person_count > GHOSTS_MOST;
     bool ways = house_runs_is_over(session, RUN_ROUTES) && session->layers & 1u << LAYER_WIDTHS;
-    FilmOptions options = {
-        .camera = session->camera,
-        .bare = true,
-        .shown = session->layers & 1u << LAYER_CIRCLES ? FILM_CIRCLES : 0,
-        .hidden = hidden_of(session->layers),
-        .before = is_crowd ? (Before){.house = NULL} : ghost,
-        .live = true,
-        .ahead = session->whole && session->ghost == GHOST_BEFORE && ghost.house, /* both to compare */
-        .observed = house == &session->runs[RUN_SHOWN]->house ? NULL : &session->runs[RUN_SHOWN]->house,
-        .trails = session->trails.trails,
-        .ways = ways ? &session->runs[RUN_ROUTES]->ways : NULL,
-        .falling = session->fall.pieces,
-        .falling_count = falling,
-        .box = box_of(&session->runs[RUN_SHOWN]->house)};
+    FilmOptions options = {.camera = session->camera,
+                           .bare = true,
+                           .shown = session->layers & 1u << LAYER_CIRCLES ? FILM_CIRCLES : 0,
+                           .hidden = hidden_of(session->layers),
+                           .before = is_crowd ? (Before){.house = NULL} : ghost,
+                           .live = true,
+                           .ahead = session->whole && session->ghost == GHOST_BEFORE &&
+                                    ghost.house, /* both runs are complete and can be compared */
+                           .observed =
+                               house == &session->runs[RUN_SHOWN]->house ? NULL : &session->runs[RUN_SHOWN]->house,
+                           .trails = session->trails.trails,
+                           .ways = ways ? &session->runs[RUN_ROUTES]->ways : NULL,
+                           .falling = session->fall.pieces,
+                           .falling_count = falling,
+                           .box = box_of(&session->runs[RUN_SHOWN]->house)};
     session->epoch = epoch;
     session->fall.drawn = falling;
     session->film = film_create(house, session->observation, &options);

@@ -12,9 +12,9 @@
 #include "visual/house/blockage_scene.h"
 #include "visual/house/people_scene.h"
 
-#define MOMENT 0.1 /* s, of a steady clock, between two updates of the numbers of the moment */
-#define ALIKE 0.05 /* s: times that differ less count as equal */
-#define AHEAD 2.0  /* s, before a person reaches a dangerous point: "go to" begins there */
+#define MOMENT 0.1 /* s, of a steady clock, between two updates of the texts of the moment */
+#define ALIKE 0.05 /* s: times closer than this count as equal */
+#define AHEAD 2.0  /* s, time before a person reaches a dangerous point at which "go to" begins */
 
 enum { TICKS_MOST = 2000 };
 
@@ -140,7 +140,7 @@ static void compare(HouseSession *session) {
     result_clear(&now);
 }
 
-/* What the scene lists: dangerous points and people --------------------------------------------------------------- */
+/* Rows of the scene's list: dangerous points and people ----------------------------------------------------------- */
 
 /* Finds the time when a person is nearest to each dangerous point, minus AHEAD; s. */
 static void find_times(HouseSession *session) {
@@ -168,7 +168,7 @@ static size_t first_stopped(const Observation *observation) {
     return i;
 }
 
-/* Rows of the scene's list with what they mean: the n-th below a heading is the n-th of its kind. */
+/* Adds the rows of the scene's list with their items: the n-th row below a heading is the n-th item of its kind. */
 static void add_listed(HouseSession *session) {
     const Scene *scene = &session->words.run;
     const House *house = &session->runs[RUN_SHOWN]->house;
@@ -235,11 +235,11 @@ static void make_ticks(HouseSession *session) {
 
 /* The answer ------------------------------------------------------------------------------------------------------ */
 
-/* "before 24.1 s, -5.7 s (-24 %)" */
+/* Compares a value with the saved run: "before 24.1 s, -5.7 s (-24 %)". */
 static const char *against(HouseSession *session, const Observation *now) {
     Before ghost = house_runs_compared(session);
     if (!ghost.observation && session->runs[RUN_CLEAN] &&
-        session->runs[RUN_BEFORE]) /* which is shown still: the answer is newer */
+        session->runs[RUN_BEFORE]) /* which is still displayed: the answer is newer */
         ghost = (Before){.house = &session->runs[RUN_BEFORE]->house,
                          .observation = &session->runs[RUN_BEFORE]->observation};
     Scene *scene = &session->words.moment;
@@ -279,7 +279,7 @@ static void say_answer(HouseSession *session) {
         *than ? scene_text(&words->moment, "%s%s%s", than, *run->detail ? "; " : "", run->detail) : run->detail;
 }
 
-/* Makes the answer of the draft from the beginning on, while a mixed run is displayed. */
+/* Writes the answer of the draft from the beginning on, while a mixed run is displayed. */
 static void tell_clean(HouseSession *session) {
     scene_clear(&session->words.clean);
     if (!session->runs[RUN_CLEAN])
@@ -351,7 +351,7 @@ static const char *say_doing(HouseSession *session) {
     return run && house_run_say(run, who, words->doing, sizeof words->doing) ? words->doing : NULL;
 }
 
-/* Before anything is shown. */
+/* Returns the answer before a house is displayed. */
 static Result answer_nothing(HouseSession *session) {
     if (session->runs[RUN_LATEST])
         return (Result){

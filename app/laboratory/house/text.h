@@ -1,9 +1,9 @@
-/* Makes the texts about a house at work: the answer, the rows of the panel, the marks of the timeline. */
+/* Makes the texts about a displayed house: the answer, the rows of the panel, the marks of the timeline. */
 #pragma once
 
 #include "laboratory/house/session_parts.h"
 
-/* Makes the words that are not as they should be; `time` is shown. */
+/* Rebuilds the texts that are out of date; `time` is the displayed time. */
 void house_text_make(HouseSession *session, double time);
 void house_text_clear(HouseSession *session);
 

@@ -7,11 +7,11 @@
 #include "base/parameters_number.h"
 #include "laboratory/house_items.h"
 
-/* Which parameters of the plan are offered, and the useful part of their ranges. */
+/* A parameter of the plan that is offered, with the useful part of its range. */
 typedef struct Offer {
-    const char *name;  /* as in its table */
+    const char *name;  /* name in the parameter table */
     const char *label; /* NULL: the name */
-    double low, high;  /* in the row's unit; low == high: round the value in the file */
+    double low, high;  /* in the row's unit; low == high: around the value in the file */
 } Offer;
 
 static const Offer door_offers[] = {{"width", "width", 0.5, 1.5},
@@ -44,11 +44,11 @@ static const Offer run_offers[] = {{"routes", "routes", 0, 0},
 /* Numbers of a profile that most people want to change. */
 static const char *const key_rows[] = {"body.length", "body.width", "drive.free_speed", "space.reach"};
 
-enum { KEY_DOORS = 6 /* whose widths are shown without being asked for */ };
+enum { KEY_DOORS = 6 /* number of doors whose widths are shown by default */ };
 
-#define AROUND 1.0      /* m, a slider of a place reaches so far to both sides */
-#define DECADE 10.0     /* a logarithmic one so many times up and down */
-#define STIFF_FROM 10.0 /* what is larger and has a range of many decades has a logarithmic slider */
+#define AROUND 1.0      /* m, half the range of a slider for a place */
+#define DECADE 10.0     /* factor up and down of a logarithmic slider */
+#define STIFF_FROM 10.0 /* a parameter larger than this, with a range of several decades, has a logarithmic slider */
 
 #define COUNT(array_) (sizeof(array_) / sizeof *(array_))
 
@@ -58,13 +58,13 @@ static const char *sentence(Arena *arena, const char *words) {
     return text_in_arena(arena, "%c%s.", toupper((unsigned char)*words), words + 1);
 }
 
-/* Stiffnesses, dampings and the like. */
+/* True for stiffnesses, dampings and similar parameters that span decades. */
 static bool spans_decades(const Parameter *row, double value) {
     return row->kind == PARAMETER_NUMBER && value >= STIFF_FROM && row->high >= 1e5 && strcmp(row->unit, "m") != 0 &&
            strcmp(row->unit, "s") != 0;
 }
 
-/* Somewhere on the floor, or along a wall. */
+/* True for places on the floor or along a wall. */
 static bool is_place(const Offer *offer) {
     size_t length = offer ? strlen(offer->name) : 0;
     return length && strncmp(offer->name, "size", 4) != 0 &&
@@ -95,7 +95,7 @@ static void set_range(PanelParameter *parameter, const Offer *offer) {
     parameter->high = fmin(parameter->high, row->high);
 }
 
-/* Adds the parameter called `name`, when the house has it. */
+/* Adds the parameter called `name` if the house has it. */
 static PanelParameter *add_value(HouseValues *values, const House *house, const char *name, const Offer *offer,
                                  ValueOwner owner) {
     Fault fault = {0};
@@ -139,7 +139,7 @@ static void add_things(HouseValues *values, const House *house, int kind, const 
         Item thing = {kind, i};
         char name[HOUSE_THING_NAME];
         if (kind == HOUSE_PERSON && plan_find_person(&house->plan, house->people[i].id) == SIZE_MAX)
-            continue; /* of a crowd: without numbers of its own */
+            continue; /* a person of a crowd has no parameters of its own */
         house_item_name(house, NULL, thing, name, sizeof name);
         *name = (char)toupper((unsigned char)*name);
         add_offers(values, house, word, house_item_id(house, thing), arena_text(&values->arena, name),
@@ -165,7 +165,7 @@ static const char *part_of_profile(const char *name) {
     return "";
 }
 
-/* "free speed" of "drive.free_speed" */
+/* Returns "free speed" for "drive.free_speed". */
 static const char *leaf_words(Arena *arena, const char *name) {
     char *words = arena_allocate(arena, strlen(name) + 1);
     strcpy(words, strchr(name, '.') + 1);
@@ -216,7 +216,7 @@ void house_value_list_again(HouseValues *values, const HouseValues *opened, cons
     house_value_list(values, house);
     for (size_t i = 0, next = 0; i < values->count; i++) {
         PanelParameter *parameter = &values->rows[i];
-        /* mostly in the same order */
+        /* most rows are in the same order */
         size_t at = next < opened->count && strcmp(opened->rows[next].name, parameter->name) == 0
                         ? next
                         : house_value_find(opened, parameter->name);
@@ -264,7 +264,7 @@ void house_value_sort(HouseValues *values, const House *house, Item selected) {
                 values->listed[listed++] = values->rows[i];
 }
 
-/* Setting them ---------------------------------------------------------------------------------------------------- */
+/* Setting values -------------------------------------------------------------------------------------------------- */
 
 size_t house_value_find(const HouseValues *values, const char *name) {
     for (size_t i = 0; i < values->count; i++)

@@ -1,4 +1,4 @@
-/* The numbers of a house that can be changed while it is shown: which there are, what they are in the file and now. */
+/* The parameters of a house that can be changed while it is displayed: their values in the file and now. */
 #pragma once
 
 #include "house/house.h"
@@ -6,36 +6,36 @@
 
 /* The item or profile of a row. */
 typedef struct ValueOwner {
-    Item thing;          /* of the plan; none: of the run or of a profile */
-    const char *profile; /* its name, or NULL */
-    bool key;            /* of those that tell most */
+    Item thing;          /* item of the plan; none: the row belongs to the run or to a profile */
+    const char *profile; /* name of the profile, or NULL */
+    bool key;            /* one of the main parameters */
 } ValueOwner;
 
-/* Zero is none. */
+/* A zeroed list is empty. */
 typedef struct HouseValues {
     PanelParameter *rows; /* (count) in a fixed order */
     ValueOwner *owners;   /* (count) */
     size_t count, capacity, owner_capacity;
-    PanelParameter *listed; /* (count) the same rows, those of what is selected first */
+    PanelParameter *listed; /* (count) the same rows, those of the selection first */
     Arena arena;
 } HouseValues;
 
-/* Lists all values of a house, which the list does not need afterwards. house_value_clear releases them. */
+/* Lists all values of a house; the list does not refer to the house. house_value_clear releases the list. */
 void house_value_list(HouseValues *values, const House *house);
 void house_value_clear(HouseValues *values);
 
-/* Brings `listed` up to date. */
+/* Sorts `listed` for the present selection. */
 void house_value_sort(HouseValues *values, const House *house, Item selected);
 
-/* The row called so; SIZE_MAX: none. */
+/* Returns the row with this name; SIZE_MAX: none. */
 size_t house_value_find(const HouseValues *values, const char *name);
 
-/* Lists the values again; those in `opened` keep their initial values and slider ranges. */
+/* Rebuilds the list of values; rows that are also in `opened` keep their initial values and slider ranges. */
 void house_value_list_again(HouseValues *values, const HouseValues *opened, const House *house);
 
-/* Sets a value; false: a fault says what is allowed. */
+/* Sets a value; false: the fault says which values are allowed. */
 bool house_value_set(HouseValues *values, size_t row, double value, Fault *fault);
 
-/* NAME=VALUE for each that is not as at the opening; returns how many. They are the arena's; `settings` has room for
- * all. */
+/* Writes NAME=VALUE for each value that differs from the opening; returns their number. The texts belong to the
+ * arena; `settings` must have room for all values. */
 size_t house_value_settings(const HouseValues *values, const char **settings, Arena *arena);

@@ -7,12 +7,12 @@ struct HouseWorker {
     pthread_mutex_t mutex;
     pthread_cond_t asked;
     HouseRun *waiting[HOUSE_JOBS];
-    HouseRun *current; /* in work */
-    bool forsaken;     /* the current one is abandoned */
+    HouseRun *current; /* the run in progress */
+    bool forsaken;     /* the run in progress is abandoned */
     bool ends;
 };
 
-/* The first that waits; HOUSE_JOBS: none does. */
+/* Returns the first job with a waiting run; HOUSE_JOBS: none. */
 static int first_waiting(const HouseWorker *worker) {
     int job = 0;
     while (job < HOUSE_JOBS && !worker->waiting[job])
@@ -20,7 +20,7 @@ static int first_waiting(const HouseWorker *worker) {
     return job;
 }
 
-/* The next one, or NULL: it ends. The mutex is locked. */
+/* Waits for the next run; NULL: the worker must end. The mutex must be locked. */
 static HouseRun *wait_for_run(HouseWorker *worker) {
     while (!worker->ends && first_waiting(worker) == HOUSE_JOBS)
         pthread_cond_wait(&worker->asked, &worker->mutex);

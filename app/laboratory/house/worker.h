@@ -1,18 +1,18 @@
-/* A thread that makes runs, one at a time. */
+/* A thread that computes runs, one at a time. */
 #pragma once
 
 #include "laboratory/house/run.h"
 
 typedef struct HouseWorker HouseWorker;
 
-/* NULL: the system has no more threads. house_worker_destroy stops the run in work and waits for it; all runs must
- * have been abandoned. */
+/* Starts a worker; NULL: the system has no more threads. house_worker_destroy stops the run in progress and waits
+ * for its end; all runs must have been abandoned. */
 HouseWorker *house_worker_create(void);
 void house_worker_destroy(HouseWorker *worker);
 
-/* Has it made as soon as the thread is free, in the order of the jobs. Of each job there is at most one that has not
- * begun: whoever asks for another one abandons that first. */
+/* Queues a run for the thread; runs are computed in the order of their jobs. Each job has at most one run that has
+ * not begun: abandon that one before queueing another. */
 void house_worker_ask(HouseWorker *worker, HouseRun *run);
 
-/* Nobody looks at the run any more: it is released as soon as it can be. NULL is none. */
+/* Abandons a run: the worker releases it as soon as possible. NULL has no effect. */
 void house_worker_abandon(HouseWorker *worker, HouseRun *run);
