@@ -8,13 +8,13 @@
 #include "visual/house/blockage_scene.h"
 #include "visual/house/silhouette.h"
 
-#define LEAST_DEPTH 0.10  /* m, of what is thinner, so that it can be pointed at */
+#define LEAST_DEPTH 0.10  /* m, least depth of the outline of a thin item, so that it can be clicked */
 #define EXIT_DEPTH 0.20   /* m */
-#define HAZARD_SHOWN 0.25 /* m, radius */
-#define STOP_SHOWN 0.50   /* m, radius */
+#define HAZARD_SHOWN 0.25 /* m, radius of a dangerous point's outline */
+#define STOP_SHOWN 0.50   /* m, radius of a stopped person's outline */
 #define STAY 1.0          /* s, for which a person who has left can still be selected */
 
-enum { CIRCLE = 24 /* points */ };
+enum { CIRCLE = 24 /* points of a circle */ };
 
 static const HouseItem order[] = {HOUSE_PERSON, HOUSE_HAZARD, HOUSE_DOOR, HOUSE_FURNITURE, HOUSE_WALL, HOUSE_EXIT};
 enum { KINDS = sizeof order / sizeof *order };
@@ -83,7 +83,7 @@ void house_item_name(const House *house, const Observation *observation, Item th
 
 /* Outlines -------------------------------------------------------------------------------------------------------- */
 
-/* A strip along a segment, counter-clockwise. */
+/* Writes the outline of a strip along a segment, counter-clockwise. */
 static size_t outline_strip(Vec2 from, Vec2 to, double depth, Vec2 *points) {
     Vec2 side = vec2_scale(vec2_left(vec2_unit(vec2_sub(to, from))), fmax(depth, LEAST_DEPTH) / 2);
     points[0] = vec2_sub(from, side);
@@ -119,7 +119,7 @@ static Vec2 mitre(Vec2 before, Vec2 at, Vec2 after, double half) {
     return square < 0.1 ? vec2_scale(out, half) : vec2_scale(sum, 2 * half / square);
 }
 
-/* Along one face and back along the other. */
+/* Writes the outline of a wall along one face and back along the other. */
 static size_t outline_wall(const Wall *wall, Vec2 *points) {
     size_t count = wall->points.count < LABORATORY_OUTLINE_MOST / 2 ? wall->points.count : LABORATORY_OUTLINE_MOST / 2;
     const Vec2 *at = wall->points.at;
@@ -189,7 +189,8 @@ static double area_of(const Vec2 *points, size_t count) {
     return fabs(twice) / 2;
 }
 
-/* A wall is long and thin, and may go round: within half its thickness of its centre line. */
+/* True if a point lies within half the wall's thickness of its centre line. Walls are long and thin, and may be
+ * closed. */
 static bool on_wall(const Wall *wall, Vec2 p) {
     for (size_t i = 1; i < wall->points.count; i++)
         if (vec2_distance(p, vec2_nearest_on_segment(p, wall->points.at[i - 1], wall->points.at[i])) <=
@@ -198,7 +199,7 @@ static bool on_wall(const Wall *wall, Vec2 p) {
     return false;
 }
 
-/* Somebody whose outline need not be made. */
+/* True if a person is so far from the point that the outline need not be made. */
 static bool is_far(const HouseScenery *scenery, size_t person, Vec2 at, double time) {
     const Profile *profile = scenery->house->people[person].profile;
     const Trail *trail = &scenery->trails[person];
@@ -223,7 +224,7 @@ static int rank_of(int kind) {
     return rank;
 }
 
-/* The smaller one first; walls, which are behind all else, last. */
+/* Sorts smaller items first; walls, which lie behind all other items, last. */
 static int compare_hits(const void *a, const void *b) {
     const Hit *p = a, *q = b;
     if ((p->thing.kind == HOUSE_WALL) != (q->thing.kind == HOUSE_WALL))

@@ -1,5 +1,5 @@
-/* The items of a house that can be pointed at: people, dangerous points, doors, furniture, walls and exits. An
- * observation that is NULL has no dangerous points. */
+/* The items of a house that can be picked: people, dangerous points, doors, furniture, walls and exits. If the
+ * observation is NULL there are no dangerous points. */
 #pragma once
 
 #include "house/house.h"
@@ -7,7 +7,7 @@
 #include "laboratory/laboratory.h"
 #include "visual/house/trail.h"
 
-/* The kinds of items, in the order in which Tab goes through them. */
+/* The kinds of items, in the order in which Tab visits them. */
 typedef enum HouseItem {
     HOUSE_NOTHING,
     HOUSE_PERSON,
@@ -16,11 +16,11 @@ typedef enum HouseItem {
     HOUSE_FURNITURE,
     HOUSE_WALL,
     HOUSE_EXIT,
-    HOUSE_STOP, /* where a person is stopped; not among those that follow one another */
+    HOUSE_STOP, /* the place where a person is stopped; not visited by Tab */
     HOUSE_THINGS,
 } HouseItem;
 
-enum { HOUSE_THING_NAME = 128 /* room for a name */ };
+enum { HOUSE_THING_NAME = 128 /* characters of an item's name */ };
 
 size_t house_item_count(const House *house, const Observation *observation, int kind);
 
@@ -33,14 +33,14 @@ Item house_item_find(const House *house, int kind, const char *id);
 /* "door d2", "wardrobe (f3)", "dangerous point 1: door d2" */
 void house_item_name(const House *house, const Observation *observation, Item thing, char *name, size_t size);
 
-/* People who stand somewhere at a time: trails (person_count) are the observation's. */
+/* The house and its people's places over time: trails (person_count) belong to the observation. */
 typedef struct HouseScenery {
     const House *house;
     const Observation *observation;
     const Trail *trails;
 } HouseScenery;
 
-/* The same as outline, pick and next of a Laboratory. */
+/* As outline, pick and next of a Laboratory. */
 size_t house_item_outline(const HouseScenery *scenery, Item thing, double time, Vec2 *points);
 Item house_item_at(const HouseScenery *scenery, Vec2 at, double time, Item below);
 Item house_item_next(const HouseScenery *scenery, Item thing, int step);

@@ -1,4 +1,4 @@
-/* Other programs' files as houses to be shown: what a window needs of them. */
+/* Imports files of other programs as houses that the window can display. */
 #pragma once
 
 #include <stdbool.h>
@@ -6,18 +6,18 @@
 #include "base/fault.h"
 #include "base/text.h"
 
-/* Zero is empty; import_file_clear releases it. */
+/* A zeroed struct is empty; import_file_clear releases it. */
 typedef struct ImportFile {
-    char *text;         /* of a house file */
-    char *name;         /* of the house */
-    Fault told;         /* (told.count) what was assumed and what was left out, a line each */
-    Text left;          /* what was left out in short: "3 windows, 1 staircase"; empty: nothing */
+    char *text;         /* text of a house file */
+    char *name;         /* name of the house */
+    Fault told;         /* (told.count) assumptions and omissions, one per line */
+    Text left;          /* short summary of the omissions: "3 windows, 1 staircase"; empty: none */
     const char *format; /* "Sweet Home 3D" */
 } ImportFile;
 
-/* True if the name has the ending of a file that can be imported. */
+/* True if the name has the extension of a file that can be imported. */
 bool import_file_knows(const char *path);
 
-/* False: faults say why not, and there is nothing. */
+/* Reads and converts a file. False: faults give the reasons, and `import` is empty. */
 bool import_file_read(ImportFile *import, const char *path, Fault *fault);
 void import_file_clear(ImportFile *import);

@@ -8,12 +8,13 @@
 typedef struct LaboratoryRow {
     const Laboratory *laboratory;
     const char *help;  /* a sentence */
-    const char *key;   /* that shows it: "F2" */
-    size_t folder;     /* of the files that come with the program: offset of the path in Shipped */
-    const char *file;  /* in that folder: it is opened when no other is asked for */
-    const char *plots; /* all that `--plots` makes: "speed,clearance" */
+    const char *key;   /* key that displays the laboratory: "F2" */
+    size_t folder;     /* folder of the shipped files: offset of the path in Shipped */
+    const char *file;  /* file in that folder that is opened by default */
+    const char *plots; /* all plots of `--plots`: "speed,clearance" */
 
-    /* Reads a file's name, line and picture without a run. False: faults say why, and the thumbnail is empty. */
+    /* Reads a file's name, line and picture without a run. False: faults give the reasons, and the thumbnail is
+     * empty. */
     bool (*read_thumbnail)(Thumbnail *thumbnail, const char *path, Fault *fault);
 } LaboratoryRow;
 

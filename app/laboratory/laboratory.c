@@ -5,10 +5,10 @@
 #include "laboratory/laboratories.h"
 #include "laboratory/shipped.h"
 
-/* Longer than any house or beam that is opened in a window. */
+/* Longer than any house or beam file that the window opens. */
 enum { LONGEST = 64 << 20 /* bytes */ };
 
-/* True if the text has "clearance-WORD" in quotation marks. */
+/* True if the text contains "clearance-WORD" in quotation marks. */
 static bool says(const char *text, const char *word) {
     Text format = {0};
     text_format(&format, "\"clearance-%s\"", word);

@@ -1,9 +1,9 @@
-/* A laboratory at work: what a window opens, plays, shows and lets people change. One struct of functions a laboratory;
- * the window knows no more of houses and beams than what stands here, and they know no window, key or pixel.
+/* A running laboratory: the window opens and plays it, and people change its parameters. Each laboratory is one struct
+ * of functions; the window knows houses and beams only through this header, and laboratories do not know windows, keys
+ * or pixels.
  *
- * All calls come from one thread. What takes longer than a few milliseconds is done on threads of the laboratory's own;
- * `update` takes over their results. Everything that is recorded can be shown at any time, in any order, and looks the
- * same each time.
+ * All calls come from one thread. Work that takes longer than a few milliseconds runs on threads of the laboratory;
+ * `update` takes over the results. Every recorded time can be displayed, in any order, and looks the same each time.
  *
  *     open -> { set, choose ... }   update -> reach -> show -> scenes, plots   answer, rows, ticks                   */
 #pragma once
@@ -22,8 +22,9 @@ typedef struct LaboratoryOptions {
     const char *profiles;        /* directory of the shipped profiles */
     const char *const *settings; /* (setting_count) NAME=VALUE */
     size_t setting_count;
-    const char *route;  /* id, or NULL: everybody */
-    const char *origin; /* file that the one opened is a copy of, beside which the rest of it lies; NULL: it is none */
+    const char *route;  /* id, or NULL: all people */
+    const char *origin; /* the original of the opened copy; related files lie in its folder; NULL: the opened file is
+                           not a copy */
     int driving;        /* Driving, or -1 */
     uint64_t seed;
     int jobs; /* threads */
@@ -32,9 +33,9 @@ typedef struct LaboratoryOptions {
 /* Changes since the last update: bits. */
 enum {
     LABORATORY_VIEW = 1,       /* the layers: the static one must be repainted */
-    LABORATORY_PLOTS = 2,      /* how many plots there are, or which */
+    LABORATORY_PLOTS = 2,      /* the number or the kind of plots */
     LABORATORY_WORDS = 4,      /* answer, rows, ticks */
-    LABORATORY_PARAMETERS = 8, /* which there are, or their values */
+    LABORATORY_PARAMETERS = 8, /* the list of parameters, or their values */
     LABORATORY_TROUBLE = 16,   /* a new error: see `trouble` */
     LABORATORY_ALL = 31,
 };
@@ -42,11 +43,11 @@ enum {
 /* The stretch of time that can be displayed. */
 typedef struct RecordSpan {
     double begin, end; /* s, recorded */
-    bool complete;     /* it is over: no more will come by itself */
-    bool endless;      /* more comes whenever it is reached for */
-    double pace;       /* s shown in a second at speed 1 */
-    double step;       /* s, of one shown frame: from picture to picture when stepping */
-    double fastest;    /* the highest speed that makes sense, a power of two */
+    bool complete;     /* the record is complete: it does not grow by itself */
+    bool endless;      /* the record grows whenever a later time is reached for */
+    double pace;       /* s of record per second of playback at speed 1 */
+    double step;       /* s, duration of one displayed frame: the size of a single step */
+    double fastest;    /* highest useful speed, a power of two */
 } RecordSpan;
 
 typedef enum TimelineMarkKind { TIMELINE_CONTACT, TIMELINE_EXIT, TIMELINE_CHANGE, TIMELINE_TROUBLE } TimelineMarkKind;
@@ -58,12 +59,12 @@ typedef struct TimelineMark {
 } TimelineMark;
 
 typedef struct Result {
-    const char *title; /* "Out in 18.4 s", "Chaotic"; before it is known "Driving ...", never NULL */
-    Role role;         /* ROLE_TEXT, or ROLE_ERROR when the answer is no */
+    const char *title; /* "Out in 18.4 s", "Chaotic"; "Driving ..." before the result is known; never NULL */
+    Role role;         /* ROLE_TEXT, or ROLE_ERROR if the answer is negative */
     const char *detail;
-    bool stale;        /* of before the last change: shown grey */
-    const char *doing; /* what is being worked out in the background, "types: 40 of 768 runs", or NULL */
-    double part;       /* 0 to 1 of that; NAN: not known */
+    bool stale;        /* the answer is older than the last change: shown grey */
+    const char *doing; /* work in the background, "types: 40 of 768 runs", or NULL */
+    double part;       /* completed share of that work, 0 to 1; NAN: unknown */
 } Result;
 
 /* Something that can be selected; kind 0: nothing. */
@@ -76,29 +77,29 @@ static inline bool item_same(Item a, Item b) {
     return a.kind == b.kind && (!a.kind || a.index == b.index);
 }
 
-/* A row of the panel: as in a scene's list; choosing it shows its place, or goes to its time. */
+/* A row of the panel, as in a scene's list; choosing it shows its place, or goes to its time. */
 typedef struct PanelRow {
     SceneRow row;
-    Item thing;  /* selected by choosing it */
-    Item place;  /* what matters most is there: of the first row that has one it is shown by "Show place" */
-    double time; /* s, shown then; NAN: none */
+    Item thing;  /* item that choosing the row selects */
+    Item place;  /* place of the row's main result; "Show place" uses the first row that has one */
+    double time; /* s, time that choosing the row displays; NAN: none */
 } PanelRow;
 
-/* A number that can be changed while it runs. */
+/* A parameter that can be changed while the laboratory runs. */
 typedef struct PanelParameter {
-    const char *name;       /* as --set takes it: "door.d1.width" */
+    const char *name;       /* name as in --set: "door.d1.width" */
     const char *group;      /* a heading: "Wheelchair manual-chair", "Door d1" */
     const char *label;      /* "free speed" */
-    const Parameter *row;   /* a number, a whole one, a flag or a choice */
+    const Parameter *row;   /* type of the value: a number, an integer, a flag or a choice */
     const char *meaning;    /* a sentence */
     const char *provenance; /* or NULL */
-    const char *unit;       /* in which it is shown, "mm"; NULL: the row's */
-    double factor;          /* value shown = value x factor; 0 counts as 1 */
-    double value;           /* of a choice: the place of the word; of a flag 0 or 1 */
-    double initial;         /* in the file */
-    double low, high;       /* of a slider: the useful part of the row's range; typed values may go beyond it */
-    bool logarithmic;       /* slider */
-    bool first;             /* of those most looked for: shown without being asked for */
+    const char *unit;       /* displayed unit, "mm"; NULL: the row's unit */
+    double factor;          /* displayed value = value x factor; 0 counts as 1 */
+    double value;           /* choice: index of the word; flag: 0 or 1 */
+    double initial;         /* value in the file */
+    double low, high;       /* range of the slider: the useful part of the row's range; typed values may exceed it */
+    bool logarithmic;       /* the slider is logarithmic */
+    bool first;             /* one of the main parameters: shown by default */
 } PanelParameter;
 
 typedef struct Preset {
@@ -106,25 +107,25 @@ typedef struct Preset {
     const char *meaning; /* a sentence */
 } Preset;
 
-/* A plot next to the view. Its series may grow from update to update; `until` says how many points are drawn. */
+/* A plot next to the view. Its series may grow at each update; `until` returns how many points are drawn. */
 typedef struct LaboratoryPlot {
-    const char *name;  /* "phase": in names of files, of --plots where that knows it; lives as long as the program */
-    const char *title; /* for menus */
-    const Plot *plot;  /* good until the next update */
-    unsigned revision; /* another number: other axes or series, what was drawn is void */
-    bool still;        /* it does not depend on the time shown */
-    double cursor;     /* where an upright line stands, a value of x; NAN: none */
+    const char *name;  /* "phase": used in file names and by --plots; lives as long as the program */
+    const char *title; /* title for menus */
+    const Plot *plot;  /* valid until the next update */
+    unsigned revision; /* changes with the axes or series: the drawn plot is then invalid */
+    bool still;        /* the plot does not depend on the displayed time */
+    double cursor;     /* place of a vertical line, a value of x; NAN: none */
     const char *cursor_words;
-    const char *cursor_parameter; /* that a click at a value of x sets; NULL: none */
-    double cursor_factor;         /* value of x = this times the parameter's */
-    Role now;                     /* of the disc where the series have come to; ROLE_PAPER: each series' own */
-    double tail;                  /* s: the end of the lines that is drawn thick */
+    const char *cursor_parameter; /* parameter that a click at a value of x sets; NULL: none */
+    double cursor_factor;         /* value of x = cursor_factor x the parameter's value */
+    Role now;    /* role of the disc at the present end of the series; ROLE_PAPER: each series' own role */
+    double tail; /* s: length of the line's end that is drawn thick */
 } LaboratoryPlot;
 
-/* Edits what a laboratory shows: see edit/editor.h. */
+/* Edits the displayed house: see edit/editor.h. */
 typedef struct Editor Editor;
 
-/* Something among a few: which ghost, which route, which pass of a sweep. */
+/* A choice among a few words: the ghost, the route, the pass of a sweep. */
 typedef struct PanelChoice {
     const char *name;         /* "Ghost" */
     const char *meaning;      /* a sentence */
@@ -136,31 +137,31 @@ enum { LABORATORY_LAYERS_MOST = 9, LABORATORY_OUTLINE_MOST = 128 };
 
 typedef struct Laboratory {
     const char *name;            /* "House" */
-    const char *word;            /* "house": begins "clearance-house", the format of its files */
+    const char *word;            /* "house": part of the format name "clearance-house" of its files */
     const char *plots_at_first;  /* "speed,clearance" */
-    const char *const *layers;   /* (layer_count) names of what can be shown or hidden */
+    const char *const *layers;   /* (layer_count) names of the layers that can be shown or hidden */
     const char *const *meanings; /* (layer_count) a sentence each */
     size_t layer_count;          /* at most LABORATORY_LAYERS_MOST */
-    unsigned layers_at_first;    /* bits */
-    bool raised;                 /* it can be looked at from the side */
+    unsigned layers_at_first;    /* bits of the layers that are shown at first */
+    bool raised;                 /* an oblique view is available */
     bool numbers_first;          /* the panel begins with the parameters */
 
-    /* Begins with a file (`path` NULL: with an empty one, where there is an editor); the first pictures come with an
-     * update. NULL: faults say why. Reading that takes longer than some 50 ms is done in the background, and its faults
-     * come as trouble. `close` ends all threads. */
+    /* Opens a file (`path` NULL: an empty one, if there is an editor); the first pictures come with an update. NULL:
+     * faults give the reasons. Reading that takes longer than about 50 ms runs in the background and reports its
+     * faults as trouble. `close` ends all threads. */
     void *(*open)(const char *path, const LaboratoryOptions *options, Fault *fault);
     void (*close)(void *session);
 
-    /* Takes over new results; returns LABORATORY_... bits. `time` is displayed now. */
+    /* Takes over new results; returns LABORATORY_... bits. `time` is the displayed time. */
     unsigned (*update)(void *session, double time);
 
     RecordSpan (*span)(const void *session);
 
-    /* Makes the record go up to a time, as far as that can be done at once; returns how far it goes. */
+    /* Extends the record towards a time as far as possible at once; returns the end of the record. */
     double (*reach)(void *session, double time);
 
-    /* Moves the layers to a time within the span, s; false: back in time, or all is new: what had been added to the
-     * static layer must be forgotten, `added` holds all. */
+    /* Moves the layers to a time within the span, s. False: the time went back, or all is new: discard all additions
+     * to the static layer, since `added` holds the complete set. */
     bool (*show)(void *session, double time);
 
     /* True if drawing at `time` gives the same pixels as the last draw. NULL: unknown. */
@@ -169,38 +170,38 @@ typedef struct Laboratory {
     const Scene *(*added)(const void *session);
     const Scene *(*moving)(const void *session);
 
-    /* From where it is looked at; which layers are shown (bits). */
+    /* Set the camera and the bits of the shown layers. */
     void (*look)(void *session, Camera camera);
     void (*reveal)(void *session, unsigned layers);
 
-    /* Plots. `until`: how many points of a series are drawn at a time. */
+    /* Plots. `until`: number of points of a series that are drawn at a time. */
     size_t (*plot_count)(const void *session);
     LaboratoryPlot (*plot)(const void *session, size_t index);
     size_t (*until)(const void *session, size_t plot, size_t series, double time);
 
     Result (*answer)(void *session);
 
-    /* "7.3 s", "cycle 481, 1.604 s": good until the next call. */
+    /* Returns "7.3 s", "cycle 481, 1.604 s", valid until the next call. */
     const char *(*clock)(void *session, double time);
 
-    /* A remark that belongs to every picture: "assumed plan: not measured"; "". */
+    /* Returns a remark that belongs to every picture: "assumed plan: not measured"; "" for none. */
     const char *(*note)(void *session);
-    const char *(*title)(const void *session); /* of what is shown: its name */
+    const char *(*title)(const void *session); /* name of the displayed house or beam */
     const PanelRow *(*rows)(const void *session, size_t *count);
     const TimelineMark *(*ticks)(void *session, size_t *count);
 
-    /* The last error, with cause and cure, and its time (s; NAN: it belongs to no moment of the record); NULL: none.
-     * The last good state stays. */
+    /* Returns the last error, with cause and remedy, and its time (s; NAN: it belongs to no time of the record);
+     * NULL: none. The last valid state stays displayed. */
     const char *(*trouble)(const void *session, double *time);
 
-    /* Parameters, good until the next update that changes them. False: a fault says what is allowed, and the value
-     * is as it was. */
+    /* Parameters, valid until the next update that changes them. False: the fault says which values are allowed, and
+     * the value is unchanged. */
     const PanelParameter *(*parameters)(const void *session, size_t *count);
     bool (*set)(void *session, const char *name, double value, Fault *fault);
-    void (*reset)(void *session); /* all of them as in the file */
+    void (*reset)(void *session); /* sets all parameters back to the values in the file */
 
-    /* A slider that is dragged: all changes that `set` makes until `settle` are one step of undo, and the clock must be
-     * held. NULL: there are no steps. */
+    /* Start and end the dragging of a slider: all changes by `set` before `settle` form one undo step, and the clock
+     * must be paused. NULL: there are no undo steps. */
     void (*hold)(void *session, const char *name);
     void (*settle)(void *session);
 
@@ -210,54 +211,54 @@ typedef struct Laboratory {
     const PanelChoice *(*choices)(void *session, size_t *count);
     void (*choose)(void *session, size_t choice, size_t word);
 
-    /* Restarts with the same parameters; saves the displayed run for comparison (false: there is nothing to save yet);
-     * forgets that, and the trace and the points so far. */
+    /* Restart with the same parameters; save the displayed run for comparison (false: there is nothing to save yet);
+     * discard the saved run, the trace and the points so far. */
     void (*again)(void *session);
     bool (*keep)(void *session, double time);
     void (*clear)(void *session, double time);
 
     /* Returns the item at a place, m on the floor; `below`: the next item under this one. */
     Item (*pick)(const void *session, Vec2 at, double time, Item below);
-    Item (*next)(const void *session, Item thing, int step); /* round, in a fixed order */
+    Item (*next)(const void *session, Item thing, int step); /* cycles through the items in a fixed order */
     void (*select)(void *session, Item thing);
     Item (*selected)(void *session);
     const char *(*name_thing)(void *session, Item thing); /* "door d2" */
 
-    /* Its outline at a time (m): how many points, at most LABORATORY_OUTLINE_MOST; 0: it is nowhere then. */
+    /* Writes the outline of an item at a time (m); returns the number of points, at most LABORATORY_OUTLINE_MOST; 0:
+     * the item has no place at that time. */
     size_t (*outline)(void *session, Item thing, double time, Vec2 *points);
 
-    /* The words behind "clearance" that make what is shown: "run", FILE, "--set", ... (count) */
+    /* Returns the words after "clearance" that reproduce the displayed run: "run", FILE, "--set", ... (count). */
     const char *const *(*command)(void *session, size_t *count);
 
-    /* Digest of the run that is shown; NULL: it has none. */
+    /* Returns the digest of the displayed run; NULL: the laboratory has none. */
     uint64_t (*digest)(void *session);
 
-    /* Writes what is shown, with its changed numbers, as a file that can be opened again; false: a fault says why not.
-     */
+    /* Writes the displayed house or beam, with its changed parameters, as a file that can be opened; false: the
+     * fault gives the reason. */
     bool (*save)(void *session, const char *path, Fault *fault);
 
-    /* An edit may set something moving in the picture alone, as furniture that falls: moves it on by s of real time.
-     * Where this is never called, everything is at once in its last place. `animation`: words for what moves, "shaking
-     * (seed 3)", or ""; NULL: all rests. Both NULL: nothing ever moves so. */
+    /* Advances an animation that an edit started in the picture only, such as falling furniture, by s of real time.
+     * If it is never called, everything is in its final place at once. `animation`: text for the moving items,
+     * "shaking (seed 3)", or ""; NULL: all rests. Both functions NULL: there are no animations. */
     void (*animate)(void *session, double seconds);
     const char *(*animation)(void *session);
 
-    /* Fills mono samples, -1 to 1, of the stretch from one time to another; false: it is silent. */
+    /* Fills mono samples, -1 to 1, for the interval between two times; false: the interval is silent. */
     bool (*sound)(void *session, double from, double to, float *samples, size_t count);
 
-    /* The editor of what is open; NULL: nothing can be edited. */
+    /* Returns the editor; NULL: the open file cannot be edited. */
     Editor *(*editor)(void *session);
 } Laboratory;
 
 extern const Laboratory house_laboratory, beam_laboratory;
 
-/* Returns the index of the laboratory that a file belongs to, by what is in it; 0 if nothing in it says so. */
+/* Returns the index of the laboratory that a file belongs to by its contents; 0 if the contents do not say. */
 size_t laboratory_of(const char *path);
 
 /* Returns the index of the laboratory with a word ("house"); laboratories_count: none has it. */
 size_t laboratory_find(const char *word);
 
-/* Returns the folder of the files that come with the program, and the path of the one that is opened first, in the
- * arena. */
+/* Returns the folder of the shipped files, and the path of the file that is opened by default, in the arena. */
 const char *laboratory_folder(size_t index);
 const char *laboratory_file(size_t index, Arena *arena);

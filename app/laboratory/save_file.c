@@ -7,9 +7,9 @@
 #include "base/text.h"
 #include "beam/beam.h"
 
-enum { FILE_WORD = 1 /* of a command: "run", FILE, ... */ };
+enum { FILE_WORD = 1 /* index of FILE in a command: "run", FILE, ... */ };
 
-/* The values of all --set, in their order: how many. */
+/* Lists the values of all --set options in order; returns their number. */
 static size_t list_settings(const char *const *words, size_t count, const char **settings) {
     size_t found = 0;
     for (size_t i = 0; i + 1 < count; i++)
@@ -18,7 +18,7 @@ static size_t list_settings(const char *const *words, size_t count, const char *
     return found;
 }
 
-/* Nothing is ever written over. */
+/* True, with a fault, if the file exists: existing files are never overwritten. */
 static bool is_there(const char *path, Fault *fault) {
     bool there = access(path, F_OK) == 0;
     if (there)

@@ -6,9 +6,9 @@
 
 #include "base/fault.h"
 
-/* A house's text. False: a fault says why not. */
+/* Writes a house's text. False: the fault gives the reason. */
 bool save_file_house(const char *text, const char *path, Fault *fault);
 
-/* The file that was opened, read again with the settings of the laboratory's command, whose `words` (count) are "run",
- * FILE, "--set", NAME=VALUE and so on. */
+/* Reads the opened file, applies the settings of the laboratory's command, and writes the result; `words` (count)
+ * are "run", FILE, "--set", NAME=VALUE and so on. */
 bool save_file_beam(const char *const *words, size_t count, const char *path, Fault *fault);

@@ -15,7 +15,7 @@ static char profiles[PATH_MOST + 32], furniture[PATH_MOST + 32], beams[PATH_MOST
     help[PATH_MOST + 32];
 static Shipped shipped = {profiles, furniture, beams, houses, help, NULL};
 
-/* Adds the folder to those that were looked at, each once. */
+/* Adds a folder to the list of searched folders, once. */
 static void add_looked(const char *folder) {
     size_t length = strlen(looked);
     const char *at = strstr(looked, folder), *end = at ? at + strlen(folder) : NULL;
@@ -23,7 +23,7 @@ static void add_looked(const char *folder) {
         snprintf(looked + length, sizeof looked - length, "%s%s", length ? ", " : "", folder);
 }
 
-/* Takes the folder as the assets, and says whether it holds any. */
+/* Uses the folder for the assets; false if it contains none. */
 static bool consider(const char *folder) {
     add_looked(folder);
     char *whole = realpath(folder, NULL);
@@ -33,7 +33,7 @@ static bool consider(const char *folder) {
     return access(profiles, R_OK | X_OK) == 0;
 }
 
-/* The folder above the one in which the program lies; false if the system does not say where that is. */
+/* Finds the parent of the program's folder; false if the system does not know the program's path. */
 static bool find_root(char root[PATH_MOST]) {
     ssize_t length = readlink("/proc/self/exe", root, PATH_MOST - 1);
     if (length <= 0)
@@ -54,8 +54,8 @@ static bool consider_installed(const char *root) {
     return consider(folder);
 }
 
-/* A build folder has the build's own file, and that belongs to whom the program belongs to: nobody else can make a
- * folder above the program look like one. */
+/* Uses the assets next to a build folder. A build folder contains the build's own file, and that file must belong to
+ * the program's owner: other users must not be able to make a folder above the program look like a build folder. */
 static bool consider_source(const char *root) {
     char path[PATH_MOST + 32];
     struct stat build, program;
@@ -66,8 +66,8 @@ static bool consider_source(const char *root) {
     return consider(path);
 }
 
-/* The folders of a list that is separated by colons, as the XDG base directory specification has it: those that are not
- * absolute are passed over. */
+/* Uses the first folder with assets of a list that is separated by colons, as in the XDG base directory
+ * specification; relative folders are ignored. */
 static bool consider_data_folders(const char *list) {
     while (*list) {
         size_t length = strcspn(list, ":");

@@ -10,14 +10,14 @@
 #include "visual/beam/beam_shape.h"
 #include "visual/house/plan_picture.h"
 
-/* Words ------------------------------------------------------------------------------------------------------------ */
+/* Texts ----------------------------------------------------------------------------------------------------------- */
 
 const char *thumbnail_name_of(const char *path, Arena *arena) {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
     return text_in_arena(arena, "%.*s", dot && dot > name ? (int)(dot - name) : (int)strlen(name), name);
 }
 
-/* Returns the bytes of a note's first sentence. A point in a number, or after a single letter, does not end it. */
+/* Returns the bytes of a note's first sentence. A full stop in a number, or after a single letter, does not end it. */
 static size_t sentence_of(const char *note) {
     for (const char *c = note; (c = strchr(c, '.')); c++)
         if ((c[1] == ' ' || !c[1]) && c > note + 1 && c[-2] != ' ')
@@ -25,7 +25,7 @@ static size_t sentence_of(const char *note) {
     return strlen(note);
 }
 
-/* Returns the bytes of a text that fit: at most THUMBNAIL_LINE characters, up to the end of a word. */
+/* Returns the bytes of the part of a text that fits: at most THUMBNAIL_LINE characters, up to the end of a word. */
 static size_t shortened(const char *words, size_t length) {
     size_t characters = 0, word = 0;
     for (size_t i = 0; i < length; i++) {
@@ -59,9 +59,9 @@ static void tell(Thumbnail *thumbnail, const char *path, const char *name, const
 
 /* Scenes ----------------------------------------------------------------------------------------------------------- */
 
-#define REACH 1e-6      /* of its length, at least: so far it can bend */
-#define BEND 0.9        /* of the clearance: so far the tip is drawn from the middle */
-#define BEAM_BEFORE 0.1 /* of the beam's length: what is seen before it, behind it, above and below */
+#define REACH 1e-6      /* of the beam's length, least deflection that the picture has room for */
+#define BEND 0.9        /* of the clearance: distance of the drawn tip from the middle */
+#define BEAM_BEFORE 0.1 /* of the beam's length: visible margins before, behind, above and below */
 #define BEAM_BEHIND 0.12
 #define BEAM_HALF 0.21
 
@@ -79,7 +79,7 @@ bool thumbnail_read_house(Thumbnail *thumbnail, const char *path, Fault *fault) 
     return good;
 }
 
-/* Bends the beam about as its first mode does, with the tip at the lower stop. */
+/* Bends the beam approximately as its first mode does, with the tip at the lower stop. */
 static void bend(BeamShape *shape, const Beam *beam) {
     for (size_t i = 0; i < shape->count; i++) {
         double part = (shape->place[i] - beam->pivot_position) / (beam->length - beam->pivot_position);
@@ -95,7 +95,7 @@ static bool is_seen(const Primitive *primitive, double right) {
     return primitive->kind != PRIMITIVE_LABEL && primitive->kind != PRIMITIVE_DIMENSION;
 }
 
-/* Leaves out words, and what of the loupe would be cut off. */
+/* Removes texts and the parts of the loupe that would be cut off. */
 static void keep_seen(Scene *scene, double right) {
     size_t kept = 0;
     for (size_t i = 0; i < scene->count; i++)

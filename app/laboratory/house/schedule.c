@@ -6,12 +6,9 @@
 #include "base/parallel.h"
 #include "visual/house/people_scene.h"
 
-#define GRACE                                                                                                          \
-    0.3 /* s: a run that ends within this time is waited for before a part of it is displayed, or before it is stopped \
-         */
-#define EARLY 0.15 /* s: the plan is drawn before the answer if the answer takes longer */
-#define TAKE_PART                                                                                                      \
-    16 /* new rows are copied only once they make up this share of the record, so total copying stays linear */
+#define GRACE 0.3     /* s: a run may take this long before its first part is displayed or it is stopped */
+#define EARLY 0.15    /* s: the plan is drawn before the answer if the answer takes longer */
+#define TAKE_PART 16  /* new rows are copied once they make up 1/16 of the record, so total copying stays linear */
 #define TAKE_NEAR 1.0 /* s: or once the displayed time is this close to the end of the record */
 
 /* Requests -------------------------------------------------------------------------------------------------------- */

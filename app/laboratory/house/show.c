@@ -43,21 +43,20 @@ void house_show_make(HouseSession *session, double time) {
     Before ghost = house_runs_compared(session);
     bool is_crowd = ghost.house && ghost.house->person_count > GHOSTS_MOST;
     bool ways = house_runs_is_over(session, RUN_ROUTES) && session->layers & 1u << LAYER_WIDTHS;
-    FilmOptions options = {.camera = session->camera,
-                           .bare = true,
-                           .shown = session->layers & 1u << LAYER_CIRCLES ? FILM_CIRCLES : 0,
-                           .hidden = hidden_of(session->layers),
-                           .before = is_crowd ? (Before){.house = NULL} : ghost,
-                           .live = true,
-                           .ahead = session->whole && session->ghost == GHOST_BEFORE &&
-                                    ghost.house, /* both runs are complete and can be compared */
-                           .observed =
-                               house == &session->runs[RUN_SHOWN]->house ? NULL : &session->runs[RUN_SHOWN]->house,
-                           .trails = session->trails.trails,
-                           .ways = ways ? &session->runs[RUN_ROUTES]->ways : NULL,
-                           .falling = session->fall.pieces,
-                           .falling_count = falling,
-                           .box = box_of(&session->runs[RUN_SHOWN]->house)};
+    FilmOptions options = {
+        .camera = session->camera,
+        .bare = true,
+        .shown = session->layers & 1u << LAYER_CIRCLES ? FILM_CIRCLES : 0,
+        .hidden = hidden_of(session->layers),
+        .before = is_crowd ? (Before){.house = NULL} : ghost,
+        .live = true,
+        .ahead = session->whole && session->ghost == GHOST_BEFORE && ghost.house, /* both are complete */
+        .observed = house == &session->runs[RUN_SHOWN]->house ? NULL : &session->runs[RUN_SHOWN]->house,
+        .trails = session->trails.trails,
+        .ways = ways ? &session->runs[RUN_ROUTES]->ways : NULL,
+        .falling = session->fall.pieces,
+        .falling_count = falling,
+        .box = box_of(&session->runs[RUN_SHOWN]->house)};
     session->epoch = epoch;
     session->fall.drawn = falling;
     session->film = film_create(house, session->observation, &options);
