@@ -7,11 +7,11 @@
 #include "result/panel.h"
 
 enum {
-    SETTLED = 100,   /* cycles after a change, before it is said that the motion is another one than from rest */
-    FREQUENCIES = 6, /* natural frequencies that are shown */
+    SETTLED = 100,   /* cycles after a change before the motion is reported to differ from the motion from rest */
+    FREQUENCIES = 6, /* natural frequencies in the answer */
 };
 
-static const double ALIKE = 0.02; /* 1, of the largest force: so near, it is the same motion */
+static const double ALIKE = 0.02; /* 1, share of the largest force: motions whose peaks differ by less are the same */
 
 BeamLately beam_answer_look(const BeamTape *tape) {
     double deflection[BEAM_ANSWER_LATELY], velocity[BEAM_ANSWER_LATELY], peak[2 * BEAM_ANSWER_LATELY];
@@ -26,7 +26,7 @@ BeamLately beam_answer_look(const BeamTape *tape) {
         velocity[i] = next->velocity;
         memcpy(peak + 2 * i, cycle->peak, sizeof cycle->peak);
     }
-    size_t last = count / 2; /* the settled part of those that settle */
+    size_t last = count / 2; /* assumed settled part of a motion that settles */
     lately.peaks = section_peaks(&(Section){.count = count - last, .peak = peak + 2 * last});
     lately.period = section_period(deflection, velocity, count, part->rig.omega, rig_rest_deflection(&part->rig));
     return lately;
@@ -74,7 +74,7 @@ static void peaks_words(const SectionPeaks *peaks, char *text, size_t size) {
         snprintf(text, size, "peaks %.0f-%.0f N", peaks->min, peaks->max);
 }
 
-/* Does the running motion do something else than the one from rest? */
+/* True if the running motion differs from the motion from rest. */
 static bool is_another(const BeamLately *lately, const BeamVerdict *verdict) {
     if (lately->cycles < SETTLED || lately->period == SECTION_UNDECIDED)
         return false;
@@ -118,7 +118,7 @@ static void add_row(BeamAnswer *answer, RowKind kind, const char *first, const c
     *row = (PanelRow){.row = {.kind = kind, .role = ROLE_TEXT, .cells = {first, second}}, .time = NAN};
 }
 
-/* Each line of the advice is a row. */
+/* Adds a row for each line of the advice. */
 static void add_advice(BeamAnswer *answer, const char *advice) {
     for (const char *line = advice; line && *line; line += strcspn(line, "\n"), line += *line == '\n')
         add_row(answer, ROW_PLAIN, text_in_arena(&answer->arena, "%.*s", (int)strcspn(line, "\n"), line), NULL);
@@ -145,7 +145,7 @@ static void add_fact(BeamAnswer *answer, const ResultRow *row) {
     SceneRow line;
     if (!result_panel_row(&line, row, &answer->arena))
         return;
-    line.cells[1] = arena_text(&answer->arena, line.cells[1]); /* the verdict may go before the rows */
+    line.cells[1] = arena_text(&answer->arena, line.cells[1]); /* the verdict may be released before the rows */
     add_row(answer, line.kind, line.cells[0], line.cells[1]);
 }
 

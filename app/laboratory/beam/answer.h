@@ -1,17 +1,18 @@
-/* The answer of a running beam: at once by the last returns of the tip, later by the verdict from rest. */
+/* The answer of a running beam: at once from the last returns of the tip, later from the verdict on the motion from
+ * rest. */
 #pragma once
 
 #include "laboratory/beam/tape.h"
 #include "laboratory/beam/verdict.h"
 #include "laboratory/laboratory.h"
 
-enum { BEAM_ANSWER_LATELY = 128 /* cycles that are looked at */ };
+enum { BEAM_ANSWER_LATELY = 128 /* cycles that are examined */ };
 
 /* Facts of the last cycles of the last part. */
 typedef struct BeamLately {
-    size_t cycles;      /* since the last change */
-    int period;         /* as section_period */
-    SectionPeaks peaks; /* of the later half of the cycles that are looked at */
+    size_t cycles;      /* cycles since the last change */
+    int period;         /* period as returned by section_period */
+    SectionPeaks peaks; /* peaks of the later half of the examined cycles */
 } BeamLately;
 
 BeamLately beam_answer_look(const BeamTape *tape);
@@ -21,13 +22,13 @@ typedef struct BeamAnswer {
     Result result;
     PanelRow *rows; /* (row_count) */
     size_t row_count, row_capacity;
-    Arena arena; /* their words */
+    Arena arena; /* holds the texts of the rows */
 } BeamAnswer;
 
-/* `verdict`: of this very beam, or NULL. */
+/* Writes the answer; `verdict` must belong to the present beam, or be NULL. */
 void beam_answer_write(BeamAnswer *answer, const BeamTape *tape, const Beam *beam, const BeamLately *lately,
                        const BeamVerdict *verdict);
 void beam_answer_clear(BeamAnswer *answer);
 
-/* Why the record has ended, with what would help; as long as the arena lives. */
+/* Returns the reason why the record has ended, with a remedy, in the arena. */
 const char *beam_answer_trouble(const BeamTape *tape, Arena *arena);

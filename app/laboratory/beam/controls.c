@@ -7,19 +7,19 @@
 #include "base/parameters_number.h"
 #include "experiment/beam_numbers.h"
 
-/* How a number is shown. */
+/* The display of a parameter. */
 typedef struct Looks {
     const char *name, *label;
-    const char *unit; /* NULL: the row's */
-    double factor;    /* value shown = value x factor */
-    double low, high; /* of the slider, times the value in the file; 0 and 0: from `least` to `most` */
+    const char *unit; /* NULL: the unit of the parameter's row */
+    double factor;    /* displayed value = value x factor */
+    double low, high; /* range of the slider as multiples of the value in the file; 0 and 0: from `least` to `most` */
     double least, most;
-    double from, to; /* of an orbit diagram, times the value in the file; 0 and 0: the slider's */
+    double from, to; /* range of an orbit diagram as multiples of the value in the file; 0 and 0: the slider's range */
     bool logarithmic, first;
 } Looks;
 
-/* Those most looked for come first. The orbit diagram over the frequency shows all of the published one, figure 8, and
- * what lies below. */
+/* The main parameters come first. The orbit diagram over the frequency covers the published one, figure 8, and the
+ * range below it. */
 static const Looks all_looks[] = {
     {"drive.frequency", "Excitation", NULL, 1, 0, 0, 20, 400, 1 / 15., 16 / 15., false, true},
     {"drive.force", "Force", NULL, 1, 0, 2, 0, 0, 0.1, 2, false, true},
@@ -65,7 +65,7 @@ static const Looks *looks_of(const char *name) {
     return NULL;
 }
 
-/* The useful part of the range: about the value in the file, where that is something. */
+/* Sets the useful part of the range: around the value in the file if that is positive. */
 static void set_range(PanelParameter *parameter, const Looks *looks) {
     double value = parameter->initial;
     bool about = looks->high > 0 && value > 0;
@@ -99,7 +99,7 @@ static PanelParameter make_parameter(const BeamControls *controls, const Looks *
 
 /* Presets -----------------------------------------------------------------------------------------------------------*/
 
-/* The published cases; a name gets its type when it has been told. */
+/* The published cases; the type is added to a preset's name once it is determined. */
 static const struct {
     const char *name, *meaning;
     double frequency; /* Hz */

@@ -1,9 +1,9 @@
-/* Points that come one by one, each with its time: a series of a plot that grows. */
+/* A series of a plot that grows: points that are added one by one, each with its time. */
 #pragma once
 
 #include <stddef.h>
 
-/* Zero is empty. */
+/* A zeroed curve is empty. */
 typedef struct BeamCurve {
     double *x, *y, *time; /* (count) s; times never fall */
     size_t count;
@@ -13,7 +13,7 @@ typedef struct BeamCurve {
 void beam_curve_add(BeamCurve *curve, double time, double x, double y);
 void beam_curve_clear(BeamCurve *curve);
 
-/* No points, but their room. */
+/* Removes all points but keeps the memory. */
 static inline void beam_curve_reset(BeamCurve *curve) {
     curve->count = 0;
 }
@@ -21,5 +21,5 @@ static inline void beam_curve_reset(BeamCurve *curve) {
 /* Returns how many points are not later than a time. */
 size_t beam_curve_until(const BeamCurve *curve, double time);
 
-/* Makes `to` what is there of `from` at a time. */
+/* Copies to `to` the points of `from` up to a time. */
 void beam_curve_copy(BeamCurve *to, const BeamCurve *from, double time);

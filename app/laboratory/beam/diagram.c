@@ -6,7 +6,7 @@
 #include "base/parameters_number.h"
 #include "experiment/beam_numbers.h"
 
-/* Design points. */
+/* Diameter of a point in design points. */
 #define DOT 2.2
 #define SIGN 4.0
 
@@ -20,7 +20,7 @@ void beam_diagram_open(BeamDiagram *diagram) {
         {.role = ROLE_GHOST, .symbol = SYMBOL_TRIANGLE, .size = SIGN},
         {.role = ROLE_WALL, .symbol = SYMBOL_DISC, .size = DOT},
         {.role = ROLE_LOCUS, .symbol = SYMBOL_BOX, .size = SIGN, .open = true},
-        {.role = ROLE_LOCUS_SECOND, .symbol = SYMBOL_DISC, .size = DOT}}; /* within the boxes, where both are */
+        {.role = ROLE_LOCUS_SECOND, .symbol = SYMBOL_DISC, .size = DOT}}; /* drawn within the boxes where both occur */
     *diagram = (BeamDiagram){.revision = 1};
     memcpy(diagram->series, looks, sizeof looks);
     diagram->plot = (Plot){.title = "Orbit diagram: peak force",
@@ -34,7 +34,7 @@ void beam_diagram_close(BeamDiagram *diagram) {
         beam_sweep_points_clear(&diagram->points[s]);
 }
 
-/* Series show the points, which may have moved. */
+/* Points the series to the points' arrays, which may have moved. */
 static void take_points(BeamDiagram *diagram) {
     for (size_t s = 0; s <= BEAM_SWEEP_PASSES; s++) {
         diagram->series[s].x = diagram->points[s].value;
@@ -80,7 +80,7 @@ void beam_diagram_ask(BeamDiagram *diagram, const BeamControls *controls, const 
     bool other = !diagram->task.name || strcmp(diagram->task.name, task.name) != 0;
     diagram->task = task;
     diagram->plot.x.unit = parameter->unit ? parameter->unit : parameter->row->unit;
-    if (other) { /* what is shown has nothing to do with it */
+    if (other) { /* the displayed points belong to another parameter */
         diagram->points[0].count = 0;
         begin_anew(diagram);
         take_points(diagram);
@@ -88,7 +88,7 @@ void beam_diagram_ask(BeamDiagram *diagram, const BeamControls *controls, const 
     beam_worker_ask_sweep(worker, &task);
 }
 
-/* 1, 1.5, 2, 3, 4, 5, 6, 8 times a power of ten */
+/* Rounds up to 1, 1.5, 2, 3, 4, 5, 6 or 8 times a power of ten. */
 static double round_up(double value) {
     static const double steps[] = {1, 1.5, 2, 3, 4, 5, 6, 8, 10};
     double power = pow(10, floor(log10(value)));

@@ -12,11 +12,11 @@
 #include "laboratory/save_file.h"
 #include "visual/beam/beam_film.h"
 
-#define BUSY_MOST 2e-3 /* s, that the motion is followed at a time */
+#define BUSY_MOST 2e-3 /* s, longest time for which the motion is computed without a pause */
 
-enum { STEPS = 60 /* a cycle, from picture to picture */ };
+enum { STEPS = 60 /* steps per cycle from frame to frame */ };
 
-/* Records one more cycle, or notes why the record has ended. */
+/* Records one more cycle, or stores the reason why the record has ended. */
 static void advance(BeamSession *session) {
     session->news |= session->tape.next ? LABORATORY_WORDS : 0;
     if (beam_tape_advance(&session->tape))
@@ -57,7 +57,7 @@ static void ask_worker(BeamSession *session, bool verdict) {
         beam_worker_ask_verdict(session->worker, &session->beam);
 }
 
-/* From the end of the cycle that is shown on, the beam is this one. */
+/* Changes the beam from the end of the displayed cycle on. */
 static bool change(BeamSession *session, const Beam *beam, Fault *fault) {
     BeamTape *tape = &session->tape;
     double phase;
@@ -183,7 +183,7 @@ static bool read_files(BeamSession *session, const char *path, const LaboratoryO
     return true;
 }
 
-/* The answer goes with the record. */
+/* Updates the answer from the end of the record. */
 static void look_at_answer(BeamSession *session) {
     if (session->looked == session->tape.front)
         return;
@@ -293,7 +293,7 @@ static void take_news(BeamSession *session, BeamNews *news) {
         beam_diagram_take(&session->diagram, news);
 }
 
-/* What is being worked out, if anything. */
+/* Reports the work in progress, if there is any. */
 static void note_doing(BeamSession *session, const BeamNews *news) {
     BeamAnswer *answer = &session->answer;
     size_t size = sizeof answer->doing, done = news->sweep_done, all = news->sweep_all;
@@ -382,7 +382,7 @@ static const char *const layer_meanings[] = {"the tip between its stops, enlarge
                                              "the shaker's force, and those of the stops", "what the parts are called",
                                              "below each name its numbers, and where they come from"};
 
-/* Nothing in the picture can be selected. */
+/* Returns no item: nothing in the picture of a beam can be selected. */
 
 static Item pick(const void *context, Vec2 at, double time, Item below) {
     (void)context, (void)at, (void)time, (void)below;

@@ -7,12 +7,12 @@
 #include "laboratory/beam/view.h"
 #include "laboratory/laboratory.h"
 
-/* The beam at work. The motion runs on the caller's thread, as far as it is reached for, into a record; pictures and
- * plots are made of the record; what takes longer is a worker's. */
+/* A running beam. The motion is computed on the caller's thread into a record, as far as it is reached for; pictures
+ * and plots are made from the record; a worker does the longer computations. */
 typedef struct BeamSession {
     char *path;
-    Beam opened; /* the file's, changed by the settings; holds texts */
-    Beam beam;   /* as it is now */
+    Beam opened; /* the file's beam, changed by the settings; holds texts */
+    Beam beam;   /* the present beam */
     BeamControls controls;
     BeamTape tape;
     BeamView view;
@@ -22,20 +22,20 @@ typedef struct BeamSession {
     BeamAnswer answer;
     BeamVerdict verdict;
     bool told;     /* the verdict is known */
-    size_t looked; /* at the front when the answer was written */
-    double shown;  /* s */
+    size_t looked; /* front of the record when the answer was last written */
+    double shown;  /* s, the displayed time */
     unsigned news; /* LABORATORY_... bits of the next update */
-    Scene added;   /* nothing */
+    Scene added;   /* always empty */
     const char *trouble;
     TimelineMark ticks[BEAM_TAPE_PARTS + 1];
     PanelChoice choices[2];
     Arena command_words;
     const char *command[3 + 2 * BEAM_VALUES];
-    Arena troubles; /* texts */
+    Arena troubles; /* holds the texts of errors */
     char clock[64];
 } BeamSession;
 
-/* True if the record has ended and grows only after a change. */
+/* True if the record has ended and can only grow after a change. */
 static inline bool beam_session_has_ended(const BeamSession *session) {
     return session->tape.status != MOTION_GOOD && !session->tape.next;
 }

@@ -29,7 +29,7 @@ const Scene *beam_show_moving(const void *context) {
     return &((const BeamSession *)context)->view.moving;
 }
 
-/* Plots: those of the time, and the orbit diagram. */
+/* The plots over time, and the orbit diagram. */
 
 static const char *const plot_names[] = {"phase", "poincare", "force", "spectrum", "orbit"};
 static const char *const plot_titles[] = {"Phase plane", "Poincar\u00E9 map", "Force", "Spectrum", "Orbit diagram"};

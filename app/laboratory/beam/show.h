@@ -1,4 +1,4 @@
-/* Pictures, plots and sound of a running beam: functions of Laboratory, with a BeamSession as context. */
+/* Pictures, plots and sound of a running beam: functions of Laboratory with a BeamSession as context. */
 #pragma once
 
 #include "laboratory/beam/session.h"

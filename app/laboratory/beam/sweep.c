@@ -8,9 +8,9 @@
 #include "study/batch.h"
 #include "study/study.h"
 
-enum { TOGETHER = 16 /* values that are made at once by a thread */ };
+enum { TOGETHER = 16 /* values that each thread computes at a time */ };
 
-static const double ALIKE = 1e-3; /* 1, of a value's largest peak: nearer ones are drawn as one */
+static const double ALIKE = 1e-3; /* 1, share of a value's largest peak: peaks closer than this are drawn as one */
 
 void beam_sweep_points_add(BeamSweepPoints *points, double value, double peak) {
     size_t at = points->count++;
@@ -40,7 +40,8 @@ size_t beam_sweep_values(const BeamSweepTask *task) {
     return task->carried ? 2 * BEAM_SWEEP_CARRIED_STEPS : BEAM_SWEEP_STEPS;
 }
 
-/* The nth of the steps from coarse to fine: every sixteenth, then those between two of them, and so on. */
+/* Returns the nth step in the order from coarse to fine: every sixteenth step, then the steps midway between two of
+ * them, and so on. */
 static size_t step_of(size_t nth) {
     size_t stride = BEAM_SWEEP_COARSE, coarse = (BEAM_SWEEP_STEPS - 1) / stride + 1;
     if (nth < coarse)
@@ -60,7 +61,7 @@ double beam_sweep_value(const BeamSweepTask *task, size_t nth, BeamSweepPass *pa
     return study_value(&axis, step);
 }
 
-/* What the threads share. */
+/* The data shared by the threads. */
 typedef struct Share {
     BeamSweep *sweep;
     Batch batch;
@@ -86,7 +87,7 @@ static void take_trial(Trial *trial, double value, BeamSweepPoints *points) {
             beam_sweep_points_add(points, value, last = trial->series[i]);
 }
 
-/* The values of one pass only. */
+/* Returns the number of values to compute next, all from the same pass. */
 static size_t count_next(const BeamSweep *sweep, int jobs) {
     size_t all = beam_sweep_values(&sweep->task), count = TOGETHER * (size_t)(jobs > 1 ? jobs : 1);
     if (sweep->task.carried && sweep->done < BEAM_SWEEP_CARRIED_STEPS)

@@ -6,17 +6,17 @@
 #include "experiment/beam_numbers.h"
 
 enum {
-    LOOKS = 16,   /* in a cycle, at how far the beam is bent */
-    SHRINKS = 16, /* cycles that need less room than there is, before there is less */
+    LOOKS = 16,   /* times per cycle at which the deflection is measured */
+    SHRINKS = 16, /* cycles with a smaller extent before the room shrinks */
 };
 
-static const double SPARE = 1.25; /* 1, room over what needs it */
-static const double SMALL = 0.5;  /* 1, what needs less of the room than this is drawn larger */
+static const double SPARE = 1.25; /* 1, ratio of room to extent */
+static const double SMALL = 0.5;  /* 1, the room shrinks if the extent is below this share of it */
 
-/* A rig whose modes and regimes parts share, as long as any does. */
+/* A rig whose modes and regimes are shared by parts; it is released with the last part that uses it. */
 typedef struct BeamModes {
     Rig rig;
-    Beam beam; /* that it was built of */
+    Beam beam; /* the beam from which the rig was built */
     size_t users;
 } BeamModes;
 
@@ -29,7 +29,7 @@ static void release_modes(BeamModes *modes) {
     memory_free(modes);
 }
 
-/* Of the beam, shared where its cells would be the same. NULL: a fault. */
+/* Returns the modes of a beam, shared with `like` if the cells would be the same. NULL: a fault. */
 static BeamModes *find_modes(const BeamPart *like, const Beam *beam, const char *place, Fault *fault) {
     BeamModes *modes = like ? like->modes : NULL;
     bool same = modes && beam_numbers_same_rig(&modes->beam, beam) && beam_numbers_followed(beam, &modes->rig);
@@ -64,7 +64,7 @@ static void free_part(BeamPart *part) {
     memory_free(part);
 }
 
-/* The oldest one, and its cycles. */
+/* Forgets the oldest part with its cycles. */
 static void forget_part(BeamTape *tape) {
     free_part(tape->parts[0]);
     tape->part_count--;
@@ -110,7 +110,7 @@ size_t beam_tape_cycle_at(const BeamTape *tape, double time, double *phase) {
 
 /* Recording ---------------------------------------------------------------------------------------------------------*/
 
-/* The motion where the front's cycle begins. */
+/* Saves the motion at the beginning of the front's cycle. */
 static void note_front(BeamTape *tape) {
     BeamCycle *cycle = slot(tape, tape->front);
     size_t size = motion_saved_size(tape->motion.rig);
@@ -124,7 +124,7 @@ static void note_front(BeamTape *tape) {
     cycle->velocity = motion_velocity(&tape->motion);
 }
 
-/* The part that comes next begins, with what the motion takes along or at rest. */
+/* Begins the next part, with the carried motion or at rest. */
 static void begin_part(BeamTape *tape) {
     BeamPart *part = tape->next;
     part->first = tape->front;
@@ -143,7 +143,7 @@ static void begin_part(BeamTape *tape) {
     note_front(tape);
 }
 
-/* m, how far the beam's nodes are from rest. */
+/* Returns the largest deflection of the beam's nodes, m. */
 static double reach_of(const Motion *motion, double *state) {
     const Modes *modes = &motion->rig->modes;
     double reach = 0;
@@ -157,7 +157,7 @@ static double reach_of(const Motion *motion, double *state) {
     return reach;
 }
 
-/* As motion_cycle, step by step, looking at how far it goes. */
+/* Follows the motion as motion_cycle does, step by step, and measures its extent. */
 static void follow_cycle(BeamTape *tape, BeamCycle *cycle) {
     Motion *motion = &tape->motion;
     double period = motion->rig->period, looked = 0;
@@ -227,7 +227,7 @@ bool beam_tape_advance(BeamTape *tape) {
 
 /* Changes -----------------------------------------------------------------------------------------------------------*/
 
-/* What the motion takes along from where a cycle begins. */
+/* Stores the motion at the beginning of a cycle as the carried motion. */
 static void take_along(BeamTape *tape, size_t cycle) {
     const BeamPart *part = beam_tape_part(tape, cycle);
     double *state = memory_zeroed(part->rig.free.states, sizeof *state);
@@ -251,7 +251,7 @@ bool beam_tape_change(BeamTape *tape, const Beam *beam, size_t cycle, Fault *fau
     BeamPart *part = make_part(tape, beam, fault);
     if (!part)
         return false;
-    if (cycle < tape->front || !tape->next) { /* else it is taken along already */
+    if (cycle < tape->front || !tape->next) { /* otherwise the motion is carried already */
         take_along(tape, cycle);
         cut(tape, cycle);
     }
@@ -300,14 +300,14 @@ void beam_tape_close(BeamTape *tape) {
     *tape = (BeamTape){0};
 }
 
-/* Looking -----------------------------------------------------------------------------------------------------------*/
+/* Looking at the record ------------------------------------------------------------------------------------------- */
 
 void beam_tape_close_sight(BeamSight *sight) {
     motion_destroy(&sight->motion);
     *sight = (BeamSight){0};
 }
 
-/* To where a cycle begins. */
+/* Moves a sight to the beginning of a cycle. */
 static void begin_sight(const BeamTape *tape, BeamSight *sight, size_t cycle) {
     const BeamPart *part = beam_tape_part(tape, cycle);
     if (sight->serial != part->serial) {
@@ -319,7 +319,7 @@ static void begin_sight(const BeamTape *tape, BeamSight *sight, size_t cycle) {
     motion_restore(&sight->motion, slot(tape, cycle)->saved);
 }
 
-/* The stop that the tip is at, or in. */
+/* Returns the stop that the tip touches: 1 for the upper one, -1 for the lower one, 0 for none. */
 static int side_of(MotionPlace place) {
     bool upper = place == MOTION_UPPER || place == MOTION_UPPER_LEAVING;
     return upper ? 1 : place == MOTION_OPEN ? 0 : -1;

@@ -5,32 +5,32 @@
 
 #include "base/text.h"
 
-#define MILLI 1000.0 /* in one: of m and s, what plots show */
+#define MILLI 1000.0 /* plots show m and s multiplied by this */
 
-/* Design points. */
+/* Width of a line in design points. */
 #define LINE_WIDTH 1.6
 #define THIN_WIDTH 1.2
 #define DIAMOND 9.0
 #define DOT 2.4
 
 enum {
-    SAMPLES = 256,       /* a cycle, so that a line through them looks smooth */
-    PHASE_PAGE = 20,     /* cycles that a page of the phase plane gets, */
-    PHASE_KEPT = 4,      /* beside the last ones of the page before */
-    FORCE_PAGE = 8,      /* cycles against time */
+    SAMPLES = 256,       /* samples per cycle, so that a line through them looks smooth */
+    PHASE_PAGE = 20,     /* cycles on a page of the phase plane, */
+    PHASE_KEPT = 4,      /* plus the last cycles of the page before */
+    FORCE_PAGE = 8,      /* cycles on a page of the force against time */
     FORCE_PEAKS = 8,     /* from this stride on only peaks are shown */
-    POINTS_PAGE = 10000, /* a Poincare map holds that many cycles, and as many of the page before */
-    SPECTRUM_PAGE = 16,  /* cycles until the spectrum is made anew */
-    SPECTRUM_LEAST = 8,  /* cycles, that it is made of */
-    MULTIPLES = 10,      /* of the drive's frequency, in a spectrum */
-    PLANE_CELLS = 8,     /* a Poincare map's axes go by such parts of the phase plane's */
+    POINTS_PAGE = 10000, /* cycles on a page of a Poincare map, which also shows the page before */
+    SPECTRUM_PAGE = 16,  /* cycles between two updates of the spectrum */
+    SPECTRUM_LEAST = 8,  /* least number of cycles for a spectrum */
+    MULTIPLES = 10,      /* multiples of the drive's frequency in a spectrum */
+    PLANE_CELLS = 8,     /* the axes of a Poincare map end at multiples of this part of the phase plane's axes */
 };
 
-/* Cycles from picture to picture, times this: the stride at least, so that a page stays a second or two. */
+/* The stride is at least this many times the cycles per frame, so that a page lasts a second or two. */
 static const double STRIDES[BEAM_TRACES] = {
     [BEAM_TRACE_PHASE] = 4, [BEAM_TRACE_POINCARE] = 0, [BEAM_TRACE_FORCE] = 15, [BEAM_TRACE_SPECTRUM] = 2};
 
-#define SPECTRUM_DEPTH 1e-6 /* 1, of the largest amplitude: what is below is not shown */
+#define SPECTRUM_DEPTH 1e-6 /* 1, share of the largest amplitude: smaller amplitudes are not shown */
 
 /* Plots -------------------------------------------------------------------------------------------------------------*/
 
@@ -43,7 +43,7 @@ static void set_series(BeamTraces *traces, BeamTrace plot, size_t at, const Beam
         traces->plots[plot].series_count = at + 1;
 }
 
-/* The curves may have moved, and have more points. */
+/* Points the series to the curves' arrays, which may have moved or grown. */
 static void take_curves(BeamTraces *traces) {
     for (size_t p = 0; p < BEAM_TRACES; p++)
         for (size_t s = 0; s < traces->plots[p].series_count; s++) {
@@ -99,7 +99,7 @@ static void renew(BeamTraces *traces, BeamTrace plot) {
     traces->revisions[plot]++;
 }
 
-/* The smallest of a row of round numbers that is not below a value. */
+/* Rounds up to the next of a row of round numbers. */
 static double round_up(double value) {
     static const double steps[] = {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10};
     if (!(value > 0))
@@ -111,7 +111,7 @@ static double round_up(double value) {
     return steps[i] * power;
 }
 
-/* Makes an axis go to +-`to` at least. True: it goes farther than before. */
+/* Extends an axis to at least +-`to`. True: the axis has grown. */
 static bool stretch(PlotAxis *axis, double to) {
     double high = round_up(to);
     if (to <= axis->high)
@@ -121,7 +121,8 @@ static bool stretch(PlotAxis *axis, double to) {
     return true;
 }
 
-/* The axes reach what is recorded since the last clearing: they grow in round steps, ahead of what is drawn. */
+/* Extends the axes to everything recorded since the last clearing: they grow in round steps, ahead of the drawn
+ * lines. */
 static void stretch_axes(BeamTraces *traces, const BeamTape *tape) {
     if (traces->seen_to > tape->front)
         traces->seen_to = tape->front;
@@ -142,7 +143,7 @@ static void stretch_axes(BeamTraces *traces, const BeamTape *tape) {
 
 /* Pages -------------------------------------------------------------------------------------------------------------*/
 
-/* How many cycles pass from picture to picture, when they come one after the other. */
+/* Stores the number of cycles between consecutive frames, and adapts the strides. */
 static void note_step(BeamTraces *traces, const BeamPart *part, double time) {
     double step = traces->shown >= 0 ? (time - traces->shown) / part->rig.period : 0;
     traces->shown = time;
@@ -160,8 +161,8 @@ static void note_step(BeamTraces *traces, const BeamPart *part, double time) {
     }
 }
 
-/* Turns to the page of a cycle, `length` drawn cycles long, the last `kept` ones of the page before among them. True:
- * it is another page, and its curves are empty. */
+/* Turns to the page of a cycle. A page has `length` drawn cycles and includes the last `kept` ones of the page
+ * before. True: the page is new, and its curves are empty. */
 static bool turn_page(BeamTraces *traces, BeamTrace plot, const BeamTape *tape, size_t cycle, size_t length,
                       size_t kept) {
     const BeamPart *part = beam_tape_part(tape, cycle);
@@ -193,7 +194,7 @@ static void sample_phase(BeamTraces *traces, BeamTape *tape, size_t cycle, size_
         beam_curve_add(&traces->phase, begin + period, NAN, NAN);
 }
 
-/* The edges of the clearance. */
+/* Marks the edges of the clearance. */
 static void set_stops(BeamTraces *traces, BeamTrace plot, const Beam *beam) {
     double edge = MILLI * beam->clearance;
     for (int i = 0; i < 2; i++)
@@ -215,7 +216,8 @@ static void show_phase(BeamTraces *traces, BeamTape *tape, size_t cycle) {
 
 /* Poincare map ------------------------------------------------------------------------------------------------------*/
 
-/* The axes go by parts of the phase plane's, so that they are round and grow seldom. */
+/* Extends the axes to a point. They end at multiples of a part of the phase plane's axes, so that they are round and
+ * grow seldom. */
 static void include_point(BeamTraces *traces, Vec2 at) {
     Plot *plot = &traces->plots[BEAM_TRACE_POINCARE];
     const Plot *phase = &traces->plots[BEAM_TRACE_PHASE];
@@ -261,7 +263,7 @@ static void sample_force(BeamTraces *traces, BeamTape *tape, size_t cycle, doubl
     }
 }
 
-/* The largest forces of a cycle, up and down. */
+/* Adds the largest forces of a cycle, upwards and downwards. */
 static void add_peaks(BeamTraces *traces, const BeamTape *tape, size_t cycle, double origin) {
     double begin = beam_tape_begin(tape, cycle), period = beam_tape_part(tape, cycle)->rig.period;
     const double *peak = beam_tape_cycle(tape, cycle)->peak;
@@ -322,7 +324,7 @@ static void add_multiples(BeamTraces *traces, double frequency) {
     plot->x.high = (MULTIPLES + 0.5) * frequency;
 }
 
-/* Of the cycles from one up to before another one. */
+/* Computes the spectrum of the cycles from one cycle up to but excluding another. */
 static void make_spectrum(BeamTraces *traces, BeamTape *tape, size_t from, size_t to) {
     static const double least = 1e-9; /* mm */
     double samples[BEAM_TRACE_SPECTRA * BEAM_TRACE_WAVES], largest = least;
@@ -361,7 +363,7 @@ static void show_spectrum(BeamTraces *traces, BeamTape *tape, size_t cycle) {
     if (from < tape->first)
         from = tape->first;
     for (; from <= cycle && cycle < tape->front; from++)
-        if (from + BEAM_TRACE_SPECTRA >= end) /* for the next one: a little with each picture */
+        if (from + BEAM_TRACE_SPECTRA >= end) /* samples for the next spectrum: a few with each frame */
             wave_of(traces, tape, from);
 }
 

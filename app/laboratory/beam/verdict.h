@@ -7,7 +7,7 @@
 #include "study/types.h"
 
 typedef struct BeamVerdict {
-    Beam beam; /* of which it is; its texts are another one's */
+    Beam beam; /* the beam that the verdict is for; its texts belong to another beam */
     ResponseVerdict verdict;
     size_t period; /* cycles; 0: not periodic */
     SectionPeaks peaks;
@@ -15,17 +15,18 @@ typedef struct BeamVerdict {
     ResultTable motion, forces; /* the facts; empty until the verdict is known */
     bool typed;                 /* the type is known */
     TypesKind type;
-    char *advice; /* sentences, each on a line; NULL: none; beam_verdict_clear releases it, and the facts */
+    char *advice; /* sentences, one per line; NULL: none; beam_verdict_clear releases the advice and the facts */
 } BeamVerdict;
 
-/* Runs the beam. False: it was stopped, or a fault. */
+/* Runs the beam and fills the verdict. False: the run was stopped, or a fault. */
 bool beam_verdict_tell(BeamVerdict *verdict, const Beam *beam, const volatile sig_atomic_t *stop);
 
-/* Tells the type, too; progress as in TypesTask. False: it was stopped, or a fault, and the verdict is as it was. */
+/* Also determines the type; progress as in TypesTask. False: the search was stopped, or a fault, and the verdict is
+ * unchanged. */
 bool beam_verdict_tell_type(BeamVerdict *verdict, int jobs, const volatile sig_atomic_t *stop,
                             void (*progress)(void *context, size_t done, size_t all), void *context);
 
-/* Returns a copy with rows and advice of its own. */
+/* Returns a copy with its own rows and advice. */
 BeamVerdict beam_verdict_copy(const BeamVerdict *verdict);
 
 void beam_verdict_clear(BeamVerdict *verdict);

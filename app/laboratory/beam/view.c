@@ -19,7 +19,7 @@ static void make_still(BeamView *view, const Beam *beam) {
     beam_scene_magnified(still, &view->scale);
 }
 
-/* The scale and the shape of the part and cycle. True: they are others. */
+/* Takes over the scale and the shape of a part and cycle. True: they have changed. */
 static bool take_cycle(BeamView *view, const BeamPart *part, const BeamCycle *cycle) {
     BeamScale scale = beam_scene_scale(&part->beam, cycle->room.reach, cycle->room.tip_reach);
     scale.parts = view->parts;

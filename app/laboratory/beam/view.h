@@ -1,5 +1,5 @@
-/* The running beam in the layers of a picture: what stays, and what moves. How much deflections are magnified is chosen
- * for the room that the record has for each cycle, so that it changes seldom and every time looks the same again. */
+/* The running beam in the layers of a picture: static and moving. The magnification of deflections follows from the
+ * room that the record has for each cycle, so it changes seldom, and every time always looks the same. */
 #pragma once
 
 #include "visual/beam/beam_scene.h"
@@ -9,16 +9,16 @@ typedef struct BeamView {
     Scene still, moving;
     unsigned parts; /* BEAM_SCENE_... */
     Camera camera;
-    BeamSight sight; /* at the time that is shown */
+    BeamSight sight; /* sight at the displayed time */
     BeamScale scale;
     BeamShape shape;
-    unsigned serial; /* of the part that is drawn; 0: nothing is */
+    unsigned serial; /* serial of the drawn part; 0: none */
 } BeamView;
 
-/* Moves to a recorded time. True: what stays is another picture. */
+/* Moves to a recorded time. True: the static layer has changed. */
 bool beam_view_show(BeamView *view, const BeamTape *tape, double time);
 
-/* Makes the static layer again when the beam is displayed next. */
+/* Rebuilds the static layer when the beam is displayed next. */
 void beam_view_renew(BeamView *view);
 
 void beam_view_close(BeamView *view);

@@ -11,19 +11,19 @@
 #include "base/text.h"
 
 enum {
-    GIVES_WAY = 10, /* how nice the thread is */
-    COARSE = 121,   /* values of the orbit diagram that come before the type; the others come after it */
+    GIVES_WAY = 10, /* nice value of the thread */
+    COARSE = 121, /* values of the orbit diagram that are computed before the type; the others follow after the type */
 };
 
 typedef struct Question {
     bool asked;
-    double since;               /* s, on the clock */
-    volatile sig_atomic_t stop; /* what is being done for the one before */
+    double since;               /* s, time of the request */
+    volatile sig_atomic_t stop; /* stops the work on the previous question */
 } Question;
 
 struct BeamWorker {
     pthread_t thread;
-    pthread_mutex_t lock; /* of all that follows, but for what only the thread uses */
+    pthread_mutex_t lock; /* guards all members that follow except those of the thread alone */
     pthread_cond_t wake;
     bool quit;
     int jobs;
@@ -31,11 +31,11 @@ struct BeamWorker {
     volatile sig_atomic_t stop_type; /* set by either question */
     Beam beam;
     BeamSweepTask task;
-    bool told, typed; /* the verdict is there, and the type of it */
+    bool told, typed; /* the verdict is known, and its type */
     bool telling;
     BeamNews news;
 
-    /* Only the thread's. */
+    /* Used by the thread alone. */
     BeamVerdict own;
     BeamSweep sweeping;
     bool sweeps, swept;
@@ -45,7 +45,7 @@ static bool is_due(const Question *question, double now) {
     return question->asked && now >= question->since + BEAM_WORKER_PAUSE;
 }
 
-/* Takes the question up. */
+/* Accepts a question. */
 static void take_up(Question *question) {
     question->asked = false;
     __atomic_store_n(&question->stop, 0, __ATOMIC_RELAXED);
@@ -53,14 +53,14 @@ static void take_up(Question *question) {
 
 /* Verdict and type --------------------------------------------------------------------------------------------------*/
 
-/* Hands a copy of the verdict over; the lock is held. */
+/* Publishes a copy of the verdict; the lock must be held. */
 static void publish_verdict(BeamWorker *worker) {
     beam_verdict_clear(&worker->news.told);
     worker->news.told = beam_verdict_copy(&worker->own);
     worker->news.verdict = true;
 }
 
-/* The lock is held, but not while it is being worked out. */
+/* Computes the verdict; the lock must be held, and is released during the computation. */
 static void tell_verdict(BeamWorker *worker) {
     Beam beam = worker->beam;
     take_up(&worker->verdict);
@@ -91,14 +91,14 @@ static void tell_type(BeamWorker *worker) {
     pthread_mutex_lock(&worker->lock);
     worker->news.types_done = worker->news.types_all = 0;
     bool stopped = worker->verdict.asked || worker->sweep.asked || worker->quit;
-    worker->typed = typed || !stopped; /* what cannot be told is not tried again */
+    worker->typed = typed || !stopped; /* a type that cannot be determined is not tried again */
     if (typed && !worker->verdict.asked)
         publish_verdict(worker);
 }
 
 /* Orbit diagram -----------------------------------------------------------------------------------------------------*/
 
-/* The lock is held. */
+/* Discards the unpublished points; the lock must be held. */
 static void forget_points(BeamWorker *worker) {
     for (int pass = 0; pass < BEAM_SWEEP_PASSES; pass++)
         beam_sweep_points_clear(&worker->news.points[pass]);
@@ -159,7 +159,7 @@ static bool wants_type(const BeamWorker *worker) {
     return worker->told && !worker->typed && !worker->verdict.asked && !worker->sweep.asked;
 }
 
-/* Threads that this one starts are as nice. */
+/* Works until the worker is stopped. Threads started by this one inherit its low priority. */
 static void *work(void *context) {
     BeamWorker *worker = context;
     setpriority(PRIO_PROCESS, 0, GIVES_WAY);
@@ -192,7 +192,7 @@ BeamWorker *beam_worker_start(int jobs) {
     pthread_mutex_init(&worker->lock, NULL);
     if (pthread_create(&worker->thread, NULL, work, worker) == 0)
         return worker;
-    worker->quit = true; /* there is no thread to be had: nothing will be worked out */
+    worker->quit = true; /* no thread could be started: nothing will be computed */
     return worker;
 }
 
@@ -217,7 +217,7 @@ void beam_worker_stop(BeamWorker *worker) {
     memory_free(worker);
 }
 
-/* The lock is held. */
+/* Stores a question; the lock must be held. */
 static void ask(BeamWorker *worker, Question *question) {
     question->asked = true;
     question->since = clock_now();
