@@ -1,23 +1,25 @@
-/* Each function is made in three moves: the argument is reduced exactly to a small one, a polynomial gives the function
- * there, and the parts are added from the smallest to the largest, so that only the last addition's rounding counts.
+/* Each function is computed in three steps: the argument is reduced exactly to a small one, a polynomial
+ * approximates the function there, and the parts are added from the smallest to the largest, so only the last
+ * addition's rounding error matters.
  *
- * What a number loses is kept in a second one ("low"): the error of a sum (Knuth, The Art of Computer Programming 2,
- * 4.2.2) and of a product (Dekker, Numerische Mathematik 18, 1971) are numbers themselves.
+ * The rounding error of a number is stored in a second one ("low"): the errors of a sum (Knuth, The Art of Computer
+ * Programming 2, 4.2.2) and of a product (Dekker, Numerische Mathematik 18, 1971) are exact doubles.
  *
- * Sine and cosine: x = n pi/2 + y, |y| <= pi/4, by Cody and Waite (Software Manual for the Elementary Functions, 1980):
- * pi/2 is cut into parts of 33 bits whose products with n are exact. Where |x| is large or y small beside the error of
- * that, by Payne and Hanek (SIGNUM Newsletter 18, 1983): of the bits of 2/pi only those are multiplied by x that do not
- * make whole turns.
+ * Sine and cosine: x = n pi/2 + y, |y| <= pi/4, by Cody and Waite (Software Manual for the Elementary Functions,
+ * 1980): pi/2 is split into parts of 33 bits whose products with n are exact. If |x| is large, or y is small
+ * compared with the error of this reduction, the method of Payne and Hanek (SIGNUM Newsletter 18, 1983) applies: x
+ * is multiplied only by those bits of 2/pi that do not make whole turns.
  *
- * Angle of a point: with q = smaller / larger and c = k/16 next to it,
+ * Angle of a point: with q = smaller / larger and the nearest c = k/16,
  *     atan q = atan c + atan t,  t = (q - c) / (1 + c q),  |t| <= 1/32, or 3/16 where c = 0,
- * then the eighth of the turn that the point lies in. asin x is the angle of the point (sqrt(1 - x^2), x).
+ * then the eighth of a turn in which the point lies is added. asin x is the angle of the point (sqrt(1 - x^2), x).
  *
  * Exponential: x = n ln 2 + r, |r| <= ln 2 / 2, exp x = 2^n exp r. Logarithm: x = 2^k (1 + f), sqrt(1/2) < 1 + f <
- * sqrt 2, and with s = f / (2 + f), log(1 + f) = 2 atanh s = f - (f^2/2 - s (f^2/2 + R)), R = 2 (s^2/3 + s^4/5 + ...).
+ * sqrt 2, and with s = f / (2 + f), log(1 + f) = 2 atanh s = f - (f^2/2 - s (f^2/2 + R)), R = 2 (s^2/3 + s^4/5 +
+ * ...).
  *
- * The polynomials are the best ones in the relative sense (Remez' exchange, made with 70 digits and rounded once); the
- * errors of sine, cosine, arctangent, exponential and R are 2^-58, 2^-64, 2^-58, 2^-64 and 2^-58. */
+ * The polynomials minimise the largest relative error (Remez exchange with 70 digits, rounded once); the errors of
+ * sine, cosine, arctangent, exponential and R are 2^-58, 2^-64, 2^-58, 2^-64 and 2^-58. */
 #include "base/real.h"
 
 #include <assert.h>
@@ -31,27 +33,27 @@ _Static_assert(FLT_EVAL_METHOD == 0, "results are rounded to double after each o
 
 static const double NOT_A_NUMBER = NAN;
 static const double PI_2 = 0x1.921fb54442d18p+0, PI_2_LOW = 0x1.1a62633145c07p-54;
-/* Added and taken away again, it leaves the nearest whole number, which then stands in the sum's last bits. */
+/* Adding and subtracting this number rounds to the nearest integer, which is then in the last bits of the sum. */
 static const double ROUNDER = 0x1.8p+52;
 
-/* A number and what it lacks. */
+/* A number and its rounding error. */
 typedef struct Pair {
     double high, low;
 } Pair;
 
-/* a + b, of any sizes. */
+/* Returns a + b for arguments of any size. */
 static inline Pair sum_of(double a, double b) {
     double high = a + b, part = high - a;
     return (Pair){high, (a - (high - part)) + (b - part)};
 }
 
-/* a + b, |a| >= |b| or a = 0. */
+/* Returns a + b for |a| >= |b| or a = 0. */
 static inline Pair quick_sum(double a, double b) {
     double high = a + b;
     return (Pair){high, (a - high) + b};
 }
 
-/* A number's upper 26 bits; what is left has 26, too. */
+/* Returns a number's upper 26 bits; the remainder also has 26. */
 static inline double upper_half(double a) {
     double shifted = a * 0x1.0000002p+27;
     return shifted - (shifted - a);
@@ -74,14 +76,14 @@ static inline double of_bits(uint64_t bits) {
     return x;
 }
 
-/* 2^exponent, from -1022 to 1023. */
+/* Returns 2^exponent for an exponent from -1022 to 1023. */
 static inline double power_of_two(int exponent) {
     return of_bits((uint64_t)(1023 + exponent) << 52);
 }
 
 /* Sine and cosine ------------------------------------------------------------------------------------------------- */
 
-/* An angle as a number of quarter turns and the rest, at most pi/4. */
+/* An angle as a number of quarter turns and a remainder of at most pi/4. */
 typedef struct Quarters {
     Pair rest;
     uint64_t count; /* modulo 4 */
@@ -89,7 +91,7 @@ typedef struct Quarters {
 
 typedef unsigned __int128 Wide;
 
-/* The bits of 2/pi after the point, after 64 that are zero. */
+/* The bits of 2/pi after the binary point, preceded by 64 zero bits. */
 static const uint64_t TWO_OVER_PI[22] = {0x0000000000000000, 0xa2f9836e4e441529, 0xfc2757d1f534ddc0, 0xdb6295993c439041,
                                          0xfe5163abdebbc561, 0xb7246e3a424dd2e0, 0x06492eea09d1921c, 0xfe1deb1cb129a73e,
                                          0xe88235f52ebb4484, 0xe99c7026b45f7e41, 0x3991d639835339f4, 0x9c845f8bbdf9283b,
@@ -99,15 +101,15 @@ static const uint64_t TWO_OVER_PI[22] = {0x0000000000000000, 0xa2f9836e4e441529,
 /* pi/2 in units of 2^-127 */
 static const uint64_t PI_2_UPPER = 0xc90fdaa22168c234, PI_2_LOWER = 0xc4c6628b80dc1cd1;
 
-/* The 64 bits of 2/pi from the place of weight 2^-first on. */
+/* Returns the 64 bits of 2/pi starting at the bit of weight 2^-first. */
 static uint64_t window(int first) {
     int place = first + 63, word = place / 64, shift = place % 64;
     uint64_t upper = TWO_OVER_PI[word];
     return shift ? upper << shift | TWO_OVER_PI[word + 1] >> (64 - shift) : upper;
 }
 
-/* The 128 bits from the highest that is set on, of 256 bits in `words`, the highest word first; how many zeros were
- * before them. */
+/* Returns 128 of 256 bits, starting at the highest bit that is set, and the number of zero bits before them; `words`
+ * begins with the highest word. */
 static Wide leading(const uint64_t words[4], int *zeros) {
     int word = 0;
     while (word < 2 && words[word] == 0)
@@ -123,8 +125,9 @@ static Wide leading(const uint64_t words[4], int *zeros) {
     return shift ? both << shift | below >> (64 - shift) : both;
 }
 
-/* By Payne and Hanek, |x| >= 2^-10. With x = m 2^e, m whole, the bits of 2/pi of weight 2^(2 - e) and more make whole
- * turns; 256 bits after them are multiplied by m, modulo 4 quarters: two bits of quarters, 254 after the point. */
+/* Reduces an angle by Payne and Hanek, |x| >= 2^-10. With x = m 2^e, m an integer, the bits of 2/pi of weight 2^(2 -
+ * e) and more make whole turns; the 256 bits after them are multiplied by m, modulo 4 quarters: two bits of
+ * quarters, 254 after the binary point. */
 static __attribute__((noinline)) Quarters reduce_exactly(double x) {
     uint64_t bits = bits_of(x), m = (bits & 0xfffffffffffff) | 0x10000000000000;
     int e = (int)(bits >> 52 & 0x7ff) - 1075;
@@ -135,11 +138,11 @@ static __attribute__((noinline)) Quarters reduce_exactly(double x) {
         carry = (uint64_t)(part >> 64);
     }
     Quarters quarters = {.count = words[0] >> 62};
-    bool above = words[0] >> 61 & 1; /* a half: the next quarter is nearer */
+    bool above = words[0] >> 61 & 1; /* more than a half: the next quarter is nearer */
     words[0] &= 0x3fffffffffffffff;
     if (above) {
         quarters.count++;
-        for (int i = 3, borrow = 1; i >= 0; i--) { /* 1 - fraction: all bits turned, and 1 added */
+        for (int i = 3, borrow = 1; i >= 0; i--) { /* 1 - fraction: all bits inverted, and 1 added */
             words[i] = ~words[i] + (uint64_t)borrow;
             borrow = borrow && words[i] == 0;
         }
@@ -149,7 +152,7 @@ static __attribute__((noinline)) Quarters reduce_exactly(double x) {
     Wide fraction = leading(words, &zeros); /* in units of 2^(2 - zeros - 128) quarters */
     uint64_t upper = (uint64_t)(fraction >> 64), lower = (uint64_t)fraction;
     Wide rest = (Wide)upper * PI_2_UPPER + ((Wide)upper * PI_2_LOWER >> 64) + ((Wide)lower * PI_2_UPPER >> 64);
-    double unit = power_of_two(2 - zeros - 127); /* of `rest`, whose weight is that of the product of the upper words */
+    double unit = power_of_two(2 - zeros - 127); /* the unit of `rest`, the weight of the product of the upper words */
     quarters.rest = quick_sum((double)(uint64_t)(rest >> 75) * 0x1p+75 * unit,
                               (double)(uint64_t)(rest >> 22 & 0x1fffffffffffff) * 0x1p+22 * unit);
     bool negative = above != (bool)signbit(x);
@@ -163,8 +166,8 @@ static __attribute__((noinline)) Quarters reduce_exactly(double x) {
 static inline Quarters reduce(double x) {
     static const double PART[3] = {0x1.921fb54400000p+0, 0x1.0b4611a600000p-34, 0x1.3198a2e037073p-69};
     static const double MOST = 0x1p+20;  /* quarters whose products with 33 bits are exact */
-    static const double EXACT = 0x1p-57; /* the rest's error is 2^-123 a quarter */
-    static const double SMALL = 0.785;   /* below pi/4 the angle is the rest */
+    static const double EXACT = 0x1p-57; /* the error of the remainder is 2^-123 per quarter */
+    static const double SMALL = 0.785;   /* below pi/4 the angle is its own remainder */
     if (fabs(x) <= SMALL)
         return (Quarters){{x, 0}, 0};
     double shifted = x * 0x1.45f306dc9c883p-1 + ROUNDER, count = shifted - ROUNDER;
@@ -247,10 +250,11 @@ static const Pair ARCTANGENT[17] = {
     {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
 };
 
-/* Below this slope an angle is the slope and a third of its cube, which is less than half a last place. */
+/* Below this slope an angle equals its slope: the next term, a third of the cube, is less than half a unit in the
+ * last place. */
 static const double FLAT = 0x1p-30;
 
-/* atan(small / large), 0 <= small <= large, large within 2^500 of 1, a slope of at least FLAT. */
+/* Returns atan(small / large) for 0 <= small <= large, large within 2^500 of 1, and a slope of at least FLAT. */
 static inline Pair angle_of_slope(Pair small, Pair large) {
     double inverse = 1 / large.high, guess = small.high * inverse;
     Pair back = product_of(guess, large.high);
@@ -264,7 +268,7 @@ static inline Pair angle_of_slope(Pair small, Pair large) {
     return k ? quick_sum(ARCTANGENT[k].high, t + rest) : quick_sum(t, rest + q.low);
 }
 
-/* The angle of the point (x, y), x, y >= 0 but for x's sign, which is given apart. */
+/* Returns the angle of the point (x, y) for x, y >= 0; `left`: the sign of x is negative. */
 static inline double angle_of(Pair y, Pair x, bool left) {
     bool steep = y.high > x.high;
     Pair small = steep ? x : y, large = steep ? y : x, angle;
@@ -281,7 +285,7 @@ static inline double angle_of(Pair y, Pair x, bool left) {
     return sum.high + (sum.low + (base_low + sign * angle.low));
 }
 
-/* A power of two that brings the larger of two numbers next to 1. */
+/* Returns a power of two that brings the larger of two numbers within 2^500 of 1. */
 static inline double scale_for(double large) {
     return large > 0x1p+500 ? 0x1p-600 : large < 0x1p-500 ? 0x1p+600 : 1;
 }
@@ -310,7 +314,7 @@ double real_atan(double x) {
     return real_atan2(x, 1);
 }
 
-/* sqrt(1 - x^2), |x| <= 1 */
+/* Returns sqrt(1 - x^2) for |x| <= 1. */
 static Pair other_side(double x) {
     Pair square = product_of(x, x), rest = quick_sum(1, -square.high);
     double root = sqrt(rest.high);
@@ -352,11 +356,11 @@ double real_hypot(double x, double y) {
 
 /* Exponential and logarithms -------------------------------------------------------------------------------------- */
 
-/* ln 2, the first part so short that its product with an exponent is exact. */
+/* ln 2; the first part is short enough for its product with an exponent to be exact. */
 static const double LN_2 = 0x1.62e42fefa3000p-1, LN_2_LOW = 0x1.3de6af278ece6p-42;
 
 double real_exp(double x) {
-    static const double MOST = 709.8, LEAST = -745.2; /* beyond, a result is infinity or 0 */
+    static const double MOST = 709.8, LEAST = -745.2; /* outside this range the result is infinity or 0 */
     if (isnan(x))
         return x;
     if (x > MOST)
@@ -376,7 +380,7 @@ double real_exp(double x) {
     return grown * power_of_two(first) * power_of_two(exponent - first);
 }
 
-/* log(2^k (1 + f)) + low, sqrt(1/2) < 1 + f < sqrt 2 */
+/* Returns log(2^k (1 + f)) + low for sqrt(1/2) < 1 + f < sqrt 2. */
 static inline double log_of(double k, double f, double low) {
     double s = f / (2 + f), z = s * s, z2 = z * z, half = 0.5 * f * f;
     double p =
@@ -386,7 +390,7 @@ static inline double log_of(double k, double f, double low) {
     return top.high + (top.low + (near.low + (s * (half + z * p) + (k * LN_2_LOW + low))));
 }
 
-/* A positive number as 2^k (1 + f), f exact; returns k. */
+/* Splits a positive number into 2^k (1 + f), f exact; returns k. */
 static inline double split(double x, double *f) {
     static const double SQRT_2 = 0x1.6a09e667f3bcdp+0;
     uint64_t bits = bits_of(x);
@@ -407,7 +411,8 @@ double real_log(double x) {
 }
 
 double real_log1p(double x) {
-    static const double NEAR_LOW = -0.29, NEAR_HIGH = 0.41; /* 1 + x is between sqrt(1/2) and sqrt 2 */
+    static const double NEAR_LOW = -0.29,
+                        NEAR_HIGH = 0.41; /* within this range 1 + x is between sqrt(1/2) and sqrt 2 */
     if (isnan(x) || x == HUGE_VAL || fabs(x) < 0x1p-54)
         return x;
     if (x <= -1)
