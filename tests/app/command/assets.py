@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Where the program looks for the files that come with it: each place in its order, from trees that were moved, and
-never the folder of its source.
+"""Tests where the program looks for its shipped files: each place in order, from moved installations, and never in the
+folder of its source.
 
 assets.py CLEARANCE
 """
@@ -21,14 +21,14 @@ installed = pathlib.Path(configured["prefix"], configured["datadir"], "clearance
 
 
 def ask(copy, *arguments, **environment):
-    """Runs that copy of the program where nothing but the given variables names a place."""
+    """Runs that copy of the program; only the given variables name a place."""
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "CLEARANCE_", "DISPLAY", "WAYLAND_"))}
     return subprocess.run([copy, *arguments], capture_output=True, text=True, timeout=120, cwd=copy.parent,
                           env={**kept, "HOME": "/nonexistent", **{k: str(v) for k, v in environment.items()}})
 
 
 def place_program(folder, *path):
-    """A copy of the program below the folder."""
+    """Copies the program to a place below the folder."""
     copy = folder.joinpath(*path, "clearance")
     copy.parent.mkdir(parents=True, exist_ok=True)
     shutil.copy2(program, copy)
@@ -36,21 +36,21 @@ def place_program(folder, *path):
 
 
 def place_assets(folder):
-    """Assets with an empty profile: the fault that the program finds in it tells that it was opened."""
+    """Makes assets with an empty profile: the program's error about the profile shows that it was opened."""
     (folder / "profiles").mkdir(parents=True)
     (folder / "profiles" / "manual-chair.json").write_text("{}")
     return folder
 
 
 def opened(copy, **environment):
-    """The assets that the program takes when it reads a house whose person has a profile that is shipped."""
+    """Returns the assets folder that the program uses when it reads a house whose person has a shipped profile."""
     done = ask(copy, "check", house("straight-corridor"), **environment)
     path, found, _ = done.stderr.partition("/profiles/manual-chair.json:")
     return pathlib.Path(path) if done.returncode == 2 and found else None
 
 
 def check_order(folder):
-    """All places have assets; taken away one by one, the next is taken."""
+    """All places have assets; when the first one is removed, the program uses the next one."""
     copy = place_program(folder, "build", "app")
     (folder / "build" / "build.ninja").write_text("")
     given, own, first, second = (folder / name for name in ("given", "own", "first", "second"))
@@ -60,7 +60,7 @@ def check_order(folder):
               ("the first of XDG_DATA_DIRS", first / "clearance"), ("the second of XDG_DATA_DIRS", second / "clearance")]
     for _, place in places:
         place_assets(place)
-    place_assets(copy.parent / "here" / "clearance")  # a relative folder is none of the list
+    place_assets(copy.parent / "here" / "clearance")  # a relative folder must be ignored
     for number, (name, place) in enumerate(places):
         found = opened(copy, **variables)
         check(found == place, f"{name} comes {number + 1}.", found)
@@ -87,7 +87,7 @@ def check_order(folder):
 
 
 def check_home(folder):
-    """Without XDG_DATA_HOME it is ~/.local/share."""
+    """Without XDG_DATA_HOME the program uses ~/.local/share."""
     copy = place_program(folder, "bin")
     place = place_assets(folder / ".local" / "share" / "clearance")
     found = opened(copy, HOME=folder, XDG_DATA_DIRS="/nonexistent")
@@ -95,7 +95,7 @@ def check_home(folder):
 
 
 def check_strange_folders(folder):
-    """Folders beside a program that is not in a build folder are none of its own."""
+    """The program ignores folders next to it if it does not lie in a build folder."""
     copy = place_program(folder, "build", "app")
     place_assets(folder / "assets")
     check(opened(copy, XDG_DATA_DIRS="/nonexistent") is None, "without build.ninja it is no build folder")
@@ -107,14 +107,14 @@ def check_strange_folders(folder):
 
 
 def check_source_is_unknown():
-    """No path of the source or of the build is in the program's data; debugging information has them, but is not read."""
+    """The program's data contain no path of the source or of the build; debugging information does, but is not read."""
     words = subprocess.run(["strings", "-d", program], capture_output=True, text=True, check=True).stdout
     for path in (source, build):
         check(str(path) not in words, f"{path} is not compiled in")
 
 
 def check_moved(folder):
-    """What is installed runs after its tree was moved, from the files that were installed with it."""
+    """An installed program still runs after its tree was moved, with the files that were installed with it."""
     subprocess.run(["meson", "install", "-C", build, "--no-rebuild", "--quiet", "--destdir", folder / "staged"], check=True,
                    capture_output=True)
     prefix = configured["prefix"].lstrip("/")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The command line as scripts rely on it: exit codes, JSON and nothing else on standard output, files, messages.
+"""Tests the command line as scripts rely on it: exit codes, only JSON on standard output, files, messages.
 
 command.py CLEARANCE
 """
@@ -42,7 +42,7 @@ def check_answers():
 
 
 def check_crowds():
-    """A room of 40 on foot and a chair: sums in text, everybody in JSON, nothing invented about people on foot."""
+    """40 people on foot and a wheelchair: totals in text, all people in JSON, no invented values for those on foot."""
     plan = {
         "format": "clearance-house", "version": 1, "name": "room",
         "walls": [{"id": "w", "points": [[0, 0], [8, 0], [8, 6], [0, 6], [0, 0]], "thickness": 0.1}],
@@ -114,7 +114,7 @@ def check_beams():
 
 
 def check_beam_interrupted(beam):
-    """A stiff contact switches hundreds of times a cycle, and its type takes long; Ctrl-C ends that."""
+    """A stiff contact switches hundreds of times per cycle, so its type takes long; Ctrl-C must end the search."""
     process = subprocess.Popen([program, "run", beam, "--set", "joint.stiffness=1e11", "--json"], stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE, text=True)
     try:
@@ -158,7 +158,7 @@ def check_wrong_use():
 
 
 def check_help():
-    """Help fits 100 columns, groups options by use, and has the topics that the README refers to."""
+    """Help fits into 100 columns, groups options by use, and has the topics that the README refers to."""
     for verb in ("open", "run", "check", "compare", "study", "loci", "cases", "import", "export", "schema", "help"):
         text = expect(0, verb, "--help").stdout
         check(text.startswith(f"Usage: clearance {verb} "), f"{verb} --help begins {text[:40]!r}")
@@ -182,7 +182,7 @@ def check_help():
 
 
 def check_open():
-    """Without a display there is no window, and it is said what there is."""
+    """Without a display no window opens, and the message names the alternatives."""
     nothing = {"DISPLAY": "", "WAYLAND_DISPLAY": "", "SDL_VIDEODRIVER": ""}
     for arguments in ([], ["open"], ["open", house("straight-corridor")], [house("straight-corridor")], ["nowhere.json"]):
         done = expect(2, *arguments, says="there is no display", **nothing)
@@ -208,7 +208,7 @@ def check_files():
 
 
 def check_cases():
-    """One test that passes, one that does not, one that does not apply; the tables; an interrupted run."""
+    """One test passes, one fails, one does not apply; the tables; an interrupted run."""
     corridor = house("straight-corridor")
     with tempfile.TemporaryDirectory() as folder:
         def case(name, **members):
@@ -247,7 +247,7 @@ def check_cases_interrupted(path):
 
 
 def check_interrupt():
-    """Two people who hold each other up are simulated for an hour; Ctrl-C ends that, and what there is is kept."""
+    """Two people who block each other are simulated for an hour; Ctrl-C ends the run, and its record is written."""
     with tempfile.TemporaryDirectory() as out:
         process = subprocess.Popen(
             [program, "run", house("straight-corridor"), "--set", "exit.e1.opens=90000", "--until", "90000", "--out", out],

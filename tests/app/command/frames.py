@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Frames, films, plots and raised pictures as scripts rely on them: files, sizes, messages, the same bytes twice.
+"""Tests frames, films, plots and oblique views as scripts rely on them: files, sizes, messages, repeated bytes.
 
 frames.py CLEARANCE
 """
@@ -44,7 +44,7 @@ def check_frames(out):
 
 
 def memory_of(*arguments):
-    """The most MB that a run of the program had."""
+    """Returns the peak memory of a run of the program, MB."""
     code = ("import resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True, stdout=subprocess.DEVNULL); "
             "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss // 1024)")
     done = subprocess.run([sys.executable, "-c", code, program, *arguments], capture_output=True, text=True, timeout=300)
@@ -53,7 +53,7 @@ def memory_of(*arguments):
 
 
 def check_memory(out):
-    """A thousand threads do not keep two thousand pictures, of some 4 MB each."""
+    """A thousand threads must not hold two thousand pictures of about 4 MB each."""
     few, many = (memory_of("run", house("straight-corridor"), "--frames", "10", "--jobs", jobs, "--out", str(out))
                  for jobs in ("8", "1024"))
     check(0 < few and many < few + 100, "memory with many threads", f"{few} and {many} MB")
@@ -92,7 +92,7 @@ wc -c >>"$last"
 
 
 def check_films(out):
-    """Our end of the pipe, by a stand-in; and the real one where it is installed."""
+    """Tests the program's end of the pipe with a substitute for ffmpeg, and with ffmpeg itself if it is installed."""
     out.mkdir()
     stand_in = out / "bin"
     stand_in.mkdir()
@@ -154,7 +154,7 @@ def check_beam_plots(out):
 
 
 def check_beam(out):
-    """A film of a beam: so many pictures a second of the film, and so many times slower."""
+    """A film of a beam: the frames per second of film, and the slow-motion factor."""
     rig = beam("ibs")
     done = expect(0, "run", rig, "--set", "drive.frequency=190", "--frames", "10", "--slow", "400", "--to", "0.01", "--size",
                   "640x360", "--out", str(out), "--json")
@@ -211,7 +211,7 @@ def check_wrong_use(out):
     expect(2, "run", corridor, "--frames", "2", "--out", str(out), says="osmesa or egl", CLEARANCE_GL="nonsense")
     done = expect(2, "run", corridor, "--frames", "2", "--out", str(out), says="File too large", limit=1000)
     check(len(done.stderr.splitlines()) == 1, "a file that is too large is told of in one line", done.stderr)
-    expect(0, "run", corridor, "--view", "raised", CLEARANCE_GL="nonsense")  # nothing to be written, nothing to be drawn
+    expect(0, "run", corridor, "--view", "raised", CLEARANCE_GL="nonsense")  # without output nothing is drawn
 
 
 def check_interrupt(out):

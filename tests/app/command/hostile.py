@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Houses that nobody would draw: each gets an answer or a clear fault, in bounded time and memory.
+"""Tests absurd houses: each must get an answer or a clear error, in bounded time and memory.
 
 hostile.py CLEARANCE
 """
@@ -20,8 +20,8 @@ program = pathlib.Path(sys.argv[1]).resolve()
 failures = 0
 
 MANY = 100_000
-SECONDS = 60  # of the processor's; a house takes a second or two, with sanitizers more
-MEGABYTES = 2000  # with the address sanitizer's share
+SECONDS = 60  # processor time; a house takes a second or two, more with sanitizers
+MEGABYTES = 2000  # includes the overhead of the address sanitizer
 
 
 def check(good, what, detail=""):
@@ -48,7 +48,7 @@ def limit_time():
 
 
 def measure(*arguments):
-    """The exit code (or minus a signal's number), what is printed, and the largest memory in MB."""
+    """Returns the exit code (or minus a signal's number), the output, and the peak memory in MB."""
     process = subprocess.Popen([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limit_time)
     error = []
     reader = threading.Thread(target=lambda: error.append(process.stderr.read()))
@@ -61,7 +61,7 @@ def measure(*arguments):
 
 
 def expect(name, text, code, *arguments, verb="check", says=""):
-    """Runs the house; `says` is part of the first fault (code 2) or of the answer."""
+    """Runs the house; `says` is a part of the first error (code 2) or of the answer."""
     with tempfile.TemporaryDirectory() as directory:
         path = pathlib.Path(directory, "house.json")
         path.write_text(text)

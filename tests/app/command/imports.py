@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Other programs' files: what `import` and `export` say, write and refuse, also of files made to hurt.
+"""Tests files of other programs: the messages, results and errors of `import` and `export`, also for malicious files.
 
 imports.py CLEARANCE
 """
@@ -15,8 +15,8 @@ import zipfile
 
 from program import check, end, expect, house, program, source
 
-SECONDS = 60  # each takes a second or two; sanitizers and a busy machine take longer
-MEGABYTES = 2000  # with the address sanitizer's share
+SECONDS = 60  # a file takes a second or two, more with sanitizers or on a busy machine
+MEGABYTES = 2000  # includes the overhead of the address sanitizer
 MANY = 1_000_000
 
 bad = source / "tests/data/bad/imports"
@@ -42,7 +42,7 @@ def home(elements):
 
 
 def new(name, text):
-    """A file of that name in the folder; of a home the text is its Home.xml."""
+    """Writes a file with this name to the folder; for a Sweet Home 3D file the text is its Home.xml."""
     file = folder / name
     if name.endswith(".sh3d"):
         with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -53,7 +53,7 @@ def new(name, text):
 
 
 def import_new(code, name, text, *options, says=""):
-    """Imports it and has the house checked; the answer is the JSON, or None where it is refused."""
+    """Imports a file and checks the house; returns the JSON, or None if the file is refused."""
     out = folder / "house.json"
     out.unlink(missing_ok=True)
     done = expect(code, "import", new(name, text), str(out), "--json", *options, says=says)
@@ -108,7 +108,7 @@ def check_options():
 
 
 def check_files():
-    """What is there stays, what cannot be written is told, nothing lies about."""
+    """Existing files stay, write errors are reported, and no temporary files remain."""
     flat, there = new("flat.dxf", drawing(FLAT)), folder / "there.json"
     there.write_text("mine")
     expect(2, "import", flat, str(there), says="exists and is not overwritten")
@@ -144,7 +144,7 @@ def check_export():
 
 
 def measure(name, text):
-    """Imports a file made to hurt: the exit code, what is said, seconds and MB."""
+    """Imports a malicious file; returns the exit code, the messages, seconds and MB."""
     out = folder / "hostile.json"
     out.unlink(missing_ok=True)
     begin = time.monotonic()

@@ -1,4 +1,4 @@
-"""What the tests of the command line share: running the program, and saying what was expected of it."""
+"""Helpers of the command line tests: they run the program and compare its results with the expected ones."""
 
 import os
 import pathlib
@@ -20,7 +20,7 @@ def beam(name):
 
 
 def run(*arguments, cwd=None, limit=None, **environment):
-    """`limit` is the most bytes that a file may have."""
+    """Runs the program; `limit` is the largest size of a file in bytes."""
     size = limit and (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
     return subprocess.run([program, *arguments], capture_output=True, text=True, timeout=300, cwd=cwd, preexec_fn=size,
                           env={**os.environ, **environment})

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Reports as their readers get them: pages that hold what they must, one file each, well-formed, readable without seeing.
+"""Tests reports: complete pages in one file each, well-formed, and readable with a screen reader.
 
 report.py CLEARANCE
 """
@@ -24,7 +24,7 @@ def words_of(element):
 
 
 def check_page(page, name):
-    """Well-formed, nothing from elsewhere, headings in order, tables and pictures told in words."""
+    """The page is well-formed and self-contained, headings are in order, tables and pictures have descriptions."""
     text = page.read_text()
     root = tree.fromstring(text)
     check(root.get("lang") == "en", f"{name}: the language is told")
@@ -49,7 +49,7 @@ def check_page(page, name):
 
 
 def check_paper(paper, title, headings, name):
-    """Pages with numbers, title and headings as words, no heading alone at the end of a page."""
+    """Pages have numbers, title and headings are text, and no heading stands alone at the end of a page."""
     facts = subprocess.run(["pdfinfo", paper], capture_output=True, text=True).stdout
     count = int(re.search(r"Pages: +(\d+)", facts)[1])
     check(re.search(r"Tagged: +yes", facts) and "2023" in re.search("CreationDate: .*", facts)[0], f"{name}: properties", facts)
@@ -66,7 +66,7 @@ def check_paper(paper, title, headings, name):
 
 
 def report(code, *arguments):
-    """The report of a command: the page, all words of the page, all words on paper."""
+    """Returns the report of a command: the page, all text of the page, all text on paper."""
     name = " ".join(arguments[:2])
     with tempfile.TemporaryDirectory(prefix="it's a report ") as out:
         files = [pathlib.Path(out, f"report.{end}") for end in ("html", "pdf")]
@@ -84,7 +84,7 @@ def report(code, *arguments):
 
 
 def rows_of(root, heading):
-    """The cells of the table below a heading."""
+    """Returns the cells of the table below a heading."""
     main = list(root.find(f".//{html}main"))
     at = next(i for i, e in enumerate(main) if e.tag[-2:-1] == "h" and words_of(e) == heading)
     table = next(e for e in main[at:] if e.find(f"{html}table") is not None)
@@ -127,13 +127,13 @@ def check_comparison():
 
 
 def check_observed():
-    """What is observed is the simulation, moved by 5 cm and a tenth slower: that must come out."""
+    """The observation is the simulation, shifted by 5 cm and slower by a tenth: the report must state both."""
     with tempfile.TemporaryDirectory() as out:
         expect(0, "run", house("straight-corridor"), "--out", out)
         lines = pathlib.Path(out, "trace.csv").read_text().splitlines()[1:]
         rows = [[float(cell or "nan") for cell in line.split(",")] for line in lines]
         file = pathlib.Path(out, "measured.csv")
-        middle = 1.1 / 2 - 0.28 # ahead of the drive axle, along +x
+        middle = 1.1 / 2 - 0.28 # distance of the middle ahead of the drive axle, along +x
         file.write_text("x;y;time [s]\n" + "".join(f"{r[2] + middle};{r[3] + 0.05};{1.1 * r[0]}\n" for r in reversed(rows)))
         root, words, paper = report(0, "run", house("straight-corridor"), "--observed", str(file))
         tables = [[[words_of(c) for c in row] for row in t.iter(html + "tr")] for t in root.iter(html + "table")]
@@ -154,7 +154,7 @@ def check_crowd():
 
 
 def check_nobody():
-    """A house in which nobody lives, called what no page may take for its own."""
+    """A house without people whose name contains characters that a page must escape."""
     with tempfile.TemporaryDirectory() as place:
         file = pathlib.Path(place, "empty.json")
         file.write_text(json.dumps({

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The shipped houses, profiles and beams fit assets/schema; the bad ones of a kind that a schema can see do not.
+"""Tests that shipped houses, profiles and beams fit assets/schema, and invalid ones do not if a schema can detect it.
 
-tests/data/bad/beyond-schema.txt lists the bad files that are good to a schema: their faults are in what the numbers mean.
+tests/data/bad/beyond-schema.txt lists the invalid files that fit the schema: the meaning of their numbers is wrong.
 """
 
 import json
@@ -45,7 +45,7 @@ def read(path):
 
 
 def problem(validator, path):
-    """What keeps the file from being read and fitting the schema, or None."""
+    """Returns the reason why the file cannot be read or does not fit the schema, or None."""
     try:
         error = jsonschema.exceptions.best_match(validator.iter_errors(read(path)))
         return error and error.message

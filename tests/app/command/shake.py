@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Earthquakes, `study --shake`, and the smallest changes, `check --suggest`: answers, files, wrong use."""
+"""Tests earthquakes (`study --shake`) and smallest changes (`check --suggest`): answers, files, wrong use."""
 
 import copy
 import json
@@ -9,7 +9,7 @@ import tempfile
 
 from program import beam, check, end, expect, house
 
-# A corridor, 1.2 m clear; a shelf by its wall that bars it when it falls, and one that cannot.
+# A corridor, 1.2 m clear; one shelf at its wall blocks it when it falls, another one cannot.
 CORRIDOR = {
     "format": "clearance-house", "version": 1, "name": "corridor",
     "walls": [{"id": "south", "points": [[0, -0.05], [6, -0.05]], "thickness": 0.1},
@@ -134,7 +134,7 @@ def check_none_needed(folder):
 
 
 def check_all_are_enough(folder):
-    """A shelf that bars the way, and a door that is too narrow: both must be changed."""
+    """A shelf blocks the path and a door is too narrow: both must be changed."""
     path = draft(folder, d1__width=0.6, shelf__toppled=True)
     found = suggestions(1, path)["suggestions"]
     check(found and all(len(s["settings"]) == 2 for s in found), "two together", found)

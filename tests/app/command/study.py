@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The verb study: answers, files, going on after Ctrl-C, wrong use."""
+"""Tests the command study: answers, files, resuming after Ctrl-C, wrong use."""
 
 import csv
 import json
@@ -112,7 +112,7 @@ def check_going_on(folder):
     arguments = [flat, "--vary", "door.d1.width=0.85:1.1:61", "--runs", "3", "--spread",
                  "profile.manual-chair.free_speed=0.05"]
     expect(0, "study", *arguments, "--out", whole)
-    for seconds in (0.7, 2, 5, 10):  # until the first run is over, on a busy machine
+    for seconds in (0.7, 2, 5, 10):  # a busy machine needs longer to complete the first run
         code, _, error = interrupt([*arguments, "--out", parts, "--jobs", "1"], seconds)
         before = summary(parts)
         if before["done"]:
@@ -137,7 +137,7 @@ def check_going_on(folder):
 
 
 def check_killed(folder):
-    """A computer that is switched off: at most what came after the last commit is made again."""
+    """After a power failure only the runs since the last commit are repeated."""
     flat, out = draft(folder), os.path.join(folder, "killed")
     arguments = [flat, "--vary", "door.d1.width=0.85:1.1:241", "--runs", "2", "--jobs", "1"]
     process = subprocess.Popen([program, "study", *arguments, "--out", out], stdout=subprocess.DEVNULL,
@@ -145,7 +145,7 @@ def check_killed(folder):
     store = pathlib.Path(out, "study.sqlite")
     while process.poll() is None and not (store.exists() and store.stat().st_size):
         time.sleep(0.01)
-    time.sleep(0.5) # until the first commit is whole
+    time.sleep(0.5) # the first commit must be complete
     process.kill()
     process.wait()
     check(process.returncode == -signal.SIGKILL, "killed while it ran")

@@ -1,13 +1,13 @@
-"""A hand on a plan: places in metres, by a real mouse and real keys."""
+"""Draws on a plan with a real mouse and real keys; places are in metres."""
 
 from stage import Screen
 
 
 class Plan(Screen):
-    """The window with a house that can be edited."""
+    """A window with a house that can be edited."""
 
     def point(self, x, y, state=None):
-        """Pixels of a place on the floor."""
+        """Returns the pixel of a place on the floor."""
         origin, right, up = (state or self.state())["floor"]
         return tuple(origin[i] + x * (right[i] - origin[i]) + y * (up[i] - origin[i]) for i in (0, 1))
 
@@ -15,7 +15,7 @@ class Plan(Screen):
         self.point_to(*self.point(x, y))
 
     def put(self, x, y):
-        """A click there."""
+        """Clicks on a place on the floor."""
         self.click(*self.point(x, y))
 
     def drag(self, x, y, to_x, to_y, release=True):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Editing a house by a real mouse and a real keyboard: checks 10 to 19 of the window's conventions, one by one, and a
-flat of four rooms drawn from nothing by mouse and again by keyboard alone."""
+"""Tests editing a house with a real mouse and a real keyboard: checks 10 to 19 of the window's conventions, and a flat
+of four rooms drawn from an empty plan, once with the mouse and once with the keyboard alone."""
 
 import json
 import math
@@ -16,7 +16,7 @@ def read(path):
 
 
 def chain(plan, *points):
-    """Walls from point to point."""
+    """Draws walls from point to point."""
     plan.keys("w")
     for x, y in points:
         plan.put(x, y)
@@ -48,7 +48,7 @@ for number, typed in enumerate(("2.5", "2,5", "250cm")):
     check(abs(length(wall) - 2.5) < 1e-9, f"10: {typed} typed while drawing is 2.5 m", wall)
     plan.end()
 
-# the flat, by mouse: four walls round it, two across, doors, an exit, somebody
+# the flat, by mouse: four outer walls, two inner walls, doors, an exit, a person
 plan = Plan("flat", minutes=9)
 plan.keys("ctrl+n")
 plan.until(lambda s: s["title"] == "new house" and s["floor"])
@@ -58,7 +58,7 @@ chain(plan, (-3, 0), (3, 0))
 plan.keys("d")
 for place in ((0, 1), (0, -1), (-1.5, 0), (3, 1)):
     plan.put(*place)
-# 13: numbers live while a door is dragged, the clock held, Escape as before
+# 13: numbers change while a door is dragged, the clock is paused, Escape restores the plan
 plan.keys("Escape", "Escape", "Escape")
 plan.put(0, 1)
 plan.move(-2.8, -2.6)
@@ -95,7 +95,7 @@ check(plan.state()["shown_title"] == "new house", "what is saved is not said to 
 
 check(drawn["undo_name"] and drawn["edits"] >= 8, "14: each of the steps can be undone", drawn["edits"])
 
-# 14: undo and redo to the same bytes
+# 14: undo and redo restore the same bytes
 plan.undo_all()
 empty = plan.place / "empty.json"
 plan.save_as(empty)
@@ -105,7 +105,7 @@ again = plan.place / "again.json"
 plan.save_as(again)
 check(first.read_bytes() == again.read_bytes(), "14: undone and done again it has the same bytes")
 
-# 12: snapping is named, and can be let go
+# 12: snapping is named, and can be switched off
 plan.keys("w")
 plan.put(-2.5, 1.5)
 plan.move(0.04, 1.97)
@@ -123,7 +123,7 @@ plan.keys("n")
 check(plan.state()["snaps"] is True, "12: N again, and it is on")
 plan.keys("Escape", "Escape", "Escape")
 
-# 15: click, move, click is the same as dragging
+# 15: click, move, click has the same effect as dragging
 plan.put(0, 1)
 plan.drag(0, 1, 0, 0.6)
 plan.keys("Escape")
@@ -141,7 +141,7 @@ plan.save_as(clicked)
 check(dragged.read_bytes() == clicked.read_bytes() and dragged.read_bytes() != first.read_bytes(),
       "15: click, move, click on a door does what dragging does")
 
-# 16: a door stays on its wall, has limits, and changes to another wall
+# 16: a door stays on its wall, has limits, and can move to another wall
 plan.keys("Escape", "Escape")
 plan.put(-2.8, -2.6)
 plan.drag(0, 0.6, 0, 1.95, release=False)
@@ -152,7 +152,7 @@ check(past["gesture"].get("refusal") or "at" in past["gesture"]["doing"], "16: p
       past["gesture"])
 plan.end()
 
-# 16 to 19: the numbers and the words of a wide house, by a script that presses the same keys
+# 16 to 19: numbers and texts of a wide house, with a script that presses the same keys
 house = stage.house("closed-door")
 seen = stage.act("limits", f'open "{house}"', "until complete", "set door.d1.width 9", "wait 5", "state STATE",
                  "set door.d1.width 0.6", "wait 5", "until answered", "state STATE", "set door.d1.width 0.9",
@@ -168,7 +168,7 @@ check("before" in seen[2]["answer"]["detail"], "19: after the first edit what wa
       seen[2]["answer"])
 check(seen[3]["answer"]["title"] == seen[1]["answer"]["title"], "19: undone it is as it was", seen[3]["answer"])
 
-# 17: furniture is turned and toppled by keys
+# 17: keys turn and topple furniture
 seen = stage.act("furniture", "until complete", "pause", "wait 5", "at 9.2 8.7", "press", "release", "wait 3",
                  "state STATE", *["key E", "wait 2"] * 6, "state STATE", "key Ctrl+Z", "key Ctrl+Z", "key Ctrl+Z",
                  "key Ctrl+Z", "key Ctrl+Z", "key Ctrl+Z", "wait 3", "key T", "wait 50", "state STATE",
@@ -182,7 +182,7 @@ print("     17: after E x6:", seen[1]["undo_name"], "|", seen[1]["message"], "; 
 check(seen[3]["digest"] == seen[0]["digest"] and not seen[3]["undo_name"], "17: undone, all is as before",
       (seen[3]["undo_name"], seen[3]["digest"], seen[0]["digest"]))
 
-# what falls is seen to fall, and rests as it would where nothing moves
+# falling furniture is animated, and comes to rest where it does without animation
 room = stage.folder / "room.json"
 room.write_text(json.dumps({
     "format": "clearance-house", "version": 1, "name": "room",
@@ -195,7 +195,7 @@ room.write_text(json.dumps({
 
 
 def falls(name, view, *arguments):
-    """A shelf that topples and a shake, with pictures while they last; how many pixels differ from one to the next."""
+    """Topples a shelf, shakes the house, and takes pictures; returns how many pixels differ from one to the next."""
     rest = ["until idle", "wait 5"]
     seen = stage.act(name, "until complete", "pause", "seek 0", *view, "at 0.7 3.7", "press", "release", "wait 3",
                      "at 4.5 -1", *rest, "view FOLDER/0.png", "key T", "wait 20", "view FOLDER/1.png", "wait 2",
@@ -221,9 +221,9 @@ for view, keys in (("flat", ()), ("raised", ("key V", "wait 5"))):
                        fuzz="0") for i in (3, 5, 6)]
     check(pairs == [0, 0, 0], f"{view}: at rest both are the same to the pixel", pairs)
 
-# 11: no mouse at all: the same flat by keys, from the strip's words alone
+# 11: the same flat by keys alone, guided by the strip's texts
 def numbers(plan, *values):
-    """Typed into the fields of what is in the hand, and put down."""
+    """Types values into the fields of the gesture and completes it."""
     for i, value in enumerate(values):
         if i:
             plan.keys("Tab")

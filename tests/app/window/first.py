@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Somebody sees the window for the first time: checks 1 to 9 of the window's conventions, by a real hand."""
+"""Tests the window as at first use: checks 1 to 9 of the window's conventions, with a real mouse and keyboard."""
 
 import time
 
@@ -10,7 +10,7 @@ screen = stage.Screen("first")
 
 
 def play(wanted):
-    """Plays or pauses; at the end of the record it may have stopped by itself."""
+    """Starts or pauses playback, which may have stopped at the end of the record."""
     for _ in range(10):
         if screen.state()["playing"] == wanted:
             return
@@ -18,7 +18,7 @@ def play(wanted):
 
 
 
-# 1. the default house is moving, nothing lies over it, and the way on is named
+# 1. the default house is playing, nothing covers it, and the next action is named
 state = screen.until(lambda s: s.get("complete") and s["time"] > 0.5)
 check(state["laboratory"] == "house" and "ube" in state["file"], "the default house is open", state.get("file"))
 check(state["playing"] and state["sheet"] == "none", "it runs, and nothing lies over it", state)
@@ -31,13 +31,13 @@ view = state["frame"]["view"]
 check(differing(one, two, view) > 200, "something moves in the view", differing(one, two, view))
 check(len(stage.colours(one, state["frame"]["strip"])) > 5, "the strip of keys has words")
 
-# 2. the answer is read from the back row
+# 2. the answer is large enough to be read from the back row
 answer = state["frame"]["answer"]
 title = [answer[0], answer[1], answer[0] + 300, answer[3] - 4]
 height = stage.magick("convert", str(one), "-crop", stage.crop(title), "+repage", "-trim", "-format", "%h", "info:").stdout
 check(int(height) >= 29, "the answer's letters are at least 29 pixels high", height)
 
-# 4. words and shapes stand out
+# 4. texts and shapes have enough contrast
 for name, box, least in (("answer", title, 4.5), ("menu", state["frame"]["menu"], 4.5),
                          ("panel", state["frame"]["panel"], 4.5), ("strip", state["frame"]["strip"], 4.5),
                          ("timeline", state["frame"]["timeline"], 3.0), ("view", view, 3.0)):
@@ -109,7 +109,7 @@ screen.keys("backslash")
 screen.keys("r")
 screen.state()
 screen.until(lambda s: s["playing"] and 0.2 < s["time"] < 10)
-for attempt in range(20):  # another program may take the processor while one of them looks
+for attempt in range(20):  # another program may use the processor between the two measurements
     first, begun = screen.state(), time.monotonic()
     second = screen.until(lambda s: not first["time"] <= s["time"] < first["time"] + 1)
     moved = (second["time"] - first["time"]) / (time.monotonic() - begun)
@@ -120,7 +120,7 @@ for attempt in range(20):  # another program may take the processor while one of
 check(second["achieved"] is not None and abs(second["achieved"] - moved) < 0.15 * max(moved, 0.1),
       "the achieved speed is what a watch says", (second["achieved"], moved))
 
-# the other laboratory, the gallery, a picture, a sheet, and out
+# the other laboratory, the gallery, a picture, a dialog, and quitting
 screen.keys("F3")
 state = screen.until(lambda s: s["laboratory"] == "beam" and not s["answer"]["stale"])
 check(state["laboratory"] == "beam" and not state["answer"]["stale"], "F3 is the beam, and it is answered", state["answer"])

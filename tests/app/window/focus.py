@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""The keyboard alone: checks 6 (a field is open), 20 and 21 of the window's conventions, and every key of the card."""
+"""Tests the keyboard alone: checks 6 (an open field), 20 and 21 of the window's conventions, each key of the card."""
 
 import re
 
 import stage
 from stage import act, check, differing
 
-# 21. the focus goes everywhere and comes back, and always has a frame
+# 21. the focus visits all controls and returns, and is always framed
 tabs = []
 for i in range(100):
     tabs += ["key Tab", "wait 2", "state STATE"] + ([f"picture FOLDER/tab-{i}.png"] if i % 4 == 0 else [])
@@ -25,7 +25,7 @@ check(len(set(panes)) >= 6 and panes[0] in panes[1:], "F6 goes round all panes",
 back = act("panes-back", "until complete", *(["key Shift+F6", "wait 2", "state STATE"] * 12))
 check(set(state["focus"] for state in back) == set(panes), "and Shift+F6 back", panes)
 
-# Escape closes whatever is open, and never the window
+# Escape closes any open menu or dialog, but never the window
 for key, sheet in (("F1", "keys"), ("F4", "gallery"), ("F7", "messages"), ("F10", "menu"), ("Ctrl+O", "open"),
                    ("Ctrl+E", "export"), ("Ctrl+S", "save"), ("Shift+F1", "explain"), ("Ctrl+I", "about")):
     found = act(f"sheet-{sheet}", "until complete", f"key {key}", "wait 4", "state STATE", "picture FOLDER/open.png",
@@ -33,7 +33,7 @@ for key, sheet in (("F1", "keys"), ("F4", "gallery"), ("F7", "messages"), ("F10"
     check(found[0]["sheet"] == sheet, f"{key} opens {sheet}", found[0]["sheet"])
     check(found[1]["sheet"] == "none", f"Escape closes {sheet}", found[1]["sheet"])
 
-# every key of the table does something or nothing, but harms nothing; for both laboratories
+# no key of the table breaks the program, in both laboratories
 table = (stage.source / "app" / "window" / "keys.c").read_text()
 keys = re.findall(r'\{ACTION_\w+,\s*KEY_\w+,\s*"((?:[^"\\]|\\.)+)"', table)
 check(len(keys) > 90, "the table has keys", len(keys))
@@ -48,13 +48,13 @@ for laboratory in ("house", "beam"):
         found = act(f"all-keys-{laboratory}-{focus}", *lines, "state STATE")
         check(found and found[0]["sheet"] == "none", f"{laboratory}, {focus}: every key of the card was pressed")
 
-# 6. Alt+K while a field is open plays or pauses, and leaves what is typed
+# 6. Alt+K while a field is open starts or pauses playback and keeps the typed text
 found = act("field", "until complete", "pause", "key Ctrl+O", "wait 3", "type abc", "wait 2",
             "state STATE", "key Alt+K", "wait 2", "state STATE", "picture FOLDER/field.png")
 check(found[0]["types"] and found[1]["types"], "a field is open, before and after", found[0])
 check(found[1]["playing"], "Alt+K plays while it is")
 
-# 20. what cannot be a number
+# 20. texts that are not numbers
 name = "profile.manual-chair.width"
 for words in ("abc", "9999", "-1", "", "1e400", "1,2,3", "nan", "0.6 kg"):
     found = act("number-" + "".join(c for c in words if c.isalnum()), "until complete", "pause", "key F6", "key F6",

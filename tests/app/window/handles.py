@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Each handle of a house by a real mouse and real keys: dragged and clicked, undone and redone, and what is answered to
-it, beside what the command line says of the same files."""
+"""Tests each handle of a house with a real mouse and real keys: it is dragged and clicked, undone and redone, and the
+answers are compared with those of the command line for the same files."""
 
 import json
 import subprocess
@@ -22,7 +22,7 @@ HOUSE = {
 
 
 class Hand(Plan):
-    """A window with the house, paused."""
+    """A paused window with the house."""
 
     def __init__(self, name, house=HOUSE):
         place = stage.folder / name
@@ -35,26 +35,26 @@ class Hand(Plan):
         self.settle()
 
     def settle(self):
-        """Waits until nothing is in work."""
+        """Waits until all background work is done."""
         self.state()
         return self.until(lambda s: s["complete"] and not s["answer"]["stale"] and not s["answer"]["doing"])
 
     def saved(self):
-        """What its file says once it is saved."""
+        """Saves the house and returns the contents of its file."""
         self.keys("ctrl+s")
         self.state()
         self.until(lambda s: not s["unsaved"])
         return self.house.read_bytes()
 
     def choose(self, x, y):
-        """Selects what lies there; the hand is away from it then."""
+        """Selects the item at a place, then moves the pointer away from it."""
         self.keys("Escape", "Escape", "Escape")
         self.put(x, y)
         self.move(-0.8, 3.5)
         return self.state()
 
     def width_of_door(self, value):
-        """Typed into the panel, by keys from the plan on."""
+        """Types a width into the panel; starts with the focus on the plan and uses only keys."""
         self.choose(3, 2)
         self.keys("Return")
         self.until(lambda s: s["focus"] == "panel")
@@ -63,10 +63,10 @@ class Hand(Plan):
         self.keys("ctrl+a")
         self.type(value)
         self.keys("Return")
-        self.choose(-0.8, 3.5)  # the plan has the focus again
+        self.choose(-0.8, 3.5)  # returns the focus to the plan
 
     def redo_to(self, name):
-        """Until that step is the next one to be done again."""
+        """Redoes steps until this step is the next one to redo."""
         for _ in range(200):
             if self.state()["redo_name"] in (name, None):
                 return
@@ -84,11 +84,11 @@ def has_handle(state, at):
                for mark in state["gesture"]["marks"])
 
 
-# 15: what can be taken up: where it is selected, the handle, where it goes
+# 15: the items with handles: place to select the item, handle, target
 plan = Hand("handles")
 plan.choose(2.3, 3.5)
 plan.keys("Left")
-plan.saved()  # from here on it is written as the program writes it
+plan.saved()  # from here on the file has the program's own formatting
 plan.undo_to(None)
 start = plan.saved()
 for what, at, handle, to in (("piece of furniture", (2.3, 3.5), (2.3, 3.5), (1.3, 0.8)),
@@ -104,7 +104,7 @@ for what, at, handle, to in (("piece of furniture", (2.3, 3.5), (2.3, 3.5), (1.3
                              ("way that a person looks", (0.8, 2.0), (1.7, 2.0), (0.8, 3.2)),
                              ("point of a route", (0.8, 2.0), (4.5, 2.0), (4.2, 1.0))):
     state = plan.choose(*at)
-    if not handle:  # the disc that turns it
+    if not handle:  # the disc that turns the item
         handle = next((m["at"] for m in state["gesture"]["marks"] if m["kind"] == "handle" and m["at"][1] < 3.2), (0, 0))
     found = has_handle(state, handle)
     plan.drag(*handle, *to)
@@ -126,7 +126,7 @@ for what, at, handle, to in (("piece of furniture", (2.3, 3.5), (2.3, 3.5), (1.3
     plan.undo_to(None)
 check(plan.saved() == start, "15: all of it undone, the file has its first bytes again")
 
-# 16: by mouse to another wall
+# 16: the mouse moves a door to another wall
 plan.choose(3, 2)
 plan.drag(3, 2, 1.5, 0.02)
 plan.keys("Escape", "Escape")
@@ -135,7 +135,7 @@ check(door["wall"] == "w1" and door.get("segment", 0) == 0 and abs(door["at"] - 
       "16: dragged to another wall a door is in that wall, along it", door)
 plan.undo_to(None)
 
-# 17: turned by keys, toppled, and stood up again
+# 17: keys turn furniture, topple it and stand it up
 before = plan.choose(2.3, 3.5)
 plan.settle()
 plan.keys(*["e"] * 6)
@@ -154,7 +154,7 @@ plan.keys("t", "ctrl+z", "ctrl+z")
 again = plan.settle()
 check(again["undo_name"] is None and again["answer"] == upright["answer"], "17: undone it is as it was", again["answer"])
 
-# 18: too narrow: the same numbers as by the command line, and a button that shows the place
+# 18: a door that is too narrow: the same numbers as on the command line, and a button that shows the place
 plan.width_of_door("0.6")
 narrow = plan.settle()
 check(narrow["parameters"]["door.d1.width"] == 0.6, "Enter goes to the number of what is selected, Enter types it",
@@ -177,7 +177,7 @@ check(shown["zoom"] > 1 and abs(at[0] - middle[0]) < 60 and abs(at[1] - middle[1
 plan.shot("place")
 plan.end()
 
-# 19: what was before, and what is now, as the command line compares the two files
+# 19: before and now, compared as the command line compares the two files
 plan = Hand("compare")
 first = plan.place / "first.json"
 first.write_bytes(plan.saved())
@@ -201,13 +201,13 @@ check(rows.get("last out") == [f"{before['time']:.2f} s", f"{after['time']:.2f} 
       "19: the table of both has the same numbers", (rows, before["people"], after["people"]))
 plan.end()
 
-# 14: twenty edits of many kinds, undone and done again to the same bytes
+# 14: twenty edits of many kinds, undone and redone to the same bytes
 plan = Hand("mixed")
 start = plan.saved()
 
 
 def word(plan, x, y, value):
-    """Another name, typed into the panel's first text."""
+    """Types another name into the panel's first text field."""
     plan.choose(x, y)
     plan.keys("Return")
     plan.until(lambda s: s["focus"] == "panel")

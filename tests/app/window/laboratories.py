@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Both laboratories at work in the window: playing, scrubbing, changing numbers, switching, pictures, sizes; checks 8,
-22, 23 and 24 of the window's conventions, and that the digest is the headless one."""
+"""Tests both laboratories in the window: playing, scrubbing, changing numbers, switching, pictures, sizes; checks 8,
+22, 23 and 24 of the window's conventions, and that the digest equals the one without a window."""
 
 import csv
 import json
@@ -18,7 +18,7 @@ def headless(path, *more):
     return json.loads(done.stdout)
 
 
-# 3. the digest, whatever is done while it plays
+# 3. the digest does not depend on actions during playback
 digest = headless(corner)["digest"]
 found = act("digest", "play", "wait 20", "seek 3", "wait 5", "speed 16", "wait 10", "pause", "seek 0.4", "play",
             "until complete", "state STATE", "seek 9", "wait 3", "seek 1", "wait 3", "state STATE",
@@ -31,7 +31,7 @@ changed = headless(corner, "--set", "profile.manual-chair.body.width=0.6")["dige
 check(found[2]["digest"] == changed and changed != digest, "a changed number gives the run with that number")
 check("--set profile.manual-chair.body.width=0.6" in found[2]["command"], "the command says so", found[2]["command"])
 
-# 8. a moment looks the same however it was come to
+# 8. a time looks the same however it was reached
 found = act("scrub", "until complete", "pause", "seek 4", "wait 3", "view FOLDER/one.png", "seek 9.5", "wait 3",
             "seek 0", "wait 3", "seek 4", "wait 3", "view FOLDER/two.png", "seek 3", "wait 2", "seek 3.5", "wait 2",
             "seek 4", "wait 2", "view FOLDER/three.png", "seek 8", "wait 2", "view FOLDER/late.png")
@@ -40,7 +40,7 @@ check(differing(place / "one.png", place / "two.png", fuzz="0%") == 0, "back and
 check(differing(place / "one.png", place / "three.png", fuzz="0%") == 0, "in steps: the same picture")
 check(differing(place / "one.png", place / "late.png") > 500, "another moment is another picture")
 
-# what goes wrong stays in the window, and what was good stays
+# errors are reported in the window, and the last valid state stays
 broken = stage.folder / "broken.json"
 broken.write_text('{"format": "clearance-house", "version": 1, "wals": []}')
 found = act("broken", "until complete", f'open "{broken}"', "wait 5", "state STATE",
@@ -51,7 +51,7 @@ check(found[1]["parameters"]["door.d4.width"] == 0.9, "a width out of range chan
 check(found[2]["answer"]["title"] == "All 4 get out" and found[2]["messages"] > found[1]["messages"],
       "a door past its wall's end is said, the last good state stays", found[2]["message"])
 
-# keys of the view: selection, zoom, raised, follow, layers, present, theme, letters
+# keys of the view: selection, zoom, oblique, follow, layers, presentation, theme, text size
 found = act("looks", "until complete", "pause", "wait 2", "state STATE", "key Tab", "wait 2", "state STATE",
             "key Z", "wait 2", "state STATE", "key Escape", "key Home", "key V", "key E", "wait 2", "state STATE",
             "picture FOLDER/raised.png", "key V", "key F", "wait 2", "state STATE", "key Home", "key F5", "wait 2",
@@ -65,7 +65,7 @@ check(found[5]["present"], "F5 presents")
 check(found[6]["theme"] == "board", "Ctrl+T is the board")
 check(found[7]["text"] == 1.5, "letters grow in steps of a quarter", found[7]["text"])
 
-# 22. at twice the size, and in a small window: what there is does not overlap, and the answer comes first
+# 22. at twice the size, and in a small window: parts do not overlap, and the answer comes first
 for width, height, text in ((1280, 720, 1), (1024, 600, 1), (1280, 720, 2), (1024, 600, 2), (1920, 1080, 3), (3840, 2160, 1)):
     for laboratory in ("house", "beam"):
         found = act(f"size-{width}-{text}-{laboratory}", f"laboratory {laboratory}", "until answered", "wait 3",
@@ -80,7 +80,7 @@ for width, height, text in ((1280, 720, 1), (1024, 600, 1), (1280, 720, 2), (102
         check(apart and inside, f"{laboratory}, {width} x {height}, letters x {text}: nothing overlaps", boxes)
         check(found[0]["width"] == width, "the window is as large as asked for", found[0]["width"])
 
-# 23. the beam: a click on the orbit diagram, boxes by keys, values that stay
+# 23. the beam: a click on the orbit diagram, boxes by keys, values that persist
 found = act("beam", "laboratory beam", "until answered", "state STATE")
 orbit, axes = found[0]["frame"]["plots"]["orbit"], found[0]["charts"]["orbit"]["x"]
 x, y = orbit[0] + 0.6 * (orbit[2] - orbit[0]), (orbit[1] + orbit[3]) / 2
@@ -100,14 +100,14 @@ check(found[4]["charts"]["orbit"]["x"] == found[3]["charts"]["orbit"]["x"], "axe
 check(found[5]["charts"]["orbit"]["x"] == axes, "Backspace goes back", found[5]["charts"]["orbit"]["x"])
 check(found[0]["end"] > 0 and found[6]["end"] > found[0]["end"], "the beam goes on all the while")
 
-# from one period to chaos while it runs, and scrubbed back the old beam is seen
+# a running beam changes from period 1 to chaos; scrubbing back shows the earlier beam
 found = act("chaos", "laboratory beam", "set drive.frequency 190", "until answered", "speed 256", "wait 200", "state STATE",
             "set drive.frequency 300", "until answered", "wait 200", "state STATE", "speed 1", "pause", "key Shift+Tab", "wait 2", "state STATE")
 check("eriodic" in found[0]["answer"]["title"], "190 Hz is periodic", found[0]["answer"])
 check("haotic" in found[1]["answer"]["title"], "300 Hz is chaotic", found[1]["answer"])
 check(found[1]["end"] > found[0]["end"] + 0.5, "hundreds of cycles have passed", (found[0]["end"], found[1]["end"]))
 
-# 24. pictures and what lies beside them
+# 24. pictures and the files next to them
 found = act("picture", "until complete", "pause", "seek 5", "wait 3", "key F9", "wait 5", "state STATE", "click 750 220", "wait 2",
             "key F9", "wait 5", "state STATE", "key F9", "wait 5", "key Ctrl+C", "wait 2", "state STATE")
 made = stage.folder / "picture" / "home" / "clearance"
@@ -124,7 +124,7 @@ check(len(pngs) == 3 and pngs[1].read_bytes() == pngs[2].read_bytes() or pngs[0]
       "the same picture twice is the same bytes")
 check("Copied: clearance run" in found[2]["message"], "Ctrl+C copies the command", found[2]["message"])
 
-# a copy with its changed numbers, never over another file
+# a copy has the changed numbers and never overwrites another file
 mine = stage.folder / "mine.json"
 mine.write_text("mine")
 found = act("save", "until complete", "set door.d4.width 0.85", "until complete", "key Ctrl+S", "wait 4", "key Return",

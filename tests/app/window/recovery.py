@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Nothing that was edited is lost: the program is killed at random moments, and what it leaves behind always opens; the
-file that was edited is untouched."""
+"""Tests that no edit is lost: the program is killed at random moments, its recovery file always opens, and the edited
+file is unchanged."""
 
 import json
 import pathlib
@@ -19,7 +19,7 @@ home = place / "home"
 kept = home / ".local" / "state" / "clearance" / "recovery"
 house = place / "mine.json"
 plan = json.loads(pathlib.Path(stage.house("closed-door")).read_text())
-plan["people"][0]["profile"] = "own-chair"  # which lies beside the house
+plan["people"][0]["profile"] = "own-chair"  # it lies in the same folder as the house
 house.write_text(json.dumps(plan))
 shutil.copy(stage.source / "assets" / "profiles" / "manual-chair.json", place / "own-chair.json")
 original = house.read_bytes()
@@ -31,23 +31,23 @@ def left():
 
 
 def written(path):
-    """Another value for each time that the file is written."""
+    """Returns a value that changes each time the file is written."""
     try:
         return path, path.stat().st_mtime_ns
-    except FileNotFoundError:  # replaced just now
+    except FileNotFoundError:  # the file is being replaced
         return path, 0
 
 
 def opens(path):
-    """Does it stand as a house, beside the profile that it needs?"""
+    """Checks a copy of the file in the folder of its profile; returns whether it is a valid house, and the errors."""
     shutil.copy(path, place / "left.json")
     done = subprocess.run([program, "check", str(place / "left.json")], capture_output=True, text=True, timeout=600)
     return done.returncode != 2, done.stderr
 
 
 def edit_and_kill(writes, seconds):
-    """Edits again and again, each time with so many frames after it that what was done is written; killed so many s
-    after so many writes."""
+    """Edits repeatedly and waits after each edit until it is written; kills the program `seconds` after the given
+    number of writes."""
     lines = [f'open "{house}"', "wait 5"]
     for i in range(12):
         lines += [f"set door.d1.width {0.8 + 0.01 * i:.2f}", "wait 2000"]
@@ -63,7 +63,7 @@ def edit_and_kill(writes, seconds):
         seen |= new
         writes -= bool(new)
         time.sleep(0.01)
-    time.sleep(seconds)  # any moment will do
+    time.sleep(seconds)  # at any moment
     window.send_signal(signal.SIGKILL)
     window.wait()
 
@@ -80,7 +80,7 @@ check(found > turns and whole == found, "killed again and again, something is le
       (found, whole))
 check(house.read_bytes() == original, "the file itself is as it was")
 
-# the next start offers it, and opens it unsaved
+# the next start offers the recovery file, and opens it as unsaved
 newest = max(left(), key=lambda path: path.stat().st_mtime)
 shutil.rmtree(folder / "next", ignore_errors=True)
 (folder / "next").mkdir()
@@ -94,7 +94,7 @@ check(len(seen) > 1 and seen[1]["shown_title"].endswith("[Recovered]") and seen[
 check(len(seen) > 1 and "cannot be run" not in seen[1]["answer"]["title"], "what lies beside the file itself is found",
       seen[1]["answer"] if len(seen) > 1 else None)
 
-# a clean end leaves nothing behind
+# a normal exit leaves no recovery file
 act("clean", f'open "{house}"', "set door.d1.width 0.85", "wait 200", "state STATE")
 rest = folder / "clean" / "home" / ".local" / "state" / "clearance" / "recovery"
 check(not list(rest.glob("*")), "a clean end leaves nothing behind", list(rest.glob("*")))

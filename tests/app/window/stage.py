@@ -1,4 +1,4 @@
-"""What the tests of the window share: a home that is empty, pictures, and the window itself, with a script under SDL's
+"""Helpers of the window tests: an empty home folder, pictures, and the window itself, with a script under SDL's
 offscreen driver or with a real mouse and keyboard under Xvfb."""
 
 import json
@@ -15,7 +15,7 @@ source = pathlib.Path(os.environ.get("CLEARANCE_SOURCE", ".")).resolve()
 program = pathlib.Path(sys.argv[1]).resolve()
 folder = pathlib.Path(tempfile.mkdtemp(prefix="clearance-window-"))
 failed = []
-PATIENCE = 300  # s, that a state may take on the busiest machine before it is said not to come
+PATIENCE = 300  # s, longest wait for a state, even on a busy machine
 
 
 def house(name):
@@ -39,8 +39,8 @@ def end():
 
 
 def environment(home, **more):
-    """As on a machine where nobody has used the program yet. Leaks are not looked for: SDL unloads the graphics driver,
-    whose own cannot be told from ours then."""
+    """Returns the environment of a new user. Leak detection is off: SDL unloads the graphics driver, whose leaks
+    then cannot be distinguished from the program's."""
     home.mkdir(exist_ok=True)
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "SDL_", "DISPLAY", "WAYLAND_"))}
     return {**kept, "HOME": str(home), "SDL_AUDIODRIVER": "dummy", "LP_NUM_THREADS": "0",
@@ -48,7 +48,7 @@ def environment(home, **more):
 
 
 def states(path):
-    """The lines of a state file that are whole."""
+    """Returns the complete lines of a state file."""
     lines = path.read_text().split("\n")[:-1] if path.exists() else []
     return [json.loads(line) for line in lines]
 
@@ -72,20 +72,20 @@ def magick(*arguments):
 
 
 def crop(box):
-    """A box as the state has it, for ImageMagick."""
+    """Converts a box of the state to ImageMagick's format."""
     x, y, right, bottom = (round(v) for v in box)
     return f"{right - x}x{bottom - y}+{x}+{y}"
 
 
 def differing(a, b, box=None, fuzz="3%"):
-    """How many pixels differ between two pictures, or parts of them."""
+    """Returns how many pixels differ between two pictures, or parts of them."""
     part = ["-crop", crop(box), "+repage"] if box else []
     done = magick("compare", "-metric", "AE", "-fuzz", fuzz, *part, str(a), str(b), "null:")
     return float(done.stderr.split()[0])
 
 
 def colours(path, box):
-    """The colours of a part, most frequent first: (count, (red, green, blue))."""
+    """Returns the colours of a part, most frequent first: (count, (red, green, blue))."""
     done = magick("convert", str(path), "-crop", crop(box), "+repage", "-depth", "8", "-format", "%c", "histogram:info:-")
     found = []
     for line in done.stdout.splitlines():
@@ -103,7 +103,7 @@ def contrast(a, b):
     return (high + 0.05) / (low + 0.05)
 
 
-SHIFTED = '~!@#$%^&*()_+{}|:"<>?'  # what is typed with Shift, beside capitals, and the keys that it is on
+SHIFTED = '~!@#$%^&*()_+{}|:"<>?'  # characters typed with Shift, apart from capitals; their keys follow
 UNSHIFTED = str.maketrans(SHIFTED, "`1234567890-=[]\\;',./")
 
 
@@ -112,17 +112,17 @@ def is_shifted(letter):
 
 
 class Screen:
-    """The program on a display of its own, used by xdotool, which is as a hand would: no event is made up. A script
-    that only writes the state, again and again, is how it is asked. The state counts the presses and releases that the
-    program has handled, and has the place of the mouse: after each input its effect is waited for, never a time."""
+    """The program on its own display, operated by xdotool through real input events. A script that repeatedly writes
+    the state reports on the program. The state counts the presses and releases that the program has handled, and
+    contains the position of the mouse: each input is followed by a wait for its effect, never for a fixed time."""
 
     def __init__(self, name, *arguments, width=1280, height=720, minutes=5):
         self.place = folder / name
         self.place.mkdir(exist_ok=True)
         self.display = self.start_display(width, height)
         self.log = self.place / "states"
-        self.log_read, self.log_count, self.last = 0, 0, {}  # bytes and lines of it that have been read, the last one
-        self.sent = 0  # presses and releases
+        self.log_read, self.log_count, self.last = 0, 0, {}  # bytes and lines read so far, last state
+        self.sent = 0  # number of presses and releases sent
         script = self.place / "script"
         script.write_text(f"wait 1\nstate {self.log}\n" * int(minutes * 60 * 30) + "quit\n")
         self.env = environment(self.place / "home", DISPLAY=self.display, SDL_MOUSE_DOUBLE_CLICK_TIME="0")
@@ -134,7 +134,7 @@ class Screen:
         self.tool("windowfocus", "--sync", self.window)
 
     def start_display(self, width, height):
-        """Keys do not repeat there, however late a release comes."""
+        """Starts a display without key repeat, since releases may come late."""
         read, write = os.pipe()
         self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-r",
                                         "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
@@ -146,7 +146,7 @@ class Screen:
                               timeout=600)
 
     def input(self, count, *words):
-        """Sends so many presses and releases, and waits until they were handled."""
+        """Sends `count` presses and releases, and waits until they are handled."""
         self.tool(*words)
         self.sent += count
         self.handled(lambda s: s["inputs"] >= self.sent, words)
@@ -161,7 +161,7 @@ class Screen:
             end()
 
     def look(self):
-        """Reads what has come since; the last state there is."""
+        """Reads the new states; returns the last one."""
         if self.log.exists():
             with open(self.log, "rb") as log:
                 log.seek(self.log_read)
@@ -174,13 +174,13 @@ class Screen:
         return self.last
 
     def state(self):
-        """As it is now: the second line that is written from now on, since the first may have been begun before."""
+        """Returns the present state: the second line written after the call, since the first may be older."""
         self.look()
         count = self.log_count + 2
         return self.until(lambda s: self.log_count >= count)
 
     def until(self, what):
-        """Waits for a state; returns the last one, whether it came or not."""
+        """Waits for a state; returns the last state read, even if the wait failed."""
         begun = time.monotonic()
         while time.monotonic() - begun < PATIENCE and self.program.poll() is None:
             now = self.look()
@@ -190,8 +190,8 @@ class Screen:
         return self.look()
 
     def keys(self, *names):
-        """Presses and lets go of keys like ctrl+z, one after another. A key that comes again waits for the one before:
-        on a busy machine both may have the same time, and it would be taken for one that repeats."""
+        """Presses and releases keys like ctrl+z, one after another. A repeated key is sent after the previous one was
+        handled: on a busy machine both may have the same time stamp and would be taken for an automatic repeat."""
         waiting = []
         for name in names:
             if set(name.split("+")) & {key for other in waiting for key in other.split("+")}:
@@ -205,7 +205,7 @@ class Screen:
         self.input(sum(2 * len(name.split("+")) for name in names), "key", "--delay", 0, *names)
 
     def type(self, words):
-        """Types letters, in pieces that need no key twice."""
+        """Types characters, in pieces that need no key twice."""
         waiting, used = "", set()
         for letter in words:
             needed = {letter.lower().translate(UNSHIFTED)} | ({"shift"} if is_shifted(letter) else set())
@@ -244,7 +244,7 @@ class Screen:
         self.state()
 
     def shot(self, name):
-        """A picture of the display, once what the last state tells is on it."""
+        """Takes a picture of the display after the next state was written."""
         self.state()
         path = self.place / f"{name}.png"
         subprocess.run(["import", "-window", "root", str(path)], env=self.env, timeout=600)

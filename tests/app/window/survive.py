@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Random keys, clicks, drags, wheels, sizes and files: the window is alive afterwards, and answers; check 25 of its
-conventions, without waiting for hours."""
+"""Tests that the window survives random keys, clicks, drags, wheel steps, sizes and files, and still responds: check 25
+of the window's conventions in a short form."""
 
 import random
 import re
@@ -39,7 +39,7 @@ for seed in range(2):
     check(found and found[0]["answer"]["title"].startswith(("Out in", "Cannot", "All", "The", "Blocked", "Not")) and
           found[0]["sheet"] == "none", f"seed {seed}: it is alive and answers", found[0]["answer"] if found else "nothing")
 
-# what is remembered, however broken, is no reason not to open
+# damaged settings or session files must not prevent opening
 home = stage.folder / "broken-home" / "home"
 for place, name in ((".config", "settings.json"), (".local/state", "state.json")):
     (home / place / "clearance").mkdir(parents=True)
@@ -47,7 +47,7 @@ for place, name in ((".config", "settings.json"), (".local/state", "state.json")
 found = act("broken-home", "until complete", "state STATE")
 check(found and found[0]["theme"] == "paper" and found[0]["messages"] >= 1, "broken settings are said, and put aside")
 
-# without a display there is a sentence, and exit code 2
+# without a display the program prints a sentence, with exit code 2
 done = subprocess.run([stage.program, "open"], capture_output=True, text=True, timeout=600,
                       env=stage.environment(stage.folder / "nobody"))
 check(done.returncode == 2 and done.stderr.count("\n") == 1 and "clearance run" in done.stderr,
