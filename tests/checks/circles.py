@@ -15,7 +15,7 @@ SHOWN_SYMBOLS = 4  # of one arrow of a circle
 
 
 def modules(source, build):
-    """Object file of each module."""
+    """Returns the object file of each module."""
     objects = {}
     for library in ("engine", "app"):
         for path in sorted((source / library).rglob("*.c*")):
@@ -29,7 +29,7 @@ def modules(source, build):
 
 
 def symbols(objects):
-    """Which module defines each symbol, and which symbols each module needs."""
+    """Returns the module that defines each symbol, and the symbols that each module needs."""
     home, needs = {}, collections.defaultdict(set)
     for module, path in objects.items():
         if not path.exists():
@@ -48,7 +48,7 @@ def symbols(objects):
 
 
 def arrows(home, needs):
-    """arrows[a][b] lists the symbols that module a takes from module b."""
+    """Returns arrows: arrows[a][b] lists the symbols that module a takes from module b."""
     graph = collections.defaultdict(lambda: collections.defaultdict(list))
     for module, names in needs.items():
         for name in sorted(names):
@@ -58,7 +58,7 @@ def arrows(home, needs):
 
 
 def circles(nodes, graph):
-    """Strongly connected components of more than one module (Tarjan 1972), the largest first."""
+    """Returns strongly connected components of more than one module (Tarjan 1972), the largest first."""
     number, low, stack, found = {}, {}, [], []
 
     def visit(node):

@@ -154,8 +154,7 @@ static void tell_divergence(HouseSession *session) {
     }
 }
 
-/* The edited plan is invalid: undoes the edit, and restarts the displayed run if it was cancelled.
- */
+/* Undoes an edit that made the plan invalid, and restarts the displayed run if it was cancelled. */
 static void undo_invalid(HouseSession *session, HouseRun *run) {
     clear_trouble(session);
     for (size_t i = 0; i < run->fault.count; i++)
