@@ -32,12 +32,13 @@ json_t *answer_house(const House *house, const Observation *observation) {
     snprintf(digest, sizeof digest, "%016" PRIx64, observation->digest);
     Census census = census_make(house, observation);
     json_t *answer = json_pack(
-        "{s:s, s:s, s:s, s:I, s:f, s:I, s:b, s:f, s:o, s:o, s:o, s:o, s:s}", "kind", "house", "house", house->plan.name,
+        "{s:s, s:s, s:s, s:I, s:f, s:I, s:b, s:o, s:o, s:o, s:o, s:o, s:s}", "kind", "house", "house", house->plan.name,
         "note", house->plan.note, "seed", (json_int_t)house->seed, "dt", observation->dt, "steps",
         (json_int_t)observation->steps, "completed", observation->completed, "time",
-        round(observation->time * 1e6) / 1e6, "people", list_of(result_house_people(house, observation)), "crowds",
-        list_of(result_house_parties(house, &census, true)), "routes", list_of(result_house_routes(house, observation)),
-        "hazards", list_of(result_house_hazards(observation)), "digest", digest);
+        isfinite(observation->time) ? json_real(round(observation->time * 1e6) / 1e6) : json_null(), "people",
+        list_of(result_house_people(house, observation)), "crowds", list_of(result_house_parties(house, &census, true)),
+        "routes", list_of(result_house_routes(house, observation)), "hazards",
+        list_of(result_house_hazards(observation)), "digest", digest);
     census_clear(&census);
     return answer;
 }

@@ -63,6 +63,8 @@ static char *read_topic(const char *name) {
 
 static void list_topics(const Topics *topics) {
     Text text = {0};
+    if (shipped_places()->missing)
+        fprintf(stderr, "%s\n", shipped_places()->missing);
     text_add(&text, "Topics, to be read with `clearance help TOPIC`:\n\n");
     for (size_t t = 0; t < topics->count; t++) {
         char *topic = read_topic(topics->names[t]);

@@ -54,16 +54,17 @@ static bool consider_installed(const char *root) {
     return consider(folder);
 }
 
-/* Uses the assets next to a build folder. A build folder contains the build's own file, and that file must belong to
- * the program's owner: other users must not be able to make a folder above the program look like a build folder. */
+/* Uses the assets next to a build folder. A build folder contains the build's own file. That file, itself and not a
+ * link, and the assets must belong to the program's owner: other users must not be able to choose the assets. */
 static bool consider_source(const char *root) {
     char path[PATH_MOST + 32];
-    struct stat build, program;
+    struct stat build, found, program;
     snprintf(path, sizeof path, "%s/build.ninja", root);
-    if (stat(path, &build) != 0 || stat("/proc/self/exe", &program) != 0 || build.st_uid != program.st_uid)
+    if (stat("/proc/self/exe", &program) != 0 || lstat(path, &build) != 0 || !S_ISREG(build.st_mode) ||
+        build.st_uid != program.st_uid)
         return false;
     snprintf(path, sizeof path, "%s/../assets", root);
-    return consider(path);
+    return stat(path, &found) == 0 && found.st_uid == program.st_uid && consider(path);
 }
 
 /* Uses the first folder with assets of a list that is separated by colons, as in the XDG base directory

@@ -209,7 +209,8 @@ static bool do_window(Window *window, Action action) {
     default:
         if (action < ACTION_LABORATORY)
             return false;
-        opening_tab(window, (size_t)(action - ACTION_LABORATORY));
+        if (window->dialog != DIALOG_LEAVE && window->dialog != DIALOG_SAVE) /* those ask about the shown tab */
+            opening_tab(window, (size_t)(action - ACTION_LABORATORY));
         return true;
     }
 }

@@ -124,6 +124,12 @@ check(len(pngs) == 3 and pngs[1].read_bytes() == pngs[2].read_bytes() or pngs[0]
       "the same picture twice is the same bytes")
 check("Copied: clearance run" in found[2]["message"], "Ctrl+C copies the command", found[2]["message"])
 
+# the question about unsaved edits concerns the shown tab, which no key changes meanwhile
+found = act("leave", "until complete", "set door.d4.width 0.85", "until complete", "key Ctrl+Q", "wait 4", "key F3", "wait 4",
+            "state STATE")
+check(found[-1]["sheet"] == "leave" and found[-1]["laboratory"] == "house", "no key leaves the tab that is asked about",
+      (found[-1]["sheet"], found[-1]["laboratory"]))
+
 # a copy has the changed numbers and never overwrites another file
 mine = stage.folder / "mine.json"
 mine.write_text("mine")
