@@ -143,7 +143,7 @@ typedef struct Laboratory {
     const char *const *meanings; /* (layer_count) a sentence each */
     size_t layer_count;          /* at most LABORATORY_LAYERS_MOST */
     unsigned layers_at_first;    /* bits of the layers that are shown at first */
-    bool raised;                 /* an oblique view is available */
+    bool raised;                 /* an raised view is available */
     bool numbers_first;          /* the panel begins with the parameters */
 
     /* Opens a file (`path` NULL: an empty one, if there is an editor); the first pictures come with an update. NULL:
