@@ -64,7 +64,7 @@ static bool consider_source(const char *root) {
         build.st_uid != program.st_uid)
         return false;
     snprintf(path, sizeof path, "%s/../assets", root);
-    return stat(path, &found) == 0 && found.st_uid == program.st_uid && consider(path);
+    return (stat(path, &found) != 0 || found.st_uid == program.st_uid) && consider(path);
 }
 
 /* Uses the first folder with assets of a list that is separated by colons, as in the XDG base directory

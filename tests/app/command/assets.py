@@ -102,6 +102,9 @@ def check_strange_folders(folder):
     (folder / "build" / "build.ninja").write_text("")
     check(opened(copy, XDG_DATA_DIRS="/nonexistent") == folder / "assets", "with build.ninja it is one")
     if os.geteuid() == 0:
+        os.chown(folder / "assets", 65534, 65534)
+        check(opened(copy, XDG_DATA_DIRS="/nonexistent") is None, "somebody else's assets are not read")
+        os.chown(folder / "assets", 0, 0)
         os.chown(folder / "build" / "build.ninja", 65534, 65534)
         check(opened(copy, XDG_DATA_DIRS="/nonexistent") is None, "with somebody else's build.ninja it is none")
 
