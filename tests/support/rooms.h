@@ -1,0 +1,40 @@
+/* Two small houses for tests of routes, a corner and two rooms, and a chair in them. */
+#pragma once
+
+#include "route/route.h"
+
+typedef struct Rooms {
+    Vec2 points[16];
+    Wall walls[4];
+    Door doors[2];
+    Exit exits[2];
+    Furniture furniture[2];
+    Plan plan;
+    Outline outline;
+    FreeSpace space;
+    Profile profile;
+    RouteQuery query;
+} Rooms;
+
+Profile rooms_chair(double length, double width);
+
+/* A passage W1 wide comes down and turns left into one W2 wide; it is shut but for the exit's line in the second arm.
+ *
+ *      | W1 |
+ *      |    |
+ *      | v  +----------
+ *      |          >   | W2
+ *      +---------------  */
+void rooms_make_corner(Rooms *fixture, double length, double width, double w1, double w2, bool mirrored);
+
+/* Two rooms side by side, 3 m by 3 m each, a door between them in the wall "w2", and the exit in the second one. */
+void rooms_make_two(Rooms *fixture, double width, double door, int state);
+
+/* Releases either house. */
+void rooms_free(Rooms *fixture);
+
+/* Returns the largest growth on every side, m, with which the body still gets from the start to an exit. */
+double rooms_fit_margin(const Rooms *fixture);
+
+/* Checks that every pose is free, and every motion between poses is along the heading or a turn on the spot. */
+void rooms_check_path(const Rooms *fixture, const Route *route);
