@@ -1,8 +1,9 @@
-/* Places doors and openings on a wall, slides them along it, and changes their width. */
+#include "laboratory/edit/door.h"
+
 #include <stdio.h>
 #include <string.h>
 
-#include "laboratory/edit/editor_state.h"
+#include "laboratory/edit/field.h"
 
 static const double LEAST_WIDTH = 0.10; /* m, least width of a door whose edge is dragged */
 

@@ -1,7 +1,19 @@
 #include "laboratory/edit/editor.h"
 
 #include "plan/draft_file.h"
-#include "laboratory/edit/editor_state.h"
+#include "laboratory/edit/action.h"
+#include "laboratory/edit/chain.h"
+#include "laboratory/edit/field.h"
+#include "laboratory/edit/gesture.h"
+#include "laboratory/edit/handle.h"
+#include "laboratory/edit/image.h"
+#include "laboratory/edit/marks.h"
+#include "laboratory/edit/pointer.h"
+#include "laboratory/edit/propose.h"
+#include "laboratory/edit/select.h"
+#include "laboratory/edit/shake.h"
+#include "laboratory/edit/text.h"
+#include "laboratory/edit/tool_items.h"
 
 static const EditToolRow tools[EDIT_TOOLS] = {
     [TOOL_SELECT] = {"select", "Select an item with a click, and move it by its handles.",
@@ -46,7 +58,7 @@ void editor_destroy(Editor *edit) {
     edit_gesture_drop(edit);
     edit_propose_end(edit);
     edit_shake_clear(edit);
-    edit_items_clear(edit);
+    edit_tool_items_clear(edit);
     for (size_t i = 0; i < edit->id_count; i++)
         memory_free(edit->ids[i]);
     memory_free(edit->ids);
@@ -194,7 +206,7 @@ static const char *strip_text(Editor *edit) {
         return trouble;
     if (edit->tool == TOOL_IMAGE && !plan->background.image)
         return "First enter the picture's file in the panel.";
-    if (edit->tool == TOOL_ROUTE && !edit_way_person(edit))
+    if (edit->tool == TOOL_ROUTE && !edit_chain_route_person(edit))
         return "First place the person whose route you draw.";
     if (edit->tool == TOOL_DOOR && !plan->wall_count)
         return "First draw a wall for the door.";
@@ -241,42 +253,42 @@ void editor_focus_handle(Editor *edit, int step) {
 
 bool editor_nudge(Editor *edit, Vec2 by, Fault *fault) {
     prepare(edit);
-    return edit_do_nudge(edit, by, fault);
+    return edit_action_nudge(edit, by, fault);
 }
 
 bool editor_turn(Editor *edit, double degrees, Fault *fault) {
     prepare(edit);
-    return edit_do_turn(edit, degrees, fault);
+    return edit_action_turn(edit, degrees, fault);
 }
 
 bool editor_topple(Editor *edit, Fault *fault) {
     prepare(edit);
-    return edit_do_topple(edit, fault);
+    return edit_action_topple(edit, fault);
 }
 
 bool editor_split(Editor *edit, Fault *fault) {
     prepare(edit);
-    return edit_split_wall(edit, fault);
+    return edit_action_split(edit, fault);
 }
 
 bool editor_remove(Editor *edit, Fault *fault) {
     prepare(edit);
-    return edit_do_remove(edit, fault);
+    return edit_action_remove(edit, fault);
 }
 
 bool editor_duplicate(Editor *edit, Fault *fault) {
     prepare(edit);
-    return edit_do_duplicate(edit, fault);
+    return edit_action_duplicate(edit, fault);
 }
 
 char *editor_copy(Editor *edit) {
     edit_select_meet(edit);
-    return edit_do_copy(edit);
+    return edit_action_copy(edit);
 }
 
 bool editor_paste(Editor *edit, const char *text, Fault *fault) {
     prepare(edit);
-    return edit_do_paste(edit, text, fault);
+    return edit_action_paste(edit, text, fault);
 }
 
 bool editor_shake(Editor *edit, Fault *fault) {
@@ -332,7 +344,7 @@ bool editor_set_text(Editor *edit, const char *name, const char *value, Fault *f
 }
 
 const CatalogueRow *editor_items(Editor *edit, size_t *count) {
-    return edit_items_list(edit, count);
+    return edit_tool_items_list(edit, count);
 }
 
 size_t editor_item(const Editor *edit) {
@@ -341,7 +353,7 @@ size_t editor_item(const Editor *edit) {
 
 void editor_choose_item(Editor *edit, size_t item) {
     size_t count;
-    edit_items_list(edit, &count);
+    edit_tool_items_list(edit, &count);
     edit_gesture_drop(edit);
     if (item < count)
         edit->items[edit->tool] = item;

@@ -1,10 +1,10 @@
-/* The number fields of a gesture, which can be typed while it lasts. */
+#include "laboratory/edit/field.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/quantity.h"
-#include "laboratory/edit/editor_state.h"
 
 void edit_field_list(Editor *edit, const char *const *names, const char *const *units, size_t count) {
     for (size_t i = 0; i < count; i++)

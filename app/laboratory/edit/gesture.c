@@ -1,8 +1,9 @@
-/* The common part of all gestures: a step that is repeated at each pointer movement, tried, and completed or
- * cancelled. */
+#include "laboratory/edit/gesture.h"
+
 #include <stdio.h>
 
-#include "laboratory/edit/editor_state.h"
+#include "laboratory/edit/field.h"
+#include "laboratory/edit/select.h"
 
 static void forget_refusal(Editor *edit) {
     memory_free(edit->refusal);

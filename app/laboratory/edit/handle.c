@@ -1,6 +1,5 @@
-/* The handles of the selected item: points, edges, corners, rotation. */
+#include "laboratory/edit/handle.h"
 
-#include "laboratory/edit/editor_state.h"
 #include "plan/plan_geometry.h"
 
 static const double ARM = 0.45; /* m, distance of the rotation handle from the piece or the person */

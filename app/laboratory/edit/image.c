@@ -1,5 +1,5 @@
-/* The picture to trace over (trace image): two points a known length apart set its scale, two points on a level line
- * set its angle. */
+#include "laboratory/edit/image.h"
+
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
@@ -10,7 +10,10 @@
 #include "base/digest.h"
 #include "base/text.h"
 #include "plan/draft_file.h"
-#include "laboratory/edit/editor_state.h"
+#include "laboratory/edit/chain.h"
+#include "laboratory/edit/field.h"
+#include "laboratory/edit/gesture.h"
+#include "laboratory/edit/marks.h"
 
 static const double FIRST_WIDTH = 10; /* m, width before the scale is known */
 static const double FIRST_OPACITY = 0.5;
@@ -21,6 +24,8 @@ enum { IMAGE_LARGEST = 256 * 1024 * 1024 /* bytes */, HEADER = 24 /* bytes of a 
 enum { ITEM_SCALE, ITEM_LEVEL }; /* the rows of the tool */
 
 #define FADE "Fade picture"
+
+static const EditGesture image_gesture;
 
 /* Files ----------------------------------------------------------------------------------------------------------- */
 
@@ -192,7 +197,7 @@ static void list_fields(Editor *edit) {
 }
 
 void edit_image_begin(Editor *edit, bool keys) {
-    edit_gesture_begin(edit, &edit_image_gesture, levels(edit) ? "Level picture" : "Scale picture", keys);
+    edit_gesture_begin(edit, &image_gesture, levels(edit) ? "Level picture" : "Scale picture", keys);
     list_fields(edit);
     edit_gesture_follow(edit);
 }
@@ -286,11 +291,11 @@ static void show(Editor *edit) {
         edit_marks_line(edit, edit->chain.points[0], edit->chain.count == 2 ? edit->chain.points[1] : edit->now.at);
 }
 
-const EditGesture edit_image_gesture = {.follow = follow,
-                                        .make = make,
-                                        .put = put,
-                                        .back = back,
-                                        .release = release,
-                                        .say = say,
-                                        .show = show,
-                                        .end = edit_chain_clear};
+static const EditGesture image_gesture = {.follow = follow,
+                                          .make = make,
+                                          .put = put,
+                                          .back = back,
+                                          .release = release,
+                                          .say = say,
+                                          .show = show,
+                                          .end = edit_chain_clear};

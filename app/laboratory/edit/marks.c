@@ -1,9 +1,12 @@
-/* The marks of a gesture: lines, lengths, handles, snaps, gaps. */
+#include "laboratory/edit/marks.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "laboratory/edit/editor_state.h"
+#include "laboratory/edit/gesture.h"
+#include "laboratory/edit/handle.h"
+#include "laboratory/edit/measure.h"
 #include "plan/plan_geometry.h"
 
 static const double FARTHEST_GAP = 5.0; /* m: larger gaps next to a piece are not shown */

@@ -1,8 +1,8 @@
-/* Measures distances, and says whether a wheelchair fits through. */
+#include "laboratory/edit/measure.h"
+
 #include <math.h>
 #include <stdio.h>
 
-#include "laboratory/edit/editor_state.h"
 #include "plan/plan_geometry.h"
 
 double edit_measure_chair(const Editor *edit) {

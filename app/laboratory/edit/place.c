@@ -1,7 +1,137 @@
-/* Places one item at the pointer: a door, a piece of furniture, a person. */
+#include "laboratory/edit/place.h"
+
+#include <math.h>
 #include <stdio.h>
 
-#include "laboratory/edit/editor_state.h"
+#include "laboratory/edit/door.h"
+#include "laboratory/edit/field.h"
+#include "laboratory/edit/gesture.h"
+#include "laboratory/edit/marks.h"
+#include "laboratory/edit/select.h"
+#include "laboratory/edit/tool_items.h"
+
+static const double LEAST_SIZE = 0.01; /* m */
+
+/* The fields of each kind of item begin with its place. */
+enum { FIELD_X, FIELD_Y };
+enum { PIECE_ANGLE = 2, PIECE_WIDTH, PIECE_DEPTH };
+enum { PERSON_HEADING = 2 };
+
+/* Furniture -------------------------------------------------------------------------------------------------------- */
+
+/* Returns the chosen piece; NULL: a rectangle is drawn. */
+static const CatalogueItem *chosen_piece(Editor *edit) {
+    size_t item = edit->items[TOOL_FURNITURE];
+    edit_tool_items_stock(edit);
+    return item > 0 && item <= edit->catalogue.count ? &edit->catalogue.items[item - 1] : NULL;
+}
+
+static SnapAsk ask_of(const Editor *edit) {
+    const Pointer *pointer = &edit->pointer;
+    return (SnapAsk){.at = pointer->at, .reach = pointer->reach, .free = pointer->free, .along = NAN};
+}
+
+/* Makes a rectangle from its first corner to the pointer, or as typed. */
+static void follow_rectangle(Editor *edit) {
+    EditTarget *now = &edit->now;
+    Vec2 to = edit_gesture_snap(edit, (SnapAsk){.along = NAN, .faces = true});
+    Vec2 size = vec2_sub(to, now->corner);
+    double width = fabs(size.x), depth = fabs(size.y);
+    edit_field_typed(edit, PIECE_WIDTH, &width);
+    edit_field_typed(edit, PIECE_DEPTH, &depth);
+    now->size = vec2(snap_tidy(fmax(width, LEAST_SIZE)), snap_tidy(fmax(depth, LEAST_SIZE)));
+    now->at = vec2(snap_tidy(now->corner.x + copysign(now->size.x, size.x) / 2),
+                   snap_tidy(now->corner.y + copysign(now->size.y, size.y) / 2));
+}
+
+/* Places a piece at the pointer: with its back to a wall, or next to other furniture. */
+static void follow_piece(Editor *edit) {
+    EditTarget *now = &edit->now;
+    const CatalogueItem *item = chosen_piece(edit);
+    Furniture piece = {.size = item ? item->size : vec2(1, 0.5), .topples = TOPPLE_NO};
+    edit_field_typed(edit, PIECE_WIDTH, &piece.size.x);
+    edit_field_typed(edit, PIECE_DEPTH, &piece.size.y);
+    bool turned = edit_field_typed(edit, PIECE_ANGLE, &piece.angle);
+    SnapAsk ask = ask_of(edit);
+    double angle = piece.angle;
+    Vec2 at = ask.at;
+    if (!turned && !edit->keys && snap_piece_back(&edit->begun, &piece, &ask, &angle, &at)) {
+        piece.angle = angle;
+        ask.at = at;
+    }
+    if (!edit->keys)
+        edit->snap = snap_piece_place(&edit->begun, &piece, &ask);
+    now->at = edit->keys ? ask.at : edit->snap.at;
+    now->angle = piece.angle;
+    now->size = piece.size;
+}
+
+static void follow_furniture(Editor *edit) {
+    EditTarget *now = &edit->now;
+    if (edit->sizing)
+        follow_rectangle(edit);
+    else
+        follow_piece(edit);
+    edit_field_typed(edit, FIELD_X, &now->at.x);
+    edit_field_typed(edit, FIELD_Y, &now->at.y);
+    edit_field_typed(edit, PIECE_ANGLE, &now->angle);
+    const double values[] = {now->at.x, now->at.y, now->angle, now->size.x, now->size.y};
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++)
+        edit_field_show(edit, i, values[i]);
+}
+
+static void make_furniture(Editor *edit) {
+    static const char *const faces[] = {"front", "back", "left", "right", "no"};
+    const EditTarget *now = &edit->now;
+    const CatalogueItem *item = chosen_piece(edit);
+    json_t *element =
+        json_pack("{s:[o, o], s:[o, o], s:o}", "centre", json_number(now->at.x), json_number(now->at.y), "size",
+                  json_number(now->size.x), json_number(now->size.y), "angle", json_number(now->angle));
+    if (item) {
+        json_object_set_new(element, "name", json_string(item->name));
+        json_object_set_new(element, "height", json_number(item->height));
+        json_object_set_new(element, "topples", json_string(faces[item->topples]));
+        json_object_set_new(element, "probability", json_number(item->probability));
+    }
+    snprintf(edit->made, EDIT_NAME, "%s", draft_add(edit->draft, DRAFT_FURNITURE, element));
+}
+
+/* People ----------------------------------------------------------------------------------------------------------- */
+
+/* Turns the placed person to the pointer while the button is down, once the pointer is far enough away. */
+static void turn_to_pointer(Editor *edit) {
+    Vec2 to = vec2_sub(edit->pointer.at, edit->now.at);
+    if (edit->down && edit->moved && vec2_length(to) > edit->pointer.reach)
+        edit->now.angle = snap_turn(snap_angle(to), edit->pointer.free);
+}
+
+static void follow_person(Editor *edit) {
+    EditTarget *now = &edit->now;
+    if (!edit->down)
+        now->at = edit_gesture_snap(edit, (SnapAsk){.along = NAN});
+    else
+        now->at = vec2(snap_tidy(round(edit->pressed.x / SNAP_GRID) * SNAP_GRID),
+                       snap_tidy(round(edit->pressed.y / SNAP_GRID) * SNAP_GRID));
+    edit_field_typed(edit, FIELD_X, &now->at.x);
+    edit_field_typed(edit, FIELD_Y, &now->at.y);
+    turn_to_pointer(edit);
+    edit_field_typed(edit, PERSON_HEADING, &now->angle);
+    edit_field_show(edit, FIELD_X, now->at.x);
+    edit_field_show(edit, FIELD_Y, now->at.y);
+    edit_field_show(edit, PERSON_HEADING, now->angle);
+}
+
+static void make_person(Editor *edit) {
+    const EditTarget *now = &edit->now;
+    edit_tool_items_stock(edit);
+    size_t item = edit->items[TOOL_PERSON];
+    const char *profile = item < edit->profile_count ? edit->profiles[item] : "adult";
+    json_t *element = json_pack("{s:s, s:[o, o], s:o}", "profile", profile, "at", json_number(now->at.x),
+                                json_number(now->at.y), "heading", json_number(now->angle));
+    snprintf(edit->made, EDIT_NAME, "%s", draft_add(edit->draft, DRAFT_PEOPLE, element));
+}
+
+/* The gesture ------------------------------------------------------------------------------------------------------ */
 
 typedef struct PlaceKind {
     const char *name; /* name of the undo step */
@@ -22,7 +152,7 @@ static const PlaceKind kinds[EDIT_TOOLS] = {
 /* Writes the name of the step: "Place wardrobe". */
 static void name_step(Editor *edit, const PlaceKind *kind, char name[EDIT_NAME]) {
     size_t count, item = edit->items[edit->tool];
-    const CatalogueRow *items = edit_items_list(edit, &count);
+    const CatalogueRow *items = edit_tool_items_list(edit, &count);
     snprintf(name, EDIT_NAME, "%s", kind->name);
     if (edit->tool == TOOL_FURNITURE && item < count)
         snprintf(name, EDIT_NAME, "Place %.60s", items[item].name);
@@ -96,5 +226,5 @@ static void show(Editor *edit) {
 #define PLACE(follow_, make_, limit_)                                                                                  \
     { .follow = follow_, .make = make_, .limit = limit_, .put = put, .release = release, .say = say, .show = show }
 static const EditGesture door = PLACE(edit_door_follow, edit_door_make, edit_door_limit),
-                         piece = PLACE(edit_piece_follow, edit_piece_make, NULL),
-                         person = PLACE(edit_person_follow, edit_person_make, NULL);
+                         piece = PLACE(follow_furniture, make_furniture, NULL),
+                         person = PLACE(follow_person, make_person, NULL);

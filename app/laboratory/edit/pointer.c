@@ -1,6 +1,14 @@
-/* The pointer and the keys: decides which of them begins, moves and ends each gesture. */
+#include "laboratory/edit/pointer.h"
 
-#include "laboratory/edit/editor_state.h"
+#include "laboratory/edit/chain.h"
+#include "laboratory/edit/drag.h"
+#include "laboratory/edit/field.h"
+#include "laboratory/edit/gesture.h"
+#include "laboratory/edit/handle.h"
+#include "laboratory/edit/image.h"
+#include "laboratory/edit/measure.h"
+#include "laboratory/edit/place.h"
+#include "laboratory/edit/select.h"
 
 static const double STIR = 0.4; /* share of the reach: pointer travel below this is a click, not a drag */
 
@@ -22,7 +30,7 @@ static bool can_begin(const Editor *edit) {
         return draft_plan(edit->draft)->background.image;
     if (edit->tool == TOOL_DOOR)
         return draft_plan(edit->draft)->wall_count;
-    return edit->tool != TOOL_ROUTE || edit_way_person(edit);
+    return edit->tool != TOOL_ROUTE || edit_chain_route_person(edit);
 }
 
 /* Changes the tool; the points drawn so far stay. */
@@ -117,7 +125,7 @@ void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice) {
         edit->gesture->put(edit, false);
     } else if (edit->tool == TOOL_SELECT) {
         press_select(edit);
-    } else if (can_begin(edit) && !(edit->tool == TOOL_EXIT && edit_way_across(edit))) {
+    } else if (can_begin(edit) && !(edit->tool == TOOL_EXIT && edit_chain_exit_across(edit))) {
         begin(edit, false);
         if (edit->gesture && (is_chain(edit->tool) || edit->tool == TOOL_IMAGE))
             edit->gesture->put(edit, false);

@@ -1,4 +1,5 @@
-/* Searches for changes that let all people leave, on a separate thread. */
+#include "laboratory/edit/propose.h"
+
 #include <pthread.h>
 #include <signal.h>
 #include <stdio.h>
@@ -8,7 +9,7 @@
 #include "base/text.h"
 #include "plan/draft_parameter.h"
 #include "inquiry/suggest.h"
-#include "laboratory/edit/editor_state.h"
+#include "laboratory/edit/gesture.h"
 
 /* A search that was requested. */
 struct EditSearch {

@@ -1,8 +1,8 @@
-/* The selection, stored by ids, which stay the same while the plan changes. */
+#include "laboratory/edit/select.h"
+
 #include <stdio.h>
 #include <string.h>
 
-#include "laboratory/edit/editor_state.h"
 #include "plan/plan_geometry.h"
 
 /* Items and ids --------------------------------------------------------------------------------------------------- */

@@ -1,11 +1,12 @@
-/* The earthquake: each shake starts from the house as it stood before the last one, so shakes do not add up. */
+#include "laboratory/edit/shake.h"
+
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "house/shake.h"
-#include "laboratory/edit/editor_state.h"
+#include "laboratory/edit/gesture.h"
 
 /* Returns the shake whose outcome is the present draft, also after undoing; NULL: none. */
 static const EditShake *last_shake(const Editor *edit) {

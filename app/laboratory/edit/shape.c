@@ -1,9 +1,11 @@
-/* Edits elements made of points: walls, outlines of rooms, exits, routes. Moving a point of a wall also moves the
- * points of other walls at the same place, so corners stay closed. */
+#include "laboratory/edit/shape.h"
+
 #include <math.h>
 #include <string.h>
 
-#include "laboratory/edit/editor_state.h"
+#include "laboratory/edit/field.h"
+#include "laboratory/edit/gesture.h"
+#include "laboratory/edit/select.h"
 
 static const double JOINED = 1e-6; /* m: points of walls closer than this form one corner */
 

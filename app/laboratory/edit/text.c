@@ -1,9 +1,11 @@
-/* Names, ids and notes of the selected item and of the house. */
+#include "laboratory/edit/text.h"
+
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "laboratory/edit/editor_state.h"
+#include "laboratory/edit/gesture.h"
+#include "laboratory/edit/select.h"
 
 static const char *const words[DRAFT_LISTS] = {"wall", "door", "furniture", "room", "exit", "person", "crowd", "route"};
 

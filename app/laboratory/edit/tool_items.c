@@ -1,9 +1,9 @@
-/* The rows that tools can place: furniture of the catalogue, people of the profiles, kinds of doors. */
+#include "laboratory/edit/tool_items.h"
+
 #include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "laboratory/edit/editor_state.h"
 #include "laboratory/shipped.h"
 
 #define USUAL_PROFILE "manual-chair" /* profile that is placed by default */
@@ -30,7 +30,7 @@ static void stock_profiles(Editor *edit) {
     free(entries);
 }
 
-void edit_items_stock(Editor *edit) {
+void edit_tool_items_stock(Editor *edit) {
     if (edit->stocked)
         return;
     edit->stocked = true;
@@ -40,7 +40,7 @@ void edit_items_stock(Editor *edit) {
     stock_profiles(edit);
 }
 
-void edit_items_clear(Editor *edit) {
+void edit_tool_items_clear(Editor *edit) {
     for (size_t i = 0; i < edit->profile_count; i++)
         memory_free(edit->profiles[i]);
     memory_free(edit->profiles);
@@ -65,9 +65,9 @@ static void list_furniture(Editor *edit, size_t *count) {
     }
 }
 
-const CatalogueRow *edit_items_list(Editor *edit, size_t *count) {
+const CatalogueRow *edit_tool_items_list(Editor *edit, size_t *count) {
     *count = 0;
-    edit_items_stock(edit);
+    edit_tool_items_stock(edit);
     arena_clear(&edit->item_words);
     if (edit->tool == TOOL_FURNITURE) {
         list_furniture(edit, count);

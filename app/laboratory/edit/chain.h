@@ -1,0 +1,16 @@
+/* Draws chains of points: walls, exits, outlines of rooms, routes, measured distances. */
+#pragma once
+
+#include "laboratory/edit/editor_state.h"
+
+/* Begins the chain of the present tool. */
+void edit_chain_begin(Editor *edit, bool keys);
+
+/* Releases the points of the chain. */
+void edit_chain_clear(Editor *edit);
+
+/* Returns the id of the person whose route is drawn, valid until the plan changes; NULL: the plan has no people. */
+const char *edit_chain_route_person(const Editor *edit);
+
+/* Places an exit across the door at the pointer, as one step; false: there is no door. */
+bool edit_chain_exit_across(Editor *edit);

@@ -1,0 +1,14 @@
+/* The pointer and the keys, as in editor.h: decides which of them begins, moves and ends each gesture. */
+#pragma once
+
+#include "laboratory/edit/editor_state.h"
+
+/* Changes the tool; the points drawn so far stay. */
+void edit_pointer_take(Editor *edit, EditTool tool);
+void edit_pointer_point(Editor *edit, const Pointer *pointer);
+void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice);
+void edit_pointer_release(Editor *edit, const Pointer *pointer);
+bool edit_pointer_type(Editor *edit, const char *letters);
+bool edit_pointer_enter(Editor *edit);
+bool edit_pointer_back(Editor *edit);
+bool edit_pointer_escape(Editor *edit);
