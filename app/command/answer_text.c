@@ -4,7 +4,7 @@
 
 #include "result/house.h"
 #include "result/text.h"
-#include "visual/house/headline.h"
+#include "result/headline.h"
 
 enum { STUCK_ROWS = 10 /* of many people who are not out, listed one by one */ };
 

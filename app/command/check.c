@@ -8,7 +8,7 @@
 #include "command/suggestions.h"
 #include "house/journey.h"
 #include "plan/overlap.h"
-#include "visual/house/census.h"
+#include "result/census.h"
 
 /* Returns the id of the exit, also where there is only one; NULL if the person takes the quickest. */
 static const char *exit_name(const House *house, size_t exit) {

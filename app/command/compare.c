@@ -12,7 +12,7 @@
 #include "result/json.h"
 #include "result/text.h"
 #include "visual/house/house_scene.h"
-#include "visual/house/headline.h"
+#include "result/headline.h"
 
 /* Prints two tables of the same kind with the differences; both are released. */
 static void print_pair(ResultTable a, ResultTable b, const char *succeeded, const char *alike) {

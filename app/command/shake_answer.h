@@ -4,7 +4,7 @@
 #include <jansson.h>
 
 #include "options/options.h"
-#include "visual/house/shake_findings.h"
+#include "result/shake_findings.h"
 
 /* {"kind":"shake", ...}. New; json_decref it. */
 json_t *shake_answer_make(const ShakeFindings *findings, const char *file);

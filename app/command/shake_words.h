@@ -1,6 +1,6 @@
 /* Prints the answer of a study of earthquakes as text. */
 #pragma once
 
-#include "visual/house/shake_findings.h"
+#include "result/shake_findings.h"
 
 void shake_words_print(const ShakeFindings *findings, const char *file);

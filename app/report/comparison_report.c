@@ -6,7 +6,7 @@
 #include "result/house.h"
 #include "result/page.h"
 #include "visual/house/house_scene.h"
-#include "visual/house/headline.h"
+#include "result/headline.h"
 #include "report/report_basis.h"
 #include "report/report_motion.h"
 #include "report/report_people.h"

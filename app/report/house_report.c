@@ -4,7 +4,7 @@
 
 #include "visual/house/house_scene.h"
 #include "visual/house/people_scene.h"
-#include "visual/house/headline.h"
+#include "result/headline.h"
 #include "report/report_basis.h"
 #include "report/report_loci.h"
 #include "report/report_motion.h"

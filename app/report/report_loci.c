@@ -5,7 +5,7 @@
 
 #include "house/locus.h"
 #include "visual/house/blockage_scene.h"
-#include "visual/house/census.h"
+#include "result/census.h"
 #include "visual/house/house_scene.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/plan_scene.h"

@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "base/text.h"
-#include "visual/house/census.h"
+#include "result/census.h"
 #include "visual/house/house_scene.h"
 #include "result/house.h"
 #include "result/page.h"

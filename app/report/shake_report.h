@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "visual/house/shake_findings.h"
+#include "result/shake_findings.h"
 #include "report/report_basis.h"
 
 /* document_clear releases the document; house and findings must outlive it. */

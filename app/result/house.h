@@ -3,8 +3,8 @@
 #pragma once
 
 #include "house/observation.h"
+#include "result/census.h"
 #include "result/result.h"
-#include "visual/house/census.h"
 
 /* Adds a record of one person who took part; or of all who did. House and observation must outlive the table. */
 void result_house_add_person(ResultTable *table, const House *house, const Observation *observation, size_t person);

@@ -37,9 +37,9 @@ app/paint           draw
 app/plot            draw paint
 app/document        draw paint
 app/visual/study    exchange plot study
-app/visual/house    draw experiment house plan plot route space study visual/study
+app/result          beam document draw experiment house study
+app/visual/house    draw experiment house plan plot result route space study visual/study
 app/visual/beam     beam draw exchange mechanics plot visual/house visual/study
-app/result          beam document draw house visual/house
 app/laboratory            beam draw exchange house plan plot visual/beam visual/house
 app/laboratory/edit       house inquiry laboratory plan
 app/laboratory/house      draw house laboratory laboratory/edit plan result visual/house

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "draw/scene.h"
-#include "visual/house/census.h"
+#include "result/census.h"
 #include "visual/house/people_scene.h"
 
 enum {

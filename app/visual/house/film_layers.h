@@ -1,7 +1,7 @@
 /* The parts of a film, for the files that make its layers. */
 #pragma once
 
-#include "visual/house/census.h"
+#include "result/census.h"
 #include "visual/house/film.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/space_scene.h"

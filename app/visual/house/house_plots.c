@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/text.h"
-#include "visual/house/census.h"
+#include "result/census.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/trail.h"
 

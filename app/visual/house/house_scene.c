@@ -5,11 +5,11 @@
 #include <string.h>
 
 #include "visual/house/blockage_scene.h"
-#include "visual/house/census.h"
+#include "result/census.h"
 #include "visual/house/crowd_scene.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/plan_scene.h"
-#include "visual/house/headline.h"
+#include "result/headline.h"
 
 /* The word in the note of a plan that was not measured: such a note must be shown wherever the plan is. */
 static const char ASSUMED[] = "assumed";

@@ -4,7 +4,7 @@
 
 #include "draw/scene.h"
 #include "house/observation.h"
-#include "visual/house/census.h"
+#include "result/census.h"
 
 #define HOUSE_SCENE_GRID 1.0   /* m, between the faint lines of a plan */
 #define HOUSE_SCENE_MARGIN 0.4 /* m, round walls and loci: room for the bands of the exits */

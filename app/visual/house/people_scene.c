@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "visual/house/blockage_scene.h"
-#include "visual/house/census.h"
+#include "result/census.h"
 #include "visual/house/silhouette.h"
 #include "visual/house/space_scene.h"
 

@@ -2,7 +2,7 @@
 
 #include "house/journey.h"
 #include "space/passage.h"
-#include "visual/house/census.h"
+#include "result/census.h"
 
 /* Design points. */
 #define WAY_WIDTH 2.5

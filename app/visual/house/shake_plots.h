@@ -3,7 +3,7 @@
 #pragma once
 
 #include "plot/plot.h"
-#include "visual/house/shake_findings.h"
+#include "result/shake_findings.h"
 
 /* False if nobody ever leaves: the plot would be empty. Its data lives in the arena. */
 bool shake_plots_times(Plot *plot, const ShakeFindings *findings, Arena *arena);

@@ -1,7 +1,7 @@
 #include "visual/house/shake_scene.h"
 
 #include "plan/plan_geometry.h"
-#include "visual/house/census.h"
+#include "result/census.h"
 #include "visual/house/house_scene.h"
 #include "visual/house/people_scene.h"
 #include "visual/house/plan_scene.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "draw/scene.h"
-#include "visual/house/shake_findings.h"
+#include "result/shake_findings.h"
 
 /* Fills an empty scene; scene_clear releases it. */
 void shake_scene_make(Scene *scene, const ShakeFindings *findings);

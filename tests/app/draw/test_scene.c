@@ -13,7 +13,7 @@
 #include "draw/mask.h"
 #include "paint/paint_cairo.h"
 #include "draw/text.h"
-#include "visual/house/census.h"
+#include "result/census.h"
 #include "visual/house/house_scene.h"
 #include "visual/house/silhouette.h"
 

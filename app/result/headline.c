@@ -1,8 +1,8 @@
-#include "visual/house/headline.h"
+#include "result/headline.h"
 
 #include <stdio.h>
 
-#include "visual/house/census.h"
+#include "result/census.h"
 
 /* Prints "p1 is blocked at door d2 after 18.4 s". */
 static void format_stuck(const House *house, const Observation *observation, size_t i, char *text, size_t size) {

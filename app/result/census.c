@@ -1,4 +1,4 @@
-#include "visual/house/census.h"
+#include "result/census.h"
 
 #include <stdint.h>
 #include <stdio.h>

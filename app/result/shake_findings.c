@@ -1,4 +1,4 @@
-#include "visual/house/shake_findings.h"
+#include "result/shake_findings.h"
 
 #include <math.h>
 #include <stdlib.h>
