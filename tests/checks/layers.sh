@@ -75,8 +75,6 @@ shared_headers() {
     cat <<'END'
 app/main\.c                           - # it has no function for others
 app/command/[a-z]+\.c                 app/command/command.h # each verb is one function, a row of the table of verbs
-app/laboratory/laboratories\.c        app/laboratory/laboratory.h # it is a table only
-app/laboratory/house/[a-z_]+\.c       app/laboratory/house/session_parts.h # the files are one session
 app/widgets/ui_[a-z]+\.c              app/widgets/ui.h # the files are one toolkit
 END
 }

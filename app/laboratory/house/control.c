@@ -6,6 +6,7 @@
 #include "base/parameters_number.h"
 #include "laboratory/house/fall.h"
 #include "laboratory/house/schedule.h"
+#include "laboratory/house/picture.h"
 #include "plan/draft_file.h"
 #include "plan/draft_parameter.h"
 
@@ -179,7 +180,7 @@ static void take_ghost(HouseSession *session, const char *word) {
     session->ghost = strcmp(word, "none") == 0 ? GHOST_NONE : strcmp(word, "before") == 0 ? GHOST_BEFORE : GHOST_RIVAL;
     session->retell = true;
     session->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
-    house_session_void_film(session);
+    house_picture_void_film(session);
 }
 
 static const PanelChoice *list_choices(HouseSession *session, size_t *count) {

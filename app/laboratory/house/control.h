@@ -1,7 +1,7 @@
 /* Changes that a person makes to a displayed house apart from editing it, and the transfer of the editor's changes. */
 #pragma once
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/house/session_state.h"
 
 /* Returns the session of a laboratory's context, after taking over the edits since the last call: every function of
  * the laboratory that depends on the draft or on the selection calls it first. */

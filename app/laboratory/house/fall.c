@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/house/picture.h"
 
 /* Pieces ---------------------------------------------------------------------------------------------------------- */
 
@@ -132,7 +132,7 @@ void house_fall_follow(HouseSession *session) {
         other = true;
     }
     if (other)
-        house_session_void_film(session);
+        house_picture_void_film(session);
 }
 
 /* Shortens all delays so that the first waiting fall begins at once. */
@@ -164,7 +164,7 @@ void house_fall_shake(HouseSession *session, uint64_t seed, const char *const *i
     hurry(falls);
     snprintf(falls->words, sizeof falls->words, "shaking (seed %" PRIu64 ")", seed);
     note(falls, session->draft);
-    house_session_void_film(session);
+    house_picture_void_film(session);
 }
 
 /* Display --------------------------------------------------------------------------------------------------------- */

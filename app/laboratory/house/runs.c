@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "laboratory/house/picture.h"
 #include "visual/house/people_scene.h"
 
 #define MARGIN 2 /* samples at the end of a record that still changes are not shown */
@@ -57,7 +58,7 @@ void house_runs_set(HouseSession *session, HouseRunRole role, HouseRun *run) {
     house_runs_retain(run);
     session->runs[role] = run;
     if (role == RUN_EARLY)
-        house_session_void_film(session);
+        house_picture_void_film(session);
     house_runs_release(session, last);
 }
 

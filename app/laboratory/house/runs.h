@@ -14,7 +14,7 @@
  *     routes    ways    while the widths are displayed               when another run is displayed or needed */
 #pragma once
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/house/session_state.h"
 
 /* Events that take a run from its role: bits. */
 enum { RUNS_EDIT = 1, RUNS_ANSWER = 2, RUNS_DISPLAY = 4, RUNS_CLOSE = 8 };

@@ -4,6 +4,7 @@
 
 #include "base/clock.h"
 #include "base/parallel.h"
+#include "laboratory/house/picture.h"
 #include "visual/house/people_scene.h"
 
 #define GRACE 0.3     /* s: a run may take this long before its first part is displayed or it is stopped */
@@ -22,7 +23,7 @@ static void ask_for_run(HouseSession *session, bool brief) {
     if ((session->runs[RUN_RIVAL] && !house_runs_is_over(session, RUN_RIVAL)) ||
         (session->runs[RUN_ROUTES] && !house_runs_is_over(session, RUN_ROUTES))) {
         house_runs_drop(session, RUNS_DISPLAY); /* the worker must compute the latest run first */
-        house_session_void_film(session);
+        house_picture_void_film(session);
     }
     house_runs_ask(session, RUN_LATEST, brief);
     session->changed |= LABORATORY_PARAMETERS;
@@ -113,7 +114,7 @@ bool house_schedule_store(HouseSession *session, bool by_itself) {
     session->kept_itself = by_itself;
     session->ghost = by_itself && session->ghost != GHOST_NONE ? session->ghost : GHOST_BEFORE;
     session->retell = true;
-    house_session_void_film(session);
+    house_picture_void_film(session);
     return true;
 }
 
@@ -123,7 +124,7 @@ void house_schedule_clear(HouseSession *session) {
     session->ghost = session->ghost == GHOST_BEFORE ? GHOST_NONE : session->ghost;
     session->retell = true;
     session->changed |= LABORATORY_WORDS | LABORATORY_PLOTS;
-    house_session_void_film(session);
+    house_picture_void_film(session);
 }
 
 /* Errors ---------------------------------------------------------------------------------------------------------- */
@@ -191,7 +192,7 @@ static void select_again(HouseSession *session, const House *before, const House
 
 /* Completes the displayed run: its own observation replaces the growing one. */
 static void finish(HouseSession *session) {
-    house_session_void_film(session);
+    house_picture_void_film(session);
     trail_clear(&session->trails);
     observation_free(&session->growing);
     session->whole = true;
@@ -205,7 +206,7 @@ static void finish(HouseSession *session) {
 /* Displays another run. */
 static void swap_in(HouseSession *session, HouseRun *run) {
     const HouseRun *last = session->runs[RUN_SHOWN];
-    house_session_void_film(session);
+    house_picture_void_film(session);
     trail_clear(&session->trails);
     observation_free(&session->growing);
     clear_trouble(session);
@@ -301,7 +302,7 @@ static void update_shown(HouseSession *session, double time) {
     trail_grow(&session->trails, session->observation);
     if (session->film && !session->film_is_stale)
         film_extend(session->film);
-    house_session_plots_make(session, false);
+    house_picture_make_plots(session, false);
     if (clock_now() - session->words.said > GRACE) {
         session->retell = true;
         session->changed |= LABORATORY_WORDS;
@@ -316,7 +317,7 @@ static bool update_companion(HouseSession *session, HouseRunRole role) {
         house_runs_ask(session, role, false);
     session->runs[role]->noticed = house_run_stage(session->runs[role]) == HOUSE_OVER;
     if (session->runs[role]->noticed)
-        house_session_void_film(session);
+        house_picture_void_film(session);
     return session->runs[role]->noticed;
 }
 

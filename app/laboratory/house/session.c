@@ -6,6 +6,7 @@
 #include "plan/draft_file.h"
 #include "laboratory/house/control.h"
 #include "laboratory/house/schedule.h"
+#include "laboratory/house/picture.h"
 #include "laboratory/house/text.h"
 #include "laboratory/save_file.h"
 
@@ -16,13 +17,18 @@ static size_t rows_recorded(const HouseSession *session) {
     return session->runs[RUN_SHOWN] ? session->observation->trace.rows : 0;
 }
 
+/* Returns the items that can be picked; a run must be displayed. */
+static HouseScenery scenery_of(const HouseSession *session) {
+    return (HouseScenery){&session->runs[RUN_SHOWN]->house, session->observation, session->trails.trails};
+}
+
 /* The editor ------------------------------------------------------------------------------------------------------- */
 
 /* Passes the displayed house to the editor. */
 static void tell_editor(HouseSession *session) {
     EditorScene scene = {.time = session->time};
     if (session->runs[RUN_SHOWN]) {
-        scene.scenery = house_scenery(session);
+        scene.scenery = scenery_of(session);
         scene.revision = house_run_revision(session->runs[RUN_SHOWN]);
     }
     editor_set_scene(session->editor, &scene);
@@ -43,14 +49,14 @@ static unsigned update(void *context, double time) {
     unsigned changed = session->changed;
     session->changed = 0;
     if (session->runs[RUN_SHOWN]) {
-        house_show_make(session, time);
+        house_picture_make_film(session, time);
         changed |= session->changed; /* another plan applies at that time */
         session->changed = 0;
         if (changed & LABORATORY_VIEW)
             film_look(session->film, session->camera);
         session->fresh = session->fresh || changed & LABORATORY_VIEW;
         if (changed & LABORATORY_PLOTS)
-            house_session_plots_make(session, true);
+            house_picture_make_plots(session, true);
         if (changed & LABORATORY_WORDS)
             house_text_make(session, time);
         if (changed & LABORATORY_PARAMETERS)
@@ -131,7 +137,7 @@ static void close_house(void *context) {
         film_destroy(session->film);
     house_schedule_end(session);
     house_fall_clear(session);
-    house_session_plots_clear(session);
+    house_picture_clear_plots(session);
     house_text_clear(session);
     house_value_clear(&session->values);
     house_value_clear(&session->opened);
@@ -163,9 +169,9 @@ static double reach(void *context, double time) {
 static bool show(void *context, double time) {
     HouseSession *session = house_control_sync(context);
     session->time = time;
-    house_show_make(session, time);
+    house_picture_make_film(session, time);
     tell_editor(session);
-    if (!house_session_has_film(session))
+    if (!house_picture_has_film(session))
         return false;
     if (session->fresh)
         film_restart(session->film);
@@ -176,30 +182,30 @@ static bool show(void *context, double time) {
 
 static bool rests(const void *context, double time) {
     const HouseSession *session = context;
-    return house_session_has_film(session) && !session->fresh && !session->fall.count &&
+    return house_picture_has_film(session) && !session->fresh && !session->fall.count &&
            house_run_epoch(session->runs[RUN_SHOWN], time) == session->epoch && film_is_unchanged(session->film, time);
 }
 
 static const Scene *still(void *context) {
     HouseSession *session = house_control_sync(context);
-    house_show_make(session, session->time); /* a call since the last update may have made the film stale */
-    return house_session_has_film(session) ? film_still(session->film) : &session->nothing;
+    house_picture_make_film(session, session->time); /* a call since the last update may have made the film stale */
+    return house_picture_has_film(session) ? film_still(session->film) : &session->nothing;
 }
 
 static const Scene *added(const void *context) {
     const HouseSession *session = context;
-    return house_session_has_film(session) ? film_added(session->film) : &session->nothing;
+    return house_picture_has_film(session) ? film_added(session->film) : &session->nothing;
 }
 
 static const Scene *moving(const void *context) {
     const HouseSession *session = context;
-    return house_session_has_film(session) ? film_moving(session->film) : &session->nothing;
+    return house_picture_has_film(session) ? film_moving(session->film) : &session->nothing;
 }
 
 static void look(void *context, Camera camera) {
     HouseSession *session = house_control_sync(context);
     if (camera.kind != session->camera.kind)
-        house_session_void_film(session);
+        house_picture_void_film(session);
     session->camera = camera;
     session->changed |= LABORATORY_VIEW;
 }
@@ -207,7 +213,7 @@ static void look(void *context, Camera camera) {
 static void reveal(void *context, unsigned layers) {
     HouseSession *session = context;
     if (layers != session->layers)
-        house_session_void_film(session);
+        house_picture_void_film(session);
     session->layers = layers;
 }
 
@@ -217,7 +223,7 @@ static size_t plot_count(const void *context) {
 }
 
 static LaboratoryPlot plot(const void *context, size_t index) {
-    return house_session_plots_at(context, index);
+    return house_picture_plot(context, index);
 }
 
 static size_t until(const void *context, size_t plot, size_t series, double time) {
@@ -290,13 +296,13 @@ static const char *trouble(const void *context, double *time) {
 
 static Item pick(const void *context, Vec2 at, double time, Item below) {
     const HouseSession *session = context;
-    HouseScenery scenery = session->runs[RUN_SHOWN] ? house_scenery(session) : (HouseScenery){NULL, NULL, NULL};
+    HouseScenery scenery = session->runs[RUN_SHOWN] ? scenery_of(session) : (HouseScenery){NULL, NULL, NULL};
     return session->runs[RUN_SHOWN] ? house_item_at(&scenery, at, time, below) : (Item){0, 0};
 }
 
 static Item next(const void *context, Item thing, int step) {
     const HouseSession *session = context;
-    HouseScenery scenery = session->runs[RUN_SHOWN] ? house_scenery(session) : (HouseScenery){NULL, NULL, NULL};
+    HouseScenery scenery = session->runs[RUN_SHOWN] ? scenery_of(session) : (HouseScenery){NULL, NULL, NULL};
     return session->runs[RUN_SHOWN] ? house_item_next(&scenery, thing, step) : (Item){0, 0};
 }
 
@@ -326,7 +332,7 @@ static size_t outline(void *context, Item thing, double time, Vec2 *points) {
     HouseSession *session = context;
     if (!session->runs[RUN_SHOWN])
         return 0;
-    HouseScenery scenery = house_scenery(session);
+    HouseScenery scenery = scenery_of(session);
     size_t count = house_item_outline(&scenery, thing, time, points);
     const FurnitureFall *fall = NULL;
     if (count && thing.kind == HOUSE_FURNITURE)

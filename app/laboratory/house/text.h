@@ -1,7 +1,7 @@
 /* Makes the texts about a displayed house: the answer, the rows of the panel, the marks of the timeline. */
 #pragma once
 
-#include "laboratory/house/session_parts.h"
+#include "laboratory/house/session_state.h"
 
 /* Rebuilds the texts that are out of date; `time` is the displayed time. */
 void house_text_make(HouseSession *session, double time);

@@ -1,4 +1,4 @@
-/* The state of a house session, for the files of this folder. */
+/* The state of a house session, for the files of this folder only. */
 #pragma once
 
 #include "plan/draft.h"
@@ -110,26 +110,3 @@ typedef struct HouseSession {
     const char **command; /* the words of the command line */
     Arena command_arena;
 } HouseSession;
-
-/* Returns the items that can be picked; a run must be displayed. */
-static inline HouseScenery house_scenery(const HouseSession *session) {
-    return (HouseScenery){&session->runs[RUN_SHOWN]->house, session->observation, session->trails.trails};
-}
-
-/* Makes the film stale: it is rebuilt before it is displayed. */
-static inline void house_session_void_film(HouseSession *session) {
-    session->film_is_stale = true;
-    session->changed |= LABORATORY_VIEW;
-}
-
-static inline bool house_session_has_film(const HouseSession *session) {
-    return session->film && !session->film_is_stale;
-}
-
-/* Rebuilds the film for a time if it is missing or stale. */
-void house_show_make(HouseSession *session, double time);
-
-/* Makes the plots of the displayed run; `anew`: for another run, person or ghost, not only with more rows. */
-void house_session_plots_make(HouseSession *session, bool anew);
-void house_session_plots_clear(HouseSession *session);
-LaboratoryPlot house_session_plots_at(const HouseSession *session, size_t index);
