@@ -41,13 +41,15 @@ static const char *between(Document *document, const Share *share) {
 /* Adds the answer again above the picture, with its confidence interval. */
 static void add_answer(Document *document, const ShakeFindings *findings, const Making *making) {
     const char *times = shake_findings_times(findings, &document->arena);
-    const char *name = house_report_name(findings->house);
-    document_add_paragraph(
-        document, document_text(document,
-                                "%zu shakes were simulated, with seeds from %" PRIu64 " on. Everybody gets out in "
-                                "%.1f %% of them, with 95 %% confidence in %s.",
-                                findings->shakes, findings->study->seed, 100 * findings->everybody.value,
-                                between(document, &findings->everybody)));
+    const Share *share = &findings->everybody;
+    const char *answer = "No shake was simulated to its end.";
+    if (findings->shakes)
+        answer = document_text(document,
+                               "%zu shakes were simulated, with seeds from %" PRIu64 " on. Everybody gets out in "
+                               "%.1f %% of them, with 95 %% confidence in %.0f to %.0f %%.",
+                               findings->shakes, findings->study->seed, 100 * share->value, 100 * share->low,
+                               100 * share->high);
+    document_add_paragraph(document, answer);
     if (*times)
         document_add_paragraph(document, document_text(document,
                                                        "%c%s. Times include movement only, not the shake, alarm "
@@ -64,8 +66,9 @@ static void add_answer(Document *document, const ShakeFindings *findings, const 
         document_text(document,
                       "%s, seen from above, before a shake. Dashed: where furniture would "
                       "fall. In colour: furniture that stops people, with the share of shakes in which it does.",
-                      name),
-        document_text(document, "Plan of %s with the furniture that stops people after a shake.", name));
+                      house_report_name(findings->house)),
+        document_text(document, "Plan of %s with the furniture that stops people after a shake.",
+                      house_report_name(findings->house)));
 }
 
 static void add_people(Document *document, const ShakeFindings *findings) {

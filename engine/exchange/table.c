@@ -26,8 +26,12 @@ void table_fault(const TableReader *reader, TablePlace place, const char *what, 
 }
 
 size_t table_heading(const char *text, char unit[TABLE_SHOWN]) {
-    const char *from = text + strcspn(text, "[(");
-    snprintf(unit, TABLE_SHOWN, "%.*s", (int)strcspn(from + (*from != 0), "])"), from + (*from != 0));
+    size_t begin = strcspn(text, "[(");
+    begin += text[begin] != 0;
+    size_t length = strcspn(text + begin, "])");
+    length = length < TABLE_SHOWN ? length : TABLE_SHOWN - 1;
+    memcpy(unit, text + begin, length);
+    unit[length] = 0;
     return strcspn(text, " [(");
 }
 

@@ -106,8 +106,8 @@ static void write_detail(BeamAnswer *answer, const Beam *beam, const BeamLately 
         strcpy(another, "   ");
         another_words(lately, another + 3, sizeof another - 3);
     }
-    snprintf(answer->detail, sizeof answer->detail, "%s%s%s   %.1f Hz, gap %.3g mm%s", type, peaks, exponent,
-             beam->frequency, 1000 * beam->clearance, another);
+    answer->result.detail = text_in_arena(&answer->arena, "%s%s%s   %.1f Hz, gap %.3g mm%s", type, peaks, exponent,
+                                          beam->frequency, 1000 * beam->clearance, another);
 }
 
 /* Rows --------------------------------------------------------------------------------------------------------------*/
@@ -167,7 +167,6 @@ static void add_natural(BeamAnswer *answer, const BeamVerdict *verdict) {
 
 static void write_rows(BeamAnswer *answer, const BeamLately *lately, const BeamVerdict *verdict) {
     answer->row_count = 0;
-    arena_clear(&answer->arena);
     if (!verdict) {
         add_row(answer, ROW_HEADING, "Running now", NULL);
         add_peaks(answer, &lately->peaks);
@@ -197,11 +196,11 @@ void beam_answer_write(BeamAnswer *answer, const BeamTape *tape, const Beam *bea
         title_lately(answer, tape, lately);
     else
         title_verdict(answer, verdict);
+    arena_clear(&answer->arena);
     write_detail(answer, beam, lately, verdict);
     write_rows(answer, lately, verdict);
     bool resolved = !verdict || verdict->verdict == RESPONSE_PERIODIC || verdict->verdict == RESPONSE_CHAOTIC;
     answer->result.title = answer->title;
-    answer->result.detail = answer->detail;
     answer->result.role = failed || !resolved ? ROLE_ERROR : ROLE_TEXT;
     answer->result.stale = !verdict && !failed;
 }

@@ -18,11 +18,11 @@ typedef struct BeamLately {
 BeamLately beam_answer_look(const BeamTape *tape);
 
 typedef struct BeamAnswer {
-    char title[64], detail[240], doing[80];
+    char title[64], doing[80];
     Result result;
     PanelRow *rows; /* (row_count) */
     size_t row_count, row_capacity;
-    Arena arena; /* holds the texts of the rows */
+    Arena arena; /* holds the detail and the texts of the rows */
 } BeamAnswer;
 
 /* Writes the answer; `verdict` must belong to the present beam, or be NULL. */
