@@ -140,10 +140,17 @@ bool editor_holds_number(Editor *edit) {
     return edit->number_held;
 }
 
-void editor_reset(Editor *edit, const char *step) {
+bool editor_reset(Editor *edit, const char *step) {
     edit_gesture_drop(edit);
-    edit->number_held = false;
+    if (edit->number_held) {
+        draft_cancel(edit->draft);
+        edit->number_held = false;
+        edit->changed = true;
+    }
+    uint64_t before = draft_revision(edit->draft);
     draft_file_reset(edit->draft, step);
+    edit->changed |= draft_revision(edit->draft) != before;
+    return draft_revision(edit->draft) != before;
 }
 
 const char *editor_image_trouble(Editor *edit) {

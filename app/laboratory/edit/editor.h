@@ -171,8 +171,9 @@ void editor_hold_number(Editor *editor, const char *step);
 bool editor_holds_number(Editor *editor);
 void editor_settle(Editor *editor);
 
-/* Sets all numbers back to those in the file, as one step. */
-void editor_reset(Editor *editor, const char *step);
+/* Cancels the gesture or the dragged number, then restores the house of the file as one step. False: the draft was as
+ * in the file. */
+bool editor_reset(Editor *editor, const char *step);
 
 /* Returns one line that says why the trace image is missing or differs from the original; NULL: it is unchanged, or
  * there is none. */

@@ -49,7 +49,9 @@ void house_control_hold(void *context, const char *name) {
 }
 
 void house_control_settle(void *context) {
-    editor_settle(house_control_sync(context)->editor);
+    HouseSession *session = house_control_sync(context);
+    editor_settle(session->editor);
+    house_control_sync(session); /* the number counts from the displayed time, before another gesture begins */
 }
 
 /* Sets the value of a row in the draft: as its own step, unless a number is being dragged. */
@@ -104,16 +106,14 @@ bool house_control_set(void *context, const char *name, double value, Fault *fau
 
 void house_control_reset(void *context) {
     HouseSession *session = house_control_sync(context);
-    uint64_t before = draft_revision(session->draft);
-    editor_reset(session->editor, "Reset scene");
-    if (draft_revision(session->draft) == before)
-        return;
+    bool other = editor_reset(session->editor, "Reset scene");
     for (size_t i = 0; i < session->values.count; i++)
         session->values.rows[i].value = session->values.rows[i].initial;
-    if (session->kept_itself)
+    if (other && session->kept_itself)
         house_schedule_clear(session);
-    house_history_begin(&session->history, draft_text(session->draft), draft_revision(session->draft));
-    house_schedule_apply_edit(session);
+    if (other)
+        house_history_begin(&session->history, draft_text(session->draft), draft_revision(session->draft));
+    house_control_sync(session);
 }
 
 /* Choices ---------------------------------------------------------------------------------------------------------- */

@@ -69,6 +69,12 @@ static void note_history(HouseSession *session) {
         house_history_begin(&session->history, text, revision);
 }
 
+/* True if a run of this plan alone, with the present wish, was requested last and is not stopped. */
+static bool is_requested(const HouseSession *session, const HouseEpoch *plan) {
+    HouseRun *run = session->runs[RUN_LATEST] ? session->runs[RUN_LATEST] : session->runs[RUN_SHOWN];
+    return house_runs_is_of(session, run, plan, 1) && !run->stop && house_run_stage(run) < HOUSE_OVER;
+}
+
 /* Requests the runs that the answer and the display still need. */
 static void ask_missing(HouseSession *session) {
     HouseEpoch now = {0, NULL, draft_revision(session->draft)};
@@ -83,7 +89,7 @@ static void ask_missing(HouseSession *session) {
     } else if (!mixed && session->whole && house_runs_is_of(session, session->runs[RUN_SHOWN], &now, 1)) {
         forget_asked(session);
         set_clean(session, NULL);
-    } else {
+    } else if (!is_requested(session, &now)) {
         house_schedule_request(session);
     }
 }

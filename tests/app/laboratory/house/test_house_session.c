@@ -12,6 +12,7 @@
 #include "case.h"
 #include "check.h"
 #include "house/run.h"
+#include "laboratory/edit/editor.h"
 #include "visual/house/silhouette.h"
 
 static const Laboratory *const kind = &house_laboratory;
@@ -301,6 +302,72 @@ TEST(an_edit_on_the_way_goes_on_from_there) {
           digest_of("ube-techno-house", (const char *[]){"profile.manual-chair.drive.free_speed=0.4", NULL}, NULL, -1));
     free((char *)title);
     kind->close(live);
+}
+
+/* True if the displayed run changes its plan at a time, as the note says it. */
+static bool is_mixed_at(void *live, const char *time) {
+    Text text = {0};
+    text_format(&text, "plan changed at %s s", time);
+    bool mixed = strstr(kind->note(live), text.text);
+    memory_free(text.text);
+    return mixed;
+}
+
+TEST(a_reset_while_a_number_is_dragged_changes_nothing_if_nothing_was_changed_before) {
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    settle(live, 0);
+    kind->update(live, 4);
+    CHECK(set(live, "door.d5.width", 0.97));
+    settle(live, 4);
+    CHECK(is_mixed_at(live, "4.0"));
+    kind->update(live, 6);
+    CHECK(editor_undo(kind->editor(live)));
+    settle(live, 6);
+    CHECK(is_mixed_at(live, "6.0"));
+    kind->reset(live); /* the draft is as in the file: the changes on the way stay */
+    settle(live, 6);
+    CHECK(is_mixed_at(live, "6.0"));
+    uint64_t mixed = house_session_digest(live);
+    double width = parameter(live, "door.d5.width")->value;
+    kind->hold(live, "door.d5.width");
+    CHECK(set(live, "door.d5.width", 0.96));
+    kind->reset(live);
+    settle(live, 6);
+    CHECK(is_mixed_at(live, "6.0"));
+    CHECK(house_session_digest(live) == mixed);
+    CHECK_NEAR(parameter(live, "door.d5.width")->value, width, 0);
+    kind->close(live);
+}
+
+TEST(a_number_counts_from_the_time_at_which_it_was_put_down) {
+    void *live = open_live("ube-techno-house", NULL, 0, NULL);
+    settle(live, 0);
+    kind->update(live, 4);
+    kind->hold(live, "door.d5.width");
+    CHECK(set(live, "door.d5.width", 0.97));
+    kind->settle(live);
+    editor_set_tool(kind->editor(live), TOOL_PERSON);
+    CHECK(editor_enter(kind->editor(live))); /* a gesture begins at once */
+    kind->update(live, 4);
+    kind->update(live, 7);
+    CHECK(editor_escape(kind->editor(live)));
+    settle(live, 7);
+    CHECK(is_mixed_at(live, "4.0"));
+    kind->close(live);
+}
+
+TEST(a_number_that_is_only_touched_does_not_restart_the_run) {
+    void *live = open_live("hall-10000", (const char *[]){"crowd.people.count=2000", "run.sample=0.1"}, 2, NULL);
+    for (double begun = now(); now() - begun < 200 && (kind->answer(live).stale || kind->span(live).end == 0); rest())
+        kind->update(live, 0);
+    CHECK(!kind->answer(live).stale && !kind->span(live).complete);
+    size_t count;
+    const PanelParameter *all = kind->parameters(live, &count);
+    CHECK(count > 0);
+    kind->hold(live, all[0].name);
+    kind->settle(live);
+    CHECK(!kind->answer(live).stale);
+    close_at_once(live);
 }
 
 TEST(the_newest_change_wins) {
