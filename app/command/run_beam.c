@@ -150,11 +150,12 @@ static bool write_data(const Response *response, json_t *answer, const char *out
 
 /* Refuses options that are for houses only. */
 static bool check_options(const Options *options) {
-    const char *foreign = options->route          ? "--route"
-                          : options->driving >= 0 ? "--driving"
-                          : options->report       ? "--report"
-                          : options->observed     ? "--observed"
-                                                  : NULL;
+    const char *foreign = options->route                      ? "--route"
+                          : options->driving >= 0             ? "--driving"
+                          : options->report                   ? "--report"
+                          : options->observed                 ? "--observed"
+                          : options_given(options, "--until") ? "--until"
+                                                              : NULL;
     if (foreign)
         fprintf(stderr, "clearance: %s is for houses, %s is a beam\n", foreign, options->files[0]);
     return !foreign;

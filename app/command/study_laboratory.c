@@ -6,10 +6,11 @@
 #include "laboratory/shipped.h"
 
 static bool open_beam(Experiment *experiment, const Options *options, Fault *fault) {
-    const char *foreign = options->route          ? "--route"
-                          : options->driving >= 0 ? "--driving"
-                          : options->study.shakes ? "--shake"
-                                                  : NULL;
+    const char *foreign = options->route                      ? "--route"
+                          : options->driving >= 0             ? "--driving"
+                          : options->study.shakes             ? "--shake"
+                          : options_given(options, "--until") ? "--until"
+                                                              : NULL;
     if (foreign)
         fault_add(fault, "clearance: %s is for houses, %s is a beam", foreign, options->files[0]);
     if (foreign ||

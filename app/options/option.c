@@ -18,11 +18,13 @@ static bool read_setting(Options *options, const char *value) {
     return true;
 }
 
-/* Takes --until as the parameter that it is. */
+#define UNTIL_MOST 1e5 /* s, as for the parameter run.until */
+
+/* Stores --until as the setting of run.until. */
 static bool read_until(Options *options, const char *value) {
     char *end;
     double seconds = strtod(value, &end);
-    return *value && !*end && seconds >= 0 &&
+    return *value && !*end && seconds >= 0 && seconds <= UNTIL_MOST &&
            read_setting(options, text_in_arena(&options->arena, "run.until=%s", value));
 }
 
@@ -104,7 +106,7 @@ const Option option_rows[] = {
     {"--driving", OPTION_CHOICE, FIELD(driving), NO_RANGE, "driver|miura",
      "driving model of all chairs: driver is a rectangle that steers along a planned path, miura the disc of the paper",
      GROUP_SIMULATION, (FOR_HOUSES & ~FOR_LOCI) | FOR_OPEN, "driver|miura", NULL},
-    {"--until", OPTION_READ, NO_FIELD, NO_RANGE, "SECONDS", "stop at this simulated time", GROUP_SIMULATION,
+    {"--until", OPTION_READ, NO_FIELD, 0, UNTIL_MOST, "SECONDS", "stop at this simulated time", GROUP_SIMULATION,
      FOR_RUN | FOR_COMPARE | FOR_STUDY, NULL, read_until},
     {"--seed", OPTION_WHOLE, FIELD(seed), 0, (double)INT64_MAX, "N", "seed of all random numbers (default 1)",
      GROUP_SIMULATION, FOR_HOUSES | FOR_CASES | FOR_OPEN, NULL, NULL},

@@ -34,7 +34,7 @@ typedef struct Option {
     const char *name; /* "--seed" */
     OptionKind kind;
     size_t offset, size;  /* bytes, of its field in Options; 0 where `read` takes the value */
-    double low, high;     /* of a number, both ends allowed */
+    double low, high;     /* of a number, both ends allowed; equal: no range */
     const char *argument; /* placeholder, "N"; NULL: none */
     const char *help;     /* begins in lower case and has no full stop */
     OptionGroup group;

@@ -1,5 +1,6 @@
 #include "options/options.h"
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -44,13 +45,12 @@ int options_complain(const char *what, const char *word, const char *const *know
     return EXIT_WRONG_INPUT;
 }
 
-/* The values that an option takes: "N from 1 to 1024", "SECONDS of at least 0", "driver|miura". */
+/* Returns the values that an option takes: "N from 1 to 1024", "driver|miura". */
 static const char *expected(const Option *option, Arena *arena) {
-    bool number = option->kind == OPTION_NUMBER || option->kind == OPTION_WHOLE;
-    if (!number || option->words)
+    if (option->high <= option->low || option->words)
         return option->argument;
-    if (option->high >= 1e9)
-        return text_in_arena(arena, "%s of at least %g", option->argument, option->low);
+    if (option->high >= (double)INT64_MAX) /* which a double rounds up */
+        return text_in_arena(arena, "%s from %g to %" PRId64, option->argument, option->low, INT64_MAX);
     return text_in_arena(arena, "%s from %g to %.10g", option->argument, option->low, option->high);
 }
 

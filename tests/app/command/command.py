@@ -157,6 +157,23 @@ def check_wrong_use():
         expect(0, *arguments)
 
 
+def check_numbers():
+    """A number out of its range is refused in one line that gives the range."""
+    beam = str(source / "assets/beams/ibs.json")
+    for option, taken, values in (
+        ("--slow", "TIMES from 0.001 to 1000000000", ("1e10", "1e300", "nan", "inf", "-1", "0", "")),
+        ("--jobs", "N from 1 to 1024", ("0", "-1", "1.5", "1e3", "nan", "9223372036854775808", "")),
+        ("--seed", "N from 0 to 9223372036854775807", ("9223372036854775808", "-1", "1.5", "nan", "")),
+        ("--from", "SECONDS from 0 to 1000000000", ("-1", "1e10", "nan", "")),
+        ("--until", "SECONDS from 0 to 100000", ("-1", "1e6", "1e400", "nan", "inf", "")),
+    ):
+        for value in values:
+            done = expect(2, "run", beam, f"{option}={value}", says=f'clearance: {option} takes {taken}, not "{value}": ')
+            check(done.stderr.count("\n") == 1, f"{option}={value}: {done.stderr}")
+    expect(2, "run", beam, "--until", "3", says="--until is for houses")
+    expect(2, "study", beam, "--runs", "2", "--until", "3", says="--until is for houses")
+
+
 def check_help():
     """Help fits into 100 columns, groups options by use, and has the topics that the README refers to."""
     for verb in ("open", "run", "check", "compare", "study", "loci", "cases", "import", "export", "schema", "help"):
@@ -262,7 +279,7 @@ def check_interrupt():
         check(os.path.exists(os.path.join(out, "summary.json")), "interrupted: what there is is kept")
 
 
-for part in (check_answers, check_crowds, check_beams, check_options, check_wrong_use, check_help, check_open,
-             check_files, check_cases, check_interrupt):
+for part in (check_answers, check_crowds, check_beams, check_options, check_wrong_use, check_numbers, check_help,
+             check_open, check_files, check_cases, check_interrupt):
     part()
 end()
