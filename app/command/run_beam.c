@@ -19,13 +19,11 @@
 
 /* Type ------------------------------------------------------------------------------------------------------------ */
 
-enum { EACH = 32 /* room for "400 cycles" */ };
-
 /* The type and the runs that it rests on; type_close releases it. */
 typedef struct TypeAnswer {
     Types types;
     Experiment quick, thorough;
-    char each[EACH]; /* length of a run */
+    int cycles; /* length of a run */
 } TypeAnswer;
 
 static void type_close(TypeAnswer *answer) {
@@ -35,7 +33,7 @@ static void type_close(TypeAnswer *answer) {
 
 static bool type_tell(TypeAnswer *answer, const Beam *beam, const Options *options, Fault *fault) {
     const char *place = options->files[0];
-    snprintf(answer->each, EACH, "%d cycles", beam->transient_cycles + beam->cycles);
+    answer->cycles = beam->transient_cycles + beam->cycles;
     if (!beam_experiment_of(&answer->quick, beam, place, fault))
         return false;
     if (!beam_experiment_of(&answer->thorough, beam, place, fault)) {
@@ -108,7 +106,7 @@ static void print_answer(const Response *response, const Facts *facts, const Typ
     Text text = {0};
     print_verdict(response, beam, rig);
     printf("\n");
-    types_answer_print(&type->types, &type->quick, type->each);
+    types_answer_print(&type->types, &type->quick, type->cycles);
     result_text_list(&text, (const ResultTable *const[]){&facts->motion, &facts->forces}, 2);
     printf("\n%s", text.text);
     memory_free(text.text);
@@ -129,7 +127,7 @@ static json_t *make_answer(const Response *response, const Facts *facts, const T
     json_t *answer = json_pack("{s:s, s:s, s:s}", "kind", "beam", "beam", beam->name, "note", beam->note);
     result_json_add(answer, &facts->motion, 0);
     json_object_set_new(answer, "type", json_string(types_kind_name(type->types.kind)));
-    json_object_set_new(answer, "types", types_answer_json(&type->types, &type->quick, type->each));
+    json_object_set_new(answer, "types", types_answer_json(&type->types, &type->quick, type->cycles));
     result_json_add(answer, &facts->forces, 0);
     json_object_set_new(answer, "digest", json_string(digest));
     return answer;

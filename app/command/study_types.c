@@ -56,7 +56,7 @@ bool study_types_of_runs(StudyTypes *types, Experiment *experiment, Fault *fault
 
 static json_t *make_answer(const Types *types, const Experiment *experiment, const Options *options) {
     return json_pack("{s:s, s:s, s:s, s:s, s:o}", "kind", "types", "file", options->files[0], "of", experiment->kind,
-                     "type", types_kind_name(types->kind), "types", types_answer_json(types, experiment, NULL));
+                     "type", types_kind_name(types->kind), "types", types_answer_json(types, experiment, 0));
 }
 
 static bool write_answer(const json_t *answer, const Options *options) {
@@ -68,6 +68,11 @@ static bool write_answer(const json_t *answer, const Options *options) {
     return !error;
 }
 
+static void print_answer(const Types *types, const Experiment *experiment) {
+    types_answer_print(types, experiment, 0);
+    types_answer_print_parameters(types, experiment);
+}
+
 /* Prints and writes the answer. Returns the exit code. */
 static int give_answer(const Types *types, const Experiment *experiment, const Options *options) {
     json_t *answer = make_answer(types, experiment, options);
@@ -75,7 +80,7 @@ static int give_answer(const Types *types, const Experiment *experiment, const O
     if (options->json)
         answer_print(json_incref(answer));
     else
-        types_answer_print(types, experiment, NULL);
+        print_answer(types, experiment);
     if (options->out && written && !options->json)
         printf("\ndata are in %s\n", options->out);
     json_decref(answer);

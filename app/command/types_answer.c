@@ -1,11 +1,12 @@
 #include "command/types_answer.h"
 
-#include <math.h>
 #include <stdio.h>
 
 #include "base/clock.h"
 #include "command/progress.h"
-#include "visual/study/advice.h"
+#include "result/json.h"
+#include "result/text.h"
+#include "result/types.h"
 
 /* Telling --------------------------------------------------------------------------------------------------------- */
 
@@ -41,70 +42,50 @@ bool types_answer_tell(Types *types, const Experiment *experiment, const Experim
     return good;
 }
 
-/* Words ----------------------------------------------------------------------------------------------------------- */
+/* Text ------------------------------------------------------------------------------------------------------------ */
 
-void types_answer_print(const Types *types, const Experiment *experiment, const char *each) {
+void types_answer_print(const Types *types, const Experiment *experiment, int cycles) {
+    ResultTable basis = result_types_basis(types, experiment, cycles);
+    printf("%s", result_find(&basis, 0, "advice")->text);
+    result_clear(&basis);
+}
+
+void types_answer_print_parameters(const Types *types, const Experiment *experiment) {
+    ResultTable parameters = result_types_parameters(types, experiment);
     Text text = {0};
-    advice_write(&text, types, experiment, each);
-    printf("%s", text.text);
+    result_text_table(&text, &parameters);
+    printf("\n%s", text.text ? text.text : "");
     memory_free(text.text);
+    result_clear(&parameters);
 }
 
 /* JSON ------------------------------------------------------------------------------------------------------------ */
 
-static json_t *known(double value) {
-    return isfinite(value) ? json_number(value) : json_null();
+/* Appends the members of the only record of a table, and releases it. */
+static void add_record(json_t *object, ResultTable table) {
+    result_json_add(object, &table, 0);
+    result_clear(&table);
 }
 
-static json_t *side_json(const Neighbour *side) {
-    return json_pack("{s:o, s:o, s:o}", "at", known(side->found ? side->value : NAN), "away",
-                     known(side->found ? side->share : NAN), "looked", json_number(side->reached));
+static json_t *list_of(ResultTable table) {
+    json_t *list = result_json_list(&table);
+    result_clear(&table);
+    return list;
 }
 
-static json_t *parameter_json(const TypesParameter *parameter, const Experiment *experiment) {
-    return json_pack("{s:s, s:s, s:o, s:o, s:b, s:o, s:o}", "name", parameter->name, "unit",
-                     experiment->parameter(experiment->given, parameter->name)->unit, "value",
-                     json_number(parameter->nominal), "sensitivity", known(parameter->sensitivity), "jumps",
-                     isinf(parameter->sensitivity) != 0, "below", side_json(&parameter->below), "above",
-                     side_json(&parameter->above));
-}
-
-static json_t *point_json(const Types *types, const TypesPoint *point, const Experiment *experiment) {
-    bool centre = point->parameter == types->parameter_count;
-    json_t *answers = json_array();
-    for (size_t a = 0; a < point->answer_count; a++)
-        json_array_append_new(
-            answers, json_pack("{s:o, s:o, s:I}", experiment->observables[experiment->outcome].name,
-                               known(point->answers[a].outcome), experiment->observables[experiment->measure].name,
-                               known(point->answers[a].measure), "starts", (json_int_t)point->answers[a].starts));
-    return json_pack("{s:o, s:o, s:b, s:I, s:I, s:o}", "parameter",
-                     centre ? json_null() : json_string(types->parameters[point->parameter].name), "value",
-                     known(point->value), "possible", point->possible, "irregular", (json_int_t)point->irregular,
-                     "untold", (json_int_t)point->undecided, "answers", answers);
-}
-
-static const char *reason_name(TypesReason reason) {
-    static const char *const names[] = {
-        [TYPES_ALL_WELL] = "one answer",     [TYPES_STEEP_ANSWER] = "steep", [TYPES_SEVERAL] = "several answers",
-        [TYPES_NOT_REGULAR] = "not regular", [TYPES_FLIPS] = "flips",        [TYPES_UNDECIDED] = "cannot be told"};
-    return names[reason];
-}
-
-json_t *types_answer_json(const Types *types, const Experiment *experiment, const char *each) {
-    json_t *parameters = json_array(), *points = json_array();
-    for (size_t p = 0; p < types->parameter_count; p++)
-        json_array_append_new(parameters, parameter_json(&types->parameters[p], experiment));
+static json_t *points_json(const Types *types, const Experiment *experiment) {
+    json_t *points = list_of(result_types_points(types, experiment));
     for (size_t i = 0; i < types->point_count; i++)
-        json_array_append_new(points, point_json(types, &types->points[i], experiment));
-    Text text = {0};
-    advice_write(&text, types, experiment, each);
-    json_t *answer =
-        json_pack("{s:s, s:s, s:I, s:I, s:i, s:o, s:o, s:s, s:I, s:I, s:I, s:b, s:s}", "type",
-                  types_kind_name(types->kind), "reason", reason_name(types->reason), "worst", (json_int_t)types->worst,
-                  "answers", (json_int_t)types->answers, "starts", TYPES_STARTS, "points", points, "parameters",
-                  parameters, "sought", types->sought == NEIGHBOURS_TROUBLE ? "trouble" : "regular", "runs",
-                  (json_int_t)types->runs, "thorough", (json_int_t)types->thorough, "neighbour_runs",
-                  (json_int_t)types->neighbour_runs, "stopped", types->stopped, "advice", text.text);
-    memory_free(text.text);
+        json_object_set_new(json_array_get(points, i), "answers",
+                            list_of(result_types_answers(&types->points[i], experiment)));
+    return points;
+}
+
+json_t *types_answer_json(const Types *types, const Experiment *experiment, int cycles) {
+    json_t *answer = json_object();
+    add_record(answer, result_types_kind(types));
+    json_object_set_new(answer, "points", points_json(types, experiment));
+    json_object_set_new(answer, "parameters", list_of(result_types_parameters(types, experiment)));
+    add_record(answer, result_types_basis(types, experiment, cycles));
     return answer;
 }

@@ -72,7 +72,7 @@ static void add_types(Document *document, const Paper *paper) {
     document_add_table(document, NULL, columns, sizeof columns / sizeof *columns);
     for (size_t i = 0; i < PAPER_TYPES; i++) {
         Text text = {0};
-        advice_write(&text, &paper->types[i], &paper->experiments[PAPER_FREQUENCIES], NULL);
+        advice_write(&text, &paper->types[i], &paper->experiments[PAPER_FREQUENCIES], 0);
         int first = (int)strcspn(text.text, "\n");
         const char *cells[] = {document_text(document, "%.0f Hz", paper->frequency[i]),
                                types_kind_name(paper->types[i].kind),

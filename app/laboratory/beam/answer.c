@@ -98,7 +98,7 @@ static void write_detail(BeamAnswer *answer, const Beam *beam, const BeamLately 
     char type[40] = "", peaks[60], exponent[60] = "", another[100] = "";
     peaks_words(verdict ? &verdict->peaks : &lately->peaks, peaks, sizeof peaks);
     if (verdict && verdict->typed)
-        snprintf(type, sizeof type, verdict->type == TYPES_UNRESOLVED ? "type cannot be told   " : "type %s   ",
+        snprintf(type, sizeof type, verdict->type == TYPES_UNRESOLVED ? "type undecided   " : "type %s   ",
                  types_kind_name(verdict->type));
     if (verdict && verdict->verdict == RESPONSE_CHAOTIC)
         snprintf(exponent, sizeof exponent, "   lyapunov %+.2f per cycle", verdict->exponent.value);
@@ -128,7 +128,7 @@ static void add_type(BeamAnswer *answer, const BeamVerdict *verdict) {
     if (!verdict->typed)
         return;
     const char *heading = verdict->type == TYPES_UNRESOLVED
-                              ? "No type can be told"
+                              ? "Type undecided"
                               : text_in_arena(&answer->arena, "Type %s", types_kind_name(verdict->type));
     add_row(answer, ROW_HEADING, heading, NULL);
     add_advice(answer, verdict->advice);

@@ -1,7 +1,6 @@
 #include "laboratory/beam/verdict.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #include "base/parallel.h"
 #include "visual/study/advice.h"
@@ -29,10 +28,8 @@ bool beam_verdict_tell(BeamVerdict *verdict, const Beam *beam, const volatile si
 }
 
 static void write_advice(BeamVerdict *verdict, const Types *types, const Experiment *experiment) {
-    char each[32];
     Text text = {0};
-    snprintf(each, sizeof each, "%d cycles", verdict->beam.transient_cycles + verdict->beam.cycles);
-    advice_write(&text, types, experiment, each);
+    advice_write(&text, types, experiment, verdict->beam.transient_cycles + verdict->beam.cycles);
     memory_free(verdict->advice);
     verdict->advice = text.text;
     verdict->type = types->kind;

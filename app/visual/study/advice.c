@@ -3,53 +3,118 @@
 #include <math.h>
 #include <string.h>
 
-/* The terms of one kind of experiment. */
-typedef struct Terms {
+/* Sentences about the runs from all starts, or from some of them, at the centre of the window or at another point. */
+typedef struct StartSentences {
+    const char *all_here;  /* number of starts */
+    const char *some_here; /* number, number of all */
+    const char *all_at;    /* point, number of all */
+    const char *some_at;   /* point, number, number of all */
+} StartSentences;
+
+/* Sentences about the sensitivity to a parameter. */
+typedef struct SlopeSentences {
+    const char *more, *less; /* parameter, % */
+    const char *jumps;       /* parameter: the measure is 0 on one side */
+} SlopeSentences;
+
+/* The sentences for one kind of experiment; what they take is named in the order in which they take it. */
+typedef struct Sentences {
     const char *kind;
-    const char *headline[4];         /* by TypesKind */
-    const char *regular, *irregular; /* beginnings of sentences */
-    const char *unsure;
-    const char *stays, *becomes_not; /* for "nothing changes with one number alone" */
-    const char *again;               /* for places where it is regular again */
-    const char *measure;
-    const char *changes; /* the verb of a changing answer */
-    const char *longer;  /* the remedy if the type is undecided */
-} Terms;
+    const char *headline[4];      /* by TypesKind */
+    const char *one_answer;       /* measure */
+    const char *steep;            /* a sentence about the sensitivity follows */
+    const char *start_decides;    /* answers */
+    const char *start_decides_at; /* point, answers */
+    const char *changes;          /* answers */
+    const char *changes_at;       /* point, answers */
+    const char *answer_of_all;    /* of a list: measure, number of starts, outcome */
+    const char *answer_of_some;   /* of a list: measure, number of starts, number of all, outcome */
+    StartSentences irregular, undecided;
+    const char *remedy;
+    SlopeSentences slope, steepest;
+    const char *stays;       /* %, parameters */
+    const char *becomes_not; /* %, parameters */
+    const char *regular_at;  /* points */
+} Sentences;
 
-static const Terms all_terms[] = {
+static const Sentences all_sentences[] = {
     {.kind = "beam",
-     .headline = {"The type is undecided", "Type I: run it here", "Type II: run it here only with close tolerances",
-                  "Type III: do not run it here"},
-     .regular = "It is periodic",
-     .irregular = "It is not periodic",
-     .unsure = "It is undecided whether it is periodic",
-     .stays = "It stays periodic",
-     .becomes_not = "It does not become periodic",
-     .again = "it is periodic again",
-     .measure = "the largest force",
-     .changes = "has another period",
-     .longer = "a larger run.transient_cycles may decide it"},
+     .headline = {"The type is undecided.", "Type I: run it here.", "Type II: run it here only with close tolerances.",
+                  "Type III: do not run it here."},
+     .one_answer = "It is periodic with one answer within 1 %% of every number: %s.",
+     .steep = "It is periodic throughout, but its largest force changes steeply.",
+     .start_decides = "It is periodic throughout, but right here the start decides: %s.",
+     .start_decides_at = "It is periodic throughout, but at %s the start decides: %s.",
+     .changes = "It is periodic throughout, but right here it has another period: %s.",
+     .changes_at = "It is periodic throughout, but at %s it has another period: %s.",
+     .answer_of_all = "%1$s (period %3$g) from each of %2$d starts",
+     .answer_of_some = "%1$s (period %4$g) from %2$zu of %3$d starts",
+     .irregular = {"It is not periodic right here, from any of %d starts.",
+                   "It is not periodic right here, from %zu of %d starts.",
+                   "It is not periodic at %s, from any of %d starts.",
+                   "It is not periodic at %s, from %zu of %d starts."},
+     .undecided = {"It is undecided whether it is periodic right here, from any of %d starts.",
+                   "It is undecided whether it is periodic right here, from %zu of %d starts.",
+                   "It is undecided whether it is periodic at %s, from any of %d starts.",
+                   "It is undecided whether it is periodic at %s, from %zu of %d starts."},
+     .remedy = "A larger run.transient_cycles may decide it.",
+     .slope = {"1 %% more %s makes the largest force %.2g %% larger.",
+               "1 %% more %s makes the largest force %.2g %% smaller.",
+               "A change of 1 %% in %s decides whether there is any force at all."},
+     .steepest = {"It depends most on %s: 1 %% more makes the largest force %.2g %% larger.",
+                  "It depends most on %s: 1 %% more makes the largest force %.2g %% smaller.",
+                  "It depends most on %s: a change of 1 %% decides whether there is any force at all."},
+     .stays = "It stays periodic with one of these changed alone by up to %.3g %%: %s.",
+     .becomes_not = "It does not become periodic with one of these changed alone by up to %.3g %%: %s.",
+     .regular_at = "With one number changed alone it is periodic again at %s."},
     {.kind = "house",
-     .headline = {"The type is undecided", "Type I: this route can be relied on",
-                  "Type II: this route depends on small changes", "Type III: do not rely on this route"},
-     .regular = "Everybody gets out",
-     .irregular = "Not everybody gets out",
-     .unsure = "It is undecided whether everybody gets out",
-     .stays = "Everybody gets out also",
-     .becomes_not = "Not everybody gets out either",
-     .again = "everybody gets out",
-     .measure = "the time",
-     .changes = "takes another route",
-     .longer = "a larger run.until may decide it"},
+     .headline = {"The type is undecided.", "Type I: this route can be relied on.",
+                  "Type II: this route depends on small changes.", "Type III: do not rely on this route."},
+     .one_answer = "Everybody gets out with one answer within 1 %% of every number: %s.",
+     .steep = "Everybody gets out throughout, but the time changes steeply.",
+     .start_decides = "Everybody gets out throughout, but right here the start decides: %s.",
+     .start_decides_at = "Everybody gets out throughout, but at %s the start decides: %s.",
+     .changes = "Everybody gets out throughout, but right here by another route: %s.",
+     .changes_at = "Everybody gets out throughout, but at %s by another route: %s.",
+     .answer_of_all = "%s from each of %d starts",
+     .answer_of_some = "%s from %zu of %d starts",
+     .irregular = {"Not everybody gets out right here, from any of %d starts.",
+                   "Not everybody gets out right here, from %zu of %d starts.",
+                   "Not everybody gets out at %s, from any of %d starts.",
+                   "Not everybody gets out at %s, from %zu of %d starts."},
+     .undecided = {"It is undecided whether everybody gets out right here, from any of %d starts.",
+                   "It is undecided whether everybody gets out right here, from %zu of %d starts.",
+                   "It is undecided whether everybody gets out at %s, from any of %d starts.",
+                   "It is undecided whether everybody gets out at %s, from %zu of %d starts."},
+     .remedy = "A larger run.until may decide it.",
+     .slope = {"1 %% more %s makes the time %.2g %% longer.", "1 %% more %s makes the time %.2g %% shorter.",
+               "A change of 1 %% in %s decides whether it takes any time at all."},
+     .steepest = {"It depends most on %s: 1 %% more makes the time %.2g %% longer.",
+                  "It depends most on %s: 1 %% more makes the time %.2g %% shorter.",
+                  "It depends most on %s: a change of 1 %% decides whether it takes any time at all."},
+     .stays = "Everybody gets out also with one of these changed alone by up to %.3g %%: %s.",
+     .becomes_not = "Not everybody gets out with one of these changed alone by up to %.3g %% either: %s.",
+     .regular_at = "With one number changed alone everybody gets out at %s."},
 };
-enum { KINDS = sizeof all_terms / sizeof *all_terms };
+enum { KINDS = sizeof all_sentences / sizeof *all_sentences };
 
-static const Terms *find_terms(const Experiment *experiment) {
+static const Sentences *find_sentences(const Experiment *experiment) {
     for (size_t k = 0; k < KINDS; k++)
-        if (strcmp(all_terms[k].kind, experiment->kind) == 0)
-            return &all_terms[k];
-    return &all_terms[0];
+        if (strcmp(all_sentences[k].kind, experiment->kind) == 0)
+            return &all_sentences[k];
+    return &all_sentences[0];
 }
+
+/* What is being written, and about what. */
+typedef struct Advice {
+    Text *text;
+    const Types *types;
+    const Experiment *experiment;
+    const Sentences *sentences;
+    Arena arena; /* of the names, numbers and lists in the sentences */
+} Advice;
+
+/* Names, numbers and lists ---------------------------------------------------------------------------------------- */
 
 /* Returns "clearance" for "joint.clearance"; "door.d1.width" unchanged. */
 static const char *short_name(const char *name) {
@@ -60,65 +125,83 @@ static const char *short_name(const char *name) {
 /* Lengths below this are printed in mm. */
 static const double SMALL_LENGTH = 0.5;
 
-static void add_quantity(Text *text, const char *unit, double value) {
-    bool small = strcmp(unit, "m") == 0 && fabs(value) < SMALL_LENGTH;
-    text_format(text, "%.4g%s%s", small ? 1000 * value : value, strcmp(unit, "1") ? " " : "",
-                small               ? "mm"
-                : strcmp(unit, "1") ? unit
-                                    : "");
+/* Returns "clearance 0.1315 mm": a parameter and its value. */
+static const char *point_of(Advice *advice, const char *name, double value) {
+    const char *unit = advice->experiment->parameter(advice->experiment->given, name)->unit;
+    if (strcmp(unit, "1") == 0)
+        return text_in_arena(&advice->arena, "%s %.4g", short_name(name), value);
+    if (strcmp(unit, "m") == 0 && fabs(value) < SMALL_LENGTH)
+        return text_in_arena(&advice->arena, "%s %.4g mm", short_name(name), 1000 * value);
+    return text_in_arena(&advice->arena, "%s %.4g %s", short_name(name), value, unit);
 }
 
-/* Adds "clearance 0.1315 mm": a parameter and its value. */
-static void add_value(Text *text, const Experiment *experiment, const char *name, double value) {
-    text_format(text, "%s ", short_name(name));
-    add_quantity(text, experiment->parameter(experiment->given, name)->unit, value);
+static const char *measure_of(Advice *advice, double value) {
+    const Observable *measure = &advice->experiment->observables[advice->experiment->measure];
+    return text_in_arena(&advice->arena, "%.4g %s", value, measure->unit);
 }
 
-static void add_measure(Text *text, const Experiment *experiment, double value) {
-    text_format(text, "%.4g %s", value, experiment->observables[experiment->measure].unit);
+/* Returns the point of the window that decides the type, "clearance 0.1257 mm", or NULL at its centre. */
+static const char *worst_point(Advice *advice) {
+    const Types *types = advice->types;
+    const TypesPoint *point = &types->points[types->worst];
+    if (point->parameter == types->parameter_count)
+        return NULL;
+    return point_of(advice, types->parameters[point->parameter].name, point->value);
 }
 
-/* The answer's sentence ------------------------------------------------------------------------------------------- */
-
-/* Adds "here" or "at clearance 0.1257 mm". */
-static void add_place(Text *text, const Types *types, const Experiment *experiment, size_t at) {
-    const TypesPoint *point = &types->points[at];
-    if (point->parameter == types->parameter_count) {
-        text_add(text, "right here");
-        return;
-    }
-    text_add(text, "at ");
-    add_value(text, experiment, types->parameters[point->parameter].name, point->value);
+/* Returns a list with one more item, the index-th of `count`: "a, b or c". */
+static const char *list_with(Advice *advice, const char *list, const char *item, size_t index, size_t count) {
+    return index == 0 ? item : text_in_arena(&advice->arena, index + 1 < count ? "%s, %s" : "%s or %s", list, item);
 }
 
-/* Adds how many starts do so; `all` replaces the number if all do. */
-static void add_starts(Text *text, size_t starts, const char *all) {
-    if (starts < TYPES_STARTS)
-        text_format(text, " from %zu of %d starts", starts, TYPES_STARTS);
-    else
-        text_format(text, " from %s of %d starts", all, TYPES_STARTS);
-}
-
-static void add_answers(Text *text, const Types *types, const Experiment *experiment, size_t at) {
-    const TypesPoint *point = &types->points[at];
+static const char *answers_of(Advice *advice, const TypesPoint *point) {
+    const char *list = NULL;
     for (size_t a = 0; a < point->answer_count; a++) {
         const TypesAnswer *answer = &point->answers[a];
-        text_add(text, a == 0 ? "" : a + 1 < point->answer_count ? ", " : " or ");
-        add_measure(text, experiment, answer->measure);
-        if (experiment->periods)
-            text_format(text, " (period %g)", answer->outcome);
-        add_starts(text, answer->starts, "each");
+        const char *measure = measure_of(advice, answer->measure);
+        const char *item = answer->starts < TYPES_STARTS
+                               ? text_in_arena(&advice->arena, advice->sentences->answer_of_some, measure,
+                                               answer->starts, TYPES_STARTS, answer->outcome)
+                               : text_in_arena(&advice->arena, advice->sentences->answer_of_all, measure, TYPES_STARTS,
+                                               answer->outcome);
+        list = list_with(advice, list, item, a, point->answer_count);
     }
+    return list;
 }
 
-/* Adds "1 % more clearance is 7.3 % more of the largest force". */
-static void add_sensitivity(Text *text, const Terms *terms, const TypesParameter *parameter) {
-    if (isinf(parameter->sensitivity))
-        text_format(text, "a change of 1 %% in %s decides whether there is any force at all",
-                    short_name(parameter->name));
+/* The answer ------------------------------------------------------------------------------------------------------ */
+
+/* Adds the sentence about the answers at the deciding point. */
+static void add_answers(Advice *advice, const char *here, const char *at) {
+    const char *point = worst_point(advice);
+    const char *answers = answers_of(advice, &advice->types->points[advice->types->worst]);
+    if (point)
+        text_format(advice->text, at, point, answers);
     else
-        text_format(text, "1 %% more %s makes %s %.2g %% %s", short_name(parameter->name), terms->measure,
-                    fabs(parameter->sensitivity), parameter->sensitivity < 0 ? "less" : "more");
+        text_format(advice->text, here, answers);
+}
+
+/* Adds the sentence about so many starts at the deciding point. */
+static void add_starts(Advice *advice, const StartSentences *sentences, size_t starts) {
+    const char *point = worst_point(advice);
+    bool some = starts < TYPES_STARTS;
+    if (point && some)
+        text_format(advice->text, sentences->some_at, point, starts, TYPES_STARTS);
+    else if (point)
+        text_format(advice->text, sentences->all_at, point, TYPES_STARTS);
+    else if (some)
+        text_format(advice->text, sentences->some_here, starts, TYPES_STARTS);
+    else
+        text_format(advice->text, sentences->all_here, TYPES_STARTS);
+}
+
+static void add_slope(Advice *advice, const SlopeSentences *sentences, const TypesParameter *parameter) {
+    double slope = parameter->sensitivity;
+    const char *name = short_name(parameter->name);
+    if (isinf(slope))
+        text_format(advice->text, sentences->jumps, name);
+    else
+        text_format(advice->text, slope < 0 ? sentences->less : sentences->more, name, fabs(slope));
 }
 
 static const TypesParameter *steepest(const Types *types) {
@@ -131,47 +214,38 @@ static const TypesParameter *steepest(const Types *types) {
     return most;
 }
 
-static void add_reason(Text *text, const Types *types, const Experiment *experiment, const Terms *terms) {
+static void add_reason(Advice *advice) {
+    const Types *types = advice->types;
+    const Sentences *sentences = advice->sentences;
     const TypesPoint *worst = &types->points[types->worst];
     switch (types->reason) {
     case TYPES_ALL_WELL:
-        text_format(text, "%s with one answer within 1 %% of every number: ", terms->regular);
-        add_measure(text, experiment, types->points[0].answers[0].measure);
+        text_format(advice->text, sentences->one_answer, measure_of(advice, types->points[0].answers[0].measure));
         break;
     case TYPES_STEEP_ANSWER:
-        text_format(text, "%s throughout, but steep: ", terms->regular);
-        add_sensitivity(text, terms, steepest(types));
+        text_format(advice->text, "%s ", sentences->steep);
+        add_slope(advice, &sentences->slope, steepest(types));
         break;
     case TYPES_SEVERAL:
-        text_format(text, "%s throughout, but ", terms->regular);
-        add_place(text, types, experiment, types->worst);
         if (worst->answer_count > 1)
-            text_add(text, " the start decides: ");
+            add_answers(advice, sentences->start_decides, sentences->start_decides_at);
         else
-            text_format(text, " it %s: ", terms->changes);
-        add_answers(text, types, experiment, types->worst);
+            add_answers(advice, sentences->changes, sentences->changes_at);
         break;
     case TYPES_NOT_REGULAR:
-        text_format(text, "%s ", terms->irregular);
-        add_place(text, types, experiment, types->worst);
-        text_add(text, ",");
-        add_starts(text, worst->irregular, "any");
+        add_starts(advice, &sentences->irregular, worst->irregular);
         break;
     case TYPES_FLIPS:
-        text_format(text, "Its period doubles within 1 %% of here: ");
-        add_place(text, types, experiment, types->worst);
-        text_add(text, " ");
-        add_answers(text, types, experiment, types->worst);
+        add_answers(advice, "Its period doubles within 1 %% of here; right here it has %s.",
+                    "Its period doubles within 1 %% of here; at %s it has %s.");
         break;
     case TYPES_UNDECIDED:
-        text_format(text, "%s ", terms->unsure);
-        add_place(text, types, experiment, types->worst);
-        text_add(text, ",");
-        add_starts(text, worst->undecided, "any");
-        text_format(text, "; %s", types->stopped ? "it was stopped" : terms->longer);
+        add_starts(advice, &sentences->undecided, worst->undecided);
+        if (!types->stopped)
+            text_format(advice->text, " %s", sentences->remedy);
         break;
     }
-    text_add(text, ".\n");
+    text_add(advice->text, "\n");
 }
 
 /* Neighbours ------------------------------------------------------------------------------------------------------ */
@@ -199,10 +273,26 @@ static size_t order_parameters(const Types *types, size_t order[TYPES_PARAMETERS
     return count;
 }
 
-static void add_side(Text *text, const Experiment *experiment, const TypesParameter *parameter) {
+static const char *side_of(Advice *advice, const TypesParameter *parameter) {
     const Neighbour *side = nearer_side(parameter);
-    add_value(text, experiment, parameter->name, side->value);
-    text_format(text, " (%.3g %% %s)", 100 * fabs(side->share), side->share < 0 ? "below" : "above");
+    const char *point = point_of(advice, parameter->name, side->value);
+    return text_in_arena(&advice->arena, side->share < 0 ? "%s (%.3g %% below)" : "%s (%.3g %% above)", point,
+                         100 * fabs(side->share));
+}
+
+static const char *sides_of(Advice *advice, const size_t *order, size_t count) {
+    const char *list = NULL;
+    for (size_t i = 0; i < count; i++)
+        list = list_with(advice, list, side_of(advice, &advice->types->parameters[order[i]]), i, count);
+    return list;
+}
+
+static const char *names_of(Advice *advice) {
+    const Types *types = advice->types;
+    const char *list = NULL;
+    for (size_t p = 0; p < types->parameter_count; p++)
+        list = list_with(advice, list, short_name(types->parameters[p].name), p, types->parameter_count);
+    return list;
 }
 
 /* Returns the least distance searched on all sides, 1. */
@@ -214,67 +304,55 @@ static double least_reached(const Types *types) {
     return isinf(least) ? 0 : least;
 }
 
-static void add_found(Text *text, const Types *types, const Experiment *experiment, const size_t *order, size_t count) {
-    for (size_t i = 0; i < count; i++) {
-        text_add(text, i == 0 ? "" : i + 1 < count ? ", " : " or ");
-        add_side(text, experiment, &types->parameters[order[i]]);
-    }
-}
-
-static void add_names(Text *text, const Types *types) {
-    for (size_t p = 0; p < types->parameter_count; p++)
-        text_format(text, "%s%s",
-                    p == 0                           ? ""
-                    : p + 1 < types->parameter_count ? ", "
-                                                     : " or ",
-                    short_name(types->parameters[p].name));
-}
-
-static void add_neighbours(Text *text, const Types *types, const Experiment *experiment, const Terms *terms) {
+static void add_neighbours(Advice *advice) {
+    const Types *types = advice->types;
+    const Sentences *sentences = advice->sentences;
     size_t order[TYPES_PARAMETERS_MOST], found = order_parameters(types, order);
     bool trouble = types->sought == NEIGHBOURS_TROUBLE;
     if (!types->parameter_count || (types->stopped && !found))
         return;
-    if (!found) {
-        text_format(text, "%s with one of these changed alone by up to %.3g %%: ",
-                    trouble ? terms->stays : terms->becomes_not, 100 * least_reached(types));
-        add_names(text, types);
-    } else if (trouble) {
-        text_add(text, "The nearest trouble is at ");
-        add_found(text, types, experiment, order, 1);
-        text_add(text, found > 1 ? "; then at " : "");
-        add_found(text, types, experiment, order + 1, found - 1);
-    } else {
-        text_format(text, "With one number changed alone %s at ", terms->again);
-        add_found(text, types, experiment, order, found);
-    }
-    text_add(text, ".\n");
-}
-
-static void add_basis(Text *text, const Types *types, const char *each) {
-    if (each)
-        text_format(text, "This rests on %zu runs of %s from %d starts within 1 %% of here", types->runs, each,
-                    TYPES_STARTS);
+    if (!found)
+        text_format(advice->text, trouble ? sentences->stays : sentences->becomes_not, 100 * least_reached(types),
+                    names_of(advice));
+    else if (!trouble)
+        text_format(advice->text, sentences->regular_at, sides_of(advice, order, found));
+    else if (found == 1)
+        text_format(advice->text, "The nearest trouble is at %s.", sides_of(advice, order, 1));
     else
-        text_format(text, "This rests on %zu runs from %d starts within 1 %% of here", types->runs, TYPES_STARTS);
-    if (types->thorough)
-        text_format(text, ", %zu of them repeated with the full analysis", types->thorough);
-    if (types->neighbour_runs)
-        text_format(text, ", and on %zu runs beyond, from %d starts", types->neighbour_runs, NEIGHBOURS_STARTS);
-    text_format(text, "%s.\n", types->stopped ? "; it was stopped before it was complete" : "");
+        text_format(advice->text, "The nearest trouble is at %s; then at %s.", sides_of(advice, order, 1),
+                    sides_of(advice, order + 1, found - 1));
+    text_add(advice->text, "\n");
 }
 
-void advice_write(Text *text, const Types *types, const Experiment *experiment, const char *each) {
-    const Terms *terms = find_terms(experiment);
+/* What the answer rests on ---------------------------------------------------------------------------------------- */
+
+static void add_basis(Advice *advice, int cycles) {
+    const Types *types = advice->types;
+    if (cycles)
+        text_format(advice->text, "This rests on %zu runs of %d cycles from %d starts within 1 %% of here.",
+                    types->runs, cycles, TYPES_STARTS);
+    else
+        text_format(advice->text, "This rests on %zu runs from %d starts within 1 %% of here.", types->runs,
+                    TYPES_STARTS);
+    if (types->thorough)
+        text_format(advice->text, " Repeated with the full analysis: %zu of them.", types->thorough);
+    if (types->neighbour_runs)
+        text_format(advice->text, " Runs beyond that, from %d starts: %zu.", NEIGHBOURS_STARTS, types->neighbour_runs);
+    if (types->stopped)
+        text_add(advice->text, " The search was stopped before it was complete.");
+    text_add(advice->text, "\n");
+}
+
+void advice_write(Text *text, const Types *types, const Experiment *experiment, int cycles) {
+    Advice advice = {.text = text, .types = types, .experiment = experiment, .sentences = find_sentences(experiment)};
     const TypesParameter *most = steepest(types);
-    text_format(text, "%s. ", terms->headline[types->kind]);
-    add_reason(text, types, experiment, terms);
-    add_neighbours(text, types, experiment, terms);
+    text_format(text, "%s ", advice.sentences->headline[types->kind]);
+    add_reason(&advice);
+    add_neighbours(&advice);
     if (most && types->reason != TYPES_STEEP_ANSWER && most->sensitivity != 0) {
-        text_add(text, "It depends most on the ");
-        text_format(text, "%s: ", short_name(most->name));
-        add_sensitivity(text, terms, most);
-        text_add(text, ".\n");
+        add_slope(&advice, &advice.sentences->steepest, most);
+        text_add(text, "\n");
     }
-    add_basis(text, types, each);
+    add_basis(&advice, cycles);
+    arena_clear(&advice.arena);
 }

@@ -4,5 +4,6 @@
 #include "base/text.h"
 #include "study/types.h"
 
-/* Adds the sentences, each on a line; `each` is the length of a run, "400 cycles", or NULL. */
-void advice_write(Text *text, const Types *types, const Experiment *experiment, const char *each);
+/* Adds the sentences, on two to four lines, the type on the first; `cycles` is the length of a run, or 0 to leave it
+ * out. */
+void advice_write(Text *text, const Types *types, const Experiment *experiment, int cycles);
