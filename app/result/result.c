@@ -1,6 +1,8 @@
 #include "result/result.h"
 
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
@@ -39,19 +41,24 @@ const ResultRow *result_find(const ResultTable *table, size_t record, const char
 
 enum { LIST_READ = 6 /* numbers of a list that people read */ };
 
+/* Returns the decimals of a number; of significant digits, those that it has after rounding: 9.996 with 3 is 10.0. */
 static int decimals_of(const ResultRow *row, double value) {
+    char digits[48];
     if (row->significant <= 0)
         return row->decimals;
-    return value == 0 ? 0 : (int)fmax(0, row->significant - 1 - floor(log10(fabs(value))));
+    if (value == 0 || !isfinite(value) ||
+        snprintf(digits, sizeof digits, "%.*e", row->significant - 1, value) >= (int)sizeof digits)
+        return 0;
+    int exponent = atoi(strchr(digits, 'e') + 1), decimals = row->significant - 1 - exponent;
+    return decimals > 0 ? decimals : 0;
 }
 
+/* Writes zero without a sign, also where rounding leaves one. */
 static const char *number_of(const ResultRow *row, double number, Arena *arena) {
     double value = number * (row->factor != 0 ? row->factor : 1);
     int decimals = decimals_of(row, value);
-    bool nought = fabs(value) < 0.5 * pow(10, -decimals); /* drops the sign that rounding leaves */
-    if (nought)
-        return text_in_arena(arena, "%.*f", decimals, 0.0);
-    return text_in_arena(arena, row->sign ? "%+.*f" : "%.*f", decimals, value);
+    const char *text = text_in_arena(arena, row->sign ? "%+.*f" : "%.*f", decimals, value);
+    return text[strspn(text, "+-0.")] ? text : text_in_arena(arena, "%.*f", decimals, 0.0);
 }
 
 static const char *list_of(const ResultRow *row, Arena *arena) {

@@ -96,6 +96,49 @@ TEST(a_list_has_a_line_for_each_fact_with_its_unit) {
     result_clear(&table);
 }
 
+static const char *decimal_text(double number, int decimals, bool sign, Arena *arena) {
+    ResultRow row = {.kind = RESULT_NUMBER, .number = number, .decimals = decimals, .sign = sign};
+    return result_value(&row, arena);
+}
+
+static const char *significant_text(double number, int significant, Arena *arena) {
+    ResultRow row = {.kind = RESULT_NUMBER, .number = number, .significant = significant};
+    return result_value(&row, arena);
+}
+
+TEST(a_number_that_rounds_to_nought_has_no_sign) {
+    Arena arena = {0};
+    CHECK_TEXT(decimal_text(-0.0001, 2, false, &arena), "0.00");
+    CHECK_TEXT(decimal_text(-0.0, 1, true, &arena), "0.0");
+    CHECK_TEXT(decimal_text(-0.5, 0, false, &arena), "0");
+    CHECK_TEXT(decimal_text(0.5, 0, true, &arena), "0");
+    CHECK_TEXT(decimal_text(-5e-7, 6, false, &arena), "0.000000");
+    CHECK_TEXT(decimal_text(-0.0051, 2, false, &arena), "-0.01");
+    CHECK_TEXT(decimal_text(0.0051, 2, true, &arena), "+0.01");
+    CHECK_TEXT(decimal_text(-1.5, 0, false, &arena), "-2");
+    arena_clear(&arena);
+}
+
+TEST(a_number_has_its_significant_digits_after_rounding_up) {
+    Arena arena = {0};
+    CHECK_TEXT(significant_text(9.994, 3, &arena), "9.99");
+    CHECK_TEXT(significant_text(9.996, 3, &arena), "10.0");
+    CHECK_TEXT(significant_text(-9.996, 3, &arena), "-10.0");
+    CHECK_TEXT(significant_text(99.96, 3, &arena), "100");
+    CHECK_TEXT(significant_text(999.6, 3, &arena), "1000");
+    CHECK_TEXT(significant_text(0.09996, 3, &arena), "0.100");
+    CHECK_TEXT(significant_text(0.5, 1, &arena), "0.5");
+    CHECK_TEXT(significant_text(0.95, 1, &arena), "0.9"); /* the double next to 0.95 is below it */
+    CHECK_TEXT(significant_text(9.5, 1, &arena), "10");   /* ties go to the even digit, which carries */
+    CHECK_TEXT(significant_text(8.5, 1, &arena), "8");
+    CHECK_TEXT(significant_text(1000, 2, &arena), "1000");
+    CHECK_TEXT(significant_text(0, 3, &arena), "0");
+    CHECK_TEXT(significant_text(-1e-5, 2, &arena), "-0.000010");
+    ResultRow list = {.kind = RESULT_LIST, .list = (const double[]){9.996, INFINITY}, .count = 2, .significant = 3};
+    CHECK_TEXT(result_value(&list, &arena), "10.0, inf");
+    arena_clear(&arena);
+}
+
 TEST(names_alone_are_no_table) {
     ResultTable table = {0};
     Text text = {0};
