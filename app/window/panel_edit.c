@@ -23,7 +23,7 @@ static void show_items(Window *window, Editor *editor) {
         UiRow row = {.id = text_in_arena(&window->arena, "item %zu", i),
                      .shape = ROW_PLAIN,
                      .cells = {items[i].name},
-                     .help = text_in_arena(&window->arena, "%s: %s", items[i].name, items[i].words),
+                     .help = text_in_arena(&window->arena, "%s: %s", items[i].name, items[i].detail),
                      .selected = i == chosen,
                      .usable = true};
         if (ui_list_row(window->ui, &row)) {
@@ -33,7 +33,7 @@ static void show_items(Window *window, Editor *editor) {
             return;
         }
         if (i == chosen)
-            ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, items[i].words);
+            ui_text(window->ui, UI_SMALL, ROLE_DIM_TEXT, items[i].detail);
     }
 }
 
@@ -108,7 +108,7 @@ static void show_proposals(Window *window, Editor *editor) {
     Fault fault = {0};
     for (size_t i = 0; i < count; i++) {
         ui_text(window->ui, UI_BODY, ROLE_TEXT,
-                text_in_arena(&window->arena, "%s: %s", proposals[i].words, proposals[i].answer));
+                text_in_arena(&window->arena, "%s: %s", proposals[i].text, proposals[i].answer));
         UiButton button = {.id = text_in_arena(&window->arena, "proposal %zu", i),
                            .label = "Apply",
                            .help = "Apply: Change the house; Undo reverts it"};

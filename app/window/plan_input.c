@@ -19,7 +19,7 @@
 static bool has_handle(const GestureView *gesture) {
     bool held = false;
     for (size_t i = 0; i < gesture->mark_count; i++)
-        held |= gesture->marks[i].kind == MARK_HANDLE && gesture->marks[i].held;
+        held |= gesture->marks[i].kind == MARK_HANDLE && gesture->marks[i].active;
     return held;
 }
 

@@ -139,7 +139,7 @@ static void draw_dimension(Window *window, const Vec2 *points, size_t count) {
 }
 
 static void draw_handle(Window *window, const EditMark *mark, Vec2 at) {
-    Role role = mark->held ? ROLE_CHAIR : ROLE_PAPER;
+    Role role = mark->active ? ROLE_CHAIR : ROLE_PAPER;
     if (mark->round) {
         ui_draw_disc(window->ui, at, HANDLE + 3, ROLE_PAPER);
         ui_draw_disc(window->ui, at, HANDLE + 1.5, ROLE_TEXT);
@@ -189,13 +189,13 @@ static Vec2 beside(Vec2 a, Vec2 b, double half) {
 }
 
 static void write_mark(Window *window, Labels *labels, const EditMark *mark, const Vec2 *points, size_t count) {
-    double width = ui_extent(window->ui, UI_BOLD, mark->words).x;
+    double width = ui_extent(window->ui, UI_BOLD, mark->text).x;
     Vec2 middle = vec2_scale(vec2_add(points[(count - 1) / 2], points[count / 2]), 0.5);
     if (mark->kind == MARK_DIMENSION && count > 1)
         middle = vec2_add(middle, beside(points[0], points[count - 1], width / 2 + PAD + 2));
     if (mark->kind == MARK_SNAP || mark->kind == MARK_HANDLE)
         middle = vec2_add(points[0], vec2(width / 2 + PAD + ASIDE, -ASIDE));
-    write_label(window, labels, middle, mark->kind == MARK_GAP ? ROLE_ERROR : ROLE_TEXT, mark->words);
+    write_label(window, labels, middle, mark->kind == MARK_GAP ? ROLE_ERROR : ROLE_TEXT, mark->text);
 }
 
 /* Draws lines first, then handles, then labels. */
@@ -205,7 +205,7 @@ static void show_marks(Window *window, Tab *tab, const GestureView *gesture, Lab
         for (size_t i = 0; i < gesture->mark_count; i++) {
             const EditMark *mark = &gesture->marks[i];
             bool solid = mark->kind == MARK_HANDLE || mark->kind == MARK_SNAP;
-            if (!mark->count || (pass < 2 && solid != (pass == 1)) || (pass == 2 && !(mark->words && *mark->words)))
+            if (!mark->count || (pass < 2 && solid != (pass == 1)) || (pass == 2 && !(mark->text && *mark->text)))
                 continue;
             size_t count = points_of(window, tab, mark, points);
             if (pass < 2)
@@ -272,7 +272,7 @@ static bool is_typed(const GestureView *gesture) {
     for (size_t i = 0; i < gesture->field_count; i++)
         if (gesture->fields[i].typed)
             return true;
-    return *gesture->typed || gesture->wrong;
+    return *gesture->typed || gesture->typed_error;
 }
 
 static void show_read_out(Window *window, const GestureView *gesture, Labels *labels) {
@@ -281,23 +281,23 @@ static void show_read_out(Window *window, const GestureView *gesture, Labels *la
     double width = 0, height = ui_extent(window->ui, UI_BOLD, "0").y + 2;
     for (size_t i = 0; i < gesture->field_count; i++)
         width = fmax(width, ui_extent(window->ui, UI_BOLD, field_text(window, gesture, i)).x);
-    if (gesture->wrong)
-        width = fmax(width, ui_extent(window->ui, UI_BODY, gesture->wrong).x);
-    size_t lines = gesture->field_count + (gesture->wrong ? 1 : 0);
+    if (gesture->typed_error)
+        width = fmax(width, ui_extent(window->ui, UI_BODY, gesture->typed_error).x);
+    size_t lines = gesture->field_count + (gesture->typed_error ? 1 : 0);
     Vec2 at = read_out_at(window), size = {width + 2 * PAD, height * (double)lines + 2 * PAD};
     Box box = kept_within((Box){at, vec2_add(at, size)}, box_expand(window->frame.view, -EDGE));
     if (labels->count < LABELS_MOST)
         labels->boxes[labels->count++] = box;
     ui_draw_box(window->ui, box, ROLE_PANEL, 1);
-    ui_draw_frame(window->ui, box, gesture->wrong ? ROLE_ERROR : ROLE_TEXT, 2);
+    ui_draw_frame(window->ui, box, gesture->typed_error ? ROLE_ERROR : ROLE_TEXT, 2);
     double y = box.low.y + PAD + height / 2;
     for (size_t i = 0; i < gesture->field_count; i++, y += height) {
         bool now = i == gesture->field;
         ui_draw_text(window->ui, now ? UI_BOLD : UI_BODY, now ? ROLE_TEXT : ROLE_DIM_TEXT, vec2(box.low.x + PAD, y), 0,
                      field_text(window, gesture, i));
     }
-    if (gesture->wrong)
-        ui_draw_text(window->ui, UI_BODY, ROLE_ERROR, vec2(box.low.x + PAD, y), 0, gesture->wrong);
+    if (gesture->typed_error)
+        ui_draw_text(window->ui, UI_BODY, ROLE_ERROR, vec2(box.low.x + PAD, y), 0, gesture->typed_error);
 }
 
 void plan_overlay_show(Window *window) {

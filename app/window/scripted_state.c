@@ -106,7 +106,7 @@ static json_t *marks_state(const GestureView *gesture) {
     json_t *state = json_array();
     for (size_t i = 0; i < gesture->mark_count; i++) {
         const EditMark *mark = &gesture->marks[i];
-        json_t *one = json_pack("{s:s,s:s*,s:b}", "kind", kinds[mark->kind], "words", mark->words, "held", mark->held);
+        json_t *one = json_pack("{s:s,s:s*,s:b}", "kind", kinds[mark->kind], "words", mark->text, "held", mark->active);
         if (mark->count)
             json_object_set_new(one, "at", json_pack("[f,f]", mark->points[0].x, mark->points[0].y));
         json_array_append_new(state, one);
@@ -116,7 +116,7 @@ static json_t *marks_state(const GestureView *gesture) {
 
 static json_t *gesture_state(const GestureView *gesture) {
     json_t *state = json_pack("{s:b,s:s,s:s*,s:s*,s:s*}", "active", gesture->active, "doing", gesture->doing, "refusal",
-                              gesture->refusal, "typed", gesture->typed, "wrong", gesture->wrong);
+                              gesture->refusal, "typed", gesture->typed, "wrong", gesture->typed_error);
     json_t *fields = json_object();
     for (size_t i = 0; i < gesture->field_count; i++)
         json_object_set_new(fields, gesture->fields[i].name, number_or_null(gesture->fields[i].value));

@@ -25,10 +25,10 @@ static bool is_anything(const Editor *edit, Fault *fault) {
 
 /* Opens an undo step called "VERB NAMES". */
 static void open_step(Editor *edit, const char *verb) {
-    char name[EDIT_NAME], things[EDIT_NAME];
-    edit_select_names(edit, things);
-    snprintf(name, sizeof name, "%.20s %.100s", verb, things);
-    edit_gesture_open(edit, name);
+    char name[EDIT_NAME], items[EDIT_NAME];
+    edit_select_names(edit, items);
+    snprintf(name, sizeof name, "%.20s %.100s", verb, items);
+    edit_gesture_begin_step(edit, name);
 }
 
 /* Moving and turning ------------------------------------------------------------------------------------------------
@@ -40,7 +40,7 @@ static void nudge_fields(Editor *edit, Vec2 by) {
     const EditHandle *grip = &edit->grip;
     size_t x = grip->grip == GRIP_POINT && edit->field_count == 4 ? 2 : 0;
     if (grip->list == DRAFT_DOORS) {
-        const Plan *plan = &edit->begun;
+        const Plan *plan = &edit->plan_before;
         const Vec2 *ends = plan->walls[edit->now.wall].points.at + edit->now.segment;
         double along = vec2_dot(by, vec2_unit(vec2_sub(ends[1], ends[0])));
         bool wider = grip->grip == GRIP_EDGE;
@@ -68,19 +68,19 @@ static void nudge_fields(Editor *edit, Vec2 by) {
 static bool nudge_handle(Editor *edit, Vec2 by, Fault *fault) {
     EditHandle handles[EDIT_HANDLES];
     size_t count = edit_handle_list(edit, draft_plan(edit->draft), handles);
-    int kept = edit->handle;
-    if ((size_t)kept >= count)
+    int handle = edit->handle;
+    if ((size_t)handle >= count)
         return false;
-    edit_drag_begin(edit, &handles[kept], HOLD_KEYS);
+    edit_drag_begin(edit, &handles[handle], GRAB_KEYS);
     nudge_fields(edit, by);
-    edit_gesture_follow(edit);
+    edit_gesture_update(edit);
     snprintf(edit->name, sizeof edit->name, "Nudge");
-    bool good = !edit->refusal && edit_gesture_settle(edit);
+    bool good = !edit->refusal && edit_gesture_end_valid(edit);
     if (!good) {
         fault_add(fault, "%s", edit->refusal ? edit->refusal : "it cannot go there");
-        edit_gesture_drop(edit);
+        edit_gesture_cancel(edit);
     }
-    edit->handle = kept;
+    edit->handle = handle;
     return good;
 }
 
@@ -90,9 +90,9 @@ bool edit_action_nudge(Editor *edit, Vec2 by, Fault *fault) {
     if (edit->handle >= 0)
         return nudge_handle(edit, by, fault);
     uint64_t before = draft_revision(edit->draft);
-    edit_gesture_open(edit, "Nudge");
+    edit_gesture_begin_step(edit, "Nudge");
     edit_shape_move(edit, draft_plan(edit->draft), by);
-    if (!edit_gesture_close(edit, fault))
+    if (!edit_gesture_end_step(edit, fault))
         return false;
     if (draft_revision(edit->draft) != before)
         return true;
@@ -117,7 +117,7 @@ bool edit_action_turn(Editor *edit, double by, Fault *fault) {
     }
     if (!turned)
         fault_add(fault, "only furniture and people can be turned");
-    return edit_gesture_close(edit, fault) && turned;
+    return edit_gesture_end_step(edit, fault) && turned;
 }
 
 /* Toppling --------------------------------------------------------------------------------------------------------- */
@@ -155,7 +155,7 @@ bool edit_action_topple(Editor *edit, Fault *fault) {
         if (draft_find(edit->draft, edit->ids[i], &index) == DRAFT_FURNITURE &&
             plan->furniture[index].topples != TOPPLE_NO)
             draft_set(edit->draft, edit->ids[i], "toppled", json_boolean(!lies));
-    return edit_gesture_close(edit, fault);
+    return edit_gesture_end_step(edit, fault);
 }
 
 /* Splitting a wall ------------------------------------------------------------------------------------------------- */
@@ -169,7 +169,7 @@ static const Wall *selected_wall(const Editor *edit, size_t *index) {
 }
 
 /* Gives a door another place on the wall. */
-static void put_door(Editor *edit, const Door *door, size_t segment, double at) {
+static void move_door(Editor *edit, const Door *door, size_t segment, double at) {
     draft_set(edit->draft, door->id, "segment", json_integer((json_int_t)segment));
     draft_set_number(edit->draft, door->id, "at", snap_tidy(at));
 }
@@ -202,7 +202,7 @@ static void split_at(Editor *edit, const Wall *wall, size_t index, size_t segmen
         const Door *door = &plan->doors[d];
         bool beyond = (size_t)door->segment == segment && door->at > half;
         if (door->wall_index == index && (beyond || (size_t)door->segment > segment))
-            put_door(edit, door, (size_t)door->segment + 1, beyond ? door->at - half : door->at);
+            move_door(edit, door, (size_t)door->segment + 1, beyond ? door->at - half : door->at);
     }
     draft_set_points(edit->draft, wall->id, "points", points, count + 1);
     memory_free(points);
@@ -228,9 +228,9 @@ bool edit_action_split(Editor *edit, Fault *fault) {
     }
     char name[EDIT_NAME];
     snprintf(name, sizeof name, "Split wall %.60s", wall->id);
-    edit_gesture_open(edit, name);
+    edit_gesture_begin_step(edit, name);
     split_at(edit, wall, index, segment);
-    return edit_gesture_close(edit, fault);
+    return edit_gesture_end_step(edit, fault);
 }
 
 /* Removing a point ------------------------------------------------------------------------------------------------ */
@@ -266,7 +266,7 @@ static bool can_join(const Editor *edit) {
 
 /* Moves the doors of the segments next to a removed point to the nearest place on the new segment; if the point is
  * an end of the wall, the doors are removed with their segment. */
-static void keep_doors(Editor *edit, const Points *points, size_t point, const char *wall) {
+static void move_doors(Editor *edit, const Points *points, size_t point, const char *wall) {
     const Plan *plan = draft_plan(edit->draft);
     bool end = point == 0 || point + 1 == points->count;
     for (size_t d = 0; d < plan->door_count; d++) {
@@ -275,14 +275,14 @@ static void keep_doors(Editor *edit, const Points *points, size_t point, const c
         if (strcmp(door->wall, wall) != 0 || segment + 1 < point)
             continue;
         if (segment > point) {
-            put_door(edit, door, segment - 1, door->at);
+            move_door(edit, door, segment - 1, door->at);
         } else if (end) {
             draft_remove(edit->draft, door->id);
         } else {
             Vec2 from, to, a = points->at[point - 1], b = points->at[point + 1];
             plan_geometry_door_ends(plan, door, &from, &to);
             Vec2 middle = vec2_scale(vec2_add(from, to), 0.5);
-            put_door(edit, door, point - 1, vec2_dot(vec2_sub(middle, a), vec2_unit(vec2_sub(b, a))));
+            move_door(edit, door, point - 1, vec2_dot(vec2_sub(middle, a), vec2_unit(vec2_sub(b, a))));
         }
     }
 }
@@ -290,7 +290,7 @@ static void keep_doors(Editor *edit, const Points *points, size_t point, const c
 /* Removes the point that has the keyboard focus, so that two segments become one. */
 static bool join(Editor *edit, Fault *fault) {
     const Plan *plan = draft_plan(edit->draft);
-    char name[EDIT_NAME], thing[EDIT_NAME];
+    char name[EDIT_NAME], item[EDIT_NAME];
     EditHandle handle;
     if (!focused(edit, &handle))
         return false;
@@ -305,16 +305,16 @@ static bool join(Editor *edit, Fault *fault) {
     for (size_t i = 0; i < points.count; i++)
         if (i != handle.index)
             rest[count++] = points.at[i];
-    edit_select_name(edit, handle.id, thing);
-    snprintf(name, sizeof name, "Remove point of %.80s", thing);
-    edit_gesture_open(edit, name);
+    edit_select_name(edit, handle.id, item);
+    snprintf(name, sizeof name, "Remove point of %.80s", item);
+    edit_gesture_begin_step(edit, name);
     if (handle.list == DRAFT_WALLS)
-        keep_doors(edit, &points, handle.index, handle.id);
+        move_doors(edit, &points, handle.index, handle.id);
     const char *member = handle.list == DRAFT_WALLS ? "points" : handle.list == DRAFT_ROOMS ? "outline" : "via";
     draft_set_points(edit->draft, handle.id, member, rest, count);
     memory_free(rest);
     edit->handle = -1;
-    return edit_gesture_close(edit, fault);
+    return edit_gesture_end_step(edit, fault);
 }
 
 /* Removing --------------------------------------------------------------------------------------------------------- */
@@ -331,7 +331,7 @@ bool edit_action_remove(Editor *edit, Fault *fault) {
     open_step(edit, "Remove");
     for (size_t i = 0; i < edit->id_count; i++)
         draft_remove(edit->draft, edit->ids[i]);
-    return edit_gesture_close(edit, fault);
+    return edit_gesture_end_step(edit, fault);
 }
 
 /* Copies ----------------------------------------------------------------------------------------------------------- */
@@ -343,13 +343,13 @@ char *edit_action_copy(const Editor *edit) {
 static bool paste(Editor *edit, const char *name, const char *text, Vec2 by, Fault *fault) {
     const char **ids = NULL;
     size_t count = 0;
-    edit_gesture_open(edit, name);
+    edit_gesture_begin_step(edit, name);
     if (!draft_clip_paste(edit->draft, text, by, &ids, &count, fault)) {
         draft_cancel(edit->draft);
         return false;
     }
     Fault own = {0};
-    bool good = edit_gesture_close(edit, &own);
+    bool good = edit_gesture_end_step(edit, &own);
     for (size_t i = 0; i < own.count; i++)
         fault_add(fault, "what is pasted cannot be put here: %s", own.lines[i]);
     fault_clear(&own);
@@ -364,11 +364,11 @@ static bool paste(Editor *edit, const char *name, const char *text, Vec2 by, Fau
 }
 
 bool edit_action_duplicate(Editor *edit, Fault *fault) {
-    char name[EDIT_NAME], things[EDIT_NAME];
+    char name[EDIT_NAME], items[EDIT_NAME];
     if (!is_anything(edit, fault))
         return false;
-    edit_select_names(edit, things);
-    snprintf(name, sizeof name, "Duplicate %.100s", things);
+    edit_select_names(edit, items);
+    snprintf(name, sizeof name, "Duplicate %.100s", items);
     char *text = edit_action_copy(edit);
     bool good = text && paste(edit, name, text, vec2(APART, -APART), fault);
     memory_free(text);

@@ -72,7 +72,7 @@ void edit_chain_begin(Editor *edit, bool keys) {
     edit_gesture_begin(edit, kind->gesture, kind->name, keys);
     edit->now.amount = edit->wall_thickness;
     list_fields(edit);
-    edit_gesture_follow(edit);
+    edit_gesture_update(edit);
 }
 
 void edit_chain_clear(Editor *edit) {
@@ -105,7 +105,7 @@ static json_t *list_points(const Editor *edit) {
 }
 
 static void add(Editor *edit, DraftList list, json_t *element) {
-    snprintf(edit->made, EDIT_NAME, "%s", draft_add(edit->draft, list, element));
+    snprintf(edit->added_id, EDIT_NAME, "%s", draft_add(edit->draft, list, element));
 }
 
 static void add_wall(Editor *edit, const Vec2 *points, size_t count, double thickness) {
@@ -163,13 +163,13 @@ bool edit_chain_exit_across(Editor *edit) {
     char name[EDIT_NAME];
     plan_geometry_door_ends(plan, door, &from, &to);
     snprintf(name, sizeof name, "Place exit across door %.60s", door->id);
-    edit_gesture_open(edit, name);
+    edit_gesture_begin_step(edit, name);
     add(edit, DRAFT_EXITS,
         json_pack("{s:o, s:o}", "from", point(vec2(snap_tidy(from.x), snap_tidy(from.y))), "to",
                   point(vec2(snap_tidy(to.x), snap_tidy(to.y)))));
     Fault fault = {0};
-    if (edit_gesture_close(edit, &fault))
-        edit_select_only(edit, edit->made);
+    if (edit_gesture_end_step(edit, &fault))
+        edit_select_only(edit, edit->added_id);
     fault_clear(&fault);
     return true;
 }
@@ -185,7 +185,7 @@ static void make_room(Editor *edit) {
 /* Routes ---------------------------------------------------------------------------------------------------------- */
 
 const char *edit_chain_route_person(const Editor *edit) {
-    const Plan *plan = edit->gesture ? &edit->begun : draft_plan(edit->draft);
+    const Plan *plan = edit->gesture ? &edit->plan_before : draft_plan(edit->draft);
     for (size_t i = edit->id_count; i > 0; i--) {
         size_t person = plan_find_person(plan, edit->ids[i - 1]);
         if (person != SIZE_MAX)
@@ -196,8 +196,8 @@ const char *edit_chain_route_person(const Editor *edit) {
 
 /* Returns the exit at the pointer; NULL: none. */
 static const char *exit_at(const Editor *edit) {
-    for (size_t e = 0; e < edit->begun.exit_count; e++) {
-        const Exit *exit = &edit->begun.exits[e];
+    for (size_t e = 0; e < edit->plan_before.exit_count; e++) {
+        const Exit *exit = &edit->plan_before.exits[e];
         if (vec2_distance(edit->now.at, vec2_nearest_on_segment(edit->now.at, exit->from, exit->to)) <=
             edit->pointer.reach)
             return exit->id;
@@ -218,7 +218,7 @@ static void make_route(Editor *edit) {
     json_t *via = list_of(chain->points, chain->count);
     if (chain->floating && !*chain->exit)
         json_array_append_new(via, point(edit->now.at));
-    const PlanRoute *route = plan_route_of(&edit->begun, person);
+    const PlanRoute *route = plan_route_of(&edit->plan_before, person);
     const char *id = route ? route->id : draft_add(edit->draft, DRAFT_ROUTES, json_pack("{s:[s]}", "people", person));
     draft_set(edit->draft, id, "via", via);
     if (*chain->exit)
@@ -227,7 +227,7 @@ static void make_route(Editor *edit) {
 
 /* Following ------------------------------------------------------------------------------------------------------- */
 
-static void follow_place(Editor *edit) {
+static void update_place(Editor *edit) {
     Vec2 from = edit->chain.count ? last_point(edit) : edit->pointer.at;
     Vec2 at = edit_gesture_snap(edit, (SnapAsk){.along = NAN,
                                                 .faces = kind_of(edit)->faces,
@@ -252,7 +252,7 @@ static Vec2 pointer_point(Editor *edit) {
                                              .doors = kind_of(edit)->doors});
 }
 
-static void follow_line(Editor *edit) {
+static void update_line(Editor *edit) {
     Vec2 from = last_point(edit), at = pointer_point(edit);
     double length = vec2_distance(from, at), angle = snap_angle(vec2_sub(at, from));
     if (length < SAME || edit->keys)
@@ -279,14 +279,14 @@ static void follow_line(Editor *edit) {
     edit_field_show(edit, FIELD_THICKNESS, edit->now.amount);
 }
 
-static void follow(Editor *edit) {
+static void update(Editor *edit) {
     if (edit->chain.proposed && !edit->keys &&
         vec2_distance(edit->pointer.at, edit->chain.proposed_at) > edit->pointer.reach)
         edit->chain.proposed = false;
     if (is_placed(edit))
-        follow_place(edit);
+        update_place(edit);
     else
-        follow_line(edit);
+        update_line(edit);
     if (edit->tool == TOOL_ROUTE)
         find_exit(edit);
     edit->chain.floating = !edit->chain.count || vec2_distance(edit->now.at, last_point(edit)) >= SAME;
@@ -298,20 +298,20 @@ static void follow(Editor *edit) {
 static bool finish(Editor *edit) {
     const ChainKind *kind = kind_of(edit);
     if (edit->chain.count < kind->least && !*edit->chain.exit) {
-        edit_gesture_drop(edit);
+        edit_gesture_cancel(edit);
         return true;
     }
     edit->chain.floating = false;
     if (!edit->gesture->make) {
-        edit_measure_keep(edit, edit->chain.points[0], edit->chain.points[1]);
-        edit_gesture_drop(edit);
+        edit_measure_store(edit, edit->chain.points[0], edit->chain.points[1]);
+        edit_gesture_cancel(edit);
         return true;
     }
-    *edit->made = 0;
+    *edit->added_id = 0;
     if (!edit_gesture_end(edit))
         return false;
-    if (edit->tool != TOOL_ROUTE && *edit->made)
-        edit_select_only(edit, edit->made);
+    if (edit->tool != TOOL_ROUTE && *edit->added_id)
+        edit_select_only(edit, edit->added_id);
     return true;
 }
 
@@ -334,7 +334,7 @@ static void propose(Editor *edit, bool keys) {
     edit->fields[FIELD_ANGLE].value = angle <= -180 ? 180 : snap_tidy(angle);
 }
 
-static bool put(Editor *edit, bool keys) {
+static bool confirm(Editor *edit, bool keys) {
     const ChainKind *kind = kind_of(edit);
     bool empty = keys && !edit_field_any(edit) && !edit->chain.proposed && edit->chain.count;
     if (empty)
@@ -356,48 +356,48 @@ static bool put(Editor *edit, bool keys) {
         propose(edit, keys);
     else
         list_fields(edit);
-    edit_gesture_follow(edit);
+    edit_gesture_update(edit);
     return true;
 }
 
 static bool back(Editor *edit) {
     EditChain *chain = &edit->chain;
     if (chain->count <= 1) {
-        edit_gesture_drop(edit);
+        edit_gesture_cancel(edit);
         return true;
     }
     chain->count--;
     chain->proposed = false;
     list_fields(edit);
-    edit_gesture_follow(edit);
+    edit_gesture_update(edit);
     return true;
 }
 
 static bool escape(Editor *edit) {
     *edit->chain.exit = 0;
-    return finish(edit) || (edit_gesture_drop(edit), true);
+    return finish(edit) || (edit_gesture_cancel(edit), true);
 }
 
 static void release(Editor *edit, bool moved) {
     if (moved)
-        put(edit, false);
+        confirm(edit, false);
 }
 
 /* Texts and marks ------------------------------------------------------------------------------------------------- */
 
-static void say(Editor *edit, Text *words) {
+static void describe(Editor *edit, Text *text) {
     const ChainKind *kind = kind_of(edit);
     if (!edit->chain.count) {
-        text_format(words, "%s begins at x %.2f, y %.2f m: Enter puts it there", kind->what, edit->now.at.x,
+        text_format(text, "%s begins at x %.2f, y %.2f m: Enter puts it there", kind->what, edit->now.at.x,
                     edit->now.at.y);
         return;
     }
     if (kind->places) {
-        text_format(words, "%s by %zu points: click the next one, or the exit; Enter ends it", kind->what,
+        text_format(text, "%s by %zu points: click the next one, or the exit; Enter ends it", kind->what,
                     edit->chain.count);
         return;
     }
-    text_format(words, "%s %.2f m, %g degrees: %s", kind->what, vec2_distance(last_point(edit), edit->now.at),
+    text_format(text, "%s %.2f m, %g degrees: %s", kind->what, vec2_distance(last_point(edit), edit->now.at),
                 edit->fields[FIELD_ANGLE].value,
                 edit->chain.proposed ? "Enter draws it, a number changes it, Escape ends"
                 : kind->most         ? "click the other end, or type the length"
@@ -420,8 +420,8 @@ static void show(Editor *edit) {
 
 #define CHAIN(make_)                                                                                                   \
     {                                                                                                                  \
-        .follow = follow, .make = make_, .put = put, .back = back, .escape = escape, .release = release, .say = say,   \
-        .show = show, .end = edit_chain_clear,                                                                         \
+        .update = update, .make = make_, .confirm = confirm, .back = back, .escape = escape, .release = release,       \
+        .describe = describe, .show = show, .end = edit_chain_clear,                                                   \
     }
 static const EditGesture wall = CHAIN(make_wall), leave = CHAIN(make_exit), room = CHAIN(make_room),
                          route = CHAIN(make_route), measure = CHAIN(NULL);

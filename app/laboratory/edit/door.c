@@ -23,32 +23,32 @@ static bool find_wall(Editor *edit, Vec2 at) {
     EditTarget *now = &edit->now;
     SnapWall wall;
     now->wall = SIZE_MAX;
-    if (!snap_wall(&edit->begun, at, &wall))
+    if (!snap_wall(&edit->plan_before, at, &wall))
         return false;
     now->wall = wall.wall;
     now->segment = wall.segment;
     now->along = to_grid(edit, wall.along);
-    snprintf(edit->snap.words, SNAP_WORDS, "on %.40s", edit->begun.walls[wall.wall].id);
+    snprintf(edit->snap.words, SNAP_WORDS, "on %.40s", edit->plan_before.walls[wall.wall].id);
     return true;
 }
 
 /* Snaps a door to the middle of a segment, as to the ends of a wall. */
 static void snap_middle(Editor *edit) {
-    const Vec2 *ends = edit->begun.walls[edit->now.wall].points.at + edit->now.segment;
+    const Vec2 *ends = edit->plan_before.walls[edit->now.wall].points.at + edit->now.segment;
     double middle = vec2_distance(ends[0], ends[1]) / 2;
     if (edit->pointer.free || fabs(edit->now.along - middle) > edit->pointer.reach)
         return;
     edit->now.along = snap_tidy(middle);
-    snprintf(edit->snap.words, SNAP_WORDS, "middle of %.40s", edit->begun.walls[edit->now.wall].id);
+    snprintf(edit->snap.words, SNAP_WORDS, "middle of %.40s", edit->plan_before.walls[edit->now.wall].id);
 }
 
 static Vec2 place_on_wall(const Editor *edit) {
     const EditTarget *now = &edit->now;
-    const Vec2 *ends = edit->begun.walls[now->wall].points.at + now->segment;
+    const Vec2 *ends = edit->plan_before.walls[now->wall].points.at + now->segment;
     return vec2_along(ends[0], now->along, vec2_unit(vec2_sub(ends[1], ends[0])));
 }
 
-void edit_door_follow(Editor *edit) {
+void edit_door_update(Editor *edit) {
     Vec2 at = edit->pointer.at;
     bool placed = edit_field_typed(edit, FIELD_X, &at.x);
     placed |= edit_field_typed(edit, FIELD_Y, &at.y);
@@ -67,22 +67,22 @@ void edit_door_follow(Editor *edit) {
 
 void edit_door_make(Editor *edit) {
     const EditTarget *now = &edit->now;
-    const char *kind = door_kinds[edit->items[TOOL_DOOR]];
-    const char *wall = now->wall < edit->begun.wall_count ? edit->begun.walls[now->wall].id : "";
+    const char *kind = door_kinds[edit->chosen_rows[TOOL_DOOR]];
+    const char *wall = now->wall < edit->plan_before.wall_count ? edit->plan_before.walls[now->wall].id : "";
     json_t *element = json_pack("{s:s, s:I, s:o, s:o, s:s}", "wall", wall, "segment", (json_int_t)now->segment, "at",
                                 json_number(now->along), "width", json_number(now->amount), "kind", kind);
-    snprintf(edit->made, EDIT_NAME, "%s", draft_add(edit->draft, DRAFT_DOORS, element));
+    snprintf(edit->added_id, EDIT_NAME, "%s", draft_add(edit->draft, DRAFT_DOORS, element));
 }
 
 /* Moves a door into its segment and clear of the other doors. False: it needs no move, or there is no space for it. */
-static bool keep_within(Editor *edit, const char *self) {
+static bool limit_to_segment(Editor *edit, const char *self) {
     EditTarget *now = &edit->now;
-    if (now->wall >= edit->begun.wall_count)
+    if (now->wall >= edit->plan_before.wall_count)
         return false;
-    const Vec2 *ends = edit->begun.walls[now->wall].points.at + now->segment;
+    const Vec2 *ends = edit->plan_before.walls[now->wall].points.at + now->segment;
     double low = now->amount / 2, high = vec2_distance(ends[0], ends[1]) - now->amount / 2, before = now->along;
-    for (size_t d = 0; d < edit->begun.door_count; d++) {
-        const Door *other = &edit->begun.doors[d];
+    for (size_t d = 0; d < edit->plan_before.door_count; d++) {
+        const Door *other = &edit->plan_before.doors[d];
         if (other->wall_index != now->wall || (size_t)other->segment != now->segment || strcmp(other->id, self) == 0)
             continue;
         double away = (other->width + now->amount) / 2;
@@ -103,30 +103,30 @@ bool edit_door_limit(Editor *edit) {
     double typed;
     bool placed = edit_field_typed(edit, FIELD_X, &typed) || edit_field_typed(edit, FIELD_Y, &typed) ||
                   edit_field_typed(edit, FIELD_AT, &typed);
-    return !placed && keep_within(edit, "");
+    return !placed && limit_to_segment(edit, "");
 }
 
 /* Sliding --------------------------------------------------------------------------------------------------------- */
 
 enum { SLIDE_AT, SLIDE_WIDTH };
 
-static const Door *held_door(const Editor *edit) {
-    const Plan *plan = &edit->begun;
+static const Door *dragged_door(const Editor *edit) {
+    const Plan *plan = &edit->plan_before;
     for (size_t d = 0; d < plan->door_count; d++)
-        if (strcmp(plan->doors[d].id, edit->held) == 0)
+        if (strcmp(plan->doors[d].id, edit->dragged_id) == 0)
             return &plan->doors[d];
     return NULL;
 }
 
 /* Returns the pointer's place along the door's own segment, m. */
 static double pointer_along(const Editor *edit, const Door *door) {
-    const Vec2 *ends = edit->begun.walls[door->wall_index].points.at + door->segment;
+    const Vec2 *ends = edit->plan_before.walls[door->wall_index].points.at + door->segment;
     Vec2 pointer = vec2_add(edit->pointer.at, edit->offset);
     return vec2_dot(vec2_sub(pointer, ends[0]), vec2_unit(vec2_sub(ends[1], ends[0])));
 }
 
 /* Moves one edge of the door to the pointer; the other edge stays in place. */
-static void follow_edge(Editor *edit, const Door *door) {
+static void update_edge(Editor *edit, const Door *door) {
     bool last = edit->grip.index == 1;
     double fixed = door->at + (last ? -0.5 : 0.5) * door->width, edge = to_grid(edit, pointer_along(edit, door));
     double width = fmax(last ? edge - fixed : fixed - edge, LEAST_WIDTH);
@@ -137,14 +137,14 @@ static void follow_edge(Editor *edit, const Door *door) {
     edit->now.along = snap_tidy(fixed + (last ? 0.5 : -0.5) * width);
 }
 
-void edit_door_slide_follow(Editor *edit) {
-    const Door *door = held_door(edit);
+void edit_door_slide_update(Editor *edit) {
+    const Door *door = dragged_door(edit);
     edit->now.wall = door->wall_index;
     edit->now.segment = (size_t)door->segment;
     edit->now.amount = door->width;
     edit->now.along = door->at;
     if (edit->grip.grip == GRIP_EDGE) {
-        follow_edge(edit, door);
+        update_edge(edit, door);
     } else if (!edit->keys) {
         find_wall(edit, vec2_add(edit->pointer.at, edit->offset));
         snap_middle(edit);
@@ -158,12 +158,12 @@ void edit_door_slide_follow(Editor *edit) {
 
 void edit_door_slide_make(Editor *edit) {
     const EditTarget *now = &edit->now;
-    draft_set_text(edit->draft, edit->held, "wall", edit->begun.walls[now->wall].id);
-    draft_set(edit->draft, edit->held, "segment", json_integer((json_int_t)now->segment));
-    draft_set_number(edit->draft, edit->held, "at", now->along);
-    draft_set_number(edit->draft, edit->held, "width", now->amount);
+    draft_set_text(edit->draft, edit->dragged_id, "wall", edit->plan_before.walls[now->wall].id);
+    draft_set(edit->draft, edit->dragged_id, "segment", json_integer((json_int_t)now->segment));
+    draft_set_number(edit->draft, edit->dragged_id, "at", now->along);
+    draft_set_number(edit->draft, edit->dragged_id, "width", now->amount);
 }
 
 bool edit_door_slide_limit(Editor *edit) {
-    return edit->grip.grip != GRIP_EDGE && !edit_field_any(edit) && keep_within(edit, edit->held);
+    return edit->grip.grip != GRIP_EDGE && !edit_field_any(edit) && limit_to_segment(edit, edit->dragged_id);
 }

@@ -19,17 +19,17 @@ static const EditGesture shape, body, slide, whole, box;
 
 /* Furniture and people --------------------------------------------------------------------------------------------- */
 
-static const Furniture *held_piece(const Editor *edit) {
-    const Plan *plan = &edit->begun;
+static const Furniture *dragged_piece(const Editor *edit) {
+    const Plan *plan = &edit->plan_before;
     for (size_t i = 0; i < plan->furniture_count; i++)
-        if (strcmp(plan->furniture[i].id, edit->held) == 0)
+        if (strcmp(plan->furniture[i].id, edit->dragged_id) == 0)
             return &plan->furniture[i];
     return NULL;
 }
 
-static const Person *held_person(const Editor *edit) {
-    size_t person = plan_find_person(&edit->begun, edit->held);
-    return person == SIZE_MAX ? NULL : &edit->begun.people[person];
+static const Person *dragged_person(const Editor *edit) {
+    size_t person = plan_find_person(&edit->plan_before, edit->dragged_id);
+    return person == SIZE_MAX ? NULL : &edit->plan_before.people[person];
 }
 
 static void show_place(Editor *edit) {
@@ -39,8 +39,8 @@ static void show_place(Editor *edit) {
     edit_field_show(edit, 1, edit->now.at.y);
 }
 
-static void follow_middle(Editor *edit, const Furniture *piece) {
-    const char *without[] = {edit->held};
+static void update_middle(Editor *edit, const Furniture *piece) {
+    const char *without[] = {edit->dragged_id};
     SnapAsk ask = {.at = vec2_add(edit->pointer.at, edit->offset),
                    .reach = edit->pointer.reach,
                    .free = edit->pointer.free,
@@ -53,16 +53,16 @@ static void follow_middle(Editor *edit, const Furniture *piece) {
     else if (edit->pointer.straight)
         ask.at.x = from.x;
     if (!edit->keys)
-        edit->snap = piece ? snap_piece_place(&edit->begun, piece, &ask) : snap_point(&edit->begun, &ask);
+        edit->snap = piece ? snap_piece_place(&edit->plan_before, piece, &ask) : snap_point(&edit->plan_before, &ask);
     edit->now.at = edit->keys ? from : edit->snap.at;
     show_place(edit);
 }
 
 /* Resizes a piece by its corner; the opposite corner stays in place. */
-static void follow_corner(Editor *edit, const Furniture *piece) {
+static void update_corner(Editor *edit, const Furniture *piece) {
     static const Vec2 signs[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     Vec2 sign = signs[edit->grip.index], axis = snap_heading(piece->angle);
-    const char *without[] = {edit->held};
+    const char *without[] = {edit->dragged_id};
     Vec2 corner =
         edit->keys
             ? edit->grip.at
@@ -79,7 +79,7 @@ static void follow_corner(Editor *edit, const Furniture *piece) {
     edit->now.at = vec2(snap_tidy(centre.x), snap_tidy(centre.y));
 }
 
-static void follow_turn(Editor *edit, Vec2 centre, double angle, double ahead) {
+static void update_turn(Editor *edit, Vec2 centre, double angle, double ahead) {
     Vec2 to = vec2_sub(vec2_add(edit->pointer.at, edit->offset), centre);
     if (!edit->keys && vec2_length(to) > 0)
         angle = snap_turn(snap_angle(to) + ahead, edit->pointer.free);
@@ -88,39 +88,39 @@ static void follow_turn(Editor *edit, Vec2 centre, double angle, double ahead) {
     edit->now.angle = angle;
 }
 
-static void follow_body(Editor *edit) {
-    const Furniture *piece = held_piece(edit);
-    const Person *person = held_person(edit);
+static void update_body(Editor *edit) {
+    const Furniture *piece = dragged_piece(edit);
+    const Person *person = dragged_person(edit);
     if (edit->grip.grip == GRIP_MIDDLE)
-        follow_middle(edit, piece);
+        update_middle(edit, piece);
     else if (edit->grip.grip == GRIP_CORNER && piece)
-        follow_corner(edit, piece);
+        update_corner(edit, piece);
     else if (piece)
-        follow_turn(edit, piece->centre, piece->angle, 90);
+        update_turn(edit, piece->centre, piece->angle, 90);
     else if (person)
-        follow_turn(edit, person->at, person->heading, 0);
+        update_turn(edit, person->at, person->heading, 0);
 }
 
 static void make_body(Editor *edit) {
     bool piece = edit->grip.list == DRAFT_FURNITURE;
     if (edit->grip.grip == GRIP_TURN) {
-        draft_set_number(edit->draft, edit->held, piece ? "angle" : "heading", edit->now.angle);
+        draft_set_number(edit->draft, edit->dragged_id, piece ? "angle" : "heading", edit->now.angle);
         return;
     }
-    draft_set_point(edit->draft, edit->held, piece ? "centre" : "at", edit->now.at);
+    draft_set_point(edit->draft, edit->dragged_id, piece ? "centre" : "at", edit->now.at);
     if (edit->grip.grip == GRIP_CORNER)
-        draft_set_point(edit->draft, edit->held, "size", edit->now.size);
+        draft_set_point(edit->draft, edit->dragged_id, "size", edit->now.size);
 }
 
 /* Handles --------------------------------------------------------------------------------------------------------- */
 
-static void hold(Editor *edit, const EditHandle *handle) {
+static void set_dragged(Editor *edit, const EditHandle *handle) {
     Text copy = {0};
     text_add(&copy, handle->id);
-    memory_free(edit->held);
-    edit->held = copy.text;
+    memory_free(edit->dragged_id);
+    edit->dragged_id = copy.text;
     edit->grip = *handle;
-    edit->grip.id = edit->held;
+    edit->grip.id = edit->dragged_id;
 }
 
 static void name_step(const Editor *edit, const EditHandle *handle, char name[EDIT_NAME]) {
@@ -131,10 +131,10 @@ static void name_step(const Editor *edit, const EditHandle *handle, char name[ED
                                         [GRIP_TURN] = "Turn",
                                         [GRIP_MIDDLE] = "Move",
                                         [GRIP_WHOLE] = "Move"};
-    char thing[EDIT_NAME];
-    edit_select_name(edit, handle->id, thing);
+    char item[EDIT_NAME];
+    edit_select_name(edit, handle->id, item);
     bool end = handle->grip == GRIP_POINT && handle->list == DRAFT_EXITS;
-    snprintf(name, EDIT_NAME, "%s %.100s", end ? "Move end of" : verbs[handle->grip], thing);
+    snprintf(name, EDIT_NAME, "%s %.100s", end ? "Move end of" : verbs[handle->grip], item);
 }
 
 static void list_fields(Editor *edit, const EditHandle *handle) {
@@ -164,27 +164,27 @@ static const EditGesture *gesture_of(const EditHandle *handle) {
     return &shape;
 }
 
-void edit_drag_begin(Editor *edit, const EditHandle *handle, EditHold how) {
+void edit_drag_begin(Editor *edit, const EditHandle *handle, EditGrab how) {
     char name[EDIT_NAME], *id = text_copy(handle->id);
     EditHandle copy = *handle;
     copy.id = id;
-    edit_gesture_drop(edit);
+    edit_gesture_cancel(edit);
     name_step(edit, &copy, name);
-    hold(edit, &copy);
-    edit_gesture_begin(edit, gesture_of(&edit->grip), name, how != HOLD_DRAG);
-    edit->offset = vec2_sub(copy.at, how == HOLD_KEYS ? edit->pointer.at : edit->pressed);
-    edit->taken = how != HOLD_DRAG;
-    edit->clicked = how == HOLD_CLICK;
+    set_dragged(edit, &copy);
+    edit_gesture_begin(edit, gesture_of(&edit->grip), name, how != GRAB_DRAG);
+    edit->offset = vec2_sub(copy.at, how == GRAB_KEYS ? edit->pointer.at : edit->pressed);
+    edit->grabbed = how != GRAB_DRAG;
+    edit->clicked = how == GRAB_CLICK;
     list_fields(edit, &edit->grip);
-    edit_gesture_follow(edit);
+    edit_gesture_update(edit);
     memory_free(id);
 }
 
-static bool put(Editor *edit, bool keys) {
+static bool confirm(Editor *edit, bool keys) {
     if (edit->refusal && keys && !edit->limited)
         return false;
-    if (!edit_gesture_settle(edit)) {
-        edit_gesture_drop(edit);
+    if (!edit_gesture_end_valid(edit)) {
+        edit_gesture_cancel(edit);
         return false;
     }
     return true;
@@ -192,47 +192,50 @@ static bool put(Editor *edit, bool keys) {
 
 /* Ends the drag, unless the press was a click: a click grabs the handle, and the next click drops it. */
 static void release(Editor *edit, bool moved) {
-    if (moved || edit->taken)
-        put(edit, false);
+    if (moved || edit->grabbed)
+        confirm(edit, false);
     else
-        edit->taken = true;
+        edit->grabbed = true;
 }
 
 /* Reports that the dragged piece overlaps a wall. */
-static void say_overlap(const Editor *edit, Text *words) {
+static void describe_overlap(const Editor *edit, Text *text) {
     const Plan *plan = draft_plan(edit->draft);
     size_t index, wall = 0;
-    if (draft_find(edit->draft, edit->held, &index) != DRAFT_FURNITURE || index >= plan->furniture_count)
+    if (draft_find(edit->draft, edit->dragged_id, &index) != DRAFT_FURNITURE || index >= plan->furniture_count)
         return;
     double depth = overlap_depth(plan, &plan->furniture[index], &wall);
     if (depth >= OVERLAP_LEAST)
-        text_format(words, "; stands %.0f cm in wall %s", 100 * depth, plan->walls[wall].id);
+        text_format(text, "; stands %.0f cm in wall %s", 100 * depth, plan->walls[wall].id);
 }
 
-static void say(Editor *edit, Text *words) {
-    char thing[EDIT_NAME];
-    edit_select_name(edit, edit->held, thing);
-    text_format(words, "%s:", thing);
+static void describe(Editor *edit, Text *text) {
+    char item[EDIT_NAME];
+    edit_select_name(edit, edit->dragged_id, item);
+    text_format(text, "%s:", item);
     for (size_t i = 0; i < edit->field_count; i++)
-        text_format(words, "%s %s %.*f%s", i ? "," : "", edit->fields[i].name,
+        text_format(text, "%s %s %.*f%s", i ? "," : "", edit->fields[i].name,
                     strcmp(edit->fields[i].unit, "degree") == 0 ? 1 : 2, edit->fields[i].value,
                     strcmp(edit->fields[i].unit, "degree") == 0 ? " degrees" : " m");
-    say_overlap(edit, words);
+    describe_overlap(edit, text);
 }
 
 static void show(Editor *edit) {
-    edit_marks_held(edit);
+    edit_marks_dragged(edit);
 }
 
-#define DRAG(follow_, make_, limit_)                                                                                   \
-    { .follow = follow_, .make = make_, .limit = limit_, .put = put, .release = release, .say = say, .show = show }
-static const EditGesture shape = DRAG(edit_shape_follow, edit_shape_make, NULL),
-                         body = DRAG(follow_body, make_body, NULL),
-                         slide = DRAG(edit_door_slide_follow, edit_door_slide_make, edit_door_slide_limit);
+#define DRAG(update_, make_, limit_)                                                                                   \
+    {                                                                                                                  \
+        .update = update_, .make = make_, .limit = limit_, .confirm = confirm, .release = release,                     \
+        .describe = describe, .show = show                                                                             \
+    }
+static const EditGesture shape = DRAG(edit_shape_update, edit_shape_make, NULL),
+                         body = DRAG(update_body, make_body, NULL),
+                         slide = DRAG(edit_door_slide_update, edit_door_slide_make, edit_door_slide_limit);
 
 /* The whole selection --------------------------------------------------------------------------------------------- */
 
-static void follow_whole(Editor *edit) {
+static void update_whole(Editor *edit) {
     Vec2 by = vec2_sub(edit->pointer.at, edit->pressed);
     if (edit->pointer.straight && fabs(by.x) >= fabs(by.y))
         by.y = 0;
@@ -248,13 +251,13 @@ static void follow_whole(Editor *edit) {
 }
 
 static void make_whole(Editor *edit) {
-    edit_shape_move(edit, &edit->begun, edit->now.at);
+    edit_shape_move(edit, &edit->plan_before, edit->now.at);
 }
 
-static void say_whole(Editor *edit, Text *words) {
-    char things[EDIT_NAME];
-    edit_select_names(edit, things);
-    text_format(words, "%s moved by %.2f, %.2f m", things, edit->now.at.x, edit->now.at.y);
+static void describe_whole(Editor *edit, Text *text) {
+    char items[EDIT_NAME];
+    edit_select_names(edit, items);
+    text_format(text, "%s moved by %.2f, %.2f m", items, edit->now.at.x, edit->now.at.y);
 }
 
 static void show_whole(Editor *edit) {
@@ -262,8 +265,12 @@ static void show_whole(Editor *edit) {
         edit_marks_length(edit, edit->pressed, vec2_add(edit->pressed, edit->now.at));
 }
 
-static const EditGesture whole = {
-    .follow = follow_whole, .make = make_whole, .put = put, .release = release, .say = say_whole, .show = show_whole};
+static const EditGesture whole = {.update = update_whole,
+                                  .make = make_whole,
+                                  .confirm = confirm,
+                                  .release = release,
+                                  .describe = describe_whole,
+                                  .show = show_whole};
 
 /* Returns the distance from the press position to a segment of a wall, m. */
 static double distance_to_piece(const Editor *edit, const EditHandle *handle) {
@@ -279,7 +286,7 @@ static double distance_to_piece(const Editor *edit, const EditHandle *handle) {
 
 void edit_drag_whole(Editor *edit) {
     static const char *const names[] = {"along x", "along y"}, *const units[] = {"m", "m"};
-    char name[EDIT_NAME], things[EDIT_NAME];
+    char name[EDIT_NAME], items[EDIT_NAME];
     EditHandle handles[EDIT_HANDLES];
     size_t count = edit_handle_list(edit, draft_plan(edit->draft), handles);
     const EditHandle *meant = NULL; /* the middle, or the nearest segment of a wall: it snaps as its handle does */
@@ -292,39 +299,39 @@ void edit_drag_whole(Editor *edit) {
         nearest = fmin(nearest, distance);
     }
     if (meant) {
-        edit_drag_begin(edit, meant, HOLD_DRAG);
+        edit_drag_begin(edit, meant, GRAB_DRAG);
         return;
     }
-    edit_select_names(edit, things);
-    snprintf(name, sizeof name, "Move %.100s", things);
+    edit_select_names(edit, items);
+    snprintf(name, sizeof name, "Move %.100s", items);
     edit_gesture_begin(edit, &whole, name, false);
     edit_field_list(edit, names, units, 2);
-    edit_gesture_follow(edit);
+    edit_gesture_update(edit);
 }
 
 /* The selection rectangle ----------------------------------------------------------------------------------------- */
 
-static void follow_box(Editor *edit) {
+static void update_box(Editor *edit) {
     edit->now.at = edit->pointer.at;
 }
 
-static bool put_box(Editor *edit, bool keys) {
+static bool confirm_box(Editor *edit, bool keys) {
     Box within = box_include(box_include(box_empty(), edit->pressed), edit->now.at);
     bool more = edit->pointer.more;
     (void)keys;
-    edit_gesture_drop(edit);
+    edit_gesture_cancel(edit);
     edit_select_within(edit, within, more);
     return true;
 }
 
 static void release_box(Editor *edit, bool moved) {
     (void)moved;
-    put_box(edit, false);
+    confirm_box(edit, false);
 }
 
-static void say_box(Editor *edit, Text *words) {
+static void describe_box(Editor *edit, Text *text) {
     (void)edit;
-    text_add(words, "what lies within is selected");
+    text_add(text, "what lies within is selected");
 }
 
 static void show_box(Editor *edit) {
@@ -333,9 +340,9 @@ static void show_box(Editor *edit) {
 }
 
 static const EditGesture box = {
-    .follow = follow_box, .put = put_box, .release = release_box, .say = say_box, .show = show_box};
+    .update = update_box, .confirm = confirm_box, .release = release_box, .describe = describe_box, .show = show_box};
 
 void edit_drag_box(Editor *edit) {
     edit_gesture_begin(edit, &box, "", false);
-    edit_gesture_follow(edit);
+    edit_gesture_update(edit);
 }

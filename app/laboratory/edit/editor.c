@@ -46,8 +46,8 @@ Editor *editor_create(Draft *draft, const EditorOptions *options) {
     Editor *edit = memory_zeroed(1, sizeof *edit);
     edit->draft = draft;
     edit->options = *options;
-    edit->options.path = arena_text(&edit->kept, options->path);
-    edit->options.profiles = arena_text(&edit->kept, options->profiles);
+    edit->options.path = arena_text(&edit->option_texts, options->path);
+    edit->options.profiles = arena_text(&edit->option_texts, options->profiles);
     edit->handle = -1;
     edit->door_width = 0.8;
     edit->wall_thickness = 0.12;
@@ -55,20 +55,20 @@ Editor *editor_create(Draft *draft, const EditorOptions *options) {
 }
 
 void editor_destroy(Editor *edit) {
-    edit_gesture_drop(edit);
+    edit_gesture_cancel(edit);
     edit_propose_end(edit);
     edit_shake_clear(edit);
     edit_tool_items_clear(edit);
     for (size_t i = 0; i < edit->id_count; i++)
         memory_free(edit->ids[i]);
     memory_free(edit->ids);
-    memory_free(edit->things);
+    memory_free(edit->selected_items);
     memory_free(edit->image);
     memory_free(edit->texts);
     arena_clear(&edit->text_arena);
     memory_free(edit->marks);
-    arena_clear(&edit->words);
-    arena_clear(&edit->kept);
+    arena_clear(&edit->mark_texts);
+    arena_clear(&edit->option_texts);
     memory_free(edit->doing.text);
     memory_free(edit);
 }
@@ -113,9 +113,9 @@ void editor_set_selected(Editor *edit, Item item) {
 
 void editor_settle(Editor *edit) {
     Fault none = {0}; /* a refused value was reported when it was set */
-    if (!edit->number_held)
+    if (!edit->number_dragged)
         return;
-    edit->number_held = false;
+    edit->number_dragged = false;
     draft_end(edit->draft, &none);
     fault_clear(&none);
     edit->changed = true;
@@ -124,27 +124,27 @@ void editor_settle(Editor *edit) {
 /* Cancels the gesture and completes the dragged number, before another action on the selection. */
 static void prepare(Editor *edit) {
     editor_settle(edit);
-    edit_gesture_drop(edit);
-    edit_select_meet(edit);
+    edit_gesture_cancel(edit);
+    edit_select_sync(edit);
 }
 
 void editor_hold_number(Editor *edit, const char *step) {
     prepare(edit);
     draft_begin(edit->draft, step);
-    edit->number_held = true;
+    edit->number_dragged = true;
 }
 
 bool editor_holds_number(Editor *edit) {
-    edit->number_held =
-        edit->number_held && draft_is_open(edit->draft); /* the end of the step also ends the dragging of its number */
-    return edit->number_held;
+    edit->number_dragged = edit->number_dragged &&
+                           draft_is_open(edit->draft); /* the end of the step also ends the dragging of its number */
+    return edit->number_dragged;
 }
 
 bool editor_reset(Editor *edit, const char *step) {
-    edit_gesture_drop(edit);
-    if (edit->number_held) {
+    edit_gesture_cancel(edit);
+    if (edit->number_dragged) {
         draft_cancel(edit->draft);
-        edit->number_held = false;
+        edit->number_dragged = false;
         edit->changed = true;
     }
     uint64_t before = draft_revision(edit->draft);
@@ -161,7 +161,7 @@ const char *editor_image_trouble(Editor *edit) {
 
 void editor_set_tool(Editor *edit, EditTool tool) {
     editor_settle(edit);
-    edit_pointer_take(edit, tool);
+    edit_pointer_set_tool(edit, tool);
 }
 
 EditTool editor_tool(const Editor *edit) {
@@ -169,7 +169,7 @@ EditTool editor_tool(const Editor *edit) {
 }
 
 void editor_point(Editor *edit, const Pointer *pointer) {
-    edit_pointer_point(edit, pointer);
+    edit_pointer_move(edit, pointer);
 }
 
 void editor_press(Editor *edit, const Pointer *pointer, bool twice) {
@@ -227,32 +227,33 @@ const GestureView *editor_gesture(Editor *edit) {
 /* Selection -------------------------------------------------------------------------------------------------------- */
 
 const Item *editor_selection(Editor *edit, size_t *count) {
-    edit_select_meet(edit);
+    edit_select_sync(edit);
     *count = 0;
-    edit->things = memory_reserve(edit->things, &edit->thing_capacity, edit->id_count, sizeof *edit->things);
+    edit->selected_items =
+        memory_reserve(edit->selected_items, &edit->selected_capacity, edit->id_count, sizeof *edit->selected_items);
     for (size_t i = 0; i < edit->id_count; i++) {
-        Item thing = edit_select_thing(edit, edit->ids[i]);
-        if (thing.kind)
-            edit->things[(*count)++] = thing;
+        Item item = edit_select_item(edit, edit->ids[i]);
+        if (item.kind)
+            edit->selected_items[(*count)++] = item;
     }
-    return edit->things;
+    return edit->selected_items;
 }
 
 void editor_toggle(Editor *edit, Item item) {
-    edit_select_meet(edit);
+    edit_select_sync(edit);
     const char *id = edit_select_id(edit, item);
     if (*id)
         edit_select_toggle(edit, id);
 }
 
 void editor_select_all(Editor *edit) {
-    edit_gesture_drop(edit);
+    edit_gesture_cancel(edit);
     edit_select_all(edit);
 }
 
 void editor_focus_handle(Editor *edit, int step) {
     EditHandle handles[EDIT_HANDLES];
-    edit_select_meet(edit);
+    edit_select_sync(edit);
     int count =
         (int)edit_handle_list(edit, draft_plan(edit->draft), handles) + 1; /* and the position without a handle */
     edit->handle = step ? (edit->handle + 1 + count + step % count) % count - 1 : -1;
@@ -289,7 +290,7 @@ bool editor_duplicate(Editor *edit, Fault *fault) {
 }
 
 char *editor_copy(Editor *edit) {
-    edit_select_meet(edit);
+    edit_select_sync(edit);
     return edit_action_copy(edit);
 }
 
@@ -312,12 +313,12 @@ const char *editor_shake_result(const Editor *edit) {
 static bool step(Editor *edit, bool (*go)(Draft *draft)) {
     editor_settle(edit);
     if (edit->gesture) {
-        edit_gesture_drop(edit);
+        edit_gesture_cancel(edit);
         return true;
     }
     if (!go(edit->draft))
         return false;
-    edit_select_known(edit);
+    edit_select_prune(edit);
     edit->changed = true;
     return true;
 }
@@ -341,7 +342,7 @@ const char *editor_redo_name(const Editor *edit) {
 /* Texts, catalogue, proposals, picture ---------------------------------------------------------------------------- */
 
 const EditText *editor_texts(Editor *edit, size_t *count) {
-    edit_select_meet(edit);
+    edit_select_sync(edit);
     return edit_text_list(edit, count);
 }
 
@@ -355,15 +356,15 @@ const CatalogueRow *editor_items(Editor *edit, size_t *count) {
 }
 
 size_t editor_item(const Editor *edit) {
-    return edit->items[edit->tool];
+    return edit->chosen_rows[edit->tool];
 }
 
 void editor_choose_item(Editor *edit, size_t item) {
     size_t count;
     edit_tool_items_list(edit, &count);
-    edit_gesture_drop(edit);
+    edit_gesture_cancel(edit);
     if (item < count)
-        edit->items[edit->tool] = item;
+        edit->chosen_rows[edit->tool] = item;
 }
 
 void editor_ask_proposals(Editor *edit) {
@@ -413,6 +414,6 @@ bool editor_save(Editor *edit, const char *path, Fault *fault) {
     if (!draft_file_save(edit->draft, path, fault))
         return false;
     edit->saved_steps = draft_step_count(edit->draft);
-    edit->options.path = arena_text(&edit->kept, path);
+    edit->options.path = arena_text(&edit->option_texts, path);
     return true;
 }

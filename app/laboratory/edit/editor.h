@@ -73,9 +73,9 @@ typedef struct EditMark {
     EditMarkKind kind;
     Vec2 points[LABORATORY_MARK_POINTS]; /* (count) m */
     size_t count;
-    const char *words; /* or NULL */
-    bool round;        /* a handle that rotates the item */
-    bool held;         /* a handle that is being dragged or has the keyboard focus */
+    const char *text; /* or NULL */
+    bool round;       /* a handle that rotates the item */
+    bool active;      /* a handle that is being dragged or has the keyboard focus */
 } EditMark;
 
 /* The gesture in progress and its marks; valid until the next call of the editor or update. */
@@ -87,15 +87,15 @@ typedef struct GestureView {
     size_t mark_count;
     const EditField *fields; /* numbers that can be typed now; Tab cycles through them */
     size_t field_count, field;
-    const char *typed; /* text typed into the field so far; "": none */
-    const char *wrong; /* why the typed text is not a value; NULL: the text is valid */
+    const char *typed;       /* text typed into the field so far; "": none */
+    const char *typed_error; /* why the typed text is not a value; NULL: the text is valid */
 } GestureView;
 
 /* An item that can be placed: a wardrobe of the catalogue, a profile. */
 typedef struct CatalogueRow {
-    const char *name;  /* "wardrobe" */
-    const char *group; /* "Japanese", "European" */
-    const char *words; /* "0.90 x 0.60 m, 1.80 m high" */
+    const char *name;   /* "wardrobe" */
+    const char *group;  /* "Japanese", "European" */
+    const char *detail; /* "0.90 x 0.60 m, 1.80 m high" */
 } CatalogueRow;
 
 /* A text of the selected item: a name, an id, a note. */
@@ -109,7 +109,7 @@ typedef struct EditText {
 
 /* A change with which all people could leave. */
 typedef struct Proposal {
-    const char *words;  /* "Widen door d2 from 0.75 m to 0.79 m" */
+    const char *text;   /* "Widen door d2 from 0.75 m to 0.79 m" */
     const char *answer; /* "everybody out in 21.3 s" */
 } Proposal;
 

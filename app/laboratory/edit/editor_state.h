@@ -78,14 +78,14 @@ typedef struct EditShake {
 } EditShake;
 
 struct Editor {
-    Draft *draft; /* the edited house; belongs to the owner */
-    Arena kept;   /* holds the texts of the options */
+    Draft *draft;       /* the edited house; belongs to the owner */
+    Arena option_texts; /* holds the texts of the options */
     EditorOptions options;
-    EditorScene scene; /* the displayed house */
-    bool changed;      /* the draft has changed since the owner's last request */
-    bool shook;        /* an earthquake was made since the owner's last request */
-    bool number_held;  /* a number is being dragged: its undo step is open */
-    Item selected;     /* the last item of the selection, in the displayed house */
+    EditorScene scene;   /* the displayed house */
+    bool changed;        /* the draft has changed since the owner's last request */
+    bool shook;          /* an earthquake was made since the owner's last request */
+    bool number_dragged; /* a number is being dragged: its undo step is open */
+    Item selected;       /* the last item of the selection, in the displayed house */
 
     EditTool tool;
     Pointer pointer; /* the last position of the pointer */
@@ -97,38 +97,38 @@ struct Editor {
 
     char **ids; /* (id_count) ids of the selection, in the order of selecting */
     size_t id_count, id_capacity;
-    Item *things; /* (id_count) the selection as items of the displayed house */
-    size_t thing_capacity;
-    Item told;  /* `selected` when it was last synchronised with the ids */
-    int handle; /* the handle that has the keyboard focus, -1: none */
+    Item *selected_items; /* (id_count) the selection as items of the displayed house */
+    size_t selected_capacity;
+    Item synced; /* `selected` when it was last synchronised with the ids */
+    int handle;  /* the handle that has the keyboard focus, -1: none */
 
     const EditGesture *gesture; /* NULL: there is none */
     bool keys;                  /* the pointer is ignored until its button is pressed, or, */
     bool clicked;               /* if `clicked`, until the pointer moves */
     Vec2 keys_at;               /* m, the pointer's place when the keys took over */
     char name[EDIT_NAME];       /* name of the gesture's undo step */
-    Plan begun;                 /* the house before the gesture */
+    Plan plan_before;           /* the house before the gesture */
     EditTarget now, good;
     bool has_good, limited;
     char *refusal;
     EditField fields[EDIT_FIELDS];
     size_t field_count, field;
     char typed[EDIT_TYPED];
-    char wrong[128];
+    char typed_error[128];
     Snap snap; /* snap of the target */
 
     EditChain chain;
-    EditHandle grip; /* the dragged handle; its id is `held` */
-    char *held;
-    Vec2 offset;          /* m, from the pointer to the handle */
-    bool taken;           /* grabbed by a click, not by dragging */
-    bool sizing;          /* a rectangle is being drawn */
-    char made[EDIT_NAME]; /* id of the item added last */
+    EditHandle grip; /* the dragged handle; its id is `dragged_id` */
+    char *dragged_id;
+    Vec2 offset;              /* m, from the pointer to the handle */
+    bool grabbed;             /* grabbed by a click, not by dragging */
+    bool sizing;              /* a rectangle is being drawn */
+    char added_id[EDIT_NAME]; /* id of the item added last */
 
-    size_t items[EDIT_TOOLS]; /* index of the chosen row of each tool */
+    size_t chosen_rows[EDIT_TOOLS]; /* index of the chosen row of each tool */
     CatalogueRow *item_rows;
-    size_t item_capacity;
-    Arena item_words;
+    size_t row_capacity;
+    Arena item_texts;
     Catalogue catalogue;
     char **profiles; /* (profile_count) names of the shipped profiles */
     size_t profile_count;
@@ -142,8 +142,8 @@ struct Editor {
     EditMeasure measures[EDIT_MEASURES];
     size_t measure_count;
 
-    EditSearch *search;   /* search for changes that let all people leave, or NULL */
-    EditSearch *given_up; /* list of cancelled searches that have not ended yet */
+    EditSearch *search;    /* search for changes that let all people leave, or NULL */
+    EditSearch *cancelled; /* list of cancelled searches that have not ended yet */
     char proposing[64];
 
     EditShake *shakes; /* (shake_count) */
@@ -158,7 +158,7 @@ struct Editor {
 
     EditMark *marks; /* marks of the displayed gesture */
     size_t mark_count, mark_capacity;
-    Arena words;
+    Arena mark_texts;
     uint64_t pasted;    /* digest of the text that was last pasted without a pointer, */
     int copies;         /* and how many times it was pasted */
     size_t saved_steps; /* number of undo steps at the last save */

@@ -11,7 +11,7 @@ void edit_field_list(Editor *edit, const char *const *names, const char *const *
         edit->fields[i] = (EditField){.name = names[i], .unit = units[i]};
     edit->field_count = count;
     edit->field = 0;
-    *edit->typed = *edit->wrong = 0;
+    *edit->typed = *edit->typed_error = 0;
 }
 
 bool edit_field_typed(const Editor *edit, size_t field, double *value) {
@@ -40,7 +40,7 @@ bool edit_field_begins(const char *letters) {
 
 /* True if the characters may continue a number: letters of units, signs and, beyond ASCII, the degree and minus
  * signs. */
-static bool goes_on(const char *letters) {
+static bool may_continue(const char *letters) {
     for (; *letters; letters++)
         if (!strchr("0123456789-+., '\"cmkftinrdeg", *letters) && (unsigned char)*letters < 0x80)
             return false;
@@ -52,24 +52,24 @@ static void read_typed(Editor *edit) {
     EditField *field = &edit->fields[edit->field];
     char reason[QUANTITY_REASON];
     double value;
-    *edit->wrong = 0;
+    *edit->typed_error = 0;
     field->typed = *edit->typed != 0;
     if (!field->typed)
         return;
     if (!quantity_read(edit->typed, strcmp(field->unit, "degree") == 0 ? "deg" : field->unit, &value, reason)) {
-        snprintf(edit->wrong, sizeof edit->wrong, "%s", reason);
+        snprintf(edit->typed_error, sizeof edit->typed_error, "%s", reason);
         return;
     }
     if (fabs(value) > PARAMETER_FARTHEST)
-        snprintf(edit->wrong, sizeof edit->wrong, "%g %s is beyond the plan, at most %g %s", value, field->unit,
-                 PARAMETER_FARTHEST, field->unit);
+        snprintf(edit->typed_error, sizeof edit->typed_error, "%g %s is beyond the plan, at most %g %s", value,
+                 field->unit, PARAMETER_FARTHEST, field->unit);
     else
         field->value = value;
 }
 
 bool edit_field_type(Editor *edit, const char *letters) {
     size_t used = strlen(edit->typed);
-    bool fits = *edit->typed ? goes_on(letters) : edit_field_begins(letters) && goes_on(letters);
+    bool fits = *edit->typed ? may_continue(letters) : edit_field_begins(letters) && may_continue(letters);
     if (!edit->gesture || !edit->field_count || !fits)
         return false;
     snprintf(edit->typed + used, sizeof edit->typed - used, "%s", letters);
@@ -91,7 +91,7 @@ bool edit_field_back(Editor *edit) {
 bool edit_field_tab(Editor *edit, int step) {
     if (!edit->gesture || !edit->field_count)
         return false;
-    if (*edit->wrong)
+    if (*edit->typed_error)
         return true; /* not before the text is a number or has been removed */
     size_t count = edit->field_count;
     edit->field = (edit->field + count + (size_t)(step < 0 ? count - 1 : 1)) % count;

@@ -10,41 +10,41 @@ static void forget_refusal(Editor *edit) {
     edit->refusal = NULL;
 }
 
-static void keep_refusal(Editor *edit, const Fault *fault) {
+static void store_refusal(Editor *edit, const Fault *fault) {
     Text text = {0};
     forget_refusal(edit);
     text_add(&text, fault->count ? fault->lines[0] : "it cannot be so");
     edit->refusal = text.text;
 }
 
-static void keep_begun(Editor *edit) {
+static void store_plan_before(Editor *edit) {
     Fault none = {0};
-    plan_read_text(&edit->begun, "", draft_text(edit->draft), NULL, 0, &none);
+    plan_read_text(&edit->plan_before, "", draft_text(edit->draft), NULL, 0, &none);
     fault_clear(&none);
 }
 
-void edit_gesture_open(Editor *edit, const char *name) {
-    edit_gesture_drop(edit);
+void edit_gesture_begin_step(Editor *edit, const char *name) {
+    edit_gesture_cancel(edit);
     draft_begin(edit->draft, name);
 }
 
-bool edit_gesture_close(Editor *edit, Fault *fault) {
+bool edit_gesture_end_step(Editor *edit, Fault *fault) {
     if (!draft_end(edit->draft, fault))
         return false;
-    edit_select_known(edit);
+    edit_select_prune(edit);
     edit->changed = true;
     return true;
 }
 
 void edit_gesture_begin(Editor *edit, const EditGesture *gesture, const char *name, bool keys) {
-    edit_gesture_drop(edit);
+    edit_gesture_cancel(edit);
     edit->gesture = gesture;
     edit->keys = keys;
     edit->keys_at = edit->pointer.at;
     edit->now = edit->good = (EditTarget){.at = edit->pointer.at};
     edit->has_good = edit->limited = false;
     snprintf(edit->name, sizeof edit->name, "%s", name);
-    keep_begun(edit);
+    store_plan_before(edit);
     if (gesture->make)
         draft_begin(edit->draft, name);
 }
@@ -63,20 +63,20 @@ static bool try_now(Editor *edit, Fault *fault) {
     return true;
 }
 
-void edit_gesture_follow(Editor *edit) {
+void edit_gesture_update(Editor *edit) {
     Fault fault = {0}, again = {0};
     if (!edit->gesture)
         return;
     if (edit->gesture->make && !draft_is_open(edit->draft)) { /* a number was set meanwhile, as its own step */
-        keep_begun(edit);
+        store_plan_before(edit);
         draft_begin(edit->draft, edit->name);
     }
     edit->snap = (Snap){.at = edit->pointer.at};
     edit->limited = false;
-    edit->gesture->follow(edit);
+    edit->gesture->update(edit);
     forget_refusal(edit);
     if (edit->gesture->make && !try_now(edit, &fault)) {
-        keep_refusal(edit, &fault);
+        store_refusal(edit, &fault);
         if (edit->gesture->limit && edit->gesture->limit(edit))
             edit->limited = try_now(edit, &again);
     }
@@ -89,25 +89,25 @@ static void forget_gesture(Editor *edit) {
     if (edit->gesture->end)
         edit->gesture->end(edit);
     edit->gesture = NULL;
-    edit->taken = edit->sizing = edit->keys = edit->clicked = false;
+    edit->grabbed = edit->sizing = edit->keys = edit->clicked = false;
     edit->offset = vec2(0, 0);
     edit->snap = (Snap){.guide_count = 0};
     edit_field_list(edit, NULL, NULL, 0);
     forget_refusal(edit);
-    memory_free(edit->held);
-    edit->held = NULL;
-    plan_free(&edit->begun);
+    memory_free(edit->dragged_id);
+    edit->dragged_id = NULL;
+    plan_free(&edit->plan_before);
 }
 
-void edit_gesture_drop(Editor *edit) {
+void edit_gesture_cancel(Editor *edit) {
     if (!edit->gesture)
         return;
-    bool made = edit->gesture->make;
+    bool changes_draft = edit->gesture->make;
     uint64_t before = draft_revision(edit->draft);
     forget_gesture(edit);
-    if (made)
+    if (changes_draft)
         draft_cancel(edit->draft);
-    edit_select_known(edit);
+    edit_select_prune(edit);
     if (draft_revision(edit->draft) != before)
         edit->changed = true;
 }
@@ -119,9 +119,9 @@ bool edit_gesture_end(Editor *edit) {
     bool good = draft_end(edit->draft, &fault);
     if (good) {
         forget_gesture(edit);
-        edit_select_known(edit);
+        edit_select_prune(edit);
     } else {
-        keep_refusal(edit, &fault);
+        store_refusal(edit, &fault);
         draft_begin(edit->draft, edit->name);
     }
     edit->changed = true;
@@ -129,7 +129,7 @@ bool edit_gesture_end(Editor *edit) {
     return good;
 }
 
-bool edit_gesture_settle(Editor *edit) {
+bool edit_gesture_end_valid(Editor *edit) {
     if (!edit->has_good) {
         return false;
     }
@@ -142,6 +142,6 @@ Vec2 edit_gesture_snap(Editor *edit, SnapAsk ask) {
     ask.reach = edit->pointer.reach;
     ask.free = edit->pointer.free;
     ask.straight = edit->pointer.straight;
-    edit->snap = snap_point(edit->gesture ? &edit->begun : draft_plan(edit->draft), &ask);
+    edit->snap = snap_point(edit->gesture ? &edit->plan_before : draft_plan(edit->draft), &ask);
     return edit->snap.at;
 }

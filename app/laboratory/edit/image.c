@@ -124,9 +124,9 @@ static json_t *element_of(const Background *background) {
 }
 
 static bool remove_image(Editor *edit, Fault *fault) {
-    edit_gesture_open(edit, "Remove picture");
+    edit_gesture_begin_step(edit, "Remove picture");
     draft_set_house(edit->draft, "background", NULL);
-    return edit_gesture_close(edit, fault);
+    return edit_gesture_end_step(edit, fault);
 }
 
 bool edit_image_set(Editor *edit, const char *path, Fault *fault) {
@@ -141,13 +141,13 @@ bool edit_image_set(Editor *edit, const char *path, Fault *fault) {
     }
     char *image = as_written(edit, path);
     Background background = {.image = image, .width = FIRST_WIDTH, .opacity = FIRST_OPACITY, .digest = digest};
-    edit_gesture_open(edit, "Trace over a picture");
+    edit_gesture_begin_step(edit, "Trace over a picture");
     draft_set_house(edit->draft, "background", element_of(&background));
     memory_free(image);
-    edit->items[TOOL_IMAGE] = ITEM_SCALE;
+    edit->chosen_rows[TOOL_IMAGE] = ITEM_SCALE;
     memory_free(edit->image); /* the image will be read again */
     edit->image = NULL;
-    return edit_gesture_close(edit, fault);
+    return edit_gesture_end_step(edit, fault);
 }
 
 void edit_image_fade(Editor *edit, double opacity) {
@@ -160,12 +160,12 @@ void edit_image_fade(Editor *edit, double opacity) {
     background.digest = digest;
     background.opacity = real_clamp(opacity, 0, 1);
     const char *last = draft_undo_name(edit->draft);
-    edit_gesture_drop(edit);
+    edit_gesture_cancel(edit);
     if (last && strcmp(last, FADE) == 0)
         draft_undo(edit->draft); /* one undo step, however often the slider reports its position */
-    edit_gesture_open(edit, FADE);
+    edit_gesture_begin_step(edit, FADE);
     draft_set_house(edit->draft, "background", element_of(&background));
-    edit_gesture_close(edit, &none);
+    edit_gesture_end_step(edit, &none);
     fault_clear(&none);
     memory_free(image);
     memory_free(digest);
@@ -187,7 +187,7 @@ TraceImage edit_image_get(Editor *edit) {
 /* The tool --------------------------------------------------------------------------------------------------------- */
 
 static bool levels(const Editor *edit) {
-    return edit->items[TOOL_IMAGE] == ITEM_LEVEL;
+    return edit->chosen_rows[TOOL_IMAGE] == ITEM_LEVEL;
 }
 
 static void list_fields(Editor *edit) {
@@ -199,10 +199,10 @@ static void list_fields(Editor *edit) {
 void edit_image_begin(Editor *edit, bool keys) {
     edit_gesture_begin(edit, &image_gesture, levels(edit) ? "Level picture" : "Scale picture", keys);
     list_fields(edit);
-    edit_gesture_follow(edit);
+    edit_gesture_update(edit);
 }
 
-static void follow(Editor *edit) {
+static void update(Editor *edit) {
     EditTarget *now = &edit->now;
     if (edit->chain.count == 2) {
         now->amount = vec2_distance(edit->chain.points[0], edit->chain.points[1]);
@@ -228,7 +228,7 @@ static void turn_about(Background *background, Vec2 point, double angle, double 
 }
 
 static void make(Editor *edit) {
-    Background background = edit->begun.background;
+    Background background = edit->plan_before.background;
     if (edit->chain.count < 2 || !background.image)
         return;
     Vec2 a = edit->chain.points[0], along = vec2_sub(edit->chain.points[1], a);
@@ -244,11 +244,11 @@ static bool finish(Editor *edit) {
     bool levelled = levels(edit);
     if (edit->refusal || !edit_gesture_end(edit))
         return false;
-    edit->items[TOOL_IMAGE] = levelled ? ITEM_SCALE : ITEM_LEVEL;
+    edit->chosen_rows[TOOL_IMAGE] = levelled ? ITEM_SCALE : ITEM_LEVEL;
     return true;
 }
 
-static bool put(Editor *edit, bool keys) {
+static bool confirm(Editor *edit, bool keys) {
     EditChain *chain = &edit->chain;
     (void)keys;
     if (chain->count == 2)
@@ -258,32 +258,32 @@ static bool put(Editor *edit, bool keys) {
     chain->points = memory_reserve(chain->points, &chain->capacity, chain->count + 1, sizeof *chain->points);
     chain->points[chain->count++] = edit->now.at;
     list_fields(edit);
-    edit_gesture_follow(edit);
+    edit_gesture_update(edit);
     return chain->count == 2 && levels(edit) ? finish(edit) : true;
 }
 
 static bool back(Editor *edit) {
     if (edit->chain.count <= 1) {
-        edit_gesture_drop(edit);
+        edit_gesture_cancel(edit);
         return true;
     }
     edit->chain.count--;
     list_fields(edit);
-    edit_gesture_follow(edit);
+    edit_gesture_update(edit);
     return true;
 }
 
 static void release(Editor *edit, bool moved) {
     if (moved && edit->chain.count < 2)
-        put(edit, false);
+        confirm(edit, false);
 }
 
-static void say(Editor *edit, Text *words) {
+static void describe(Editor *edit, Text *text) {
     if (edit->chain.count == 2)
-        text_add(words, "type how long this really is, and Enter");
+        text_add(text, "type how long this really is, and Enter");
     else
-        text_add(words, levels(edit) ? "click another point that is level with the first, or straight above it"
-                                     : "click another point whose distance to the first is known");
+        text_add(text, levels(edit) ? "click another point that is level with the first, or straight above it"
+                                    : "click another point whose distance to the first is known");
 }
 
 static void show(Editor *edit) {
@@ -291,11 +291,11 @@ static void show(Editor *edit) {
         edit_marks_line(edit, edit->chain.points[0], edit->chain.count == 2 ? edit->chain.points[1] : edit->now.at);
 }
 
-static const EditGesture image_gesture = {.follow = follow,
+static const EditGesture image_gesture = {.update = update,
                                           .make = make,
-                                          .put = put,
+                                          .confirm = confirm,
                                           .back = back,
                                           .release = release,
-                                          .say = say,
+                                          .describe = describe,
                                           .show = show,
                                           .end = edit_chain_clear};

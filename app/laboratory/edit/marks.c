@@ -12,15 +12,15 @@
 static const double FARTHEST_GAP = 5.0; /* m: larger gaps next to a piece are not shown */
 static const double LEAST_TOLD = 0.005; /* m: shorter lengths are not displayed */
 
-static EditMark *add_mark(Editor *edit, EditMarkKind kind, const char *words) {
+static EditMark *add_mark(Editor *edit, EditMarkKind kind, const char *text) {
     edit->marks = memory_reserve(edit->marks, &edit->mark_capacity, edit->mark_count + 1, sizeof *edit->marks);
     EditMark *mark = &edit->marks[edit->mark_count++];
-    *mark = (EditMark){.kind = kind, .words = words ? arena_text(&edit->words, words) : NULL};
+    *mark = (EditMark){.kind = kind, .text = text ? arena_text(&edit->mark_texts, text) : NULL};
     return mark;
 }
 
-static void add_points(Editor *edit, EditMarkKind kind, const Vec2 *points, size_t count, const char *words) {
-    EditMark *mark = add_mark(edit, kind, words);
+static void add_points(Editor *edit, EditMarkKind kind, const Vec2 *points, size_t count, const char *text) {
+    EditMark *mark = add_mark(edit, kind, text);
     mark->count = count < LABORATORY_MARK_POINTS ? count : LABORATORY_MARK_POINTS;
     memcpy(mark->points, points, mark->count * sizeof *points);
 }
@@ -34,12 +34,12 @@ void edit_marks_outline(Editor *edit, const Vec2 *points, size_t count) {
 }
 
 void edit_marks_length(Editor *edit, Vec2 from, Vec2 to) {
-    char words[32];
+    char text[32];
     double length = vec2_distance(from, to);
     if (length < LEAST_TOLD)
         return;
-    snprintf(words, sizeof words, "%.2f m", length);
-    add_points(edit, MARK_DIMENSION, (Vec2[]){from, to}, 2, words);
+    snprintf(text, sizeof text, "%.2f m", length);
+    add_points(edit, MARK_DIMENSION, (Vec2[]){from, to}, 2, text);
 }
 
 /* Doors ----------------------------------------------------------------------------------------------------------- */
@@ -89,10 +89,10 @@ static void show_person(Editor *edit, const Person *person) {
     edit_marks_line(edit, person->at, vec2_along(person->at, 0.5, snap_heading(person->heading)));
 }
 
-void edit_marks_held(Editor *edit) {
+void edit_marks_dragged(Editor *edit) {
     const Plan *plan = draft_plan(edit->draft);
     size_t i;
-    DraftList list = draft_find(edit->draft, edit->held, &i);
+    DraftList list = draft_find(edit->draft, edit->dragged_id, &i);
     if (list == DRAFT_WALLS && i < plan->wall_count)
         show_wall(edit, &plan->walls[i]);
     else if (list == DRAFT_DOORS && i < plan->door_count)
@@ -122,8 +122,8 @@ static void add_handles(Editor *edit) {
         mark->points[0] = handles[i].at;
         mark->count = 1;
         mark->round = handles[i].grip == GRIP_TURN;
-        mark->held = edit->gesture ? handles[i].grip == edit->grip.grip && handles[i].index == edit->grip.index
-                                   : (int)i == edit->handle;
+        mark->active = edit->gesture ? handles[i].grip == edit->grip.grip && handles[i].index == edit->grip.index
+                                     : (int)i == edit->handle;
     }
 }
 
@@ -146,35 +146,35 @@ static void add_hover(Editor *edit) {
 static void add_measures(Editor *edit) {
     double width = edit_measure_chair(edit);
     for (size_t i = 0; i < edit->measure_count; i++) {
-        char words[96];
+        char text[96];
         Vec2 ends[2] = {edit->measures[i].from, edit->measures[i].to};
-        edit_measure_say(vec2_distance(ends[0], ends[1]), width, words, sizeof words);
-        add_points(edit, MARK_DIMENSION, ends, 2, words);
+        edit_measure_format(vec2_distance(ends[0], ends[1]), width, text, sizeof text);
+        add_points(edit, MARK_DIMENSION, ends, 2, text);
     }
 }
 
-static void say(Editor *edit, const char *idle) {
+static void describe(Editor *edit, const char *idle) {
     memory_free(edit->doing.text);
     edit->doing = (Text){0};
     if (edit->gesture)
-        edit->gesture->say(edit, &edit->doing);
+        edit->gesture->describe(edit, &edit->doing);
     else
         text_add(&edit->doing, idle);
 }
 
 const GestureView *edit_marks_make(Editor *edit, const char *idle) {
     edit->mark_count = 0;
-    arena_clear(&edit->words);
+    arena_clear(&edit->mark_texts);
     add_measures(edit);
     if (edit->gesture)
         edit->gesture->show(edit);
-    if (!edit->gesture || edit->held)
+    if (!edit->gesture || edit->dragged_id)
         add_handles(edit);
     if (edit->gesture)
         add_snap(edit, &edit->snap);
     else
         add_hover(edit);
-    say(edit, idle);
+    describe(edit, idle);
     edit->shown = (GestureView){.active = edit->gesture,
                                 .doing = edit->doing.text ? edit->doing.text : "",
                                 .refusal = edit->gesture ? edit->refusal : NULL,
@@ -184,6 +184,6 @@ const GestureView *edit_marks_make(Editor *edit, const char *idle) {
                                 .field_count = edit->gesture ? edit->field_count : 0,
                                 .field = edit->field,
                                 .typed = edit->typed,
-                                .wrong = *edit->wrong ? edit->wrong : NULL};
+                                .typed_error = *edit->typed_error ? edit->typed_error : NULL};
     return &edit->shown;
 }

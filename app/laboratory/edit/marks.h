@@ -9,7 +9,7 @@ void edit_marks_outline(Editor *edit, const Vec2 *points, size_t count);
 void edit_marks_length(Editor *edit, Vec2 from, Vec2 to);
 void edit_marks_piece(Editor *edit, const Furniture *piece); /* also marks the free space around the piece */
 void edit_marks_door(Editor *edit, const Plan *plan, const Door *door);
-void edit_marks_held(Editor *edit); /* the dragged item */
+void edit_marks_dragged(Editor *edit); /* the dragged item */
 
 /* Makes all marks; `idle` is the text while there is no gesture. The result is valid until the next call. */
 const GestureView *edit_marks_make(Editor *edit, const char *idle);

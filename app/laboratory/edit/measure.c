@@ -16,13 +16,13 @@ double edit_measure_chair(const Editor *edit) {
     return width;
 }
 
-void edit_measure_say(double length, double chair, char *words, size_t size) {
+void edit_measure_format(double length, double chair, char *text, size_t size) {
     if (!isfinite(chair))
-        snprintf(words, size, "%.2f m", length);
+        snprintf(text, size, "%.2f m", length);
     else if (length >= chair)
-        snprintf(words, size, "%.2f m: %.2f m to spare", length, length - chair);
+        snprintf(text, size, "%.2f m: %.2f m to spare", length, length - chair);
     else
-        snprintf(words, size, "%.2f m: %.2f m too narrow", length, chair - length);
+        snprintf(text, size, "%.2f m: %.2f m too narrow", length, chair - length);
 }
 
 /* The side of an item that is nearest to a place, within reach. */
@@ -55,11 +55,11 @@ bool edit_measure_side(Editor *edit) {
     }
     if (!(side.distance < edit->pointer.reach))
         return false;
-    edit_measure_keep(edit, side.from, side.to);
+    edit_measure_store(edit, side.from, side.to);
     return true;
 }
 
-void edit_measure_keep(Editor *edit, Vec2 from, Vec2 to) {
+void edit_measure_store(Editor *edit, Vec2 from, Vec2 to) {
     if (edit->measure_count == EDIT_MEASURES) {
         for (size_t i = 1; i < EDIT_MEASURES; i++)
             edit->measures[i - 1] = edit->measures[i];

@@ -21,7 +21,7 @@ enum { PERSON_HEADING = 2 };
 
 /* Returns the chosen piece; NULL: a rectangle is drawn. */
 static const CatalogueItem *chosen_piece(Editor *edit) {
-    size_t item = edit->items[TOOL_FURNITURE];
+    size_t item = edit->chosen_rows[TOOL_FURNITURE];
     edit_tool_items_stock(edit);
     return item > 0 && item <= edit->catalogue.count ? &edit->catalogue.items[item - 1] : NULL;
 }
@@ -32,7 +32,7 @@ static SnapAsk ask_of(const Editor *edit) {
 }
 
 /* Makes a rectangle from its first corner to the pointer, or as typed. */
-static void follow_rectangle(Editor *edit) {
+static void update_rectangle(Editor *edit) {
     EditTarget *now = &edit->now;
     Vec2 to = edit_gesture_snap(edit, (SnapAsk){.along = NAN, .faces = true});
     Vec2 size = vec2_sub(to, now->corner);
@@ -45,7 +45,7 @@ static void follow_rectangle(Editor *edit) {
 }
 
 /* Places a piece at the pointer: with its back to a wall, or next to other furniture. */
-static void follow_piece(Editor *edit) {
+static void update_piece(Editor *edit) {
     EditTarget *now = &edit->now;
     const CatalogueItem *item = chosen_piece(edit);
     Furniture piece = {.size = item ? item->size : vec2(1, 0.5), .topples = TOPPLE_NO};
@@ -55,23 +55,23 @@ static void follow_piece(Editor *edit) {
     SnapAsk ask = ask_of(edit);
     double angle = piece.angle;
     Vec2 at = ask.at;
-    if (!turned && !edit->keys && snap_piece_back(&edit->begun, &piece, &ask, &angle, &at)) {
+    if (!turned && !edit->keys && snap_piece_back(&edit->plan_before, &piece, &ask, &angle, &at)) {
         piece.angle = angle;
         ask.at = at;
     }
     if (!edit->keys)
-        edit->snap = snap_piece_place(&edit->begun, &piece, &ask);
+        edit->snap = snap_piece_place(&edit->plan_before, &piece, &ask);
     now->at = edit->keys ? ask.at : edit->snap.at;
     now->angle = piece.angle;
     now->size = piece.size;
 }
 
-static void follow_furniture(Editor *edit) {
+static void update_furniture(Editor *edit) {
     EditTarget *now = &edit->now;
     if (edit->sizing)
-        follow_rectangle(edit);
+        update_rectangle(edit);
     else
-        follow_piece(edit);
+        update_piece(edit);
     edit_field_typed(edit, FIELD_X, &now->at.x);
     edit_field_typed(edit, FIELD_Y, &now->at.y);
     edit_field_typed(edit, PIECE_ANGLE, &now->angle);
@@ -93,7 +93,7 @@ static void make_furniture(Editor *edit) {
         json_object_set_new(element, "topples", json_string(faces[item->topples]));
         json_object_set_new(element, "probability", json_number(item->probability));
     }
-    snprintf(edit->made, EDIT_NAME, "%s", draft_add(edit->draft, DRAFT_FURNITURE, element));
+    snprintf(edit->added_id, EDIT_NAME, "%s", draft_add(edit->draft, DRAFT_FURNITURE, element));
 }
 
 /* People ----------------------------------------------------------------------------------------------------------- */
@@ -105,7 +105,7 @@ static void turn_to_pointer(Editor *edit) {
         edit->now.angle = snap_turn(snap_angle(to), edit->pointer.free);
 }
 
-static void follow_person(Editor *edit) {
+static void update_person(Editor *edit) {
     EditTarget *now = &edit->now;
     if (!edit->down)
         now->at = edit_gesture_snap(edit, (SnapAsk){.along = NAN});
@@ -124,11 +124,11 @@ static void follow_person(Editor *edit) {
 static void make_person(Editor *edit) {
     const EditTarget *now = &edit->now;
     edit_tool_items_stock(edit);
-    size_t item = edit->items[TOOL_PERSON];
+    size_t item = edit->chosen_rows[TOOL_PERSON];
     const char *profile = item < edit->profile_count ? edit->profiles[item] : "adult";
     json_t *element = json_pack("{s:s, s:[o, o], s:o}", "profile", profile, "at", json_number(now->at.x),
                                 json_number(now->at.y), "heading", json_number(now->angle));
-    snprintf(edit->made, EDIT_NAME, "%s", draft_add(edit->draft, DRAFT_PEOPLE, element));
+    snprintf(edit->added_id, EDIT_NAME, "%s", draft_add(edit->draft, DRAFT_PEOPLE, element));
 }
 
 /* The gesture ------------------------------------------------------------------------------------------------------ */
@@ -151,7 +151,7 @@ static const PlaceKind kinds[EDIT_TOOLS] = {
 
 /* Writes the name of the step: "Place wardrobe". */
 static void name_step(Editor *edit, const PlaceKind *kind, char name[EDIT_NAME]) {
-    size_t count, item = edit->items[edit->tool];
+    size_t count, item = edit->chosen_rows[edit->tool];
     const CatalogueRow *items = edit_tool_items_list(edit, &count);
     snprintf(name, EDIT_NAME, "%s", kind->name);
     if (edit->tool == TOOL_FURNITURE && item < count)
@@ -167,24 +167,24 @@ void edit_place_begin(Editor *edit, bool keys) {
     edit->now.corner = edit->pointer.at;
     edit_field_list(edit, kind->fields, kind->units, kind->field_count);
     edit->field = keys ? 0 : kind->first;
-    if (edit->tool == TOOL_FURNITURE && edit->items[TOOL_FURNITURE] == 0 && !keys) {
+    if (edit->tool == TOOL_FURNITURE && edit->chosen_rows[TOOL_FURNITURE] == 0 && !keys) {
         edit->sizing = true;
         edit->field = 3;
         edit->now.corner = edit_gesture_snap(edit, (SnapAsk){.along = NAN, .faces = true});
     }
-    edit_gesture_follow(edit);
+    edit_gesture_update(edit);
 }
 
-static bool put(Editor *edit, bool keys) {
+static bool confirm(Editor *edit, bool keys) {
     if (edit->refusal && (keys || !edit->limited))
         return false;
     if (edit->tool == TOOL_DOOR)
         edit->door_width = edit->now.amount;
-    *edit->made = 0;
+    *edit->added_id = 0;
     if (!edit_gesture_end(edit))
         return false;
-    if (*edit->made)
-        edit_select_only(edit, edit->made);
+    if (*edit->added_id)
+        edit_select_only(edit, edit->added_id);
     return true;
 }
 
@@ -192,22 +192,22 @@ static bool put(Editor *edit, bool keys) {
  * begun continues. */
 static void release(Editor *edit, bool moved) {
     if (edit->sizing && !moved)
-        edit->taken = true;
-    else if (!put(edit, false))
-        edit->taken = true; /* the gesture continues, with the reason, until another press */
+        edit->grabbed = true;
+    else if (!confirm(edit, false))
+        edit->grabbed = true; /* the gesture continues, with the reason, until another press */
 }
 
-static void say(Editor *edit, Text *words) {
+static void describe(Editor *edit, Text *text) {
     const EditTarget *now = &edit->now;
-    if (edit->tool == TOOL_DOOR && now->wall < edit->begun.wall_count)
-        text_format(words, "door %.2f m wide in wall %s, %.2f m from its beginning", now->amount,
-                    edit->begun.walls[now->wall].id, now->along);
+    if (edit->tool == TOOL_DOOR && now->wall < edit->plan_before.wall_count)
+        text_format(text, "door %.2f m wide in wall %s, %.2f m from its beginning", now->amount,
+                    edit->plan_before.walls[now->wall].id, now->along);
     else if (edit->tool == TOOL_FURNITURE)
-        text_format(words, "%.2f x %.2f m, %g degrees, at x %.2f, y %.2f m", now->size.x, now->size.y, now->angle,
+        text_format(text, "%.2f x %.2f m, %g degrees, at x %.2f, y %.2f m", now->size.x, now->size.y, now->angle,
                     now->at.x, now->at.y);
     else
-        text_format(words, "at x %.2f, y %.2f m, heading %g degrees", now->at.x, now->at.y, now->angle);
-    text_add(words, edit->keys ? ": Enter puts it there, Tab goes to the next number" : "");
+        text_format(text, "at x %.2f, y %.2f m, heading %g degrees", now->at.x, now->at.y, now->angle);
+    text_add(text, edit->keys ? ": Enter puts it there, Tab goes to the next number" : "");
 }
 
 static void show(Editor *edit) {
@@ -223,8 +223,11 @@ static void show(Editor *edit) {
     }
 }
 
-#define PLACE(follow_, make_, limit_)                                                                                  \
-    { .follow = follow_, .make = make_, .limit = limit_, .put = put, .release = release, .say = say, .show = show }
-static const EditGesture door = PLACE(edit_door_follow, edit_door_make, edit_door_limit),
-                         piece = PLACE(follow_furniture, make_furniture, NULL),
-                         person = PLACE(follow_person, make_person, NULL);
+#define PLACE(update_, make_, limit_)                                                                                  \
+    {                                                                                                                  \
+        .update = update_, .make = make_, .limit = limit_, .confirm = confirm, .release = release,                     \
+        .describe = describe, .show = show                                                                             \
+    }
+static const EditGesture door = PLACE(edit_door_update, edit_door_make, edit_door_limit),
+                         piece = PLACE(update_furniture, make_furniture, NULL),
+                         person = PLACE(update_person, make_person, NULL);

@@ -34,10 +34,10 @@ static bool can_begin(const Editor *edit) {
 }
 
 /* Changes the tool; the points drawn so far stay. */
-void edit_pointer_take(Editor *edit, EditTool tool) {
+void edit_pointer_set_tool(Editor *edit, EditTool tool) {
     if (edit->gesture && edit->gesture->escape)
         edit->gesture->escape(edit);
-    edit_gesture_drop(edit);
+    edit_gesture_cancel(edit);
     edit->pending = PENDING_NOTHING;
     edit->down = false;
     edit->handle = -1;
@@ -55,11 +55,11 @@ static void store_pointer(Editor *edit, const Pointer *pointer) {
 }
 
 /* Grabs the handle under the press position; looks it up again, since the plan may have changed since the press. */
-static void begin_handle(Editor *edit, EditHold how) {
+static void begin_handle(Editor *edit, EditGrab how) {
     Pointer was = edit->pointer;
     EditHandle handle;
     was.at = edit->pressed;
-    edit_select_meet(edit);
+    edit_select_sync(edit);
     if (edit_handle_at(edit, &was, &handle))
         edit_drag_begin(edit, &handle, how);
 }
@@ -69,20 +69,20 @@ static void begin_pending(Editor *edit) {
     EditPending pending = edit->pending;
     edit->pending = PENDING_NOTHING;
     if (pending == PENDING_HANDLE)
-        begin_handle(edit, HOLD_DRAG);
+        begin_handle(edit, GRAB_DRAG);
     else if (pending == PENDING_WHOLE)
         edit_drag_whole(edit);
     else if (pending == PENDING_BOX)
         edit_drag_box(edit);
 }
 
-void edit_pointer_point(Editor *edit, const Pointer *pointer) {
+void edit_pointer_move(Editor *edit, const Pointer *pointer) {
     store_pointer(edit, pointer);
     if (edit->down && !edit->moved && vec2_distance(pointer->at, edit->pressed) > STIR * pointer->reach) {
         edit->moved = true;
         begin_pending(edit);
     }
-    edit_gesture_follow(edit);
+    edit_gesture_update(edit);
 }
 
 static bool is_room(const Editor *edit, const char *id) {
@@ -111,7 +111,7 @@ static void press_select(Editor *edit) {
 }
 
 void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice) {
-    edit_select_meet(edit);
+    edit_select_sync(edit);
     store_pointer(edit, pointer);
     edit->down = true;
     edit->moved = false;
@@ -119,16 +119,16 @@ void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice) {
     edit->pending = PENDING_NOTHING;
     edit->keys = edit->clicked = false; /* a gesture begun by keys continues by pointer */
     if (edit->gesture && twice && edit->tool == TOOL_MEASURE && edit_measure_side(edit)) {
-        edit_gesture_drop(edit);
+        edit_gesture_cancel(edit);
     } else if (edit->gesture) {
-        edit_gesture_follow(edit);
-        edit->gesture->put(edit, false);
+        edit_gesture_update(edit);
+        edit->gesture->confirm(edit, false);
     } else if (edit->tool == TOOL_SELECT) {
         press_select(edit);
     } else if (can_begin(edit) && !(edit->tool == TOOL_EXIT && edit_chain_exit_across(edit))) {
         begin(edit, false);
         if (edit->gesture && (is_chain(edit->tool) || edit->tool == TOOL_IMAGE))
-            edit->gesture->put(edit, false);
+            edit->gesture->confirm(edit, false);
     }
 }
 
@@ -137,7 +137,7 @@ static void release_pending(Editor *edit) {
     EditPending pending = edit->pending;
     edit->pending = PENDING_NOTHING;
     if (pending == PENDING_HANDLE) {
-        begin_handle(edit, HOLD_CLICK);
+        begin_handle(edit, GRAB_CLICK);
     } else if (pending == PENDING_BOX) {
         const char *id = edit_select_at(edit, edit->pointer.at);
         if (edit->pointer.more && id)
@@ -150,7 +150,7 @@ static void release_pending(Editor *edit) {
 void edit_pointer_release(Editor *edit, const Pointer *pointer) {
     if (!edit->down)
         return;
-    edit_pointer_point(edit, pointer);
+    edit_pointer_move(edit, pointer);
     if (edit->gesture && edit->gesture->release)
         edit->gesture->release(edit, edit->moved);
     else if (!edit->gesture && !edit->moved)
@@ -162,34 +162,34 @@ void edit_pointer_release(Editor *edit, const Pointer *pointer) {
 /* Keys ------------------------------------------------------------------------------------------------------------ */
 
 /* Grabs the handle that has the keyboard focus. */
-static bool take_focused(Editor *edit) {
+static bool grab_focused(Editor *edit) {
     EditHandle handles[EDIT_HANDLES];
-    edit_select_meet(edit);
+    edit_select_sync(edit);
     size_t count = edit_handle_list(edit, draft_plan(edit->draft), handles);
     int handle = edit->handle;
     if (edit->tool != TOOL_SELECT || handle < 0 || (size_t)handle >= count)
         return false;
-    edit_drag_begin(edit, &handles[handle], HOLD_KEYS);
+    edit_drag_begin(edit, &handles[handle], GRAB_KEYS);
     return true;
 }
 
 bool edit_pointer_type(Editor *edit, const char *letters) {
-    if (!edit->gesture && !(edit_field_begins(letters) && take_focused(edit)))
+    if (!edit->gesture && !(edit_field_begins(letters) && grab_focused(edit)))
         return false;
     if (!edit_field_type(edit, letters))
         return false;
-    edit_gesture_follow(edit);
+    edit_gesture_update(edit);
     return true;
 }
 
 bool edit_pointer_enter(Editor *edit) {
     if (edit->gesture) {
-        if (!*edit->wrong)
-            edit->gesture->put(edit, true);
+        if (!*edit->typed_error)
+            edit->gesture->confirm(edit, true);
         return true;
     }
     if (edit->tool == TOOL_SELECT)
-        return take_focused(edit);
+        return grab_focused(edit);
     if (can_begin(edit))
         begin(edit, true);
     return true;
@@ -200,7 +200,7 @@ bool edit_pointer_back(Editor *edit) {
     if (!gesture)
         return false;
     if (edit_field_back(edit)) {
-        edit_gesture_follow(edit);
+        edit_gesture_update(edit);
         return true;
     }
     if (gesture->back)
@@ -211,14 +211,14 @@ bool edit_pointer_back(Editor *edit) {
 bool edit_pointer_escape(Editor *edit) {
     if (*edit->typed) {
         edit->fields[edit->field].typed = false;
-        *edit->typed = *edit->wrong = 0;
-        edit_gesture_follow(edit);
+        *edit->typed = *edit->typed_error = 0;
+        edit_gesture_update(edit);
     } else if (edit->gesture && edit->gesture->escape) {
         edit->gesture->escape(edit);
     } else if (edit->gesture) {
-        edit_gesture_drop(edit);
+        edit_gesture_cancel(edit);
     } else if (edit->tool != TOOL_SELECT) {
-        edit_pointer_take(edit, TOOL_SELECT);
+        edit_pointer_set_tool(edit, TOOL_SELECT);
     } else if (edit->handle >= 0) {
         edit->handle = -1;
     } else if (edit->id_count) {

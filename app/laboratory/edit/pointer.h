@@ -4,8 +4,8 @@
 #include "laboratory/edit/editor_state.h"
 
 /* Changes the tool; the points drawn so far stay. */
-void edit_pointer_take(Editor *edit, EditTool tool);
-void edit_pointer_point(Editor *edit, const Pointer *pointer);
+void edit_pointer_set_tool(Editor *edit, EditTool tool);
+void edit_pointer_move(Editor *edit, const Pointer *pointer);
 void edit_pointer_press(Editor *edit, const Pointer *pointer, bool twice);
 void edit_pointer_release(Editor *edit, const Pointer *pointer);
 bool edit_pointer_type(Editor *edit, const char *letters);

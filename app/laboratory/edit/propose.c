@@ -36,7 +36,7 @@ static void count_tries(void *context, size_t tries) {
     pthread_mutex_unlock(&search->mutex);
 }
 
-static void *look(void *context) {
+static void *search_changes(void *context) {
     EditSearch *search = context;
     Fault none = {0}; /* an invalid house has no proposals; its run reports the error */
     SuggestTask task = {.path = search->path,
@@ -75,7 +75,7 @@ static void destroy(EditSearch *search) {
 
 /* Releases the cancelled searches that have ended. */
 static void reap(Editor *edit, bool wait) {
-    EditSearch **at = &edit->given_up;
+    EditSearch **at = &edit->cancelled;
     while (*at) {
         EditSearch *search = *at;
         if (!wait && !is_over(search)) {
@@ -87,23 +87,23 @@ static void reap(Editor *edit, bool wait) {
     }
 }
 
-static void give_up(Editor *edit) {
+static void cancel_search(Editor *edit) {
     EditSearch *search = edit->search;
     if (!search)
         return;
     parallel_stop(&search->stop);
-    search->next = edit->given_up;
-    edit->given_up = search;
+    search->next = edit->cancelled;
+    edit->cancelled = search;
     edit->search = NULL;
 }
 
 void edit_propose_end(Editor *edit) {
-    give_up(edit);
+    cancel_search(edit);
     reap(edit, true);
 }
 
 void edit_propose_ask(Editor *edit) {
-    give_up(edit);
+    cancel_search(edit);
     reap(edit, false);
     EditSearch *search = memory_zeroed(1, sizeof *search);
     search->revision = draft_revision(edit->draft);
@@ -114,7 +114,7 @@ void edit_propose_ask(Editor *edit) {
         (HouseOptions){.profiles = search->profiles, .seed = edit->options.seed, .driving = edit->options.driving};
     search->jobs = edit->options.jobs;
     pthread_mutex_init(&search->mutex, NULL);
-    if (pthread_create(&search->thread, NULL, look, search) == 0) {
+    if (pthread_create(&search->thread, NULL, search_changes, search) == 0) {
         edit->search = search;
         return;
     }
@@ -126,7 +126,7 @@ void edit_propose_ask(Editor *edit) {
 }
 
 /* Returns the text for an empty list of proposals. */
-static const char *say_nothing(const SuggestList *list) {
+static const char *describe_nothing(const SuggestList *list) {
     return list->out_already  ? "everybody gets out as it is"
            : list->note_count ? list->notes[0]
                               : "no change of doors or furniture lets everybody out";
@@ -137,7 +137,7 @@ const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doin
     *count = 0;
     *doing = NULL;
     if (search && search->revision != draft_revision(edit->draft))
-        give_up(edit); /* the search is for another house */
+        cancel_search(edit); /* the search is for another house */
     reap(edit, false);
     search = edit->search;
     if (!search)
@@ -155,7 +155,7 @@ const Proposal *edit_propose_list(Editor *edit, size_t *count, const char **doin
         search->rows[i] = (Proposal){search->list.list[i].words, search->answers[i]};
     }
     if (!*count)
-        *doing = say_nothing(&search->list);
+        *doing = describe_nothing(&search->list);
     return search->rows;
 }
 
@@ -178,11 +178,11 @@ bool edit_propose_accept(Editor *edit, size_t proposal, Fault *fault) {
     }
     const Suggestion *chosen = &edit->search->list.list[proposal];
     bool good = true;
-    edit_gesture_open(edit, chosen->words);
+    edit_gesture_begin_step(edit, chosen->words);
     for (size_t i = 0; i < chosen->setting_count && good; i++)
         good = set(edit, chosen->settings[i], fault);
     if (good)
-        return edit_gesture_close(edit, fault);
+        return edit_gesture_end_step(edit, fault);
     draft_cancel(edit->draft);
     return false;
 }

@@ -7,17 +7,17 @@
 
 /* Items and ids --------------------------------------------------------------------------------------------------- */
 
-const char *edit_select_id(const Editor *edit, Item thing) {
+const char *edit_select_id(const Editor *edit, Item item) {
     const House *house = edit->scene.scenery.house;
     size_t index;
-    if (!house || thing.kind == HOUSE_HAZARD || thing.index >= house_item_count(house, NULL, thing.kind))
+    if (!house || item.kind == HOUSE_HAZARD || item.index >= house_item_count(house, NULL, item.kind))
         return "";
-    const char *id = house_item_id(house, thing);
+    const char *id = house_item_id(house, item);
     return draft_find(edit->draft, id, &index) < DRAFT_LISTS ? id
                                                              : ""; /* neither a person of a crowd nor a removed item */
 }
 
-Item edit_select_thing(const Editor *edit, const char *id) {
+Item edit_select_item(const Editor *edit, const char *id) {
     static const int kinds[DRAFT_LISTS] = {[DRAFT_WALLS] = HOUSE_WALL,
                                            [DRAFT_DOORS] = HOUSE_DOOR,
                                            [DRAFT_FURNITURE] = HOUSE_FURNITURE,
@@ -59,9 +59,9 @@ static void append(Editor *edit, const char *id) {
 }
 
 /* Sets `selected` to the last item of the selection that the displayed house has. */
-static void tell(Editor *edit) {
-    edit->told = edit->id_count ? edit_select_thing(edit, edit->ids[edit->id_count - 1]) : (Item){0, 0};
-    edit->selected = edit->told;
+static void store_selected(Editor *edit) {
+    edit->synced = edit->id_count ? edit_select_item(edit, edit->ids[edit->id_count - 1]) : (Item){0, 0};
+    edit->selected = edit->synced;
 }
 
 /* Removes ids of removed items; true if there were any. */
@@ -75,38 +75,38 @@ static bool forget_gone(Editor *edit) {
     return edit->id_count != before;
 }
 
-void edit_select_meet(Editor *edit) {
+void edit_select_sync(Editor *edit) {
     if (forget_gone(edit))
-        tell(edit);
+        store_selected(edit);
     const char *id = edit_select_id(edit, edit->selected);
     const char *last = edit->id_count ? edit->ids[edit->id_count - 1] : "";
     if (strcmp(id, last) == 0)
         return;
-    bool shown = edit_select_thing(edit, last).kind != HOUSE_NOTHING;
+    bool shown = edit_select_item(edit, last).kind != HOUSE_NOTHING;
     if (!edit->selected.kind && !shown && *last) {
-        edit->told = (Item){0, 0}; /* the item is not displayed yet, or cannot be selected alone */
+        edit->synced = (Item){0, 0}; /* the item is not displayed yet, or cannot be selected alone */
         return;
     }
-    if (!edit->selected.kind && shown && !edit->told.kind) {
-        tell(edit); /* the item is displayed now */
+    if (!edit->selected.kind && shown && !edit->synced.kind) {
+        store_selected(edit); /* the item is displayed now */
         return;
     }
-    char *kept = text_copy(id); /* `id` may point into the list that is cleared */
+    char *copy = text_copy(id); /* `id` may point into the list that is cleared */
     clear(edit);
-    if (*kept)
-        append(edit, kept);
-    memory_free(kept);
-    edit->told = edit->selected;
+    if (*copy)
+        append(edit, copy);
+    memory_free(copy);
+    edit->synced = edit->selected;
 }
 
 void edit_select_only(Editor *edit, const char *id) {
-    char *kept = text_copy(id ? id : "");
-    if (edit->id_count != 1 || strcmp(edit->ids[0], kept) != 0)
+    char *copy = text_copy(id ? id : "");
+    if (edit->id_count != 1 || strcmp(edit->ids[0], copy) != 0)
         clear(edit);
-    if (*kept && !edit->id_count)
-        append(edit, kept);
-    memory_free(kept);
-    tell(edit);
+    if (*copy && !edit->id_count)
+        append(edit, copy);
+    memory_free(copy);
+    store_selected(edit);
 }
 
 void edit_select_toggle(Editor *edit, const char *id) {
@@ -116,12 +116,12 @@ void edit_select_toggle(Editor *edit, const char *id) {
         forget(edit, i);
     else
         append(edit, id);
-    tell(edit);
+    store_selected(edit);
 }
 
-void edit_select_known(Editor *edit) {
+void edit_select_prune(Editor *edit) {
     forget_gone(edit);
-    tell(edit);
+    store_selected(edit);
 }
 
 bool edit_select_has(const Editor *edit, const char *id) {
@@ -181,7 +181,7 @@ void edit_select_within(Editor *edit, Box within, bool more) {
                 find(edit, id) == edit->id_count)
                 append(edit, id);
         }
-    tell(edit);
+    store_selected(edit);
 }
 
 void edit_select_all(Editor *edit) {
@@ -241,8 +241,8 @@ const char *edit_select_at(Editor *edit, Vec2 at) {
 /* Names ----------------------------------------------------------------------------------------------------------- */
 
 void edit_select_name(const Editor *edit, const char *id, char name[EDIT_NAME]) {
-    static const char *const words[DRAFT_LISTS] = {"wall", "door",   "furniture", "room",
-                                                   "exit", "person", "crowd",     "route"};
+    static const char *const kind_names[DRAFT_LISTS] = {"wall", "door",   "furniture", "room",
+                                                        "exit", "person", "crowd",     "route"};
     size_t index;
     DraftList list = draft_find(edit->draft, id, &index);
     const char *called =
@@ -250,7 +250,7 @@ void edit_select_name(const Editor *edit, const char *id, char name[EDIT_NAME]) 
     if (called && *called && strcmp(called, id) != 0)
         snprintf(name, EDIT_NAME, "%.60s (%.40s)", called, id);
     else
-        snprintf(name, EDIT_NAME, "%s %.60s", list < DRAFT_LISTS ? words[list] : "", id);
+        snprintf(name, EDIT_NAME, "%s %.60s", list < DRAFT_LISTS ? kind_names[list] : "", id);
 }
 
 void edit_select_names(const Editor *edit, char name[EDIT_NAME]) {

@@ -4,20 +4,20 @@
 #include "laboratory/edit/editor_state.h"
 
 /* Synchronises the selected ids with `selected`, which the owner may have set. */
-void edit_select_meet(Editor *edit);
+void edit_select_sync(Editor *edit);
 
 /* Change the selection. */
 void edit_select_only(Editor *edit, const char *id); /* id NULL: clears the selection */
 void edit_select_toggle(Editor *edit, const char *id);
-void edit_select_known(Editor *edit); /* removes ids of removed items from the selection */
+void edit_select_prune(Editor *edit); /* removes ids of removed items from the selection */
 void edit_select_within(Editor *edit, Box box, bool more);
 void edit_select_all(Editor *edit);
 
 bool edit_select_has(const Editor *edit, const char *id);
 
 /* Convert between items of the displayed house and ids; "" or an item of kind 0: there is none. */
-const char *edit_select_id(const Editor *edit, Item thing);
-Item edit_select_thing(const Editor *edit, const char *id);
+const char *edit_select_id(const Editor *edit, Item item);
+Item edit_select_item(const Editor *edit, const char *id);
 
 /* Returns the id of the item at a place, m; NULL: none. */
 const char *edit_select_at(Editor *edit, Vec2 at);

@@ -30,7 +30,7 @@ static Furniture *furniture_before(const Plan *plan, const EditShake *shake) {
 }
 
 /* Stores which pieces have fallen. */
-static EditShake *keep(Editor *edit, const Plan *plan, const bool *topples, size_t count) {
+static EditShake *store(Editor *edit, const Plan *plan, const bool *topples, size_t count) {
     edit->shakes = memory_reserve(edit->shakes, &edit->shake_capacity, edit->shake_count + 1, sizeof *edit->shakes);
     EditShake *shake = &edit->shakes[edit->shake_count++];
     const char **ids = arena_allocate(&edit->shake_arena, (count + 1) * sizeof *ids);
@@ -41,7 +41,7 @@ static EditShake *keep(Editor *edit, const Plan *plan, const bool *topples, size
     return shake;
 }
 
-static void say(Editor *edit, size_t fallen, size_t all) {
+static void describe(Editor *edit, size_t fallen, size_t all) {
     char count[24] = "none";
     if (fallen)
         snprintf(count, sizeof count, "%zu", fallen);
@@ -54,13 +54,13 @@ static bool make(Editor *edit, const Furniture *before, const bool *topples, Fau
     const Plan *plan = draft_plan(edit->draft);
     char name[EDIT_NAME];
     snprintf(name, sizeof name, "S%s", edit->shaken + 1);
-    edit_gesture_open(edit, name);
+    edit_gesture_begin_step(edit, name);
     for (size_t i = 0; i < plan->furniture_count; i++) {
         bool lies = before[i].toppled || topples[i];
         if (lies != plan->furniture[i].toppled)
             draft_set(edit->draft, plan->furniture[i].id, "toppled", json_boolean(lies));
     }
-    return edit_gesture_close(edit, fault);
+    return edit_gesture_end_step(edit, fault);
 }
 
 static bool can_anything_fall(const Plan *plan) {
@@ -84,8 +84,8 @@ bool edit_shake_do(Editor *edit, Fault *fault) {
     shake_draw(&before, ++edit->seed, topples);
     for (size_t i = 0; i < before.furniture_count; i++)
         count += topples[i];
-    EditShake *shake = keep(edit, &before, topples, count);
-    say(edit, count, before.furniture_count);
+    EditShake *shake = store(edit, &before, topples, count);
+    describe(edit, count, before.furniture_count);
     bool good = make(edit, furniture, topples, fault);
     shake->revision = draft_revision(edit->draft);
     edit->shake_count -= !good;

@@ -19,8 +19,8 @@ typedef struct Shift {
 
 /* Returns the points of the dragged element before the gesture; an exit's two points are stored in `ends`. */
 static Points points_before(const Editor *edit, Vec2 ends[2]) {
-    const Plan *plan = &edit->begun;
-    const char *id = edit->held;
+    const Plan *plan = &edit->plan_before;
+    const char *id = edit->dragged_id;
     for (size_t i = 0; i < plan->wall_count; i++)
         if (strcmp(plan->walls[i].id, id) == 0)
             return plan->walls[i].points;
@@ -50,7 +50,7 @@ static const Vec2 *neighbour(const Editor *edit, const Points *points) {
     return round ? &points->at[points->count - 1] : &points->at[1];
 }
 
-static void follow_typed_line(Editor *edit, const Vec2 *from) {
+static void update_typed_line(Editor *edit, const Vec2 *from) {
     double length = from ? vec2_distance(*from, edit->now.at) : 0;
     double angle = from ? snap_angle(vec2_sub(edit->now.at, *from)) : 0;
     bool typed = edit_field_typed(edit, FIELD_LENGTH, &length);
@@ -69,11 +69,11 @@ static void follow_typed_line(Editor *edit, const Vec2 *from) {
     edit_field_show(edit, FIELD_Y, edit->now.at.y);
 }
 
-static void follow_point(Editor *edit) {
+static void update_point(Editor *edit) {
     Vec2 ends[2];
     Points points = points_before(edit, ends);
     const Vec2 *from = neighbour(edit, &points);
-    const char *without[] = {edit->held};
+    const char *without[] = {edit->dragged_id};
     edit->now.at = edit->keys ? edit->grip.at
                               : edit_gesture_snap(edit, (SnapAsk){.from = from,
                                                                   .along = NAN,
@@ -82,7 +82,7 @@ static void follow_point(Editor *edit) {
                                                                   .without = without,
                                                                   .without_count = 1});
     if (edit->field_count > FIELD_Y) {
-        follow_typed_line(edit, from);
+        update_typed_line(edit, from);
         return;
     }
     edit_field_typed(edit, 0, &edit->now.at.x);
@@ -105,19 +105,20 @@ static bool is_joined(const Plan *plan, const char *id, size_t segment, Vec2 at)
 }
 
 /* Moves a segment of a wall, or an exit, with the pointer; joined segments move only sideways. */
-static void follow_piece(Editor *edit) {
+static void update_piece(Editor *edit) {
     Vec2 ends[2];
     Points points = points_before(edit, ends);
     const Vec2 *piece = points.at + edit->grip.index;
-    const char *without[] = {edit->held};
+    const char *without[] = {edit->dragged_id};
     Vec2 at = edit->keys
                   ? edit->grip.at
                   : edit_gesture_snap(
                         edit, (SnapAsk){.along = NAN, .from = &edit->grip.at, .without = without, .without_count = 1});
     edit_field_typed(edit, 0, &at.x);
     edit_field_typed(edit, 1, &at.y);
-    bool joined = edit->grip.grip == GRIP_SEGMENT && (is_joined(&edit->begun, edit->held, edit->grip.index, piece[0]) ||
-                                                      is_joined(&edit->begun, edit->held, edit->grip.index, piece[1]));
+    bool joined = edit->grip.grip == GRIP_SEGMENT &&
+                  (is_joined(&edit->plan_before, edit->dragged_id, edit->grip.index, piece[0]) ||
+                   is_joined(&edit->plan_before, edit->dragged_id, edit->grip.index, piece[1]));
     if (joined) {
         Vec2 side = vec2_left(snap_heading(snap_angle(vec2_sub(piece[1], piece[0]))));
         at = vec2_along(edit->grip.at, vec2_dot(vec2_sub(at, edit->grip.at), side), side);
@@ -128,17 +129,17 @@ static void follow_piece(Editor *edit) {
     edit_field_show(edit, 1, edit->now.at.y);
 }
 
-void edit_shape_follow(Editor *edit) {
+void edit_shape_update(Editor *edit) {
     if (edit->grip.grip == GRIP_POINT)
-        follow_point(edit);
+        update_point(edit);
     else
-        follow_piece(edit);
+        update_piece(edit);
 }
 
 /* Changing the draft ---------------------------------------------------------------------------------------------- */
 
 /* Keeps the doors in place on a segment whose first point moves: their distance from its other end stays the same. */
-static void keep_doors(Editor *edit, const Plan *plan, size_t w, const Vec2 *moved) {
+static void move_doors(Editor *edit, const Plan *plan, size_t w, const Vec2 *moved) {
     const Vec2 *before = plan->walls[w].points.at;
     for (size_t d = 0; d < plan->door_count; d++) {
         const Door *door = &plan->doors[d];
@@ -169,7 +170,7 @@ static void shift_wall(Editor *edit, const Plan *plan, size_t w, const Shift *sh
     }
     if (any) {
         draft_set_points(edit->draft, wall->id, "points", moved, wall->points.count);
-        keep_doors(edit, plan, w, moved);
+        move_doors(edit, plan, w, moved);
     }
     memory_free(moved);
 }
@@ -184,20 +185,20 @@ void edit_shape_make(Editor *edit) {
         to[i] = vec2(snap_tidy(goal.x), snap_tidy(goal.y));
     }
     Shift shift = {from, to, count};
-    for (size_t w = 0; edit->grip.list == DRAFT_WALLS && w < edit->begun.wall_count; w++)
-        if (!edit->pointer.free || strcmp(edit->begun.walls[w].id, edit->held) == 0)
-            shift_wall(edit, &edit->begun, w, &shift);
+    for (size_t w = 0; edit->grip.list == DRAFT_WALLS && w < edit->plan_before.wall_count; w++)
+        if (!edit->pointer.free || strcmp(edit->plan_before.walls[w].id, edit->dragged_id) == 0)
+            shift_wall(edit, &edit->plan_before, w, &shift);
     if (edit->grip.list == DRAFT_WALLS)
         return;
     Vec2 *moved = memory_zeroed(before.count, sizeof *moved);
     for (size_t i = 0; i < before.count; i++)
         moved[i] = i >= first && i < first + count ? to[i - first] : before.at[i];
     if (edit->grip.list == DRAFT_EXITS) {
-        draft_set_point(edit->draft, edit->held, "from", moved[0]);
-        draft_set_point(edit->draft, edit->held, "to", moved[1]);
+        draft_set_point(edit->draft, edit->dragged_id, "from", moved[0]);
+        draft_set_point(edit->draft, edit->dragged_id, "to", moved[1]);
     } else {
         const char *member = edit->grip.list == DRAFT_ROOMS ? "outline" : "via";
-        draft_set_points(edit->draft, edit->held, member, moved, before.count);
+        draft_set_points(edit->draft, edit->dragged_id, member, moved, before.count);
     }
     memory_free(moved);
 }

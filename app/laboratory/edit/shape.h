@@ -5,7 +5,7 @@
 #include "laboratory/edit/editor_state.h"
 
 /* Functions of the gesture that drags a point or a segment. */
-void edit_shape_follow(Editor *edit);
+void edit_shape_update(Editor *edit);
 void edit_shape_make(Editor *edit);
 
 /* Moves the whole selection by a vector, m, in the open step: selected walls with the corners of other walls that lie

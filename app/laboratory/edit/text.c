@@ -7,7 +7,8 @@
 #include "laboratory/edit/gesture.h"
 #include "laboratory/edit/select.h"
 
-static const char *const words[DRAFT_LISTS] = {"wall", "door", "furniture", "room", "exit", "person", "crowd", "route"};
+static const char *const kind_names[DRAFT_LISTS] = {"wall", "door",   "furniture", "room",
+                                                    "exit", "person", "crowd",     "route"};
 
 static void add(Editor *edit, size_t *count, EditText text) {
     edit->texts = memory_reserve(edit->texts, &edit->text_capacity, *count + 1, sizeof *edit->texts);
@@ -35,10 +36,10 @@ static void add_selected(Editor *edit, size_t *count) {
     const char *name = json_string_value(json_object_get(draft_at(edit->draft, list, index), "name"));
     if (is_named(list))
         add(edit, count,
-            (EditText){text_in_arena(&edit->text_arena, "%s.%s.name", words[list], id), group, "name",
+            (EditText){text_in_arena(&edit->text_arena, "%s.%s.name", kind_names[list], id), group, "name",
                        arena_text(&edit->text_arena, name ? name : ""), "What it is called on the plan."});
     add(edit, count,
-        (EditText){text_in_arena(&edit->text_arena, "%s.%s.id", words[list], id), group, "id",
+        (EditText){text_in_arena(&edit->text_arena, "%s.%s.id", kind_names[list], id), group, "id",
                    arena_text(&edit->text_arena, id), "Its short name in the file, for references and settings."});
 }
 
@@ -66,44 +67,44 @@ static bool split(const Editor *edit, const char *name, char id[EDIT_NAME], cons
     snprintf(id, EDIT_NAME, "%.*s", (int)((size_t)(last - name) - kind - 1), name + kind + 1);
     *member = last + 1;
     DraftList list = draft_find(edit->draft, id, &index);
-    return list < DRAFT_LISTS && strlen(words[list]) == kind && strncmp(words[list], name, kind) == 0 &&
+    return list < DRAFT_LISTS && strlen(kind_names[list]) == kind && strncmp(kind_names[list], name, kind) == 0 &&
            (strcmp(*member, "id") == 0 || (strcmp(*member, "name") == 0 && is_named(list)));
 }
 
-static bool rename_thing(Editor *edit, const char *id, const char *to, Fault *fault) {
-    char name[EDIT_NAME], thing[EDIT_NAME];
+static bool rename_element(Editor *edit, const char *id, const char *to, Fault *fault) {
+    char name[EDIT_NAME], item[EDIT_NAME];
     bool selected = edit_select_has(edit, id);
-    edit_select_name(edit, id, thing);
-    snprintf(name, sizeof name, "Rename %.60s to %.40s", thing, to);
-    edit_gesture_open(edit, name);
+    edit_select_name(edit, id, item);
+    snprintf(name, sizeof name, "Rename %.60s to %.40s", item, to);
+    edit_gesture_begin_step(edit, name);
     if (!draft_rename(edit->draft, id, to, fault)) {
         draft_cancel(edit->draft);
         return false;
     }
-    bool good = edit_gesture_close(edit, fault);
+    bool good = edit_gesture_end_step(edit, fault);
     if (good && selected)
         edit_select_only(edit, to);
     return good;
 }
 
 bool edit_text_set(Editor *edit, const char *name, const char *value, Fault *fault) {
-    char id[EDIT_NAME], step[EDIT_NAME], thing[EDIT_NAME];
+    char id[EDIT_NAME], step[EDIT_NAME], item[EDIT_NAME];
     const char *member;
     if (strcmp(name, "house.name") == 0 || strcmp(name, "house.note") == 0) {
         snprintf(step, sizeof step, "Change the house's %s", name + 6);
-        edit_gesture_open(edit, step);
+        edit_gesture_begin_step(edit, step);
         draft_set_house(edit->draft, name + 6, json_string(value));
-        return edit_gesture_close(edit, fault);
+        return edit_gesture_end_step(edit, fault);
     }
     if (!split(edit, name, id, &member)) {
         fault_add(fault, "there is no text called \"%.100s\"", name);
         return false;
     }
     if (strcmp(member, "id") == 0)
-        return rename_thing(edit, id, value, fault);
-    edit_select_name(edit, id, thing);
-    snprintf(step, sizeof step, "Name %.100s", thing);
-    edit_gesture_open(edit, step);
+        return rename_element(edit, id, value, fault);
+    edit_select_name(edit, id, item);
+    snprintf(step, sizeof step, "Name %.100s", item);
+    edit_gesture_begin_step(edit, step);
     draft_set_text(edit->draft, id, "name", value);
-    return edit_gesture_close(edit, fault);
+    return edit_gesture_end_step(edit, fault);
 }

@@ -23,7 +23,7 @@ static void stock_profiles(Editor *edit) {
         Text name = {0};
         text_format(&name, "%.*s", (int)strlen(entries[i]->d_name) - 5, entries[i]->d_name);
         if (strcmp(name.text, USUAL_PROFILE) == 0)
-            edit->items[TOOL_PERSON] = edit->profile_count;
+            edit->chosen_rows[TOOL_PERSON] = edit->profile_count;
         edit->profiles[edit->profile_count++] = name.text;
         free(entries[i]);
     }
@@ -45,12 +45,12 @@ void edit_tool_items_clear(Editor *edit) {
         memory_free(edit->profiles[i]);
     memory_free(edit->profiles);
     memory_free(edit->item_rows);
-    arena_clear(&edit->item_words);
+    arena_clear(&edit->item_texts);
     catalogue_free(&edit->catalogue);
 }
 
 static void add(Editor *edit, size_t *count, CatalogueRow item) {
-    edit->item_rows = memory_reserve(edit->item_rows, &edit->item_capacity, *count + 1, sizeof *edit->item_rows);
+    edit->item_rows = memory_reserve(edit->item_rows, &edit->row_capacity, *count + 1, sizeof *edit->item_rows);
     edit->item_rows[(*count)++] = item;
 }
 
@@ -60,7 +60,7 @@ static void list_furniture(Editor *edit, size_t *count) {
         const CatalogueItem *item = &edit->catalogue.items[i];
         add(edit, count,
             (CatalogueRow){item->name, item->group,
-                           text_in_arena(&edit->item_words, "%.2f x %.2f m, %.2f m high (%s)", item->size.x,
+                           text_in_arena(&edit->item_texts, "%.2f x %.2f m, %.2f m high (%s)", item->size.x,
                                          item->size.y, item->height, item->provenance)});
     }
 }
@@ -68,7 +68,7 @@ static void list_furniture(Editor *edit, size_t *count) {
 const CatalogueRow *edit_tool_items_list(Editor *edit, size_t *count) {
     *count = 0;
     edit_tool_items_stock(edit);
-    arena_clear(&edit->item_words);
+    arena_clear(&edit->item_texts);
     if (edit->tool == TOOL_FURNITURE) {
         list_furniture(edit, count);
     } else if (edit->tool == TOOL_PERSON) {

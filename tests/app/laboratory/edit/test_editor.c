@@ -301,7 +301,7 @@ static const char *snapped(void *live) {
     const GestureView *gesture = editor_gesture(kind->editor(live));
     for (size_t i = 0; i < gesture->mark_count; i++)
         if (gesture->marks[i].kind == MARK_SNAP)
-            return gesture->marks[i].words;
+            return gesture->marks[i].text;
     return "";
 }
 
@@ -660,7 +660,7 @@ TEST(what_is_measured_stays_until_it_is_deleted) {
     click(live, 1, 1);
     click(live, 1, 1.78);
     const GestureView *gesture = editor_gesture(kind->editor(live));
-    CHECK(!gesture->active && gesture->mark_count && strcmp(gesture->marks[0].words, "0.78 m") == 0);
+    CHECK(!gesture->active && gesture->mark_count && strcmp(gesture->marks[0].text, "0.78 m") == 0);
     CHECK(!editor_undo_name(kind->editor(live)));
     CHECK(succeeds(editor_remove(kind->editor(live), &fault), &fault));
     kind->close(live);
@@ -712,7 +712,7 @@ TEST(a_change_that_lets_everybody_out_is_proposed_and_taken) {
         proposals = editor_proposals(kind->editor(live), &count, &doing);
     }
     CHECK(count > 0 && !doing);
-    CHECK(count && strstr(proposals[0].words, "Widen door d1") && strstr(proposals[0].answer, "everybody out in"));
+    CHECK(count && strstr(proposals[0].text, "Widen door d1") && strstr(proposals[0].answer, "everybody out in"));
     CHECK(succeeds(editor_accept(kind->editor(live), 0, &fault), &fault));
     CHECK(!strstr(editor_text(kind->editor(live)), "\"width\": 0.5"));
     CHECK(strstr(editor_undo_name(kind->editor(live)), "Widen door d1"));
